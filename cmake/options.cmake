@@ -1,0 +1,38 @@
+# Compile options that every target shares (INTERFACE target lippmann_options), and helpers to declare parts.
+
+add_library(lippmann_options INTERFACE)
+target_include_directories(lippmann_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
+
+# Floating point: contraction to FMA is off, so that every instruction-set clone of a kernel (core/multiversion.hpp) gives the
+# same bits; errno and traps are not used, which lets the compiler vectorise floor, sqrt and selects.
+target_compile_options(lippmann_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+
+if(LIPPMANN_WERROR)
+  target_compile_options(lippmann_options INTERFACE -Werror)
+endif()
+if(LIPPMANN_ASSERTS)
+  string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
+endif()
+if(LIPPMANN_SANITIZE)
+  target_compile_options(lippmann_options INTERFACE -fsanitize=${LIPPMANN_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(lippmann_options INTERFACE -fsanitize=${LIPPMANN_SANITIZE})
+  # Resolvers of function clones run before a sanitizer's run-time is up.
+  target_compile_definitions(lippmann_options INTERFACE LIPPMANN_NO_MULTIVERSION)
+endif()
+
+# lippmann_part(NAME SOURCES ... DEPENDS ... PRIVATE_DEPENDS ...): the static library lippmann_NAME, alias lippmann::NAME.
+function(lippmann_part name)
+  cmake_parse_arguments(PART "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_library(lippmann_${name} STATIC ${PART_SOURCES})
+  add_library(lippmann::${name} ALIAS lippmann_${name})
+  target_link_libraries(lippmann_${name} PUBLIC lippmann_options ${PART_DEPENDS} PRIVATE ${PART_PRIVATE_DEPENDS})
+endfunction()
+
+# lippmann_test(NAME SOURCES ... DEPENDS ...): one GoogleTest program, its tests known to ctest under their own names.
+function(lippmann_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE lippmann_test_support ${TEST_DEPENDS} GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,27 @@
+#include "core/error.hpp"
+
+#include <utility>
+
+namespace lippmann {
+namespace {
+
+std::string compose(const std::string& where, const std::string& problem, const std::string& accepted) {
+  std::string text = where.empty() ? problem : where + ": " + problem;
+  if (!accepted.empty()) text += "; accepted: " + accepted;
+  return text;
+}
+
+}  // namespace
+
+Error::Error(std::string where, std::string problem, std::string accepted, ErrorKind kind)
+    : std::runtime_error(compose(where, problem, accepted)),
+      where_(std::move(where)),
+      problem_(std::move(problem)),
+      accepted_(std::move(accepted)),
+      kind_(kind) {}
+
+Error usage_error(std::string where, std::string problem, std::string accepted) {
+  return Error(std::move(where), std::move(problem), std::move(accepted), ErrorKind::kUsage);
+}
+
+}  // namespace lippmann

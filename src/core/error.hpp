@@ -1,0 +1,36 @@
+// The one exception type of the library: bad input from outside (a file, a flag, a size), with enough to mend it.
+//
+// Thrown at load and set-up only; kernels never throw. Only main() catches it, prints message() and exits with exit_code().
+// Our own mistakes are asserts, not Errors.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace lippmann {
+
+enum class ErrorKind {
+  kInput,  ///< the work cannot be done: bad file contents, I/O, limits; exit code 1
+  kUsage,  ///< wrong flag, key or value on the command line or in a job file; exit code 2
+};
+
+class Error : public std::runtime_error {
+ public:
+  /// where: file[:line], flag or key. problem: what is wrong there. accepted: what would be accepted, empty if obvious.
+  Error(std::string where, std::string problem, std::string accepted = {}, ErrorKind kind = ErrorKind::kInput);
+
+  const std::string& where() const { return where_; }
+  const std::string& problem() const { return problem_; }
+  const std::string& accepted() const { return accepted_; }
+  ErrorKind kind() const { return kind_; }
+  int exit_code() const { return kind_ == ErrorKind::kUsage ? 2 : 1; }
+
+ private:
+  std::string where_, problem_, accepted_;
+  ErrorKind kind_;
+};
+
+/// The same, for wrong usage (exit code 2).
+Error usage_error(std::string where, std::string problem, std::string accepted = {});
+
+}  // namespace lippmann

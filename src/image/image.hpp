@@ -1,0 +1,26 @@
+// A picture in memory: float samples, row-major from the top-left, channels interleaved.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace lippmann {
+
+struct Image {
+  int width = 0, height = 0, channels = 3;
+  std::vector<float> data;  ///< data[(y * width + x) * channels + c]
+
+  Image() = default;
+  Image(int w, int h, int c) : width(w), height(h), channels(c), data(static_cast<std::size_t>(w) * h * c) {}
+
+  float* pixel(int x, int y) { return data.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
+  const float* pixel(int x, int y) const { return data.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
+};
+
+/// 8-bit codes, layout as in Image, 3 channels.
+struct Image8 {
+  int width = 0, height = 0;
+  std::vector<unsigned char> rgb;
+};
+
+}  // namespace lippmann

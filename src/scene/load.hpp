@@ -1,0 +1,26 @@
+// Reads a scene from a file or builds a built-in one: the one place that knows which format is whose.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/context.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann {
+
+struct LoadOptions {
+  std::optional<std::filesystem::path> camera_path;  ///< a Tachyon .cam file, for .dat scenes only
+  double frames_per_second = 0.0;                    ///< 0: the format's default
+};
+
+/// `name` is a built-in scene (builtin.hpp) or a file: .gltf, .glb, .dat. Throws Error; what is read but not supported is a
+/// warning in `context`. The result has passed validate().
+Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context);
+
+/// Checks every index, size and number of a scene (finite vertices, triangle indices, parents before children, radii > 0).
+/// Throws Error naming `where` and the element.
+void validate(const Scene& scene, const std::string& where);
+
+}  // namespace lippmann

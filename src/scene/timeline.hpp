@@ -1,0 +1,27 @@
+// Where everything is at a given time: evaluates the node hierarchy of a Scene.
+#pragma once
+
+#include <vector>
+
+#include "core/math.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann {
+
+/// The world transform of every node of a scene at one time; index as in Scene::nodes.
+struct ResolvedScene {
+  std::vector<Affine3f> world_from_node;
+  /// The transform of a node; the identity for -1.
+  Affine3f of(int node) const { return node < 0 ? Affine3f{} : world_from_node[static_cast<std::size_t>(node)]; }
+};
+
+/// Equal times give equal bits. glTF 2.0, appendix C ("Animation sampler interpolation modes"), for the cubic spline.
+ResolvedScene evaluate(const Scene& scene, double time);
+
+/// Whether each node ever moves (it or one of its ancestors is animated with more than one value).
+std::vector<bool> moving_nodes(const Scene& scene);
+
+/// World bounds of everything finite (planes are left out) at one time; empty if there is nothing finite.
+Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved);
+
+}  // namespace lippmann

@@ -1,0 +1,31 @@
+// A Scene made ready for tracing: acceleration structures, flattened primitives, shading tables; at one moment of its timeline.
+#pragma once
+
+#include <memory>
+
+#include "core/parallel.hpp"
+#include "scene/scene.hpp"
+#include "scene/timeline.hpp"
+
+namespace lippmann {
+
+/// Built once per scene, updated once per frame. What never moves is built once; what moves rigidly is moved, not rebuilt.
+/// The Scene must outlive it. Tracing reads it from any number of threads; update() must not overlap with tracing.
+class DeviceScene {
+ public:
+  DeviceScene(const Scene& scene, const ThreadPool& pool);
+  ~DeviceScene();
+  DeviceScene(const DeviceScene&) = delete;
+  DeviceScene& operator=(const DeviceScene&) = delete;
+
+  /// Moves everything to where `resolved` has it.
+  void update(const ResolvedScene& resolved, const ThreadPool& pool);
+
+  struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lippmann

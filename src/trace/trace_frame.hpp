@@ -1,0 +1,50 @@
+// Renders one frame: every pixel's ray through the array into the scene, shaded after Whitted (1980).
+#pragma once
+
+#include <cstdint>
+
+#include "core/context.hpp"
+#include "core/math.hpp"
+#include "core/parallel.hpp"
+#include "image/image.hpp"
+#include "optics/optics.hpp"
+#include "trace/device_scene.hpp"
+
+namespace lippmann {
+
+/// In which order the pixels of a frame are traced ("pixel-tracing style" in the paper); the picture is the same.
+enum class RayOrder {
+  kRows,        ///< pixel row by pixel row (the paper's horizontal style)
+  kColumns,     ///< column by column below each lens (the paper's vertical style)
+  kViewTiles,   ///< tiles of one directional view: neighbours in a packet share one direction
+};
+
+struct TraceParams {
+  RayOrder order = RayOrder::kViewTiles;
+  int spp = 1;             ///< samples per pixel; above 1 stratified over the pixel's area
+  int max_depth = 6;       ///< path vertices: 1 = no mirrors
+  std::uint32_t seed = 0;  ///< of the sub-pixel positions
+  int frame = 0;           ///< enters the random hash
+};
+
+struct RayCounts {
+  std::uint64_t primary = 0, shadow = 0, reflection = 0, indirect = 0;  ///< reflection: mirror and refracted rays
+  std::uint64_t total() const { return primary + shadow + reflection + indirect; }
+};
+
+/// What the first hit of a pixel's centre ray (sample 0) was. Allocated to the panel's size where wanted, else empty.
+struct FrameAovs {
+  bool depth = false, normal = false, object_id = false, position = false;  ///< which to fill
+  Image depth_image;      ///< 1 channel: z in display mm (> 0 in front of the array); -inf where nothing was hit
+  Image normal_image;     ///< 3 channels: unit, world space, towards the ray; 0 where nothing was hit
+  Image object_id_image;  ///< 1 channel: index in Scene::instances; -1 where nothing was hit
+  Image position_image;   ///< 3 channels: world space; 0 where nothing was hit
+};
+
+/// Fills `film` (3 channels, linear, the panel's size) with the frame. The same bits for any number of threads.
+/// Returns early, film unfinished, when context.cancelled is set.
+RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
+                      const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film,
+                      FrameAovs* aovs = nullptr);
+
+}  // namespace lippmann

@@ -1,0 +1,20 @@
+#include "core/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lippmann {
+namespace {
+
+TEST(Error, what_with_all_parts_names_where_problem_and_accepted) {
+  const Error error("a.dat:12", "unknown keyword FOO", "SPHERE, PLANE");
+  EXPECT_STREQ(error.what(), "a.dat:12: unknown keyword FOO; accepted: SPHERE, PLANE");
+  EXPECT_EQ(error.exit_code(), 1);
+}
+
+TEST(Error, usage_error_exits_with_2) {
+  EXPECT_EQ(usage_error("--lenses", "0 lenses").exit_code(), 2);
+  EXPECT_STREQ(usage_error("--lenses", "0 lenses").what(), "--lenses: 0 lenses");
+}
+
+}  // namespace
+}  // namespace lippmann

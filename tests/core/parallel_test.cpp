@@ -1,0 +1,43 @@
+#include "core/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+namespace lippmann {
+namespace {
+
+TEST(ThreadPool, for_each_any_thread_count_calls_each_index_once) {
+  for (const int threads : {1, 2, 5}) {
+    const ThreadPool pool(threads);
+    std::vector<std::atomic<int>> calls(1000);
+    pool.for_each(calls.size(), [&](std::size_t i) { ++calls[i]; });
+    for (const auto& count : calls) EXPECT_EQ(count, 1);
+  }
+}
+
+TEST(ThreadPool, for_each_piece_throws_is_rethrown) {
+  const ThreadPool pool(2);
+  EXPECT_THROW(pool.for_each(8, [](std::size_t i) { if (i == 3) throw std::runtime_error("piece 3"); }), std::runtime_error);
+}
+
+TEST(ThreadPool, for_each_denormal_product_is_flushed_on_every_thread) {
+  const ThreadPool pool(2);
+  std::vector<float> products(64, 1.0f);
+  volatile float tiny = 1e-30f;
+  pool.for_each(products.size(), [&](std::size_t i) { products[i] = tiny * 1e-10f; });
+  for (const float p : products) EXPECT_EQ(p, 0.0f);
+  EXPECT_NE(tiny * 1e-10f, 0.0f) << "the caller's own mode is left alone";
+}
+
+TEST(Context, resolved_threads_zero_is_at_least_one) {
+  Context context;
+  EXPECT_GE(resolved_threads(context), 1);
+  context.threads = 3;
+  EXPECT_EQ(resolved_threads(context), 3);
+}
+
+}  // namespace
+}  // namespace lippmann
