@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/math.hpp"
+#include "image/encoding.hpp"
 
 namespace lippmann {
 
@@ -167,12 +168,6 @@ struct DisplayPlacement {
   int node = -1;
   float plane_height = 1.0f;            ///< height of the array in node units
   float viewing_distance = kInfinity;   ///< node units in front of the array that the array's cells converge to
-};
-
-/// How linear film values become 8-bit codes.
-enum class Encoding {
-  kSrgb,             ///< sRGB transfer curve, rounded to nearest
-  kTachyonTruncate,  ///< trunc(255 value): display-referred scenes of Tachyon, compared byte for byte with its output
 };
 
 // ---- Nodes and time -------------------------------------------------------------------------------------------------
