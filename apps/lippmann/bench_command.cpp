@@ -1,0 +1,107 @@
+// `lippmann bench NAME`: runs a benchmark of bench/ and prints its rows as a table or as JSON.
+#include <fmt/core.h>
+#include <sys/utsname.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "apps/lippmann/commands.hpp"
+#include "bench/bench.hpp"
+#include "core/error.hpp"
+
+namespace lippmann::app {
+namespace {
+
+struct Options {
+  std::string name;
+  int threads = 0;
+  bool json = false;
+};
+
+std::string cpu_model() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
+  return "unknown";
+}
+
+nlohmann::ordered_json describe_machine(const Context& context) {
+  utsname system{};
+  uname(&system);
+  return {{"cpu", cpu_model()},
+          {"threads", resolved_threads(context)},
+          {"system", std::string(system.sysname) + " " + system.release},
+          {"compiler", std::string("g++ ") + __VERSION__}};
+}
+
+std::string cell(const nlohmann::ordered_json& value) {
+  if (value.is_number_float()) return fmt::format("{:.4g}", value.get<double>());
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void print_table(const bench::Report& report) {
+  if (report.rows.empty()) return;
+  std::vector<std::size_t> widths;
+  for (const auto& [key, ignored] : report.rows[0].items()) widths.push_back(key.size());
+  for (const auto& row : report.rows) {
+    std::size_t column = 0;
+    for (const auto& [key, value] : row.items()) {
+      if (column == widths.size()) widths.push_back(key.size());
+      widths[column] = std::max(widths[column], cell(value).size());
+      ++column;
+    }
+  }
+  std::size_t column = 0;
+  for (const auto& [key, ignored] : report.rows[0].items()) fmt::print("{:>{}}  ", key, widths[column++]);
+  fmt::print("\n");
+  for (const auto& row : report.rows) {
+    column = 0;
+    for (const auto& [key, value] : row.items()) fmt::print("{:>{}}  ", cell(value), widths[column++]);
+    fmt::print("\n");
+  }
+  fmt::print("{} checks of results passed\n", report.passed_checks);
+}
+
+const bench::Benchmark& find_benchmark(const std::string& name) {
+  std::string known;
+  for (const bench::Benchmark& benchmark : bench::benchmarks()) {
+    if (benchmark.name == name) return benchmark;
+    known += (known.empty() ? "" : ", ") + std::string(benchmark.name);
+  }
+  throw usage_error("bench", "there is no benchmark '" + name + "'", known);
+}
+
+int run(const Options& options, Context& context) {
+  const bench::Benchmark& benchmark = find_benchmark(options.name);
+  context.threads = options.threads;
+  const bench::Report report = benchmark.run(context);
+  if (!options.json) {
+    print_table(report);
+    return 0;
+  }
+  const nlohmann::ordered_json result{{"bench", benchmark.name},
+                                      {"machine", describe_machine(context)},
+                                      {"rows", report.rows},
+                                      {"passed_checks", report.passed_checks}};
+  fmt::print("{}\n", result.dump(2));
+  return 0;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *root.add_subcommand("bench", "Measure speed on this machine, after checking the results");
+  std::string footer = "Benchmarks:\n";
+  for (const bench::Benchmark& benchmark : bench::benchmarks())
+    footer += fmt::format("  {:<10} {}\n", benchmark.name, benchmark.description);
+  command.footer(footer);
+  command.add_option("NAME", options->name, "Which benchmark")->required();
+  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
+  command.add_flag("--json", options->json, "Print the result as JSON");
+  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,28 @@
+// The benchmarks that `lippmann bench` runs: each checks its results first, then measures, and returns rows of figures.
+//
+// Every ratio in a row comes from one run, its two sides measured in turn, because absolute times vary with the machine.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/context.hpp"
+
+namespace lippmann::bench {
+
+struct Report {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();  ///< one object per line of the table, all with the same keys
+  int passed_checks = 0;  ///< of results, made before measuring; a failed one throws Error
+};
+
+struct Benchmark {
+  std::string_view name;
+  std::string_view description;  ///< one line for --help
+  Report (*run)(const Context& context);
+};
+
+/// In the order that --help lists them.
+const std::vector<Benchmark>& benchmarks();
+
+}  // namespace lippmann::bench
