@@ -1,0 +1,82 @@
+#include "core/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error system_failure(const fs::path& path, const std::string& action, int code) {
+  return Error(path.string(), action + ": " + std::generic_category().message(code));
+}
+
+void check_destination(const fs::path& path) {
+  if (path.filename().empty()) throw Error(path.string(), "is not a file name");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) throw Error(path.string(), "there is no folder " + folder.string());
+  if (access(folder.c_str(), W_OK | X_OK) != 0) throw system_failure(path, "cannot write into " + folder.string(), errno);
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) throw Error(path.string(), "exists and is not a regular file");
+}
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int value) : value_(value) {}
+  ~FileDescriptor() { close(); }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+  int value() const { return value_; }
+  /// 0, or the errno of a delayed write error.
+  int close() {
+    if (value_ < 0) return 0;
+    return ::close(std::exchange(value_, -1)) == 0 ? 0 : errno;
+  }
+
+ private:
+  int value_;
+};
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
+  check_destination(path_);
+  temporary_path_ =
+      path_.parent_path() / ("." + path_.stem().string() + ".tmp-" + std::to_string(getpid()) + path_.extension().string());
+  unlink(temporary_path_.c_str());  // left by a crashed process that had this one's number
+}
+
+AtomicFile::~AtomicFile() {
+  if (!committed_) unlink(temporary_path_.c_str());
+}
+
+void AtomicFile::commit() {
+  if (rename(temporary_path_.c_str(), path_.c_str()) != 0) throw system_failure(path_, "cannot be put in place", errno);
+  committed_ = true;
+}
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+  AtomicFile file(path);
+  FileDescriptor descriptor(open(file.temporary_path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (descriptor.value() < 0) throw system_failure(path, "cannot be created", errno);
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor.value(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw system_failure(path, "cannot be written", errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  if (const int code = descriptor.close(); code != 0) throw system_failure(path, "cannot be written", code);
+  file.commit();
+}
+
+}  // namespace lippmann

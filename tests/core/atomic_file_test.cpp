@@ -1,0 +1,100 @@
+#include "core/atomic_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/error.hpp"
+#include "support/file_size_limit.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::FileSizeLimit;
+using test::TempDir;
+using ::testing::HasSubstr;
+
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+std::string contents(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string message_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no Error";
+}
+
+TEST(AtomicFile, temporary_path_is_hidden_in_the_same_folder_with_the_same_extension) {
+  const TempDir dir;
+  const AtomicFile file(dir / "frame_0001.png");
+  EXPECT_EQ(file.temporary_path().parent_path(), dir.path());
+  EXPECT_EQ(file.temporary_path().extension(), ".png");
+  EXPECT_TRUE(file.temporary_path().filename().string().starts_with(".frame_0001.tmp-"));
+}
+
+TEST(AtomicFile, destroyed_without_commit_leaves_nothing) {
+  const TempDir dir;
+  {
+    const AtomicFile file(dir / "a.txt");
+    std::ofstream(file.temporary_path()) << "half";
+    ASSERT_TRUE(fs::exists(file.temporary_path()));
+  }
+  EXPECT_TRUE(fs::is_empty(dir.path()));
+}
+
+TEST(AtomicFile, destroyed_without_commit_keeps_the_previous_file) {
+  const TempDir dir;
+  write_file_atomically(dir / "a.txt", bytes_of("old"));
+  { std::ofstream(AtomicFile(dir / "a.txt").temporary_path()) << "half"; }
+  EXPECT_EQ(contents(dir / "a.txt"), "old");
+}
+
+TEST(AtomicFile, commit_of_a_file_never_written_is_an_error) {
+  const TempDir dir;
+  AtomicFile file(dir / "a.txt");
+  EXPECT_THROW(file.commit(), Error);
+}
+
+TEST(WriteFileAtomically, existing_file_is_replaced) {
+  const TempDir dir;
+  write_file_atomically(dir / "a.txt", bytes_of("old and long"));
+  write_file_atomically(dir / "a.txt", bytes_of("new"));
+  EXPECT_EQ(contents(dir / "a.txt"), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(dir.path()), {}), 1);
+}
+
+TEST(WriteFileAtomically, missing_folder_is_named) {
+  const TempDir dir;
+  EXPECT_THAT(message_of([&] { write_file_atomically(dir / "no/a.txt", bytes_of("x")); }), HasSubstr("there is no folder"));
+}
+
+TEST(WriteFileAtomically, name_of_a_folder_is_refused) {
+  const TempDir dir;
+  fs::create_directory(dir / "a.png");
+  EXPECT_THAT(message_of([&] { write_file_atomically(dir / "a.png", bytes_of("x")); }), HasSubstr("not a regular file"));
+}
+
+TEST(WriteFileAtomically, disk_full_names_the_file_and_leaves_nothing) {
+  const TempDir dir;
+  const std::string text(100000, 'x');
+  {
+    const FileSizeLimit full(4096);
+    const std::string message = message_of([&] { write_file_atomically(dir / "a.txt", bytes_of(text)); });
+    EXPECT_THAT(message, HasSubstr("a.txt: cannot be written"));
+  }
+  EXPECT_TRUE(fs::is_empty(dir.path()));
+}
+
+}  // namespace
+}  // namespace lippmann
