@@ -1,6 +1,7 @@
 #include "core/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -52,7 +53,7 @@ class FileDescriptor {
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   check_destination(path_);
   temporary_path_ =
-      path_.parent_path() / ("." + path_.stem().string() + ".tmp-" + std::to_string(getpid()) + path_.extension().string());
+      path_.parent_path() / fmt::format(".{}.tmp-{}{}", path_.stem().string(), getpid(), path_.extension().string());
   unlink(temporary_path_.c_str());  // left by a crashed process that had this one's number
 }
 

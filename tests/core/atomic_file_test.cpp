@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "support/error_message.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/temp_dir.hpp"
 
@@ -15,6 +16,7 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+using test::error_message;
 using test::FileSizeLimit;
 using test::TempDir;
 using ::testing::HasSubstr;
@@ -24,15 +26,6 @@ std::span<const std::byte> bytes_of(const std::string& text) { return std::as_by
 std::string contents(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string message_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no Error";
 }
 
 TEST(AtomicFile, temporary_path_is_hidden_in_the_same_folder_with_the_same_extension) {
@@ -76,13 +69,13 @@ TEST(WriteFileAtomically, existing_file_is_replaced) {
 
 TEST(WriteFileAtomically, missing_folder_is_named) {
   const TempDir dir;
-  EXPECT_THAT(message_of([&] { write_file_atomically(dir / "no/a.txt", bytes_of("x")); }), HasSubstr("there is no folder"));
+  EXPECT_THAT(error_message([&] { write_file_atomically(dir / "no/a.txt", bytes_of("x")); }), HasSubstr("there is no folder"));
 }
 
 TEST(WriteFileAtomically, name_of_a_folder_is_refused) {
   const TempDir dir;
   fs::create_directory(dir / "a.png");
-  EXPECT_THAT(message_of([&] { write_file_atomically(dir / "a.png", bytes_of("x")); }), HasSubstr("not a regular file"));
+  EXPECT_THAT(error_message([&] { write_file_atomically(dir / "a.png", bytes_of("x")); }), HasSubstr("not a regular file"));
 }
 
 TEST(WriteFileAtomically, disk_full_names_the_file_and_leaves_nothing) {
@@ -90,7 +83,7 @@ TEST(WriteFileAtomically, disk_full_names_the_file_and_leaves_nothing) {
   const std::string text(100000, 'x');
   {
     const FileSizeLimit full(4096);
-    const std::string message = message_of([&] { write_file_atomically(dir / "a.txt", bytes_of(text)); });
+    const std::string message = error_message([&] { write_file_atomically(dir / "a.txt", bytes_of(text)); });
     EXPECT_THAT(message, HasSubstr("a.txt: cannot be written"));
   }
   EXPECT_TRUE(fs::is_empty(dir.path()));
