@@ -1,0 +1,72 @@
+#include "scene/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "scene/tachyon.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& context) {
+  const double fps = options.frames_per_second > 0.0 ? options.frames_per_second : kTachyonFramesPerSecond;
+  return load_tachyon(path, options.camera_path, context, fps);
+}
+
+/// One row per file format. Rows that share a loader stand together.
+struct Format {
+  std::string_view extension;  ///< lower case, with its dot
+  bool takes_camera_path;
+  Scene (*load)(const fs::path&, const LoadOptions&, const Context&);
+};
+
+constexpr Format kFormats[] = {
+    {".dat", true, load_dat},
+};
+
+std::string lower_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+std::string accepted_names() {
+  std::string names = "a file";
+  for (const Format& format : kFormats) names += fmt::format(" {}", format.extension);
+  return names;
+}
+
+void require_readable_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw Error(path.string(), "there is no such file", accepted_names());
+  if (fs::is_directory(status)) throw Error(path.string(), "is a folder", accepted_names());
+}
+
+Scene load_file(const fs::path& path, const LoadOptions& options, const Context& context) {
+  const std::string extension = lower_extension(path);
+  const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                    [&](const Format& candidate) { return candidate.extension == extension; });
+  require_readable_file(path);
+  if (format == std::end(kFormats)) throw Error(path.string(), "is not a scene format that is known", accepted_names());
+  if (options.camera_path && !format->takes_camera_path)
+    throw usage_error("--camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
+  return format->load(path, options, context);
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context) {
+  Scene scene = load_file(name, options, context);
+  validate(scene, name);
+  return scene;
+}
+
+}  // namespace lippmann

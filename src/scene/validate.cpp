@@ -1,0 +1,270 @@
+// Checks a whole Scene once, after loading, so that nothing behind it has to check again.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+#include <type_traits>
+
+#include "core/error.hpp"
+#include "scene/load.hpp"
+
+namespace lippmann {
+namespace {
+
+bool finite(float x) { return std::isfinite(x); }
+template <glm::length_t L>
+bool finite(const glm::vec<L, float>& v) {
+  for (glm::length_t i = 0; i < L; ++i)
+    if (!std::isfinite(v[i])) return false;
+  return true;
+}
+bool finite(Quatf q) { return finite(Vec4f(q.w, q.x, q.y, q.z)); }
+bool finite(const Affine3f& a) {
+  return finite(a.linear[0]) && finite(a.linear[1]) && finite(a.linear[2]) && finite(a.translation);
+}
+
+/// Formats that quantise normals (8 bits a component) stay within 1 %.
+template <class V>
+bool unit(const V& v) {
+  return std::abs(glm::dot(v, v) - 1.0f) < 0.02f;
+}
+
+bool uniform(Vec3f scale) {
+  const Vec3f s = glm::abs(scale);
+  return std::max({s.x, s.y, s.z}) <= 1.001f * std::min({s.x, s.y, s.z});
+}
+
+/// Whether the columns have equal lengths and stand at right angles, to a relative 1e-3.
+bool similarity(const Mat3f& m) {
+  const Vec3f square(glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2]));
+  const float tolerance = 1e-3f * square.x;
+  return uniform(glm::sqrt(square)) && std::abs(glm::dot(m[0], m[1])) <= tolerance &&
+         std::abs(glm::dot(m[0], m[2])) <= tolerance && std::abs(glm::dot(m[1], m[2])) <= tolerance;
+}
+
+class Validator {
+ public:
+  Validator(const Scene& scene, const std::string& where) : scene_(scene), where_(where) {}
+
+  void run() {
+    check_nodes();
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
+      std::visit([&](const auto& shape) { check_shape(shape, fmt::format("shape {}", i)); }, scene_.shapes[i]);
+    for (std::size_t i = 0; i < scene_.textures.size(); ++i) check_texture(scene_.textures[i], i);
+    for (std::size_t i = 0; i < scene_.materials.size(); ++i)
+      std::visit([&](const auto& s) { check_surface(s, label("material", i, scene_.materials[i].name)); },
+                 scene_.materials[i].surface);
+    check_timeline();  // before instances, which look into the animations
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) check_instance(scene_.instances[i], i);
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) check_light(scene_.lights[i], i);
+    for (std::size_t i = 0; i < scene_.cameras.size(); ++i) check_camera(scene_.cameras[i], i);
+    check_rest();
+  }
+
+ private:
+  void require(bool good, std::string_view element, std::string_view problem) const {
+    if (!good) throw Error(where_, fmt::format("{}: {}", element, problem));
+  }
+
+  static std::string label(std::string_view kind, std::size_t index, const std::string& name) {
+    return name.empty() ? fmt::format("{} {}", kind, index) : fmt::format("{} {} ({})", kind, index, name);
+  }
+
+  void require_index(int index, std::size_t count, int lowest, std::string_view element, std::string_view of) const {
+    if (index < lowest || index >= static_cast<std::ptrdiff_t>(count))
+      throw Error(where_, fmt::format("{}: {} {} does not exist", element, of, index),
+                  count ? fmt::format("{} to {}", lowest, count - 1) : std::string("none, for there are none"));
+  }
+  void require_node(int node, std::string_view element) const { require_index(node, scene_.nodes.size(), -1, element, "node"); }
+
+  // ---- Shapes ----
+
+  void check_shape(const Mesh& mesh, const std::string& element) const {
+    const std::size_t vertices = mesh.positions.size();
+    require(mesh.normals.empty() || mesh.normals.size() == vertices, element, "not one normal per vertex");
+    require(mesh.uvs.empty() || mesh.uvs.size() == vertices, element, "not one uv per vertex");
+    for (std::size_t i = 0; i < vertices; ++i)
+      if (!finite(mesh.positions[i])) require(false, element, fmt::format("the position of vertex {} is not finite", i));
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+      if (!unit(mesh.normals[i])) require(false, element, fmt::format("the normal of vertex {} is not a unit vector", i));
+    for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
+      if (!finite(mesh.uvs[i])) require(false, element, fmt::format("the uv of vertex {} is not finite", i));
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      for (const std::uint32_t index : mesh.triangles[i])
+        if (index >= vertices)
+          require(false, element, fmt::format("triangle {} names vertex {} of {} vertices", i, index, vertices));
+  }
+
+  template <class T>
+  void check_shape(const std::vector<T>& set, const std::string& element) const {
+    for (std::size_t i = 0; i < set.size(); ++i)
+      if (const char* problem = problem_of(set[i])) require(false, fmt::format("{}, element {}", element, i), problem);
+  }
+
+  static const char* problem_of(const Sphere& s) {
+    if (!finite(s.center)) return "the sphere's center is not finite";
+    return finite(s.radius) && s.radius > 0.0f ? nullptr : "the sphere's radius is not a positive number";
+  }
+  static const char* problem_of(const Cylinder& c) {
+    if (!finite(c.base) || !finite(c.apex)) return "the cylinder's ends are not finite";
+    if (c.base == c.apex) return "the cylinder has no length";
+    return finite(c.radius) && c.radius > 0.0f ? nullptr : "the cylinder's radius is not a positive number";
+  }
+  static const char* problem_of(const Plane& p) {
+    if (!finite(p.point)) return "the plane's point is not finite";
+    return unit(p.normal) ? nullptr : "the plane's normal is not a unit vector";
+  }
+  static const char* problem_of(const Ring& r) {
+    if (!finite(r.center)) return "the ring's center is not finite";
+    if (!unit(r.normal)) return "the ring's normal is not a unit vector";
+    const bool radii = finite(r.outer_radius) && 0.0f <= r.inner_radius && r.inner_radius < r.outer_radius;
+    return radii ? nullptr : "the ring's radii are not 0 <= inner < outer";
+  }
+  static const char* problem_of(const Box& b) {
+    if (!finite(b.lower) || !finite(b.upper)) return "the box's corners are not finite";
+    return glm::all(glm::lessThanEqual(b.lower, b.upper)) ? nullptr : "the box's lower corner is above its upper one";
+  }
+
+  // ---- Textures and materials ----
+
+  void check_texture(const Texture& texture, std::size_t index) const {
+    const std::string element = label("texture", index, texture.name);
+    require(texture.width > 0 && texture.height > 0, element, "has no pixels");
+    const std::size_t bytes = 4 * static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height);
+    require(texture.rgba.size() == bytes, element, "does not hold four bytes a pixel");
+  }
+
+  void require_texture(int texture, std::string_view element) const {
+    require_index(texture, scene_.textures.size(), -1, element, "texture");
+  }
+
+  void check_surface(const PhongSurface& s, const std::string& element) const {
+    require_texture(s.texture, element);
+    require(finite(s.color) && finite(s.emission), element, "a colour is not finite");
+    require(finite(Vec4f(s.ambient, s.diffuse, s.highlight, s.highlight_size)) && finite(Vec2f(s.mirror, s.opacity)), element,
+            "a coefficient is not finite");
+    require(finite(s.ior) && s.ior > 0.0f, element, "the index of refraction is not a positive number");
+    if (!s.planar) return;
+    const PlanarMapping& p = *s.planar;
+    require(finite(p.center) && finite(p.rotate) && finite(p.scale) && finite(p.u_axis) && finite(p.v_axis), element,
+            "the texture mapping is not finite");
+  }
+
+  void check_surface(const MetallicRoughness& s, const std::string& element) const {
+    require_texture(s.base_color_texture, element);
+    require_texture(s.emissive_texture, element);
+    require(finite(s.base_color) && finite(s.emissive), element, "a colour is not finite");
+    require(finite(Vec4f(s.metallic, s.roughness, s.transmission, s.alpha_cutoff)), element, "a coefficient is not finite");
+    require(finite(s.ior) && s.ior > 0.0f, element, "the index of refraction is not a positive number");
+  }
+
+  // ---- What stands in the scene ----
+
+  void check_nodes() const {
+    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
+      const Node& node = scene_.nodes[i];
+      const std::string element = label("node", i, node.name);
+      require_index(node.parent, i, -1, element, "a parent before it,");
+      if (node.matrix) require(finite(*node.matrix), element, "the matrix is not finite");
+      const Transform& t = node.local;
+      require(finite(t.translation) && finite(t.scale), element, "the transform is not finite");
+      require(unit(Vec4f(t.rotation.w, t.rotation.x, t.rotation.y, t.rotation.z)), element,
+              "the rotation is not a unit quaternion");
+    }
+  }
+
+  void check_instance(const Instance& instance, std::size_t index) const {
+    const std::string element = label("instance", index, instance.name);
+    require_index(instance.shape, scene_.shapes.size(), 0, element, "shape");
+    require_index(instance.material, scene_.materials.size(), 0, element, "material");
+    require_node(instance.node, element);
+    if (std::holds_alternative<Mesh>(scene_.shapes[static_cast<std::size_t>(instance.shape)])) return;
+    for (int node = instance.node; node >= 0; node = scene_.nodes[static_cast<std::size_t>(node)].parent)
+      require(keeps_proportions(node), element, fmt::format("node {} scales an analytic shape unevenly", node));
+  }
+
+  bool keeps_proportions(int index) const {
+    const Node& node = scene_.nodes[static_cast<std::size_t>(index)];
+    if (node.matrix) return similarity(node.matrix->linear);
+    if (!uniform(node.local.scale)) return false;
+    for (const NodeAnimation& animation : scene_.timeline.animations)
+      if (animation.node == index)
+        for (const Vec3f& scale : animation.scale.values)
+          if (!uniform(scale)) return false;
+    return true;
+  }
+
+  void check_light(const Light& light, std::size_t index) const {
+    const std::string element = label("light", index, light.name);
+    require_node(light.node, element);
+    require(finite(light.color), element, "the colour is not finite");
+    require(light.range > 0.0f, element, "the range is not positive");
+    require(0.0f <= light.inner_cone && light.inner_cone <= light.outer_cone && light.outer_cone <= kPi, element,
+            "the cone angles are not 0 <= inner <= outer <= pi");
+    require(finite(light.visible_radius) && light.visible_radius >= 0.0f, element, "the radius is not a number >= 0");
+  }
+
+  void check_camera(const Camera& camera, std::size_t index) const {
+    const std::string element = label("camera", index, camera.name);
+    require_node(camera.node, element);
+    require(camera.vertical_fov > 0.0f && camera.vertical_fov < kPi, element,
+            "the field of view is not between 0 and 180 degrees");
+    require(finite(camera.aspect) && camera.aspect >= 0.0f, element, "the aspect ratio is not a number >= 0");
+    require(finite(camera.focus_distance) && camera.focus_distance >= 0.0f, element, "the focus distance is not a number >= 0");
+    require(finite(camera.pixel_offset), element, "the pixel offset is not finite");
+  }
+
+  void check_rest() const {
+    if (scene_.display) {
+      require_node(scene_.display->node, "display");
+      require(finite(scene_.display->plane_height) && scene_.display->plane_height > 0.0f, "display",
+              "the height is not positive");
+      require(scene_.display->viewing_distance > 0.0f, "display", "the viewing distance is not positive");
+    }
+    const Background& b = scene_.background;
+    require(finite(b.horizon) && finite(b.zenith), "background", "a colour is not finite");
+    require(unit(b.up), "background", "up is not a unit vector");
+    require(scene_.max_depth >= 1, "max_depth", "is below 1");
+    require(scene_.resolution.x >= 0 && scene_.resolution.y >= 0, "resolution", "is negative");
+  }
+
+  // ---- Time ----
+
+  void check_timeline() const {
+    const Timeline& timeline = scene_.timeline;
+    require(std::isfinite(timeline.frames_per_second) && timeline.frames_per_second > 0.0, "timeline",
+            "frames per second is not a positive number");
+    require(timeline.frame_count >= 1, "timeline", "has no frames");
+    std::set<int> animated;
+    for (std::size_t i = 0; i < timeline.animations.size(); ++i) {
+      const NodeAnimation& animation = timeline.animations[i];
+      const std::string element = fmt::format("animation {}", i);
+      require_index(animation.node, scene_.nodes.size(), 0, element, "node");
+      require(animated.insert(animation.node).second, element, fmt::format("node {} is animated twice", animation.node));
+      require(!scene_.nodes[static_cast<std::size_t>(animation.node)].matrix, element, "animates a node that is a matrix");
+      check_channel(animation.translation, element + ", translation");
+      check_channel(animation.rotation, element + ", rotation");
+      check_channel(animation.scale, element + ", scale");
+    }
+  }
+
+  template <class T>
+  void check_channel(const Channel<T>& channel, const std::string& element) const {
+    const std::size_t per_key = channel.interpolation == Interpolation::kCubicSpline ? 3 : 1;
+    require(channel.values.size() == per_key * channel.times.size(), element, fmt::format("not {} values a key", per_key));
+    for (std::size_t i = 0; i < channel.times.size(); ++i) {
+      require(std::isfinite(channel.times[i]), element, "a time is not finite");
+      require(i == 0 || channel.times[i - 1] < channel.times[i], element, "times do not increase");
+    }
+    for (const T& value : channel.values) require(finite(value), element, "a value is not finite");
+  }
+
+  const Scene& scene_;
+  const std::string& where_;
+};
+
+}  // namespace
+
+void validate(const Scene& scene, const std::string& where) { Validator(scene, where).run(); }
+
+}  // namespace lippmann

@@ -1,0 +1,43 @@
+#include "scene/load.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/error.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string error_of(const std::string& name, const LoadOptions& options = {}) {
+  try {
+    load_scene(name, options, Context{});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(LoadScene, missing_file_is_named) {
+  EXPECT_THAT(error_of("/nowhere/a.dat"), HasSubstr("/nowhere/a.dat: there is no such file"));
+}
+
+TEST(LoadScene, folder_is_refused) {
+  const test::TempDir dir;
+  EXPECT_THAT(error_of(dir.path().string()), HasSubstr("is a folder"));
+}
+
+TEST(LoadScene, unknown_extension_lists_what_is_accepted) {
+  const test::TempDir dir;
+  std::ofstream(dir / "a.xyz") << "x";
+  const std::string text = error_of((dir / "a.xyz").string());
+  EXPECT_THAT(text, HasSubstr("a.xyz"));
+  EXPECT_THAT(text, HasSubstr(".dat"));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,139 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "core/error.hpp"
+#include "scene/load.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// One of everything, all of it valid.
+Scene good_scene() {
+  Scene scene;
+  scene.nodes.resize(2);
+  scene.nodes[1].parent = 0;
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+  mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.triangles = {{0, 1, 2}};
+  scene.shapes = {mesh, Spheres(1), Cylinders(1), Planes(1), Rings(1), Boxes(1)};
+  Texture texture;
+  texture.width = 2, texture.height = 1, texture.rgba.resize(8);
+  scene.textures = {texture};
+  PhongSurface phong;
+  phong.texture = 0;
+  phong.planar = PlanarMapping{};
+  MetallicRoughness metal;
+  metal.base_color_texture = 0;
+  scene.materials = {{"p", phong}, {"m", metal}};
+  for (int i = 0; i < 6; ++i) scene.instances.push_back({"", i, i % 2, i % 3 - 1});
+  scene.lights.resize(1);
+  scene.cameras.resize(1);
+  scene.display = DisplayPlacement{};
+  NodeAnimation animation;
+  animation.node = 1;
+  animation.translation = {{0.0, 1.0}, {{0, 0, 0}, {1, 0, 0}}, Interpolation::kLinear};
+  scene.timeline.animations = {animation};
+  return scene;
+}
+
+Mesh& mesh_of(Scene& s) { return std::get<Mesh>(s.shapes[0]); }
+PhongSurface& phong_of(Scene& s) { return std::get<PhongSurface>(s.materials[0].surface); }
+MetallicRoughness& metal_of(Scene& s) { return std::get<MetallicRoughness>(s.materials[1].surface); }
+NodeAnimation& animation_of(Scene& s) { return s.timeline.animations[0]; }
+
+TEST(Validate, good_scene_passes) { EXPECT_NO_THROW(validate(good_scene(), "a.dat")); }
+
+struct Fault {
+  const char* name;
+  std::function<void(Scene&)> spoil;
+  const char* message;
+};
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+class ValidateFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(ValidateFault, spoilt_scene_is_an_error_that_names_file_and_element) {
+  Scene scene = good_scene();
+  GetParam().spoil(scene);
+  try {
+    validate(scene, "a.dat");
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "a.dat");
+    EXPECT_THAT(error.problem(), testing::HasSubstr(GetParam().message));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ValidateFault,
+    testing::Values(
+        Fault{"vertex_nan", [](Scene& s) { mesh_of(s).positions[1].y = kNan; }, "shape 0: the position of vertex 1"},
+        Fault{"vertex_inf", [](Scene& s) { mesh_of(s).positions[2].z = kInfinity; }, "vertex 2"},
+        Fault{"normal_count", [](Scene& s) { mesh_of(s).normals.pop_back(); }, "not one normal per vertex"},
+        Fault{"normal_zero", [](Scene& s) { mesh_of(s).normals[0] = Vec3f(0.0f); }, "the normal of vertex 0"},
+        Fault{"uv_count", [](Scene& s) { mesh_of(s).uvs.pop_back(); }, "not one uv per vertex"},
+        Fault{"uv_nan", [](Scene& s) { mesh_of(s).uvs[0].x = kNan; }, "the uv of vertex 0"},
+        Fault{"triangle_index", [](Scene& s) { mesh_of(s).triangles[0][1] = 3; }, "triangle 0 names vertex 3 of 3"},
+        Fault{"sphere_radius", [](Scene& s) { std::get<Spheres>(s.shapes[1])[0].radius = 0.0f; }, "shape 1, element 0"},
+        Fault{"sphere_center", [](Scene& s) { std::get<Spheres>(s.shapes[1])[0].center.x = kNan; }, "center is not finite"},
+        Fault{"cylinder_radius", [](Scene& s) { std::get<Cylinders>(s.shapes[2])[0].radius = -1.0f; }, "cylinder's radius"},
+        Fault{"cylinder_length", [](Scene& s) { std::get<Cylinders>(s.shapes[2])[0].apex = Vec3f(0.0f); }, "no length"},
+        Fault{"plane_normal", [](Scene& s) { std::get<Planes>(s.shapes[3])[0].normal *= 2.0f; }, "plane's normal"},
+        Fault{"ring_radii", [](Scene& s) { std::get<Rings>(s.shapes[4])[0].inner_radius = 1.0f; }, "ring's radii"},
+        Fault{"ring_nan", [](Scene& s) { std::get<Rings>(s.shapes[4])[0].inner_radius = kNan; }, "ring's radii"},
+        Fault{"box_corners", [](Scene& s) { std::get<Boxes>(s.shapes[5])[0].upper.x = -2.0f; }, "lower corner"},
+        Fault{"texture_empty", [](Scene& s) { s.textures[0].width = 0; }, "texture 0: has no pixels"},
+        Fault{"texture_bytes", [](Scene& s) { s.textures[0].rgba.pop_back(); }, "four bytes a pixel"},
+        Fault{"material_texture", [](Scene& s) { phong_of(s).texture = 1; }, "material 0 (p): texture 1 does not exist"},
+        Fault{"material_nan", [](Scene& s) { phong_of(s).opacity = kNan; }, "coefficient"},
+        Fault{"material_mapping", [](Scene& s) { phong_of(s).planar->scale.y = kNan; }, "mapping"},
+        Fault{"material_ior", [](Scene& s) { metal_of(s).ior = 0.0f; }, "refraction"},
+        Fault{"material_color", [](Scene& s) { metal_of(s).base_color.w = kInfinity; }, "colour"},
+        Fault{"instance_shape", [](Scene& s) { s.instances[0].shape = -1; }, "instance 0: shape -1"},
+        Fault{"instance_material", [](Scene& s) { s.instances[0].material = 2; }, "material 2"},
+        Fault{"instance_node", [](Scene& s) { s.instances[0].node = 2; }, "node 2"},
+        Fault{"node_parent", [](Scene& s) { s.nodes[1].parent = 1; }, "node 1: a parent before it, 1"},
+        Fault{"node_scale", [](Scene& s) { s.nodes[0].local.scale.x = kNan; }, "transform"},
+        Fault{"node_rotation", [](Scene& s) { s.nodes[0].local.rotation = Quatf(0, 0, 0, 0); }, "unit quaternion"},
+        Fault{"uneven_scale", [](Scene& s) { s.nodes[0].local.scale.x = 2.0f; }, "scales an analytic shape unevenly"},
+        Fault{"uneven_matrix",
+              [](Scene& s) {
+                s.nodes[0].matrix = Affine3f{Mat3f(1, 0, 0, 1, 1, 0, 0, 0, 1), Vec3f(0)};
+              },
+              "unevenly"},
+        Fault{"uneven_animation",
+              [](Scene& s) {
+                animation_of(s).scale = {{0.0}, {{1, 2, 1}}, Interpolation::kStep};
+              },
+              "unevenly"},
+        Fault{"light_node", [](Scene& s) { s.lights[0].node = 7; }, "light 0: node 7"},
+        Fault{"light_color", [](Scene& s) { s.lights[0].color.x = kNan; }, "colour"},
+        Fault{"light_range", [](Scene& s) { s.lights[0].range = 0.0f; }, "range"},
+        Fault{"light_cones", [](Scene& s) { s.lights[0].inner_cone = 1.0f; }, "cone angles"},
+        Fault{"light_radius", [](Scene& s) { s.lights[0].visible_radius = -1.0f; }, "radius"},
+        Fault{"camera_fov", [](Scene& s) { s.cameras[0].vertical_fov = kPi; }, "camera 0: the field of view"},
+        Fault{"camera_node", [](Scene& s) { s.cameras[0].node = -2; }, "node -2"},
+        Fault{"camera_offset", [](Scene& s) { s.cameras[0].pixel_offset.x = kNan; }, "pixel offset"},
+        Fault{"display_height", [](Scene& s) { s.display->plane_height = 0.0f; }, "display: the height"},
+        Fault{"display_distance", [](Scene& s) { s.display->viewing_distance = kNan; }, "viewing distance"},
+        Fault{"background_up", [](Scene& s) { s.background.up = Vec3f(0.0f); }, "background: up"},
+        Fault{"depth", [](Scene& s) { s.max_depth = 0; }, "max_depth"},
+        Fault{"frames", [](Scene& s) { s.timeline.frame_count = 0; }, "no frames"},
+        Fault{"fps", [](Scene& s) { s.timeline.frames_per_second = 0.0; }, "frames per second"},
+        Fault{"twice_animated", [](Scene& s) { s.timeline.animations.push_back(animation_of(s)); }, "node 1 is animated twice"},
+        Fault{"animated_matrix", [](Scene& s) { s.nodes[1].matrix = Affine3f{}; }, "node that is a matrix"},
+        Fault{"key_count", [](Scene& s) { animation_of(s).translation.values.pop_back(); }, "not 1 values a key"},
+        Fault{"cubic_keys", [](Scene& s) { animation_of(s).translation.interpolation = Interpolation::kCubicSpline; }, "not 3"},
+        Fault{"key_times", [](Scene& s) { animation_of(s).translation.times[1] = 0.0; }, "do not increase"},
+        Fault{"key_nan", [](Scene& s) { animation_of(s).translation.values[1].z = kNan; }, "a value is not finite"}),
+    [](const auto& fault) { return std::string(fault.param.name); });
+
+}  // namespace
+}  // namespace lippmann
