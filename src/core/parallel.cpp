@@ -1,12 +1,17 @@
 #include "core/parallel.hpp"
 
+#include <pthread.h>
 #include <sched.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
+#include <time.h>
 #include <xmmintrin.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <thread>
 
 namespace lippmann {
@@ -22,11 +27,66 @@ int resolved_threads(const Context& context) {
 DenormalsAreZero::DenormalsAreZero() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040u); }
 DenormalsAreZero::~DenormalsAreZero() { _mm_setcsr(saved_); }
 
+namespace {
+
+double seconds_of(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Adds up the CPU time that worker threads spend inside an arena. A worker that is inside is read through its thread's clock,
+/// which lives as long as the thread: no thread ends before it has left.
+class CpuMeter : public tbb::task_scheduler_observer {
+ public:
+  explicit CpuMeter(tbb::task_arena& arena) : task_scheduler_observer(arena) { observe(true); }
+  ~CpuMeter() override { observe(false); }
+
+  void on_scheduler_entry(bool is_worker) override {
+    if (!is_worker) return;
+    Visit visit{};
+    pthread_getcpuclockid(pthread_self(), &visit.clock);
+    visit.start = seconds_of(visit.clock);
+    const std::lock_guard lock(mutex_);
+    inside_[pthread_self()] = visit;
+  }
+
+  void on_scheduler_exit(bool is_worker) override {
+    if (!is_worker) return;
+    const std::lock_guard lock(mutex_);
+    const auto visit = inside_.find(pthread_self());
+    if (visit == inside_.end()) return;
+    left_ += seconds_of(visit->second.clock) - visit->second.start;
+    inside_.erase(visit);
+  }
+
+  double seconds() const {
+    const std::lock_guard lock(mutex_);
+    double sum = left_;
+    for (const auto& [thread, visit] : inside_) sum += seconds_of(visit.clock) - visit.start;
+    return sum;
+  }
+
+ private:
+  struct Visit {
+    clockid_t clock;
+    double start;
+  };
+  mutable std::mutex mutex_;
+  std::map<pthread_t, Visit> inside_;
+  double left_ = 0.0;
+};
+
+}  // namespace
+
 struct ThreadPool::Impl {
   explicit Impl(int threads)
-      : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads, 1) {}
+      : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
+        arena(threads, 1),
+        workers(arena) {}
   tbb::global_control limit;
   tbb::task_arena arena;
+  CpuMeter workers;
 };
 
 ThreadPool::ThreadPool(int threads) : impl_(std::make_unique<Impl>(std::max(1, threads))), threads_(std::max(1, threads)) {}
@@ -50,5 +110,7 @@ void ThreadPool::run(const std::function<void()>& fn) const {
     fn();
   });
 }
+
+double ThreadPool::cpu_seconds() const { return seconds_of(CLOCK_THREAD_CPUTIME_ID) + impl_->workers.seconds(); }
 
 }  // namespace lippmann

@@ -30,6 +30,10 @@ class ThreadPool {
   /// Runs fn on this pool's threads, so that libraries that use oneTBB inside (Embree's builders) stay within it.
   void run(const std::function<void()>& fn) const;
 
+  /// CPU seconds that the calling thread has spent so far, and the other threads on this pool's work. The difference of two
+  /// calls is what the work between them cost, whatever else the process did meanwhile (writing files).
+  double cpu_seconds() const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <ctime>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace lippmann {
@@ -20,7 +22,11 @@ TEST(ThreadPool, for_each_any_thread_count_calls_each_index_once) {
 
 TEST(ThreadPool, for_each_piece_throws_is_rethrown) {
   const ThreadPool pool(2);
-  EXPECT_THROW(pool.for_each(8, [](std::size_t i) { if (i == 3) throw std::runtime_error("piece 3"); }), std::runtime_error);
+  EXPECT_THROW(pool.for_each(8,
+                             [](std::size_t i) {
+                               if (i == 3) throw std::runtime_error("piece 3");
+                             }),
+               std::runtime_error);
 }
 
 TEST(ThreadPool, for_each_denormal_product_is_flushed_on_every_thread) {
@@ -30,6 +36,28 @@ TEST(ThreadPool, for_each_denormal_product_is_flushed_on_every_thread) {
   pool.for_each(products.size(), [&](std::size_t i) { products[i] = tiny * 1e-10f; });
   for (const float p : products) EXPECT_EQ(p, 0.0f);
   EXPECT_NE(tiny * 1e-10f, 0.0f) << "the caller's own mode is left alone";
+}
+
+/// Spends about `seconds` of this thread's CPU time.
+void spin(double seconds) {
+  const auto cpu = [] {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  for (const double end = cpu() + seconds; cpu() < end;) {
+  }
+}
+
+TEST(ThreadPool, cpu_seconds_counts_all_its_threads_and_no_others) {
+  const ThreadPool pool(2);
+  const double before = pool.cpu_seconds();
+  std::thread stranger([] { spin(0.4); });
+  pool.for_each(8, [](std::size_t) { spin(0.01); });
+  stranger.join();
+  const double spent = pool.cpu_seconds() - before;
+  EXPECT_GE(spent, 0.08);
+  EXPECT_LT(spent, 0.4) << "the stranger's time is not the pool's";
 }
 
 TEST(Context, resolved_threads_zero_is_at_least_one) {
