@@ -17,8 +17,8 @@
 namespace lippmann {
 
 struct Panel {
-  int width = 512, height = 512;   ///< pixels
-  float pixel_pitch_mm = 0.125f;   ///< square pixels; 0.125 makes an 8-pixel lens 1 mm wide
+  int width = 512, height = 512;  ///< pixels
+  float pixel_pitch_mm = 0.125f;  ///< square pixels; 0.125 makes an 8-pixel lens 1 mm wide
 };
 
 /// Cylindrical lenses; horizontal parallax only. Across-lens coordinate: xi = x cos(slant) + y sin(slant).
@@ -26,10 +26,10 @@ struct Panel {
 struct LenticularSheet {
   float lens_pitch_mm = 1.0f;
   float gap_mm = 2.0f;
-  float slant = 0.0f;                       ///< radians, |slant| < pi/2
-  float offset_mm = 0.5f;                   ///< xi of the centre of lens 0
-  float viewing_distance_mm = kInfinity;    ///< to which the cells converge; inf: straight below their lenses
-  float eye_height_mm = 0.0f;               ///< y that rows converge to at a finite viewing distance
+  float slant = 0.0f;                     ///< radians, |slant| < pi/2
+  float offset_mm = 0.5f;                 ///< xi of the centre of lens 0
+  float viewing_distance_mm = kInfinity;  ///< to which the cells converge; inf: straight below their lenses
+  float eye_height_mm = 0.0f;             ///< y that rows converge to at a finite viewing distance
 };
 
 enum class LensPacking { kSquare, kHexagonal };
@@ -40,23 +40,24 @@ struct MicrolensArray {
   LensPacking packing = LensPacking::kSquare;
   float lens_pitch_mm = 1.0f;
   float gap_mm = 2.0f;
-  Vec2f offset_mm{0.5f, 0.5f};              ///< centre of lens (0, 0)
+  Vec2f offset_mm{0.5f, 0.5f};  ///< centre of lens (0, 0)
   float viewing_distance_mm = kInfinity;
 };
 
-/// A grid of views (a quilt), every view an off-axis (sheared) pinhole through the same rectangle of z = 0. View 0 is the leftmost
-/// and bottom left tile, the last one top right; view v: angle cone ((v + 1/2)/N - 1/2), eye at (distance tan(angle), 0, distance).
+/// A grid of views (a quilt), every view an off-axis (sheared) pinhole through the same rectangle of z = 0. View 0 is the
+/// leftmost and bottom left tile, the last one top right; view v: angle cone ((v + 1/2)/N - 1/2), eye at (distance tan(angle),
+/// 0, distance).
 struct MultiView {
-  int columns = 8, rows = 6;                ///< tiles; the panel holds columns x rows of them, each of the same size
-  float view_cone = radians(40.0f);         ///< full angle that the N views spread over
-  bool cone_ends_included = false;          ///< v / (N - 1) instead of (v + 1/2) / N, as some tools do
-  float distance_mm = 500.0f;               ///< of the viewer
+  int columns = 8, rows = 6;         ///< tiles; the panel holds columns x rows of them, each of the same size
+  float view_cone = radians(40.0f);  ///< full angle that the N views spread over
+  bool cone_ends_included = false;   ///< v / (N - 1) instead of (v + 1/2) / N, as some tools do
+  float distance_mm = 500.0f;        ///< of the viewer
 };
 
 /// One pinhole at (0, 0, distance) through the rectangle of the panel in z = 0.
 struct SingleView {
   float distance_mm = 500.0f;
-  Vec2f pixel_offset{0.0f};                 ///< sample points are shifted by this many pixels (x right, y down)
+  Vec2f pixel_offset{0.0f};  ///< sample points are shifted by this many pixels (x right, y down)
 };
 
 using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView>;
@@ -65,7 +66,7 @@ using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, Sin
 struct Optics {
   Panel panel;
   OpticsModel model;
-  float z_front_mm = kInfinity;  ///< rays start at this z; inf: one that suits the model is chosen by make_optics
+  float z_front_mm = kInfinity;  ///< rays start at this z; inf: one that suits the model, see resolved_z_front_mm
   float z_back_mm = kInfinity;   ///< rays end at z = -z_back
 };
 
@@ -86,10 +87,14 @@ void validate(const Optics& optics);
 
 // ---- Contract 1: the ray of a pixel ---------------------------------------------------------------------------------
 
+/// Where rays start, z_front_mm resolved: as given where it is finite; else at the viewing distance, and 4 panel diagonals in
+/// front of a lens array that is viewed from infinity. Multi-view and single-view rays start at their eye at the farthest.
+float resolved_z_front_mm(const Optics& optics);
+
 /// The ray of a point of the panel in continuous pixel coordinates (pixel (i, j) at its centre: i + 0.5, j + 0.5).
 Ray ray_of_pixel(const Optics& optics, Vec2f pixel);
 
-/// The same for `count` points, bit-identical to ray_of_pixel, vectorised.
+/// The same for `count` points, bit-identical to ray_of_pixel, vectorised. Many calls for one frame: see ray_generator.hpp.
 void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays);
 
 // ---- Contract 2: all pixels that see a point ------------------------------------------------------------------------
@@ -101,9 +106,9 @@ void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pix
 
 // ---- What others ask of an array ------------------------------------------------------------------------------------
 
-/// Pixels per lens across and down where both are whole and aligned with the pixel grid ((N, 1) for a lenticular sheet), so that
-/// pixel (i, j) has lens (i / N.x, j / N.y) and directional view (i mod N.x, j mod N.y); (0, 0) where no such structure exists.
-/// A multi-view panel and a single view give (1, 1).
+/// Pixels per lens across and down where both are whole and aligned with the pixel grid ((N, 1) for a lenticular sheet), so
+/// that pixel (i, j) has lens (i / N.x, j / N.y) and directional view (i mod N.x, j mod N.y); (0, 0) where no such structure
+/// exists. A multi-view panel and a single view give (1, 1).
 Vec2i whole_pixels_per_lens(const Optics& optics);
 
 /// The width that one pixel's sampling represents at depth z (mm), across and along the array: what textures are filtered to.
