@@ -1,0 +1,95 @@
+// Random but sensible arrays for property tests: fixed seeds, every model, whole and non-whole pixels per lens.
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "optics/optics.hpp"
+
+namespace lippmann::test {
+
+class OpticsSampler {
+ public:
+  explicit OpticsSampler(unsigned seed) : engine_(seed) {}
+
+  float uniform(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine_); }
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+  bool coin() { return integer(0, 1) == 1; }
+
+  Panel panel() { return {integer(40, 300), integer(30, 200), uniform(0.02f, 0.5f)}; }
+
+  Optics lenticular(bool slanted) {
+    Optics o{.panel = panel(), .model = {}};
+    LenticularSheet s;
+    s.viewing_distance_mm = coin() ? kInfinity : uniform(300.0f, 2000.0f);
+    s.gap_mm = uniform(4.0f, 20.0f) * o.panel.pixel_pitch_mm;
+    s.lens_pitch_mm = lens_pitch(o.panel, s.gap_mm, s.viewing_distance_mm);
+    s.offset_mm = uniform(-3.0f, 3.0f) * s.lens_pitch_mm;
+    s.slant = slanted ? uniform(-0.6f, 0.6f) : 0.0f;
+    s.eye_height_mm = uniform(-50.0f, 50.0f);
+    o.model = s;
+    return o;
+  }
+
+  Optics microlens(LensPacking packing) {
+    Optics o{.panel = panel(), .model = {}};
+    MicrolensArray a;
+    a.packing = packing;
+    a.viewing_distance_mm = coin() ? kInfinity : uniform(300.0f, 2000.0f);
+    a.gap_mm = uniform(4.0f, 20.0f) * o.panel.pixel_pitch_mm;
+    a.lens_pitch_mm = lens_pitch(o.panel, a.gap_mm, a.viewing_distance_mm);
+    a.offset_mm = {uniform(-3.0f, 3.0f) * a.lens_pitch_mm, uniform(-3.0f, 3.0f) * a.lens_pitch_mm};
+    o.model = a;
+    return o;
+  }
+
+  Optics multi_view() {
+    Optics o{.panel = panel(), .model = {}};
+    o.model = MultiView{integer(1, 6), integer(1, 5), uniform(0.0f, 1.2f), coin(), uniform(200.0f, 1000.0f)};
+    return o;
+  }
+
+  Optics single_view() {
+    Optics o{.panel = panel(), .model = {}};
+    o.model = SingleView{uniform(200.0f, 1000.0f), {uniform(-1.0f, 1.0f), uniform(-1.0f, 1.0f)}};
+    return o;
+  }
+
+  /// One of the models, by number.
+  Optics any(int which) {
+    switch (which % 6) {
+      case 0:
+        return lenticular(false);
+      case 1:
+        return lenticular(true);
+      case 2:
+        return microlens(LensPacking::kSquare);
+      case 3:
+        return microlens(LensPacking::kHexagonal);
+      case 4:
+        return multi_view();
+      default:
+        return single_view();
+    }
+  }
+
+ private:
+  /// 2 to 20 pixels per lens, whole in half of the cases.
+  float lens_pitch(const Panel& p, float gap, float viewing_distance) {
+    const float pixels = coin() ? static_cast<float>(integer(2, 20)) : uniform(2.0f, 20.0f);
+    return pixels * p.pixel_pitch_mm / (1.0f + gap / viewing_distance);
+  }
+
+  std::mt19937 engine_;
+};
+
+inline const char* model_name(const Optics& o) {
+  constexpr const char* kNames[] = {"lenticular", "microlens", "multi-view", "single view"};
+  return kNames[o.model.index()];
+}
+
+/// The point of a ray at depth z.
+inline Vec3f at_depth(const Ray& ray, float z) { return ray.origin + ray.direction * ((z - ray.origin.z) / ray.direction.z); }
+
+}  // namespace lippmann::test
