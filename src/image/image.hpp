@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace lippmann {
@@ -21,6 +22,12 @@ struct Image {
 struct Image8 {
   int width = 0, height = 0;
   std::vector<unsigned char> rgb;
+};
+
+/// 16-bit codes, layout as in Image, 3 channels.
+struct Image16 {
+  int width = 0, height = 0;
+  std::vector<std::uint16_t> rgb;
 };
 
 }  // namespace lippmann

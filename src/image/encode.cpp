@@ -1,0 +1,112 @@
+// sRGB to 8 bits by table instead of by pow(): the 255 floats at which the code steps up are found once, by the formula
+// itself. A float's exponent and top 7 mantissa bits name a bucket so small that it holds at most one step, and its entry is
+//   (code at the bucket's start) 2^16 + (2^16 - the step's place in the bucket), or without a step just the first term;
+// adding the float's lower 16 bits then carries into the code exactly when the float lies at or beyond the step.
+#include "image/encode.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+namespace lippmann {
+namespace {
+
+/// The definition that the table has to reproduce.
+int srgb_code(float value, int max_code) {
+  if (!(value > 0.0f)) return 0;
+  return static_cast<int>(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5);
+}
+
+/// The smallest float whose 8-bit code is `code`, 1 ... 255.
+float first_value_of(int code) {
+  float value = static_cast<float>(linear_from_srgb((code - 0.5) / 255.0));
+  while (srgb_code(value, 255) >= code) value = std::nextafter(value, 0.0f);
+  while (srgb_code(value, 255) < code) value = std::nextafter(value, 1.0f);
+  return value;
+}
+
+class SrgbTable {
+ public:
+  SrgbTable() {
+    std::array<std::uint32_t, 256> steps{};
+    for (int code = 1; code < 256; ++code) steps[code] = std::bit_cast<std::uint32_t>(first_value_of(code));
+    std::uint32_t code = 0;
+    for (std::uint32_t bucket = 0; bucket < kBuckets; ++bucket) {
+      const std::uint32_t begin = kFirstBits + (bucket << kBucketBits), end = begin + (1u << kBucketBits);
+      if (code < 255 && steps[code + 1] == begin) ++code;
+      entries_[bucket] = code << kBucketBits;
+      if (code == 255 || steps[code + 1] >= end) continue;
+      entries_[bucket] += end - steps[code + 1];
+      ++code;
+      assert(code == 255 || steps[code + 1] >= end);
+    }
+    assert(code == 255);
+  }
+
+  unsigned char operator()(float value) const {
+    value = value > kFirst ? value : kFirst;  // false for NaN
+    value = value < kLast ? value : kLast;
+    const std::uint32_t offset = std::bit_cast<std::uint32_t>(value) - kFirstBits;
+    return static_cast<unsigned char>((entries_[offset >> kBucketBits] + (offset & ((1u << kBucketBits) - 1))) >> kBucketBits);
+  }
+
+ private:
+  static constexpr int kBucketBits = 16;
+  static constexpr float kFirst = 0x1p-13f;        // code 0: the first step is at 1.52e-4
+  static constexpr float kLast = 1.0f - 0x1p-24f;  // code 255
+  static constexpr std::uint32_t kFirstBits = std::bit_cast<std::uint32_t>(kFirst);
+  static constexpr std::uint32_t kBuckets = (std::bit_cast<std::uint32_t>(1.0f) - kFirstBits) >> kBucketBits;
+  std::array<std::uint32_t, kBuckets> entries_{};
+};
+
+int truncated_code(float value, int max_code) {
+  const float scaled = value * static_cast<float>(max_code);
+  if (!(scaled > 0.0f)) return 0;
+  return scaled < static_cast<float>(max_code) ? static_cast<int>(scaled) : max_code;
+}
+
+/// Calls code(value) for the three values of each pixel.
+template <class Code, class F>
+std::vector<Code> encode(const Image& film, const F& code) {
+  assert(film.channels > 0);
+  const std::size_t pixels = static_cast<std::size_t>(film.width) * film.height;
+  std::vector<Code> rgb(3 * pixels);
+  if (film.channels == 3) {
+    std::transform(film.data.begin(), film.data.end(), rgb.begin(), code);
+    return rgb;
+  }
+  const int step = film.channels > 3 ? 1 : 0;
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (int c = 0; c < 3; ++c) rgb[3 * i + c] = code(film.data[i * film.channels + c * step]);
+  return rgb;
+}
+
+void count_nans(const Image& film, std::size_t* nan_count) {
+  if (nan_count) *nan_count = std::count_if(film.data.begin(), film.data.end(), [](float v) { return std::isnan(v); });
+}
+
+}  // namespace
+
+double srgb_from_linear(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+double linear_from_srgb(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
+
+Image8 to_codes(const Image& film, Encoding encoding, std::size_t* nan_count) {
+  static const SrgbTable kSrgbCode;
+  count_nans(film, nan_count);
+  if (encoding == Encoding::kSrgb) return {film.width, film.height, encode<unsigned char>(film, kSrgbCode)};
+  return {film.width, film.height, encode<unsigned char>(film, [](float v) { return truncated_code(v, 255); })};
+}
+
+Image16 to_codes16(const Image& film, Encoding encoding, std::size_t* nan_count) {
+  count_nans(film, nan_count);
+  if (encoding == Encoding::kSrgb)
+    return {film.width, film.height, encode<std::uint16_t>(film, [](float v) { return srgb_code(v, 65535); })};
+  return {film.width, film.height, encode<std::uint16_t>(film, [](float v) { return truncated_code(v, 65535); })};
+}
+
+}  // namespace lippmann
