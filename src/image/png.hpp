@@ -1,0 +1,33 @@
+// Writes 8-bit and 16-bit RGB pictures as PNG, tagged sRGB. Equal pictures give equal bytes.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "image/image.hpp"
+
+namespace lippmann {
+
+/// What deflate looks for: repeats and statistics (default), fewer repeats (filtered), runs only, statistics only.
+enum class PngStrategy { kDefault, kFiltered, kRunLength, kHuffman };
+
+/// From which neighbours a byte is predicted; adaptive tries all for every row.
+enum class PngFilter { kNone, kLeft, kUp, kAverage, kPaeth, kAdaptive };
+
+/// The defaults are chosen by measurement: docs/decisions/0002-png-compression.md.
+struct PngOptions {
+  int level = 1;  ///< deflate's effort, 0 (stored) ... 9; run-length and Huffman ignore it
+  PngStrategy strategy = PngStrategy::kRunLength;
+  PngFilter filter = PngFilter::kUp;
+};
+
+/// The bytes of the file. Throws Error for sizes outside 1 ... 65536.
+std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options = {});
+std::vector<std::byte> encode_png(const Image16& image, const PngOptions& options = {});
+
+/// Puts them in a file that appears only when complete. Throws Error naming it.
+void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options = {});
+void write_png(const std::filesystem::path& path, const Image16& image, const PngOptions& options = {});
+
+}  // namespace lippmann

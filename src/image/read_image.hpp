@@ -1,0 +1,30 @@
+// Reads pictures of any format that OpenImageIO knows (PNG, EXR, TIFF, JPEG, PPM, TGA, HDR, PFM, ...).
+//
+// Only the first picture of a file is read, at most 65536 pixels a side and 2^28 pixels in all; transparency is not applied.
+// All throw Error naming the file if it is missing, truncated, not a picture, or too large.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "image/image.hpp"
+
+namespace lippmann {
+
+/// All channels, in the file's order (EXR: R, G, B, A, Z first). Integer samples become value / maximum, still encoded as the
+/// file has them (sRGB, as a rule); float samples stay as they are (linear, as a rule).
+Image read_image(const std::filesystem::path& path);
+
+/// The named channels of an EXR file, in this order ("R", "Z", "N.X", ...). An unknown name throws Error listing the file's.
+Image read_channels(const std::filesystem::path& path, std::span<const std::string> names);
+
+/// The channels' names in the order of read_image.
+std::vector<std::string> channel_names(const std::filesystem::path& path);
+
+/// The 8-bit codes: as stored; of 16-bit files round(255 code / 65535); of float files sRGB-encoded (image/encode.hpp).
+/// Of more than 3 channels the first three, of fewer the first one three times.
+Image8 read_image8(const std::filesystem::path& path);
+
+}  // namespace lippmann
