@@ -1,9 +1,11 @@
-#include "bench/bench.hpp"
+#include "bench/benchmarks.hpp"
 
 namespace lippmann::bench {
 
 const std::vector<Benchmark>& benchmarks() {
-  static const std::vector<Benchmark> all{};
+  static const std::vector<Benchmark> all{
+      {"png", "CPU time and size of a PNG by strategy, filter and level", measure_png},
+  };
   return all;
 }
 

@@ -18,7 +18,7 @@ enum class PngFilter { kNone, kLeft, kUp, kAverage, kPaeth, kAdaptive };
 /// The defaults are chosen by measurement: docs/decisions/0002-png-compression.md.
 struct PngOptions {
   int level = 1;  ///< deflate's effort, 0 (stored) ... 9; run-length and Huffman ignore it
-  PngStrategy strategy = PngStrategy::kRunLength;
+  PngStrategy strategy = PngStrategy::kDefault;
   PngFilter filter = PngFilter::kUp;
 };
 

@@ -1,0 +1,10 @@
+// The functions behind benchmarks(), one per source file.
+#pragma once
+
+#include "bench/bench.hpp"
+
+namespace lippmann::bench {
+
+Report measure_png(const Context& context);
+
+}  // namespace lippmann::bench
