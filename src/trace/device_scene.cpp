@@ -1,0 +1,281 @@
+#include "trace/device_scene.hpp"
+
+#include <map>
+
+#include "core/error.hpp"
+#include "trace/device_scene_impl.hpp"
+
+namespace lippmann {
+namespace {
+
+// A fixed mesh shown more than once is flattened all the same while the copies stay below this; above, Embree instances share
+// it.
+constexpr std::size_t kFlattenTriangles = 200'000;
+
+void check(RTCDevice device, const char* doing) {
+  const RTCError code = rtcGetDeviceError(device);
+  if (code == RTC_ERROR_NONE) return;
+  const bool memory = code == RTC_ERROR_OUT_OF_MEMORY;
+  throw Error("Embree", std::string(doing) + (memory ? ": out of memory" : ": error " + std::to_string(code)),
+              memory ? "a scene with fewer triangles, or a machine with more memory" : "");
+}
+
+/// Assigns record ids while it attaches geometries.
+class SceneBuilder {
+ public:
+  SceneBuilder(DeviceScene::Impl& impl, const ResolvedScene& resolved) : impl_(impl), scene_(*impl.scene), at_(resolved) {}
+
+  void build() {
+    RTCDevice device = impl_.device.get();
+    impl_.fixed = EmbreeScene(rtcNewScene(device));
+    impl_.moving = EmbreeScene(rtcNewScene(device));
+    rtcSetSceneFlags(impl_.moving.get(), RTC_SCENE_FLAG_DYNAMIC);
+    count_mesh_uses();
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) add_instance(static_cast<std::uint32_t>(i));
+    attach_tables(impl_.fixed_tables, impl_.fixed.get(), impl_.has_fixed);
+    attach_tables(impl_.moving_tables, impl_.moving.get(), impl_.has_moving);
+    rtcCommitScene(impl_.fixed.get());
+    rtcCommitScene(impl_.moving.get());
+    check(device, "building the scene");
+  }
+
+ private:
+  void count_mesh_uses() {
+    for (const Instance& instance : scene_.instances) ++uses_[instance.shape];
+  }
+
+  bool moves(const Instance& instance) const {
+    return instance.node >= 0 && impl_.node_moves[static_cast<std::size_t>(instance.node)];
+  }
+
+  void add_instance(std::uint32_t index) {
+    const Instance& instance = scene_.instances[index];
+    const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];
+    const WhittedMaterial& material = impl_.materials.materials[static_cast<std::size_t>(instance.material)];
+    const float transmittance = shadow_transmittance(material);
+    impl_.any_see_through |= transmittance > 0.0f;
+    const bool moving = moves(instance);
+    PrimitiveTables& tables = moving ? impl_.moving_tables : impl_.fixed_tables;
+    const Affine3f place = at_.of(instance.node);
+    if (const auto* mesh = std::get_if<Mesh>(&shape)) {
+      if (!mesh->triangles.empty()) add_mesh(*mesh, instance, index, moving, place);
+    } else if (const auto* planes = std::get_if<Planes>(&shape)) {
+      for (const Plane& plane : *planes) impl_.planes.push_back({to_world(place, plane), index});
+    } else if (const auto* spheres = std::get_if<Spheres>(&shape)) {
+      add_primitives(tables.spheres, *spheres, place, index, transmittance);
+    } else if (const auto* cylinders = std::get_if<Cylinders>(&shape)) {
+      add_primitives(tables.cylinders, *cylinders, place, index, transmittance);
+    } else if (const auto* rings = std::get_if<Rings>(&shape)) {
+      add_primitives(tables.rings, *rings, place, index, transmittance);
+    } else if (const auto* boxes = std::get_if<Boxes>(&shape)) {
+      add_primitives(tables.boxes, *boxes, place, index, transmittance);
+    }
+  }
+
+  template <class Primitive, class Source>
+  static void add_primitives(PrimitiveTable<Primitive>& table, const std::vector<Source>& sources, const Affine3f& place,
+                             std::uint32_t instance, float transmittance) {
+    for (const Source& source : sources) {
+      table.primitives.push_back(to_world(place, source));
+      table.instance.push_back(instance);
+      table.transmittance.push_back(transmittance);
+    }
+    table.see_through |= transmittance > 0.0f;
+  }
+
+  void add_mesh(const Mesh& mesh, const Instance& instance, std::uint32_t index, bool moving, const Affine3f& place) {
+    const std::size_t copies = mesh.triangles.size() * static_cast<std::size_t>(uses_.at(instance.shape));
+    if (!moving && (uses_.at(instance.shape) == 1 || copies <= kFlattenTriangles))
+      add_flattened(mesh, index, place);
+    else
+      add_placed(mesh, instance, index, moving, place);
+  }
+
+  void add_flattened(const Mesh& mesh, std::uint32_t index, const Affine3f& place) {
+    auto world = std::make_unique<Mesh>(mesh);
+    for (Vec3f& p : world->positions) p = transform_point(place, p);
+    const Mat3f normal_matrix = glm::transpose(glm::inverse(place.linear));
+    for (Vec3f& n : world->normals) n = glm::normalize(normal_matrix * n);
+    const EmbreeGeometry geometry = make_triangles(*world, index);
+    const auto id = static_cast<unsigned>(impl_.records.size());
+    rtcAttachGeometryByID(impl_.fixed.get(), geometry.get(), id);
+    impl_.has_fixed = true;
+    GeometryRecord record;
+    record.instance = index;
+    record.mesh = world.get();
+    impl_.flattened.push_back(std::move(world));
+    push_record(record, {});
+  }
+
+  void add_placed(const Mesh& mesh, const Instance& instance, std::uint32_t index, bool moving, const Affine3f& place) {
+    // One scene per mesh and material: the shadow filter that a see-through material needs belongs to the geometry.
+    EmbreeScene& mesh_scene = impl_.mesh_scenes[{instance.shape, instance.material}];
+    if (!mesh_scene) {
+      mesh_scene = EmbreeScene(rtcNewScene(impl_.device.get()));
+      rtcAttachGeometryByID(mesh_scene.get(), make_triangles(mesh, index).get(), 0);
+      rtcCommitScene(mesh_scene.get());
+    }
+    EmbreeGeometry geometry(rtcNewGeometry(impl_.device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(geometry.get(), mesh_scene.get());
+    GeometryRecord record;
+    record.placed = true;
+    record.instance = index;
+    record.mesh = &mesh;
+    place_record(record, geometry.get(), place);
+    const auto id = static_cast<unsigned>(impl_.records.size());
+    rtcAttachGeometryByID((moving ? impl_.moving : impl_.fixed).get(), geometry.get(), id);
+    (moving ? impl_.has_moving : impl_.has_fixed) = true;
+    if (moving) impl_.moving_records.push_back(static_cast<int>(id));
+    push_record(record, std::move(geometry));
+  }
+
+  EmbreeGeometry make_triangles(const Mesh& mesh, std::uint32_t instance) const {
+    EmbreeGeometry geometry(rtcNewGeometry(impl_.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    void* vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f),
+                                             mesh.positions.size());
+    void* indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            3 * sizeof(std::uint32_t), mesh.triangles.size());
+    if (!vertices || !indices) check(impl_.device.get(), "storing a mesh");
+    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3f*>(vertices));
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(indices));
+    const auto material = impl_.material_of_instance[instance];
+    if (shadow_transmittance(impl_.materials.materials[material]) > 0.0f) {
+      rtcSetGeometryUserData(geometry.get(), const_cast<WhittedMaterial*>(&impl_.materials.materials[material]));
+      rtcSetGeometryOccludedFilterFunction(geometry.get(), weaken_shadow);
+    }
+    rtcCommitGeometry(geometry.get());
+    return geometry;
+  }
+
+  /// A see-through mesh weakens shadow rays instead of ending them; ray ids are lanes (ShadowContext).
+  static void weaken_shadow(const RTCFilterFunctionNArguments* args) {
+    const float transmittance = shadow_transmittance(*static_cast<const WhittedMaterial*>(args->geometryUserPtr));
+    auto* context = reinterpret_cast<ShadowContext*>(args->context);
+    for (unsigned i = 0; i < args->N; ++i)
+      if (args->valid[i]) {
+        context->transmittance[RTCRayN_id(args->ray, args->N, i)] *= transmittance;
+        args->valid[i] = 0;
+      }
+  }
+
+  static void place_record(GeometryRecord& record, RTCGeometry geometry, const Affine3f& place);
+
+  void push_record(const GeometryRecord& record, EmbreeGeometry geometry) {
+    impl_.records.push_back(record);
+    impl_.placed_geometries.push_back(std::move(geometry));
+  }
+
+  template <class Primitive>
+  void attach_table(PrimitiveTable<Primitive>& table, EmbreeGeometry& geometry, GeometryKind kind, RTCScene scene, bool& used) {
+    if (table.primitives.empty()) return;
+    used = true;
+    geometry = make_user_geometry(impl_.device.get(), table);
+    rtcAttachGeometryByID(scene, geometry.get(), static_cast<unsigned>(impl_.records.size()));
+    GeometryRecord record;
+    record.kind = kind;
+    record.primitives = &table;
+    push_record(record, {});
+  }
+
+  void attach_tables(PrimitiveTables& tables, RTCScene scene, bool& used) {
+    attach_table(tables.spheres, tables.sphere_geometry, GeometryKind::kSpheres, scene, used);
+    attach_table(tables.cylinders, tables.cylinder_geometry, GeometryKind::kCylinders, scene, used);
+    attach_table(tables.rings, tables.ring_geometry, GeometryKind::kRings, scene, used);
+    attach_table(tables.boxes, tables.box_geometry, GeometryKind::kBoxes, scene, used);
+  }
+
+  DeviceScene::Impl& impl_;
+  const Scene& scene_;
+  const ResolvedScene& at_;
+  std::map<int, int> uses_;
+};
+
+void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh) {
+  record.world_from_mesh = world_from_mesh;
+  record.normal_from_mesh = glm::transpose(glm::inverse(world_from_mesh.linear));
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &world_from_mesh);
+  rtcCommitGeometry(geometry);
+}
+static_assert(sizeof(Affine3f) == 12 * sizeof(float), "handed to Embree as 3 x 4 floats, column by column");
+
+void SceneBuilder::place_record(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh) {
+  place(record, geometry, world_from_mesh);
+}
+
+/// Re-derives the world primitives of one table, in the order in which the builder added them.
+template <class Source, class Primitive>
+void move_primitives(PrimitiveTable<Primitive>& table, const EmbreeGeometry& geometry, const DeviceScene::Impl& impl,
+                     const ResolvedScene& resolved) {
+  if (table.primitives.empty()) return;
+  std::size_t next = 0;
+  while (next < table.primitives.size()) {
+    const Instance& instance = impl.scene->instances[table.instance[next]];
+    const Affine3f place = resolved.of(instance.node);
+    for (const Source& source : std::get<std::vector<Source>>(impl.scene->shapes[static_cast<std::size_t>(instance.shape)]))
+      table.primitives[next++] = to_world(place, source);
+  }
+  update_user_geometry(geometry);
+}
+
+void move_planes(DeviceScene::Impl& impl, const ResolvedScene& resolved) {
+  std::size_t next = 0;
+  while (next < impl.planes.size()) {
+    const Instance& instance = impl.scene->instances[impl.planes[next].instance];
+    const Affine3f place = resolved.of(instance.node);
+    for (const Plane& plane : std::get<Planes>(impl.scene->shapes[static_cast<std::size_t>(instance.shape)]))
+      impl.planes[next++].plane = to_world(place, plane);
+  }
+}
+
+// How far secondary rays start from their surface. Tachyon's scenes: 1e-4 as measured against it. Others: relative to their
+// size, some ten times the rounding error of a hit point.
+float choose_t_near(const Scene& scene, const ResolvedScene& resolved) {
+  if (scene.encoding == Encoding::kTachyonTruncate) return 1e-4f;
+  const Bounds3f b = finite_bounds(scene, resolved);
+  return b.empty() ? 1e-4f : 1e-5f * glm::length(b.size());
+}
+
+}  // namespace
+
+DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool) : impl_(std::make_unique<Impl>()) {
+  Impl& impl = *impl_;
+  impl.scene = &scene;
+  impl.tachyon = scene.encoding == Encoding::kTachyonTruncate;
+  impl.node_moves = moving_nodes(scene);
+  impl.materials = make_material_table(scene);
+  impl.material_of_instance.reserve(scene.instances.size());
+  for (const Instance& instance : scene.instances)
+    impl.material_of_instance.push_back(static_cast<std::uint32_t>(instance.material));
+  for (const Texture& texture : scene.textures) impl.textures.push_back(make_device_texture(texture, impl.tachyon));
+  const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
+  impl.lights = make_lights(scene, resolved);
+  impl.secondary_t_near = choose_t_near(scene, resolved);
+  // Embree runs its builders on the calling arena's oneTBB threads; asking it for more would start its own.
+  const std::string config = "threads=" + std::to_string(pool.threads()) + ",set_affinity=0";
+  impl.device = EmbreeDevice(rtcNewDevice(config.c_str()));
+  if (!impl.device) throw Error("Embree", "no device could be made on this processor", "x86-64 with SSE2, or ARM64");
+  impl.native_width = native_packet_width(impl.device.get());
+  pool.run([&] { SceneBuilder(impl, resolved).build(); });
+}
+
+DeviceScene::~DeviceScene() = default;
+
+void DeviceScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
+  Impl& impl = *impl_;
+  impl.lights = make_lights(*impl.scene, resolved);
+  move_planes(impl, resolved);
+  if (!impl.has_moving) return;
+  for (const int id : impl.moving_records) {
+    GeometryRecord& record = impl.records[static_cast<std::size_t>(id)];
+    place(record, impl.placed_geometries[static_cast<std::size_t>(id)].get(),
+          resolved.of(impl.scene->instances[record.instance].node));
+  }
+  move_primitives<Sphere>(impl.moving_tables.spheres, impl.moving_tables.sphere_geometry, impl, resolved);
+  move_primitives<Cylinder>(impl.moving_tables.cylinders, impl.moving_tables.cylinder_geometry, impl, resolved);
+  move_primitives<Ring>(impl.moving_tables.rings, impl.moving_tables.ring_geometry, impl, resolved);
+  move_primitives<Box>(impl.moving_tables.boxes, impl.moving_tables.box_geometry, impl, resolved);
+  pool.run([&] { rtcCommitScene(impl.moving.get()); });
+  check(impl.device.get(), "moving the scene");
+}
+
+}  // namespace lippmann

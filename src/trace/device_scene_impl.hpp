@@ -1,0 +1,75 @@
+// What a DeviceScene holds, for the kernels of this part. Private to src/trace.
+//
+// Two Embree scenes, traced one after the other with the same packet: `fixed` (built once: everything that never moves, meshes
+// flattened to world space, meshes that many instances share as Embree instances) and `moving` (rebuilt per frame over
+// instances and moving primitives; its meshes are built once). Every geometry of both has one id, the index of its
+// GeometryRecord. Infinite planes lie outside Embree: they are met first and shorten the rays.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "trace/device_scene.hpp"
+#include "trace/embree_shim.hpp"
+#include "trace/materials.hpp"
+#include "trace/texture.hpp"
+#include "trace/user_geometry.hpp"
+
+namespace lippmann {
+
+enum class GeometryKind : std::uint8_t { kMesh, kSpheres, kCylinders, kRings, kBoxes };
+
+/// What a hit's geometry id leads to.
+struct GeometryRecord {
+  GeometryKind kind = GeometryKind::kMesh;
+  bool placed = false;               ///< an Embree instance: normals and positions need world_from_mesh
+  std::uint32_t instance = 0;        ///< index in Scene::instances (meshes; other kinds keep one per primitive)
+  const Mesh* mesh = nullptr;        ///< world space, or mesh space where placed
+  const void* primitives = nullptr;  ///< PrimitiveTable of the kind
+  Affine3f world_from_mesh;
+  Mat3f normal_from_mesh{1.0f};  ///< inverse transpose of the linear part
+};
+
+/// The tables of one of the two Embree scenes.
+struct PrimitiveTables {
+  PrimitiveTable<WorldSphere> spheres;
+  PrimitiveTable<WorldCylinder> cylinders;
+  PrimitiveTable<WorldRing> rings;
+  PrimitiveTable<WorldBox> boxes;
+  EmbreeGeometry sphere_geometry, cylinder_geometry, ring_geometry, box_geometry;
+};
+
+struct WorldPlaneRecord {
+  WorldPlane plane;
+  std::uint32_t instance;
+};
+
+struct DeviceScene::Impl {
+  const Scene* scene = nullptr;
+  EmbreeDevice device;
+  int native_width = 16;
+
+  EmbreeScene fixed, moving;
+  bool has_fixed = false, has_moving = false;
+  std::vector<GeometryRecord> records;
+  std::vector<std::unique_ptr<Mesh>> flattened;            ///< world-space copies of fixed meshes
+  std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< by shape and material index
+  PrimitiveTables fixed_tables, moving_tables;
+  std::vector<EmbreeGeometry> placed_geometries;  ///< by record id; the Embree instances that may move
+  std::vector<int> moving_records;                ///< ids of records in `moving` that are placed meshes
+  std::vector<WorldPlaneRecord> planes;
+  std::vector<bool> node_moves;
+
+  MaterialTable materials;
+  std::vector<std::uint32_t> material_of_instance;
+  std::vector<WhittedLight> lights;
+  std::vector<DeviceTexture> textures;
+  bool tachyon = false;  ///< Tachyon's conventions (scene.encoding): box normals, mirror end, visible lights
+  float secondary_t_near = 1e-4f;
+  bool any_see_through = false;
+};
+
+}  // namespace lippmann

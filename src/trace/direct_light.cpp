@@ -1,0 +1,143 @@
+#include "trace/direct_light.hpp"
+
+#include <bit>
+
+namespace lippmann {
+namespace {
+
+// log2 and exp2 good to 1e-6, in a form that vectorises (the library's powf does not). Minimax polynomials fitted on [1, 2) and
+// [-1/2, 1/2]; the highlight needs x in (0, 1] and y >= 0.
+LIPPMANN_INLINE float fast_log2(float x) {
+  const auto bits = std::bit_cast<std::int32_t>(x);
+  // Exponent so that the mantissa lies in [sqrt(1/2), sqrt(2)).
+  const std::int32_t exponent = (bits - 0x3f3504f3) >> 23;
+  const float m = std::bit_cast<float>(bits - (exponent << 23));
+  // log2(m) = 2 / ln 2 (s + s^3/3 + s^5/5 + ...), s = (m - 1) / (m + 1), |s| < 0.172.
+  const float s = (m - 1.0f) / (m + 1.0f), s2 = s * s;
+  const float series = s * (2.885390082f + s2 * (0.961796694f + s2 * (0.577078016f + s2 * 0.412198583f)));
+  return static_cast<float>(exponent) + series;
+}
+
+LIPPMANN_INLINE float fast_exp2(float x) {
+  const float clamped = x < -126.0f ? -126.0f : x;
+  const float whole = std::floor(clamped + 0.5f);
+  const float f = (clamped - whole) * 0.693147181f;  // e^f by its series, |f| < 0.347
+  const float p =
+      1.0f + f * (1.0f + f * (0.5f + f * (0.166666667f + f * (0.0416666667f + f * (0.00833333333f + f * 0.00138888889f)))));
+  return std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23) * p;
+}
+
+struct LightAtPoint {
+  float lx, ly, lz, distance, strength;
+};
+
+LIPPMANN_INLINE LightAtPoint at_point(const WhittedLight& light, float px, float py, float pz, bool directional, bool spot) {
+  float lx = light.position.x - px, ly = light.position.y - py, lz = light.position.z - pz;
+  const float squared = lx * lx + ly * ly + lz * lz;
+  float distance = std::sqrt(squared);
+  const float inverse = 1.0f / std::max(distance, 1e-20f);
+  lx = directional ? -light.direction.x : lx * inverse;
+  ly = directional ? -light.direction.y : ly * inverse;
+  lz = directional ? -light.direction.z : lz * inverse;
+  float strength = (light.inverse_square & !directional) ? inverse * inverse : 1.0f;
+  strength = (distance <= light.range) | directional ? strength : 0.0f;
+  const float cosine = -(lx * light.direction.x + ly * light.direction.y + lz * light.direction.z);
+  const float ramp = (cosine - light.cos_outer) / std::max(light.cos_inner - light.cos_outer, 1e-6f);
+  const float cone = std::min(std::max(ramp, 0.0f), 1.0f);
+  strength *= spot ? cone * cone : 1.0f;
+  distance = directional ? kInfinity : distance;
+  return {lx, ly, lz, distance, strength};
+}
+
+LIPPMANN_MULTIVERSION void read_visibility(const ShadowContext& context, ShadowPacket& shadow) {
+  for (int i = 0; i < kLanes; ++i) {
+    const bool lit = (shadow.active.lane[i] != 0) & (shadow.rays.tfar[i] >= 0.0f);
+    shadow.visibility[i] = lit ? context.transmittance[i] : 0.0f;
+  }
+}
+
+LIPPMANN_MULTIVERSION int still_lit(const ShadowPacket& shadow, LaneMask& lit) {
+  int any = 0;
+  for (int i = 0; i < kLanes; ++i) {
+    lit.lane[i] = (shadow.active.lane[i] != 0) & (shadow.rays.tfar[i] >= 0.0f) ? -1 : 0;
+    any |= lit.lane[i];
+  }
+  return any;
+}
+
+LIPPMANN_MULTIVERSION void add_diffuse(const WhittedLight& light, const ShadowPacket& shadow, DirectLight& direct) {
+  for (int i = 0; i < kLanes; ++i) {
+    const float weight = shadow.cosine[i] * shadow.strength[i] * shadow.visibility[i];
+    const float arriving = shadow.visibility[i] > 0.0f ? weight : 0.0f;
+    direct.diffuse.x[i] += light.color.x * arriving;
+    direct.diffuse.y[i] += light.color.y * arriving;
+    direct.diffuse.z[i] += light.color.z * arriving;
+  }
+}
+
+LIPPMANN_MULTIVERSION void add_highlight(const WhittedLight& light, const SurfacePacket& s, const RTCRay16& view,
+                                         const ShadowPacket& shadow, DirectLight& direct) {
+  for (int i = 0; i < kLanes; ++i) {
+    const float hx = shadow.rays.dir_x[i] - view.dir_x[i], hy = shadow.rays.dir_y[i] - view.dir_y[i],
+                hz = shadow.rays.dir_z[i] - view.dir_z[i];
+    const float length = std::sqrt(std::max(hx * hx + hy * hy + hz * hz, 1e-20f));
+    const float n_h = (s.normal.x[i] * hx + s.normal.y[i] * hy + s.normal.z[i] * hz) / length;
+    const bool shows = (shadow.visibility[i] > 0.0f) & (n_h > s.highlight_cutoff[i]);
+    const float base = std::min(std::max(n_h, 1e-6f), 1.0f);
+    const float lobe = s.highlight[i] * fast_exp2(s.highlight_size[i] * fast_log2(base));
+    const float arriving = shows ? lobe * shadow.strength[i] * shadow.visibility[i] : 0.0f;
+    direct.highlight.x[i] += light.color.x * arriving;
+    direct.highlight.y[i] += light.color.y * arriving;
+    direct.highlight.z[i] += light.color.z * arriving;
+  }
+}
+
+}  // namespace
+
+LIPPMANN_MULTIVERSION int aim_at_light(const WhittedLight& light, const SurfacePacket& s, float t_near, float minimum_cosine,
+                                       ShadowPacket& shadow) {
+  const bool directional = light.kind == LightKind::kDirectional, spot = light.kind == LightKind::kSpot;
+  int count = 0;
+  for (int i = 0; i < kLanes; ++i) {
+    const LightAtPoint l = at_point(light, s.position.x[i], s.position.y[i], s.position.z[i], directional, spot);
+    const float cosine = s.normal.x[i] * l.lx + s.normal.y[i] * l.ly + s.normal.z[i] * l.lz;
+    const int active = (s.hit.lane[i] != 0) & (cosine > minimum_cosine) & (l.strength > 0.0f) ? -1 : 0;
+    shadow.rays.org_x[i] = s.position.x[i], shadow.rays.org_y[i] = s.position.y[i], shadow.rays.org_z[i] = s.position.z[i];
+    shadow.rays.dir_x[i] = l.lx, shadow.rays.dir_y[i] = l.ly, shadow.rays.dir_z[i] = l.lz;
+    shadow.rays.tnear[i] = t_near;
+    shadow.rays.tfar[i] = l.distance;
+    shadow.rays.time[i] = 0.0f;
+    shadow.rays.mask[i] = ~0u;
+    shadow.rays.id[i] = static_cast<unsigned>(i);
+    shadow.rays.flags[i] = 0;
+    shadow.active.lane[i] = active;
+    shadow.cosine[i] = cosine;
+    shadow.strength[i] = l.strength;
+    count -= active;
+  }
+  return count;
+}
+
+void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow) {
+  ShadowContext context;
+  for (float& t : context.transmittance) t = 1.0f;
+  LaneMask lit = shadow.active;
+  if (!scene.planes.empty()) {
+    occlude_by_planes(scene, lit, shadow.rays, context);
+    if (!still_lit(shadow, lit)) return read_visibility(context, shadow);
+  }
+  if (scene.has_fixed) {
+    occluded(scene.fixed.get(), scene.native_width, lit, shadow.rays, context);
+    if (scene.has_moving && !still_lit(shadow, lit)) return read_visibility(context, shadow);
+  }
+  if (scene.has_moving) occluded(scene.moving.get(), scene.native_width, lit, shadow.rays, context);
+  read_visibility(context, shadow);
+}
+
+void add_light(const WhittedLight& light, const SurfacePacket& surface, const RTCRay16& view, const ShadowPacket& shadow,
+               DirectLight& direct) {
+  add_diffuse(light, shadow, direct);
+  if (surface.any_highlight) add_highlight(light, surface, view, shadow, direct);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,39 @@
+// The light that a packet of surface points receives from one light: shadow rays, Lambert's N.L, Blinn's highlight. Private to
+// src/trace.
+//
+// Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980; J. F. Blinn, "Models of light
+// reflection for computer synthesized pictures", SIGGRAPH 1977 (the half-vector highlight, without an N.L factor, as Tachyon
+// has it).
+#pragma once
+
+#include "trace/surface.hpp"
+
+namespace lippmann {
+
+/// Direct light gathered so far, per lane: what multiplies the surface's diffuse colour, and the highlights by their tint.
+struct DirectLight {
+  Lanes3 diffuse;    ///< sum of light colour x N.L x visibility
+  Lanes3 highlight;  ///< sum of light colour x (N.H)^size x visibility, in the light's colour; tint comes later
+};
+
+/// Rays from a packet of points to one light.
+struct ShadowPacket {
+  alignas(64) RayPacket rays;
+  LaneMask active;   ///< lanes whose surface faces the light within its range and cone
+  Lanes cosine;      ///< N.L, for active lanes
+  Lanes strength;    ///< of the light at the point (distance, cone), for active lanes
+  Lanes visibility;  ///< after trace_shadows: 0 in shadow, 1 lit, between: seen through see-through surfaces
+};
+
+/// Fills rays, active, cosine and strength. Returns how many lanes are active.
+int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float t_near, float minimum_cosine,
+                 ShadowPacket& shadow);
+
+/// Traces the active rays and fills visibility (0 for inactive lanes).
+void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow);
+
+/// Adds what arrives. `direction`: of the rays that hit the surface.
+void add_light(const WhittedLight& light, const SurfacePacket& surface, const RTCRay16& view, const ShadowPacket& shadow,
+               DirectLight& direct);
+
+}  // namespace lippmann

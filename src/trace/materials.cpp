@@ -1,0 +1,106 @@
+#include "trace/materials.hpp"
+
+namespace lippmann {
+namespace {
+
+// 2^-14 of the highlight's strength is a quarter of one 8-bit code.
+float cutoff_for(float highlight, float size) {
+  if (highlight <= 0.0f) return 2.0f;
+  return std::pow(std::min(1.0f, 0x1p-14f / highlight), 1.0f / std::max(size, 1e-3f));
+}
+
+WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
+  WhittedMaterial m;
+  m.color = s.color;
+  m.ambient = Vec3f(s.ambient);
+  m.diffuse = s.diffuse;
+  if (s.highlight_kind != Highlight::kNone) m.highlight = s.highlight;
+  m.highlight_size = s.highlight_size;
+  m.highlight_cutoff = cutoff_for(m.highlight, m.highlight_size);
+  m.highlight_tint = s.highlight_kind == Highlight::kMetal ? 1.0f : 0.0f;
+  m.mirror = s.mirror;
+  m.opacity = s.opacity;
+  m.ior = s.ior;
+  m.emission = s.emission;
+  m.texture = s.texture;
+  if (s.planar) {
+    m.planar = static_cast<int>(table.planar.size());
+    table.planar.push_back(*s.planar);
+  }
+  return m;
+}
+
+// Roughness above this has no visible mirror image; below, the mirror fades in.
+constexpr float kMirrorRoughness = 0.4f;
+
+WhittedMaterial from(const MetallicRoughness& s, const Background& background) {
+  WhittedMaterial m;
+  m.color = Vec3f(s.base_color);
+  m.texture = s.base_color_texture;
+  m.alpha_from_texture = s.base_color_texture >= 0 && (s.blend || s.alpha_cutoff > 0.0f);
+  m.alpha_cutoff = s.blend ? 0.0f : s.alpha_cutoff;
+  m.opacity = s.blend ? s.base_color.a : 1.0f;
+  m.emission = s.emissive;
+  m.emission_texture = s.emissive_texture;
+  if (s.unlit) {
+    m.ambient = Vec3f(1.0f);
+    m.diffuse = 0.0f;
+    return m;
+  }
+  const float dielectric_f0 = ((s.ior - 1.0f) / (s.ior + 1.0f)) * ((s.ior - 1.0f) / (s.ior + 1.0f));
+  const float smooth = std::max(0.0f, 1.0f - s.roughness / kMirrorRoughness);
+  m.mirror = smooth * glm::mix(dielectric_f0, 1.0f, s.metallic);
+  m.mirror_tint = s.metallic;
+  m.diffuse = (1.0f - s.metallic) * (1.0f - s.transmission) / kPi;
+  // The background lights the surface from all around: as irradiance / pi on the diffuse part, as a blurred mirror image on
+  // the metallic part that has no traced mirror.
+  const Vec3f surrounding = 0.5f * (background.horizon + background.zenith);
+  m.ambient = surrounding * ((1.0f - s.metallic) * (1.0f - s.transmission) + s.metallic * (1.0f - smooth));
+  const float alpha = std::max(s.roughness * s.roughness, 0.01f);
+  m.highlight_size = std::max(1.0f, 2.0f / (alpha * alpha) - 2.0f);
+  // Normalised Blinn-Phong lobe at normal incidence, (n + 2) / 8 pi: Real-Time Rendering, 4th ed., section 9.8.
+  m.highlight = glm::mix(dielectric_f0, 1.0f, s.metallic) * (m.highlight_size + 2.0f) / (8.0f * kPi);
+  m.highlight_tint = s.metallic;
+  m.highlight_cutoff = cutoff_for(m.highlight, m.highlight_size);
+  if (s.transmission > 0.0f) {
+    m.opacity = 1.0f - s.transmission;
+    m.ior = s.ior;
+  }
+  return m;
+}
+
+}  // namespace
+
+MaterialTable make_material_table(const Scene& scene) {
+  MaterialTable table;
+  for (const Material& material : scene.materials) {
+    if (const auto* phong = std::get_if<PhongSurface>(&material.surface))
+      table.materials.push_back(from(*phong, table));
+    else
+      table.materials.push_back(from(std::get<MetallicRoughness>(material.surface), scene.background));
+  }
+  return table;
+}
+
+float shadow_transmittance(const WhittedMaterial& material) { return std::clamp(1.0f - material.opacity, 0.0f, 1.0f); }
+
+std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& resolved) {
+  std::vector<WhittedLight> lights;
+  for (const Light& light : scene.lights) {
+    const Affine3f world_from_light = resolved.of(light.node);
+    WhittedLight w;
+    w.kind = light.kind;
+    w.position = world_from_light.translation;
+    w.direction = glm::normalize(transform_vector(world_from_light, {0, 0, -1}));
+    w.color = light.color;
+    w.inverse_square = light.inverse_square;
+    w.range = light.range;
+    w.cos_inner = std::cos(light.inner_cone);
+    w.cos_outer = std::cos(light.outer_cone);
+    w.visible_radius = light.visible_radius;
+    lights.push_back(w);
+  }
+  return lights;
+}
+
+}  // namespace lippmann

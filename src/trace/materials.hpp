@@ -1,0 +1,58 @@
+// Materials and lights as the Whitted integrator uses them: one flat record for every surface model. Private to src/trace.
+//
+// PhongSurface maps one to one. MetallicRoughness maps to the Whitted terms that come closest: Lambert albedo / pi, a
+// normalised Blinn-Phong lobe of the same roughness, a mirror where it is smooth, and the background's mean as ambient light.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/math.hpp"
+#include "scene/scene.hpp"
+#include "scene/timeline.hpp"
+
+namespace lippmann {
+
+struct WhittedMaterial {
+  Vec3f color{0.8f};    ///< multiplied by a uv texture, replaced by a planar one
+  Vec3f ambient{0.1f};  ///< radiance per colour, without any light
+  float diffuse = 0.9f;
+  float highlight = 0.0f;
+  float highlight_size = 1.0f;
+  float highlight_cutoff = 2.0f;  ///< N.H below which the highlight is under 2^-14: nothing to compute; 2: never
+  float highlight_tint = 0.0f;    ///< 0: in the light's colour, 1: in the surface's
+  float mirror = 0.0f;            ///< share of the reflected radiance
+  float mirror_tint = 0.0f;       ///< 0: white mirror, 1: in the surface's colour
+  float opacity = 1.0f;
+  float ior = 1.0f;
+  Vec3f emission{0.0f};
+  int texture = -1, emission_texture = -1;
+  int planar = -1;  ///< index into the tables' planar mappings, or -1: by uv
+  float alpha_cutoff = 0.0f;
+  bool alpha_from_texture = false;  ///< opacity = texture alpha (mask or blend)
+};
+
+struct MaterialTable {
+  std::vector<WhittedMaterial> materials;
+  std::vector<PlanarMapping> planar;
+};
+
+MaterialTable make_material_table(const Scene& scene);
+
+/// Opacity as shadow rays see it: how much light passes the whole surface (texture alpha is not looked up).
+float shadow_transmittance(const WhittedMaterial& material);
+
+struct WhittedLight {
+  LightKind kind = LightKind::kPoint;
+  Vec3f position{0.0f};
+  Vec3f direction{0.0f, 0.0f, -1.0f};  ///< that the light travels, unit length (directional, spot)
+  Vec3f color{1.0f};
+  bool inverse_square = false;
+  float range = kInfinity;
+  float cos_inner = 1.0f, cos_outer = -1.0f;
+  float visible_radius = 0.0f;
+};
+
+std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& resolved);
+
+}  // namespace lippmann

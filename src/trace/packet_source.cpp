@@ -1,0 +1,90 @@
+#include "trace/packet_source.hpp"
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Van der Corput's radical inverse in base 2, as 32 bits.
+std::uint32_t reversed_bits(std::uint32_t x) {
+  x = (x << 16) | (x >> 16);
+  x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
+  x = ((x & 0x0f0f0f0fu) << 4) | ((x & 0xf0f0f0f0u) >> 4);
+  x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
+  return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
+}
+
+int rows_in_strip(int strip, const StripOrder& order, int height) {
+  return std::min(order.strip_height, height - strip * order.strip_height);
+}
+
+/// Centres of 16 pixels in a row of a strip's order, and their indices.
+LIPPMANN_MULTIVERSION void center_lanes(const StripPixel* pixels, int top, int width, float* px, float* py,
+                                        std::uint32_t* index) {
+  for (int i = 0; i < kLanes; ++i) {
+    const int x = pixels[i].x, y = top + pixels[i].y;
+    px[i] = static_cast<float>(x) + 0.5f;
+    py[i] = static_cast<float>(y) + 0.5f;
+    index[i] = static_cast<std::uint32_t>(y * width + x);
+  }
+}
+
+LIPPMANN_MULTIVERSION void set_range(float depth, Vec3f forward, RayPacket& rays) {
+  for (int i = 0; i < kLanes; ++i) {
+    rays.tnear[i] = 0.0f;
+    rays.tfar[i] = depth / (rays.dir_x[i] * forward.x + rays.dir_y[i] * forward.y + rays.dir_z[i] * forward.z);
+  }
+}
+
+}  // namespace
+
+Vec2f SubPixel::position(std::uint32_t pixel, int sample) const {
+  if (samples == 1) return Vec2f(0.5f);
+  const auto s = static_cast<std::uint32_t>(sample);
+  const std::uint32_t shift_x = hash(seed, frame, pixel, 0u), shift_y = hash(seed, frame, pixel, 1u);
+  // Both coordinates as 32-bit fractions, so that the shift wraps by itself.
+  const auto x = static_cast<std::uint32_t>((static_cast<std::uint64_t>(s) << 32) / static_cast<std::uint32_t>(samples));
+  return {unit_float(x + shift_x), unit_float(reversed_bits(s) + shift_y)};
+}
+
+PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel)
+    : generator_(optics, world_from_display),
+      order_(make_strip_order(optics, order)),
+      sub_pixel_(sub_pixel),
+      width_(optics.panel.width),
+      height_(optics.panel.height),
+      strips_((optics.panel.height + order_.strip_height - 1) / order_.strip_height),
+      packets_(static_cast<int>((order_.pixels.size() + kLanes - 1) / kLanes)),
+      forward_(generator_.forward()) {
+  order_.pixels.resize(static_cast<std::size_t>(packets_) * kLanes, order_.pixels.back());
+}
+
+int PacketSource::fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const {
+  const StripPixel* pixels = order_.pixels.data() + static_cast<std::size_t>(packet) * kLanes;
+  const int top = strip * order_.strip_height, rows = rows_in_strip(strip, order_, height_);
+  alignas(64) float px[kLanes], py[kLanes];
+  center_lanes(pixels, top, width_, px, py, pixel);
+  const bool padded = (packet + 1) * kLanes > width_ * order_.strip_height;
+  int count = kLanes;
+  for (int& lane : active.lane) lane = -1;
+  if (padded || rows < order_.strip_height) {
+    count = 0;
+    for (int i = 0; i < kLanes; ++i) {
+      const bool inside = pixels[i].y < rows && packet * kLanes + i < width_ * order_.strip_height;
+      active.lane[i] = inside ? -1 : 0;
+      count += inside;
+    }
+    if (count == 0) return 0;
+  }
+  if (sub_pixel_.samples > 1)
+    for (int i = 0; i < kLanes; ++i) {
+      const Vec2f offset = sub_pixel_.position(pixel[i], sample) - Vec2f(0.5f);
+      px[i] += offset.x, py[i] += offset.y;
+    }
+  generator_.rays(px, py, kLanes, {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z});
+  set_range(generator_.depth(), forward_, rays);
+  return count;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,85 @@
+// What a packet of rays has hit: positions, normals towards the ray, material terms, one array of 16 lanes each. Private to
+// src/trace.
+#pragma once
+
+#include "optics/optics.hpp"
+#include "trace/device_scene_impl.hpp"
+#include "trace/embree_shim.hpp"
+
+namespace lippmann {
+
+struct alignas(64) Lanes {
+  float lane[kLanes];
+  LIPPMANN_INLINE float& operator[](int i) { return lane[i]; }
+  LIPPMANN_INLINE float operator[](int i) const { return lane[i]; }
+};
+
+struct alignas(64) Lanes3 {
+  Lanes x, y, z;
+  LIPPMANN_INLINE void set(int i, Vec3f v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  LIPPMANN_INLINE Vec3f get(int i) const { return {x[i], y[i], z[i]}; }
+};
+
+class BeamFootprint;
+
+struct SurfacePacket {
+  LaneMask hit;  ///< -1 where something was hit; the other arrays are defined there only
+  bool any_hit = false;
+  Lanes3 position;
+  Lanes3 normal;      ///< shading normal, unit length, on the ray's side of the geometric one
+  LaneMask entering;  ///< -1 where the ray meets the outer side of the surface
+  std::uint32_t instance[kLanes];
+  // Material, after textures.
+  Lanes3 color, ambient, emission;  ///< ambient: radiance per colour
+  Lanes diffuse, highlight, highlight_size, highlight_cutoff, highlight_tint;
+  Lanes mirror, mirror_tint, opacity, ior;
+  bool any_highlight = false, any_mirror = false, any_see_through = false;
+};
+
+/// The instance (object id) that lane i of `packet` has hit, geometry id not kNoId.
+std::uint32_t hit_instance(const DeviceScene::Impl& scene, const RayHitPacket& packet, int i);
+
+/// Evaluates the surfaces that `packet` has hit among the active lanes. path_length: distance from the path's start to this
+/// ray's origin, per lane. `beam` filters textures.
+void evaluate_surfaces(const DeviceScene::Impl& scene, const RayHitPacket& packet, const LaneMask& active,
+                       const Lanes& path_length, const BeamFootprint& beam, SurfacePacket& surface);
+
+/// Only position, normal and instance, for object buffers and point images.
+void evaluate_geometry(const DeviceScene::Impl& scene, const RayHitPacket& packet, const LaneMask& active,
+                       SurfacePacket& surface);
+
+/// Meets the infinite planes: shortens tfar and records hits with the plane's id, kPlaneId + its index.
+void intersect_planes(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet);
+/// Shadow rays: ends (tfar = -inf) or weakens the active lanes that cross a plane.
+void occlude_by_planes(const DeviceScene::Impl& scene, const LaneMask& active, RayPacket& packet, ShadowContext& context);
+
+/// Geometry ids from here on name infinite planes.
+inline constexpr unsigned kPlaneId = 0x80000000u;
+/// Geometry ids from here on name visible lights.
+inline constexpr unsigned kLightId = 0xC0000000u;
+
+/// How wide the beam of a ray is where it hits, for texture filtering: sample_footprint_mm of the optics, in world units along
+/// the display's axes, by the length of the path from the plane where rays start. (Paths are taken as straight along -z and
+/// mirrors as unfolded: exact for the central view, and within the cosine of half the viewing zone for others.)
+class BeamFootprint {
+ public:
+  BeamFootprint(const Optics& optics, const Affine3f& world_from_display)
+      : optics_(optics),
+        scale_(glm::length(world_from_display.linear[0])),
+        axis_x_(world_from_display.linear[0] / scale_),
+        axis_y_(world_from_display.linear[1] / scale_),
+        z_front_mm_(resolved_z_front_mm(optics)) {}
+
+  /// Full widths along axis_x and axis_y, world units.
+  Vec2f widths(float path_length) const { return scale_ * sample_footprint_mm(optics_, z_front_mm_ - path_length / scale_); }
+  Vec3f axis_x() const { return axis_x_; }
+  Vec3f axis_y() const { return axis_y_; }
+
+ private:
+  const Optics& optics_;
+  float scale_;
+  Vec3f axis_x_, axis_y_;
+  float z_front_mm_;
+};
+
+}  // namespace lippmann

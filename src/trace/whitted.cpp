@@ -1,0 +1,161 @@
+#include "trace/whitted.hpp"
+
+#include "trace/scene_query.hpp"
+
+namespace lippmann {
+namespace {
+
+int count_lanes(const LaneMask& mask) {
+  int count = 0;
+  for (const int lane : mask.lane) count -= lane;
+  return count;
+}
+
+/// color (ambient + diffuse light) + highlight + emission, weighted by opacity: what the surface itself sends towards the ray.
+LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLight& direct, Lanes3& out) {
+  for (int i = 0; i < kLanes; ++i) {
+    const float tint = s.highlight_tint[i];
+    const auto channel = [&](float color, float ambient, float diffuse, float highlight, float emission) {
+      return s.opacity[i] *
+             (color * (ambient + s.diffuse[i] * diffuse) + highlight * (1.0f + tint * (color - 1.0f)) + emission);
+    };
+    out.x[i] = channel(s.color.x[i], s.ambient.x[i], direct.diffuse.x[i], direct.highlight.x[i], s.emission.x[i]);
+    out.y[i] = channel(s.color.y[i], s.ambient.y[i], direct.diffuse.y[i], direct.highlight.y[i], s.emission.y[i]);
+    out.z[i] = channel(s.color.z[i], s.ambient.z[i], direct.diffuse.z[i], direct.highlight.z[i], s.emission.z[i]);
+  }
+}
+
+/// Snell's law; total reflection gives the mirror direction. eta = n_from / n_to, normal towards the ray.
+Vec3f refracted(Vec3f d, Vec3f n, float eta) {
+  const float cosine = -glm::dot(d, n);
+  const float k = 1.0f - eta * eta * (1.0f - cosine * cosine);
+  if (k < 0.0f) return d + 2.0f * cosine * n;
+  return glm::normalize(eta * d + (eta * cosine - std::sqrt(k)) * n);
+}
+
+Vec3f direction_of(const RayHitPacket& packet, int i) {
+  return {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
+}
+
+}  // namespace
+
+WhittedTracer::WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, int max_depth, Image& film)
+    : scene_(scene), beam_(beam), max_depth_(max_depth), film_(film.data.data()) {}
+
+void WhittedTracer::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight) {
+  clear_hits(packet);
+  counts_.primary += static_cast<std::uint64_t>(count_lanes(active));
+  intersect_scene(scene_, active, packet, Coherence::kCoherent);
+  Bundle bundle;
+  for (int i = 0; i < kLanes; ++i) {
+    bundle.weight.x[i] = bundle.weight.y[i] = bundle.weight.z[i] = weight;
+    bundle.path_length[i] = 0.0f;
+    bundle.pixel[i] = pixel[i];
+  }
+  shade(packet, active, bundle, 1);
+}
+
+void WhittedTracer::finish_batch() {
+  RayHitPacket packet;
+  Bundle bundle;
+  LaneMask active;
+  for (int depth = 2; !next_.empty(); ++depth) {
+    wave_.swap(next_);
+    next_.clear();
+    counts_.reflection += wave_.size();
+    for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
+      const std::size_t lanes = std::min<std::size_t>(kLanes, wave_.size() - first);
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        const QueuedRay& ray = wave_[first + std::min(i, lanes - 1)];
+        const auto lane = static_cast<int>(i);
+        active.lane[i] = i < lanes ? -1 : 0;
+        packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
+        packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
+        packet.ray.tnear[i] = scene_.secondary_t_near;
+        packet.ray.tfar[i] = kInfinity;
+        bundle.weight.set(lane, ray.weight);
+        bundle.path_length[lane] = ray.path_length;
+        bundle.pixel[i] = ray.pixel;
+      }
+      clear_hits(packet);
+      intersect_scene(scene_, active, packet, Coherence::kIncoherent);
+      shade(packet, active, bundle, depth);
+    }
+  }
+}
+
+void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth) {
+  add_missed(packet, active, bundle);
+  evaluate_surfaces(scene_, packet, active, bundle.path_length, beam_, surface_);
+  if (!surface_.any_hit) return;
+  DirectLight direct{};
+  gather_light(packet, direct);
+  Lanes3 local;
+  local_radiance(surface_, direct, local);
+  const bool last = depth >= max_depth_;
+  for (int i = 0; i < kLanes; ++i) {
+    if (!surface_.hit.lane[i]) continue;
+    const Vec3f weight = bundle.weight.get(i);
+    Vec3f radiance = local.get(i);
+    if (surface_.any_mirror && surface_.mirror[i] > 0.0f) {
+      const Vec3f share = surface_.mirror[i] * (Vec3f(1.0f) + surface_.mirror_tint[i] * (surface_.color.get(i) - Vec3f(1.0f)));
+      if (!last)
+        queue_mirror(packet, bundle, i, weight * share);
+      else if (scene_.tachyon)
+        radiance += scene_.scene->background.horizon;  // Tachyon adds it without the mirror's share
+      else
+        radiance += share * background(glm::reflect(direction_of(packet, i), surface_.normal.get(i)));
+    }
+    if (surface_.any_see_through && surface_.opacity[i] < 1.0f) {
+      const float through = 1.0f - surface_.opacity[i];
+      if (!last)
+        queue_transmitted(packet, bundle, i, weight * through);
+      else
+        radiance += through * background(direction_of(packet, i));
+    }
+    add(bundle.pixel[i], weight * radiance);
+  }
+}
+
+void WhittedTracer::add_missed(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle) {
+  for (int i = 0; i < kLanes; ++i) {
+    const unsigned id = packet.hit.geomID[i];
+    if (!active.lane[i] || id < kLightId) continue;
+    const Vec3f radiance = id == kNoId ? background(direction_of(packet, i)) : scene_.lights[id - kLightId].color;
+    add(bundle.pixel[i], bundle.weight.get(i) * radiance);
+  }
+}
+
+void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct) {
+  // Tachyon takes light below 1/512 for none.
+  const float minimum_cosine = scene_.tachyon ? 1.0f / 512.0f : 0.0f;
+  for (const WhittedLight& light : scene_.lights) {
+    const int rays = aim_at_light(light, surface_, scene_.secondary_t_near, minimum_cosine, shadow_);
+    if (rays == 0) continue;
+    counts_.shadow += static_cast<std::uint64_t>(rays);
+    trace_shadows(scene_, shadow_);
+    add_light(light, surface_, packet.ray, shadow_, direct);
+  }
+}
+
+void WhittedTracer::queue_mirror(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f weight) {
+  const Vec3f d = direction_of(packet, i);
+  const Vec3f r = glm::reflect(d, surface_.normal.get(i));
+  next_.push_back({surface_.position.get(i), r, weight, bundle.path_length[i] + packet.ray.tfar[i], bundle.pixel[i]});
+}
+
+void WhittedTracer::queue_transmitted(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f weight) {
+  Vec3f d = direction_of(packet, i);
+  if (surface_.ior[i] != 1.0f)
+    d = refracted(d, surface_.normal.get(i), surface_.entering.lane[i] ? 1.0f / surface_.ior[i] : surface_.ior[i]);
+  next_.push_back({surface_.position.get(i), d, weight, bundle.path_length[i] + packet.ray.tfar[i], bundle.pixel[i]});
+}
+
+Vec3f WhittedTracer::background(Vec3f direction) const {
+  const Background& b = scene_.scene->background;
+  if (b.horizon == b.zenith) return b.horizon;
+  const float up = std::clamp(glm::dot(direction, b.up), 0.0f, 1.0f);
+  return glm::mix(b.horizon, b.zenith, up);
+}
+
+}  // namespace lippmann

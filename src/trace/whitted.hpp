@@ -1,0 +1,67 @@
+// Whitted's recursive ray tracing, in waves: a batch of packets is shaded, its mirror and refracted rays are queued, the queue
+// is the next wave. Private to src/trace.
+//
+// Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980.
+// We deviate: (1) breadth first instead of recursion, so that secondary rays travel in full packets of neighbours; (2) at the
+// depth limit a mirror shows the background instead of black, as Tachyon does.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/image.hpp"
+#include "trace/direct_light.hpp"
+#include "trace/surface.hpp"
+#include "trace/trace_frame.hpp"
+
+namespace lippmann {
+
+/// Tracing state of one thread at a time. Adds radiance to pixels of `film`; const inputs must outlive it.
+class WhittedTracer {
+ public:
+  WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, int max_depth, Image& film);
+
+  /// Traces and shades a packet of primary rays (origin, direction, tnear, tfar set); adds weight x radiance to each active
+  /// lane's pixel (index y * width + x). Mirror and refracted rays wait for finish_batch().
+  void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight);
+
+  /// Traces everything that waits, wave by wave.
+  void finish_batch();
+
+  const RayCounts& counts() const { return counts_; }
+
+ private:
+  struct QueuedRay {
+    Vec3f origin, direction, weight;
+    float path_length;
+    std::uint32_t pixel;
+  };
+  /// Where the lanes of a packet come from and go to.
+  struct Bundle {
+    Lanes3 weight;
+    Lanes path_length;
+    std::uint32_t pixel[kLanes];
+  };
+
+  void shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth);
+  void add_missed(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle);
+  void gather_light(const RayHitPacket& packet, DirectLight& direct);
+  void queue_mirror(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f weight);
+  void queue_transmitted(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f weight);
+  Vec3f background(Vec3f direction) const;
+  void add(std::uint32_t pixel, Vec3f radiance) {
+    float* p = film_ + 3 * static_cast<std::size_t>(pixel);
+    p[0] += radiance.x, p[1] += radiance.y, p[2] += radiance.z;
+  }
+
+  const DeviceScene::Impl& scene_;
+  const BeamFootprint& beam_;
+  int max_depth_;
+  float* film_;
+  RayCounts counts_;
+  std::vector<QueuedRay> wave_, next_;
+  SurfacePacket surface_;
+  ShadowPacket shadow_;
+};
+
+}  // namespace lippmann
