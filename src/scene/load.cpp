@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 #include <system_error>
 
 #include "core/error.hpp"
+#include "scene/builtin.hpp"
 #include "scene/tachyon.hpp"
 
 namespace lippmann {
@@ -38,7 +40,9 @@ std::string lower_extension(const fs::path& path) {
 }
 
 std::string accepted_names() {
-  std::string names = "a file";
+  std::string names;
+  for (const BuiltinScene& scene : builtin_scenes()) names += fmt::format("{}, ", scene.name);
+  names += "or a file";
   for (const Format& format : kFormats) names += fmt::format(" {}", format.extension);
   return names;
 }
@@ -61,10 +65,31 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
   return format->load(path, options, context);
 }
 
+const BuiltinScene* find_builtin(const std::string& name) {
+  for (const BuiltinScene& scene : builtin_scenes())
+    if (scene.name == name) return &scene;
+  return nullptr;
+}
+
+/// Another frame rate shows the same motion in the same time.
+Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
+  if (options.camera_path)
+    throw usage_error("--camera-path", fmt::format("{} brings its own cameras", builtin.name), "a Tachyon .dat scene");
+  Scene scene = builtin.build();
+  Timeline& timeline = scene.timeline;
+  if (options.frames_per_second > 0.0) {
+    const double seconds = timeline.frame_count / timeline.frames_per_second;
+    timeline.frame_count = std::max(1, static_cast<int>(std::lround(std::min(1e9, seconds * options.frames_per_second))));
+    timeline.frames_per_second = options.frames_per_second;
+  }
+  return scene;
+}
+
 }  // namespace
 
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context) {
-  Scene scene = load_file(name, options, context);
+  const BuiltinScene* builtin = find_builtin(name);
+  Scene scene = builtin ? build(*builtin, options) : load_file(name, options, context);
   validate(scene, name);
   return scene;
 }

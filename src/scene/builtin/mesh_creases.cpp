@@ -1,0 +1,87 @@
+// Normals of a welded mesh that are smooth over gentle edges and split over sharp ones; and rings of vertices joined by
+// triangles.
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "scene/builtin/meshes.hpp"
+
+namespace lippmann::builtin {
+namespace {
+
+using Index = std::uint32_t;
+
+struct Corner {
+  Index triangle, corner;
+};
+
+/// Twice the area, along the normal.
+Vec3f area_normal(const Mesh& mesh, const std::array<Index, 3>& t) {
+  return glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+}
+
+std::vector<std::vector<Corner>> corners_of_vertices(const Mesh& mesh) {
+  std::vector<std::vector<Corner>> corners(mesh.positions.size());
+  for (Index t = 0; t < mesh.triangles.size(); ++t)
+    for (Index c = 0; c < 3; ++c) corners[mesh.triangles[t][c]].push_back({t, c});
+  return corners;
+}
+
+}  // namespace
+
+Mesh with_creases(const Mesh& welded, float crease_angle) {
+  const float cosine = std::cos(crease_angle);
+  std::vector<Vec3f> faces;
+  for (const auto& t : welded.triangles) faces.push_back(area_normal(welded, t));
+
+  Mesh mesh;
+  mesh.triangles = welded.triangles;
+  const std::vector<std::vector<Corner>> corners_of = corners_of_vertices(welded);
+  for (Index vertex = 0; vertex < corners_of.size(); ++vertex) {
+    const Index first = static_cast<Index>(mesh.positions.size());
+    for (const Corner& corner : corners_of[vertex]) {
+      Vec3f normal(0.0f);
+      for (const Corner& other : corners_of[vertex]) {
+        const Vec3f &a = faces[corner.triangle], &b = faces[other.triangle];
+        if (glm::dot(a, b) >= cosine * glm::length(a) * glm::length(b)) normal += b;
+      }
+      normal = glm::normalize(normal);
+      Index index = first;  // corners with (nearly) one normal share a vertex
+      while (index < mesh.positions.size() && glm::dot(mesh.normals[index], normal) < 0.99999f) ++index;
+      if (index == mesh.positions.size()) {
+        mesh.positions.push_back(welded.positions[vertex]);
+        mesh.normals.push_back(normal);
+      }
+      mesh.triangles[corner.triangle][corner.corner] = index;
+    }
+  }
+  return mesh;
+}
+
+void zip_rings(Mesh& mesh, const std::vector<Index>& inner, const std::vector<float>& inner_angle,
+               const std::vector<Index>& outer, const std::vector<float>& outer_angle) {
+  const float turn = 2.0f * kPi;
+  const auto angle_at = [&](const std::vector<float>& angles, std::size_t i) {
+    return angles[i % angles.size()] + (i < angles.size() ? 0.0f : turn);
+  };
+  // Starts from the outer vertex that is nearest to the first inner one, then always takes the shorter step of the two.
+  std::size_t o = 0;
+  float nearest = kInfinity;
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    const float apart = std::abs(std::remainder(outer_angle[i] - inner_angle[0], turn));
+    if (apart < nearest) nearest = apart, o = i;
+  }
+  const std::size_t first_outer = o, last_outer = o + outer.size();
+  const float shift = turn * std::round((inner_angle[0] - outer_angle[first_outer]) / turn);
+  for (std::size_t i = 0; i < inner.size() || o < last_outer;) {
+    const bool outer_next =
+        i == inner.size() || (o < last_outer && angle_at(outer_angle, o + 1) + shift <= angle_at(inner_angle, i + 1));
+    const Index a = inner[i % inner.size()], b = outer[o % outer.size()];
+    if (outer_next)
+      mesh.triangles.push_back({a, b, outer[++o % outer.size()]});
+    else
+      mesh.triangles.push_back({a, b, inner[++i % inner.size()]});
+  }
+}
+
+}  // namespace lippmann::builtin

@@ -1,0 +1,15 @@
+// One builder per built-in scene; the table of them is builtin_scenes.cpp.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace lippmann::builtin {
+
+Scene build_teapot();
+Scene build_room();
+Scene build_small_balls();
+Scene build_primitives();
+Scene build_tree();
+Scene build_gears();
+
+}  // namespace lippmann::builtin

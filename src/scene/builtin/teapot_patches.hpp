@@ -1,0 +1,14 @@
+// The Utah teapot: Martin Newell's 32 bicubic patches of 1975, the bottom included.
+#pragma once
+
+#include <vector>
+
+#include "scene/builtin/bezier_patch.hpp"
+
+namespace lippmann::builtin {
+
+/// In Newell's own frame: z up, the spout along +x, standing on z = 0; all normals point outwards. In order: rim (4), body (8),
+/// lid (8), bottom (4), handle (4), spout (4).
+std::vector<BezierPatch> teapot_patches();
+
+}  // namespace lippmann::builtin

@@ -1,0 +1,146 @@
+// Noise is gradient noise on a square lattice after: Ken Perlin, "Improving Noise", SIGGRAPH 2002, in two dimensions, with
+// lattice points taken modulo the period so that the textures repeat.
+#include "scene/builtin/textures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.hpp"
+
+namespace lippmann::builtin {
+namespace {
+
+constexpr int kTexels = 512;
+
+std::uint8_t srgb_code(float linear) {
+  const float x = std::clamp(linear, 0.0f, 1.0f);
+  const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+  return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
+}
+
+float fract(float x) { return x - std::floor(x); }
+
+/// 0 below `from`, 1 above `to`, smooth between.
+float ramp(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+int wrapped(int i, int period) { return ((i % period) + period) % period; }
+
+float lattice_gradient(int x, int y, Vec2i period, std::uint32_t seed, Vec2f offset) {
+  const std::uint32_t h =
+      hash(static_cast<std::uint32_t>(wrapped(x, period.x)), static_cast<std::uint32_t>(wrapped(y, period.y)), seed);
+  const float angle = 2.0f * kPi * unit_float(h);
+  return std::cos(angle) * offset.x + std::sin(angle) * offset.y;
+}
+
+/// 1 on a line of the given half width around the whole numbers, 0 elsewhere.
+float joint(float x, float half_width) {
+  const float distance = std::abs(x - std::round(x));
+  return 1.0f - ramp(0.5f * half_width, 1.5f * half_width, distance);
+}
+
+}  // namespace
+
+Texture paint(std::string name, int width, int height, const std::function<Vec3f(Vec2f)>& color_at) {
+  Texture texture;
+  texture.name = std::move(name);
+  texture.width = width;
+  texture.height = height;
+  texture.rgba.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Vec3f color = color_at({(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                                    (static_cast<float>(y) + 0.5f) / static_cast<float>(height)});
+      for (int c = 0; c < 3; ++c) texture.rgba.push_back(srgb_code(color[c]));
+      texture.rgba.push_back(255);
+    }
+  return texture;
+}
+
+float noise(Vec2f p, Vec2i period, std::uint32_t seed) {
+  const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
+  const Vec2f f = p - Vec2f(static_cast<float>(x), static_cast<float>(y));
+  const Vec2f s = f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f);
+  const float a = lattice_gradient(x, y, period, seed, f);
+  const float b = lattice_gradient(x + 1, y, period, seed, f - Vec2f(1, 0));
+  const float c = lattice_gradient(x, y + 1, period, seed, f - Vec2f(0, 1));
+  const float d = lattice_gradient(x + 1, y + 1, period, seed, f - Vec2f(1, 1));
+  constexpr float kToUnitRange = 1.41421356f;  // gradients of length 1 reach sqrt(1/2) in the middle of a cell
+  return kToUnitRange * glm::mix(glm::mix(a, b, s.x), glm::mix(c, d, s.x), s.y);
+}
+
+float fractal_noise(Vec2f p, Vec2i period, int octaves, std::uint32_t seed) {
+  float sum = 0.0f, weight = 0.5f;
+  for (int octave = 0; octave < octaves; ++octave) {
+    sum += weight * noise(p, period, seed + static_cast<std::uint32_t>(octave));
+    p *= 2.0f, period *= 2, weight *= 0.5f;
+  }
+  return 1.3f * sum;
+}
+
+Texture marble_tiles(Vec3f light, Vec3f dark) {
+  return paint("marble tiles", kTexels, kTexels, [=](Vec2f uv) {
+    const Vec2f tile = 2.0f * uv;
+    const bool is_dark = (static_cast<int>(tile.x) + static_cast<int>(tile.y)) % 2 == 1;
+    const float cloud = fractal_noise(6.0f * uv, {6, 6}, 4, 11);
+    const Vec2f bent = 4.0f * uv + 0.9f * Vec2f(cloud, fractal_noise(6.0f * uv, {6, 6}, 4, 23));
+    const float vein = std::pow(1.0f - std::abs(noise(bent, {4, 4}, is_dark ? 31 : 37)), 12.0f);
+    const Vec3f stone = is_dark ? dark * (1.0f + 0.5f * cloud) + 0.10f * vein : light * (1.0f + 0.10f * cloud) - 0.16f * vein;
+    const float gap = std::max(joint(tile.x, 0.008f), joint(tile.y, 0.008f));
+    return glm::mix(stone, 0.35f * (light + dark), gap);
+  });
+}
+
+Texture wood_boards(Vec3f light, Vec3f dark, int boards) {
+  return paint("wood boards", kTexels, kTexels, [=](Vec2f uv) {
+    const float across = static_cast<float>(boards) * uv.x;
+    const int board = static_cast<int>(across);
+    const std::uint32_t seed = hash(71, static_cast<std::uint32_t>(board));
+    const float bend = noise({3.0f * uv.x * static_cast<float>(boards), 4.0f * uv.y}, {3 * boards, 4}, seed);
+    const float rings = 0.5f + 0.5f * std::sin(2.0f * kPi * (3.0f * fract(across) + 1.2f * bend));
+    const float fibre = noise({40.0f * across, 6.0f * uv.y}, {40 * boards, 6}, seed + 5);
+    const float tone = 0.35f * rings + 0.15f * fibre + 0.45f * unit_float(hash(seed));
+    const float end_joint = joint(uv.y + unit_float(hash(seed + 9)), 0.004f);
+    const float gap = std::max(joint(across, 0.025f), end_joint);
+    return glm::mix(glm::mix(light, dark, tone), 0.25f * dark, gap);
+  });
+}
+
+Texture striped_plaster(Vec3f color, Vec3f stripe, int stripes) {
+  return paint("striped plaster", kTexels, kTexels, [=](Vec2f uv) {
+    const float wave = std::abs(fract(static_cast<float>(stripes) * uv.x) - 0.5f);
+    const float grain = fractal_noise(32.0f * uv, {32, 32}, 3, 41);
+    return glm::mix(color, stripe, ramp(0.22f, 0.26f, wave)) * (1.0f + 0.05f * grain);
+  });
+}
+
+Texture carpet(Vec3f ground, Vec3f ornament, Vec3f border) {
+  return paint("carpet", kTexels, kTexels, [=](Vec2f uv) {
+    const Vec2f edge = glm::min(uv, 1.0f - uv);
+    const float inset = std::min(edge.x, edge.y);
+    const Vec2f p = 6.0f * uv;
+    const float rhombus = std::abs(fract(p.x) - 0.5f) + std::abs(fract(p.y) - 0.5f);
+    Vec3f color = glm::mix(ornament, ground, ramp(0.30f, 0.34f, rhombus));
+    color = glm::mix(color, border, 1.0f - ramp(0.10f, 0.17f, rhombus));
+    if (inset < 0.11f) color = inset > 0.085f || inset < 0.02f ? ornament : border;
+    return color * (1.0f + 0.2f * noise(96.0f * uv, {96, 96}, 53));
+  });
+}
+
+Texture globe(Vec3f sea, Vec3f land) {
+  return paint("globe", 2 * kTexels, kTexels, [=](Vec2f uv) {
+    const float height = fractal_noise({8.0f * uv.x, 4.0f * uv.y}, {8, 4}, 6, 7);
+    const float latitude = std::abs(2.0f * uv.y - 1.0f);
+    const Vec3f desert(0.55f, 0.40f, 0.20f), ice(0.85f, 0.88f, 0.90f);
+    const Vec3f ground = glm::mix(glm::mix(land, desert, ramp(0.0f, 0.5f, noise({8.0f * uv.x, 6.0f * uv.y}, {8, 6}, 91))),
+                                  0.5f * (land + desert), ramp(0.2f, 0.5f, height));
+    Vec3f color = glm::mix(sea * (1.0f + 0.4f * height), ground, ramp(0.02f, 0.05f, height));
+    color = glm::mix(color, ice, ramp(0.80f, 0.86f, latitude + 0.12f * height));
+    const float meridian = std::max(joint(12.0f * uv.x, 0.012f), joint(6.0f * uv.y, 0.012f));
+    return glm::mix(color, Vec3f(0.70f, 0.66f, 0.50f), 0.35f * meridian);
+  });
+}
+
+}  // namespace lippmann::builtin
