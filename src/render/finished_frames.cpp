@@ -1,0 +1,105 @@
+#include "render/finished_frames.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "render/frame_files.hpp"
+#include "render/params_table.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// FNV-1a, 64 bits. It tells jobs apart; nobody attacks it.
+class Hash {
+ public:
+  void add(std::string_view bytes) {
+    for (const char c : bytes) state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  }
+  std::string text() const { return fmt::format("{:016x}", state_); }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+void add_file(Hash& hash, const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> buffer(1 << 16);
+  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || file.gcount() > 0)
+    hash.add({buffer.data(), static_cast<std::size_t>(file.gcount())});
+  if (!file.eof()) throw Error(path, "cannot be read");
+}
+
+/// The size of a file; 0 if there is none.
+std::uintmax_t bytes_of(const fs::path& path) {
+  std::error_code problem;
+  const std::uintmax_t bytes = fs::file_size(path, problem);
+  return problem ? 0 : bytes;
+}
+
+std::string line_of(const Json& json) { return json.dump() + '\n'; }
+
+std::string header_line(const std::string& fingerprint) { return line_of({{"job", fingerprint}}); }
+
+std::string frame_line(const FrameReport& frame, std::uintmax_t bytes) {
+  Json json = to_json(frame);
+  json["picture_bytes"] = bytes;
+  return line_of(json);
+}
+
+}  // namespace
+
+std::string job_fingerprint(const RenderParams& params) {
+  Hash hash;
+  hash.add(LIPPMANN_VERSION "\n");
+  for (const ParamInfo& info : params_table()) {
+    if (!info.changes_pictures) continue;
+    hash.add(info.name);
+    for (const std::string& value : info.get(params)) hash.add("=" + value);
+    hash.add("\n");
+  }
+  if (!is_builtin_scene(params.scene)) add_file(hash, params.scene);
+  if (!params.camera_path.empty()) add_file(hash, params.camera_path);
+  return hash.text();
+}
+
+FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, PictureFormat format)
+    : folder_(std::move(folder)), journal_(folder_ / ".lippmann-frames.jsonl"), format_(format) {
+  std::string journal = header_line(fingerprint);
+  std::ifstream old(journal_);
+  std::string line;
+  const bool same_job = std::getline(old, line) && line + '\n' == journal;
+  while (same_job && std::getline(old, line)) {
+    const Json json = Json::parse(line, nullptr, false);
+    const std::optional<FrameReport> frame = frame_report_from_json(json);
+    if (!frame || !json.contains("picture_bytes")) continue;
+    if (json["picture_bytes"] != bytes_of(picture_path(folder_, frame->frame, format_))) continue;
+    finished_[frame->frame] = *frame;
+    journal += line + '\n';
+  }
+  write_file_atomically(journal_, std::as_bytes(std::span(journal)));
+  out_.open(journal_, std::ios::app);
+}
+
+std::optional<FrameReport> FinishedFrames::find(int frame) const {
+  const auto found = finished_.find(frame);
+  return found == finished_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void FinishedFrames::add(const FrameReport& frame) {
+  out_ << frame_line(frame, bytes_of(picture_path(folder_, frame.frame, format_))) << std::flush;
+  if (!out_) throw Error(journal_.string(), fmt::format("cannot be written ({})", std::strerror(errno)));
+}
+
+}  // namespace lippmann

@@ -1,0 +1,41 @@
+// Which frames in an output folder are finished, and by which job: what --resume goes by. A journal in the folder, one line of
+// JSON per finished frame, so that a render that was killed at any moment can be taken up again.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "render/params.hpp"
+#include "render/report.hpp"
+
+namespace lippmann {
+
+/// A hash of all that decides the pictures: the parameters that change them, this program's version, and the bytes of the scene
+/// file and camera path. Files that the scene file refers to (textures, buffers) are not looked at.
+/// Throws Error if one of the two files cannot be read.
+std::string job_fingerprint(const RenderParams& params);
+
+class FinishedFrames {
+ public:
+  /// Opens the journal of `folder`, which exists. Lines of another job, torn lines, and frames whose picture is not there in
+  /// the recorded size are forgotten. Throws Error if the journal cannot be written.
+  FinishedFrames(std::filesystem::path folder, std::string fingerprint, PictureFormat format);
+
+  /// The figures of a frame that this job finished before; none if it has yet to be rendered.
+  std::optional<FrameReport> find(int frame) const;
+
+  /// Records a frame whose files are complete. Throws Error. Not thread-safe.
+  void add(const FrameReport& frame);
+
+ private:
+  std::filesystem::path folder_, journal_;
+  PictureFormat format_;
+  std::map<int, FrameReport> finished_;
+  std::ofstream out_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,101 @@
+#include "render/param_text.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+/// The number that `text` is, whole; none for anything else around it.
+template <class T>
+std::optional<T> parse(std::string_view text) {
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, value);
+  if (problem != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+template <class T>
+Extent<T> parse_extent(std::string_view text, T lowest, T highest, const std::string& where) {
+  const std::size_t cross = text.find('x');
+  const std::optional<T> x = parse<T>(text.substr(0, cross));
+  const std::optional<T> y = cross == std::string_view::npos ? T{0} : parse<T>(text.substr(cross + 1));
+  const auto fits = [&](T value) { return value >= lowest && value <= highest; };
+  if (!x || !y || !fits(*x) || (cross != std::string_view::npos && !fits(*y)))
+    throw usage_error(where, fmt::format("'{}' is no such size", text),
+                      fmt::format("N or NxM, each from {} to {}", lowest, highest));
+  return {*x, *y};
+}
+
+template <class T>
+std::string format_extent(const Extent<T>& extent) {
+  return extent.y == 0 ? fmt::format("{}", extent.x) : fmt::format("{}x{}", extent.x, extent.y);
+}
+
+}  // namespace
+
+std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where) {
+  const auto value = parse<std::int64_t>(text);
+  if (!value || *value < lowest || *value > highest)
+    throw usage_error(where, fmt::format("'{}' is out of range or no whole number", text),
+                      fmt::format("a whole number from {} to {}", lowest, highest));
+  return *value;
+}
+
+double read_number(std::string_view text, double lowest, double highest, const std::string& where) {
+  const auto value = parse<double>(text);
+  if (!value || !(*value >= lowest && *value <= highest))
+    throw usage_error(where, fmt::format("'{}' is out of range or no number", text),
+                      fmt::format("a number from {} to {}", lowest, highest));
+  return *value;
+}
+
+bool read_flag(std::string_view text, const std::string& where) {
+  if (text != "true" && text != "false") throw usage_error(where, fmt::format("'{}' is neither", text), "true or false");
+  return text == "true";
+}
+
+Extent<int> read_extent(std::string_view text, int lowest, int highest, const std::string& where) {
+  return parse_extent<int>(text, lowest, highest, where);
+}
+Extent<float> read_extent(std::string_view text, float lowest, float highest, const std::string& where) {
+  return parse_extent<float>(text, lowest, highest, where);
+}
+std::string write_extent(const Extent<int>& extent) { return format_extent(extent); }
+std::string write_extent(const Extent<float>& extent) { return format_extent(extent); }
+
+FrameRange read_frames(std::string_view text, const std::string& where) {
+  const std::size_t dash = text.find('-');
+  const auto first = parse<int>(text.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : parse<int>(text.substr(dash + 1));
+  if (!first || !last || *first < 0 || *last < *first)
+    throw usage_error(where, fmt::format("'{}' is no range of frames", text), "A-B with 0 <= A <= B, or one frame A");
+  return {*first, *last};
+}
+
+std::string write_frames(const FrameRange& frames) { return fmt::format("{}-{}", frames.first, frames.last); }
+
+std::optional<float> read_distance(std::string_view text, const std::string& where) {
+  if (text == "auto") return std::nullopt;
+  if (text == "inf") return kInfinity;
+  const auto value = parse<float>(text);
+  if (!value || !(*value > 0.0f) || !std::isfinite(*value))
+    throw usage_error(where, fmt::format("'{}' is no such distance", text), "millimetres above 0, inf, or auto");
+  return *value;
+}
+
+std::string write_distance(std::optional<float> distance_mm) { return distance_mm ? fmt::format("{}", *distance_mm) : "auto"; }
+
+std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == text) return i;
+  throw usage_error(where, fmt::format("'{}' is none of its values", text), fmt::format("{}", fmt::join(names, ", ")));
+}
+
+}  // namespace lippmann

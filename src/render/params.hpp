@@ -1,0 +1,79 @@
+// Everything that decides a render, as one plain struct with defaults. Command-line flags and job-file keys of the same names
+// are read into it, and written from it, through one table: params_table.hpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/math.hpp"
+#include "optics/optics.hpp"
+#include "trace/trace_frame.hpp"
+
+namespace lippmann {
+
+enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
+enum class Integrator { kWhitted };
+enum class PictureFormat { kPng, kPng16, kExr };
+enum class ExrPixels { kHalf, kFloat };
+enum class Aov { kDepth, kNormal, kId, kPosition };
+
+/// Frames first ... last of an animation, both included.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+  bool operator==(const FrameRange&) const = default;
+};
+
+/// How many across and down; a 0 means "not said": it follows from the rest (render/panel_size.hpp).
+template <class T>
+struct Extent {
+  T x = 0, y = 0;
+  bool operator==(const Extent&) const = default;
+};
+
+struct RenderParams {
+  // Scene
+  std::string scene;                 ///< a built-in name or a file
+  std::string camera_path;           ///< a Tachyon .cam file for a .dat scene; empty: none
+  std::optional<FrameRange> frames;  ///< none: the whole animation
+  double fps = 0.0;                  ///< frames per second of the animation and of videos; 0: the scene's own
+
+  // Optics
+  OpticsKind optics = OpticsKind::kLenticular;
+  LensPacking packing = LensPacking::kSquare;  ///< microlens arrays
+  Extent<int> lenses;                          ///< 0: 64 across, and as many down as fill the panel
+  Extent<float> lens_pixels;                   ///< pixels below a lens, not necessarily whole; 0: 8
+  Extent<int> size;                            ///< the whole panel in pixels; 0: lenses x lens-pixels
+  Extent<int> views;                           ///< multi-view: columns and rows of the quilt; 0: 8x6
+  float view_angle_deg = 28.0f;                ///< viewing zone, full angle; sets the gap
+  std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
+  float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
+
+  // Rendering
+  Integrator integrator = Integrator::kWhitted;
+  RayOrder order = RayOrder::kViewTiles;
+  int spp = 1;
+  int max_depth = 0;  ///< path vertices; 0: the scene's own limit
+  std::uint32_t seed = 0;
+
+  // Files
+  std::string output;  ///< folder; empty: out/<scene name>
+  PictureFormat format = PictureFormat::kPng;
+  ExrPixels exr_pixels = ExrPixels::kHalf;
+  std::vector<Aov> aov;            ///< extra layers beside the picture
+  std::vector<std::string> video;  ///< files; the ending says which kind
+
+  // Running
+  int threads = 0;      ///< 0: one per processor
+  bool resume = false;  ///< keep the frames that the same job has finished before
+};
+
+/// Whether `scene` names one of the built-in scenes, and thus no file.
+bool is_builtin_scene(const std::string& scene);
+
+/// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
+std::string output_folder(const RenderParams& params);
+
+}  // namespace lippmann

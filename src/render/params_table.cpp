@@ -1,0 +1,269 @@
+#include "render/params_table.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "core/suggest.hpp"
+#include "render/param_text.hpp"
+
+namespace lippmann {
+namespace {
+
+using Values = std::vector<std::string>;
+
+constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens", "multiview", "single"};
+constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
+constexpr std::array<std::string_view, 1> kIntegratorNames{"whitted"};
+constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
+constexpr std::array<std::string_view, 3> kFormatNames{"png", "png16", "exr"};
+constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
+constexpr std::array<std::string_view, 4> kAovNames{"depth", "normal", "id", "position"};
+
+constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in make_optics
+
+/// How each type of member is read and written. One pair of functions makes a row's `set` and `get`.
+template <class T>
+struct Codec {
+  std::function<T(std::string_view, const std::string& where)> read;
+  std::function<std::string(const T&)> write;
+};
+
+Codec<std::string> text() {
+  return {[](std::string_view value, const std::string&) { return std::string(value); },
+          [](const std::string& value) { return value; }};
+}
+
+template <class T>
+Codec<T> integer(std::int64_t lowest, std::int64_t highest) {
+  return {[=](std::string_view value, const std::string& where) {
+            return static_cast<T>(read_integer(value, lowest, highest, where));
+          },
+          [](const T& value) { return fmt::format("{}", value); }};
+}
+
+template <class T>
+Codec<T> number(double lowest, double highest) {
+  return {[=](std::string_view value, const std::string& where) {
+            return static_cast<T>(read_number(value, lowest, highest, where));
+          },
+          [](const T& value) { return fmt::format("{}", value); }};
+}
+
+Codec<bool> flag() {
+  return {read_flag, [](const bool& value) { return std::string(value ? "true" : "false"); }};
+}
+
+template <class T>
+Codec<Extent<T>> extent(T lowest, T highest) {
+  return {[=](std::string_view value, const std::string& where) { return read_extent(value, lowest, highest, where); },
+          [](const Extent<T>& value) { return value.x == T{0} ? std::string() : write_extent(value); }};
+}
+
+/// Both numbers have to be said: WxH.
+Codec<Extent<int>> full_extent(int highest) {
+  Codec<Extent<int>> codec = extent(1, highest);
+  codec.read = [highest](std::string_view value, const std::string& where) {
+    Extent<int> both = read_extent(value, 1, highest, where);
+    if (both.y == 0) both.y = both.x;
+    return both;
+  };
+  return codec;
+}
+
+template <class E, std::size_t N>
+Codec<E> choice(const std::array<std::string_view, N>& names) {
+  return {
+      [&names](std::string_view value, const std::string& where) { return static_cast<E>(read_choice(value, names, where)); },
+      [&names](const E& value) { return std::string(names[static_cast<std::size_t>(value)]); }};
+}
+
+struct Documentation {
+  std::string_view name, group, type, doc;
+};
+
+/// A row for a member with one value. An empty text from the codec's `write` means "not said".
+template <class T>
+ParamInfo row(ParamKind kind, T RenderParams::*member, Codec<T> codec, Documentation words) {
+  ParamInfo info{words.name, words.group, words.type, words.doc, kind, true, false, {}, {}};
+  info.set = [member, read = codec.read](RenderParams& params, const Values& values, const std::string& where) {
+    params.*member = read(values.empty() ? std::string_view() : std::string_view(values.back()), where);
+  };
+  info.get = [member, write = codec.write](const RenderParams& params) {
+    std::string value = write(params.*member);
+    return value.empty() ? Values{} : Values{std::move(value)};
+  };
+  return info;
+}
+
+ParamInfo runs_only(ParamInfo info) {
+  info.changes_pictures = false;
+  return info;
+}
+
+ParamInfo path(ParamInfo info) {
+  info.is_path = true;
+  return info;
+}
+
+ParamInfo frames_row() {
+  ParamInfo info{
+      "frames", "Scene", "A-B", "Frames A to B, both included, from 0; default: the whole animation", ParamKind::kText, false,
+      false,    {},      {}};
+  info.set = [](RenderParams& params, const Values& values, const std::string& where) {
+    params.frames = read_frames(values.empty() ? "" : values.back(), where);
+  };
+  info.get = [](const RenderParams& params) { return params.frames ? Values{write_frames(*params.frames)} : Values{}; };
+  return info;
+}
+
+ParamInfo aov_row() {
+  ParamInfo info{"aov",
+                 "Files",
+                 "LAYER,...",
+                 "Extra layers for every frame: depth, normal, id, position; in the EXR itself, else in one beside the picture",
+                 ParamKind::kList,
+                 true,
+                 false,
+                 {},
+                 {}};
+  info.set = [](RenderParams& params, const Values& values, const std::string& where) {
+    params.aov.clear();
+    for (const std::string& value : values)
+      for (std::size_t start = 0; start <= value.size();) {
+        const std::size_t comma = std::min(value.find(',', start), value.size());
+        const auto layer =
+            static_cast<Aov>(read_choice(std::string_view(value).substr(start, comma - start), kAovNames, where));
+        if (std::find(params.aov.begin(), params.aov.end(), layer) == params.aov.end()) params.aov.push_back(layer);
+        start = comma + 1;
+      }
+  };
+  info.get = [](const RenderParams& params) {
+    Values names;
+    for (const Aov layer : params.aov) names.emplace_back(kAovNames[static_cast<std::size_t>(layer)]);
+    return names;
+  };
+  return info;
+}
+
+ParamInfo video_row() {
+  ParamInfo info{"video",
+                 "Files",
+                 "FILE",
+                 "Also write a video: .mp4 (H.264) or .mkv (FFV1, lossless); may be given several times",
+                 ParamKind::kList,
+                 false,
+                 true,
+                 {},
+                 {}};
+  info.set = [](RenderParams& params, const Values& values, const std::string&) { params.video = values; };
+  info.get = [](const RenderParams& params) { return params.video; };
+  return info;
+}
+
+std::vector<ParamInfo> scene_rows() {
+  using P = RenderParams;
+  return {
+      path(row(ParamKind::kText, &P::scene, text(), {"scene", "Scene", "SCENE", "A built-in name or a file"})),
+      path(row(ParamKind::kText, &P::camera_path, text(),
+               {"camera-path", "Scene", "FILE", "A Tachyon camera path (.cam) for a .dat scene"})),
+      frames_row(),
+      row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
+          {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),
+  };
+}
+
+std::vector<ParamInfo> optics_rows() {
+  using P = RenderParams;
+  const Codec<std::optional<float>> distance{read_distance, [](const std::optional<float>& v) { return write_distance(v); }};
+  return {
+      row(ParamKind::kText, &P::optics, choice<OpticsKind>(kOpticsNames),
+          {"optics", "Optics", "KIND", "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view)"}),
+      row(ParamKind::kText, &P::packing, choice<LensPacking>(kPackingNames),
+          {"packing", "Optics", "KIND", "Of microlenses: square or hexagonal"}),
+      row(ParamKind::kText, &P::lenses, extent(1, kMaxCount),
+          {"lenses", "Optics", "N[xM]", "Lenses across and down; default 64, and as many down as make the panel square"}),
+      row(ParamKind::kText, &P::lens_pixels, extent(1.0f, static_cast<float>(kMaxCount)),
+          {"lens-pixels", "Optics", "N[xM]", "Pixels below a lens, across and down, not necessarily whole; default 8"}),
+      row(ParamKind::kText, &P::size, full_extent(kMaxCount),
+          {"size", "Optics", "WxH", "The whole picture in pixels; default: lenses times lens-pixels"}),
+      row(ParamKind::kText, &P::views, full_extent(4096),
+          {"views", "Optics", "CxR", "Multiview: columns and rows of views in the quilt; default 8x6"}),
+      row(ParamKind::kNumber, &P::view_angle_deg, number<float>(0.1, 170.0),
+          {"view-angle", "Optics", "DEG", "Viewing zone, full angle; sets the gap between lenses and panel"}),
+      row(ParamKind::kText, &P::viewing_distance_mm, distance,
+          {"viewing-distance", "Optics", "MM|inf|auto", "Where the lenses' cells converge; auto: where the camera stands"}),
+      row(ParamKind::kNumber, &P::slant_deg, number<float>(-80.0, 80.0),
+          {"slant", "Optics", "DEG", "Of a lenticular sheet's lenses, from the vertical"}),
+  };
+}
+
+std::vector<ParamInfo> rendering_rows() {
+  using P = RenderParams;
+  return {
+      row(ParamKind::kText, &P::integrator, choice<Integrator>(kIntegratorNames),
+          {"integrator", "Rendering", "NAME", "whitted: shadows, mirrors, refraction"}),
+      row(ParamKind::kNumber, &P::spp, integer<int>(1, 1 << 16), {"spp", "Rendering", "N", "Samples per pixel"}),
+      row(ParamKind::kNumber, &P::max_depth, integer<int>(0, 1024),
+          {"max-depth", "Rendering", "N", "Vertices of a path at most, 1: no mirrors; 0: the scene's own limit"}),
+      row(ParamKind::kNumber, &P::seed, integer<std::uint32_t>(0, std::numeric_limits<std::uint32_t>::max()),
+          {"seed", "Rendering", "N", "Of the positions of samples within their pixels"}),
+      runs_only(row(ParamKind::kText, &P::order, choice<RayOrder>(kOrderNames),
+                    {"order", "Rendering", "ORDER",
+                     "Order of tracing, the picture is the same: rows, columns (below a lens), view-tiles"})),
+  };
+}
+
+std::vector<ParamInfo> file_rows() {
+  using P = RenderParams;
+  return {
+      path(runs_only(row(ParamKind::kText, &P::output, text(),
+                         {"output", "Files", "DIR", "Folder for what is made; default out/<scene name>"}))),
+      row(ParamKind::kText, &P::format, choice<PictureFormat>(kFormatNames),
+          {"format", "Files", "FORMAT", "Of the pictures: png (8 bit), png16 or exr (linear)"}),
+      row(ParamKind::kText, &P::exr_pixels, choice<ExrPixels>(kExrPixelNames),
+          {"exr-pixels", "Files", "TYPE", "Samples of EXR colours: half or float"}),
+      aov_row(),
+      video_row(),
+  };
+}
+
+std::vector<ParamInfo> running_rows() {
+  using P = RenderParams;
+  return {
+      runs_only(row(ParamKind::kNumber, &P::threads, integer<int>(0, 1024),
+                    {"threads", "Running", "N", "Rendering threads; 0: one per processor"})),
+      runs_only(row(ParamKind::kFlag, &P::resume, flag(),
+                    {"resume", "Running", "", "Keep the frames that the same job has finished in the folder before"})),
+  };
+}
+
+}  // namespace
+
+const std::vector<ParamInfo>& params_table() {
+  static const std::vector<ParamInfo> table = [] {
+    std::vector<ParamInfo> all;
+    for (auto rows : {scene_rows(), optics_rows(), rendering_rows(), file_rows(), running_rows()})
+      for (ParamInfo& info : rows) all.push_back(std::move(info));
+    return all;
+  }();
+  return table;
+}
+
+const ParamInfo* find_param(std::string_view name) {
+  for (const ParamInfo& info : params_table())
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+std::string did_you_mean(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const ParamInfo& info : params_table()) names.push_back(info.name);
+  const std::string nearest = nearest_name(name, names);
+  return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", nearest);
+}
+
+}  // namespace lippmann

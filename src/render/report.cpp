@@ -1,0 +1,137 @@
+#include "render/report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "render/params_table.hpp"
+
+namespace lippmann {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json rays_json(const RayCounts& rays) {
+  return {{"primary", rays.primary}, {"shadow", rays.shadow}, {"reflection", rays.reflection}, {"indirect", rays.indirect}};
+}
+
+/// JSON has no infinity: null says it.
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json model_json(const LenticularSheet& sheet) {
+  return {{"kind", "lenticular"},
+          {"lens_pitch_mm", sheet.lens_pitch_mm},
+          {"gap_mm", sheet.gap_mm},
+          {"slant_deg", degrees(sheet.slant)},
+          {"offset_mm", sheet.offset_mm},
+          {"viewing_distance_mm", finite_or_null(sheet.viewing_distance_mm)},
+          {"eye_height_mm", sheet.eye_height_mm}};
+}
+
+Json model_json(const MicrolensArray& array) {
+  return {{"kind", "microlens"},
+          {"packing", array.packing == LensPacking::kSquare ? "square" : "hexagonal"},
+          {"lens_pitch_mm", array.lens_pitch_mm},
+          {"gap_mm", array.gap_mm},
+          {"offset_mm", {array.offset_mm.x, array.offset_mm.y}},
+          {"viewing_distance_mm", finite_or_null(array.viewing_distance_mm)}};
+}
+
+Json model_json(const MultiView& views) {
+  return {{"kind", "multiview"},
+          {"columns", views.columns},
+          {"rows", views.rows},
+          {"view_cone_deg", degrees(views.view_cone)},
+          {"distance_mm", views.distance_mm}};
+}
+
+Json model_json(const SingleView& view) { return {{"kind", "single"}, {"distance_mm", view.distance_mm}}; }
+
+Json optics_json(const Optics& optics) {
+  Json json = std::visit([](const auto& model) { return model_json(model); }, optics.model);
+  json["width"] = optics.panel.width;
+  json["height"] = optics.panel.height;
+  json["pixel_pitch_mm"] = optics.panel.pixel_pitch_mm;
+  json["viewing_zone_deg"] = degrees(viewing_zone(optics));
+  json["depth_budget_mm"] = finite_or_null(depth_budget_mm(optics));
+  return json;
+}
+
+Json setting_json(const ParamInfo& info, const RenderParams& params) {
+  const std::vector<std::string> values = info.get(params);
+  if (info.kind == ParamKind::kList) return values;
+  if (values.empty()) return nullptr;
+  if (info.kind == ParamKind::kText) return values.front();
+  return Json::parse(values.front());  // numbers and flags are written as JSON writes them
+}
+
+Json settings_json(const RenderParams& params) {
+  Json json = Json::object();
+  for (const ParamInfo& info : params_table())
+    if (info.name != "scene") json[std::string(info.name)] = setting_json(info, params);
+  return json;
+}
+
+Json totals_json(const RenderReport& report) {
+  double seconds = 0.0, cpu_seconds = 0.0;
+  RayCounts rays;
+  for (const FrameReport& frame : report.frames) {
+    seconds += frame.seconds;
+    cpu_seconds += frame.cpu_seconds;
+    rays.primary += frame.rays.primary;
+    rays.shadow += frame.rays.shadow;
+    rays.reflection += frame.rays.reflection;
+    rays.indirect += frame.rays.indirect;
+  }
+  return {{"seconds", seconds},
+          {"cpu_seconds", cpu_seconds},
+          {"write_seconds", report.write_seconds},
+          {"setup_seconds", report.setup_seconds},
+          {"frames", report.frames.size()},
+          {"rays", rays_json(rays)},
+          {"peak_memory_bytes", report.peak_memory_bytes},
+          {"threads", report.threads}};
+}
+
+}  // namespace
+
+Json to_json(const FrameReport& frame) {
+  return {{"frame", frame.frame},
+          {"kind", frame.kind},
+          {"seconds", frame.seconds},
+          {"cpu_seconds", frame.cpu_seconds},
+          {"rays", rays_json(frame.rays)},
+          {"missed_pixels", frame.missed_pixels},
+          {"retraced_pixels", frame.retraced_pixels},
+          {"reused_pixels", frame.reused_pixels},
+          {"estimated_psnr_db", frame.estimated_psnr_db ? Json(*frame.estimated_psnr_db) : Json(nullptr)}};
+}
+
+Json to_json(const RenderReport& report) {
+  Json frames = Json::array();
+  for (const FrameReport& frame : report.frames) frames.push_back(to_json(frame));
+  return {{"version", LIPPMANN_VERSION},          {"scene", report.scene},
+          {"optics", optics_json(report.optics)}, {"settings", settings_json(report.params)},
+          {"interrupted", report.interrupted},    {"frames", std::move(frames)},
+          {"totals", totals_json(report)}};
+}
+
+std::optional<FrameReport> frame_report_from_json(const Json& json) try {
+  FrameReport frame;
+  json.at("frame").get_to(frame.frame);
+  json.at("kind").get_to(frame.kind);
+  json.at("seconds").get_to(frame.seconds);
+  json.at("cpu_seconds").get_to(frame.cpu_seconds);
+  const Json& rays = json.at("rays");
+  rays.at("primary").get_to(frame.rays.primary);
+  rays.at("shadow").get_to(frame.rays.shadow);
+  rays.at("reflection").get_to(frame.rays.reflection);
+  rays.at("indirect").get_to(frame.rays.indirect);
+  json.at("missed_pixels").get_to(frame.missed_pixels);
+  json.at("retraced_pixels").get_to(frame.retraced_pixels);
+  json.at("reused_pixels").get_to(frame.reused_pixels);
+  if (const Json& psnr = json.at("estimated_psnr_db"); !psnr.is_null()) frame.estimated_psnr_db = psnr.get<double>();
+  return frame;
+} catch (const nlohmann::json::exception&) {
+  return std::nullopt;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,47 @@
+// What a render did, in figures: per frame and in all. report.json holds it; docs/formats.md explains every key.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optics/optics.hpp"
+#include "render/params.hpp"
+#include "trace/trace_frame.hpp"
+
+namespace lippmann {
+
+struct FrameReport {
+  int frame = 0;
+  std::string kind = "full";  ///< how its pixels came about: all of them traced
+  double seconds = 0.0;       ///< wall time of rendering, without writing files
+  double cpu_seconds = 0.0;   ///< of all threads, likewise
+  RayCounts rays;
+  std::uint64_t missed_pixels = 0;  ///< onto which no earlier sample projected
+  std::uint64_t retraced_pixels = 0;
+  std::uint64_t reused_pixels = 0;
+  std::optional<double> estimated_psnr_db;  ///< none: exact
+};
+
+struct RenderReport {
+  std::string scene;
+  Optics optics;
+  RenderParams params;
+  std::vector<FrameReport> frames;  ///< in ascending order; frames kept from before with the figures of then
+  double setup_seconds = 0.0;       ///< wall time before the first frame: loading, building
+  double write_seconds = 0.0;       ///< time that files took to encode and write, summed over threads; beside rendering
+  std::uint64_t peak_memory_bytes = 0;
+  int threads = 1;
+  bool interrupted = false;  ///< stopped before the last frame; what is listed is whole
+};
+
+nlohmann::ordered_json to_json(const FrameReport& frame);
+nlohmann::ordered_json to_json(const RenderReport& report);
+
+/// The inverse for a frame; none if anything is missing or of the wrong type.
+std::optional<FrameReport> frame_report_from_json(const nlohmann::ordered_json& json);
+
+}  // namespace lippmann

@@ -1,0 +1,110 @@
+#include "render/finished_frames.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/error.hpp"
+#include "render/frame_files.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr PictureFormat kPng = PictureFormat::kPng;
+
+void make_picture(const test::TempDir& dir, int frame, const std::string& bytes = "picture") {
+  std::ofstream(picture_path(dir.path(), frame, kPng)) << bytes;
+}
+
+FrameReport report_of(int frame) {
+  FrameReport report;
+  report.frame = frame;
+  report.seconds = 0.25;
+  report.rays.primary = 100;
+  return report;
+}
+
+TEST(FinishedFrames, recorded_frame_is_found_by_the_same_job_with_its_figures) {
+  const test::TempDir dir;
+  make_picture(dir, 4);
+  FinishedFrames(dir.path(), "job-a", kPng).add(report_of(4));
+  const FinishedFrames again(dir.path(), "job-a", kPng);
+  ASSERT_TRUE(again.find(4).has_value());
+  EXPECT_EQ(again.find(4)->seconds, 0.25);
+  EXPECT_EQ(again.find(4)->rays.primary, 100u);
+  EXPECT_FALSE(again.find(5).has_value());
+}
+
+TEST(FinishedFrames, another_job_finds_nothing_and_takes_the_folder_over) {
+  const test::TempDir dir;
+  make_picture(dir, 4);
+  FinishedFrames(dir.path(), "job-a", kPng).add(report_of(4));
+  EXPECT_FALSE(FinishedFrames(dir.path(), "job-b", kPng).find(4).has_value());
+  EXPECT_FALSE(FinishedFrames(dir.path(), "job-a", kPng).find(4).has_value());
+}
+
+TEST(FinishedFrames, picture_gone_or_of_another_size_is_not_finished) {
+  const test::TempDir dir;
+  make_picture(dir, 1);
+  make_picture(dir, 2);
+  {
+    FinishedFrames finished(dir.path(), "job", kPng);
+    finished.add(report_of(1));
+    finished.add(report_of(2));
+  }
+  std::filesystem::remove(picture_path(dir.path(), 1, kPng));
+  make_picture(dir, 2, "cut");
+  const FinishedFrames again(dir.path(), "job", kPng);
+  EXPECT_FALSE(again.find(1).has_value());
+  EXPECT_FALSE(again.find(2).has_value());
+}
+
+TEST(FinishedFrames, torn_last_line_is_forgotten_and_does_not_spoil_the_next) {
+  const test::TempDir dir;
+  for (const int frame : {1, 2, 3}) make_picture(dir, frame);
+  {
+    FinishedFrames finished(dir.path(), "job", kPng);
+    finished.add(report_of(1));
+    finished.add(report_of(2));
+  }
+  const auto journal = dir / ".lippmann-frames.jsonl";
+  std::filesystem::resize_file(journal, std::filesystem::file_size(journal) - 20);
+  FinishedFrames(dir.path(), "job", kPng).add(report_of(3));
+  const FinishedFrames again(dir.path(), "job", kPng);
+  EXPECT_TRUE(again.find(1).has_value());
+  EXPECT_FALSE(again.find(2).has_value());
+  EXPECT_TRUE(again.find(3).has_value());
+}
+
+TEST(JobFingerprint, differs_for_what_changes_pictures_and_for_nothing_else) {
+  RenderParams params;
+  params.scene = "teapot";
+  const std::string same = job_fingerprint(params);
+  RenderParams elsewhere = params;
+  elsewhere.output = "elsewhere";
+  elsewhere.threads = 7;
+  elsewhere.frames = FrameRange{0, 1};
+  elsewhere.video = {"a.mp4"};
+  elsewhere.resume = true;
+  elsewhere.order = RayOrder::kRows;
+  EXPECT_EQ(job_fingerprint(elsewhere), same);
+  RenderParams finer = params;
+  finer.spp = 2;
+  EXPECT_NE(job_fingerprint(finer), same);
+}
+
+TEST(JobFingerprint, differs_when_the_scene_file_does) {
+  const test::TempDir dir;
+  RenderParams params;
+  params.scene = (dir / "a.dat").string();
+  std::ofstream(params.scene) << "one";
+  const std::string before = job_fingerprint(params);
+  std::ofstream(params.scene) << "two";
+  EXPECT_NE(job_fingerprint(params), before);
+  std::filesystem::remove(params.scene);
+  EXPECT_THROW(job_fingerprint(params), Error);
+}
+
+}  // namespace
+}  // namespace lippmann
