@@ -1,0 +1,47 @@
+#include "image/metrics.hpp"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "image/ssim.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Exact: whole numbers, at most 255^2 2^28.
+std::array<std::uint64_t, 3> squared_differences(const Image8& a, const Image8& b) {
+  std::array<std::uint64_t, 3> sums{};
+  for (std::size_t i = 0; i < a.rgb.size(); i += 3)
+    for (int c = 0; c < 3; ++c) {
+      const int d = int{a.rgb[i + c]} - int{b.rgb[i + c]};
+      sums[c] += static_cast<std::uint64_t>(d * d);
+    }
+  return sums;
+}
+
+}  // namespace
+
+double psnr_db(double mean_mse) {
+  return mean_mse > 0.0 ? 10.0 * std::log10(255.0 * 255.0 / mean_mse) : std::numeric_limits<double>::infinity();
+}
+
+PictureMetrics measure_difference(const Image8& reference, const Image8& test) {
+  assert(reference.width == test.width && reference.height == test.height && !reference.rgb.empty());
+  const double pixels = static_cast<double>(reference.rgb.size() / 3);
+  const std::array<std::uint64_t, 3> sums = squared_differences(reference, test);
+  PictureMetrics m;
+  m.mse.r = static_cast<double>(sums[0]) / pixels;
+  m.mse.g = static_cast<double>(sums[1]) / pixels;
+  m.mse.b = static_cast<double>(sums[2]) / pixels;
+  m.mse.mean = (m.mse.r + m.mse.g + m.mse.b) / 3.0;
+  m.rmse = {std::sqrt(m.mse.r), std::sqrt(m.mse.g), std::sqrt(m.mse.b), std::sqrt(m.mse.mean)};
+  m.psnr_db = psnr_db(m.mse.mean);
+  m.ssim = ssim(reference, test);
+  m.identical = sums[0] + sums[1] + sums[2] == 0;
+  return m;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,50 @@
+#include "image/difference.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/image_compare.hpp"
+#include "support/pictures.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::images_match;
+using test::noise_codes;
+
+TEST(DifferencePicture, absolute_difference_times_gain_is_clamped) {
+  const Image8 a{2, 1, {10, 20, 30, 0, 0, 255}}, b{2, 1, {12, 15, 30, 100, 0, 0}};
+  EXPECT_THAT(difference_picture(a, b).rgb, ::testing::ElementsAre(2, 5, 0, 100, 0, 255));
+  EXPECT_THAT(difference_picture(a, b, 3).rgb, ::testing::ElementsAre(6, 15, 0, 255, 0, 255));
+}
+
+TEST(ImagesMatch, each_threshold_decides) {
+  const Image8 reference = noise_codes(10, 10);
+  Image8 image = reference;
+  image.rgb[33] = static_cast<unsigned char>(reference.rgb[33] ^ 0x10);  // one pixel of 100, 16 codes off
+  EXPECT_TRUE(images_match(reference, reference));
+  EXPECT_TRUE(images_match(image, reference, {.per_pixel = 16}));
+  EXPECT_TRUE(images_match(image, reference, {.per_pixel = 1, .share = 0.01, .hard_limit = 16}));
+  EXPECT_FALSE(images_match(image, reference, {.per_pixel = 15}));
+  EXPECT_FALSE(images_match(image, reference, {.per_pixel = 1, .share = 0.009, .hard_limit = 16}));
+  EXPECT_FALSE(images_match(image, reference, {.per_pixel = 1, .share = 0.01, .hard_limit = 15}));
+  std::filesystem::remove_all(test::detail::evidence_folder());
+}
+
+TEST(ImagesMatch, failure_names_the_pixel_and_leaves_three_pictures) {
+  const Image8 reference = noise_codes(10, 10);
+  Image8 image = reference;
+  image.rgb[33] = static_cast<unsigned char>(reference.rgb[33] ^ 0x10);
+  const testing::AssertionResult result = images_match(image, reference);
+  EXPECT_THAT(result.message(), ::testing::HasSubstr("(1, 1), by 16"));
+  const auto folder = test::detail::evidence_folder();
+  for (const char* name : {"image.png", "reference.png", "difference.png"}) EXPECT_TRUE(std::filesystem::exists(folder / name));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ImagesMatch, different_sizes_never_match) { EXPECT_FALSE(images_match(noise_codes(4, 3), noise_codes(3, 4))); }
+
+}  // namespace
+}  // namespace lippmann

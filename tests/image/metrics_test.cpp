@@ -1,0 +1,113 @@
+#include "image/metrics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "image/png.hpp"
+#include "image/ssim.hpp"
+#include "support/command.hpp"
+#include "support/pictures.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::noise_codes;
+using test::smooth_codes;
+
+Image8 flat(int width, int height, unsigned char code) {
+  return {width, height, std::vector<unsigned char>(std::size_t{3} * width * height, code)};
+}
+
+/// SSIM straight from its definition: a 2D window, variances about the local mean.
+double ssim_by_definition(const Image8& a, const Image8& b) {
+  const auto luma = [](const Image8& image, int x, int y) {
+    const unsigned char* p = &image.rgb[3 * (std::size_t(y) * image.width + x)];
+    return 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
+  };
+  double total = 0.0, norm = 0.0;
+  for (int j = -5; j <= 5; ++j)
+    for (int i = -5; i <= 5; ++i) norm += std::exp(-(i * i + j * j) / 4.5);
+  int places = 0;
+  for (int y = 5; y < a.height - 5; ++y)
+    for (int x = 5; x < a.width - 5; ++x, ++places) {
+      double mu_a = 0, mu_b = 0, var_a = 0, var_b = 0, cov = 0;
+      for (int pass = 0; pass < 2; ++pass)
+        for (int j = -5; j <= 5; ++j)
+          for (int i = -5; i <= 5; ++i) {
+            const double w = std::exp(-(i * i + j * j) / 4.5) / norm, p = luma(a, x + i, y + j), q = luma(b, x + i, y + j);
+            if (pass == 0) {
+              mu_a += w * p, mu_b += w * q;
+            } else {
+              var_a += w * (p - mu_a) * (p - mu_a), var_b += w * (q - mu_b) * (q - mu_b), cov += w * (p - mu_a) * (q - mu_b);
+            }
+          }
+      total +=
+          (2 * mu_a * mu_b + 6.5025) * (2 * cov + 58.5225) / ((mu_a * mu_a + mu_b * mu_b + 6.5025) * (var_a + var_b + 58.5225));
+    }
+  return total / places;
+}
+
+TEST(Metrics, known_differences_give_the_errors_worked_out_by_hand) {
+  const Image8 reference{2, 1, {10, 20, 30, 40, 50, 60}}, test{2, 1, {13, 20, 26, 36, 50, 68}};
+  const PictureMetrics m = measure_difference(reference, test);
+  EXPECT_DOUBLE_EQ(m.mse.r, (9.0 + 16.0) / 2.0);
+  EXPECT_DOUBLE_EQ(m.mse.g, 0.0);
+  EXPECT_DOUBLE_EQ(m.mse.b, (16.0 + 64.0) / 2.0);
+  EXPECT_DOUBLE_EQ(m.mse.mean, 17.5);
+  EXPECT_DOUBLE_EQ(m.rmse.b, std::sqrt(40.0));
+  EXPECT_DOUBLE_EQ(m.rmse.mean, std::sqrt(17.5));
+  EXPECT_NEAR(m.psnr_db, 35.70042, 1e-5);  // 10 log10(65025 / 17.5)
+  EXPECT_FALSE(m.identical);
+}
+
+TEST(Metrics, psnr_of_the_first_row_of_the_papers_table_1) { EXPECT_NEAR(psnr_db(21.4394), 34.8187, 5e-5); }
+
+TEST(Metrics, black_against_white_is_0_db) { EXPECT_EQ(measure_difference(flat(16, 16, 0), flat(16, 16, 255)).psnr_db, 0.0); }
+
+TEST(Metrics, equal_pictures_are_identical) {
+  const PictureMetrics m = measure_difference(noise_codes(20, 20), noise_codes(20, 20));
+  EXPECT_TRUE(m.identical);
+  EXPECT_EQ(m.mse.mean, 0.0);
+  EXPECT_EQ(m.psnr_db, std::numeric_limits<double>::infinity());
+  EXPECT_DOUBLE_EQ(m.ssim, 1.0);
+}
+
+TEST(Metrics, rmse_agrees_with_idiff) {
+  if (!test::program_exists("idiff")) GTEST_SKIP() << "idiff (package openimageio-tools) is not installed";
+  const test::TempDir dir;
+  const Image8 a = smooth_codes(64, 48), b = smooth_codes(64, 48, 0.1);
+  write_png(dir / "a.png", a);
+  write_png(dir / "b.png", b);
+  const std::string output =
+      test::run_command("idiff '" + (dir / "a.png").string() + "' '" + (dir / "b.png").string() + "'").output;
+  const double rms = test::number_after(output, "RMS error = ");
+  EXPECT_NEAR(measure_difference(a, b).rmse.mean / 255.0, rms, 1e-5 * rms) << "idiff prints 6 digits of single precision";
+}
+
+TEST(Ssim, flat_pictures_leave_the_luminance_term_only) {
+  const double expected = (2.0 * 100 * 120 + 6.5025) / (100.0 * 100 + 120.0 * 120 + 6.5025);
+  EXPECT_NEAR(ssim(flat(30, 20, 100), flat(30, 20, 120)), expected, 1e-9);
+}
+
+TEST(Ssim, equals_the_two_dimensional_definition) {
+  const Image8 a = smooth_codes(37, 23), b = noise_codes(37, 23), c = smooth_codes(37, 23, 0.4);
+  EXPECT_NEAR(ssim(a, b), ssim_by_definition(a, b), 1e-9) << "sums of squares up to 2.5e5 in double";
+  EXPECT_NEAR(ssim(a, c), ssim_by_definition(a, c), 1e-9);
+}
+
+TEST(Ssim, does_not_depend_on_which_is_the_reference) {
+  const Image8 a = smooth_codes(40, 30), b = noise_codes(40, 30);
+  EXPECT_DOUBLE_EQ(ssim(a, b), ssim(b, a));
+}
+
+TEST(Ssim, picture_smaller_than_the_window_has_none) {
+  EXPECT_TRUE(std::isnan(ssim(flat(10, 30, 5), flat(10, 30, 5))));
+  EXPECT_FALSE(std::isnan(ssim(flat(11, 11, 5), flat(11, 11, 5))));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,77 @@
+// Compares a picture with its reference by three thresholds, and on failure leaves the evidence to look at.
+//
+// For noise-free pictures whose edges may fall differently by rounding: most pixels agree closely, a stated share may not, and
+// none may be far off. Needs lippmann::image.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "image/difference.hpp"
+#include "image/png.hpp"
+
+namespace lippmann::test {
+
+struct ImageTolerance {
+  int per_pixel = 0;     ///< codes by which the largest of a pixel's channels may differ
+  double share = 0.0;    ///< of the pixels that may differ by more
+  int hard_limit = 255;  ///< codes by which no pixel may differ
+};
+
+namespace detail {
+
+/// $LIPPMANN_TEST_OUTPUT, or test-failures in the current folder.
+inline std::filesystem::path evidence_folder() {
+  const char* given = std::getenv("LIPPMANN_TEST_OUTPUT");
+  const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string test = info ? std::string(info->test_suite_name()) + "." + info->name() : "no-test";
+  std::filesystem::path folder = std::filesystem::path(given ? given : "test-failures") / test;
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+/// Writes the three pictures and says where.
+inline std::string leave_evidence(const Image8& image, const Image8& reference) {
+  const std::filesystem::path folder = evidence_folder();
+  write_png(folder / "image.png", image);
+  write_png(folder / "reference.png", reference);
+  write_png(folder / "difference.png", difference_picture(image, reference, 8));
+  return "see image.png, reference.png and difference.png (8 times) in " + std::filesystem::absolute(folder).string();
+}
+
+inline int pixel_difference(const Image8& a, const Image8& b, std::size_t pixel) {
+  int largest = 0;
+  for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) largest = std::max(largest, std::abs(int{a.rgb[i]} - int{b.rgb[i]}));
+  return largest;
+}
+
+}  // namespace detail
+
+/// EXPECT_TRUE(images_match(image, reference, {.per_pixel = 2, .share = 0.01, .hard_limit = 40}));
+inline testing::AssertionResult images_match(const Image8& image, const Image8& reference,
+                                             const ImageTolerance& tolerance = {}) {
+  if (image.width != reference.width || image.height != reference.height)
+    return testing::AssertionFailure() << image.width << " x " << image.height << " pixels instead of " << reference.width
+                                       << " x " << reference.height;
+  std::size_t beyond = 0, worst_pixel = 0;
+  int worst = 0;
+  const std::size_t pixels = reference.rgb.size() / 3;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const int difference = detail::pixel_difference(image, reference, i);
+    beyond += difference > tolerance.per_pixel ? 1 : 0;
+    if (difference > worst) worst = difference, worst_pixel = i;
+  }
+  const double share = static_cast<double>(beyond) / static_cast<double>(pixels);
+  if (share <= tolerance.share && worst <= tolerance.hard_limit) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << beyond << " of " << pixels << " pixels (" << share << ") differ by more than "
+                                     << tolerance.per_pixel << " codes (allowed share " << tolerance.share << "); the worst, ("
+                                     << worst_pixel % reference.width << ", " << worst_pixel / reference.width << "), by "
+                                     << worst << " (limit " << tolerance.hard_limit << "); "
+                                     << detail::leave_evidence(image, reference);
+}
+
+}  // namespace lippmann::test
