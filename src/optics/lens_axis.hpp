@@ -54,9 +54,9 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
   T k = std::floor(t * axis.cells_per_px);
   T in_cell = t - k * axis.cell_px;
   // The product above may round across a boundary of cells; t - k cell is exact for whole cells and decides.
-  const T step = in_cell < T(0) ? T(-1) : in_cell >= axis.cell_px ? T(1) : T(0);
-  k += step;
-  in_cell -= step * axis.cell_px;
+  const bool before = in_cell < T(0), after = in_cell >= axis.cell_px;
+  k = before ? k - T(1) : k, in_cell = before ? in_cell + axis.cell_px : in_cell;
+  k = after ? k + T(1) : k, in_cell = after ? in_cell - axis.cell_px : in_cell;
   const T lens = axis.lens0_mm + k * axis.pitch_mm;
   return {lens, -((in_cell - T(0.5) * axis.cell_px) * axis.slope_per_px) - (lens - axis.eye_mm) * axis.vergence};
 }

@@ -25,13 +25,8 @@ LenticularConstants<double> make_lenticular(const Panel& panel, const Lenticular
 }
 
 LIPPMANN_MULTIVERSION
-void write_rays(const LenticularRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays) {
-  const LenticularRays c = constants;
-  const RayFrame f = frame;
-  const RayArrays r = rays;
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) write_ray(f, crossing(c, px[i], py[i]), r, i);
+void write_block(const LenticularRays& c, const RayFrame& frame, const float* px, const float* py, const RayArrays& rays) {
+  write_ray_block(frame, px, py, rays, [&c](float x, float y) LIPPMANN_INLINE_LAMBDA { return crossing(c, x, y); });
 }
 
 namespace {

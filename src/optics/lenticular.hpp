@@ -46,8 +46,8 @@ LIPPMANN_INLINE Crossing crossing(const LenticularRays& c, float px, float py) {
           slope_y};
 }
 
-void write_rays(const LenticularRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays);
+void write_block(const LenticularRays& constants, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays);
 
 void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point_mm, std::vector<Vec2f>& pixels);
 

@@ -24,23 +24,14 @@ MicrolensConstants<double> make_microlens(const Panel& panel, const MicrolensArr
 }
 
 LIPPMANN_MULTIVERSION
-void write_rays(const SquareMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays) {
-  const SquareMicrolensRays c = constants;
-  const RayFrame f = frame;
-  const RayArrays r = rays;
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) write_ray(f, crossing(c, px[i], py[i]), r, i);
+void write_block(const SquareMicrolensRays& c, const RayFrame& frame, const float* px, const float* py, const RayArrays& rays) {
+  write_ray_block(frame, px, py, rays, [&c](float x, float y) LIPPMANN_INLINE_LAMBDA { return crossing(c, x, y); });
 }
 
 LIPPMANN_MULTIVERSION
-void write_rays(const HexagonalMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays) {
-  const HexagonalMicrolensRays c = constants;
-  const RayFrame f = frame;
-  const RayArrays r = rays;
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) write_ray(f, crossing(c, px[i], py[i]), r, i);
+void write_block(const HexagonalMicrolensRays& c, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays) {
+  write_ray_block(frame, px, py, rays, [&c](float x, float y) LIPPMANN_INLINE_LAMBDA { return crossing(c, x, y); });
 }
 
 namespace {

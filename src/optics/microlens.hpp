@@ -72,10 +72,10 @@ LIPPMANN_INLINE Crossing crossing(const HexagonalMicrolensRays& c, float px, flo
   return {lens_x + c.z_front_mm * slope_x, -(lens_down + c.z_front_mm * slope_down), slope_x, -slope_down};
 }
 
-void write_rays(const SquareMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays);
-void write_rays(const HexagonalMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays);
+void write_block(const SquareMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays);
+void write_block(const HexagonalMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays);
 
 void pixels_seeing(const Panel& panel, const MicrolensArray& array, Vec3f point_mm, std::vector<Vec2f>& pixels);
 
