@@ -26,6 +26,7 @@ namespace lippmann::app {
 /// What the command line asked for: runs it and returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
 
+void add_render_command(CLI::App& root, Action& chosen);
 void add_bench_command(CLI::App& root, Action& chosen);
 
 }  // namespace lippmann::app

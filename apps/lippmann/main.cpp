@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   root.set_help_flag("-h,--help", "Print this help and exit");
   root.require_subcommand(1);
   Action chosen;
+  add_render_command(root, chosen);
   add_bench_command(root, chosen);
   try {
     root.parse(argc, argv);

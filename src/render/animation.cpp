@@ -1,0 +1,122 @@
+#include "render/animation.hpp"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "render/finished_frames.hpp"
+#include "render/frame.hpp"
+#include "render/frame_sink.hpp"
+#include "render/job_file.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+FrameRange frames_to_render(const RenderParams& params, const Timeline& timeline) {
+  const FrameRange all{0, timeline.frame_count - 1};
+  if (!params.frames) return all;
+  if (params.frames->last > all.last)
+    throw usage_error("--frames", fmt::format("{}-{} is outside the animation", params.frames->first, params.frames->last),
+                      fmt::format("frames from 0 to {}", all.last));
+  return *params.frames;
+}
+
+/// Refuses what cannot succeed before hours are spent on it: frames that the machine's memory does not hold.
+void require_memory(const RenderParams& params, const Panel& panel, int threads) {
+  constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
+  const double pixels = static_cast<double>(panel.width) * panel.height;
+  const double frame = pixels * (kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size()));
+  const double needed = frame * FrameSink::frames_in_memory(threads);
+  const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  if (needed > available)
+    throw Error("--size", fmt::format("frames of {}x{} pixels need {:.1f} GB of memory, this machine has {:.1f} GB",
+                                      panel.width, panel.height, needed * 1e-9, available * 1e-9));
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "-o with one that can");
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+int count_kept(const RenderParams& params, const FinishedFrames& finished, FrameRange frames) {
+  int kept = 0;
+  for (int frame = frames.first; params.resume && frame <= frames.last; ++frame) kept += finished.find(frame).has_value();
+  return kept;
+}
+
+void write_report(const fs::path& file, const RenderReport& report) {
+  const std::string text = to_json(report).dump(2) + '\n';
+  write_file_atomically(file, std::as_bytes(std::span(text)));
+}
+
+}  // namespace
+
+RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {
+  const Stopwatch setup;
+  const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
+  Stage stage(params, pool, context);
+  const FrameRange frames = frames_to_render(params, stage.scene.timeline);
+  require_memory(params, stage.placed.optics.panel, pool.threads());
+
+  const fs::path folder = output_folder(params);
+  make_folder(folder);
+  write_job(folder / "job.toml", params);
+  fs::remove(folder / "report.json");  // it would speak of another render
+  FinishedFrames finished(folder, job_fingerprint(params), params.format);
+  const RenderPlan plan{stage, folder, frames, count_kept(params, finished, frames)};
+
+  RenderReport report{params.scene, stage.placed.optics, params, {}};
+  report.threads = pool.threads();
+  FrameSink sink({params, folder, stage.scene.encoding, pool.threads()}, finished);
+  if (observer.planned) observer.planned(plan);
+  report.setup_seconds = setup.seconds();
+
+  for (int frame = frames.first; frame <= frames.last && !context.cancelled; ++frame) {
+    if (const auto kept = params.resume ? finished.find(frame) : std::nullopt) {
+      report.frames.push_back(*kept);
+      continue;
+    }
+    RenderedFrame rendered = render_frame(stage, params, frame, pool, context);
+    if (context.cancelled) break;
+    report.frames.push_back(rendered.report);
+    sink.add(std::move(rendered));
+    if (observer.traced) observer.traced(report.frames.back());
+  }
+  sink.finish();
+
+  report.interrupted = static_cast<int>(report.frames.size()) <= frames.last - frames.first;
+  report.write_seconds = sink.write_seconds();
+  report.peak_memory_bytes = peak_memory_bytes();
+  write_report(folder / "report.json", report);
+  return report;
+}
+
+}  // namespace lippmann

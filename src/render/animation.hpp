@@ -1,0 +1,37 @@
+// Renders an animation into a folder: frames in order, each traced while the ones before it are encoded and written.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "core/context.hpp"
+#include "render/params.hpp"
+#include "render/report.hpp"
+
+namespace lippmann {
+
+struct Stage;
+
+/// What is going to be done, once set-up has succeeded.
+struct RenderPlan {
+  const Stage& stage;
+  std::filesystem::path folder;
+  FrameRange frames;
+  int kept = 0;  ///< of these frames, finished before by the same job
+};
+
+/// Hears how a render goes, in the thread that called render_animation. Both may be empty.
+struct RenderObserver {
+  std::function<void(const RenderPlan&)> planned;
+  std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
+};
+
+/// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte
+/// for byte, for any number of threads, and whether or not the render was interrupted and resumed.
+///
+/// When context.cancelled is set, it stops at the next chance: finished frames stay, the frame under way and videos leave
+/// nothing, report.json says `interrupted`. Throws Error for bad params or scenes (before any file is made) and for files that
+/// cannot be written; the frames finished until then stay, for --resume.
+RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer = {});
+
+}  // namespace lippmann

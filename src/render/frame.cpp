@@ -1,0 +1,54 @@
+#include "render/frame.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace lippmann {
+namespace {
+
+Scene load(const RenderParams& params, const Context& context) {
+  LoadOptions options;
+  if (!params.camera_path.empty()) options.camera_path = params.camera_path;
+  options.frames_per_second = params.fps;
+  return load_scene(params.scene, options, context);
+}
+
+TraceParams trace_params(const RenderParams& params, const Scene& scene, int frame) {
+  TraceParams trace;
+  trace.order = params.order;
+  trace.spp = params.spp;
+  trace.max_depth = params.max_depth > 0 ? params.max_depth : scene.max_depth;
+  trace.seed = params.seed;
+  trace.frame = frame;
+  return trace;
+}
+
+}  // namespace
+
+Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& context)
+    : scene(load(params, context)), array(fit_array(scene)), placed(make_optics(params, scene, array)), device(scene, pool) {}
+
+RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool,
+                           const Context& context) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const double cpu_start = pool.cpu_seconds();
+
+  const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(frame));
+  stage.device.update(resolved, pool);
+  const Affine3f world_from_array = world_from_display(stage.array, stage.placed.units_per_mm, resolved);
+
+  RenderedFrame rendered;
+  const Panel& panel = stage.placed.optics.panel;
+  rendered.pictures.film = Image(panel.width, panel.height, 3);
+  rendered.pictures.aovs = wanted_aovs(params);
+  rendered.report.frame = frame;
+  rendered.report.rays =
+      trace_frame(stage.device, stage.placed.optics, world_from_array, trace_params(params, stage.scene, frame), pool, context,
+                  rendered.pictures.film, params.aov.empty() ? nullptr : &rendered.pictures.aovs);
+  rendered.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  rendered.report.cpu_seconds = pool.cpu_seconds() - cpu_start;
+  return rendered;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,38 @@
+// Renders one frame: where everything is at its time, the scene made ready for tracing, every pixel traced.
+#pragma once
+
+#include "core/context.hpp"
+#include "core/parallel.hpp"
+#include "render/fit_array.hpp"
+#include "render/frame_files.hpp"
+#include "render/make_optics.hpp"
+#include "render/params.hpp"
+#include "render/report.hpp"
+#include "scene/load.hpp"
+#include "trace/device_scene.hpp"
+
+namespace lippmann {
+
+/// What stays the same from frame to frame, set up once.
+struct Stage {
+  Scene scene;
+  FittedArray array;
+  PlacedOptics placed;
+  DeviceScene device;  ///< of `scene`: a Stage stays where it was made
+
+  /// Loads the scene, fits the array and builds what rays are traced against. Throws Error.
+  Stage(const RenderParams& params, const ThreadPool& pool, const Context& context);
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+};
+
+/// A frame as traced, and what that took. The codes are not made yet.
+struct RenderedFrame {
+  FramePictures pictures;
+  FrameReport report;
+};
+
+/// Moves the device scene to the frame's time and traces it. Unfinished when context.cancelled is set meanwhile.
+RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context);
+
+}  // namespace lippmann

@@ -1,0 +1,49 @@
+// Where rendered frames go: encoded and written in the background, a bounded number at a time, recorded when complete.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "image/encoding.hpp"
+#include "render/finished_frames.hpp"
+#include "render/frame.hpp"
+#include "render/params.hpp"
+
+namespace lippmann {
+
+class FrameSink {
+ public:
+  struct Settings {
+    const RenderParams& params;
+    std::filesystem::path folder;
+    Encoding encoding = Encoding::kSrgb;
+    int threads = 1;  ///< that render; a share as many again write
+  };
+
+  /// `finished` outlives the sink and is not touched by others meanwhile.
+  FrameSink(const Settings& settings, FinishedFrames& finished);
+  /// Drops what is not written yet.
+  ~FrameSink();
+  FrameSink(const FrameSink&) = delete;
+  FrameSink& operator=(const FrameSink&) = delete;
+
+  /// Takes a frame; frames come in ascending order. Waits while too many are under way. Throws the Error of an earlier frame
+  /// that could not be written, once.
+  void add(RenderedFrame rendered);
+
+  /// Waits until all is written. Throws as add() does.
+  void finish();
+
+  /// Spent so far encoding and writing, summed over threads.
+  double write_seconds() const;
+
+  /// How many frames of film may exist at a time for that many rendering threads, the one being traced included.
+  static int frames_in_memory(int threads);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,108 @@
+#include "render/make_optics.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "render/panel_size.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr float kLensWidthMm = 1.0f;     ///< of a cell on the panel
+constexpr float kSingleWidthMm = 64.0f;  ///< of views without lenses: as wide as 64 lenses
+constexpr float kViewerHeights = 3.0f;   ///< where nobody says how far the viewer stands: as one does before a picture
+
+/// The centre of the cell nearest to the panel's middle, when a cell begins at the panel's edge, `extent` wide.
+float cell_center_nearest_middle(float extent, float cell) {
+  const float middle = 0.5f * extent;
+  return (std::floor(middle / cell) + 0.5f) * cell - middle;
+}
+
+struct LensGeometry {
+  float pitch_mm, gap_mm, pitch_per_cell;
+};
+
+LensGeometry lens_geometry(float cell_mm, float view_angle_deg, float viewing_distance_mm) {
+  const float gap = cell_mm / (2.0f * std::tan(0.5f * radians(view_angle_deg)));
+  const float pitch_per_cell = 1.0f / (1.0f + gap / viewing_distance_mm);
+  return {cell_mm * pitch_per_cell, gap, pitch_per_cell};
+}
+
+LenticularSheet lenticular_sheet(const RenderParams& params, const Panel& panel, float lens_pixels, float distance_mm) {
+  LenticularSheet sheet;
+  sheet.slant = radians(params.slant_deg);
+  const float cell = lens_pixels * panel.pixel_pitch_mm * std::cos(sheet.slant);  // lens_pixels counts along a pixel row
+  const LensGeometry lens = lens_geometry(cell, params.view_angle_deg, distance_mm);
+  const float width = static_cast<float>(panel.width) * panel.pixel_pitch_mm * std::cos(sheet.slant);
+  sheet.lens_pitch_mm = lens.pitch_mm;
+  sheet.gap_mm = lens.gap_mm;
+  sheet.offset_mm = cell_center_nearest_middle(width, cell) * lens.pitch_per_cell;
+  sheet.viewing_distance_mm = distance_mm;
+  return sheet;
+}
+
+MicrolensArray microlens_array(const RenderParams& params, const Panel& panel, float lens_pixels, float distance_mm) {
+  MicrolensArray array;
+  const float cell = lens_pixels * panel.pixel_pitch_mm;
+  const float row = params.packing == LensPacking::kHexagonal ? cell * std::sqrt(0.75f) : cell;
+  const LensGeometry lens = lens_geometry(cell, params.view_angle_deg, distance_mm);
+  const Vec2f extent = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
+  array.packing = params.packing;
+  array.lens_pitch_mm = lens.pitch_mm;
+  array.gap_mm = lens.gap_mm;
+  array.offset_mm =
+      Vec2f(cell_center_nearest_middle(extent.x, cell), cell_center_nearest_middle(extent.y, row)) * lens.pitch_per_cell;
+  array.viewing_distance_mm = distance_mm;
+  return array;
+}
+
+OpticsModel make_model(const RenderParams& params, const Panel& panel, const PanelSize& size, const Scene& scene,
+                       float distance_mm) {
+  switch (params.optics) {
+    case OpticsKind::kLenticular:
+      return lenticular_sheet(params, panel, size.lens_pixels, distance_mm);
+    case OpticsKind::kMicrolens:
+      return microlens_array(params, panel, size.lens_pixels, distance_mm);
+    case OpticsKind::kMultiview: {
+      const Extent<int> views = quilt_views(params);
+      return MultiView{views.x, views.y, radians(params.view_angle_deg), false, distance_mm};
+    }
+    case OpticsKind::kSingle:
+      break;
+  }
+  return SingleView{distance_mm, scene.cameras.empty() ? Vec2f(0.0f) : scene.cameras.front().pixel_offset};
+}
+
+Panel make_panel(const PanelSize& size, int columns) {
+  const float view_width = static_cast<float>(size.width) / static_cast<float>(columns);
+  return {size.width, size.height, size.lens_pixels > 0.0f ? kLensWidthMm / size.lens_pixels : kSingleWidthMm / view_width};
+}
+
+/// Where the cells converge (lens arrays) or the eyes stand (the others, which need one at a finite distance).
+float viewing_distance_mm(const RenderParams& params, float fitted_mm, float window_height_mm) {
+  const bool lenses = params.optics == OpticsKind::kLenticular || params.optics == OpticsKind::kMicrolens;
+  const float distance = params.viewing_distance_mm.value_or(fitted_mm);
+  if (lenses || std::isfinite(distance)) return distance;
+  if (params.viewing_distance_mm)
+    throw usage_error("--viewing-distance", "an infinite distance, and no lenses", "millimetres above 0, or auto");
+  return kViewerHeights * window_height_mm;
+}
+
+}  // namespace
+
+PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array) {
+  const PanelSize size = panel_size(params, scene.resolution);
+  const Extent<int> views = params.optics == OpticsKind::kMultiview ? quilt_views(params) : Extent<int>{1, 1};
+  PlacedOptics placed;
+  Optics& optics = placed.optics;
+  optics.panel = make_panel(size, views.x);
+  const float window_height_mm = static_cast<float>(size.height / views.y) * optics.panel.pixel_pitch_mm;
+  placed.units_per_mm = scene_units_per_mm(array, window_height_mm);
+  const float fitted_mm = array.viewing_distance / placed.units_per_mm;
+  optics.z_front_mm = fitted_mm;
+  optics.model = make_model(params, optics.panel, size, scene, viewing_distance_mm(params, fitted_mm, window_height_mm));
+  validate(optics);
+  return placed;
+}
+
+}  // namespace lippmann

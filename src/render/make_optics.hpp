@@ -1,0 +1,24 @@
+// The optics that the parameters ask for, on the array that was fitted to the scene.
+//
+// Lenses are 1 mm wide on the panel; all that matters is proportion: the panel is scaled to the fitted plane. Of a lens cell
+// c = pixels x pitch wide and a viewing zone of full angle a, the gap is g = c / (2 tan(a/2)); cells that converge to a viewer
+// at distance V belong to lenses of pitch p = c / (1 + g/V).
+#pragma once
+
+#include "optics/optics.hpp"
+#include "render/fit_array.hpp"
+#include "render/params.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann {
+
+struct PlacedOptics {
+  Optics optics;
+  float units_per_mm = 1.0f;  ///< scene units per millimetre: what world_from_display (render/fit_array.hpp) takes
+};
+
+/// Rays start where the fitted viewer stands, so that a camera inside a room sees the room.
+/// Throws a usage Error for parameters that contradict each other (render/panel_size.hpp) or make no rays.
+PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array);
+
+}  // namespace lippmann
