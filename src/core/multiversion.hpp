@@ -11,4 +11,5 @@
 #define LIPPMANN_MULTIVERSION __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #endif
 
+#define LIPPMANN_INLINE_LAMBDA __attribute__((always_inline))
 #define LIPPMANN_INLINE inline __attribute__((always_inline))

@@ -2,6 +2,9 @@
 // space. One inline function for the single ray and for the vectorised loops, so that both give the same bits.
 #pragma once
 
+#include <algorithm>
+#include <cstring>
+
 #include "core/math.hpp"
 #include "core/multiversion.hpp"
 #include "optics/optics.hpp"
@@ -27,14 +30,49 @@ RayFrame make_ray_frame(const Affine3f& world_from_display, float z_front_mm);
 /// Writes ray i: it starts in the plane z = z_front and runs towards -z; unit direction.
 LIPPMANN_INLINE void write_ray(const RayFrame& frame, const Crossing& line, const RayArrays& rays, int i) {
   // Display direction: (-slope_x, -slope_y, -1), normalised; its -1 is along `unit_forward`.
-  const float inverse_length = 1.0f / std::sqrt(line.slope_x * line.slope_x + line.slope_y * line.slope_y + 1.0f);
-  const float dx = -line.slope_x * inverse_length, dy = -line.slope_y * inverse_length;
+  const float sx = line.slope_x, sy = line.slope_y, inverse_length = 1.0f / std::sqrt(sx * sx + sy * sy + 1.0f);
   rays.origin_x[i] = frame.origin.x + (line.x * frame.right.x + line.y * frame.up.x);
   rays.origin_y[i] = frame.origin.y + (line.x * frame.right.y + line.y * frame.up.y);
   rays.origin_z[i] = frame.origin.z + (line.x * frame.right.z + line.y * frame.up.z);
-  rays.direction_x[i] = dx * frame.unit_right.x + dy * frame.unit_up.x + inverse_length * frame.unit_forward.x;
-  rays.direction_y[i] = dx * frame.unit_right.y + dy * frame.unit_up.y + inverse_length * frame.unit_forward.y;
-  rays.direction_z[i] = dx * frame.unit_right.z + dy * frame.unit_up.z + inverse_length * frame.unit_forward.z;
+  rays.direction_x[i] = (frame.unit_forward.x - (sx * frame.unit_right.x + sy * frame.unit_up.x)) * inverse_length;
+  rays.direction_y[i] = (frame.unit_forward.y - (sx * frame.unit_right.y + sy * frame.unit_up.y)) * inverse_length;
+  rays.direction_z[i] = (frame.unit_forward.z - (sx * frame.unit_right.z + sy * frame.unit_up.z)) * inverse_length;
+}
+
+/// Loops over pixels work in blocks of this many: one AVX-512 vector or two AVX2 vectors, loop-free and with every constant
+/// read from memory where it is used. (A loop over all pixels keeps dozens of broadcast constants ready, which costs a packet
+/// of 16 pixels as much as its rays do.)
+inline constexpr int kRayBlock = 16;
+
+/// The rays of one block. line_of(px, py) is the model's inlined function; called from a LIPPMANN_MULTIVERSION function.
+template <class LineOf>
+LIPPMANN_INLINE void write_ray_block(const RayFrame& frame, const float* px, const float* py, const RayArrays& rays,
+                                     const LineOf& line_of) {
+  // By way of local arrays: as far as the compiler knows, `rays` might overlap the constants.
+  alignas(64) float out[6][kRayBlock];
+  for (int i = 0; i < kRayBlock; ++i)
+    write_ray(frame, line_of(px[i], py[i]), {out[0], out[1], out[2], out[3], out[4], out[5]}, i);
+  float* const to[6] = {rays.origin_x, rays.origin_y, rays.origin_z, rays.direction_x, rays.direction_y, rays.direction_z};
+  for (int c = 0; c < 6; ++c) std::memcpy(to[c], out[c], sizeof(out[c]));
+}
+
+/// Any number of rays by blocks; what is left over goes through a block of its own. write_block(px, py, rays) is a model's
+/// LIPPMANN_MULTIVERSION function.
+template <class WriteBlock>
+void for_each_ray_block(const float* px, const float* py, int count, const RayArrays& rays, const WriteBlock& write_block) {
+  const auto from = [&rays](int i) {
+    return RayArrays{rays.origin_x + i,    rays.origin_y + i,    rays.origin_z + i,
+                     rays.direction_x + i, rays.direction_y + i, rays.direction_z + i};
+  };
+  int i = 0;
+  for (; i + kRayBlock <= count; i += kRayBlock) write_block(px + i, py + i, from(i));
+  if (i == count) return;
+  float x[kRayBlock], y[kRayBlock], out[6][kRayBlock];
+  for (int k = 0; k < kRayBlock; ++k) x[k] = px[std::min(i + k, count - 1)], y[k] = py[std::min(i + k, count - 1)];
+  write_block(x, y, {out[0], out[1], out[2], out[3], out[4], out[5]});
+  const RayArrays to = from(i);
+  float* const arrays[6] = {to.origin_x, to.origin_y, to.origin_z, to.direction_x, to.direction_y, to.direction_z};
+  for (int c = 0; c < 6; ++c) std::copy_n(out[c], count - i, arrays[c]);
 }
 
 }  // namespace lippmann

@@ -11,12 +11,12 @@ constexpr double kAlignmentTolerancePx = 0.01;
 void snap_to_pixels(LensAxis<double>& axis, int size_px) {
   const double whole = std::round(axis.cell_px);
   if (size_px <= 0 || whole < 1.0) return;
-  const double edge = -0.5 * size_px;
-  const double start = edge - whole * std::round((edge - axis.start_px) / whole);
-  const double farthest_cell = 0.5 * size_px / whole + 1.0;
-  const double misalignment = std::abs(start - axis.start_px) + farthest_cell * std::abs(axis.cell_px - whole);
+  const double cells_before = std::round(axis.start_px / whole);  // between pixel 0 and cell 0
+  const double farthest_cell = 0.5 * size_px / whole + 1.0;       // cell 0 is at the panel's centre
+  const double misalignment = std::abs(axis.start_px - whole * cells_before) + farthest_cell * std::abs(axis.cell_px - whole);
   if (!(misalignment < kAlignmentTolerancePx)) return;
-  axis.cell_px = whole, axis.start_px = start;
+  axis.cell_px = whole, axis.start_px = 0.0;
+  axis.lens0_mm -= cells_before * axis.pitch_mm;
   axis.whole_pixels = static_cast<int>(whole);
 }
 
@@ -31,7 +31,8 @@ LensAxis<double> make_lens_axis(const LensAxisSpec& spec) {
   axis.vergence = vergence;
   axis.eye_mm = spec.eye_mm;
   axis.cell_px = spec.pitch_mm * (1.0 + spread) / spec.pixel_pitch_mm;
-  axis.start_px = (axis.lens0_mm * (1.0 + spread) - spec.eye_mm * spread) / spec.pixel_pitch_mm - 0.5 * axis.cell_px;
+  axis.start_px =
+      spec.centre_px + (axis.lens0_mm * (1.0 + spread) - spec.eye_mm * spread) / spec.pixel_pitch_mm - 0.5 * axis.cell_px;
   snap_to_pixels(axis, spec.size_px);
   axis.cells_per_px = 1.0 / axis.cell_px;
   return axis;

@@ -1,12 +1,13 @@
 // Lenses in a row and the panel cells below them: which lens a panel point belongs to, how steeply its ray leaves, which lenses
 // see a point. One axis of a lens array; a microlens array has two.
 //
-// The axis has its own mm coordinate (x for columns of lenses, -y for rows so that they count downwards as pixels do, xi for
-// slanted sheets) and the panel coordinate s = that coordinate / pixel pitch, in pixels from the panel's centre.
+// The axis has its own mm coordinate, 0 at the panel's centre (x for columns of lenses, -y for rows so that they count
+// downwards as pixels do, xi for slanted sheets), and the panel coordinate s in pixels along it: the pixel coordinate itself
+// where the axis is one of the panel's, so that no rounding comes between a pixel's edge and a cell's.
 //   lens k         l_k = lens0 + k pitch
-//   its cell       centred at l_k + (l_k - eye) g / V, which is c = pitch (1 + g/V) wide: `cell_px` pixels, [start, start +
-//   cell_px) its rays       a point o pixels from the cell's centre leaves with slope -o m / g - (l_k - eye) / V per mm of z
-// V is the viewing distance, g the gap, m the pixel pitch. Lens 0 is the one nearest to the panel's centre.
+//   its cell       centred at l_k + (l_k - eye) g / V, which is pitch (1 + g/V) wide: `cell_px` pixels from start_px + k
+//   cell_px on its rays       a point o pixels from the cell's centre leaves with slope -o m / g - (l_k - eye) / V per mm of z
+// V is the viewing distance, g the gap, m the pixel pitch.
 #pragma once
 
 #include <cmath>
@@ -34,11 +35,13 @@ struct LensAxis {
 
 struct LensAxisSpec {
   double pitch_mm, offset_mm, gap_mm, viewing_distance_mm, eye_mm, pixel_pitch_mm;
-  int size_px;  ///< of the panel along the axis; 0 where the axis is not one of the panel's
+  double centre_px;  ///< panel coordinate of the panel's centre
+  int size_px;       ///< of the panel along the axis; 0 where the axis is not one of the panel's
 };
 
 /// Cells that come out whole and aligned to within 1/100 pixel over the whole panel (float parameters are no better than that)
-/// are made exactly so: then all rays of one directional view are parallel to the last bit.
+/// are made exactly so, cell 0 beginning at pixel 0: then all rays of one directional view are parallel to the last bit. Else
+/// lens 0 is the one nearest to the centre.
 LensAxis<double> make_lens_axis(const LensAxisSpec& spec);
 
 /// What the lens above a panel point makes of it.
@@ -54,9 +57,9 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
   T k = std::floor(t * axis.cells_per_px);
   T in_cell = t - k * axis.cell_px;
   // The product above may round across a boundary of cells; t - k cell is exact for whole cells and decides.
-  const T step = in_cell < T(0) ? T(-1) : in_cell >= axis.cell_px ? T(1) : T(0);
-  k += step;
-  in_cell -= step * axis.cell_px;
+  const bool before = in_cell < T(0), after = in_cell >= axis.cell_px;
+  k = before ? k - T(1) : k, in_cell = before ? in_cell + axis.cell_px : in_cell;
+  k = after ? k + T(1) : k, in_cell = after ? in_cell - axis.cell_px : in_cell;
   const T lens = axis.lens0_mm + k * axis.pitch_mm;
   return {lens, -((in_cell - T(0.5) * axis.cell_px) * axis.slope_per_px) - (lens - axis.eye_mm) * axis.vergence};
 }
@@ -72,9 +75,9 @@ inline int cell_of(const LensAxis<double>& axis, double s_px) {
   return static_cast<int>(std::floor((s_px - axis.start_px) / axis.cell_px));
 }
 
-/// The lens that covers a point of the lens plane.
-inline int lens_at(const LensAxis<double>& axis, double x_mm) {
-  return static_cast<int>(std::floor((x_mm - axis.lens0_mm) / axis.pitch_mm + 0.5));
+/// The lens that covers a point of the lens plane: a whole number, of any size.
+inline double lens_at(const LensAxis<double>& axis, double x_mm) {
+  return std::floor((x_mm - axis.lens0_mm) / axis.pitch_mm + 0.5);
 }
 
 /// Where the image of a point at (x_mm, z_mm), z != 0, lies below lens `lens_mm`: pixels from the centre of the lens's cell.

@@ -17,7 +17,7 @@ namespace lippmann {
 template <class T>
 struct LenticularConstants {
   LensAxis<T> axis;  ///< along xi
-  T half_width_px, half_height_px;
+  T half_height_px;
   T pixel_pitch_mm, gap_mm;
   T cosine, sine, inverse_cosine;         ///< of the slant
   T eye_y_mm, row_vergence;               ///< 1 / (V + g)
@@ -25,9 +25,8 @@ struct LenticularConstants {
 
   template <class U>
   LenticularConstants<U> as() const {
-    return {
-        axis.template as<U>(), U(half_width_px), U(half_height_px), U(pixel_pitch_mm), U(gap_mm),    U(cosine),      U(sine),
-        U(inverse_cosine),     U(eye_y_mm),      U(row_vergence),   U(z_front_mm),     U(row_scale), U(row_shift_mm)};
+    return {axis.template as<U>(), U(half_height_px), U(pixel_pitch_mm), U(gap_mm),     U(cosine),    U(sine),
+            U(inverse_cosine),     U(eye_y_mm),       U(row_vergence),   U(z_front_mm), U(row_scale), U(row_shift_mm)};
   }
 };
 
@@ -36,9 +35,8 @@ using LenticularRays = LenticularConstants<float>;
 LenticularConstants<double> make_lenticular(const Panel& panel, const LenticularSheet& sheet, double z_front_mm);
 
 LIPPMANN_INLINE Crossing crossing(const LenticularRays& c, float px, float py) {
-  const float u = px - c.half_width_px, w = c.half_height_px - py;
-  const LensRay<float> across = lens_ray(c.axis, u * c.cosine + w * c.sine);
-  const float y = w * c.pixel_pitch_mm;
+  const LensRay<float> across = lens_ray(c.axis, px * c.cosine - py * c.sine);
+  const float y = (c.half_height_px - py) * c.pixel_pitch_mm;
   const float slope_y = (c.eye_y_mm - y) * c.row_vergence;
   const float xi_front = across.lens_mm + c.z_front_mm * across.slope;
   const float y_front = y * c.row_scale + c.row_shift_mm;
@@ -46,8 +44,8 @@ LIPPMANN_INLINE Crossing crossing(const LenticularRays& c, float px, float py) {
           slope_y};
 }
 
-void write_rays(const LenticularRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays);
+void write_block(const LenticularRays& constants, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays);
 
 void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point_mm, std::vector<Vec2f>& pixels);
 

@@ -16,12 +16,11 @@ namespace lippmann {
 template <class T>
 struct MicrolensConstants {
   LensAxis<T> columns, rows;  ///< the rows' mm coordinate is -y; hexagonal: the cells of even rows
-  T half_width_px, half_height_px;
   T z_front_mm;
 
   template <class U>
   MicrolensConstants<U> as() const {
-    return {columns.template as<U>(), rows.template as<U>(), U(half_width_px), U(half_height_px), U(z_front_mm)};
+    return {columns.template as<U>(), rows.template as<U>(), U(z_front_mm)};
   }
 };
 
@@ -32,7 +31,7 @@ struct HexagonalMicrolensRays : MicrolensConstants<float> {};
 MicrolensConstants<double> make_microlens(const Panel& panel, const MicrolensArray& array, double z_front_mm);
 
 LIPPMANN_INLINE Crossing crossing(const SquareMicrolensRays& c, float px, float py) {
-  const LensRay<float> across = lens_ray(c.columns, px - c.half_width_px), down = lens_ray(c.rows, py - c.half_height_px);
+  const LensRay<float> across = lens_ray(c.columns, px), down = lens_ray(c.rows, py);
   return {across.lens_mm + c.z_front_mm * across.slope, -(down.lens_mm + c.z_front_mm * down.slope), across.slope, -down.slope};
 }
 
@@ -59,8 +58,8 @@ LIPPMANN_INLINE HexagonalCell<T> nearest_hexagon(T u, T v) {
 /// Steps of the lattice from the centre of lens (0, 0)'s cell.
 template <class T>
 LIPPMANN_INLINE HexagonalCell<T> hexagon_at(const MicrolensConstants<T>& c, T px, T py) {
-  return nearest_hexagon((px - c.half_width_px - c.columns.start_px) * c.columns.cells_per_px - T(0.5),
-                         (py - c.half_height_px - c.rows.start_px) * c.rows.cells_per_px - T(0.5));
+  return nearest_hexagon((px - c.columns.start_px) * c.columns.cells_per_px - T(0.5),
+                         (py - c.rows.start_px) * c.rows.cells_per_px - T(0.5));
 }
 
 LIPPMANN_INLINE Crossing crossing(const HexagonalMicrolensRays& c, float px, float py) {
@@ -72,10 +71,10 @@ LIPPMANN_INLINE Crossing crossing(const HexagonalMicrolensRays& c, float px, flo
   return {lens_x + c.z_front_mm * slope_x, -(lens_down + c.z_front_mm * slope_down), slope_x, -slope_down};
 }
 
-void write_rays(const SquareMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays);
-void write_rays(const HexagonalMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays);
+void write_block(const SquareMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays);
+void write_block(const HexagonalMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays);
 
 void pixels_seeing(const Panel& panel, const MicrolensArray& array, Vec3f point_mm, std::vector<Vec2f>& pixels);
 

@@ -44,6 +44,7 @@ void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pix
 }
 
 void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pixels) {
+  if (!std::isfinite(point_mm.x) || !std::isfinite(point_mm.y) || !std::isfinite(point_mm.z)) return;
   if (!(point_mm.z <= resolved_z_front_mm(optics) && point_mm.z >= -optics.z_back_mm)) return;
   std::visit([&](const auto& model) { pixels_seeing(optics.panel, model, point_mm, pixels); }, optics.model);
 }

@@ -101,7 +101,8 @@ void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pix
 
 /// Appends, in ascending lens (view) order, the continuous pixel coordinates from which a ray runs exactly through `point_mm`:
 /// one per lens whose cell holds the image of the point, one per view for multi-view. Points are clipped to the panel.
-/// At z = 0 every pixel below the lens that holds the point sees it; then all of that cell's pixel centres are given.
+/// At z = 0 every pixel below the lens that holds the point sees it; then all of that cell's pixel centres are given (below a
+/// cylindrical lens: those in the panel row that runs through the point). A quilt's padding and rays' ends see nothing.
 void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pixels);
 
 // ---- What others ask of an array ------------------------------------------------------------------------------------

@@ -1,14 +1,6 @@
 #include "optics/ray_generator.hpp"
 
-#include <type_traits>
-
 namespace lippmann {
-namespace {
-
-template <class Model>
-constexpr bool kIsMultiView = std::is_same_v<std::decay_t<Model>, MultiViewRays>;
-
-}  // namespace
 
 RayGenerator::RayGenerator(const Optics& optics, const Affine3f& world_from_display) {
   const Panel& panel = optics.panel;
@@ -23,7 +15,6 @@ RayGenerator::RayGenerator(const Optics& optics, const Affine3f& world_from_disp
       model_ = HexagonalMicrolensRays{constants};
   } else if (const auto* views = std::get_if<MultiView>(&optics.model)) {
     model_ = make_multi_view(panel, *views, z_front);
-    eyes_x_ = eyes_x_mm(*views);
   } else {
     model_ = make_single_view(panel, std::get<SingleView>(optics.model), z_front);
   }
@@ -34,10 +25,9 @@ RayGenerator::RayGenerator(const Optics& optics, const Affine3f& world_from_disp
 void RayGenerator::rays(const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays) const {
   std::visit(
       [&](const auto& model) {
-        if constexpr (kIsMultiView<decltype(model)>)
-          write_rays(model, eyes_x_, frame_, pixel_x, pixel_y, count, rays);
-        else
-          write_rays(model, frame_, pixel_x, pixel_y, count, rays);
+        for_each_ray_block(pixel_x, pixel_y, count, rays, [&](const float* px, const float* py, const RayArrays& block) {
+          write_block(model, frame_, px, py, block);
+        });
       },
       model_);
 }
@@ -45,16 +35,7 @@ void RayGenerator::rays(const float* pixel_x, const float* pixel_y, int count, c
 Ray RayGenerator::ray(Vec2f pixel) const {
   Ray ray;
   const RayArrays arrays{&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y, &ray.direction.z};
-  std::visit(
-      [&](const auto& model) {
-        if constexpr (kIsMultiView<decltype(model)>) {
-          const TilePoint point = tile_point(model, pixel.x, pixel.y);
-          write_ray(frame_, crossing(model, point, eyes_x_[static_cast<std::size_t>(point.view)]), arrays, 0);
-        } else {
-          write_ray(frame_, crossing(model, pixel.x, pixel.y), arrays, 0);
-        }
-      },
-      model_);
+  std::visit([&](const auto& model) { write_ray(frame_, crossing(model, pixel.x, pixel.y), arrays, 0); }, model_);
   return ray;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <variant>
-#include <vector>
 
 #include "optics/lenticular.hpp"
 #include "optics/microlens.hpp"
@@ -20,7 +19,7 @@ class RayGenerator {
   explicit RayGenerator(const Optics& optics, const Affine3f& world_from_display = {});
 
   /// The rays of `count` points of the panel, in continuous pixel coordinates. They start in the plane z = z_front (see
-  /// resolved_z_front_mm). Fastest for multiples of 16; the arrays must not overlap.
+  /// resolved_z_front_mm). Worked out in blocks of 16: best for multiples of that; the arrays must not overlap.
   void rays(const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays) const;
 
   /// The ray of one point, bit-identical to rays().
@@ -35,7 +34,6 @@ class RayGenerator {
 
  private:
   std::variant<LenticularRays, SquareMicrolensRays, HexagonalMicrolensRays, MultiViewRays, SingleViewRays> model_;
-  std::vector<float> eyes_x_;  ///< of a MultiView's views
   RayFrame frame_;
   float depth_;
 };

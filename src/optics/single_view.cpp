@@ -8,13 +8,8 @@ SingleViewRays make_single_view(const Panel& panel, const SingleView& view, floa
 }
 
 LIPPMANN_MULTIVERSION
-void write_rays(const SingleViewRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays) {
-  const SingleViewRays c = constants;
-  const RayFrame f = frame;
-  const RayArrays r = rays;
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) write_ray(f, crossing(c, px[i], py[i]), r, i);
+void write_block(const SingleViewRays& c, const RayFrame& frame, const float* px, const float* py, const RayArrays& rays) {
+  write_ray_block(frame, px, py, rays, [&c](float x, float y) LIPPMANN_INLINE_LAMBDA { return crossing(c, x, y); });
 }
 
 void pixels_seeing(const Panel& panel, const SingleView& view, Vec3f point_mm, std::vector<Vec2f>& pixels) {

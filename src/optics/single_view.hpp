@@ -24,8 +24,8 @@ LIPPMANN_INLINE Crossing crossing(const SingleViewRays& c, float px, float py) {
   return {c.front_from_eye_mm * slope_x, c.front_from_eye_mm * slope_y, slope_x, slope_y};
 }
 
-void write_rays(const SingleViewRays& constants, const RayFrame& frame, const float* px, const float* py, int count,
-                const RayArrays& rays);
+void write_block(const SingleViewRays& constants, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays);
 
 void pixels_seeing(const Panel& panel, const SingleView& view, Vec3f point_mm, std::vector<Vec2f>& pixels);
 

@@ -1,0 +1,299 @@
+// Each model against values worked out by hand and against the models that it reduces to.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "optics/ray_generator.hpp"
+#include "random_optics.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::at_depth;
+using test::OpticsSampler;
+
+// Positions of a few hundred mm are good to about 1e-5 mm in single precision, slopes of order 1 to about 1e-6.
+constexpr float kPositionMm = 1e-4f, kSlope = 2e-6f;
+
+Vec2f slope(const Ray& ray) { return {ray.direction.x / ray.direction.z, ray.direction.y / ray.direction.z}; }
+
+void expect_near(Vec3f a, Vec3f b, float tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+// ---- Lenticular sheet -------------------------------------------------------------------------------------------------
+
+TEST(Lenticular, default_sheet_sends_the_first_pixel_of_a_lens_to_the_right) {
+  // 512 pixels of 0.125 mm, 8 per lens of 1 mm, gap 2 mm. Pixel (256, 256) lies at x = 0.0625, y = -0.0625, below the lens at
+  // x = 0.5: its light leaves with dx/dz = (0.5 - 0.0625) / 2 = 0.21875. 8 mm in front it is at 0.5 + 8 * 0.21875 = 2.25.
+  const Optics optics{.panel = {}, .model = LenticularSheet{}, .z_front_mm = 8.0f};
+  const Ray ray = ray_of_pixel(optics, {256.5f, 256.5f});
+  EXPECT_EQ(ray.origin, Vec3f(2.25f, -0.0625f, 8.0f));
+  EXPECT_NEAR(slope(ray).x, 0.21875f, kSlope);
+  EXPECT_EQ(slope(ray).y, 0.0f);
+  expect_near(at_depth(ray, 0.0f), {0.5f, -0.0625f, 0.0f}, kPositionMm);
+}
+
+TEST(Lenticular, finite_viewing_distance_sends_cell_centres_to_the_eye) {
+  LenticularSheet sheet{.lens_pitch_mm = 1.0f / 1.004f, .gap_mm = 2.0f, .offset_mm = 0.5f / 1.004f};
+  sheet.viewing_distance_mm = 500.0f, sheet.eye_height_mm = 20.0f;
+  const Optics optics{.panel = {}, .model = sheet};
+  EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(8, 1));
+  // Between pixels 3 and 4 of a lens is the centre of its cell; every such ray goes to the eye at (0, 20, 500).
+  for (int lens : {0, 7, 31, 32, 63})
+    for (float row : {0.5f, 100.5f, 511.5f})
+      expect_near(at_depth(ray_of_pixel(optics, {8 * lens + 4.0f, row}), 500.0f), {0.0f, 20.0f, 500.0f}, kPositionMm);
+}
+
+TEST(Lenticular, slanted_sheet_keeps_rows_towards_the_eyes_height) {
+  OpticsSampler random(11);
+  for (int trial = 0; trial < 30; ++trial) {
+    Optics optics = random.lenticular(true);
+    auto& sheet = std::get<LenticularSheet>(optics.model);
+    sheet.viewing_distance_mm = 400.0f;
+    const Vec2f pixel(random.uniform(0, optics.panel.width), random.uniform(0, optics.panel.height));
+    EXPECT_NEAR(at_depth(ray_of_pixel(optics, pixel), 400.0f).y, sheet.eye_height_mm, kPositionMm);
+    // At the sheet the ray passes through a lens's axis: xi - offset is a whole number of pitches.
+    const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
+    const float lens = (p.x * std::cos(sheet.slant) + p.y * std::sin(sheet.slant) - sheet.offset_mm) / sheet.lens_pitch_mm;
+    EXPECT_NEAR(lens, std::round(lens), 1e-3f);  // 1e-4 mm on pitches of 0.1 mm and more
+  }
+}
+
+TEST(Lenticular, rays_of_one_directional_view_are_parallel_to_the_last_bit) {
+  // 5 pixels a lens and a pitch that is no binary fraction: the cells must come out whole all the same.
+  const Optics optics{.panel = {1000, 4, 0.1f},
+                      .model = LenticularSheet{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = 0.25f}};
+  ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(5, 1));
+  for (int view = 0; view < 5; ++view)
+    for (int lens = 1; lens < 200; ++lens)
+      EXPECT_EQ(ray_of_pixel(optics, {5 * lens + view + 0.5f, 0.5f}).direction,
+                ray_of_pixel(optics, {view + 0.5f, 0.5f}).direction);
+}
+
+TEST(Lenticular, cells_are_half_open_to_the_last_bit) {
+  const Optics optics{.panel = {1000, 4, 0.1f},
+                      .model = LenticularSheet{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = 0.25f}};
+  for (int lens = 0; lens < 200; ++lens) {
+    const float edge = 5.0f * lens;
+    const float from_centre = (edge - 500.0f) * 0.1f + 0.25f;
+    EXPECT_NEAR(at_depth(ray_of_pixel(optics, {edge, 0.5f}), 0.0f).x, from_centre, kPositionMm);
+    EXPECT_NEAR(at_depth(ray_of_pixel(optics, {std::nextafter(edge + 5.0f, 0.0f), 0.5f}), 0.0f).x, from_centre, kPositionMm);
+  }
+}
+
+TEST(Lenticular, one_lens_is_a_pinhole_across_and_another_along) {
+  // One lens above the whole panel: across, the pinhole is the lens centre, a gap in front of the panel; along, it is the eye.
+  for (const float viewing_distance : {300.0f, 1000.0f}) {
+    const Panel panel{80, 60, 0.1f};
+    const float gap = 12.0f;
+    const LenticularSheet sheet{.lens_pitch_mm = 8.0f / (1.0f + gap / viewing_distance),
+                                .gap_mm = gap,
+                                .offset_mm = 0.0f,
+                                .viewing_distance_mm = viewing_distance};
+    const Optics optics{.panel = panel, .model = sheet};
+    const Optics across{.panel = panel, .model = SingleView{gap}},
+        along{.panel = panel, .model = SingleView{viewing_distance + gap}};
+    ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(80, 1));
+    OpticsSampler random(12);
+    for (int sample = 0; sample < 50; ++sample) {
+      const Vec2f pixel(random.uniform(0, 80), random.uniform(0, 60));
+      const Ray ray = ray_of_pixel(optics, pixel);
+      // The lens sees the panel from in front, the single view sees the plane from in front: the same slopes.
+      EXPECT_NEAR(slope(ray).x, slope(ray_of_pixel(across, pixel)).x, kSlope);
+      EXPECT_NEAR(slope(ray).y, slope(ray_of_pixel(along, pixel)).y, kSlope);
+      EXPECT_NEAR(at_depth(ray, 0.0f).x, 0.0f, kPositionMm);
+      EXPECT_NEAR(at_depth(ray, viewing_distance).y, 0.0f, kPositionMm);
+    }
+  }
+}
+
+// ---- Microlens array --------------------------------------------------------------------------------------------------
+
+TEST(Microlens, default_array_sends_a_corner_pixel_through_its_lens_centre) {
+  // Pixel (256, 255) lies at x = y = 0.0625, below the lens at (0.5, 0.5): slope 0.21875 in both directions.
+  const Optics optics{.panel = {}, .model = MicrolensArray{}, .z_front_mm = 8.0f};
+  const Ray ray = ray_of_pixel(optics, {256.5f, 255.5f});
+  EXPECT_EQ(ray.origin, Vec3f(2.25f, 2.25f, 8.0f));
+  EXPECT_NEAR(slope(ray).x, 0.21875f, kSlope);
+  EXPECT_NEAR(slope(ray).y, 0.21875f, kSlope);
+}
+
+TEST(Microlens, one_lens_with_a_finite_viewing_distance_is_a_pinhole_camera) {
+  const Panel panel{64, 64, 0.1f};
+  const float gap = 9.0f, viewing_distance = 450.0f;
+  const MicrolensArray array{.packing = LensPacking::kSquare,
+                             .lens_pitch_mm = 6.4f / (1.0f + gap / viewing_distance),
+                             .gap_mm = gap,
+                             .offset_mm = {0.0f, 0.0f},
+                             .viewing_distance_mm = viewing_distance};
+  const Optics optics{.panel = panel, .model = array}, pinhole{.panel = panel, .model = SingleView{gap}};
+  ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(64, 64));
+  OpticsSampler random(13);
+  for (int sample = 0; sample < 100; ++sample) {
+    const Vec2f pixel(random.uniform(0, 64), random.uniform(0, 64));
+    const Ray lens = ray_of_pixel(optics, pixel), eye = ray_of_pixel(pinhole, pixel);
+    expect_near(lens.direction, eye.direction, kSlope);
+    // The single view's pinhole is a gap in front of the plane z = 0; the lens is in it.
+    expect_near(at_depth(lens, -20.0f), at_depth(eye, gap - 20.0f) - Vec3f(0, 0, gap), kPositionMm);
+  }
+}
+
+TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
+  // Pitch 1 mm: lens (0, 0) at the origin; its neighbour in the next row at (1/2, sqrt(3)/2), above and below alike.
+  const MicrolensArray array{
+      .packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
+  const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
+  const auto lens_of = [&](float x, float y) {
+    return at_depth(ray_of_pixel(optics, {64 + x / 0.0625f, 64 - y / 0.0625f}), 0.0f);
+  };
+  const float row = std::sqrt(0.75f);
+  expect_near(lens_of(0.05f, -0.08f), {0, 0, 0}, kPositionMm);
+  expect_near(lens_of(0.4f, 0.8f), {0.5f, row, 0}, kPositionMm);
+  expect_near(lens_of(-0.4f, -0.8f), {-0.5f, -row, 0}, kPositionMm);
+  expect_near(lens_of(0.02f, 1.7f), {0, 2 * row, 0}, kPositionMm);
+  // The upper corner of a hexagon, 1/sqrt(3) = 0.577 above its centre.
+  expect_near(lens_of(0.0f, 0.56f), {0, 0, 0}, kPositionMm);
+  expect_near(lens_of(0.02f, 0.59f), {0.5f, row, 0}, kPositionMm);
+  EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(0, 0));
+}
+
+TEST(Microlens, hexagonal_offset_by_one_row_shifts_the_lattice_as_written) {
+  MicrolensArray array{.packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
+  array.offset_mm = {0.0f, 3.0f * std::sqrt(0.75f)};  // row 0 moves to where an odd row was: the row at y = 0 is now an odd one
+  const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
+  expect_near(at_depth(ray_of_pixel(optics, {64 + 0.4f / 0.0625f, 64.0f}), 0.0f), {0.5f, 0.0f, 0.0f}, kPositionMm);
+}
+
+// ---- Views ------------------------------------------------------------------------------------------------------------
+
+TEST(SingleView, centre_of_the_first_pixel_by_hand) {
+  // 4 x 2 pixels of 10 mm, eye at 100 mm: pixel (0, 0) is the point (-15, 5, 0); the ray leaves the eye along (-15, 5, -100).
+  const Optics optics{.panel = {4, 2, 10.0f}, .model = SingleView{100.0f}};
+  const Ray ray = ray_of_pixel(optics, {0.5f, 0.5f});
+  EXPECT_EQ(ray.origin, Vec3f(0, 0, 100));
+  expect_near(ray.direction, glm::normalize(Vec3f(-15, 5, -100)), 1e-6f);
+}
+
+TEST(SingleView, pixel_offset_shifts_the_sample_right_and_down) {
+  const Optics plain{.panel = {40, 20, 1.0f}, .model = SingleView{100.0f}};
+  const Optics shifted{.panel = {40, 20, 1.0f}, .model = SingleView{100.0f, {0.5f, -0.25f}}};
+  EXPECT_EQ(ray_of_pixel(shifted, {3.5f, 7.5f}).direction, ray_of_pixel(plain, {4.0f, 7.25f}).direction);
+}
+
+TEST(MultiView, quilt_of_one_view_is_the_single_view) {
+  const Panel panel{50, 40, 0.3f};
+  for (const bool ends : {false, true}) {
+    const Optics quilt{.panel = panel, .model = MultiView{1, 1, 1.0f, ends, 250.0f}},
+        single{.panel = panel, .model = SingleView{250.0f}};
+    for (const Vec2f pixel : {Vec2f(0.5f, 0.5f), Vec2f(49.5f, 12.5f), Vec2f(25.0f, 39.5f)}) {
+      EXPECT_EQ(ray_of_pixel(quilt, pixel).origin, ray_of_pixel(single, pixel).origin);
+      EXPECT_EQ(ray_of_pixel(quilt, pixel).direction, ray_of_pixel(single, pixel).direction);
+    }
+  }
+}
+
+TEST(MultiView, view_is_off_axis_through_the_same_rectangle) {
+  // 2 x 1 tiles of 30 x 20 pixels, cone 60 degrees: eyes at +-15 degrees.
+  const Optics quilt{.panel = {60, 20, 1.0f}, .model = MultiView{2, 1, radians(60.0f), false, 300.0f}};
+  const Optics single{.panel = {30, 20, 1.0f}, .model = SingleView{300.0f}};
+  const float eye = 300.0f * std::tan(radians(15.0f));
+  for (const Vec2f pixel : {Vec2f(0.5f, 0.5f), Vec2f(29.5f, 3.5f), Vec2f(11.0f, 19.5f)}) {
+    const Vec3f in_plane = at_depth(ray_of_pixel(single, pixel), 0.0f);
+    const Ray left = ray_of_pixel(quilt, pixel), right = ray_of_pixel(quilt, pixel + Vec2f(30, 0));
+    expect_near(left.origin, {-eye, 0, 300}, kPositionMm);
+    expect_near(right.origin, {eye, 0, 300}, kPositionMm);
+    expect_near(at_depth(left, 0.0f), in_plane, kPositionMm);
+    expect_near(at_depth(right, 0.0f), in_plane, kPositionMm);
+  }
+}
+
+TEST(MultiView, cone_ends_included_puts_the_outer_eyes_on_the_cones_edges) {
+  const Optics quilt{.panel = {90, 20, 1.0f}, .model = MultiView{3, 1, radians(60.0f), true, 300.0f}};
+  const float eye = 300.0f * std::tan(radians(30.0f));
+  expect_near(ray_of_pixel(quilt, {15.0f, 10.0f}).origin, {-eye, 0, 300}, kPositionMm);
+  expect_near(ray_of_pixel(quilt, {45.0f, 10.0f}).origin, {0, 0, 300}, kPositionMm);
+  expect_near(ray_of_pixel(quilt, {75.0f, 10.0f}).origin, {eye, 0, 300}, kPositionMm);
+}
+
+TEST(MultiView, views_run_from_the_bottom_left_tile_to_the_top_right_one_and_from_left_to_right_eye) {
+  const int columns = 8, rows = 6, tile = 10;
+  const Optics quilt{.panel = {columns * tile, rows * tile, 1.0f},
+                     .model = MultiView{columns, rows, radians(40.0f), false, 500.0f}};
+  for (int v = 0; v < columns * rows; ++v) {
+    const Vec2f centre((v % columns + 0.5f) * tile, (rows - 1 - v / columns + 0.5f) * tile);
+    const float angle = radians(40.0f) * ((v + 0.5f) / 48.0f - 0.5f);
+    EXPECT_NEAR(ray_of_pixel(quilt, centre).origin.x, 500.0f * std::tan(angle), kPositionMm) << "view " << v;
+  }
+}
+
+TEST(MultiView, odd_sizes_leave_padding_at_the_top_and_right) {
+  // 4 x 3 tiles in 43 x 32 pixels: tiles of 10 x 10, 3 columns of padding at the right, 2 rows at the top.
+  const Optics quilt{.panel = {43, 32, 1.0f}, .model = MultiView{4, 3, radians(40.0f), false, 500.0f}};
+  std::vector<Vec2f> seeing;
+  pixels_seeing(quilt, {0, 0, 0}, seeing);
+  ASSERT_EQ(seeing.size(), 12u);
+  EXPECT_EQ(seeing.front(), Vec2f(5.0f, 27.0f));
+  EXPECT_EQ(seeing.back(), Vec2f(35.0f, 7.0f));
+  expect_near(at_depth(ray_of_pixel(quilt, {35.0f, 7.0f}), 0.0f), {0, 0, 0}, kPositionMm);
+}
+
+TEST(MultiView, eyes_are_exact_over_the_widest_cone) {
+  // The continued fraction is good to 2e-8; towards 90 degrees the tangent multiplies errors of the angle by 1 / cos.
+  for (const float cone : {0.1f, 1.0f, 2.0f, 3.0f}) {
+    const Optics quilt{.panel = {400, 1, 1.0f}, .model = MultiView{400, 1, cone, true, 1.0f}};
+    for (int v = 0; v < 400; ++v) {
+      const double angle = static_cast<double>(cone) * (v / 399.0 - 0.5), expected = std::tan(angle);
+      EXPECT_NEAR(ray_of_pixel(quilt, {v + 0.5f, 0.5f}).origin.x, expected, 1e-6 / std::pow(std::cos(angle), 2));
+    }
+  }
+}
+
+// ---- RayGenerator -----------------------------------------------------------------------------------------------------
+
+TEST(RayGenerator, similarity_gives_the_transformed_ray) {
+  OpticsSampler random(21);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Optics optics = random.any(trial);
+    const float scale = std::exp(random.uniform(-4.0f, 4.0f));
+    const Vec3f axis = glm::normalize(Vec3f(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1f, 1)));
+    const Affine3f world{scale * glm::mat3_cast(glm::angleAxis(random.uniform(-3, 3), axis)),
+                         scale * Vec3f(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9))};
+    const RayGenerator generator(optics, world);
+    const Vec2f pixel(random.uniform(0, optics.panel.width), random.uniform(0, optics.panel.height));
+    const Ray local = ray_of_pixel(optics, pixel), ray = generator.ray(pixel);
+    const float size = scale * (glm::length(local.origin) + 10.0f);
+    expect_near(ray.origin, transform_point(world, local.origin), 1e-6f * size);  // a few roundings of 6e-8
+    expect_near(ray.direction, glm::normalize(transform_vector(world, local.direction)), 1e-6f);
+    EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);
+    expect_near(generator.forward(), glm::normalize(transform_vector(world, {0, 0, -1})), 1e-6f);
+  }
+}
+
+TEST(RayGenerator, depth_is_the_scaled_distance_between_the_end_planes) {
+  Optics optics{.panel = {}, .model = LenticularSheet{}, .z_front_mm = 30.0f, .z_back_mm = 20.0f};
+  EXPECT_NEAR(RayGenerator(optics, {Mat3f(3.0f), {1, 2, 3}}).depth(), 150.0f, 1e-3f);
+  optics.z_back_mm = kInfinity;
+  EXPECT_EQ(RayGenerator(optics).depth(), kInfinity);
+}
+
+TEST(RayGenerator, any_count_writes_exactly_its_rays) {
+  const Optics optics{.panel = {}, .model = MicrolensArray{}};
+  const RayGenerator generator(optics);
+  for (int count : {0, 1, 15, 16, 17, 33}) {
+    std::vector<float> px(40), py(40), out(6 * 40, -7.0f);
+    for (int i = 0; i < 40; ++i) px[i] = 11.3f * i, py[i] = 5.7f * i;
+    generator.rays(px.data(), py.data(), count, {&out[0], &out[40], &out[80], &out[120], &out[160], &out[200]});
+    for (int c = 0; c < 6; ++c)
+      for (int i = 0; i < 40; ++i) {
+        const Ray ray = generator.ray({px[i], py[i]});
+        const float wanted = c < 3 ? ray.origin[c] : ray.direction[c - 3];
+        EXPECT_EQ(out[40 * c + i], i < count ? wanted : -7.0f) << "component " << c << " ray " << i << " of " << count;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,199 @@
+// What others ask of an array, and what validate() refuses.
+#include "optics/optics.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+template <class Model>
+Optics with(Model model, Panel panel = {}) {
+  return {.panel = panel, .model = model};
+}
+
+// ---- Whole pixels per lens --------------------------------------------------------------------------------------------
+
+TEST(WholePixels, defaults_have_eight_per_lens) {
+  EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{})), Vec2i(8, 1));
+  EXPECT_EQ(whole_pixels_per_lens(with(MicrolensArray{})), Vec2i(8, 8));
+}
+
+TEST(WholePixels, views_count_as_one_pixel_each) {
+  EXPECT_EQ(whole_pixels_per_lens(with(MultiView{})), Vec2i(1, 1));
+  EXPECT_EQ(whole_pixels_per_lens(with(SingleView{})), Vec2i(1, 1));
+}
+
+TEST(WholePixels, fractions_slant_and_misaligned_cells_have_none) {
+  EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.lens_pitch_mm = 13.776f * 0.125f})), Vec2i(0, 0));
+  EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.slant = 0.1f})), Vec2i(0, 0));
+  EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.offset_mm = 0.5625f})), Vec2i(0, 0));
+  // A boundary at x = 0 is not one at the panel's left edge where the panel is an odd number of lenses wide.
+  EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{}, {504, 8, 0.125f})), Vec2i(0, 0));
+  EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.offset_mm = 0.0f}, {504, 8, 0.125f})), Vec2i(8, 1));
+}
+
+TEST(WholePixels, converging_cells_count_by_their_own_width) {
+  // Lenses of 1 mm with cells that converge to 500 mm are 1.004 mm = 8.032 pixels wide.
+  EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.viewing_distance_mm = 500.0f})), Vec2i(0, 0));
+  const LenticularSheet matched{.lens_pitch_mm = 1.0f / 1.004f, .offset_mm = 0.5f / 1.004f, .viewing_distance_mm = 500.0f};
+  EXPECT_EQ(whole_pixels_per_lens(with(matched)), Vec2i(8, 1));
+}
+
+TEST(WholePixels, lens_index_and_view_follow_the_pixel_grid) {
+  // Non-binary pitches over a wide panel: pixel i must lie below lens i / N, whatever rounding does.
+  const Optics optics = with(LenticularSheet{.lens_pitch_mm = 0.7f, .gap_mm = 1.3f, .offset_mm = 0.35f}, {7000, 2, 0.1f});
+  ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(7, 1));
+  Optics at_lenses = optics;
+  at_lenses.z_front_mm = 0.0f;
+  for (int i = 0; i < 7000; ++i) {
+    const double lens = 0.35 + 0.7 * (i / 7 - 500);
+    EXPECT_NEAR(ray_of_pixel(at_lenses, {i + 0.5f, 0.5f}).origin.x, lens, 1e-4) << "pixel " << i;
+  }
+}
+
+// ---- Derived figures --------------------------------------------------------------------------------------------------
+
+TEST(Derived, default_sheet_has_28_degrees_and_16_mm) {
+  // 2 atan(1 / 4) = 28.07 degrees; p g / m = 1 * 2 / 0.125 = 16 mm.
+  EXPECT_NEAR(degrees(viewing_zone(with(LenticularSheet{}))), 28.0725f, 1e-3f);
+  EXPECT_NEAR(depth_budget_mm(with(LenticularSheet{})), 16.0f, 1e-5f);
+  EXPECT_EQ(depth_budget_mm(with(SingleView{})), kInfinity);
+  EXPECT_EQ(viewing_zone(with(SingleView{})), 0.0f);
+  EXPECT_EQ(viewing_zone(with(MultiView{.view_cone = 0.5f})), 0.5f);
+}
+
+TEST(Footprint, is_the_lens_up_to_the_depth_budget_and_the_magnified_pixel_beyond) {
+  const Optics sheet = with(LenticularSheet{});
+  EXPECT_EQ(sample_footprint_mm(sheet, 0.0f), Vec2f(1.0f, 0.125f));
+  EXPECT_EQ(sample_footprint_mm(sheet, -8.0f), Vec2f(1.0f, 0.125f));
+  EXPECT_EQ(sample_footprint_mm(sheet, 32.0f), Vec2f(2.0f, 0.125f));
+  EXPECT_EQ(sample_footprint_mm(sheet, -32.0f), Vec2f(2.0f, 0.125f));
+  EXPECT_EQ(sample_footprint_mm(with(MicrolensArray{}), 32.0f), Vec2f(2.0f, 2.0f));
+}
+
+TEST(Footprint, of_a_view_shrinks_towards_the_eye) {
+  const Optics view = with(SingleView{500.0f});
+  EXPECT_EQ(sample_footprint_mm(view, 0.0f), Vec2f(0.125f));
+  EXPECT_NEAR(sample_footprint_mm(view, 250.0f).x, 0.0625f, 1e-7f);
+  EXPECT_NEAR(sample_footprint_mm(with(MultiView{}), -500.0f).y, 0.25f, 1e-7f);
+}
+
+TEST(Footprint, is_the_distance_between_neighbouring_rays) {
+  // Rays one lens apart in the same view (or one row apart), at some depth on either side.
+  const LenticularSheet matched{.lens_pitch_mm = 1.0f / 1.004f, .offset_mm = 0.5f / 1.004f, .viewing_distance_mm = 500.0f};
+  for (const float z : {-10.0f, 10.0f}) {
+    Optics optics = with(matched);
+    optics.z_front_mm = z;
+    const Vec3f a = ray_of_pixel(optics, {100.5f, 100.5f}).origin, b = ray_of_pixel(optics, {108.5f, 101.5f}).origin;
+    const Vec2f footprint = sample_footprint_mm(optics, z);
+    EXPECT_NEAR(b.x - a.x, footprint.x, 1e-5f);
+    EXPECT_NEAR(a.y - b.y, footprint.y, 1e-5f);
+  }
+}
+
+TEST(ZFront, infinite_means_the_eye_or_four_diagonals) {
+  EXPECT_EQ(resolved_z_front_mm(with(SingleView{300.0f})), 300.0f);
+  EXPECT_EQ(resolved_z_front_mm(with(LenticularSheet{.viewing_distance_mm = 700.0f})), 700.0f);
+  EXPECT_NEAR(resolved_z_front_mm(with(MicrolensArray{}, {300, 400, 0.1f})), 200.0f, 1e-3f);
+}
+
+TEST(ZFront, given_depth_holds_but_views_never_start_behind_their_eye) {
+  Optics sheet = with(LenticularSheet{}), view = with(SingleView{300.0f});
+  sheet.z_front_mm = view.z_front_mm = 1000.0f;
+  EXPECT_EQ(resolved_z_front_mm(sheet), 1000.0f);
+  EXPECT_EQ(resolved_z_front_mm(view), 300.0f);
+}
+
+// ---- Validation -------------------------------------------------------------------------------------------------------
+
+struct BadCase {
+  const char* name;
+  const char* field;
+  Optics optics;
+};
+
+Optics bad_panel(int width, int height, float pitch) { return with(LenticularSheet{}, {width, height, pitch}); }
+
+Optics with_depths(float front, float back) {
+  Optics optics = with(LenticularSheet{});
+  optics.z_front_mm = front, optics.z_back_mm = back;
+  return optics;
+}
+
+void PrintTo(const BadCase& c, std::ostream* out) { *out << c.name; }
+
+class BadOptics : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadOptics, is_refused_by_the_name_of_its_field) {
+  try {
+    validate(GetParam().optics);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), GetParam().field);
+    EXPECT_FALSE(error.accepted().empty());
+  }
+}
+
+const BadCase kBadCases[] = {
+    {"zero_width", "panel.width", bad_panel(0, 512, 0.1f)},
+    {"negative_height", "panel.height", bad_panel(512, -4, 0.1f)},
+    {"huge_width", "panel.width", bad_panel(1'000'000'000, 512, 0.1f)},
+    {"too_many_pixels", "panel", bad_panel(65536, 65536, 0.1f)},
+    {"zero_pixel_pitch", "panel.pixel_pitch_mm", bad_panel(512, 512, 0.0f)},
+    {"nan_pixel_pitch", "panel.pixel_pitch_mm", bad_panel(512, 512, kNaN)},
+    {"infinite_pixel_pitch", "panel.pixel_pitch_mm", bad_panel(512, 512, kInfinity)},
+    {"zero_lens_pitch", "lenticular.lens_pitch_mm", with(LenticularSheet{.lens_pitch_mm = 0.0f})},
+    {"lens_below_a_pixel", "lenticular.lens_pitch_mm", with(LenticularSheet{.lens_pitch_mm = 0.05f})},
+    {"nan_lens_pitch", "lenticular.lens_pitch_mm", with(LenticularSheet{.lens_pitch_mm = kNaN})},
+    {"negative_gap", "lenticular.gap_mm", with(LenticularSheet{.gap_mm = -1.0f})},
+    {"slant_of_90_degrees", "lenticular.slant", with(LenticularSheet{.slant = kPi / 2})},
+    {"nan_slant", "lenticular.slant", with(LenticularSheet{.slant = kNaN})},
+    {"infinite_offset", "lenticular.offset_mm", with(LenticularSheet{.offset_mm = kInfinity})},
+    {"zero_viewing_distance", "lenticular.viewing_distance_mm", with(LenticularSheet{.viewing_distance_mm = 0.0f})},
+    {"negative_infinite_viewing_distance", "lenticular.viewing_distance_mm",
+     with(LenticularSheet{.viewing_distance_mm = -kInfinity})},
+    {"nan_eye_height", "lenticular.eye_height_mm", with(LenticularSheet{.eye_height_mm = kNaN})},
+    {"zero_area_microlens", "microlens.lens_pitch_mm", with(MicrolensArray{.lens_pitch_mm = 0.0f})},
+    {"zero_microlens_gap", "microlens.gap_mm", with(MicrolensArray{.gap_mm = 0.0f})},
+    {"nan_microlens_offset", "microlens.offset_mm.y", with(MicrolensArray{.offset_mm = {0.0f, kNaN}})},
+    {"nan_microlens_viewing_distance", "microlens.viewing_distance_mm", with(MicrolensArray{.viewing_distance_mm = kNaN})},
+    {"no_columns", "multiview.columns", with(MultiView{.columns = 0})},
+    {"more_rows_than_pixels", "multiview.rows", with(MultiView{.rows = 513})},
+    {"cone_of_180_degrees", "multiview.view_cone", with(MultiView{.view_cone = kPi})},
+    {"nan_cone", "multiview.view_cone", with(MultiView{.view_cone = kNaN})},
+    {"zero_distance", "multiview.distance_mm", with(MultiView{.distance_mm = 0.0f})},
+    {"infinite_distance", "singleview.distance_mm", with(SingleView{.distance_mm = kInfinity})},
+    {"nan_pixel_offset", "singleview.pixel_offset", with(SingleView{.pixel_offset = {kNaN, 0.0f}})},
+    {"nan_z_front", "z_front_mm", with_depths(kNaN, kInfinity)},
+    {"nan_z_back", "z_back_mm", with_depths(kInfinity, kNaN)},
+    {"rays_without_length", "z_back_mm", with_depths(-20.0f, 10.0f)},
+};
+
+std::string name_of_case(const testing::TestParamInfo<BadCase>& bad) { return bad.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Fields, BadOptics, testing::ValuesIn(kBadCases), name_of_case);
+
+TEST(ValidateOptics, defaults_of_every_model_are_accepted) {
+  EXPECT_NO_THROW(validate(with(LenticularSheet{})));
+  EXPECT_NO_THROW(validate(with(MicrolensArray{})));
+  EXPECT_NO_THROW(validate(with(MicrolensArray{.packing = LensPacking::kHexagonal})));
+  EXPECT_NO_THROW(validate(with(MultiView{})));
+  EXPECT_NO_THROW(validate(with(SingleView{})));
+}
+
+TEST(ValidateOptics, one_pixel_and_lenses_of_one_pixel_are_accepted) {
+  EXPECT_NO_THROW(validate(with(SingleView{}, {1, 1, 1.0f})));
+  EXPECT_NO_THROW(validate(with(LenticularSheet{.lens_pitch_mm = 0.1f}, {512, 512, 0.1f})));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,214 @@
+// pixels_seeing against a search over all pixels that uses nothing but their forward rays: none missing, none extra.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "optics/ray_generator.hpp"
+#include "random_optics.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::at_depth;
+using test::OpticsSampler;
+
+/// How far (in pixels) the pixel whose ray passes through `passed` at depth z lies from the one whose ray would pass through
+/// `wanted`, as long as both are below the same lens or in the same view. Lines of one lens fan out from its centre.
+Vec2f pixel_step(const Optics& optics, Vec3f passed, Vec3f wanted) {
+  const float m = optics.panel.pixel_pitch_mm, z = wanted.z;
+  const Vec2f miss(wanted.x - passed.x, wanted.y - passed.y);
+  if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) {
+    const float dy = miss.y / (1.0f - (z + s->gap_mm) / (s->viewing_distance_mm + s->gap_mm));
+    const float miss_xi = miss.x * std::cos(s->slant) + miss.y * std::sin(s->slant);
+    const float dx = (-miss_xi * s->gap_mm / z - dy * std::sin(s->slant)) / std::cos(s->slant);
+    return {dx / m, -dy / m};
+  }
+  if (const auto* a = std::get_if<MicrolensArray>(&optics.model))
+    return {-miss.x * a->gap_mm / (z * m), miss.y * a->gap_mm / (z * m)};
+  const auto* views = std::get_if<MultiView>(&optics.model);
+  const float distance = views ? views->distance_mm : std::get<SingleView>(optics.model).distance_mm;
+  return Vec2f(miss.x, -miss.y) * (distance / (distance - z) / m);
+}
+
+bool on_panel(const Optics& optics, Vec2f p) {
+  const auto* views = std::get_if<MultiView>(&optics.model);
+  const float right = views ? optics.panel.width / views->columns * views->columns : optics.panel.width;
+  const float top = views ? optics.panel.height % views->rows : 0;
+  return p.x >= 0 && p.x < right && p.y >= top && p.y < optics.panel.height;
+}
+
+/// All points of the panel whose rays pass through the point, found from 9 rays of every pixel (cells may be cut off by the
+/// panel's edge so that they hold no pixel centre) and one step of at most a pixel from each.
+std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, Vec3f point) {
+  std::vector<Vec2f> found;
+  for (int j = 0; j < 3 * optics.panel.height; ++j)
+    for (int i = 0; i < 3 * optics.panel.width; ++i) {
+      const Vec2f start((i + 0.5f) / 3.0f, (j + 0.5f) / 3.0f);
+      const Vec2f step = pixel_step(optics, at_depth(generator.ray(start), point.z), point);
+      const Vec2f there = start + step;
+      if (std::abs(step.x) > 1.0f || std::abs(step.y) > 1.0f || !on_panel(optics, there)) continue;
+      const Vec2f left = pixel_step(optics, at_depth(generator.ray(there), point.z), point);
+      if (glm::length(left) > 0.02f) continue;  // another lens or view has it
+      const auto same = [&](Vec2f p) { return glm::distance(p, there) < 0.05f; };
+      if (std::none_of(found.begin(), found.end(), same)) found.push_back(there);
+    }
+  return found;
+}
+
+bool contains(const std::vector<Vec2f>& pixels, Vec2f p) {
+  return std::any_of(pixels.begin(), pixels.end(), [p](Vec2f q) { return glm::distance(p, q) < 0.03f; });
+}
+
+/// Within this of the edge of a cell, a tile or the panel rounding decides who owns a point; what is on the edge is not
+/// compared.
+constexpr float kEdgePx = 0.02f;
+
+bool near_an_edge(const Optics& optics, const RayGenerator& generator, Vec2f p, Vec3f point) {
+  for (const Vec2f side : {Vec2f(kEdgePx, 0), Vec2f(-kEdgePx, 0), Vec2f(0, kEdgePx), Vec2f(0, -kEdgePx)}) {
+    const Vec2f q = p + side;
+    if (!on_panel(optics, q)) return true;
+    if (glm::length(pixel_step(optics, at_depth(generator.ray(q), point.z), point)) > 2 * kEdgePx) return true;
+  }
+  return false;
+}
+
+Vec3f random_point(OpticsSampler& random, const Optics& optics) {
+  const float m = optics.panel.pixel_pitch_mm;
+  float gap = 8.0f * m;
+  if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) gap = s->gap_mm;
+  if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) gap = a->gap_mm;
+  const float z = (random.coin() ? 1.0f : -1.0f) * random.uniform(0.3f, 12.0f) * gap;
+  return {random.uniform(-0.5f, 0.5f) * m * optics.panel.width, random.uniform(-0.5f, 0.5f) * m * optics.panel.height, z};
+}
+
+class PixelsSeeing : public testing::TestWithParam<int> {};
+
+TEST_P(PixelsSeeing, random_points_none_missing_and_none_extra) {
+  OpticsSampler random(7000 + GetParam());
+  std::size_t compared = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    Optics optics = random.any(GetParam());
+    optics.panel.width = random.integer(30, 90), optics.panel.height = random.integer(30, 60);
+    optics.z_front_mm = 150.0f;  // all points lie behind that
+    const RayGenerator generator(optics);
+    for (int sample = 0; sample < 5; ++sample) {
+      const Vec3f point = random_point(random, optics);
+      std::vector<Vec2f> seeing;
+      pixels_seeing(optics, point, seeing);
+      const std::vector<Vec2f> expected = search(optics, generator, point);
+      const auto where = [&](Vec2f p) {
+        return testing::Message() << test::model_name(optics) << " pixel " << p.x << " " << p.y << ", z " << point.z << ": "
+                                  << seeing.size() << " given, " << expected.size() << " found";
+      };
+      for (const Vec2f& p : expected) {
+        if (near_an_edge(optics, generator, p, point)) continue;
+        EXPECT_TRUE(contains(seeing, p)) << "missing: " << where(p);
+      }
+      for (const Vec2f& p : seeing) {
+        if (near_an_edge(optics, generator, p, point)) continue;
+        EXPECT_TRUE(contains(expected, p)) << "extra: " << where(p);
+      }
+      compared += expected.size();
+    }
+  }
+  EXPECT_GT(compared, 20u);
+}
+
+std::string name_of_kind(const testing::TestParamInfo<int>& kind) {
+  constexpr const char* kNames[] = {"lenticular",          "slanted",    "square_microlens",
+                                    "hexagonal_microlens", "multi_view", "single_view"};
+  return kNames[kind.param];
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, PixelsSeeing, testing::Range(0, 6), name_of_kind);
+
+// ---- In the lens plane ------------------------------------------------------------------------------------------------
+
+/// All pixel centres below lenses whose centre is the one nearest to the point; rows of a sheet also have to run through it.
+std::vector<Vec2f> search_in_lens_plane(const Optics& optics, Vec3f point) {
+  const RayGenerator generator(optics);
+  const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
+  const auto distance = [&](Vec2f pixel) {
+    const Vec3f lens = at_depth(generator.ray(pixel), 0.0f) - point;
+    return sheet ? std::abs(lens.x * std::cos(sheet->slant) + lens.y * std::sin(sheet->slant)) : std::hypot(lens.x, lens.y);
+  };
+  float nearest = kInfinity;
+  std::vector<std::pair<float, Vec2f>> candidates;
+  for (int j = 0; j < optics.panel.height; ++j)
+    for (int i = 0; i < optics.panel.width; ++i) {
+      const Vec2f centre(i + 0.5f, j + 0.5f);
+      if (sheet) {
+        const float row_y = at_depth(generator.ray(centre), 0.0f).y;
+        const float row_height = std::abs(at_depth(generator.ray(centre + Vec2f(0, 0.5f)), 0.0f).y - row_y);
+        if (std::abs(row_y - point.y) > row_height) continue;
+      }
+      candidates.emplace_back(distance(centre), centre);
+      nearest = std::min(nearest, candidates.back().first);
+    }
+  std::vector<Vec2f> found;
+  for (const auto& [d, centre] : candidates)
+    if (d < nearest + 1e-3f * optics.panel.pixel_pitch_mm) found.push_back(centre);
+  return found;
+}
+
+class LensPlane : public testing::TestWithParam<int> {};
+
+TEST_P(LensPlane, point_is_seen_by_all_pixels_of_its_lens) {
+  OpticsSampler random(8000 + GetParam());
+  for (int trial = 0; trial < 20; ++trial) {
+    Optics optics = random.any(GetParam());
+    optics.panel.width = random.integer(50, 90), optics.panel.height = random.integer(50, 70);
+    optics.z_front_mm = 30.0f;
+    const Panel& panel = optics.panel;
+    // Well inside, so that the lens has pixels.
+    const Vec3f point(random.uniform(-0.2f, 0.2f) * panel.width * panel.pixel_pitch_mm,
+                      random.uniform(-0.2f, 0.2f) * panel.height * panel.pixel_pitch_mm, 0.0f);
+    std::vector<Vec2f> seeing;
+    pixels_seeing(optics, point, seeing);
+    EXPECT_EQ(seeing, search_in_lens_plane(optics, point)) << test::model_name(optics) << " trial " << trial;
+    EXPECT_FALSE(seeing.empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, LensPlane, testing::Range(0, 4), name_of_kind);
+
+TEST(PixelsSeeingOrder, lenses_come_in_ascending_order) {
+  Optics optics{.panel = {96, 96, 0.125f}, .model = MicrolensArray{}};
+  std::vector<Vec2f> seeing;
+  pixels_seeing(optics, {0.1f, 0.1f, 6.0f}, seeing);
+  const Vec2i n = whole_pixels_per_lens(optics);
+  ASSERT_EQ(n, Vec2i(8, 8));
+  std::vector<int> lenses;
+  for (const Vec2f& p : seeing) lenses.push_back(static_cast<int>(p.y) / n.y * 12 + static_cast<int>(p.x) / n.x);
+  // |Z| N m / (g p) = 6 * 1 / 2 = 3 lenses in each direction.
+  EXPECT_EQ(lenses.size(), 9u);
+  EXPECT_TRUE(std::is_sorted(lenses.begin(), lenses.end()));
+}
+
+TEST(PixelsSeeingLimits, points_far_away_or_not_finite_are_seen_by_none) {
+  const Optics arrays[] = {{.panel = {}, .model = LenticularSheet{}},
+                           {.panel = {}, .model = MicrolensArray{}},
+                           {.panel = {}, .model = MicrolensArray{.packing = LensPacking::kHexagonal}},
+                           {.panel = {}, .model = MultiView{}},
+                           {.panel = {}, .model = SingleView{}}};
+  for (const Optics& optics : arrays)
+    for (const float far : {1e30f, -kInfinity, std::nanf("")})
+      for (const Vec3f point :
+           {Vec3f(far, 0, 0), Vec3f(far, 0, 5), Vec3f(0, far, 0), Vec3f(0, far, -5), Vec3f(0, 1, std::abs(far))}) {
+        std::vector<Vec2f> seeing;
+        pixels_seeing(optics, point, seeing);
+        EXPECT_TRUE(seeing.empty()) << test::model_name(optics) << " " << point.x << " " << point.y << " " << point.z;
+      }
+}
+
+TEST(PixelsSeeingOrder, results_are_appended) {
+  const Optics optics{.panel = {64, 64, 1.0f}, .model = SingleView{}};
+  std::vector<Vec2f> seeing{{-1.0f, -2.0f}};
+  pixels_seeing(optics, {0.0f, 0.0f, 0.0f}, seeing);
+  EXPECT_EQ(seeing, (std::vector<Vec2f>{{-1.0f, -2.0f}, {32.0f, 32.0f}}));
+}
+
+}  // namespace
+}  // namespace lippmann
