@@ -58,30 +58,4 @@ Mesh with_creases(const Mesh& welded, float crease_angle) {
   return mesh;
 }
 
-void zip_rings(Mesh& mesh, const std::vector<Index>& inner, const std::vector<float>& inner_angle,
-               const std::vector<Index>& outer, const std::vector<float>& outer_angle) {
-  const float turn = 2.0f * kPi;
-  const auto angle_at = [&](const std::vector<float>& angles, std::size_t i) {
-    return angles[i % angles.size()] + (i < angles.size() ? 0.0f : turn);
-  };
-  // Starts from the outer vertex that is nearest to the first inner one, then always takes the shorter step of the two.
-  std::size_t o = 0;
-  float nearest = kInfinity;
-  for (std::size_t i = 0; i < outer.size(); ++i) {
-    const float apart = std::abs(std::remainder(outer_angle[i] - inner_angle[0], turn));
-    if (apart < nearest) nearest = apart, o = i;
-  }
-  const std::size_t first_outer = o, last_outer = o + outer.size();
-  const float shift = turn * std::round((inner_angle[0] - outer_angle[first_outer]) / turn);
-  for (std::size_t i = 0; i < inner.size() || o < last_outer;) {
-    const bool outer_next =
-        i == inner.size() || (o < last_outer && angle_at(outer_angle, o + 1) + shift <= angle_at(inner_angle, i + 1));
-    const Index a = inner[i % inner.size()], b = outer[o % outer.size()];
-    if (outer_next)
-      mesh.triangles.push_back({a, b, outer[++o % outer.size()]});
-    else
-      mesh.triangles.push_back({a, b, inner[++i % inner.size()]});
-  }
-}
-
 }  // namespace lippmann::builtin

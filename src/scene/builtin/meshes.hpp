@@ -4,7 +4,6 @@
 // area: where a surface closes at a pole, the triangles that would collapse are left out.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -46,10 +45,5 @@ Mesh rectangle(Vec3f center, Vec3f half_u, Vec3f half_v, Vec2f repeats = Vec2f(1
 /// Splits vertices at edges where the faces meet at more than `crease_angle` and gives every vertex the mean normal, weighted
 /// by area, of the faces that it then belongs to. Vertices are told apart by index: weld the mesh first. uvs are dropped.
 Mesh with_creases(const Mesh& welded, float crease_angle);
-
-/// Pairs the vertices of two closed rings, each given counter-clockwise seen from +z by index and angle (increasing, one turn),
-/// into triangles that face +z; the outer ring lies around the inner one.
-void zip_rings(Mesh& mesh, const std::vector<std::uint32_t>& inner, const std::vector<float>& inner_angle,
-               const std::vector<std::uint32_t>& outer, const std::vector<float>& outer_angle);
 
 }  // namespace lippmann::builtin

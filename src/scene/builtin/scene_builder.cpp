@@ -56,10 +56,11 @@ PhongSurface glossy(Vec3f color, float highlight, float highlight_size, float mi
 
 PhongSurface polished_metal(Vec3f color, float mirror) {
   PhongSurface surface = matte(color);
-  surface.diffuse = 0.6f;
+  surface.ambient = 0.15f;
+  surface.diffuse = 0.45f;
   surface.highlight_kind = Highlight::kMetal;
-  surface.highlight = 0.8f;
-  surface.highlight_size = 40.0f;
+  surface.highlight = 0.6f;
+  surface.highlight_size = 14.0f;
   surface.mirror = mirror;
   return surface;
 }

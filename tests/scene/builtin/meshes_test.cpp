@@ -132,28 +132,6 @@ TEST(WithCreases, wide_angle_smooths_everything) {
   EXPECT_EQ(mesh.positions.size(), 8u);
 }
 
-TEST(ZipRings, rings_of_different_counts_are_joined_without_gaps) {
-  Mesh mesh;
-  std::vector<std::uint32_t> inner, outer;
-  std::vector<float> inner_angle, outer_angle;
-  const auto add = [&](float radius, float angle, std::vector<std::uint32_t>& ring, std::vector<float>& angles) {
-    ring.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-    angles.push_back(angle);
-    mesh.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.0f});
-  };
-  for (int i = 0; i < 5; ++i) add(1.0f, 0.3f + 2.0f * kPi * static_cast<float>(i) / 5.0f, inner, inner_angle);
-  for (int i = 0; i < 12; ++i) add(2.0f, -1.0f + 2.0f * kPi * static_cast<float>(i) / 12.0f, outer, outer_angle);
-  zip_rings(mesh, inner, inner_angle, outer, outer_angle);
-  mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
-  expect_sane(mesh);
-  EXPECT_EQ(mesh.triangles.size(), 17u);
-  EXPECT_EQ(boundary_edges(mesh).size(), 17u);
-  float area = 0.0f;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += 0.5f * test::area_normal(mesh, t).z;
-  // Regular polygons: n/2 r^2 sin(2 pi / n).
-  EXPECT_NEAR(area, 6.0f * 4.0f * std::sin(2.0f * kPi / 12.0f) - 2.5f * std::sin(2.0f * kPi / 5.0f), 1e-5f);
-}
-
 TEST(Append, moves_points_and_turns_normals) {
   Mesh mesh;
   append(mesh, disc(1.0f, 8, 1.0f));

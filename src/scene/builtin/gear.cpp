@@ -1,0 +1,158 @@
+// Based on: Faydor L. Litvin, Alfonso Fuentes, "Gear Geometry and Applied Theory", 2nd ed., 2004, chapter 10 (involute spur
+// gears) and 11 (internal ones). With inv(a) = tan a - a, pitch radius r_p, base radius r_b = r_p cos(pressure angle), a tooth
+// of a gear of z teeth spans at radius r the half angle
+//   psi(r) = pi / (2 z) + inv(pressure angle) - inv(acos(r_b / r)).
+// A ring's spaces have the shape of that gear's teeth, so that its own teeth span pi / z - psi(r).
+// We deviate: 1. below the base circle flanks are radial instead of trochoids; 2. each side of a tooth gives way by a
+// quarter of the backlash.
+#include "scene/builtin/gear.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lippmann::builtin {
+namespace {
+
+constexpr int kFlankSteps = 6;
+
+float involute(float angle) { return std::tan(angle) - angle; }
+
+float involute_half_angle(int teeth, float radius) {
+  const float base = pitch_radius(teeth) * std::cos(kPressureAngle);
+  const float angle_at_radius = std::acos(std::min(1.0f, base / radius));
+  return 0.5f * kPi / static_cast<float>(teeth) + involute(kPressureAngle) - involute(angle_at_radius);
+}
+
+Vec2f polar(float radius, float angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
+
+/// Adds teeth between two radii as strips from flank to flank and returns the points of the root circle: both ends of each
+/// tooth and two points between neighbours. half_angle(radius) is half of a tooth; the first tooth is centred on first_angle.
+template <class HalfAngle>
+AngularRing add_teeth(PlanarRegion& region, int teeth, float first_angle, float root, float tip, const HalfAngle& half_angle) {
+  AngularRing root_ring;
+  const float pitch = 2.0f * kPi / static_cast<float>(teeth);
+  for (int tooth = 0; tooth < teeth; ++tooth) {
+    const float center = first_angle + pitch * static_cast<float>(tooth);
+    std::uint32_t left = 0, right = 0;
+    for (int step = 0; step <= kFlankSteps; ++step) {
+      const float radius = glm::mix(root, tip, static_cast<float>(step) / kFlankSteps);
+      const float half = half_angle(radius);
+      const std::uint32_t new_right = region.add(polar(radius, center - half)),
+                          new_left = region.add(polar(radius, center + half));
+      if (step == 0) {
+        root_ring.add(new_right, center - half);
+        root_ring.add(new_left, center + half);
+      } else if (tip > root) {
+        region.triangles.push_back({right, new_right, new_left});
+        region.triangles.push_back({right, new_left, left});
+      } else {
+        region.triangles.push_back({right, new_left, new_right});
+        region.triangles.push_back({right, left, new_left});
+      }
+      left = new_left, right = new_right;
+    }
+    const float half = half_angle(root), space = pitch - 2.0f * half;
+    for (const float share : {1.0f / 3.0f, 2.0f / 3.0f}) {
+      const float angle = center + half + share * space;
+      root_ring.add(region.add(polar(root, angle)), angle);
+    }
+  }
+  return root_ring;
+}
+
+AngularRing add_outer_teeth(PlanarRegion& region, int teeth) {
+  const float radius = pitch_radius(teeth);
+  return add_teeth(region, teeth, 0.0f, radius - kDedendum, radius + kAddendum,
+                   [=](float r) { return tooth_half_angle(teeth, r); });
+}
+
+AngularRing add_inner_teeth(PlanarRegion& region, int teeth) {
+  const float radius = pitch_radius(teeth);
+  return add_teeth(region, teeth, kPi / static_cast<float>(teeth), radius + kDedendum, radius - kAddendum,
+                   [=](float r) { return ring_tooth_half_angle(teeth, r); });
+}
+
+/// A circle whose points are grouped by spokes: `per_spoke` + 1 of them across each spoke, `per_gap` - 1 more up to the next
+/// one.
+AngularRing add_spoked_circle(PlanarRegion& region, float radius, int spokes, float width, int per_spoke, int per_gap) {
+  AngularRing ring;
+  const float pitch = 2.0f * kPi / static_cast<float>(spokes), half = std::asin(0.5f * width / radius);
+  for (int spoke = 0; spoke < spokes; ++spoke) {
+    const float center = pitch * static_cast<float>(spoke);
+    const auto add = [&](float angle) { ring.add(region.add(polar(radius, angle)), angle); };
+    for (int i = 0; i <= per_spoke; ++i)
+      add(center + half * (2.0f * static_cast<float>(i) / static_cast<float>(per_spoke) - 1.0f));
+    for (int i = 1; i < per_gap; ++i)
+      add(center + half + (pitch - 2.0f * half) * static_cast<float>(i) / static_cast<float>(per_gap));
+  }
+  return ring;
+}
+
+AngularRing add_circle(PlanarRegion& region, float radius, int count) {
+  AngularRing ring;
+  for (int i = 0; i < count; ++i) {
+    const float angle = 2.0f * kPi * static_cast<float>(i) / static_cast<float>(count);
+    ring.add(region.add(polar(radius, angle)), angle);
+  }
+  return ring;
+}
+
+/// Joins the points of two spoked circles across their spokes; the gaps between stay open.
+void fill_spokes(PlanarRegion& region, const AngularRing& hub, const AngularRing& rim, int spokes, int per_spoke, int per_gap) {
+  for (int spoke = 0; spoke < spokes; ++spoke)
+    for (int i = 0; i < per_spoke; ++i) {
+      const std::size_t at = static_cast<std::size_t>(spoke * (per_spoke + per_gap) + i);
+      region.triangles.push_back({hub.points[at], rim.points[at], rim.points[at + 1]});
+      region.triangles.push_back({hub.points[at], rim.points[at + 1], hub.points[at + 1]});
+    }
+}
+
+}  // namespace
+
+float tooth_half_angle(int teeth, float radius) {
+  return involute_half_angle(teeth, radius) - 0.25f * kBacklash / pitch_radius(teeth);
+}
+
+float ring_tooth_half_angle(int teeth, float radius) {
+  return kPi / static_cast<float>(teeth) - involute_half_angle(teeth, radius) - 0.25f * kBacklash / pitch_radius(teeth);
+}
+
+Mesh gear_mesh(int teeth, const GearBlank& blank) {
+  PlanarRegion region;
+  const AngularRing roots = add_outer_teeth(region, teeth);
+  const AngularRing bore = add_circle(region, blank.bore_radius, 48);
+  if (blank.spokes == 0) {
+    fill_between(region, bore, roots);
+  } else {
+    constexpr int kPerSpoke = 4;
+    const int per_gap = 64 / blank.spokes;
+    const float rim_radius = pitch_radius(teeth) - kDedendum - blank.rim_width;
+    const AngularRing rim = add_spoked_circle(region, rim_radius, blank.spokes, 0.75f * blank.spoke_width, kPerSpoke, per_gap);
+    const AngularRing hub = add_spoked_circle(region, blank.hub_radius, blank.spokes, blank.spoke_width, kPerSpoke, per_gap);
+    fill_between(region, rim, roots);
+    fill_spokes(region, hub, rim, blank.spokes, kPerSpoke, per_gap);
+    fill_between(region, bore, hub);
+  }
+  return extrude(region, blank.thickness, blank.bevel);
+}
+
+Mesh ring_gear_mesh(int inner_teeth, int outer_teeth, const GearBlank& blank) {
+  PlanarRegion region;
+  const AngularRing inner = add_inner_teeth(region, inner_teeth);
+  const AngularRing outer = add_outer_teeth(region, outer_teeth);
+  fill_between(region, inner, outer);
+  return extrude(region, blank.thickness, blank.bevel);
+}
+
+float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direction) {
+  // A driver's tooth that stands d ahead of the line of centres meets a space that stands d driver_teeth / teeth behind it.
+  const float ratio = static_cast<float>(driver_teeth) / static_cast<float>(teeth);
+  return direction + kPi + kPi / static_cast<float>(teeth) - ratio * (driver_angle - direction);
+}
+
+float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float direction) {
+  // Inside a ring both turn the same way: a tooth d ahead of the line of centres fills a space d gear_teeth / ring_teeth ahead.
+  return direction + static_cast<float>(gear_teeth) / static_cast<float>(ring_teeth) * (gear_angle - direction);
+}
+
+}  // namespace lippmann::builtin

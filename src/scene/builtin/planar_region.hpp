@@ -1,0 +1,36 @@
+// Flat, triangulated regions with holes, and the solids that they make when given thickness.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace lippmann::builtin {
+
+struct PlanarRegion {
+  std::vector<Vec2f> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise; every point is used
+
+  std::uint32_t add(Vec2f p) {
+    points.push_back(p);
+    return static_cast<std::uint32_t>(points.size()) - 1;
+  }
+};
+
+/// Points on a circle or another curve around the origin, counter-clockwise; angles increase by less than a turn in all.
+struct AngularRing {
+  std::vector<std::uint32_t> points;
+  std::vector<float> angles;
+  void add(std::uint32_t point, float angle) { points.push_back(point), angles.push_back(angle); }
+};
+
+/// Fills what lies between two closed rings around the origin with triangles that use each of their points.
+void fill_between(PlanarRegion& region, const AngularRing& inner, const AngularRing& outer);
+
+/// A closed solid around z = 0 with bevelled edges, sharp edges creased. `bevel` < half the thickness and less than half of any
+/// neck of the region.
+Mesh extrude(const PlanarRegion& region, float thickness, float bevel);
+
+}  // namespace lippmann::builtin

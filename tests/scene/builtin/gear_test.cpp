@@ -1,0 +1,116 @@
+#include "scene/builtin/gear.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "mesh_checks.hpp"
+
+namespace lippmann::builtin {
+namespace {
+
+constexpr GearBlank kBlank{.thickness = 4.0f, .bevel = 0.1f, .bore_radius = 1.0f};
+
+/// Angle from the nearest tooth's middle line.
+float from_tooth(int teeth, float gear_angle, Vec2f p) {
+  return std::remainder(std::atan2(p.y, p.x) - gear_angle, 2.0f * kPi / static_cast<float>(teeth));
+}
+
+/// How far, along the circle through it, a point lies outside a gear's teeth; negative inside; infinite beyond the tips.
+float clearance(int teeth, float gear_angle, Vec2f p) {
+  const float radius = glm::length(p);
+  if (radius > pitch_radius(teeth) + kAddendum) return kInfinity;
+  if (radius < pitch_radius(teeth) - kDedendum) return -1.0f;
+  return radius * (std::abs(from_tooth(teeth, gear_angle, p)) - tooth_half_angle(teeth, radius));
+}
+
+/// The same for the teeth of a ring, whose spaces are centred on its angle.
+float ring_clearance(int teeth, float ring_angle, Vec2f p) {
+  const float radius = glm::length(p);
+  if (radius < pitch_radius(teeth) - kAddendum) return kInfinity;
+  if (radius > pitch_radius(teeth) + kDedendum) return -1.0f;
+  const float tooth_angle = ring_angle + kPi / static_cast<float>(teeth);
+  return radius * (std::abs(from_tooth(teeth, tooth_angle, p)) - ring_tooth_half_angle(teeth, radius));
+}
+
+/// Points of all of a gear's flanks, around its own centre.
+std::vector<Vec2f> flank_points(int teeth, float gear_angle) {
+  std::vector<Vec2f> points;
+  for (int tooth = 0; tooth < teeth; ++tooth)
+    for (int step = 0; step <= 40; ++step)
+      for (const float side : {-1.0f, 1.0f}) {
+        const float radius = pitch_radius(teeth) + glm::mix(-kDedendum, kAddendum, static_cast<float>(step) / 40.0f);
+        const float angle = gear_angle + 2.0f * kPi * static_cast<float>(tooth) / static_cast<float>(teeth) +
+                            side * tooth_half_angle(teeth, radius);
+        points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      }
+  return points;
+}
+
+Vec2f along(float angle, float distance) { return {distance * std::cos(angle), distance * std::sin(angle)}; }
+
+TEST(ToothHalfAngle, at_the_pitch_circle_is_a_quarter_of_the_pitch_less_the_play) {
+  EXPECT_NEAR(tooth_half_angle(20, 10.0f), kPi / 40.0f - kBacklash / 40.0f, 1e-6f);
+  EXPECT_NEAR(ring_tooth_half_angle(20, 10.0f), kPi / 40.0f - kBacklash / 40.0f, 1e-6f);
+}
+
+TEST(ToothHalfAngle, is_largest_at_the_base_circle) {
+  // Pressure angle 25 degrees, 20 teeth: base radius 9.06308; inv(25 deg) = 0.466308 - 0.436332 = 0.029975.
+  EXPECT_NEAR(tooth_half_angle(20, 9.06308f), kPi / 40.0f + 0.029975f - kBacklash / 40.0f, 3e-4f);
+  EXPECT_FLOAT_EQ(tooth_half_angle(20, 8.8f), tooth_half_angle(20, 9.0f));
+}
+
+TEST(MeshingAngle, tooth_meets_space_on_the_line_of_centres) {
+  // Driver's tooth on +x, the follower to the right: its space points to -x, so a tooth stands half a pitch beside.
+  const float angle = meshing_angle(12, 0.0f, 24, 0.0f);
+  EXPECT_NEAR(std::remainder(angle - kPi - kPi / 24.0f, 2.0f * kPi / 24.0f), 0.0f, 1e-5f);
+}
+
+TEST(MeshingAngle, gears_turn_together_without_touching_and_without_slack) {
+  for (const auto& [driver, teeth] : {std::pair{12, 12}, std::pair{48, 24}, std::pair{40, 20}, std::pair{48, 16}})
+    for (const float direction : {0.0f, 0.8f, -2.0f})
+      for (int step = 0; step < 10; ++step) {
+        const float driver_angle = 0.037f * static_cast<float>(step);
+        const float angle = meshing_angle(driver, driver_angle, teeth, direction);
+        const Vec2f center = along(direction, pitch_radius(driver) + pitch_radius(teeth));
+        float least = kInfinity;
+        for (const Vec2f& p : flank_points(teeth, angle)) least = std::min(least, clearance(driver, driver_angle, center + p));
+        // Half of the play on either side, measured along circles rather than square to the flanks.
+        EXPECT_GT(least, 0.25f * kBacklash) << driver << " drives " << teeth;
+        EXPECT_LT(least, 1.0f * kBacklash) << driver << " drives " << teeth;
+      }
+}
+
+TEST(RingMeshingAngle, gear_turns_inside_a_ring_without_touching_and_without_slack) {
+  for (const float direction : {0.0f, 1.9f})
+    for (int step = 0; step < 10; ++step) {
+      const float gear_angle = 0.053f * static_cast<float>(step);
+      const float ring_angle = ring_meshing_angle(12, gear_angle, 36, direction);
+      const Vec2f center = along(direction, pitch_radius(36) - pitch_radius(12));
+      float least = kInfinity;
+      for (const Vec2f& p : flank_points(12, gear_angle)) least = std::min(least, ring_clearance(36, ring_angle, center + p));
+      EXPECT_GT(least, 0.25f * kBacklash);
+      EXPECT_LT(least, 1.0f * kBacklash);
+    }
+}
+
+TEST(GearMesh, is_a_closed_solid_with_unit_normals) {
+  GearBlank spoked = kBlank;
+  spoked.spokes = 5;
+  for (const Mesh& mesh : {gear_mesh(12, kBlank), gear_mesh(24, spoked), ring_gear_mesh(36, 48, kBlank)}) {
+    EXPECT_TRUE(test::boundary_edges(mesh).empty());
+    EXPECT_EQ(test::count_degenerate(mesh), 0);
+    EXPECT_EQ(test::count_normals_not_unit(mesh), 0);
+    EXPECT_EQ(test::count_facing_wrong(mesh), 0);
+  }
+}
+
+TEST(GearMesh, has_about_the_volume_of_its_pitch_disc) {
+  // Teeth fill a little less than half of the band between root and tip; 3 % for that, the bevels and the chords of the bore.
+  const double expected = M_PI * (10.0 * 10.0 - 1.0) * 4.0;
+  EXPECT_NEAR(test::signed_volume(gear_mesh(20, kBlank)) / expected, 1.0, 0.03);
+}
+
+}  // namespace
+}  // namespace lippmann::builtin

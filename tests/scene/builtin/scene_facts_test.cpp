@@ -1,0 +1,66 @@
+// What is particular to one built-in scene.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "scene/builtin/scenes.hpp"
+#include "scene/timeline.hpp"
+
+namespace lippmann::builtin {
+namespace {
+
+struct PlacedSphere {
+  Vec3f center;
+  float radius;
+};
+
+std::vector<PlacedSphere> spheres_of(const Scene& scene, double time) {
+  const ResolvedScene resolved = evaluate(scene, time);
+  std::vector<PlacedSphere> placed;
+  for (const Instance& instance : scene.instances)
+    if (const Spheres* spheres = std::get_if<Spheres>(&scene.shapes[static_cast<std::size_t>(instance.shape)]))
+      for (const Sphere& s : *spheres) placed.push_back({transform_point(resolved.of(instance.node), s.center), s.radius});
+  return placed;
+}
+
+int find_node(const Scene& scene, std::string_view name) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+    if (scene.nodes[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+TEST(SmallBalls, has_nine_times_as_many_spheres_of_a_third_of_the_size_in_each_generation) {
+  std::map<int, int> count;  // by generation
+  for (const PlacedSphere& s : spheres_of(build_small_balls(), 0.0))
+    ++count[static_cast<int>(std::lround(-std::log(s.radius) / std::log(3.0f)))];
+  EXPECT_EQ(count, (std::map<int, int>{{0, 1}, {1, 9}, {2, 81}, {3, 729}, {4, 6561}}));
+}
+
+TEST(SmallBalls, first_generation_keeps_touching_the_ball_that_carries_it) {
+  const Scene scene = build_small_balls();
+  for (const double time : {0.0, 3.7}) {
+    int touching = 0;
+    for (const PlacedSphere& s : spheres_of(scene, time))
+      if (std::abs(s.radius - 1.0f / 3.0f) < 1e-5f) touching += std::abs(glm::length(s.center) - 4.0f / 3.0f) < 1e-4f ? 1 : 0;
+    EXPECT_EQ(touching, 9);
+  }
+}
+
+/// By how much a node has turned about z between two times less than half a turn apart.
+float turned_about_z(const Scene& scene, int node, double from, double to) {
+  const Vec3f a = evaluate(scene, from).of(node).linear[0], b = evaluate(scene, to).of(node).linear[0];
+  return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+}
+
+TEST(Gears, planetary_set_obeys_willis_equation) {
+  const Scene scene = build_gears();
+  const auto speed = [&](const char* name) { return turned_about_z(scene, find_node(scene, name), 2.0, 2.25); };
+  const float sun = speed("sun"), ring = speed("ring"), carrier = speed("carrier"), planet = speed("planet");
+  EXPECT_NEAR(sun - carrier, -36.0f / 12.0f * (ring - carrier), 1e-4f);
+  EXPECT_NEAR(planet - carrier, 36.0f / 12.0f * (ring - carrier), 1e-4f);
+  EXPECT_GT(std::abs(ring), 0.01f);
+}
+
+}  // namespace
+}  // namespace lippmann::builtin
