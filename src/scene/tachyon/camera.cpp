@@ -1,0 +1,100 @@
+#include "scene/tachyon/camera.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scene/tachyon/handedness.hpp"
+#include "scene/tachyon/scene_builder.hpp"
+
+namespace lippmann::tachyon {
+namespace {
+
+/// Reads PROJECTION if it is there, and ZOOM's keyword in any case.
+void parse_projection(Lexer& lexer) {
+  std::string_view word = lexer.word("PROJECTION or ZOOM");
+  if (is_keyword(word, "PROJECTION")) {
+    const std::string projection = upper(lexer.word("PROJECTION's name"));
+    if (projection != "PERSPECTIVE")
+      throw lexer.error(fmt::format("PROJECTION {} is not supported", shown(projection)), "PERSPECTIVE");
+    word = lexer.word("ZOOM");
+  }
+  if (!is_keyword(word, "ZOOM")) throw lexer.error(fmt::format("{} stands where ZOOM is expected", shown(word)));
+}
+
+float positive_number(Lexer& lexer, std::string_view keyword) {
+  const float value = lexer.number(keyword);
+  if (!(value > 0.0f)) throw lexer.error(fmt::format("{} is {}", keyword, value), "a number above 0");
+  return value;
+}
+
+/// FRUSTUM left right bottom top, in the image plane at distance 1.
+Vec2f parse_frustum(Lexer& lexer) {
+  const float left = lexer.number("FRUSTUM"), right = lexer.number("FRUSTUM");
+  const float bottom = lexer.number("FRUSTUM"), top = lexer.number("FRUSTUM");
+  if (!(right > 0.0f && top > 0.0f && left == -right && bottom == -top))
+    throw lexer.error("FRUSTUM is supported only where it is symmetric", "left = -right < 0 and bottom = -top < 0");
+  return {right, top};
+}
+
+}  // namespace
+
+CameraRecord parse_camera(Lexer& lexer, const Context& context) {
+  constexpr int kMostSamples = 1'000'000, kDeepest = 1'000'000;
+  CameraRecord record;
+  parse_projection(lexer);
+  record.zoom = positive_number(lexer, "ZOOM");
+  lexer.expect("ASPECTRATIO");
+  record.aspect_ratio = positive_number(lexer, "ASPECTRATIO");
+  if (record.aspect_ratio != 1.0f)
+    context.warning(fmt::format("{}: ASPECTRATIO {} asks for pixels that are not square; they are rendered square.",
+                                lexer.where(), record.aspect_ratio));
+  lexer.expect("ANTIALIASING");
+  const int extra_samples = lexer.integer("ANTIALIASING", 0, kMostSamples);
+  if (extra_samples > 0)
+    context.warning(
+        fmt::format("{}: ANTIALIASING {} is left to the render's samples per pixel.", lexer.where(), extra_samples));
+  lexer.expect("RAYDEPTH");
+  record.ray_depth = lexer.integer("RAYDEPTH", 0, kDeepest);
+  record.pose.center = lexer.vector_after("CENTER");
+  record.pose.view = lexer.vector_after("VIEWDIR");
+  record.pose.up = lexer.vector_after("UPDIR");
+  require_orientation(record.pose, lexer);
+  const std::string_view word = lexer.word("END_CAMERA");
+  if (is_keyword(word, "FRUSTUM")) {
+    record.half_extent = parse_frustum(lexer);
+    lexer.expect("END_CAMERA");
+  } else if (!is_keyword(word, "END_CAMERA")) {
+    throw lexer.error(fmt::format("{} stands where END_CAMERA is expected", shown(word)), "FRUSTUM, END_CAMERA");
+  }
+  return record;
+}
+
+void require_orientation(const CameraPose& pose, const Lexer& lexer) {
+  const glm::dvec3 view(pose.view), up(pose.up), right = glm::cross(up, view);
+  constexpr double kSine = 1e-6;  // below this the rounding of the file's own digits decides where right is
+  if (glm::length(right) > kSine * glm::length(up) * glm::length(view)) return;
+  throw lexer.error("the camera's view and up directions do not span a plane",
+                    "two vectors that are not zero and not parallel");
+}
+
+Transform node_of(const CameraPose& pose) {
+  Transform transform;
+  transform.translation = mirrored(pose.center);
+  transform.rotation = looking_along(mirrored(pose.view), mirrored(pose.up));
+  return transform;
+}
+
+Camera camera_of(const CameraRecord& record, Vec2i resolution) {
+  const double half_height = record.half_extent ? record.half_extent->y : 0.5 / record.zoom;
+  Camera camera;
+  camera.name = "camera";
+  camera.vertical_fov = static_cast<float>(2.0 * std::atan(half_height));
+  camera.aspect = record.half_extent
+                      ? record.half_extent->x / record.half_extent->y
+                      : static_cast<float>(resolution.x) / static_cast<float>(resolution.y) / record.aspect_ratio;
+  camera.pixel_offset = {0.5f, -0.5f};
+  return camera;
+}
+
+}  // namespace lippmann::tachyon

@@ -1,0 +1,124 @@
+#include "scene/tachyon/lexer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace lippmann::tachyon {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// from_chars knows no leading plus, which files may have.
+std::string_view without_plus(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  return word;
+}
+
+/// A finite number that fills the whole word; too small for a float: zero.
+std::optional<float> parse_float(std::string_view word) {
+  word = without_plus(word);
+  float value = 0.0f;
+  const char* const end = word.data() + word.size();
+  const auto [rest, failure] = std::from_chars(word.data(), end, value);
+  if (rest != end) return std::nullopt;
+  if (failure == std::errc{}) return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  double wide = 0.0;
+  if (std::from_chars(word.data(), end, wide).ec == std::errc{} && std::abs(wide) < 1.0) return static_cast<float>(wide);
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [](char a, char b) { return upper(a) == b; });
+}
+
+std::string upper(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) c = upper(c);
+  return result;
+}
+
+std::string shown(std::string_view word) {
+  constexpr std::size_t kLongest = 60;
+  std::string text = "'";
+  for (const char c : word.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > kLongest ? "...'" : "'");
+}
+
+void Lexer::skip_blanks() {
+  for (; position_ < text_.size(); ++position_) {
+    const char c = text_[position_];
+    if (c == '#') {
+      position_ = std::min(text_.find('\n', position_), text_.size());
+      if (position_ == text_.size()) return;
+      ++line_;
+    } else if (!is_blank(c)) {
+      return;
+    } else if (c == '\n') {
+      ++line_;
+    }
+  }
+}
+
+bool Lexer::at_end() {
+  skip_blanks();
+  return position_ == text_.size();
+}
+
+std::string_view Lexer::word(std::string_view wanted) {
+  skip_blanks();
+  word_line_ = line_;
+  if (position_ == text_.size()) throw error(fmt::format("the file ends where {} should stand", wanted));
+  const std::size_t begin = position_;
+  while (position_ < text_.size() && !is_blank(text_[position_])) ++position_;
+  return std::string_view(text_).substr(begin, position_ - begin);
+}
+
+void Lexer::expect(std::string_view keyword) {
+  const std::string_view found = word(keyword);
+  if (!is_keyword(found, keyword)) throw error(fmt::format("{} stands where {} is expected", shown(found), keyword));
+}
+
+float Lexer::number(std::string_view wanted) {
+  const std::string_view found = word(wanted);
+  const std::optional<float> value = parse_float(found);
+  if (!value) throw error(fmt::format("{} is not a number that {} can have", shown(found), wanted), "a finite decimal number");
+  return *value;
+}
+
+int Lexer::integer(std::string_view wanted, int lowest, int highest) {
+  const std::string_view found = word(wanted), digits = without_plus(found);
+  int value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [rest, failure] = std::from_chars(digits.data(), end, value);
+  if (rest != end || failure != std::errc{} || value < lowest || value > highest)
+    throw error(fmt::format("{} is not a value that {} can have", shown(found), wanted),
+                fmt::format("a whole number from {} to {}", lowest, highest));
+  return value;
+}
+
+Vec3f Lexer::vector(std::string_view wanted) {
+  const float x = number(wanted), y = number(wanted), z = number(wanted);
+  return {x, y, z};
+}
+
+float Lexer::number_after(std::string_view keyword) {
+  expect(keyword);
+  return number(keyword);
+}
+
+Vec3f Lexer::vector_after(std::string_view keyword) {
+  expect(keyword);
+  return vector(keyword);
+}
+
+std::string Lexer::where() const { return fmt::format("{}:{}", name_, word_line_); }
+
+}  // namespace lippmann::tachyon

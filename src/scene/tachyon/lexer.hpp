@@ -1,0 +1,73 @@
+// Splits the text of a Tachyon file into words and numbers, and says in which line they stood.
+//
+// Words are separated by white space. A word that starts with `#` begins a comment that runs to the end of its line. Keywords
+// are compared without regard to case; names of textures and files are taken as they are.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/math.hpp"
+
+namespace lippmann::tachyon {
+
+class Lexer {
+ public:
+  /// name: what errors call the file.
+  Lexer(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
+  Lexer(const Lexer&) = delete;  // tokens point into the text
+  Lexer& operator=(const Lexer&) = delete;
+
+  /// Whether only white space and comments are left.
+  bool at_end();
+
+  /// The next word. Throws Error that names `wanted` where the file ends instead. Valid as long as the Lexer.
+  std::string_view word(std::string_view wanted);
+
+  /// The next word, which must be `keyword` (upper case) in any case.
+  void expect(std::string_view keyword);
+
+  /// The next word, which must be a finite number.
+  float number(std::string_view wanted);
+
+  /// The next word, which must be a whole number from `lowest` to `highest`.
+  int integer(std::string_view wanted, int lowest, int highest);
+
+  /// Three finite numbers.
+  Vec3f vector(std::string_view wanted);
+
+  // `expect` followed by a value.
+  float number_after(std::string_view keyword);
+  Vec3f vector_after(std::string_view keyword);
+
+  /// "file:line" of the word that was read last.
+  std::string where() const;
+  const std::string& name() const { return name_; }
+  int line() const { return word_line_; }
+
+  /// An error at the word that was read last.
+  Error error(std::string problem, std::string accepted = {}) const {
+    return {where(), std::move(problem), std::move(accepted)};
+  }
+
+ private:
+  void skip_blanks();
+  std::string_view number_word(std::string_view wanted);
+
+  std::string name_, text_;
+  std::size_t position_ = 0;
+  int line_ = 1;       ///< of position_
+  int word_line_ = 1;  ///< of the last word
+};
+
+/// Whether `word` is `keyword` (upper case) in any case.
+bool is_keyword(std::string_view word, std::string_view keyword);
+
+/// ASCII letters in upper case.
+std::string upper(std::string_view word);
+
+/// A word of a file as it may stand in a message: shortened, without control characters.
+std::string shown(std::string_view word);
+
+}  // namespace lippmann::tachyon

@@ -1,0 +1,70 @@
+// LIGHT, SPOTLIGHT and DIRECTIONAL_LIGHT.
+#include <fmt/format.h>
+
+#include "scene/tachyon/parser.hpp"
+
+namespace lippmann::tachyon {
+namespace {
+
+/// Lights of radius 0 shine but are not seen.
+float parse_visible_radius(Lexer& lexer) {
+  const float radius = lexer.number_after("RAD");
+  if (radius < 0.0f) throw lexer.error(fmt::format("RAD is {}", radius), "a number that is not negative");
+  return radius;
+}
+
+/// COLOR, with ATTENUATION before it if that changes nothing.
+Vec3f parse_attenuated_color(Lexer& lexer) {
+  const std::string_view word = lexer.word("COLOR");
+  if (is_keyword(word, "COLOR")) return lexer.vector("COLOR");
+  if (!is_keyword(word, "ATTENUATION"))
+    throw lexer.error(fmt::format("{} stands where COLOR is expected", shown(word)), "ATTENUATION, COLOR");
+  const float constant = lexer.number_after("CONSTANT");
+  const float linear = lexer.number_after("LINEAR");
+  const float quadratic = lexer.number_after("QUADRATIC");
+  if (constant != 1.0f || linear != 0.0f || quadratic != 0.0f)
+    throw lexer.error("ATTENUATION is not supported", "CONSTANT 1 LINEAR 0 QUADRATIC 0");
+  return lexer.vector_after("COLOR");
+}
+
+Vec3f parse_direction(Lexer& lexer) {
+  const Vec3f direction = lexer.vector_after("DIRECTION");
+  if (direction == Vec3f(0.0f)) throw lexer.error("DIRECTION is zero", "a vector that is not zero");
+  return direction;
+}
+
+}  // namespace
+
+void parse_light(Lexer& lexer, ParserState& state) {
+  Light light;
+  const Vec3f center = lexer.vector_after("CENTER");
+  light.visible_radius = parse_visible_radius(lexer);
+  light.color = parse_attenuated_color(lexer);
+  state.builder.add_light(std::move(light), center);
+}
+
+void parse_spotlight(Lexer& lexer, ParserState& state) {
+  Light light;
+  light.kind = LightKind::kSpot;
+  const Vec3f center = lexer.vector_after("CENTER");
+  light.visible_radius = parse_visible_radius(lexer);
+  const Vec3f direction = parse_direction(lexer);
+  const float start = lexer.number_after("FALLOFF_START"), end = lexer.number_after("FALLOFF_END");
+  if (!(0.0f <= start && start <= end && end <= 180.0f))
+    throw lexer.error(fmt::format("the falloff runs from {} to {} degrees", start, end),
+                      "0 <= FALLOFF_START <= FALLOFF_END <= 180");
+  light.inner_cone = radians(start);
+  light.outer_cone = std::min(radians(end), kPi);
+  light.color = parse_attenuated_color(lexer);
+  state.builder.add_light(std::move(light), center, direction);
+}
+
+void parse_directional_light(Lexer& lexer, ParserState& state) {
+  Light light;
+  light.kind = LightKind::kDirectional;
+  const Vec3f direction = parse_direction(lexer);
+  light.color = lexer.vector_after("COLOR");
+  state.builder.add_light(std::move(light), Vec3f(0.0f), direction);
+}
+
+}  // namespace lippmann::tachyon

@@ -1,0 +1,128 @@
+// The statements of many triangles: VERTEXARRAY and TPOLYFILE.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "scene/tachyon/parser.hpp"
+
+namespace lippmann::tachyon {
+namespace {
+
+constexpr int kAnyCount = std::numeric_limits<int>::max();
+using Vertex = SceneBuilder::Vertex;
+using IndexedTriangles = SceneBuilder::IndexedTriangles;
+
+// ---- VERTEXARRAY ----
+
+std::vector<Vertex> parse_vertices(Lexer& lexer) {
+  lexer.expect("NUMVERTS");
+  const int count = lexer.integer("NUMVERTS", 1, kAnyCount);
+  std::vector<Vertex> vertices;  // grows with what the file really holds, whatever the count says
+  lexer.expect("COORDS");
+  for (int i = 0; i < count; ++i) vertices.push_back({lexer.vector("COORDS"), Vec3f(0.0f)});
+  lexer.expect("NORMALS");
+  for (Vertex& vertex : vertices) vertex.normal = lexer.vector("NORMALS");
+  return vertices;
+}
+
+void add_indexed(Lexer& lexer, IndexedTriangles& triangles, int i0, int i1, int i2) {
+  if (!triangles.add(i0, i1, i2))
+    throw lexer.error(fmt::format("a triangle of the vertices {}, {} and {} is outside its VERTEXARRAY", i0, i1, i2),
+                      "indices from 0 below NUMVERTS");
+}
+
+void parse_trimesh(Lexer& lexer, IndexedTriangles& triangles) {
+  const int count = lexer.integer("TRIMESH", 0, kAnyCount);
+  for (int i = 0; i < count; ++i) {
+    const int i0 = lexer.integer("TRIMESH", 0, kAnyCount);
+    const int i1 = lexer.integer("TRIMESH", 0, kAnyCount);
+    const int i2 = lexer.integer("TRIMESH", 0, kAnyCount);
+    add_indexed(lexer, triangles, i0, i1, i2);
+  }
+}
+
+/// Every vertex makes a triangle with the two before it; every second triangle is turned over to face the same way.
+void parse_tristrip(Lexer& lexer, IndexedTriangles& triangles) {
+  const int count = lexer.integer("TRISTRIP", 0, kAnyCount);
+  int before_last = 0, last = 0;
+  for (int i = 0; i < count; ++i) {
+    const int index = lexer.integer("TRISTRIP", 0, kAnyCount);
+    if (i >= 2 && i % 2 == 0) add_indexed(lexer, triangles, before_last, last, index);
+    if (i >= 2 && i % 2 == 1) add_indexed(lexer, triangles, last, before_last, index);
+    before_last = last;
+    last = index;
+  }
+}
+
+// ---- TPOLYFILE ----
+
+/// Tachyon's rotation by `degrees` about x, y and z. Its third row lacks the minus before sin y of a proper rotation; pictures
+/// agree only if ours does too.
+glm::dmat3 tpoly_rotation(Vec3f degrees) {
+  const glm::dvec3 angle = glm::dvec3(degrees) * (std::numbers::pi / 180.0);
+  const glm::dvec3 s = glm::sin(angle), c = glm::cos(angle);
+  const glm::dvec3 row0(c.y * c.z, s.x * s.y * c.z - c.x * s.z, s.x * s.z + c.x * c.z * s.y);
+  const glm::dvec3 row1(c.y * s.z, c.x * c.z + s.x * s.y * s.z, c.x * s.y * s.z - s.x * c.z);
+  const glm::dvec3 row2(s.y, s.x * c.y, c.x * c.y);
+  return glm::transpose(glm::dmat3(row0, row1, row2));
+}
+
+struct Placement {
+  Vec3f scale;
+  glm::dmat3 rotation;
+  Vec3f center;
+
+  Vec3f operator()(Vec3f p, const Lexer& lexer) const {
+    const Vec3f placed(rotation * (glm::dvec3(scale) * glm::dvec3(p)) + glm::dvec3(center));
+    if (std::isfinite(placed.x) && std::isfinite(placed.y) && std::isfinite(placed.z)) return placed;
+    throw lexer.error("SCALE puts a corner out of range");
+  }
+};
+
+}  // namespace
+
+void parse_vertexarray(Lexer& lexer, ParserState& state) {
+  const std::vector<Vertex> vertices = parse_vertices(lexer);
+  IndexedTriangles triangles(state.builder, vertices);
+  bool has_texture = false;
+  for (;;) {
+    const std::string block = upper(lexer.word("END_VERTEXARRAY"));
+    if (block == "END_VERTEXARRAY") return;
+    if (block == "COLORS")
+      throw lexer.error("COLORS are not supported in VERTEXARRAY", "TEXTURE, TRIMESH, TRISTRIP, END_VERTEXARRAY");
+    if (block == "TEXTURE") {
+      triangles.set_material(parse_texture_body(lexer, state, fmt::format("line {}", lexer.line())));
+      has_texture = true;
+      continue;
+    }
+    const bool mesh = block == "TRIMESH";
+    if (!mesh && block != "TRISTRIP")
+      throw lexer.error(fmt::format("{} is not a block of VERTEXARRAY", shown(block)),
+                        "TEXTURE, TRIMESH, TRISTRIP, END_VERTEXARRAY");
+    if (!has_texture) triangles.set_material(add_default_material(state));
+    has_texture = true;
+    mesh ? parse_trimesh(lexer, triangles) : parse_tristrip(lexer, triangles);
+  }
+}
+
+void parse_tpolyfile(Lexer& lexer, ParserState& state) {
+  Placement place;
+  place.scale = lexer.vector_after("SCALE");
+  place.rotation = tpoly_rotation(lexer.vector_after("ROT"));
+  place.center = lexer.vector_after("CENTER");
+  lexer.expect("FILE");
+  const std::string_view name = lexer.word("TPOLYFILE's file name");
+  const std::filesystem::path file = state.folder.resolve(name, lexer.where());
+  Lexer polygons(file.string(), state.folder.read_text(file, lexer.where()));
+  const int material = parse_texture_reference(lexer, state);
+  while (!polygons.at_end()) {
+    polygons.integer("the number of a polygon's corners", 3, 3);
+    std::array<Vec3f, 3> corners;
+    for (Vec3f& corner : corners) corner = place(polygons.vector("a polygon's corners"), polygons);
+    state.builder.add_triangle(material, {corners[1], corners[0], corners[2]});
+  }
+}
+
+}  // namespace lippmann::tachyon

@@ -1,0 +1,125 @@
+#include "scene/tachyon/parser.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "core/suggest.hpp"
+
+namespace lippmann::tachyon {
+namespace {
+
+constexpr int kDeepestInclude = 16, kMostIncludes = 1000;  // stop files that include themselves or each other
+constexpr int kLargestResolution = 65536;
+
+void parse_statements(Lexer& lexer, ParserState& state, bool must_end);
+
+void parse_background(Lexer& lexer, ParserState& state) {
+  state.background.horizon = state.background.zenith = lexer.vector("BACKGROUND");
+}
+
+void parse_camera_statement(Lexer& lexer, ParserState& state) { state.camera = parse_camera(lexer, state.context); }
+
+void parse_include(Lexer& lexer, ParserState& state) {
+  const std::string name(lexer.word("INCLUDE's file name"));
+  if (state.include_depth >= kDeepestInclude || ++state.includes > kMostIncludes)
+    throw lexer.error(fmt::format("INCLUDE {} goes too far", shown(name)),
+                      fmt::format("at most {} files within each other and {} in all", kDeepestInclude, kMostIncludes));
+  const std::filesystem::path file = state.folder.resolve(name, lexer.where());
+  Lexer included(file.string(), state.folder.read_text(file, lexer.where()));
+  ++state.include_depth;
+  parse_statements(included, state, false);
+  --state.include_depth;
+}
+
+/// Rendering modes: accepted where they say what is done anyway.
+void parse_shader_mode(Lexer& lexer, ParserState&) {
+  const std::string quality = upper(lexer.word("SHADER_MODE's quality"));
+  if (quality != "FULL") throw lexer.error(fmt::format("SHADER_MODE {} is not supported", shown(quality)), "FULL");
+  for (;;) {
+    const std::string option = upper(lexer.word("END_SHADER_MODE"));
+    if (option == "END_SHADER_MODE") return;
+    if (option != "SHADOW_FILTER_ON" && option != "TRANS_ORIG")
+      throw lexer.error(fmt::format("{} is not supported in SHADER_MODE", shown(option)),
+                        "SHADOW_FILTER_ON, TRANS_ORIG, END_SHADER_MODE");
+  }
+}
+
+struct Statement {
+  std::string_view keyword;
+  void (*parse)(Lexer&, ParserState&);
+};
+
+constexpr Statement kStatements[] = {
+    // sorted by keyword
+    {"BACKGROUND", parse_background},
+    {"BOX", parse_box},
+    {"CAMERA", parse_camera_statement},
+    {"DIRECTIONAL_LIGHT", parse_directional_light},
+    {"FCYLINDER", parse_fcylinder},
+    {"IMAGEDEF", parse_imagedef},
+    {"INCLUDE", parse_include},
+    {"LIGHT", parse_light},
+    {"PLANE", parse_plane},
+    {"POLYCYLINDER", parse_polycylinder},
+    {"RING", parse_ring},
+    {"SHADER_MODE", parse_shader_mode},
+    {"SPHERE", parse_sphere},
+    {"SPOTLIGHT", parse_spotlight},
+    {"STRI", parse_stri},
+    {"TEXALIAS", parse_texalias},
+    {"TEXDEF", parse_texdef},
+    {"TPOLYFILE", parse_tpolyfile},
+    {"TRI", parse_tri},
+    {"VERTEXARRAY", parse_vertexarray},
+};
+
+/// Statements that Tachyon knows and we do not; named, so that nobody looks for a spelling mistake.
+constexpr std::string_view kUnsupported[] = {
+    "BACKGROUND_GRADIENT", "CYLINDER",    "END_CLIPGROUP",   "FOG",   "MGFFILE", "SCALARVOL", "SCAPE",
+    "SKY_LIGHT",           "SPHEREARRAY", "START_CLIPGROUP", "VCSTRI"};
+
+std::vector<std::string_view> statement_keywords() {
+  std::vector<std::string_view> keywords;
+  for (const Statement& statement : kStatements) keywords.push_back(statement.keyword);
+  keywords.emplace_back("END_SCENE");
+  return keywords;
+}
+
+Error unknown_statement(const Lexer& lexer, const std::string& word) {
+  const std::vector<std::string_view> known = statement_keywords();
+  const std::string accepted = fmt::format("{}", fmt::join(known, ", "));
+  if (std::find(std::begin(kUnsupported), std::end(kUnsupported), word) != std::end(kUnsupported))
+    return lexer.error(fmt::format("{} is not supported", word), accepted);
+  const std::string nearest = nearest_name(word, known);
+  return lexer.error(fmt::format("{} is not a statement of a scene{}", shown(word),
+                                 nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)),
+                     accepted);
+}
+
+/// To END_SCENE or the end of the file; the latter is an error if `must_end`.
+void parse_statements(Lexer& lexer, ParserState& state, bool must_end) {
+  while (must_end || !lexer.at_end()) {
+    const std::string word = upper(lexer.word("END_SCENE"));
+    if (word == "END_SCENE") return;
+    const auto* const statement = std::lower_bound(std::begin(kStatements), std::end(kStatements), word,
+                                                   [](const Statement& s, const std::string& w) { return s.keyword < w; });
+    if (statement == std::end(kStatements) || statement->keyword != word) throw unknown_statement(lexer, word);
+    statement->parse(lexer, state);
+  }
+}
+
+}  // namespace
+
+void parse_scene(Lexer& lexer, ParserState& state) {
+  lexer.expect("BEGIN_SCENE");
+  lexer.expect("RESOLUTION");
+  state.resolution.x = lexer.integer("RESOLUTION", 1, kLargestResolution);
+  state.resolution.y = lexer.integer("RESOLUTION", 1, kLargestResolution);
+  parse_statements(lexer, state, true);
+}
+
+}  // namespace lippmann::tachyon

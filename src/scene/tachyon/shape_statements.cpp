@@ -1,0 +1,83 @@
+// The statements of single shapes: TRI, STRI, SPHERE, PLANE, RING, BOX, FCYLINDER and POLYCYLINDER.
+#include <fmt/format.h>
+
+#include <limits>
+#include <vector>
+
+#include "scene/tachyon/parser.hpp"
+
+namespace lippmann::tachyon {
+namespace {
+
+float size_after(Lexer& lexer, std::string_view keyword) {
+  const float size = lexer.number_after(keyword);
+  if (size < 0.0f) throw lexer.error(fmt::format("{} is {}", keyword, size), "a number that is not negative");
+  return size;
+}
+
+Vec3f normal_after(Lexer& lexer, std::string_view keyword) {
+  const Vec3f normal = lexer.vector_after(keyword);
+  if (normal == Vec3f(0.0f)) throw lexer.error(fmt::format("{} is zero", keyword), "a vector that is not zero");
+  return normal;
+}
+
+}  // namespace
+
+void parse_tri(Lexer& lexer, ParserState& state) {
+  const Vec3f v0 = lexer.vector_after("V0"), v1 = lexer.vector_after("V1"), v2 = lexer.vector_after("V2");
+  state.builder.add_triangle(parse_texture_reference(lexer, state), {v0, v1, v2});
+}
+
+void parse_stri(Lexer& lexer, ParserState& state) {
+  std::array<SceneBuilder::Vertex, 3> corners;
+  corners[0].position = lexer.vector_after("V0");
+  corners[1].position = lexer.vector_after("V1");
+  corners[2].position = lexer.vector_after("V2");
+  corners[0].normal = lexer.vector_after("N0");
+  corners[1].normal = lexer.vector_after("N1");
+  corners[2].normal = lexer.vector_after("N2");
+  state.builder.add_smooth_triangle(parse_texture_reference(lexer, state), corners);
+}
+
+void parse_sphere(Lexer& lexer, ParserState& state) {
+  const Vec3f center = lexer.vector_after("CENTER");
+  const float radius = size_after(lexer, "RAD");
+  state.builder.add_sphere(parse_texture_reference(lexer, state), center, radius);
+}
+
+void parse_plane(Lexer& lexer, ParserState& state) {
+  const Vec3f point = lexer.vector_after("CENTER"), normal = normal_after(lexer, "NORMAL");
+  state.builder.add_plane(parse_texture_reference(lexer, state), point, normal);
+}
+
+void parse_ring(Lexer& lexer, ParserState& state) {
+  const Vec3f center = lexer.vector_after("CENTER"), normal = normal_after(lexer, "NORMAL");
+  const float inner = size_after(lexer, "INNER"), outer = size_after(lexer, "OUTER");
+  state.builder.add_ring(parse_texture_reference(lexer, state), center, normal, inner, outer);
+}
+
+void parse_box(Lexer& lexer, ParserState& state) {
+  const Vec3f corner = lexer.vector_after("MIN"), opposite = lexer.vector_after("MAX");
+  state.builder.add_box(parse_texture_reference(lexer, state), corner, opposite);
+}
+
+void parse_fcylinder(Lexer& lexer, ParserState& state) {
+  const Vec3f base = lexer.vector_after("BASE"), apex = lexer.vector_after("APEX");
+  const float radius = size_after(lexer, "RAD");
+  state.builder.add_cylinder(parse_texture_reference(lexer, state), base, apex, radius);
+}
+
+void parse_polycylinder(Lexer& lexer, ParserState& state) {
+  lexer.expect("POINTS");
+  const int count = lexer.integer("POINTS", 1, std::numeric_limits<int>::max());
+  std::vector<Vec3f> points;  // grows with what the file really holds, whatever the count says
+  for (int i = 0; i < count; ++i) points.push_back(lexer.vector("POLYCYLINDER's points"));
+  const float radius = size_after(lexer, "RAD");
+  const int material = parse_texture_reference(lexer, state);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    state.builder.add_sphere(material, points[i], radius);
+    if (i > 0) state.builder.add_cylinder(material, points[i - 1], points[i], radius);
+  }
+}
+
+}  // namespace lippmann::tachyon

@@ -1,0 +1,239 @@
+// CAMERA, camera paths, lights and what belongs to the whole scene.
+#include <cmath>
+
+#include "scene/timeline.hpp"
+#include "tachyon_support.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::Tachyon;
+using test::TachyonFiles;
+using test::xyz;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string camera(const std::string& pose, const std::string& zoom = "ZOOM 1") {
+  return "CAMERA " + zoom + " ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 12 " + pose + " END_CAMERA\n";
+}
+
+/// Where the camera's node puts its origin and its axes; rounded to 6 digits, which hides what floats lose in a rotation.
+struct CameraFrame {
+  Vec3f origin, right, up, forward;
+};
+CameraFrame frame_of(const Scene& scene, double time = 0.0) {
+  const Affine3f world_from_camera = evaluate(scene, time).of(scene.cameras.at(0).node);
+  const auto axis = [&](Vec3f v) { return glm::round(transform_vector(world_from_camera, v) * 1e6f) / 1e6f + Vec3f(0.0f); };
+  return {world_from_camera.translation, axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, -1})};
+}
+
+/// Tachyon: view +z, up +y, right = up x view = +x. Mirrored: view -z, up +y, right = view x up = +x.
+TEST_F(Tachyon, camera_along_z_looks_along_minus_z_with_x_on_the_right) {
+  const Scene scene = files.load_statements(camera("CENTER 1 2 3 VIEWDIR 0 0 1 UPDIR 0 1 0"));
+  const CameraFrame frame = frame_of(scene);
+  EXPECT_EQ(xyz(frame.origin), (std::array{1.0f, 2.0f, -3.0f}));
+  EXPECT_EQ(xyz(frame.right), (std::array{1.0f, 0.0f, 0.0f}));
+  EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 1.0f, 0.0f}));
+  EXPECT_EQ(xyz(frame.forward), (std::array{0.0f, 0.0f, -1.0f}));
+}
+
+/// Tachyon: view +x, up +z, right = up x view = z x x = +y. Mirrored: view +x, up -z, right = view x up = x x -z = +y.
+TEST_F(Tachyon, camera_right_is_tachyon_s_right_mirrored) {
+  const CameraFrame frame = frame_of(files.load_statements(camera("CENTER 0 0 0 VIEWDIR 3 0 0 UPDIR 0 0 2")));
+  EXPECT_EQ(xyz(frame.right), (std::array{0.0f, 1.0f, 0.0f}));
+  EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 0.0f, -1.0f}));
+  EXPECT_EQ(xyz(frame.forward), (std::array{1.0f, 0.0f, 0.0f}));
+}
+
+/// view (0, 0, 1), up (0, 1, 1): made orthogonal it is (0, 1, 0).
+TEST_F(Tachyon, up_is_made_orthogonal_to_view) {
+  const CameraFrame frame = frame_of(files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 1")));
+  EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 1.0f, 0.0f}));
+}
+
+/// Column 1 of W samples x/W = 1/W: a whole pixel from the left edge, where our pixel 0 has its centre at half a pixel. Row 1
+/// is the bottom row and samples 1/W from the bottom, half a pixel above the centre of ours.
+TEST_F(Tachyon, pixel_offset_is_half_a_pixel_right_and_up) {
+  const Scene scene = files.load_statements("");
+  EXPECT_EQ(scene.cameras[0].pixel_offset.x, 0.5f);
+  EXPECT_EQ(scene.cameras[0].pixel_offset.y, -0.5f);
+}
+
+TEST_F(Tachyon, zoom_1_sees_one_half_above_and_below_at_distance_1) {
+  const Scene scene = files.load_statements("");
+  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.5f, 1e-6f);  // one rounding of the angle to float
+}
+
+TEST_F(Tachyon, zoom_2_halves_the_picture) {
+  const Scene scene = files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "ZOOM 2"));
+  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.25f, 1e-6f);
+}
+
+TEST_F(Tachyon, projection_perspective_is_read) {
+  const Scene scene = files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION PERSPECTIVE ZOOM 2"));
+  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.25f, 1e-6f);
+}
+
+TEST_F(Tachyon, symmetric_frustum_overrides_zoom) {
+  const Scene scene =
+      files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 FRUSTUM -0.8 0.8 -0.2 0.2", "ZOOM 3"));
+  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.2f, 1e-6f);
+  EXPECT_NEAR(scene.cameras[0].aspect, 4.0f, 1e-6f);
+}
+
+TEST_F(Tachyon, whole_scene_properties_are_tachyon_s) {
+  const Scene scene = files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0") + "BACKGROUND 0.1 0.2 0.3");
+  EXPECT_EQ(scene.name, "scene");
+  EXPECT_EQ(scene.resolution.x, 4);
+  EXPECT_EQ(scene.resolution.y, 3);
+  EXPECT_NEAR(scene.cameras[0].aspect, 4.0f / 3.0f, 1e-6f);
+  EXPECT_EQ(scene.max_depth, 12);
+  EXPECT_EQ(scene.encoding, Encoding::kTachyonTruncate);
+  EXPECT_EQ(xyz(scene.background.horizon), (std::array{0.1f, 0.2f, 0.3f}));
+  EXPECT_EQ(xyz(scene.background.zenith), (std::array{0.1f, 0.2f, 0.3f}));
+  EXPECT_EQ(scene.timeline.frame_count, 1);
+  EXPECT_FALSE(scene.display);
+}
+
+TEST_F(Tachyon, last_camera_counts_and_background_is_black_by_default) {
+  const Scene scene = files.load_statements(camera("CENTER 9 9 9 VIEWDIR 0 0 1 UPDIR 0 1 0") +
+                                            camera("CENTER 1 1 1 VIEWDIR 0 0 1 UPDIR 0 1 0"));
+  ASSERT_EQ(scene.cameras.size(), 1u);
+  EXPECT_EQ(xyz(frame_of(scene).origin), (std::array{1.0f, 1.0f, -1.0f}));
+  EXPECT_EQ(xyz(scene.background.horizon), (std::array{0.0f, 0.0f, 0.0f}));
+}
+
+TEST_F(Tachyon, raydepth_0_is_1) {
+  const Scene scene = files.load_statements(
+      "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 0 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 END_CAMERA");
+  EXPECT_EQ(scene.max_depth, 1);
+}
+
+TEST_F(Tachyon, what_the_render_decides_is_a_warning) {
+  files.load_statements(
+      "CAMERA ZOOM 1 ASPECTRATIO 2 ANTIALIASING 8 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 END_CAMERA");
+  EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:4: ASPECTRATIO 2"), HasSubstr("scene.dat:4: ANTIALIASING 8")));
+}
+
+TEST_F(Tachyon, shader_mode_that_changes_nothing_is_read) {
+  EXPECT_NO_THROW(files.load_statements("SHADER_MODE FULL SHADOW_FILTER_ON TRANS_ORIG END_SHADER_MODE"));
+}
+
+// ---- Lights ----
+
+TEST_F(Tachyon, light_is_a_visible_sphere_that_does_not_fade) {
+  const Scene scene = files.load_statements("LIGHT CENTER 1 2 3 RAD 0.25 COLOR 0.1 0.2 0.3");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  const Light& light = scene.lights[0];
+  EXPECT_EQ(light.kind, LightKind::kPoint);
+  EXPECT_EQ(xyz(evaluate(scene, 0.0).of(light.node).translation), (std::array{1.0f, 2.0f, -3.0f}));
+  EXPECT_EQ(light.visible_radius, 0.25f);
+  EXPECT_EQ(xyz(light.color), (std::array{0.1f, 0.2f, 0.3f}));
+  EXPECT_FALSE(light.inverse_square);
+}
+
+TEST_F(Tachyon, attenuation_that_is_none_is_read) {
+  const Scene scene =
+      files.load_statements("LIGHT CENTER 1 2 3 RAD 0.25 ATTENUATION CONSTANT 1 LINEAR 0 QUADRATIC 0 COLOR 1 1 1");
+  EXPECT_FALSE(scene.lights[0].inverse_square);
+}
+
+TEST_F(Tachyon, spotlight_shines_along_its_mirrored_direction) {
+  const Scene scene =
+      files.load_statements("SPOTLIGHT CENTER 1 2 3 RAD 0.5 DIRECTION 0 3 4 FALLOFF_START 20 FALLOFF_END 45 COLOR 1 0 0");
+  const Light& light = scene.lights[0];
+  EXPECT_EQ(light.kind, LightKind::kSpot);
+  const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(light.node), {0, 0, -1});
+  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // rounding of a rotation
+  EXPECT_NEAR(degrees(light.inner_cone), 20.0f, 1e-5f);
+  EXPECT_NEAR(degrees(light.outer_cone), 45.0f, 1e-5f);
+  EXPECT_EQ(light.visible_radius, 0.5f);
+}
+
+TEST_F(Tachyon, spotlight_of_180_degrees_is_within_the_scene_s_limits) {
+  EXPECT_NO_THROW(
+      files.load_statements("SPOTLIGHT CENTER 1 2 3 RAD 0.5 DIRECTION 0 3 4 FALLOFF_START 180 FALLOFF_END 180 COLOR 1 0 0"));
+}
+
+TEST_F(Tachyon, directional_light_in_any_direction_keeps_it) {
+  for (const Vec3f d : {Vec3f(0, 0, 1), Vec3f(0, 0, -1), Vec3f(0, 1, 0), Vec3f(0, -1, 0), Vec3f(1, 0, 0), Vec3f(2, -3, 6)}) {
+    const Scene scene = files.load_statements("DIRECTIONAL_LIGHT DIRECTION " + std::to_string(d.x) + " " + std::to_string(d.y) +
+                                              " " + std::to_string(d.z) + " COLOR 1 1 1");
+    EXPECT_EQ(scene.lights[0].kind, LightKind::kDirectional);
+    const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(scene.lights[0].node), {0, 0, -1});
+    const Vec3f expected = glm::normalize(Vec3f(d.x, d.y, -d.z));
+    EXPECT_LT(glm::length(direction - expected), 1e-6f) << d.x << " " << d.y << " " << d.z;  // rounding of a rotation
+  }
+}
+
+// ---- Camera paths ----
+
+TEST_F(Tachyon, path_of_two_lines_is_three_frames) {
+  files.write("scene.cam", "0 0 1  0 1 0  1 2 3\n3 0 0  0 0 2  4 5 6\n");
+  files.camera_path = files.path("scene.cam");
+  const Scene scene = files.load_statements("");
+  EXPECT_EQ(scene.timeline.frame_count, 3);
+  EXPECT_EQ(scene.timeline.frames_per_second, 25.0);
+  ASSERT_EQ(scene.timeline.animations.size(), 1u);
+  EXPECT_EQ(scene.timeline.animations[0].node, scene.cameras[0].node);
+
+  EXPECT_EQ(xyz(frame_of(scene, scene.timeline.time(0)).origin), (std::array{1.0f, 2.0f, -3.0f}));
+  for (const int frame : {1, 2}) {
+    const CameraFrame last = frame_of(scene, scene.timeline.time(frame));
+    EXPECT_EQ(xyz(last.origin), (std::array{4.0f, 5.0f, -6.0f}));
+    EXPECT_EQ(xyz(last.forward), (std::array{1.0f, 0.0f, 0.0f}));
+    EXPECT_EQ(xyz(last.up), (std::array{0.0f, 0.0f, -1.0f}));
+  }
+}
+
+TEST_F(Tachyon, path_holds_every_pose_to_the_next_frame_at_any_rate) {
+  std::string lines;
+  for (int i = 0; i < 100; ++i) lines += "0 0 1 0 1 0 " + std::to_string(i) + " 0 0\n";
+  files.write("scene.cam", lines);
+  files.camera_path = files.path("scene.cam");
+  files.write("scene.dat", TachyonFiles::kPrelude + "END_SCENE");
+  for (const double rate : {24.0, 25.0, 29.97, 30.0, 59.94}) {
+    const Scene scene = files.load(rate);
+    for (int frame = 0; frame < 100; ++frame)
+      EXPECT_EQ(frame_of(scene, scene.timeline.time(frame)).origin.x, static_cast<float>(frame)) << rate;
+  }
+}
+
+TEST_F(Tachyon, path_keeps_zoom) {
+  files.write("scene.cam", "0 0 1 0 1 0 1 2 3");
+  files.camera_path = files.path("scene.cam");
+  const Scene scene = files.load_statements(camera("CENTER 9 9 9 VIEWDIR 1 0 0 UPDIR 0 1 0", "ZOOM 2"));
+  EXPECT_EQ(scene.timeline.frame_count, 2);
+  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.25f, 1e-6f);
+}
+
+struct BadPath {
+  const char* text;
+  const char* message;
+};
+class TachyonBadPath : public testing::TestWithParam<BadPath> {};
+
+TEST_P(TachyonBadPath, text_is_an_error_with_its_line) {
+  TachyonFiles files;
+  files.write("scene.cam", GetParam().text);
+  files.camera_path = files.path("scene.cam");
+  EXPECT_THAT(files.error_of(TachyonFiles::kPrelude + "END_SCENE"), testing::StartsWith(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TachyonBadPath,
+                         testing::Values(BadPath{"", "scene.cam:1: the file ends where a view direction should stand"},
+                                         BadPath{"\n\n", "scene.cam:3: the file ends where a view direction"},
+                                         BadPath{"0 0 1 0 1 0 0 0", "scene.cam:1: the file ends where a camera's centre"},
+                                         BadPath{"0 0 1 0 1 0 0 0 0\n1", "scene.cam:2: the file ends where a view direction"},
+                                         BadPath{"0 0 1 0 1 0 0 0 nan", "scene.cam:1: 'nan' is not a number"},
+                                         BadPath{"0 0 1 0 1 0 0 0 0\n0 0 0 0 1 0 0 0 0",
+                                                 "scene.cam:2: the camera's view and up"},
+                                         BadPath{"0 0 1 0 0 2 0 0 0", "scene.cam:1: the camera's view and up"}));
+
+TEST_F(Tachyon, missing_path_is_an_error) {
+  files.camera_path = files.path("no.cam");
+  EXPECT_EQ(files.error_of(TachyonFiles::kPrelude + "END_SCENE"), "no.cam: no.cam does not exist");
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,199 @@
+// What the importer refuses, each with file and line, the keyword, and what is accepted instead.
+#include "tachyon_support.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::Tachyon;
+using test::TachyonFiles;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct BadStatement {
+  const char* name;
+  const char* text;
+  const char* problem;   ///< how the message begins, after "scene.dat:"
+  const char* accepted;  ///< what it offers
+};
+void PrintTo(const BadStatement& bad, std::ostream* out) { *out << bad.name; }
+
+class TachyonBadStatement : public testing::TestWithParam<BadStatement> {};
+
+TEST_P(TachyonBadStatement, is_an_error_with_line_keyword_and_what_is_accepted) {
+  TachyonFiles files;
+  EXPECT_THAT(files.error_of_statements(GetParam().text),
+              AllOf(StartsWith(std::string("scene.dat:") + GetParam().problem), HasSubstr(GetParam().accepted)));
+}
+
+const char* const kTexture = "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 ";
+
+#define TEXTURE_UP_TO_OPACITY "TEXDEF a\nAMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1\n"
+#define CAMERA_WITH(text) "CAMERA\n" text " CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 END_CAMERA"
+
+const BadStatement kBad[] = {
+    // Tachyon's own statements that a scene here cannot express.
+    {"gradient", "BACKGROUND_GRADIENT SKY_SPHERE", "4: BACKGROUND_GRADIENT is not supported", "BACKGROUND, BOX"},
+    {"cylinder", "CYLINDER CENTER 0 0 0", "4: CYLINDER is not supported", "FCYLINDER"},
+    {"clip", "\n\nSTART_CLIPGROUP NUMPLANES 1", "6: START_CLIPGROUP is not supported", "SPHERE"},
+    {"fog", "FOG LINEAR", "4: FOG is not supported", "SPHERE"},
+    {"mgf", "MGFFILE a.mgf", "4: MGFFILE is not supported", "INCLUDE"},
+    {"volume", "ScalarVol MIN 0 0 0", "4: SCALARVOL is not supported", "BOX"},
+    {"landscape", "SCAPE RES 4 4", "4: SCAPE is not supported", "TRI"},
+    {"sky", "SKY_LIGHT NUMSAMPLES 1", "4: SKY_LIGHT is not supported", "LIGHT"},
+    {"vcstri", "VCSTRI V0 0 0 0", "4: VCSTRI is not supported", "STRI"},
+    {"texfunc_1", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 1", "6: TEXFUNC 1 is not supported",
+     "TEXFUNC 9 (planar image map)"},
+    {"texfunc_7", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1\nTEXFUNC 7", "7: TEXFUNC 7 is not supported", "TEXFUNC 0"},
+    {"texfunc_10", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 10", "6: TEXFUNC 10 is not supported", "TEXFUNC 0"},
+    {"texfunc_11", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 11", "6: TEXFUNC 11 is not known", "TEXFUNC 0"},
+    {"r3d", TEXTURE_UP_TO_OPACITY "TRANSMODE R3D", "6: TRANSMODE R3D is not supported", "TRANSMODE ORIG"},
+    {"outline", TEXTURE_UP_TO_OPACITY "OUTLINE 0.5", "6: OUTLINE is not supported", "OUTLINE 0"},
+    {"attenuation", "LIGHT CENTER 0 0 0 RAD 1 ATTENUATION CONSTANT 1 LINEAR 0.5 QUADRATIC 0", "4: ATTENUATION is not supported",
+     "CONSTANT 1 LINEAR 0 QUADRATIC 0"},
+    {"fisheye", "CAMERA PROJECTION FISHEYE", "4: PROJECTION 'FISHEYE' is not supported", "PERSPECTIVE"},
+    {"dof", "CAMERA PROJECTION perspective_dof", "4: PROJECTION 'PERSPECTIVE_DOF' is not supported", "PERSPECTIVE"},
+    {"frustum",
+     "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 FRUSTUM -1 2 -1 1 "
+     "END_CAMERA",
+     "4: FRUSTUM is supported only where it is symmetric", "left = -right < 0"},
+    {"shader_medium", "SHADER_MODE MEDIUM END_SHADER_MODE", "4: SHADER_MODE 'MEDIUM' is not supported", "FULL"},
+    {"shader_vmd", "SHADER_MODE FULL TRANS_VMD END_SHADER_MODE", "4: 'TRANS_VMD' is not supported in SHADER_MODE",
+     "SHADOW_FILTER_ON"},
+    {"colors", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 COLORS", "4: COLORS are not supported in VERTEXARRAY",
+     "TRIMESH"},
+
+    // What is no statement, or a statement spelt wrong.
+    {"unknown", "FROG", "4: 'FROG' is not a statement of a scene", "SPHERE"},
+    {"misspelt", "SPEHRE CENTER", "4: 'SPEHRE' is not a statement of a scene (did you mean SPHERE?)", "TEXDEF"},
+    {"binary", "\x01\xff\x02", "4: '?\?\?' is not a statement", "BOX"},
+    {"word_missing", "SPHERE CENTER 0 0 0\n1", "5: '1' stands where RAD is expected", ""},
+    {"texture_word_missing", TEXTURE_UP_TO_OPACITY "TEXFUNC 0", "6: 'TEXFUNC' stands where COLOR is expected", "PHONG"},
+    {"phong_kind", TEXTURE_UP_TO_OPACITY "PHONG WOOD 0.5", "6: PHONG 'WOOD' is not known", "PLASTIC, METAL"},
+    {"end_camera", "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 SPHERE",
+     "4: 'SPHERE' stands where END_CAMERA is expected", "FRUSTUM"},
+    {"light_color", "LIGHT CENTER 0 0 0 RAD 1 COLOUR 1 1 1", "4: 'COLOUR' stands where COLOR is expected", "ATTENUATION"},
+    {"array_block", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 QUADS", "4: 'QUADS' is not a block", "TRISTRIP"},
+    {"imagedef_format", "IMAGEDEF a FORMAT RGB48", "4: 'RGB48' stands where RGB24 is expected", ""},
+    {"imagedef_digits", "IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 12", "4: '12' is not a colour", "3, 6, 9 or 12"},
+    {"imagedef_letters", "IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX xyz", "4: 'xyz' is not a colour",
+     "hexadecimal"},
+    {"imagedef_twice",
+     "IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123 IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123",
+     "4: the image 'a' is defined already", ""},
+
+    // Numbers.
+    {"nan", "SPHERE CENTER 0 nan 0 RAD 1 a", "4: 'nan' is not a number that CENTER can have", "a finite decimal number"},
+    {"inf", "SPHERE CENTER 0 0 0 RAD inf a", "4: 'inf' is not a number that RAD can have", "finite"},
+    {"overflow", "SPHERE CENTER 0 0 0 RAD 1e39 a", "4: '1e39' is not a number that RAD can have", "finite"},
+    {"negative_radius", "SPHERE CENTER 0 0 0 RAD -1 a", "4: RAD is -1", "not negative"},
+    {"negative_ring", "RING CENTER 0 0 0 NORMAL 0 0 1 INNER -1 OUTER 1 a", "4: INNER is -1", "not negative"},
+    {"zero_normal", "PLANE CENTER 0 0 0 NORMAL 0 0 0 a", "4: NORMAL is zero", "not zero"},
+    {"zero_ring_normal", "RING CENTER 0 0 0 NORMAL 0 0 0 INNER 0 OUTER 1 a", "4: NORMAL is zero", "not zero"},
+    {"zero_direction", "DIRECTIONAL_LIGHT DIRECTION 0 0 0 COLOR 1 1 1", "4: DIRECTION is zero", "not zero"},
+    {"negative_light", "LIGHT CENTER 0 0 0 RAD -0.1 COLOR 1 1 1", "4: RAD is -0.1", "not negative"},
+    {"falloff", "SPOTLIGHT CENTER 0 0 0 RAD 0 DIRECTION 0 0 1 FALLOFF_START 50 FALLOFF_END 40",
+     "4: the falloff runs from 50 to 40", "FALLOFF_START <= FALLOFF_END"},
+    {"negative_opacity", "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY -1", "4: OPACITY is -1", "not negative"},
+    {"texfunc_fraction", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 0.5", "6: '0.5' is not a value that TEXFUNC can have",
+     "whole"},
+    {"zoom", CAMERA_WITH("ZOOM 0"), "5: ZOOM is 0", "above 0"},
+    {"aspect", CAMERA_WITH("ZOOM 1\nASPECTRATIO -1"), "6: ASPECTRATIO is -1", "above 0"},
+    {"samples", CAMERA_WITH("ZOOM 1 ASPECTRATIO 1 ANTIALIASING -1"), "5: '-1' is not a value that ANTIALIASING", "from 0"},
+    {"depth", CAMERA_WITH("ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH x"), "5: 'x' is not a value that RAYDEPTH", "from 0"},
+    {"view_zero", "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 0 UPDIR 0 1 0 END_CAMERA",
+     "4: the camera's view and up directions do not span a plane", "not parallel"},
+    {"view_parallel",
+     "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 2 0 UPDIR 0 -1 0 END_CAMERA",
+     "4: the camera's view and up directions do not span a plane", "not parallel"},
+    {"no_points", "POLYCYLINDER POINTS 0 RAD 1 a", "4: '0' is not a value that POINTS can have", "from 1"},
+    {"index", "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRIMESH 1 0 1 3 END_VERTEXARRAY",
+     "4: a triangle of the vertices 0, 1 and 3 is outside its VERTEXARRAY", "below NUMVERTS"},
+    {"negative_index", "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRIMESH 1 0 1 -1",
+     "4: '-1' is not a value that TRIMESH can have", "from 0"},
+
+    // Counts that the file does not hold: the end comes first, not an allocation.
+    {"huge_points", "POLYCYLINDER POINTS 2000000000 0 0 0", "5: 'END_SCENE' is not a number that POLYCYLINDER's points", ""},
+    {"huge_vertices", "VERTEXARRAY NUMVERTS 2000000000 COORDS 0 0 0", "5: 'END_SCENE' is not a number that COORDS", ""},
+    {"huge_mesh", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 TRIMESH 2000000000 0 0 0",
+     "5: 'END_SCENE' is not a value that TRIMESH", ""},
+    {"huge_strip", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 TRISTRIP 2000000000 0 0 0",
+     "5: 'END_SCENE' is not a value that TRISTRIP", ""},
+
+    // Side files.
+    {"include_missing", "INCLUDE no.inc", "4: no.inc does not exist", ""},
+    {"include_outside", "INCLUDE ../a.dat", "4: '../a.dat' is not a file of this scene's folder", "relative path without '..'"},
+    {"include_folder", "INCLUDE .", "4: . is not a regular file", ""},
+    {"tpoly_outside", "TPOLYFILE SCALE 1 1 1 ROT 0 0 0 CENTER 0 0 0\nFILE /etc/passwd a",
+     "5: '/etc/passwd' is not a file of this scene's folder", "relative path"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, TachyonBadStatement, testing::ValuesIn(kBad),
+                         [](const auto& bad) { return std::string(bad.param.name); });
+
+TEST_F(Tachyon, file_without_begin_scene_is_an_error) {
+  EXPECT_EQ(files.error_of("# comment\nCAMERA"), "scene.dat:2: 'CAMERA' stands where BEGIN_SCENE is expected");
+}
+
+TEST_F(Tachyon, empty_file_is_an_error) {
+  EXPECT_EQ(files.error_of(""), "scene.dat:1: the file ends where BEGIN_SCENE should stand");
+}
+
+TEST_F(Tachyon, resolution_must_follow_and_be_sane) {
+  EXPECT_THAT(files.error_of("BEGIN_SCENE\nRESOLUTION 0 4"), StartsWith("scene.dat:2: '0' is not a value that RESOLUTION"));
+  EXPECT_THAT(files.error_of("BEGIN_SCENE\nRESOLUTION 4 1000000000"),
+              AllOf(StartsWith("scene.dat:2: '1000000000' is not a value that RESOLUTION"), HasSubstr("1 to 65536")));
+}
+
+TEST_F(Tachyon, file_without_end_scene_is_an_error) {
+  EXPECT_EQ(files.error_of(TachyonFiles::kPrelude), "scene.dat:4: the file ends where END_SCENE should stand");
+}
+
+TEST_F(Tachyon, what_follows_end_scene_is_ignored) {
+  EXPECT_EQ(files.error_of(TachyonFiles::kPrelude + "END_SCENE FROG"), "no error");
+}
+
+/// Cutting a scene anywhere gives one error or, after END_SCENE, none; never anything else.
+TEST_F(Tachyon, scene_cut_anywhere_is_an_error) {
+  files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0");
+  const std::string scene = TachyonFiles::kPrelude + kTexture +
+                            "OPACITY 1 PHONG METAL 1 PHONG_SIZE 2 COLOR 1 1 1 TEXFUNC 0\n"
+                            "LIGHT CENTER 0 0 0 RAD 1 ATTENUATION CONSTANT 1 LINEAR 0 QUADRATIC 0 COLOR 1 1 1\n"
+                            "STRI V0 0 0 0 V1 1 0 0 V2 0 1 0 N0 0 0 1 N1 0 0 1 N2 0 0 1 a\n"
+                            "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRISTRIP 3 0 1 2 "
+                            "END_VERTEXARRAY POLYCYLINDER POINTS 2 0 0 0 1 1 1 RAD 1 a\n"
+                            "IMAGEDEF i FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123456\n"
+                            "TPOLYFILE SCALE 1 1 1 ROT 0 0 0 CENTER 0 0 0 FILE a.tpoly a\n";
+  EXPECT_EQ(files.error_of(scene + "END_SCENE"), "no error");
+  for (std::size_t length = 0; length < scene.size(); ++length)
+    EXPECT_THAT(files.error_of(scene.substr(0, length)), testing::ContainsRegex("^[a-z.]+:[0-9]+: ")) << length;
+}
+
+TEST_F(Tachyon, folder_as_scene_is_an_error) {
+  std::filesystem::create_directory(files.path("scene.dat"));
+  EXPECT_THROW(files.load(), Error);
+}
+
+TEST_F(Tachyon, device_as_scene_is_an_error) {
+  std::filesystem::create_symlink("/dev/zero", files.path("scene.dat"));
+  try {
+    files.load();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is not a regular file"));
+  }
+}
+
+TEST_F(Tachyon, file_too_large_is_an_error_before_it_is_read) {
+  files.write("scene.dat", "BEGIN_SCENE");
+  std::filesystem::resize_file(files.path("scene.dat"), (std::uintmax_t{1} << 30) + 1);  // sparse
+  try {
+    files.load();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("at most 1 GiB of text"));
+  }
+}
+
+}  // namespace
+}  // namespace lippmann

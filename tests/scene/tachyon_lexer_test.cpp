@@ -1,0 +1,117 @@
+#include "scene/tachyon/lexer.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace lippmann::tachyon {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(TachyonLexer, words_are_separated_by_any_white_space) {
+  Lexer lexer("a", " one\ttwo\r\nthree\v\ffour ");
+  for (const char* expected : {"one", "two", "three", "four"}) EXPECT_EQ(lexer.word("x"), expected);
+  EXPECT_TRUE(lexer.at_end());
+}
+
+TEST(TachyonLexer, comment_runs_to_the_end_of_its_line) {
+  Lexer lexer("a", "# all of this\nA #not this\nB#3 # end");
+  EXPECT_EQ(lexer.word("x"), "A");
+  EXPECT_EQ(lexer.word("x"), "B#3");  // not at the start of a word
+  EXPECT_TRUE(lexer.at_end());
+}
+
+TEST(TachyonLexer, where_is_the_line_of_the_last_word) {
+  Lexer lexer("a.dat", "A\n\n# comment\nB\nC");
+  lexer.word("x");
+  EXPECT_EQ(lexer.where(), "a.dat:1");
+  lexer.word("x");
+  EXPECT_EQ(lexer.where(), "a.dat:4");
+}
+
+TEST(TachyonLexer, expect_takes_any_case) {
+  Lexer lexer("a", "Center CENTER center");
+  for (int i = 0; i < 3; ++i) EXPECT_NO_THROW(lexer.expect("CENTER"));
+}
+
+TEST(TachyonLexer, expect_of_another_word_names_both) {
+  Lexer lexer("a.dat", "\nCENTRE");
+  try {
+    lexer.expect("CENTER");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "a.dat:2: 'CENTRE' stands where CENTER is expected");
+  }
+}
+
+TEST(TachyonLexer, end_of_file_names_what_was_wanted) {
+  Lexer lexer("a.dat", "A\n\n");
+  lexer.word("x");
+  try {
+    lexer.word("RAD");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "a.dat:3: the file ends where RAD should stand");
+  }
+}
+
+struct NumberCase {
+  const char* text;
+  float value;
+};
+
+class TachyonLexerNumber : public testing::TestWithParam<NumberCase> {};
+
+TEST_P(TachyonLexerNumber, text_gives_value) {
+  Lexer lexer("a", GetParam().text);
+  EXPECT_EQ(lexer.number("x"), GetParam().value);
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, TachyonLexerNumber,
+                         testing::Values(NumberCase{"1", 1.0f}, NumberCase{"-0.5", -0.5f}, NumberCase{"+2.5", 2.5f},
+                                         NumberCase{"0.", 0.0f}, NumberCase{".25", 0.25f}, NumberCase{"1e3", 1000.0f},
+                                         NumberCase{"-1.5E-2", -0.015f}, NumberCase{"1.11022e-16", 1.11022e-16f},
+                                         NumberCase{"1e-60", 0.0f}, NumberCase{"-1e-60", 0.0f}, NumberCase{"3.4e38", 3.4e38f}));
+
+class TachyonLexerBadNumber : public testing::TestWithParam<const char*> {};
+
+TEST_P(TachyonLexerBadNumber, text_is_an_error_that_shows_it) {
+  Lexer lexer("a.dat", GetParam());
+  try {
+    lexer.number("RAD");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.dat:1: '"));
+    EXPECT_THAT(error.what(), HasSubstr("is not a number that RAD can have"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, TachyonLexerBadNumber,
+                         testing::Values("nan", "NaN", "inf", "-inf", "infinity", "1e39", "-1e39", "1e999", "1e9999999999",
+                                         "1,5", "1.0,", "0x10", "--1", "+-1", "+", "-", ".", "one", "1e", "1.2.3", "1_0"));
+
+TEST(TachyonLexer, integer_takes_whole_numbers_within_its_range) {
+  Lexer lexer("a", "0 +7 -3");
+  EXPECT_EQ(lexer.integer("x", 0, 9), 0);
+  EXPECT_EQ(lexer.integer("x", 0, 9), 7);
+  EXPECT_EQ(lexer.integer("x", -5, 9), -3);
+}
+
+TEST(TachyonLexer, integer_refuses_fractions_and_what_is_out_of_range) {
+  for (const char* text : {"1.5", "10", "-1", "99999999999", "x", "1e1"}) {
+    Lexer lexer("a", text);
+    EXPECT_THROW(lexer.integer("x", 0, 9), Error) << text;
+  }
+}
+
+TEST(TachyonLexer, shown_word_is_shortened_and_printable) {
+  EXPECT_EQ(shown("a\x01\xff"
+                  "b"),
+            "'a??b'");
+  EXPECT_EQ(shown(std::string(100, 'x')).size(), 60 + std::strlen("'...'"));
+}
+
+}  // namespace
+}  // namespace lippmann::tachyon
