@@ -45,6 +45,7 @@ WhittedTracer::WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint
 void WhittedTracer::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight) {
   clear_hits(packet);
   counts_.primary += static_cast<std::uint64_t>(count_lanes(active));
+  if (log_) log_->push_back({packet.ray, active, false, Coherence::kCoherent});
   intersect_scene(scene_, active, packet, Coherence::kCoherent);
   Bundle bundle;
   for (int i = 0; i < kLanes; ++i) {
@@ -78,6 +79,7 @@ void WhittedTracer::finish_batch() {
         bundle.pixel[i] = ray.pixel;
       }
       clear_hits(packet);
+      if (log_) log_->push_back({packet.ray, active, false, Coherence::kIncoherent});
       intersect_scene(scene_, active, packet, Coherence::kIncoherent);
       shade(packet, active, bundle, depth);
     }
@@ -133,6 +135,7 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
     const int rays = aim_at_light(light, surface_, scene_.secondary_t_near, minimum_cosine, shadow_);
     if (rays == 0) continue;
     counts_.shadow += static_cast<std::uint64_t>(rays);
+    if (log_) log_->push_back({shadow_.rays, shadow_.active, true, Coherence::kIncoherent});
     trace_shadows(scene_, shadow_);
     add_light(light, surface_, packet.ray, shadow_, direct);
   }

@@ -11,6 +11,7 @@
 
 #include "image/image.hpp"
 #include "trace/direct_light.hpp"
+#include "trace/ray_log.hpp"
 #include "trace/surface.hpp"
 #include "trace/trace_frame.hpp"
 
@@ -29,6 +30,9 @@ class WhittedTracer {
   void finish_batch();
 
   const RayCounts& counts() const { return counts_; }
+
+  /// From now on appends every traced packet to `log`.
+  void log_to(RayLog* log) { log_ = log; }
 
  private:
   struct QueuedRay {
@@ -59,6 +63,7 @@ class WhittedTracer {
   int max_depth_;
   float* film_;
   RayCounts counts_;
+  RayLog* log_ = nullptr;
   std::vector<QueuedRay> wave_, next_;
   SurfacePacket surface_;
   ShadowPacket shadow_;

@@ -1,0 +1,200 @@
+// Rays per second of our primary pass and of whole Whitted frames, beside a bare Embree loop over the very same rays.
+//
+// The bare loop is handed ready packets: it copies a packet's rays, traces it and keeps the hit in registers; no ray generation, no
+// shading, no picture. Its time is taken strip by strip with the strip's packets fresh in cache, so that it does not wait for memory
+// that our side never touches. One thread. Each row is the median over repetitions of ratios taken within one repetition.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "bench/benchmarks.hpp"
+#include "bench/scenes.hpp"
+#include "core/error.hpp"
+#include "trace/primary.hpp"
+#include "trace/scene_query.hpp"
+#include "trace/whitted.hpp"
+
+namespace lippmann::bench {
+namespace {
+
+constexpr int kRepetitions = 7;
+constexpr int kBatchPackets = 64;
+
+double seconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+void shade_strip(const PacketSource& source, int strip, WhittedTracer& tracer) {
+  RayHitPacket packet;
+  LaneMask active;
+  alignas(64) std::uint32_t pixel[kLanes];
+  for (int first = 0; first < source.packets_per_strip(); first += kBatchPackets) {
+    for (int p = first; p < std::min(first + kBatchPackets, source.packets_per_strip()); ++p)
+      if (source.fill(strip, p, 0, packet.ray, active, pixel) > 0) tracer.primary(packet, active, pixel, 1.0f);
+    tracer.finish_batch();
+  }
+}
+
+/// Traces ready packets; returns a sum over the results so that nothing is optimised away.
+double trace_bare(const DeviceScene::Impl& scene, const RayLog& log) {
+  RayHitPacket packet;
+  ShadowContext context;
+  for (float& t : context.transmittance) t = 1.0f;
+  double sum = 0.0;
+  for (const LoggedPacket& logged : log) {
+    packet.ray = logged.rays;
+    if (logged.shadow) {
+      if (scene.has_fixed) occluded(scene.fixed.get(), scene.native_width, logged.active, packet.ray, context);
+      if (scene.has_moving) occluded(scene.moving.get(), scene.native_width, logged.active, packet.ray, context);
+    } else {
+      std::fill_n(packet.hit.geomID, kLanes, kNoId);
+      std::fill_n(packet.hit.instID[0], kLanes, kNoId);
+      if (scene.has_fixed) intersect(scene.fixed.get(), scene.native_width, logged.active, packet, logged.coherence);
+      if (scene.has_moving) intersect(scene.moving.get(), scene.native_width, logged.active, packet, logged.coherence);
+    }
+    sum += packet.ray.tfar[0];
+  }
+  return sum;
+}
+
+struct Times {
+  double bare_primary = 0, primary = 0, bare_all = 0, whitted = 0;
+};
+
+struct Measured {
+  std::uint64_t primary_rays = 0, all_rays = 0;
+  Times median_times;
+  double primary_ratio = 0, whitted_ratio = 0;
+};
+
+class RayBench {
+ public:
+  RayBench(const DeviceScene& scene, const BenchScene& setup, RayOrder order)
+      : scene_(scene.impl()),
+        source_(setup.optics, setup.world_from_display, order, SubPixel{}),
+        beam_(setup.optics, setup.world_from_display),
+        max_depth_(setup.scene.max_depth),
+        film_(setup.optics.panel.width, setup.optics.panel.height, 3) {}
+
+  Measured measure() {
+    Measured result;
+    std::vector<double> primary_ratios, whitted_ratios;
+    std::vector<Times> all;
+    for (int repetition = -1; repetition < kRepetitions; ++repetition) {
+      Times times;
+      result.primary_rays = result.all_rays = 0;
+      for (int strip = 0; strip < source_.strips(); ++strip) measure_strip(strip, times, result);
+      if (repetition < 0) continue;  // warm-up
+      all.push_back(times);
+      primary_ratios.push_back(times.bare_primary / times.primary);
+      whitted_ratios.push_back(times.bare_all / times.whitted);
+    }
+    const auto middle = [&](double Times::*field) {
+      std::vector<double> values;
+      for (const Times& t : all) values.push_back(t.*field);
+      return median(values);
+    };
+    result.median_times = {middle(&Times::bare_primary), middle(&Times::primary), middle(&Times::bare_all),
+                           middle(&Times::whitted)};
+    result.primary_ratio = median(primary_ratios);
+    result.whitted_ratio = median(whitted_ratios);
+    return result;
+  }
+
+  /// The hits that the primary pass stores must be those of the bare loop, ray by ray.
+  void check() {
+    WhittedTracer tracer(scene_, beam_, 1, film_);
+    log_.clear();
+    tracer.log_to(&log_);
+    const int strip = source_.strips() / 2;
+    shade_strip(source_, strip, tracer);
+    std::erase_if(log_, [](const LoggedPacket& p) { return p.shadow; });
+    trace_primary_strip(source_, scene_, strip, 0, hits_);
+    for (std::size_t p = 0; p < log_.size(); ++p) {
+      RayHitPacket packet;
+      packet.ray = log_[p].rays;
+      clear_hits(packet);
+      intersect_scene(scene_, log_[p].active, packet, Coherence::kCoherent);
+      for (int i = 0; i < kLanes; ++i)
+        if (log_[p].active.lane[i] && packet.ray.tfar[i] != hits_.t[p * kLanes + static_cast<std::size_t>(i)])
+          throw Error("bench rays", "the primary pass and the bare loop disagree in packet " + std::to_string(p));
+    }
+  }
+
+ private:
+  void measure_strip(int strip, Times& times, Measured& result) {
+    WhittedTracer tracer(scene_, beam_, max_depth_, film_);
+    log_.clear();
+    tracer.log_to(&log_);
+    shade_strip(source_, strip, tracer);
+    result.all_rays += tracer.counts().total();
+    result.primary_rays += tracer.counts().primary;
+    primaries_.clear();
+    for (const LoggedPacket& packet : log_)
+      if (!packet.shadow && packet.coherence == Coherence::kCoherent) primaries_.push_back(packet);
+    WhittedTracer timed(scene_, beam_, max_depth_, film_);
+    times.whitted += seconds([&] { shade_strip(source_, strip, timed); });
+    sink_ = sink_ + touch(log_);
+    times.bare_all += seconds([&] { sink_ = sink_ + trace_bare(scene_, log_); });
+    times.primary += seconds([&] { trace_primary_strip(source_, scene_, strip, 0, hits_); });
+    sink_ = sink_ + touch(primaries_);
+    times.bare_primary += seconds([&] { sink_ = sink_ + trace_bare(scene_, primaries_); });
+  }
+
+  static double touch(const RayLog& log) {
+    double sum = 0;
+    for (const LoggedPacket& packet : log)
+      for (std::size_t i = 0; i < sizeof(packet) / 64; ++i) sum += reinterpret_cast<const float*>(&packet)[16 * i];
+    return sum;
+  }
+
+  const DeviceScene::Impl& scene_;
+  PacketSource source_;
+  BeamFootprint beam_;
+  int max_depth_;
+  Image film_;
+  RayLog log_, primaries_;
+  PrimaryHits hits_;
+  volatile double sink_ = 0;
+};
+
+double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
+
+}  // namespace
+
+Report measure_rays(const Context& context) {
+  Report report;
+  const ThreadPool pool(1);
+  pool.run([&] {
+    for (const BenchScene& setup : bench_scenes(context)) {
+      DeviceScene device(setup.scene, pool);
+      device.update(evaluate(setup.scene, setup.time), pool);
+      for (const RayOrder order : {RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles}) {
+        RayBench bench(device, setup, order);
+        bench.check();
+        ++report.passed_checks;
+        const Measured m = bench.measure();
+        report.rows.push_back({{"scene", setup.name},
+                               {"order", to_string(order)},
+                               {"bare_mrays_s", rounded(1e-6 * static_cast<double>(m.primary_rays) / m.median_times.bare_primary)},
+                               {"primary_mrays_s", rounded(1e-6 * static_cast<double>(m.primary_rays) / m.median_times.primary)},
+                               {"primary_ratio", rounded(m.primary_ratio)},
+                               {"whitted_ratio", rounded(m.whitted_ratio)},
+                               {"whitted_mrays_s", rounded(1e-6 * static_cast<double>(m.all_rays) / m.median_times.whitted)},
+                               {"whitted_ms", rounded(1e3 * m.median_times.whitted)}});
+      }
+    }
+  });
+  return report;
+}
+
+}  // namespace lippmann::bench
