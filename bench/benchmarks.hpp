@@ -6,5 +6,6 @@
 namespace lippmann::bench {
 
 Report measure_png(const Context& context);
+Report measure_rays(const Context& context);
 
 }  // namespace lippmann::bench

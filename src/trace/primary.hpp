@@ -1,4 +1,5 @@
-// The primary pass: generates a strip's rays, traces them, stores what was hit. The first step of every point image. Private to src/trace.
+// The primary pass: generates a strip's rays, traces them, stores what was hit. The first step of every point image. Private to
+// src/trace.
 #pragma once
 
 #include <cstdint>

@@ -15,10 +15,9 @@ namespace lippmann {
 struct DeviceTexture {
   struct Level {
     int width, height;
-    std::vector<std::uint8_t> rgba;
+    std::vector<std::uint16_t> rgba;  ///< linear, 65535 = 1: finer than any 8-bit code, sRGB or not
   };
   std::vector<Level> levels;  ///< each half the size of the one before, down to 1 x 1
-  bool srgb = false;
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
 };
 
