@@ -1,0 +1,285 @@
+// Video files: what is written comes back, in order, as exactly as its kind promises; what cannot be is an error.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "image/metrics.hpp"
+#include "support/command.hpp"
+#include "support/error_message.hpp"
+#include "support/file_size_limit.hpp"
+#include "support/pictures.hpp"
+#include "support/temp_dir.hpp"
+#include "video/video_reader.hpp"
+#include "video/video_writer.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::error_message;
+using test::noise_codes;
+using test::smooth_codes;
+using test::TempDir;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+void write_video(const fs::path& path, const std::vector<Image8>& frames, const VideoOptions& options = {}) {
+  VideoWriter writer(path, options);
+  for (const Image8& frame : frames) writer.add_frame(frame);
+  writer.finish();
+}
+
+std::vector<Image8> read_video(const fs::path& path) {
+  VideoReader reader(path);
+  std::vector<Image8> frames;
+  while (std::optional<Image8> frame = reader.next()) frames.push_back(std::move(*frame));
+  return frames;
+}
+
+std::vector<Image8> noise_frames(int count, int width, int height) {
+  std::vector<Image8> frames;
+  for (int i = 0; i < count; ++i) frames.push_back(noise_codes(width, height, 100 + i));
+  return frames;
+}
+
+std::vector<Image8> smooth_frames(int count, int width, int height) {
+  std::vector<Image8> frames;
+  for (int i = 0; i < count; ++i) frames.push_back(smooth_codes(width, height, 0.1 * i));
+  return frames;
+}
+
+std::string file_bytes(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string probe(const fs::path& path, const std::string& entries) {
+  return test::run_command("ffprobe -v error -select_streams v -show_entries " + entries + " -of default=noprint_wrappers=1 '" +
+                           path.string() + "'")
+      .output;
+}
+
+TEST(Video, ffv1_brings_back_every_code_in_order_even_of_odd_sizes) {
+  const TempDir dir;
+  for (const auto& [width, height] : {std::pair{64, 48}, {37, 21}, {2, 2}}) {
+    const std::vector<Image8> frames = noise_frames(5, width, height);
+    write_video(dir / "a.mkv", frames);
+    const std::vector<Image8> read = read_video(dir / "a.mkv");
+    ASSERT_EQ(read.size(), 5u);
+    for (int i = 0; i < 5; ++i) {
+      EXPECT_EQ(read[i].width, width);
+      EXPECT_EQ(read[i].rgb, frames[i].rgb) << "frame " << i;
+    }
+  }
+}
+
+TEST(Video, h264_keeps_a_smooth_picture_above_40_db_in_order) {
+  const TempDir dir;
+  const std::vector<Image8> frames = smooth_frames(12, 128, 96);
+  write_video(dir / "a.mp4", frames);
+  const std::vector<Image8> read = read_video(dir / "a.mp4");
+  ASSERT_EQ(read.size(), frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_GT(measure_difference(frames[i], read[i]).psnr_db, 40.0) << i;
+    if (i == 0) continue;
+    EXPECT_LT(measure_difference(frames[i - 1], read[i]).psnr_db, 35.0) << "tells neighbours apart";
+  }
+}
+
+TEST(Video, h264_colours_of_flat_fields_come_back) {
+  const TempDir dir;
+  std::vector<Image8> frames;
+  for (int color = 0; color < 8; ++color) {
+    Image8 frame{32, 32, {}};
+    for (int i = 0; i < 32 * 32; ++i)
+      for (int c = 0; c < 3; ++c) frame.rgb.push_back(color >> c & 1 ? 230 : 20);
+    frames.push_back(frame);
+  }
+  write_video(dir / "a.mp4", frames, {.crf = 1});
+  const std::vector<Image8> read = read_video(dir / "a.mp4");
+  for (int color = 0; color < 8; ++color)
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(read[color].rgb[3 * (16 * 32 + 16) + c], frames[color].rgb[c], 3)
+          << "rounding to 219 levels of Y and 224 of Cb, Cr: at most 1.86 / 2 of Cb + .4 of Y, and as much again from coding";
+}
+
+TEST(Video, h264_pads_odd_sides_with_the_last_column_and_row) {
+  const TempDir dir;
+  const Image8 frame = smooth_codes(45, 31);
+  write_video(dir / "a.mp4", {frame}, {.crf = 1});
+  const Image8 read = read_video(dir / "a.mp4").at(0);
+  ASSERT_EQ(read.width, 46);
+  ASSERT_EQ(read.height, 32);
+  Image8 padded{46, 32, {}};
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 46; ++x)
+      for (int c = 0; c < 3; ++c) padded.rgb.push_back(frame.rgb[3 * (std::min(y, 30) * 45 + std::min(x, 44)) + c]);
+  EXPECT_GT(measure_difference(padded, read).psnr_db, 40.0);
+}
+
+TEST(Video, equal_frames_give_equal_bytes) {
+  const TempDir dir;
+  const std::vector<Image8> frames = smooth_frames(6, 64, 48);
+  for (const auto& [first, second] : {std::pair{"a.mp4", "b.mp4"}, {"a.mkv", "b.mkv"}})
+    for (const int threads : {1, 3}) {
+      write_video(dir / first, frames, {.threads = threads});
+      write_video(dir / second, frames, {.threads = threads});
+      EXPECT_EQ(file_bytes(dir / first), file_bytes(dir / second)) << first << " " << threads;
+    }
+}
+
+TEST(Video, ffv1_bytes_do_not_depend_on_encoder_threads) {
+  const TempDir dir;
+  const std::vector<Image8> frames = noise_frames(3, 64, 48);
+  write_video(dir / "a.mkv", frames, {.threads = 1});
+  write_video(dir / "b.mkv", frames, {.threads = 4});
+  EXPECT_EQ(file_bytes(dir / "a.mkv"), file_bytes(dir / "b.mkv"));
+}
+
+TEST(Video, h264_is_tagged_bt709_limited_with_its_rate_and_index_in_front) {
+  if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
+  const TempDir dir;
+  write_video(dir / "a.mp4", smooth_frames(10, 64, 48), {.rate = {30000, 1001}});
+  const std::string found =
+      probe(dir / "a.mp4",
+            "stream=codec_name,pix_fmt,color_range,color_space,color_transfer,color_primaries,avg_frame_rate,nb_frames");
+  EXPECT_THAT(found,
+              AllOf(HasSubstr("codec_name=h264"), HasSubstr("pix_fmt=yuv420p"), HasSubstr("color_range=tv"),
+                    HasSubstr("color_space=bt709"), HasSubstr("color_transfer=bt709"), HasSubstr("color_primaries=bt709"),
+                    HasSubstr("avg_frame_rate=30000/1001"), HasSubstr("nb_frames=10")));
+  const std::string bytes = file_bytes(dir / "a.mp4");
+  EXPECT_LT(bytes.find("moov"), bytes.find("mdat"));
+}
+
+TEST(Video, psnr_agrees_with_ffmpegs_filter) {
+  if (!test::program_exists("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  const TempDir dir;
+  const Image8 a = smooth_codes(96, 64), b = smooth_codes(96, 64, 0.07);
+  write_video(dir / "a.mkv", {a});
+  write_video(dir / "b.mkv", {b});
+  const std::string output = test::run_command("ffmpeg -v info -i '" + (dir / "b.mkv").string() + "' -i '" +
+                                               (dir / "a.mkv").string() + "' -lavfi psnr -f null -")
+                                 .output;
+  const PictureMetrics m = measure_difference(a, b);
+  EXPECT_NEAR(test::number_after(output, "average:"), m.psnr_db, 0.01) << output;
+  EXPECT_NEAR(test::number_after(output, "PSNR r:"), psnr_db(m.mse.r), 0.01) << output;
+}
+
+TEST(Video, ffmpeg_decodes_our_lossless_file_to_the_same_codes) {
+  if (!test::program_exists("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  const TempDir dir;
+  const Image8 frame = noise_codes(40, 30);
+  write_video(dir / "a.mkv", {frame});
+  ASSERT_EQ(test::run_command("ffmpeg -v error -i '" + (dir / "a.mkv").string() + "' -f rawvideo -pix_fmt rgb24 '" +
+                              (dir / "a.rgb").string() + "'")
+                .exit_code,
+            0);
+  EXPECT_EQ(file_bytes(dir / "a.rgb"), std::string(frame.rgb.begin(), frame.rgb.end()));
+}
+
+TEST(VideoWriter, unfinished_leaves_nothing) {
+  const TempDir dir;
+  for (const char* name : {"a.mp4", "a.mkv"}) {
+    VideoWriter writer(dir / name);
+    writer.add_frame(smooth_codes(32, 32));
+  }
+  EXPECT_TRUE(fs::is_empty(dir.path()));
+}
+
+TEST(VideoWriter, unknown_extension_lists_the_known_ones) {
+  const TempDir dir;
+  for (const char* name : {"a.avi", "a", "a.png"})
+    EXPECT_THAT(error_message([&] { VideoWriter(dir / name); }), AllOf(HasSubstr(name), HasSubstr(".mp4"), HasSubstr(".mkv")));
+}
+
+TEST(VideoWriter, missing_folder_is_an_error_before_the_first_frame) {
+  const TempDir dir;
+  EXPECT_THAT(error_message([&] { VideoWriter(dir / "none/a.mp4"); }), HasSubstr("there is no folder"));
+  EXPECT_THAT(error_message([&] { check_video_path(dir / "none/a.mp4"); }), HasSubstr("there is no folder"));
+  check_video_path(dir / "a.mp4");
+  EXPECT_TRUE(fs::is_empty(dir.path()));
+}
+
+TEST(VideoWriter, frame_of_another_size_is_named) {
+  const TempDir dir;
+  VideoWriter writer(dir / "a.mp4");
+  writer.add_frame(smooth_codes(32, 32));
+  EXPECT_THAT(error_message([&] { writer.add_frame(smooth_codes(32, 34)); }), HasSubstr("frame 1 has 32 x 34 pixels"));
+}
+
+TEST(VideoWriter, side_of_one_pixel_is_refused_by_mkv_and_padded_by_mp4) {
+  const TempDir dir;
+  EXPECT_THAT(error_message([&] { write_video(dir / "a.mkv", {noise_codes(1, 8)}); }), HasSubstr("at least 2 pixels"));
+  write_video(dir / "a.mp4", {noise_codes(1, 1)});
+  EXPECT_EQ(read_video(dir / "a.mp4").at(0).width, 2);
+}
+
+TEST(VideoWriter, options_that_make_no_sense_are_errors) {
+  const TempDir dir;
+  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.rate = {0, 1}}); }), HasSubstr("frames per second"));
+  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.crf = 52}); }), HasSubstr("0 to 51"));
+  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4").finish(); }), HasSubstr("without frames"));
+}
+
+TEST(VideoWriter, disk_full_names_the_file_and_leaves_nothing) {
+  const TempDir dir;
+  const std::vector<Image8> frames = noise_frames(8, 128, 128);
+  for (const char* name : {"a.mp4", "a.mkv"}) {
+    const test::FileSizeLimit full(20000);
+    EXPECT_THAT(error_message([&] { write_video(dir / name, frames); }),
+                AllOf(HasSubstr(name), HasSubstr("cannot be written")));
+  }
+  EXPECT_TRUE(fs::is_empty(dir.path()));
+}
+
+TEST(VideoReader, missing_file_folder_and_text_are_errors) {
+  const TempDir dir;
+  std::ofstream(dir / "text.mp4") << "this is not a video";
+  std::ofstream(dir / "empty.mkv").flush();
+  EXPECT_THAT(error_message([&] { VideoReader(dir / "none.mp4"); }), HasSubstr("there is no such file"));
+  EXPECT_THAT(error_message([&] { VideoReader{dir.path()}; }), HasSubstr("is not a file"));
+  EXPECT_THAT(error_message([&] { VideoReader(dir / "text.mp4"); }), HasSubstr("cannot be read as a video"));
+  EXPECT_THAT(error_message([&] { VideoReader(dir / "empty.mkv"); }), HasSubstr("cannot be read as a video"));
+}
+
+TEST(VideoReader, truncated_file_is_an_error_wherever_it_is_cut) {
+  const TempDir dir;
+  const std::vector<Image8> frames = noise_frames(8, 64, 64);
+  for (const auto& [whole, part] : {std::pair{"whole.mp4", "cut.mp4"}, {"whole.mkv", "cut.mkv"}}) {
+    write_video(dir / whole, frames);
+    const std::string bytes = file_bytes(dir / whole);
+    for (const double share : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
+      const fs::path cut = dir / part;
+      std::ofstream(cut, std::ios::binary) << bytes.substr(0, static_cast<std::size_t>(bytes.size() * share));
+      EXPECT_THAT(error_message([&] { read_video(cut); }), HasSubstr("cut")) << part << " " << share;
+    }
+  }
+}
+
+TEST(FrameRate, whole_and_broadcast_rates_are_exact) {
+  const auto is = [](double fps, int numerator, int denominator) {
+    const FrameRate rate = frame_rate(fps);
+    EXPECT_EQ(rate.numerator, numerator) << fps;
+    EXPECT_EQ(rate.denominator, denominator) << fps;
+  };
+  is(25.0, 25, 1);
+  is(29.97, 30000, 1001);
+  is(23.976, 24000, 1001);
+  is(30000.0 / 1001.0, 30000, 1001);
+  is(12.5, 25, 2);
+  is(0.5, 1, 2);
+}
+
+TEST(IsVideoName, extensions_in_any_case) {
+  EXPECT_TRUE(is_video_name("a/b.mp4"));
+  EXPECT_TRUE(is_video_name("b.MKV"));
+  EXPECT_FALSE(is_video_name("b.png"));
+  EXPECT_FALSE(is_video_name("mp4"));
+}
+
+}  // namespace
+}  // namespace lippmann
