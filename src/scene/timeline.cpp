@@ -87,9 +87,9 @@ void add_around(Bounds3f& bounds, Vec3f center, Vec3f reach) {
   bounds.add(center + reach);
 }
 
-/// How far a disc reaches from its centre along each world axis.
-Vec3f disc_reach(const Affine3f& world_from_node, Vec3f normal, float radius) {
-  const Mat3f rows = glm::transpose(world_from_node.linear);
+/// How far a disc reaches from its centre along each axis of the frame.
+Vec3f disc_reach(const Affine3f& frame_from_node, Vec3f normal, float radius) {
+  const Mat3f rows = glm::transpose(frame_from_node.linear);
   Vec3f reach;
   for (int axis = 0; axis < 3; ++axis) reach[axis] = radius * glm::length(rows[axis] - glm::dot(rows[axis], normal) * normal);
   return reach;
@@ -158,11 +158,11 @@ std::vector<bool> moving_nodes(const Scene& scene) {
   return moves;
 }
 
-Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved) {
+Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world) {
   Bounds3f bounds;
   for (const Instance& instance : scene.instances) {
-    const Affine3f world_from_node = resolved.of(instance.node);
-    std::visit([&](const auto& shape) { add_shape(bounds, world_from_node, shape); },
+    const Affine3f frame_from_node = frame_from_world * resolved.of(instance.node);
+    std::visit([&](const auto& shape) { add_shape(bounds, frame_from_node, shape); },
                scene.shapes[static_cast<std::size_t>(instance.shape)]);
   }
   return bounds;

@@ -238,5 +238,20 @@ TEST(FiniteBounds, all_instances_count) {
   expect_near(b.upper, {11, 1, 1});
 }
 
+TEST(FiniteBounds, along_another_frames_axes_are_as_tight) {
+  Scene scene;
+  scene.shapes.push_back(Boxes{Box{Vec3f(-1, -1, -1), Vec3f(1, 1, 1)}});
+  scene.instances.push_back({"box", 0, -1, -1});
+  scene.nodes.resize(1);
+  scene.nodes[0].local = {{5, 0, 0}, about_y(45), Vec3f(1)};
+  scene.instances[0].node = 0;
+  const ResolvedScene resolved = evaluate(scene, 0);
+  // In the world the turned box is sqrt(2) wide on either side; in its own frame it is itself.
+  EXPECT_NEAR(finite_bounds(scene, resolved).upper.x, 5.0f + std::sqrt(2.0f), 1e-5f);
+  const Bounds3f own = finite_bounds(scene, resolved, inverse(resolved.of(0)));
+  expect_near(own.lower, Vec3f(-1), 1e-5f);
+  expect_near(own.upper, Vec3f(1), 1e-5f);
+}
+
 }  // namespace
 }  // namespace lippmann
