@@ -1,71 +1,139 @@
 #include "render/fit_array.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "core/error.hpp"
 
 namespace lippmann {
 namespace {
 
-/// Without a camera the viewer stands this many panel heights away, as one does before a picture.
-constexpr float kViewerHeights = 3.0f;
-/// And the array is this much higher than what it shows.
-constexpr float kMargin = 1.1f;
+/// A plane much nearer to the camera than that would make all of the scene background.
+constexpr float kNearestPlane = 0.05f;  // diagonals of the scene
+constexpr float kDefaultFov = radians(45.0f);
+constexpr float kDefaultMargin = 1.1f;  ///< what the default camera sees, over what there is to see
 
-/// Rotation and place of a node, its scale taken out.
-Affine3f rigid(const Affine3f& a) {
+/// The rotation, place and one scale of a node's transform.
+Affine3f similarity(const Affine3f& a) {
+  const float scale = uniform_scale(a);
+  if (!(scale > 0.0f) || !std::isfinite(scale))
+    throw Error("scene", "the node that carries the lens array is scaled to nothing", "a scale other than 0");
   const Vec3f z = glm::normalize(a.linear[2]);
   const Vec3f y = glm::normalize(a.linear[1] - glm::dot(a.linear[1], z) * z);
-  return {Mat3f(glm::cross(y, z), y, z), a.translation};
+  return {scale * Mat3f(glm::cross(y, z), y, z), a.translation};
 }
 
-/// How far in front of the camera the array's plane goes: the focus distance, or the middle of what is in front of it.
-float plane_distance(const Camera& camera, const Affine3f& world_from_camera, const Bounds3f& bounds) {
-  if (camera.focus_distance > 0.0f) return camera.focus_distance;
-  if (bounds.empty()) return 1.0f;
-  const Bounds3f seen = transform_bounds(inverse(world_from_camera), bounds);  // the camera looks along -z
-  const float nearest = std::max(0.0f, -seen.upper.z), farthest = -seen.lower.z;
-  return farthest > 0.0f ? std::max(0.5f * (nearest + farthest), 1e-3f * farthest) : 1.0f;
+/// The array square to a camera's view, at a distance, filling it.
+void place_before_camera(FittedArray& array, float distance, float vertical_fov) {
+  array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
+  array.plane_height = 2.0f * distance * std::tan(0.5f * vertical_fov);
+  array.viewing_distance = distance;
 }
 
-FittedArray fit_to_camera(const Camera& camera, const ResolvedScene& resolved, const Bounds3f& bounds) {
+std::string camera_name(const Camera& camera) {
+  return camera.name.empty() ? std::string("the camera") : fmt::format("camera '{}'", camera.name);
+}
+
+// ---- The rules, in order ------------------------------------------------------------------------------------------------
+
+FittedArray as_placed(const DisplayPlacement& display) {
   FittedArray array;
-  array.origin = camera.focus_distance > 0.0f ? FittedArray::Origin::kFocus : FittedArray::Origin::kSceneCenter;
-  array.node = camera.node;
-  array.viewing_distance = plane_distance(camera, rigid(resolved.of(camera.node)), bounds);
-  array.node_from_plane.translation = {0.0f, 0.0f, -array.viewing_distance};
-  array.plane_height = 2.0f * array.viewing_distance * std::tan(0.5f * camera.vertical_fov);
+  array.origin = FittedArray::Origin::kPlaced;
+  array.node = display.node;
+  array.plane_height = display.plane_height;
+  array.viewing_distance = display.viewing_distance;
+  array.how = fmt::format("The scene places the array: {:.4g} units high, viewed from {:.4g} units.", display.plane_height,
+                          display.viewing_distance);
   return array;
 }
 
-FittedArray fit_to_bounds(const Bounds3f& bounds) {
+FittedArray at_focus(const Camera& camera) {
+  FittedArray array;
+  array.origin = FittedArray::Origin::kFocus;
+  array.node = camera.node;
+  place_before_camera(array, camera.focus_distance, camera.vertical_fov);
+  array.how = fmt::format("The array is at the focus of {}, {:.4g} units away, and fills its view.", camera_name(camera),
+                          camera.focus_distance);
+  return array;
+}
+
+/// seen: the scene's bounds in the camera's frame, which looks along -z. Of a scene all around the camera, a room, only what is
+/// in front of it counts: its middle is half way to the far wall.
+FittedArray half_way_through(const Camera& camera, const Bounds3f& seen) {
+  FittedArray array;
+  array.origin = FittedArray::Origin::kSceneCenter;
+  array.node = camera.node;
+  float distance = 1.0f;
+  if (!seen.empty()) {
+    const float nearest = std::max(0.0f, -seen.upper.z), farthest = std::max(0.0f, -seen.lower.z);
+    const float diagonal = glm::length(seen.size());
+    distance = std::max(0.5f * (nearest + farthest), kNearestPlane * (diagonal > 0.0f ? diagonal : 1.0f));
+  }
+  place_before_camera(array, distance, camera.vertical_fov);
+  array.how = fmt::format("The array goes through the middle of the scene, {:.4g} units in front of {}, and fills its view.",
+                          distance, camera_name(camera));
+  return array;
+}
+
+/// The viewer stands so far in front of the scene's centre that its nearest face fits into the picture.
+FittedArray without_camera(const Bounds3f& bounds, float aspect) {
   FittedArray array;
   array.origin = FittedArray::Origin::kBounds;
-  if (!bounds.empty()) {
-    array.node_from_plane.translation = bounds.center();
-    const float extent = std::max(bounds.size().x, bounds.size().y);
-    array.plane_height = kMargin * (extent > 0.0f ? extent : std::max(bounds.size().z, 1.0f));
-  }
-  array.viewing_distance = kViewerHeights * array.plane_height;
+  const Vec3f size = bounds.empty() ? Vec3f(1.0f) : bounds.size();
+  const float face_height = kDefaultMargin * std::max(size.y, size.x / aspect);
+  const float tangent = std::tan(0.5f * kDefaultFov);
+  const float distance = 0.5f * size.z + 0.5f * (face_height > 0.0f ? face_height : std::max(size.z, 1.0f)) / tangent;
+  place_before_camera(array, distance, kDefaultFov);
+  array.node_from_plane.translation = bounds.empty() ? Vec3f(0.0f) : bounds.center();
+  array.how = fmt::format(
+      "The scene has no camera: the array stands upright through its centre and is viewed along -z from "
+      "{:.4g} units away.",
+      distance);
   return array;
+}
+
+/// How far the scene reaches in front of the plane and behind it, as far as the viewer sees.
+void measure_depth(FittedArray& array, const Scene& scene, const ResolvedScene& resolved) {
+  const Affine3f world_from_plane = similarity(resolved.of(array.node)) * array.node_from_plane;
+  const Bounds3f bounds = finite_bounds(scene, resolved, inverse(world_from_plane));
+  if (bounds.empty()) return;
+  array.depth_front = std::min(bounds.upper.z, array.viewing_distance);
+  array.depth_back = std::min(bounds.lower.z, array.viewing_distance);
+}
+
+FittedArray place(const Scene& scene, const ResolvedScene& resolved, float aspect) {
+  if (scene.display) return as_placed(*scene.display);
+  if (scene.cameras.empty()) return without_camera(finite_bounds(scene, resolved), aspect);
+  const Camera& camera = scene.cameras.front();
+  if (camera.focus_distance > 0.0f) return at_focus(camera);
+  return half_way_through(camera, finite_bounds(scene, resolved, inverse(similarity(resolved.of(camera.node)))));
 }
 
 }  // namespace
 
-FittedArray fit_array(const Scene& scene) {
-  if (scene.display) {
-    FittedArray array;
-    array.node = scene.display->node;
-    array.plane_height = scene.display->plane_height;
-    array.viewing_distance = scene.display->viewing_distance;
-    return array;
-  }
+FittedArray fit_array(const Scene& scene, float aspect) {
   const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
-  const Bounds3f bounds = finite_bounds(scene, resolved);
-  return scene.cameras.empty() ? fit_to_bounds(bounds) : fit_to_camera(scene.cameras.front(), resolved, bounds);
+  FittedArray array = place(scene, resolved, aspect);
+  measure_depth(array, scene, resolved);
+  return array;
 }
 
 Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved) {
-  const Affine3f plane = rigid(resolved.of(array.node)) * array.node_from_plane;
+  const Affine3f plane = similarity(resolved.of(array.node)) * array.node_from_plane;
   return {plane.linear * units_per_mm, plane.translation};
+}
+
+std::string depth_budget_sentence(const FittedArray& array, float units_per_mm, const Optics& optics) {
+  const float front = array.depth_front / units_per_mm, back = array.depth_back / units_per_mm;
+  const float budget = depth_budget_mm(optics), deepest = std::max(std::abs(front), std::abs(back));
+  const std::string reach = fmt::format("The scene reaches from {:.1f} mm to {:+.1f} mm", back, front);
+  if (std::isinf(budget)) return reach + "; without lenses there is no depth budget.";
+  if (deepest <= budget) return reach + fmt::format(", within the depth budget of {:.1f} mm on either side.", budget);
+  return reach + fmt::format(
+                     ", {:.1f} mm beyond the depth budget of {:.1f} mm on either side: at {:.1f} mm a pixel is as wide as "
+                     "{:.1f} lenses.",
+                     deepest - budget, budget, deepest, deepest / budget);
 }
 
 }  // namespace lippmann

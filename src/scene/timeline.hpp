@@ -21,8 +21,8 @@ ResolvedScene evaluate(const Scene& scene, double time);
 /// Whether each node ever moves (it or one of its ancestors is animated with more than one value).
 std::vector<bool> moving_nodes(const Scene& scene);
 
-/// Bounds of everything finite (planes are left out) at one time, along the axes of the world or of another frame; empty if there
-/// is nothing finite.
+/// Bounds of everything finite (planes are left out) at one time, along the axes of the world or of another frame; empty if
+/// there is nothing finite.
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
 }  // namespace lippmann

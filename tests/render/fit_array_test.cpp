@@ -1,0 +1,244 @@
+#include "render/fit_array.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+// A few roundings of lengths up to 100.
+constexpr float kRounding = 2e-5f;
+
+void expect_near(Vec3f a, Vec3f b) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], kRounding) << "component " << c;
+}
+
+int add_node(Scene& scene, const Transform& local, int parent = -1) {
+  Node node;
+  node.local = local;
+  node.parent = parent;
+  scene.nodes.push_back(node);
+  return static_cast<int>(scene.nodes.size()) - 1;
+}
+
+void add_box(Scene& scene, Vec3f lower, Vec3f upper) {
+  Instance instance;
+  instance.shape = static_cast<int>(scene.shapes.size());
+  scene.shapes.push_back(Boxes{{lower, upper}});
+  scene.instances.push_back(instance);
+}
+
+Camera& add_camera(Scene& scene, const Transform& local, int parent = -1) {
+  Camera camera;
+  camera.name = "shot";
+  camera.vertical_fov = radians(60.0f);
+  camera.node = add_node(scene, local, parent);
+  scene.cameras.push_back(camera);
+  return scene.cameras.back();
+}
+
+Affine3f plane_in_world(const Scene& scene, const FittedArray& array) {
+  return world_from_display(array, 1.0f, evaluate(scene, 0.0));
+}
+
+Transform at(Vec3f position) { return {position, Quatf(1, 0, 0, 0), Vec3f(1.0f)}; }
+
+// ---- The rules, in order ----------------------------------------------------------------------------------------------
+
+TEST(FitArray, placed_by_the_scene_is_used_as_it_is) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, at({0, 0, 9})).focus_distance = 2.0f;
+  scene.display = DisplayPlacement{add_node(scene, {{0, 1, 0.5f}, glm::angleAxis(radians(90.0f), Vec3f(0, 1, 0)), Vec3f(1.0f)}),
+                                   3.0f, 7.0f};
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.origin, FittedArray::Origin::kPlaced);
+  EXPECT_EQ(array.node, 1);
+  EXPECT_EQ(array.plane_height, 3.0f);
+  EXPECT_EQ(array.viewing_distance, 7.0f);
+  // Its +z is the world's +x: the box reaches from x = -1 to 1.
+  expect_near(transform_vector(plane_in_world(scene, array), {0, 0, 1}), {1, 0, 0});
+  EXPECT_NEAR(array.depth_front, 1.0f, kRounding);
+  EXPECT_NEAR(array.depth_back, -1.0f, kRounding);
+  EXPECT_THAT(array.how, HasSubstr("scene places"));
+}
+
+TEST(FitArray, focus_distance_places_the_plane_there) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, at({0, 0, 10})).focus_distance = 4.0f;
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.origin, FittedArray::Origin::kFocus);
+  expect_near(plane_in_world(scene, array).translation, {0, 0, 6});
+  EXPECT_NEAR(array.plane_height, 8.0f * std::tan(radians(30.0f)), kRounding);
+  EXPECT_EQ(array.viewing_distance, 4.0f);
+  // The box lies 5 to 7 units behind the plane.
+  EXPECT_NEAR(array.depth_front, -5.0f, kRounding);
+  EXPECT_NEAR(array.depth_back, -7.0f, kRounding);
+  EXPECT_THAT(array.how, HasSubstr("'shot'"));
+}
+
+TEST(FitArray, camera_without_focus_gets_the_plane_through_the_scenes_centre) {
+  Scene scene;
+  add_box(scene, {-1, -1, -3}, {1, 1, 1});
+  // Looks along +x, from off the axis: only the distance along the view counts.
+  add_camera(scene, {{-10, 0.5f, 0}, glm::angleAxis(radians(-90.0f), Vec3f(0, 1, 0)), Vec3f(1.0f)});
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
+  expect_near(plane_in_world(scene, array).translation, {0, 0.5f, 0});
+  EXPECT_NEAR(array.viewing_distance, 10.0f, kRounding);
+  EXPECT_NEAR(array.plane_height, 20.0f * std::tan(radians(30.0f)), kRounding);
+  EXPECT_NEAR(array.depth_front, 1.0f, kRounding);
+  EXPECT_NEAR(array.depth_back, -1.0f, kRounding);
+}
+
+TEST(FitArray, central_view_is_the_cameras_own_picture) {
+  Scene scene;
+  add_box(scene, {-1, -1, -3}, {1, 1, 1});
+  add_camera(scene, at({0.5f, 0, 8}));
+  const FittedArray array = fit_array(scene);
+  const Panel panel{100, 100, 0.5f};
+  const float units_per_mm = scene_units_per_mm(array, 50.0f);
+  const Optics optics{.panel = panel, .model = SingleView{array.viewing_distance / units_per_mm}};
+  const Affine3f world = world_from_display(array, units_per_mm, evaluate(scene, 0));
+  const Ray centre = ray_of_pixel(optics, {50, 50}), top = ray_of_pixel(optics, {50, 0});
+  expect_near(transform_point(world, centre.origin), {0.5f, 0, 8});
+  expect_near(glm::normalize(transform_vector(world, centre.direction)), {0, 0, -1});
+  EXPECT_NEAR(std::acos(glm::dot(centre.direction, top.direction)), radians(30.0f), kRounding);
+}
+
+TEST(FitArray, camera_inside_the_scene_looks_half_way_to_its_far_wall) {
+  Scene scene;
+  add_box(scene, {-5, -5, -8}, {5, 5, 6});
+  add_camera(scene, at({0, 0, 4}));
+  const FittedArray array = fit_array(scene);
+  EXPECT_NEAR(array.viewing_distance, 6.0f, kRounding);  // the wall is 12 away
+  expect_near(plane_in_world(scene, array).translation, {0, 0, -2});
+  // What is behind the viewer does not count as depth.
+  EXPECT_NEAR(array.depth_front, 6.0f, kRounding);
+  EXPECT_NEAR(array.depth_back, -6.0f, kRounding);
+}
+
+TEST(FitArray, scene_behind_the_camera_keeps_a_twentieth_of_its_size) {
+  Scene scene;
+  add_box(scene, {-1, -2, 4}, {1, 2, 8});  // diagonal 6
+  add_camera(scene, at({0, 0, 0}));
+  const FittedArray array = fit_array(scene);
+  EXPECT_NEAR(array.viewing_distance, 0.3f, kRounding);
+  EXPECT_LE(array.depth_front, array.viewing_distance);
+}
+
+TEST(FitArray, scene_without_a_camera_is_seen_whole_from_the_front) {
+  Scene scene;
+  add_box(scene, {-1, 2, -3}, {3, 5, 7});  // 4 x 3 x 10, centre (1, 3.5, 2)
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.origin, FittedArray::Origin::kBounds);
+  EXPECT_EQ(array.node, -1);
+  const Affine3f plane = plane_in_world(scene, array);
+  expect_near(plane.translation, {1, 3.5f, 2});
+  expect_near(transform_vector(plane, {0, 0, 1}), {0, 0, 1});
+  // The camera's angle is 45 degrees, and the front face, 5 in front of the plane, is 1/1.1 of what it sees there.
+  EXPECT_NEAR(2.0f * std::atan(0.5f * array.plane_height / array.viewing_distance), radians(45.0f), kRounding);
+  const float seen_at_front = array.plane_height * (array.viewing_distance - 5.0f) / array.viewing_distance;
+  EXPECT_NEAR(seen_at_front, 1.1f * 4.0f, 1e-4f);
+  // In a picture twice as wide as high the height decides: 4 / 2 < 3.
+  const FittedArray wide = fit_array(scene, 2.0f);
+  EXPECT_NEAR(wide.plane_height * (wide.viewing_distance - 5.0f) / wide.viewing_distance, 1.1f * 3.0f, 1e-4f);
+}
+
+TEST(FitArray, scene_with_nothing_finite_still_gets_an_array) {
+  Scene scene;
+  FittedArray array = fit_array(scene);
+  EXPECT_GT(array.plane_height, 0.0f);
+  EXPECT_TRUE(std::isfinite(array.viewing_distance));
+  add_camera(scene, at({0, 0, 5}));
+  array = fit_array(scene);
+  EXPECT_EQ(array.viewing_distance, 1.0f);
+  EXPECT_EQ(array.depth_front, 0.0f);
+  EXPECT_EQ(array.depth_back, 0.0f);
+}
+
+// ---- How it moves -----------------------------------------------------------------------------------------------------
+
+TEST(FitArray, array_moves_rigidly_with_its_camera) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, at({0, 0, 10}));
+  NodeAnimation move;
+  move.node = 0;
+  move.translation = {{0, 1}, {{0, 0, 10}, {3, 0, 20}}};
+  scene.timeline.animations.push_back(move);
+  const FittedArray array = fit_array(scene);
+  expect_near(world_from_display(array, 1.0f, evaluate(scene, 0)).translation, {0, 0, 0});
+  expect_near(world_from_display(array, 1.0f, evaluate(scene, 1)).translation, {3, 0, 10});
+}
+
+TEST(FitArray, scaled_parent_scales_the_array_with_the_camera) {
+  // The same camera, once plain at (0, 0, 10), once at (0, 0, 5) below a parent that doubles lengths.
+  Scene plain, scaled;
+  add_box(plain, Vec3f(-1), Vec3f(1));
+  add_box(scaled, Vec3f(-1), Vec3f(1));
+  add_camera(plain, at({0, 0, 10}));
+  const int parent = add_node(scaled, {Vec3f(0), Quatf(1, 0, 0, 0), Vec3f(2.0f)});
+  add_camera(scaled, at({0, 0, 5}), parent);
+  const FittedArray a = fit_array(plain), b = fit_array(scaled);
+  const Affine3f world_a = world_from_display(a, scene_units_per_mm(a, 64.0f), evaluate(plain, 0));
+  const Affine3f world_b = world_from_display(b, scene_units_per_mm(b, 64.0f), evaluate(scaled, 0));
+  expect_near(world_a.translation, world_b.translation);
+  for (int c = 0; c < 3; ++c) expect_near(world_a.linear[c], world_b.linear[c]);
+  EXPECT_NEAR(a.viewing_distance, 2.0f * b.viewing_distance, kRounding);
+}
+
+TEST(FitArray, uneven_scale_and_mirrors_leave_a_similarity_that_looks_the_same_way) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  const int parent = add_node(scene, {Vec3f(0), Quatf(1, 0, 0, 0), Vec3f(-1.0f, 2.0f, 4.0f)});
+  add_camera(scene, at({0, 0, 2}), parent);
+  const Affine3f world = plane_in_world(scene, fit_array(scene));
+  EXPECT_NEAR(glm::determinant(world.linear), 8.0f, 1e-4f);  // no mirror; the scale is the cube root of 1 * 2 * 4
+  expect_near(world.linear[0], {2, 0, 0});
+  expect_near(world.linear[1], {0, 2, 0});
+  expect_near(world.linear[2], {0, 0, 2});
+}
+
+TEST(FitArray, node_scaled_to_nothing_is_refused) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, {{0, 0, 5}, Quatf(1, 0, 0, 0), Vec3f(0.0f)});
+  EXPECT_THROW(fit_array(scene), Error);
+}
+
+// ---- Depth budget -----------------------------------------------------------------------------------------------------
+
+/// 64 lenses of 8 pixels: 64 mm high, depth budget 16 mm.
+std::string budget_for(float half_depth) {
+  Scene scene;
+  add_box(scene, {-1, -1, -half_depth}, {1, 1, half_depth});
+  scene.display = DisplayPlacement{-1, 6.4f, 20.0f};  // 10 mm a unit
+  const FittedArray array = fit_array(scene);
+  return depth_budget_sentence(array, scene_units_per_mm(array, 64.0f), {.panel = {}, .model = LenticularSheet{}});
+}
+
+TEST(DepthBudget, scene_within_it_is_said_to_be) {
+  EXPECT_EQ(budget_for(1.5f),
+            "The scene reaches from -15.0 mm to +15.0 mm, within the depth budget of 16.0 mm on either side.");
+}
+
+TEST(DepthBudget, scene_beyond_it_is_told_by_how_much) {
+  EXPECT_EQ(budget_for(4.0f),
+            "The scene reaches from -40.0 mm to +40.0 mm, 24.0 mm beyond the depth budget of 16.0 mm on either "
+            "side: at 40.0 mm a pixel is as wide as 2.5 lenses.");
+}
+
+TEST(DepthBudget, views_without_lenses_have_none) {
+  EXPECT_THAT(depth_budget_sentence(FittedArray{}, 1.0f, {.panel = {}, .model = SingleView{}}), HasSubstr("no depth budget"));
+}
+
+}  // namespace
+}  // namespace lippmann
