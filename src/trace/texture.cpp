@@ -138,6 +138,7 @@ LIPPMANN_MULTIVERSION Vec4f sample_uv(const DeviceTexture& texture, Vec2f uv, Ve
     std::swap(length_a, length_b);
     std::swap(footprint_a, footprint_b);
   }
+  if (!(length_a < 1e6f && length_b < 1e6f)) return to_vec4(bilinear(texture, texture.levels.size() - 1, uv));  // the mean
   if (!(length_a > 1.0f)) return to_vec4(bilinear(texture, 0, uv));  // magnified, or no footprint
   const float shortest = std::max({length_b, length_a / kMaxProbes, 1.0f});
   float lod = std::log2(shortest);

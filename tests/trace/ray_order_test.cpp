@@ -1,0 +1,131 @@
+#include "trace/ray_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "trace/packet_source.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr RayOrder kOrders[] = {RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles};
+
+std::vector<Optics> optics_of_odd_sizes() {
+  std::vector<Optics> all;
+  Optics o;
+  o.panel = {48, 37, 0.125f};
+  o.model = LenticularSheet{};
+  all.push_back(o);
+  std::get<LenticularSheet>(o.model).lens_pitch_mm = 1.1f;  // not a whole number of pixels
+  all.push_back(o);
+  o.panel = {24, 40, 0.25f};
+  o.model = MicrolensArray{};
+  all.push_back(o);
+  o.panel = {35, 21, 0.2f};
+  o.model = SingleView{};
+  all.push_back(o);
+  return all;
+}
+
+TEST(StripOrder, every_order_and_optics_holds_each_pixel_once) {
+  for (const Optics& optics : optics_of_odd_sizes())
+    for (const RayOrder order : kOrders) {
+      const StripOrder strip = make_strip_order(optics, order);
+      std::set<std::pair<int, int>> seen;
+      for (const StripPixel p : strip.pixels) {
+        EXPECT_LT(p.x, optics.panel.width);
+        EXPECT_LT(p.y, strip.strip_height);
+        EXPECT_TRUE(seen.insert({p.x, p.y}).second) << to_string(order) << " repeats " << p.x << ", " << p.y;
+      }
+      EXPECT_EQ(seen.size(), static_cast<std::size_t>(optics.panel.width * strip.strip_height)) << to_string(order);
+    }
+}
+
+TEST(StripOrder, view_tiles_of_a_lenticular_sheet_keep_one_view_and_lens_in_a_packet) {
+  const StripOrder strip = make_strip_order(optics_of_odd_sizes()[0], RayOrder::kViewTiles);
+  for (std::size_t i = 0; i < strip.pixels.size(); i += 16)
+    for (std::size_t lane = 1; lane < 16; ++lane) EXPECT_EQ(strip.pixels[i + lane].x, strip.pixels[i].x);
+  EXPECT_EQ(strip.pixels[16].x, strip.pixels[0].x + 8) << "the next packet is the next lens of the same view";
+}
+
+TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
+  Optics o;
+  o.panel = {64, 64, 0.125f};
+  o.model = MicrolensArray{};
+  const StripOrder strip = make_strip_order(o, RayOrder::kViewTiles);
+  for (std::size_t i = 0; i < strip.pixels.size(); ++i) {
+    EXPECT_EQ(strip.pixels[i].x % 8, strip.pixels[i - i % 16].x % 8);
+    EXPECT_EQ(strip.pixels[i].y % 8, strip.pixels[i - i % 16].y % 8);
+  }
+}
+
+TEST(RayOrderNames, each_name_parses_back) {
+  for (const RayOrder order : kOrders) {
+    RayOrder parsed{};
+    EXPECT_TRUE(parse(to_string(order), parsed));
+    EXPECT_EQ(parsed, order);
+  }
+  RayOrder ignored{};
+  EXPECT_FALSE(parse("spiral", ignored));
+}
+
+TEST(PacketSource, fill_covers_the_panel_once_whatever_its_size) {
+  for (const Optics& optics : optics_of_odd_sizes())
+    for (const RayOrder order : kOrders) {
+      const PacketSource source(optics, Affine3f{}, order, SubPixel{});
+      std::set<std::uint32_t> seen;
+      RayPacket rays;
+      LaneMask active;
+      std::uint32_t pixel[kLanes];
+      for (int strip = 0; strip < source.strips(); ++strip)
+        for (int p = 0; p < source.packets_per_strip(); ++p) {
+          if (source.fill(strip, p, 0, rays, active, pixel) == 0) continue;
+          for (int i = 0; i < kLanes; ++i) {
+            if (active.lane[i]) {
+              EXPECT_TRUE(seen.insert(pixel[i]).second);
+            }
+          }
+        }
+      EXPECT_EQ(seen.size(), static_cast<std::size_t>(optics.panel.width * optics.panel.height));
+    }
+}
+
+TEST(PacketSource, fill_gives_the_rays_of_the_optics) {
+  const Optics optics = optics_of_odd_sizes()[0];
+  const PacketSource source(optics, Affine3f{}, RayOrder::kViewTiles, SubPixel{});
+  RayPacket rays;
+  LaneMask active;
+  std::uint32_t pixel[kLanes];
+  ASSERT_EQ(source.fill(1, 7, 0, rays, active, pixel), kLanes);
+  for (int i = 0; i < kLanes; ++i) {
+    const Vec2f center(static_cast<float>(pixel[i] % 48) + 0.5f, static_cast<float>(pixel[i] / 48) + 0.5f);
+    const Ray expected = ray_of_pixel(optics, center);
+    EXPECT_EQ(Vec3f(rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]), expected.direction);
+    EXPECT_EQ(Vec3f(rays.org_x[i], rays.org_y[i], rays.org_z[i]), expected.origin);
+  }
+}
+
+TEST(SubPixel, samples_of_a_pixel_fill_every_stratum) {
+  const SubPixel sub{3, 5, 16};
+  std::set<int> columns, rows;
+  for (int s = 0; s < 16; ++s) {
+    const Vec2f p = sub.position(1234, s);
+    ASSERT_GE(std::min(p.x, p.y), 0.0f);
+    ASSERT_LT(std::max(p.x, p.y), 1.0f);
+    // The shift moves all points alike: 16 different sixteenths, up to where the strata begin.
+    columns.insert(static_cast<int>(std::floor((p.x - sub.position(1234, 0).x + 1.0f) * 16.0f + 0.5f)) % 16);
+    rows.insert(static_cast<int>(std::floor((p.y - sub.position(1234, 0).y + 1.0f) * 16.0f + 0.5f)) % 16);
+  }
+  EXPECT_EQ(columns.size(), 16u);
+  EXPECT_EQ(rows.size(), 16u);
+}
+
+TEST(SubPixel, different_pixels_and_frames_get_different_positions) {
+  EXPECT_NE(SubPixel({0, 0, 4}).position(1, 0), SubPixel({0, 0, 4}).position(2, 0));
+  EXPECT_NE(SubPixel({0, 0, 4}).position(1, 0), SubPixel({0, 1, 4}).position(1, 0));
+  EXPECT_EQ(SubPixel({0, 0, 1}).position(1, 0), Vec2f(0.5f));
+}
+
+}  // namespace
+}  // namespace lippmann

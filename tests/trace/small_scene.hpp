@@ -1,0 +1,117 @@
+// Scenes of a few shapes, and pictures of them a few pixels wide, for tests of tracing.
+#pragma once
+
+#include "trace/trace_frame.hpp"
+
+namespace lippmann::test {
+
+/// Grows a Scene one shape, light or node at a time.
+class SmallScene {
+ public:
+  SmallScene() {
+    scene.background.horizon = scene.background.zenith = Vec3f(0.0f);
+    scene.max_depth = 1;
+  }
+
+  int node(const Affine3f& world_from_node) {
+    scene.nodes.push_back({"", -1, {}, world_from_node});
+    return static_cast<int>(scene.nodes.size()) - 1;
+  }
+
+  /// A node whose position is animated, at `position` at time 0.
+  int moving_node(Vec3f position, Vec3f position_after_a_second) {
+    scene.nodes.push_back({"", -1, {}, {}});
+    NodeAnimation animation;
+    animation.node = static_cast<int>(scene.nodes.size()) - 1;
+    animation.translation.times = {0.0, 1.0};
+    animation.translation.values = {position, position_after_a_second};
+    scene.timeline.animations.push_back(animation);
+    return animation.node;
+  }
+
+  int material(const PhongSurface& surface) {
+    scene.materials.push_back({"", surface});
+    return static_cast<int>(scene.materials.size()) - 1;
+  }
+
+  /// Returns the object id.
+  int add(Shape shape, int material_index, int node_index = -1) {
+    scene.shapes.push_back(std::move(shape));
+    scene.instances.push_back({"", static_cast<int>(scene.shapes.size()) - 1, material_index, node_index});
+    return static_cast<int>(scene.instances.size()) - 1;
+  }
+
+  Light& point_light(Vec3f position, Vec3f color = Vec3f(1.0f)) {
+    Light light;
+    light.node = node({Mat3f(1.0f), position});
+    light.color = color;
+    scene.lights.push_back(light);
+    return scene.lights.back();
+  }
+
+  Scene scene;
+};
+
+/// Glows in its colour, whatever the light.
+inline PhongSurface glowing(Vec3f color) {
+  PhongSurface s;
+  s.color = color;
+  s.ambient = 1.0f;
+  s.diffuse = 0.0f;
+  return s;
+}
+
+inline PhongSurface matte(Vec3f color) {
+  PhongSurface s;
+  s.color = color;
+  s.ambient = 0.0f;
+  s.diffuse = 1.0f;
+  return s;
+}
+
+inline PhongSurface mirror(float share) {
+  PhongSurface s = matte(Vec3f(0.0f));
+  s.mirror = share;
+  return s;
+}
+
+/// Two triangles in the plane z = `z`, facing +z, corners at +-half, uv from (0, 0) at the top left to (1, 1).
+inline Mesh square(float half, float z) {
+  Mesh m;
+  m.positions = {{-half, half, z}, {half, half, z}, {half, -half, z}, {-half, -half, z}};
+  m.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  m.triangles = {{0, 3, 2}, {0, 2, 1}};
+  return m;
+}
+
+/// A single view from (0, 0, 10) of the square +-2 around the origin, `size` pixels wide.
+inline Optics single_view(int size) {
+  Optics optics;
+  optics.panel = {size, size, 4.0f / static_cast<float>(size)};
+  optics.model = SingleView{10.0f, {0.0f, 0.0f}};
+  return optics;
+}
+
+struct Picture {
+  Image film;
+  FrameAovs aovs;
+  RayCounts counts;
+  Vec3f at(int x, int y) const {
+    const float* p = film.pixel(x, y);
+    return {p[0], p[1], p[2]};
+  }
+};
+
+inline Picture trace(const Scene& scene, const Optics& optics, TraceParams params = {}, int threads = 1, double time = 0.0) {
+  const ThreadPool pool(threads);
+  const Context context;
+  DeviceScene device(scene, pool);
+  device.update(evaluate(scene, time), pool);
+  params.max_depth = scene.max_depth;
+  Picture picture;
+  picture.aovs.depth = picture.aovs.normal = picture.aovs.object_id = picture.aovs.position = true;
+  picture.counts = trace_frame(device, optics, Affine3f{}, params, pool, context, picture.film, &picture.aovs);
+  return picture;
+}
+
+}  // namespace lippmann::test

@@ -1,0 +1,226 @@
+// Shading against values worked out by hand. The view is from (0, 0, 10) at the square +-2; its central rays run along -z.
+#include <gtest/gtest.h>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+void expect_color(Vec3f got, Vec3f expected, float tolerance) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "channel " << c;
+}
+
+// An odd size puts a pixel's centre on the axis.
+constexpr int kSize = 33, kMiddle = 16;
+// Of single-precision shading along one path.
+constexpr float kRounding = 2e-5f;
+
+TEST(Whitted, empty_scene_shows_the_background) {
+  SmallScene s;
+  s.scene.background.horizon = s.scene.background.zenith = {0.1f, 0.2f, 0.3f};
+  const Picture p = trace(s.scene, single_view(kSize));
+  expect_color(p.at(3, 5), {0.1f, 0.2f, 0.3f}, 0.0f);
+  EXPECT_EQ(p.aovs.object_id_image.data[0], -1.0f);
+  EXPECT_EQ(p.aovs.depth_image.data[0], -kInfinity);
+}
+
+TEST(Whitted, background_gradient_blends_by_the_sine_of_elevation) {
+  SmallScene s;
+  s.scene.background = {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}};
+  const Picture p = trace(s.scene, single_view(kSize));
+  const float y = 2.0f * 16.0f / 16.5f;  // the top row's centre in the plane z = 0
+  expect_color(p.at(kMiddle, 0), Vec3f(y / std::sqrt(y * y + 100.0f)), kRounding);
+  expect_color(p.at(kMiddle, kSize - 1), Vec3f(0.0f), 0.0f);
+}
+
+TEST(Whitted, lambert_square_under_a_point_light) {
+  SmallScene s;
+  PhongSurface surface = matte({0.5f, 0.25f, 1.0f});
+  surface.ambient = 0.2f;
+  surface.diffuse = 0.8f;
+  s.add(square(2, 0), s.material(surface));
+  s.point_light({3, 0, 4}, {1.0f, 0.5f, 0.25f});
+  const Picture p = trace(s.scene, single_view(kSize));
+  const float n_l = 4.0f / 5.0f;
+  expect_color(p.at(kMiddle, kMiddle), Vec3f(0.5f, 0.25f, 1.0f) * (Vec3f(0.2f) + 0.8f * n_l * Vec3f(1.0f, 0.5f, 0.25f)),
+               kRounding);
+  EXPECT_EQ(p.counts.shadow, p.counts.primary) << "the square fills the view";
+}
+
+TEST(Whitted, inverse_square_and_range_and_directional_light) {
+  SmallScene s;
+  s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
+  Light& light = s.point_light({0, 0, 4}, Vec3f(8.0f));
+  light.inverse_square = true;
+  expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(8.0f / 16.0f), kRounding);
+  light.range = 3.9f;
+  expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
+  light.kind = LightKind::kDirectional;  // along -z, straight down on the square; range and distance do not count
+  expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(8.0f), 1e-4f);
+}
+
+TEST(Whitted, spot_light_ends_at_its_outer_cone) {
+  SmallScene s;
+  s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
+  Light& light = s.point_light({0, 0, 2});
+  light.kind = LightKind::kSpot;
+  light.inner_cone = radians(10.0f);
+  light.outer_cone = radians(30.0f);
+  const Picture p = trace(s.scene, single_view(kSize));
+  expect_color(p.at(kMiddle, kMiddle), Vec3f(1.0f), kRounding);
+  const int outside = kMiddle + 10;  // x = 1.21, 31 degrees off the axis
+  expect_color(p.at(outside, kMiddle), Vec3f(0.0f), 0.0f);
+  // x = 0.4848, 13.63 degrees: the square of the linear ramp in the cosine between the cones, times N.L.
+  const float x = 4.0f * 4.0f / 33.0f, cosine = 2.0f / std::sqrt(x * x + 4.0f);
+  const float ramp = (cosine - std::cos(radians(30.0f))) / (std::cos(radians(10.0f)) - std::cos(radians(30.0f)));
+  expect_color(p.at(kMiddle + 4, kMiddle), Vec3f(ramp * ramp * cosine), 1e-4f);
+}
+
+TEST(Whitted, blinn_highlight_has_its_value_and_its_tint) {
+  SmallScene s;
+  PhongSurface surface = matte({0.5f, 0.25f, 1.0f});
+  surface.diffuse = 0.0f;
+  surface.highlight_kind = Highlight::kMetal;
+  surface.highlight = 0.75f;
+  surface.highlight_size = 20.0f;
+  const int material = s.material(surface);
+  s.add(square(2, 0), material);
+  s.point_light({3, 0, 4});
+  // N = V = z, L = (3, 0, 4) / 5: H = (0.6, 0, 1.8) / |.|.
+  const float n_h = 1.8f / std::sqrt(0.36f + 3.24f);
+  const float lobe = 0.75f * std::pow(n_h, 20.0f);
+  expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), lobe * Vec3f(0.5f, 0.25f, 1.0f), kRounding);
+  std::get<PhongSurface>(s.scene.materials[0].surface).highlight_kind = Highlight::kPlastic;
+  expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(lobe), kRounding);
+}
+
+TEST(Whitted, sphere_between_light_and_square_casts_its_shadow) {
+  SmallScene s;
+  s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
+  s.add(Spheres{{{1.0f, 0, 3.0f}, 0.3f}}, s.material(matte(Vec3f(1.0f))));
+  s.point_light({2, 0, 6});  // through the sphere's centre to the origin
+  const Picture p = trace(s.scene, single_view(kSize));
+  expect_color(p.at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
+  EXPECT_GT(p.at(kMiddle - 8, kMiddle).x, 0.5f);
+}
+
+TEST(Whitted, see_through_blocker_weakens_the_shadow_by_its_opacity) {
+  for (const bool analytic : {true, false}) {
+    SmallScene s;
+    s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
+    PhongSurface veil = matte(Vec3f(0.0f));
+    veil.opacity = 0.25f;
+    const int material = s.material(veil);
+    if (analytic)
+      s.add(Rings{{{0, 0, 12}, {0, 0, 1}, 0.0f, 1.0f}}, material);
+    else
+      s.add(square(1, 12), material, s.node({Mat3f(1.0f), {0.3f, 0, 0}}));  // off its diagonal, which two triangles share
+    s.point_light({0, 0, 20});                                              // the blocker is behind the viewer
+    expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.75f), kRounding);
+  }
+}
+
+TEST(Whitted, mirror_shows_what_lies_behind_the_viewer) {
+  SmallScene s;
+  s.scene.max_depth = 2;
+  s.add(square(2, 0), s.material(mirror(0.5f)));
+  s.add(square(30, 20), s.material(glowing({0.2f, 0.4f, 0.8f})));
+  const Picture p = trace(s.scene, single_view(kSize));
+  expect_color(p.at(kMiddle, kMiddle), 0.5f * Vec3f(0.2f, 0.4f, 0.8f), kRounding);
+  EXPECT_EQ(p.counts.reflection, p.counts.primary);
+}
+
+TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
+  // Vertices: front mirror, back mirror, front mirror ...; each adds 1 x emission. At the limit the background is seen.
+  SmallScene s;
+  s.scene.background.horizon = s.scene.background.zenith = Vec3f(8.0f);
+  PhongSurface surface = mirror(0.5f);
+  surface.emission = Vec3f(1.0f);
+  const int material = s.material(surface);
+  s.add(square(50, 0), material);
+  s.add(square(50, 12), material);
+  for (int depth = 1; depth <= 4; ++depth) {
+    s.scene.max_depth = depth;
+    float expected = 0.0f, share = 1.0f;
+    for (int vertex = 0; vertex < depth; ++vertex, share *= 0.5f) expected += share;
+    expected += share * 8.0f;
+    expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(expected), 1e-4f);
+    s.scene.encoding = Encoding::kTachyonTruncate;  // adds the background without the last mirror's share
+    expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(expected + share * 8.0f), 1e-4f);
+    s.scene.encoding = Encoding::kSrgb;
+  }
+}
+
+TEST(Whitted, glass_slab_shifts_what_is_behind_it_by_snells_law) {
+  // A ray that enters a slab of thickness d at angle a leaves parallel, shifted sideways by d sin(a - b) / cos b.
+  SmallScene s;
+  s.scene.max_depth = 3;
+  PhongSurface glass = matte(Vec3f(0.0f));
+  glass.opacity = 0.0f;
+  glass.ior = 1.5f;
+  s.add(Boxes{{{-20, -20, 0}, {20, 20, 4}}}, s.material(glass));
+  Mesh ramp = square(20, -1);  // its colour tells x: 0 at -20, 1 at +20
+  Texture gradient;
+  gradient.width = 256, gradient.height = 1;
+  gradient.srgb = false;
+  gradient.wrap_u = gradient.wrap_v = Wrap::kClamp;
+  for (int x = 0; x < 256; ++x)
+    for (int c = 0; c < 4; ++c) gradient.rgba.push_back(static_cast<std::uint8_t>(x));
+  s.scene.textures.push_back(gradient);
+  PhongSurface glow = glowing(Vec3f(1.0f));
+  glow.texture = 0;
+  s.add(ramp, s.material(glow));
+  const Picture p = trace(s.scene, single_view(kSize));
+  const float x0 = 4.0f * 16.0f / 33.0f;  // the last pixel's crossing of z = 0
+  const float slope = x0 / 10.0f;         // tan a
+  const float sine = slope / std::sqrt(1.0f + slope * slope), inside = std::tan(std::asin(sine / 1.5f));
+  const float x = slope * (10.0f - 4.0f) + inside * 4.0f + slope * 1.0f;
+  // The texture steps by 40 / 256 per texel: half a step of tolerance.
+  EXPECT_NEAR(p.at(kSize - 1, kMiddle).x * 40.0f * 255.0f / 256.0f - 20.0f + 20.0f / 256.0f, x, 0.03f);
+}
+
+TEST(Whitted, aovs_hold_depth_normal_object_and_position) {
+  SmallScene s;
+  const int material = s.material(matte(Vec3f(1.0f)));
+  s.add(square(5, -1), material);
+  const int ball = s.add(Spheres{{{0, 0, 1}, 0.5f}}, material);
+  const Picture p = trace(s.scene, single_view(kSize));
+  const std::size_t middle = kMiddle * kSize + kMiddle;
+  EXPECT_NEAR(p.aovs.depth_image.data[middle], 1.5f, 1e-5f);
+  EXPECT_EQ(p.aovs.object_id_image.data[middle], static_cast<float>(ball));
+  EXPECT_NEAR(p.aovs.normal_image.data[3 * middle + 2], 1.0f, 1e-6f);
+  EXPECT_NEAR(p.aovs.position_image.data[3 * middle + 2], 1.5f, 1e-5f);
+  EXPECT_NEAR(p.aovs.depth_image.data[0], -1.0f, 1e-5f);
+}
+
+TEST(Whitted, back_side_is_shaded_like_the_front) {
+  SmallScene s;
+  const Affine3f turned{glm::mat3_cast(glm::angleAxis(kPi, Vec3f(0, 1, 0))), {}};
+  s.add(square(2, 0), s.material(matte(Vec3f(1.0f))), s.node(turned));
+  s.point_light({0, 0, 4});
+  expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(1.0f), kRounding);
+}
+
+TEST(Whitted, visible_light_is_a_ball_of_its_colour_and_casts_no_shadow) {
+  SmallScene s;
+  s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
+  s.point_light({0, 0, 2}, {0.5f, 0.25f, 0.125f}).visible_radius = 0.3f;
+  s.point_light({0, 0, 6});
+  const Picture p = trace(s.scene, single_view(kSize));
+  expect_color(p.at(kMiddle, kMiddle), {0.5f, 0.25f, 0.125f}, 0.0f);
+  EXPECT_GT(p.at(kMiddle + 6, kMiddle).z, 0.8f) << "lit by the second light, past the first one's ball";
+}
+
+TEST(Whitted, infinite_plane_is_seen_and_shadows) {
+  SmallScene s;
+  s.add(Planes{{{0, 0, -1}, {0, 0, 1}}}, s.material(matte(Vec3f(1.0f))));
+  s.point_light({0, 0, -3});  // behind the plane
+  expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
+  s.point_light({0, 0, 3}, Vec3f(0.5f));
+  expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.5f), kRounding);
+}
+
+}  // namespace
+}  // namespace lippmann
