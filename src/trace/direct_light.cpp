@@ -49,6 +49,18 @@ LIPPMANN_INLINE LightAtPoint at_point(const WhittedLight& light, float px, float
   return {lx, ly, lz, distance, strength};
 }
 
+/// Weakens by Tachyon's cone: linear in the angle. Apart from at_point, because it does not vectorise.
+void dim_by_angle(const WhittedLight& light, ShadowPacket& shadow) {
+  for (int i = 0; i < kLanes; ++i) {
+    const Vec3f to_light(shadow.rays.dir_x[i], shadow.rays.dir_y[i], shadow.rays.dir_z[i]);
+    const float angle = std::acos(std::clamp(-glm::dot(to_light, light.direction), -1.0f, 1.0f));
+    if (angle > light.outer_cone)
+      shadow.strength[i] = 0.0f;
+    else if (angle > light.inner_cone)
+      shadow.strength[i] *= 1.0f - (angle - light.inner_cone) / (light.outer_cone - light.inner_cone);
+  }
+}
+
 LIPPMANN_MULTIVERSION void read_visibility(const ShadowContext& context, ShadowPacket& shadow) {
   for (int i = 0; i < kLanes; ++i) {
     const bool lit = (shadow.active.lane[i] != 0) & (shadow.rays.tfar[i] >= 0.0f);
@@ -76,7 +88,7 @@ LIPPMANN_MULTIVERSION void add_diffuse(const WhittedLight& light, const ShadowPa
 }
 
 LIPPMANN_MULTIVERSION void add_highlight(const WhittedLight& light, const SurfacePacket& s, const RTCRay16& view,
-                                         const ShadowPacket& shadow, DirectLight& direct) {
+                                         const ShadowPacket& shadow, bool tachyon, DirectLight& direct) {
   for (int i = 0; i < kLanes; ++i) {
     const float hx = shadow.rays.dir_x[i] - view.dir_x[i], hy = shadow.rays.dir_y[i] - view.dir_y[i],
                 hz = shadow.rays.dir_z[i] - view.dir_z[i];
@@ -85,23 +97,19 @@ LIPPMANN_MULTIVERSION void add_highlight(const WhittedLight& light, const Surfac
     const bool shows = (shadow.visibility[i] > 0.0f) & (n_h > s.highlight_cutoff[i]);
     const float base = std::min(std::max(n_h, 1e-6f), 1.0f);
     const float lobe = s.highlight[i] * fast_exp2(s.highlight_size[i] * fast_log2(base));
-    const float arriving = shows ? lobe * shadow.strength[i] * shadow.visibility[i] : 0.0f;
-    direct.highlight.x[i] += light.color.x * arriving;
-    direct.highlight.y[i] += light.color.y * arriving;
-    direct.highlight.z[i] += light.color.z * arriving;
+    const float dimmed = tachyon ? lobe : lobe * shadow.strength[i] * shadow.visibility[i];
+    const float arriving = shows ? dimmed : 0.0f;
+    const float white = tachyon ? s.highlight_tint[i] : 0.0f;
+    direct.highlight.x[i] += (light.color.x + white * (1.0f - light.color.x)) * arriving;
+    direct.highlight.y[i] += (light.color.y + white * (1.0f - light.color.y)) * arriving;
+    direct.highlight.z[i] += (light.color.z + white * (1.0f - light.color.z)) * arriving;
   }
 }
 
-}  // namespace
-
-LIPPMANN_MULTIVERSION int aim_at_light(const WhittedLight& light, const SurfacePacket& s, float t_near, float minimum_cosine,
-                                       ShadowPacket& shadow) {
-  const bool directional = light.kind == LightKind::kDirectional, spot = light.kind == LightKind::kSpot;
-  int count = 0;
+LIPPMANN_MULTIVERSION void aim(const WhittedLight& light, const SurfacePacket& s, float t_near, ShadowPacket& shadow) {
+  const bool directional = light.kind == LightKind::kDirectional, spot = light.kind == LightKind::kSpot && !light.linear_cone;
   for (int i = 0; i < kLanes; ++i) {
     const LightAtPoint l = at_point(light, s.position.x[i], s.position.y[i], s.position.z[i], directional, spot);
-    const float cosine = s.normal.x[i] * l.lx + s.normal.y[i] * l.ly + s.normal.z[i] * l.lz;
-    const int active = (s.hit.lane[i] != 0) & (cosine > minimum_cosine) & (l.strength > 0.0f) ? -1 : 0;
     shadow.rays.org_x[i] = s.position.x[i], shadow.rays.org_y[i] = s.position.y[i], shadow.rays.org_z[i] = s.position.z[i];
     shadow.rays.dir_x[i] = l.lx, shadow.rays.dir_y[i] = l.ly, shadow.rays.dir_z[i] = l.lz;
     shadow.rays.tnear[i] = t_near;
@@ -110,12 +118,28 @@ LIPPMANN_MULTIVERSION int aim_at_light(const WhittedLight& light, const SurfaceP
     shadow.rays.mask[i] = ~0u;
     shadow.rays.id[i] = static_cast<unsigned>(i);
     shadow.rays.flags[i] = 0;
-    shadow.active.lane[i] = active;
-    shadow.cosine[i] = cosine;
+    shadow.cosine[i] = s.normal.x[i] * l.lx + s.normal.y[i] * l.ly + s.normal.z[i] * l.lz;
     shadow.strength[i] = l.strength;
+  }
+}
+
+LIPPMANN_MULTIVERSION int choose_active(const SurfacePacket& s, float least_light, ShadowPacket& shadow) {
+  int count = 0;
+  for (int i = 0; i < kLanes; ++i) {
+    const int active = (s.hit.lane[i] != 0) & (shadow.cosine[i] * shadow.strength[i] > least_light) ? -1 : 0;
+    shadow.active.lane[i] = active;
     count -= active;
   }
   return count;
+}
+
+}  // namespace
+
+int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float t_near, float least_light,
+                 ShadowPacket& shadow) {
+  aim(light, surface, t_near, shadow);
+  if (light.kind == LightKind::kSpot && light.linear_cone) dim_by_angle(light, shadow);
+  return choose_active(surface, least_light, shadow);
 }
 
 void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow) {
@@ -135,9 +159,9 @@ void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow) {
 }
 
 void add_light(const WhittedLight& light, const SurfacePacket& surface, const RTCRay16& view, const ShadowPacket& shadow,
-               DirectLight& direct) {
+               bool tachyon, DirectLight& direct) {
   add_diffuse(light, shadow, direct);
-  if (surface.any_highlight) add_highlight(light, surface, view, shadow, direct);
+  if (surface.any_highlight) add_highlight(light, surface, view, shadow, tachyon, direct);
 }
 
 }  // namespace lippmann

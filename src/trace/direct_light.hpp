@@ -13,7 +13,8 @@ namespace lippmann {
 /// Direct light gathered so far, per lane: what multiplies the surface's diffuse colour, and the highlights by their tint.
 struct DirectLight {
   Lanes3 diffuse;    ///< sum of light colour x N.L x visibility
-  Lanes3 highlight;  ///< sum of light colour x (N.H)^size x visibility, in the light's colour; tint comes later
+  Lanes3 highlight;  ///< sum of light colour x (N.H)^size x visibility, in the light's colour; tint comes later.
+                     ///< Tachyon's: neither the light's fading and transmittance nor, in metal, its colour enter.
 };
 
 /// Rays from a packet of points to one light.
@@ -25,15 +26,15 @@ struct ShadowPacket {
   Lanes visibility;  ///< after trace_shadows: 0 in shadow, 1 lit, between: seen through see-through surfaces
 };
 
-/// Fills rays, active, cosine and strength. Returns how many lanes are active.
-int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float t_near, float minimum_cosine,
+/// Fills rays, active, cosine and strength. Light of strength x N.L <= least_light is none. Returns how many lanes are active.
+int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float t_near, float least_light,
                  ShadowPacket& shadow);
 
 /// Traces the active rays and fills visibility (0 for inactive lanes).
 void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow);
 
-/// Adds what arrives. `direction`: of the rays that hit the surface.
+/// Adds what arrives. `view`: the rays that hit the surface.
 void add_light(const WhittedLight& light, const SurfacePacket& surface, const RTCRay16& view, const ShadowPacket& shadow,
-               DirectLight& direct);
+               bool tachyon, DirectLight& direct);
 
 }  // namespace lippmann

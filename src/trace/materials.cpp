@@ -97,6 +97,9 @@ std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& r
     w.range = light.range;
     w.cos_inner = std::cos(light.inner_cone);
     w.cos_outer = std::cos(light.outer_cone);
+    w.inner_cone = light.inner_cone;
+    w.outer_cone = light.outer_cone;
+    w.linear_cone = scene.encoding == Encoding::kTachyonTruncate;
     w.visible_radius = light.visible_radius;
     lights.push_back(w);
   }

@@ -50,6 +50,9 @@ struct WhittedLight {
   bool inverse_square = false;
   float range = kInfinity;
   float cos_inner = 1.0f, cos_outer = -1.0f;
+  float inner_cone = 0.0f, outer_cone = kPi;
+  bool linear_cone =
+      false;  ///< falls off with the angle from inner to outer cone (Tachyon), not with its cosine, squared (glTF)
   float visible_radius = 0.0f;
 };
 

@@ -44,15 +44,15 @@ LIPPMANN_INLINE Color load(const std::uint16_t* rgba) {
   return __builtin_convertvector(__builtin_convertvector(code, Word), Color) * kUnit;
 }
 
-/// Half the size. Odd sizes: the last column or row of the coarse level also covers the one left over. Tachyon averages bytes
-/// and drops the remainder; a byte b is the code 257 b.
+/// Half the size. Odd sizes: the last column or row of the coarse level also covers the one left over. Tachyon leaves that one
+/// out, averages bytes and drops the remainder; a byte b is the code 257 b.
 DeviceTexture::Level halve(const DeviceTexture::Level& fine, bool tachyon) {
   DeviceTexture::Level coarse{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
   coarse.rgba.reserve(4 * static_cast<std::size_t>(coarse.width) * static_cast<std::size_t>(coarse.height));
   for (int y = 0; y < coarse.height; ++y)
     for (int x = 0; x < coarse.width; ++x) {
-      const int x0 = x * fine.width / coarse.width, x1 = (x + 1) * fine.width / coarse.width;
-      const int y0 = y * fine.height / coarse.height, y1 = (y + 1) * fine.height / coarse.height;
+      const int x0 = 2 * x, x1 = x + 1 < coarse.width || tachyon ? std::min(x0 + 2, fine.width) : fine.width;
+      const int y0 = 2 * y, y1 = y + 1 < coarse.height || tachyon ? std::min(y0 + 2, fine.height) : fine.height;
       const auto count = static_cast<std::uint32_t>((x1 - x0) * (y1 - y0));
       for (int c = 0; c < 4; ++c) {
         std::uint32_t sum = 0;
@@ -159,7 +159,7 @@ Vec3f sample_planar(const DeviceTexture& texture, const PlanarMapping& m, Vec3f 
   if (u < 0.0f) u += 1.0f;
   if (v < 0.0f) v += 1.0f;
   const auto count = static_cast<int>(texture.levels.size());
-  const float scale = std::max({std::abs(m.scale.x), std::abs(m.scale.y), std::abs(m.scale.z)});
+  const float scale = std::max(std::abs(m.scale.x), std::abs(m.scale.y));
   const float level = std::min(1.0f, 0.05f * path_length * scale) * (static_cast<float>(count) - 0.9999f);
   const int fine = static_cast<int>(level);
   if (fine >= count - 2) {

@@ -67,14 +67,21 @@ LIPPMANN_INLINE void intersect_callback(const RTCIntersectFunctionNArguments* ar
     intersect_lanes(primitive, args->valid, packet, args->N, args->primID, args->geomID, inst);
 }
 
-/// Shadow rays pass a see-through primitive, weakened; ray ids are lanes (see ShadowContext).
+/// Shadow rays pass a see-through primitive, weakened at each crossing; ray ids are lanes (see ShadowContext).
 template <class Primitive>
 void filter_lanes(const RTCOccludedFunctionNArguments* args, const Primitive& primitive, float transmittance) {
   const PacketView packet{reinterpret_cast<float*>(args->ray), args->N};
   auto* context = reinterpret_cast<ShadowContext*>(args->context);
   const auto* id = reinterpret_cast<const unsigned*>(packet.field(10));
-  for (unsigned i = 0; i < args->N; ++i)
-    if (args->valid[i] && distance(primitive, packet.ray(i)) < kInfinity) context->transmittance[id[i]] *= transmittance;
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (!args->valid[i]) continue;
+    LaneRay ray = packet.ray(i);
+    for (int crossing = 0; crossing < 2; ++crossing) {  // no shape here is crossed more often
+      ray.t_near = distance(primitive, ray);
+      if (!(ray.t_near < kInfinity)) break;
+      context->transmittance[id[i]] *= transmittance;
+    }
+  }
 }
 
 template <class Primitive>

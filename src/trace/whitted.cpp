@@ -12,12 +12,12 @@ int count_lanes(const LaneMask& mask) {
 }
 
 /// color (ambient + diffuse light) + highlight + emission, weighted by opacity: what the surface itself sends towards the ray.
-LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLight& direct, Lanes3& out) {
+/// Tachyon's is not weighted.
+LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLight& direct, bool tachyon, Lanes3& out) {
   for (int i = 0; i < kLanes; ++i) {
-    const float tint = s.highlight_tint[i];
+    const float tint = s.highlight_tint[i], weight = tachyon ? 1.0f : s.opacity[i];
     const auto channel = [&](float color, float ambient, float diffuse, float highlight, float emission) {
-      return s.opacity[i] *
-             (color * (ambient + s.diffuse[i] * diffuse) + highlight * (1.0f + tint * (color - 1.0f)) + emission);
+      return weight * (color * (ambient + s.diffuse[i] * diffuse) + highlight * (1.0f + tint * (color - 1.0f)) + emission);
     };
     out.x[i] = channel(s.color.x[i], s.ambient.x[i], direct.diffuse.x[i], direct.highlight.x[i], s.emission.x[i]);
     out.y[i] = channel(s.color.y[i], s.ambient.y[i], direct.diffuse.y[i], direct.highlight.y[i], s.emission.y[i]);
@@ -93,7 +93,7 @@ void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, co
   DirectLight direct{};
   gather_light(packet, direct);
   Lanes3 local;
-  local_radiance(surface_, direct, local);
+  local_radiance(surface_, direct, scene_.tachyon, local);
   const bool last = depth >= max_depth_;
   for (int i = 0; i < kLanes; ++i) {
     if (!surface_.hit.lane[i]) continue;
@@ -104,7 +104,7 @@ void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, co
       if (!last)
         queue_mirror(packet, bundle, i, weight * share);
       else if (scene_.tachyon)
-        radiance += scene_.scene->background.horizon;  // Tachyon adds it without the mirror's share
+        radiance += background(direction_of(packet, i));  // as Tachyon: what is ahead, and whole
       else
         radiance += share * background(glm::reflect(direction_of(packet, i), surface_.normal.get(i)));
     }
@@ -113,7 +113,7 @@ void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, co
       if (!last)
         queue_transmitted(packet, bundle, i, weight * through);
       else
-        radiance += through * background(direction_of(packet, i));
+        radiance += (scene_.tachyon ? 1.0f : through) * background(direction_of(packet, i));
     }
     add(bundle.pixel[i], weight * radiance);
   }
@@ -129,15 +129,14 @@ void WhittedTracer::add_missed(const RayHitPacket& packet, const LaneMask& activ
 }
 
 void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct) {
-  // Tachyon takes light below 1/512 for none.
-  const float minimum_cosine = scene_.tachyon ? 1.0f / 512.0f : 0.0f;
+  const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's, about 1/512
   for (const WhittedLight& light : scene_.lights) {
-    const int rays = aim_at_light(light, surface_, scene_.secondary_t_near, minimum_cosine, shadow_);
+    const int rays = aim_at_light(light, surface_, scene_.secondary_t_near, least_light, shadow_);
     if (rays == 0) continue;
     counts_.shadow += static_cast<std::uint64_t>(rays);
     if (log_) log_->push_back({shadow_.rays, shadow_.active, true, Coherence::kIncoherent});
     trace_shadows(scene_, shadow_);
-    add_light(light, surface_, packet.ray, shadow_, direct);
+    add_light(light, surface_, packet.ray, shadow_, scene_.tachyon, direct);
   }
 }
 
