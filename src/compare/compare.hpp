@@ -1,0 +1,36 @@
+// Compares two pictures, two folders of frames, or two videos (or a folder and a video) frame by frame.
+//
+// Definitions of all figures: image/metrics.hpp and docs/metrics.md.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/context.hpp"
+#include "image/metrics.hpp"
+
+namespace lippmann {
+
+struct FrameComparison {
+  std::string name;
+  PictureMetrics metrics;
+};
+
+struct Comparison {
+  std::vector<FrameComparison> frames;
+  ChannelErrors mean_mse, mean_rmse;   ///< means over all frames
+  std::optional<double> mean_psnr_db;  ///< over the frames that are not identical; none if all are
+  std::optional<double> mean_ssim;     ///< over the frames that have one
+  bool identical = true;               ///< every code of every frame
+};
+
+/// Frames of folders are matched by name (the extensions may differ); those of videos by their order. Throws Error that says
+/// which frame is missing, or differs in size. Stops early, with the frames so far, when context.cancelled is set.
+Comparison compare(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context);
+
+/// The means of frames that have been compared.
+Comparison summarise(std::vector<FrameComparison> frames);
+
+}  // namespace lippmann

@@ -1,0 +1,137 @@
+#include "compare/frame_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "core/error.hpp"
+#include "image/read_image.hpp"
+#include "video/video_reader.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Takes a run of digits from the front, without leading zeros.
+std::string_view take_number(std::string_view& text) {
+  std::size_t end = 0;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  std::string_view digits = text.substr(0, end);
+  text.remove_prefix(end);
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  return digits;
+}
+
+/// Letter by letter, runs of digits by their value: frame_9 before frame_10.
+bool natural_less(std::string_view a, std::string_view b) {
+  const std::pair<std::string_view, std::string_view> whole{a, b};
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const std::string_view x = take_number(a), y = take_number(b);
+      if (x.size() != y.size()) return x.size() < y.size();
+      if (x != y) return x < y;
+    } else {
+      if (a.front() != b.front()) return a.front() < b.front();
+      a.remove_prefix(1), b.remove_prefix(1);
+    }
+  }
+  if (a.empty() != b.empty()) return a.empty();
+  return whole.first < whole.second;
+}
+
+bool is_picture_name(const fs::path& path) {
+  constexpr std::array kExtensions = {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".ppm",
+                                      ".pgm", ".pnm", ".tga", ".bmp",  ".hdr", ".pfm",  ".webp"};
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+  std::vector<fs::path> pictures;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && is_picture_name(entry.path()) && entry.path().filename().string().front() != '.')
+      pictures.push_back(entry.path());
+  const auto is_frame = [](const fs::path& path) { return path.filename().string().starts_with("frame_"); };
+  if (std::any_of(pictures.begin(), pictures.end(), is_frame))
+    std::erase_if(pictures, [&](const fs::path& path) { return !is_frame(path); });
+  std::sort(pictures.begin(), pictures.end(),
+            [](const fs::path& a, const fs::path& b) { return natural_less(a.stem().string(), b.stem().string()); });
+  return pictures;
+}
+
+class PictureFiles : public FrameSource {
+ public:
+  PictureFiles(SourceKind kind, std::vector<fs::path> files) : kind_(kind), files_(std::move(files)) {}
+
+  SourceKind kind() const override { return kind_; }
+
+  std::optional<SourceFrame> next() override {
+    if (position_ == files_.size()) return std::nullopt;
+    const fs::path file = files_[position_++];
+    return SourceFrame{file.stem().string(), [file] { return read_image8(file); }};
+  }
+
+  std::vector<std::string> names() const override {
+    std::vector<std::string> names;
+    for (const fs::path& file : files_) names.push_back(file.stem().string());
+    return names;
+  }
+
+ private:
+  SourceKind kind_;
+  std::vector<fs::path> files_;
+  std::size_t position_ = 0;
+};
+
+class VideoFrames : public FrameSource {
+ public:
+  explicit VideoFrames(const fs::path& path) : reader_(path) {}
+
+  SourceKind kind() const override { return SourceKind::kVideo; }
+
+  std::optional<SourceFrame> next() override {
+    std::optional<Image8> picture = reader_.next();
+    if (!picture) return std::nullopt;
+    return SourceFrame{fmt::format("frame_{:04}", count_++), [picture = std::move(*picture)] { return picture; }};
+  }
+
+ private:
+  VideoReader reader_;
+  int count_ = 0;
+};
+
+std::unique_ptr<FrameSource> open_folder(const fs::path& folder) {
+  std::vector<fs::path> files;
+  try {
+    files = pictures_in(folder);
+  } catch (const fs::filesystem_error& failure) {
+    throw Error(folder.string(), "cannot be listed: " + failure.code().message());
+  }
+  if (files.empty()) throw Error(folder.string(), "has no pictures in it");
+  const auto twice =
+      std::adjacent_find(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); });
+  if (twice != files.end())
+    throw Error(folder.string(), fmt::format("has two pictures for one frame: {} and {}", twice->filename().string(),
+                                             std::next(twice)->filename().string()));
+  return std::make_unique<PictureFiles>(SourceKind::kFolder, std::move(files));
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_frames(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
+  if (fs::is_directory(path, ignored)) return open_folder(path);
+  if (is_video_name(path)) return std::make_unique<VideoFrames>(path);
+  return std::make_unique<PictureFiles>(SourceKind::kPicture, std::vector{path});
+}
+
+}  // namespace lippmann

@@ -1,0 +1,40 @@
+// The frames of a picture, a folder of pictures or a video, one after the other, whichever it is.
+//
+// A folder's frames are its pictures called frame_*; where there are none, all its pictures. They are taken in the order of
+// their names, numbers in names compared as numbers. Hidden files are left out.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.hpp"
+
+namespace lippmann {
+
+struct SourceFrame {
+  std::string name;              ///< the file's without folder and extension; of a video frame_0000, ...
+  std::function<Image8()> load;  ///< its codes; from any thread, while the source lives; throws Error
+};
+
+enum class SourceKind { kPicture, kFolder, kVideo };
+
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  virtual SourceKind kind() const = 0;
+
+  /// None after the last one. Throws Error naming the file.
+  virtual std::optional<SourceFrame> next() = 0;
+
+  /// The names of all frames, where they are known from the start: not of videos.
+  virtual std::vector<std::string> names() const { return {}; }
+};
+
+/// Throws Error naming `path` if there is nothing there, or a folder without pictures or with two for one frame.
+std::unique_ptr<FrameSource> open_frames(const std::filesystem::path& path);
+
+}  // namespace lippmann
