@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   root.require_subcommand(1);
   Action chosen;
   add_render_command(root, chosen);
+  add_compare_command(root, chosen);
   add_bench_command(root, chosen);
   try {
     root.parse(argc, argv);

@@ -1,0 +1,55 @@
+// `lippmann compare REFERENCE TEST`: prints by how much pictures, folders of frames or videos differ.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "apps/lippmann/commands.hpp"
+#include "compare/compare.hpp"
+#include "compare/comparison_text.hpp"
+#include "compare/plot.hpp"
+#include "core/atomic_file.hpp"
+
+namespace lippmann::app {
+namespace {
+
+struct Options {
+  std::string reference, test, csv, plot;
+  int threads = 0;
+  bool json = false;
+};
+
+void write_text(const std::string& path, const std::string& text) {
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
+int run(const Options& options, Context& context) {
+  for (const std::string& path : {options.csv, options.plot})
+    if (!path.empty()) AtomicFile{path};  // refuses now, not after long work, what cannot be written
+  context.threads = options.threads;
+  const Comparison comparison = compare(options.reference, options.test, context);
+  if (context.cancelled) return 1;
+  if (!options.csv.empty()) write_text(options.csv, comparison_csv(comparison));
+  if (!options.plot.empty()) plot_psnr(comparison, options.plot);
+  fmt::print("{}", options.json ? comparison_json(comparison) : comparison_table(comparison));
+  return 0;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *root.add_subcommand(
+      "compare", "Print MSE, RMSE, PSNR and SSIM of pictures, folders of frames or videos, frame by frame");
+  command.add_option("REFERENCE", options->reference, "What is right: a picture, a folder or a video")->required();
+  command.add_option("TEST", options->test, "What to hold against it")->required();
+  command.add_flag("--json", options->json, "Print the result as JSON");
+  command.add_option("--csv", options->csv, "Also write one line per frame to this file");
+  command.add_option("--plot", options->plot, "Also draw the PSNR of every frame into this PNG (needs gnuplot)");
+  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
+  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+}
+
+}  // namespace lippmann::app
