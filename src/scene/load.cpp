@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "scene/builtin.hpp"
+#include "scene/gltf.hpp"
 #include "scene/tachyon.hpp"
 
 namespace lippmann {
@@ -22,6 +23,10 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
   return load_tachyon(path, options.camera_path, context, fps);
 }
 
+Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
+  return load_gltf(path, options.frames_per_second > 0.0 ? options.frames_per_second : kGltfFramesPerSecond, context);
+}
+
 /// One row per file format. Rows that share a loader stand together.
 struct Format {
   std::string_view extension;  ///< lower case, with its dot
@@ -31,6 +36,8 @@ struct Format {
 
 constexpr Format kFormats[] = {
     {".dat", true, load_dat},
+    {".glb", false, load_gltf_file},
+    {".gltf", false, load_gltf_file},
 };
 
 std::string lower_extension(const fs::path& path) {

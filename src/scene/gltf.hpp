@@ -1,0 +1,48 @@
+// Reads glTF 2.0, the Khronos Group's exchange format, as one JSON file with others beside it (.gltf) or as one binary (.glb).
+//
+// Read: the default scene's node hierarchy; the first animation of its nodes; triangle meshes; metallic-roughness materials
+// with base-colour and emissive textures (PNG, JPEG); cameras; the extensions KHR_lights_punctual, KHR_materials_unlit,
+// KHR_materials_emissive_strength, KHR_materials_ior, KHR_materials_transmission, KHR_mesh_quantization.
+// Simplified, with one warning each: skinned meshes stand in their rest pose, morphed ones keep their base shape, an
+// orthographic camera becomes a perspective one. A scene without lights gets a key light and a dim background. What else a
+// file holds and this reader leaves out (other textures, vertex colours, other extensions, further scenes and animations) is
+// named by one warning; an extension that the file requires and that is not in the list above is an Error.
+//
+// Nothing in a file is trusted: every index, count and byte range is checked before it is used, memory grows with the bytes
+// that are really there and never beyond GltfLimits, and no file outside the scene's own folder is opened.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/context.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann {
+
+inline constexpr double kGltfFramesPerSecond = 25.0;  ///< glTF has seconds, not frames; this is where nobody says otherwise
+
+/// What one scene may ask for; beyond it reading stops with an Error.
+struct GltfLimits {
+  std::uint64_t file_bytes = 0xffff'ffff;           ///< of each file: what a .glb's 32-bit length can say
+  std::uint64_t json_values = 20'000'000;           ///< about 2 GB of parsed JSON at worst
+  std::uint64_t json_objects = 2'000'000;           ///< nodes, meshes, accessors, ...
+  int json_depth = 64;                              ///< glTF itself needs 9
+  std::uint64_t unpacked_bytes = 8'000'000'000;     ///< meshes, instances and key frames together
+  std::uint64_t texture_bytes = 512 * 1024 * 1024;  ///< decoded, all textures together
+  int texture_side = 16384;                         ///< pixels
+  int frames = 1'000'000;                           ///< of the animation
+};
+
+/// Throws Error naming the file and the element ("Box.glb: accessors[3]: ..."). frames_per_second > 0: the timeline shows frame
+/// f at f / frames_per_second and has as many frames as fit the animation's length (so that it loops), at least one.
+Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context,
+                const GltfLimits& limits = {});
+
+/// The same of a file's contents; `path` names it in messages, and the files that it refers to lie in its folder.
+Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
+                 const Context& context, const GltfLimits& limits = {});
+
+}  // namespace lippmann

@@ -1,0 +1,139 @@
+// From bytes to a checked document, in the order in which trust grows:
+// 1. take the container apart; 2. parse the JSON within limits; 3. check it against the schema, which also removes all that is
+// not used; 4. take buffers and images out of it and fetch the buffers ourselves; 5. let tinygltf turn what is left, which
+// holds no file names and no sizes of data, into structs; 6. check byte ranges.
+#include "scene/gltf/document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "scene/gltf/accessor.hpp"
+#include "scene/gltf/json.hpp"
+#include "scene/gltf/resource.hpp"
+#include "scene/gltf/schema.hpp"
+
+namespace lippmann::gltf {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array<std::string_view, 6> kExtensions = {
+    "KHR_lights_punctual", "KHR_materials_unlit",        "KHR_materials_emissive_strength",
+    "KHR_materials_ior",   "KHR_materials_transmission", "KHR_mesh_quantization",
+};
+
+bool is_read(const std::string& extension) {
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+/// Before the schema, because a file of version 1 differs from it in almost everything.
+void check_version(const Json& root, const Report& report) {
+  const Json::json_pointer version("/asset/version"), min_version("/asset/minVersion");
+  if (!root.contains(version) || !root.at(version).is_string()) report.fail("asset.version", "is missing", "2.0");
+  const std::string& text = root.at(version).get_ref<const std::string&>();
+  if (!text.starts_with("2.")) report.fail("asset.version", fmt::format("is \"{}\"", printable(text)), "2.0");
+  if (root.contains(min_version) && root.at(min_version) != "2.0") report.fail("asset.minVersion", "is not 2.0", "2.0");
+}
+
+void check_extensions(const Json& root, std::set<std::string> used, Report& report) {
+  for (const Json& name : root.value("extensionsUsed", Json::array())) used.insert(name.get<std::string>());
+  for (const Json& name : root.value("extensionsRequired", Json::array()))
+    if (!is_read(name)) {
+      std::string accepted;
+      for (const std::string_view known : kExtensions) accepted += fmt::format("{}{}", accepted.empty() ? "" : ", ", known);
+      report.fail("extensionsRequired", fmt::format("needs {}, which is not supported", printable(name.get<std::string>())),
+                  accepted);
+    }
+  for (const std::string& name : used)
+    if (!is_read(name)) report.warn(fmt::format("the extension {} is not supported yet and is ignored", printable(name)));
+}
+
+/// What a buffer refers to; `left` counts down the bytes that buffers may still load.
+Bytes fetch_buffer(const Json& buffer, const std::string& where, std::uint64_t& left, Document& document) {
+  const std::string& uri = buffer.at("uri").get_ref<const std::string&>();
+  document.loaded.push_back(fetch(uri, document.folder, left, where, document.report));
+  left -= std::min<std::uint64_t>(left, document.loaded.back().size());
+  return document.loaded.back();
+}
+
+void take_buffers(Json& root, std::optional<Bytes> binary, Document& document) {
+  const auto buffers = root.find("buffers");
+  if (buffers == root.end()) return;
+  std::uint64_t left = document.limits.file_bytes;
+  for (std::size_t i = 0; i < buffers->size(); ++i) {
+    const Json& buffer = (*buffers)[i];
+    const std::string where = element("buffers", i);
+    const bool in_chunk = !buffer.contains("uri");
+    if (in_chunk && (i != 0 || !binary)) document.report.fail(where, "has no uri, and there is no binary chunk for it");
+    const Bytes available = in_chunk ? *binary : fetch_buffer(buffer, where, left, document);
+    const std::size_t declared = buffer.at("byteLength").get<std::size_t>();
+    if (declared > available.size())
+      document.report.fail(where, fmt::format("promises {} bytes, {} are there", declared, available.size()));
+    document.buffers.push_back(available.first(declared));
+  }
+  root.erase(buffers);
+}
+
+void take_images(Json& root, Document& document) {
+  const auto images = root.find("images");
+  if (images == root.end()) return;
+  for (const Json& image : *images)
+    document.images.push_back({image.value("name", ""), image.value("uri", ""), image.value("bufferView", -1)});
+  root.erase(images);
+}
+
+void parse_model(const Json& root, Document& document) {
+  const std::string text = root.dump();
+  if (text.size() > std::numeric_limits<unsigned>::max()) document.report.fail("", "the JSON is too long");
+  tinygltf::TinyGLTF parser;
+  std::string errors, warnings;
+  bool good = false;
+  try {
+    good = parser.LoadASCIIFromString(&document.model, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), {},
+                                      tinygltf::REQUIRE_VERSION);
+  } catch (const std::exception& error) {
+    errors = error.what();
+  }
+  // It reports several errors a line each; some of them, about what is optional in glTF, with success.
+  if (!good) document.report.fail("", printable(errors.substr(0, errors.find('\n'))));
+}
+
+}  // namespace
+
+void Budget::spend(std::uint64_t count, std::uint64_t size, std::string_view element, const Report& report) {
+  if (count > left_ / size)
+    report.fail(element, "the scene unpacks to too much memory", fmt::format("at most {} bytes together", limit_));
+  left_ -= count * size;
+}
+
+void read_document(std::vector<std::byte> contents, Document& document) {
+  document.contents = std::move(contents);
+  const Container container = split_container(document.contents, document.report);
+  Json root = parse_json(container.json, document.limits, document.report);
+  check_version(root, document.report);
+  const std::set<std::string> extensions = check_schema(root, document.report);
+  check_extensions(root, extensions, document.report);
+  take_buffers(root, container.binary, document);
+  take_images(root, document);
+  parse_model(root, document);
+  check_ranges(document);
+}
+
+Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage) {
+  const ImageSource& source = document.images[image];
+  const std::string where = element("images", image);
+  if (source.buffer_view >= 0) {
+    const tinygltf::BufferView& view = document.model.bufferViews[static_cast<std::size_t>(source.buffer_view)];
+    return document.buffers[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength);
+  }
+  if (source.uri.empty()) document.report.fail(where, "has neither a uri nor a buffer view");
+  storage = fetch(source.uri, document.folder, document.limits.file_bytes, where, document.report);
+  return storage;
+}
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,58 @@
+// A glTF document that has passed all checks of form, with the bytes that it refers to.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/gltf.hpp"
+#include "scene/gltf/container.hpp"
+#include "scene/gltf/report.hpp"
+
+namespace lippmann::gltf {
+
+/// Counts down what a file may still make us allocate.
+class Budget {
+ public:
+  explicit Budget(std::uint64_t bytes) : limit_(bytes), left_(bytes) {}
+  /// Throws Error at `element` if `count` things of `size` bytes are too much.
+  void spend(std::uint64_t count, std::uint64_t size, std::string_view element, const Report& report);
+
+ private:
+  std::uint64_t limit_, left_;
+};
+
+struct ImageSource {
+  std::string name;
+  std::string uri;  ///< empty: in a buffer view
+  int buffer_view = -1;
+};
+
+/// Holds: every index in `model` refers to something that exists, every buffer view lies within its buffer, every accessor
+/// within its buffer views. `model` has neither buffers nor images; they are here.
+struct Document {
+  Document(const std::filesystem::path& path, const Context& context, const GltfLimits& file_limits)
+      : folder(path.parent_path()), limits(file_limits), report(path.string(), context), unpacked(limits.unpacked_bytes) {}
+
+  std::filesystem::path folder;
+  GltfLimits limits;
+  Report report;
+  Budget unpacked;
+  tinygltf::Model model;
+  std::vector<Bytes> buffers;
+  std::vector<ImageSource> images;
+
+  std::vector<std::byte> contents;             ///< of the scene's file
+  std::vector<std::vector<std::byte>> loaded;  ///< what `buffers` views outside of `contents`
+};
+
+/// Fills a document from a file's contents. Warns about extensions that are not read.
+void read_document(std::vector<std::byte> contents, Document& document);
+
+/// The encoded bytes of an image; `storage` keeps them where they are not in a buffer.
+Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage);
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,130 @@
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.2.1 (attributes, and the order in which the corners of
+// strips and fans form triangles: strip p_i = {v_i, v_(i + 1 + i%2), v_(i + 2 - i%2)}, fan p_i = {v_(i+1), v_(i+2), v_0}).
+#include "scene/gltf/mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "scene/gltf/accessor.hpp"
+
+namespace lippmann::gltf {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+  const auto found = primitive.attributes.find(name);
+  return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+/// One value per vertex, or none where the primitive does not have the attribute.
+template <class T>
+std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::string& name, std::size_t vertices) {
+  const int accessor = attribute(primitive_of(document, id), name);
+  if (accessor < 0) return {};
+  const std::size_t count = document.model.accessors[static_cast<std::size_t>(accessor)].count;
+  if (count != vertices)
+    document.report.fail(element(id), fmt::format("has {} positions, but {} values of {}", vertices, count, name));
+  return unpack<T>(document, accessor);
+}
+
+/// The corners in the order in which they form triangles: the indices, or simply 0, 1, 2, ...
+std::vector<std::uint32_t> read_corners(Document& document, PrimitiveId id, std::size_t vertices) {
+  const tinygltf::Primitive& primitive = primitive_of(document, id);
+  if (primitive.indices < 0) {
+    document.unpacked.spend(vertices, sizeof(std::uint32_t), element(id), document.report);
+    std::vector<std::uint32_t> corners(vertices);
+    std::iota(corners.begin(), corners.end(), 0u);
+    return corners;
+  }
+  std::vector<std::uint32_t> corners = unpack_unsigned<std::uint32_t>(document, primitive.indices);
+  const auto bad = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t corner) { return corner >= vertices; });
+  if (bad != corners.end())
+    document.report.fail(element(id), fmt::format("index {} is {}", bad - corners.begin(), *bad),
+                         fmt::format("0 to {}", vertices - 1));
+  return corners;
+}
+
+std::vector<Triangle> assemble(const std::vector<std::uint32_t>& v, int mode) {
+  std::vector<Triangle> triangles;
+  if (mode == TINYGLTF_MODE_TRIANGLES) {
+    triangles.reserve(v.size() / 3);
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3) triangles.push_back({v[i], v[i + 1], v[i + 2]});
+    return triangles;
+  }
+  triangles.reserve(v.size());
+  const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
+  for (std::size_t i = 0; i + 2 < v.size(); ++i)
+    triangles.push_back(strip ? Triangle{v[i], v[i + 1 + i % 2], v[i + 2 - i % 2]} : Triangle{v[i + 1], v[i + 2], v[0]});
+  return triangles;
+}
+
+/// Makes normals unit vectors. One without a direction takes the mean of its triangles' (weighted by area).
+void normalize_normals(Mesh& mesh, const std::string& where, Report& report) {
+  std::vector<std::uint32_t> missing;
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    const float longest = std::max({std::abs(mesh.normals[i].x), std::abs(mesh.normals[i].y), std::abs(mesh.normals[i].z)});
+    if (longest > 0.0f)
+      mesh.normals[i] = glm::normalize(mesh.normals[i] / longest);  // whose square neither over- nor underflows
+    else
+      missing.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (missing.empty()) return;
+  report.warn(fmt::format("{}: {} normals have no direction and are made from the triangles", where, missing.size()));
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t corner : t)
+      if (std::binary_search(missing.begin(), missing.end(), corner))
+        mesh.normals[corner] +=
+            glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+  for (const std::uint32_t i : missing) {
+    const float length = glm::length(mesh.normals[i]);
+    mesh.normals[i] = length > 0.0f && std::isfinite(length) ? mesh.normals[i] / length : Vec3f(0.0f, 0.0f, 1.0f);
+  }
+}
+
+void name_what_is_left_out(Document& document, PrimitiveId id) {
+  const tinygltf::Primitive& primitive = primitive_of(document, id);
+  if (attribute(primitive, "COLOR_0") >= 0)
+    document.report.not_supported("vertex colours (COLOR_0) are", "the material's colour is used alone", element(id));
+  if (!primitive.targets.empty())
+    document.report.not_supported("morph targets are", "meshes keep their base shape", element(id));
+}
+
+}  // namespace
+
+const tinygltf::Primitive& primitive_of(const Document& document, PrimitiveId id) {
+  return document.model.meshes[static_cast<std::size_t>(id.mesh)].primitives[static_cast<std::size_t>(id.primitive)];
+}
+
+std::string element(PrimitiveId id) {
+  return element("meshes", static_cast<std::size_t>(id.mesh), "primitives", static_cast<std::size_t>(id.primitive));
+}
+
+std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, int uv_set) {
+  const tinygltf::Primitive& primitive = primitive_of(document, id);
+  if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+    document.report.not_supported("points and lines are", "they are left out", element(id));
+    return std::nullopt;
+  }
+  if (attribute(primitive, "POSITION") < 0) {
+    document.report.warn(element(id) + " has no positions and is left out");
+    return std::nullopt;
+  }
+  name_what_is_left_out(document, id);
+
+  Mesh mesh;
+  mesh.positions = unpack<Vec3f>(document, attribute(primitive, "POSITION"));
+  const std::size_t vertices = mesh.positions.size();
+  mesh.normals = read_attribute<Vec3f>(document, id, "NORMAL", vertices);
+  mesh.uvs = read_attribute<Vec2f>(document, id, fmt::format("TEXCOORD_{}", uv_set), vertices);
+  const std::vector<std::uint32_t> corners = read_corners(document, id, vertices);
+  document.unpacked.spend(corners.size(), sizeof(Triangle), element(id), document.report);
+  mesh.triangles = assemble(corners, primitive.mode);
+  normalize_normals(mesh, element(id), document.report);
+  return mesh;
+}
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,119 @@
+#include "scene/gltf/nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lippmann::gltf {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+Vec3f vec3(const std::vector<double>& v, Vec3f otherwise) { return v.empty() ? otherwise : Vec3f(v[0], v[1], v[2]); }
+
+/// Column-major, as glTF stores it. What is not affine (a projection) has no place in a node.
+Affine3f affine(const std::vector<double>& m, const std::string& where, const Report& report) {
+  constexpr double kTolerance = 1e-5;  // exporters write float products
+  if (std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1.0) > kTolerance)
+    report.fail(where, "is not an affine transform", "a matrix whose last row is 0 0 0 1");
+  return {Mat3f(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3f(m[12], m[13], m[14])};
+}
+
+Node read_node(const tinygltf::Node& from, const std::string& where, const Report& report) {
+  Node node;
+  node.name = from.name;
+  if (!from.matrix.empty()) {
+    node.matrix = affine(from.matrix, where + ".matrix", report);
+    return node;
+  }
+  node.local.translation = vec3(from.translation, Vec3f(0.0f));
+  node.local.scale = vec3(from.scale, Vec3f(1.0f));
+  if (const std::vector<double>& q = from.rotation; !q.empty()) {
+    const Quatf rotation(static_cast<float>(q[3]), static_cast<float>(q[0]), static_cast<float>(q[1]),
+                         static_cast<float>(q[2]));
+    const float length = glm::length(rotation);
+    if (!(length > 1e-6f) || !std::isfinite(length)) report.fail(where + ".rotation", "is not a unit quaternion");
+    node.local.rotation = rotation / length;
+  }
+  return node;
+}
+
+/// -1: a root. Every node is a child at most once, which leaves cycles as the only way not to be a tree.
+std::vector<int> find_parents(const tinygltf::Model& model, const Report& report) {
+  std::vector<int> parents(model.nodes.size(), -1);
+  for (std::size_t i = 0; i < model.nodes.size(); ++i)
+    for (const int child : model.nodes[i].children) {
+      int& parent = parents[at(child)];
+      if (parent >= 0)
+        report.fail(element("nodes", at(child)), fmt::format("has two parents, nodes[{}] and nodes[{}]", parent, i));
+      parent = static_cast<int>(i);
+    }
+  return parents;
+}
+
+std::vector<int> roots_of(Document& document, const std::vector<int>& parents) {
+  const tinygltf::Model& model = document.model;
+  std::vector<int> roots;
+  if (model.scenes.empty()) {
+    for (std::size_t i = 0; i < parents.size(); ++i)
+      if (parents[i] < 0) roots.push_back(static_cast<int>(i));
+    return roots;
+  }
+  const std::size_t chosen = model.defaultScene < 0 ? 0 : at(model.defaultScene);
+  if (model.scenes.size() > 1)
+    document.report.warn(fmt::format("of {} scenes only the default one, scenes[{}], is read", model.scenes.size(), chosen));
+  roots = model.scenes[chosen].nodes;
+  for (const int root : roots)
+    if (parents[at(root)] >= 0)
+      document.report.fail(element("scenes", chosen),
+                           fmt::format("lists nodes[{}], which is a child of nodes[{}]", root, parents[at(root)]));
+  return roots;
+}
+
+/// The nodes below `roots`, depth first. No recursion: a hierarchy may be as deep as the file is long.
+std::vector<int> preorder(const tinygltf::Model& model, const std::vector<int>& roots) {
+  std::vector<int> order, stack(roots.rbegin(), roots.rend());
+  while (!stack.empty()) {
+    const int node = stack.back();
+    stack.pop_back();
+    order.push_back(node);
+    const std::vector<int>& children = model.nodes[at(node)].children;
+    stack.insert(stack.end(), children.rbegin(), children.rend());
+  }
+  return order;
+}
+
+void refuse_cycles(const tinygltf::Model& model, const std::vector<int>& parents, const Report& report) {
+  std::vector<int> roots;
+  for (std::size_t i = 0; i < parents.size(); ++i)
+    if (parents[i] < 0) roots.push_back(static_cast<int>(i));
+  std::vector<bool> reached(parents.size(), false);
+  for (const int node : preorder(model, roots)) reached[at(node)] = true;
+  const auto unreached = std::find(reached.begin(), reached.end(), false);
+  if (unreached != reached.end())
+    report.fail(element("nodes", static_cast<std::size_t>(unreached - reached.begin())),
+                "is part of or below a cycle of nodes");
+}
+
+}  // namespace
+
+NodeMap read_nodes(Document& document, Scene& scene) {
+  const tinygltf::Model& model = document.model;
+  const std::vector<int> parents = find_parents(model, document.report);
+  refuse_cycles(model, parents, document.report);
+
+  NodeMap map;
+  map.file_node = preorder(model, roots_of(document, parents));
+  map.scene_node.assign(model.nodes.size(), -1);
+  for (const int file_node : map.file_node) {
+    map.scene_node[at(file_node)] = static_cast<int>(scene.nodes.size());
+    Node node = read_node(model.nodes[at(file_node)], element("nodes", at(file_node)), document.report);
+    const int parent = parents[at(file_node)];
+    node.parent = parent < 0 ? -1 : map.scene_node[at(parent)];
+    scene.nodes.push_back(std::move(node));
+  }
+  return map;
+}
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,37 @@
+#include "scene/gltf/report.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace lippmann::gltf {
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t kLongest = 80;
+  std::string result(text.substr(0, kLongest));
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  if (text.size() > kLongest) result += "...";
+  return result;
+}
+
+std::string element(std::string_view array, std::size_t index) { return fmt::format("{}[{}]", array, index); }
+
+std::string element(std::string_view array, std::size_t index, std::string_view sub_array, std::size_t sub_index) {
+  return fmt::format("{}[{}].{}[{}]", array, index, sub_array, sub_index);
+}
+
+void Report::fail(std::string_view element, const std::string& problem, const std::string& accepted) const {
+  throw Error(element.empty() ? file_ : fmt::format("{}: {}", file_, element), problem, accepted);
+}
+
+void Report::warn(const std::string& text) {
+  if (said_.insert(text).second) context_.warning(fmt::format("{}: {}", file_, text));
+}
+
+void Report::not_supported(const std::string& feature, const std::string& instead, std::string_view first_element) {
+  if (!said_.insert(feature).second) return;
+  context_.warning(fmt::format("{}: {} not supported yet: {} (first at {})", file_, feature, instead, first_element));
+}
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,433 @@
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 5 "Properties Reference", and the specifications of the
+// extensions that gltf.hpp lists. The tables below follow its tables; a checker walks the document along them.
+#include "scene/gltf/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <cfloat>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
+
+namespace lippmann::gltf {
+namespace {
+
+using Json = nlohmann::json;
+
+// ---- The form of a rule ---------------------------------------------------------------------------------------------
+
+enum class Kind {
+  kBool,
+  kString,
+  kStrings,
+  kNumber,
+  kNumbers,
+  kInteger,
+  kIndex,      ///< into the root's array `refers_to`
+  kIndices,    ///< an array of them, without repetition
+  kIndexMap,   ///< an object whose values are indices
+  kIndexMaps,  ///< an array of such objects
+  kObject,     ///< with the properties `object`
+  kObjects,    ///< an array of such objects
+};
+
+enum Need { kOptional, kRequired };
+
+struct Property {
+  std::string_view name;
+  Kind kind = Kind::kObject;
+  Need need = kOptional;
+  double lower = -FLT_MAX, upper = FLT_MAX;  ///< of numbers and integers, both inclusive
+  int multiple_of = 1;                       ///< of integers
+  std::size_t length = 0;                    ///< exact length of an array of numbers; 0: any
+  std::string_view refers_to{};
+  std::string_view choices{};  ///< of a string: "|A|B|"; empty: any
+  std::span<const Property> object{};
+};
+
+constexpr double kMaxInt = 2147483647.0;
+constexpr double kMaxBytes = 9007199254740992.0;  // 2^53: exact in a JSON number
+constexpr double kPositive = 1e-6;                // what the specification calls > 0
+constexpr double kOne = 1.001;                    // a factor's upper end: exporters round
+constexpr double kHalfPi = 1.5707963267948966;
+
+constexpr Property boolean(std::string_view name) { return {.name = name, .kind = Kind::kBool}; }
+constexpr Property string(std::string_view name, Need need = kOptional, std::string_view choices = {}) {
+  return {.name = name, .kind = Kind::kString, .need = need, .choices = choices};
+}
+constexpr Property number(std::string_view name, double lower, double upper, Need need = kOptional) {
+  return {.name = name, .kind = Kind::kNumber, .need = need, .lower = lower, .upper = upper};
+}
+constexpr Property numbers(std::string_view name, std::size_t length, double lower = -FLT_MAX, double upper = FLT_MAX) {
+  return {.name = name, .kind = Kind::kNumbers, .lower = lower, .upper = upper, .length = length};
+}
+constexpr Property integer(std::string_view name, double lower, double upper, Need need = kOptional) {
+  return {.name = name, .kind = Kind::kInteger, .need = need, .lower = lower, .upper = upper};
+}
+constexpr Property index(std::string_view name, std::string_view refers_to, Need need = kOptional) {
+  return {.name = name, .kind = Kind::kIndex, .need = need, .lower = 0.0, .upper = kMaxInt, .refers_to = refers_to};
+}
+constexpr Property indices(std::string_view name, std::string_view refers_to, Need need = kOptional) {
+  return {.name = name, .kind = Kind::kIndices, .need = need, .lower = 0.0, .upper = kMaxInt, .refers_to = refers_to};
+}
+constexpr Property index_map(std::string_view name, Kind kind, Need need) {
+  return {.name = name, .kind = kind, .need = need, .lower = 0.0, .upper = kMaxInt, .refers_to = "accessors"};
+}
+constexpr Property object(std::string_view name, std::span<const Property> properties, Need need = kOptional) {
+  return {.name = name, .kind = Kind::kObject, .need = need, .object = properties};
+}
+constexpr Property objects(std::string_view name, std::span<const Property> properties, Need need = kOptional) {
+  return {.name = name, .kind = Kind::kObjects, .need = need, .object = properties};
+}
+
+// ---- Buffers and accessors ------------------------------------------------------------------------------------------
+
+constexpr Property kBuffer[] = {string("uri"), integer("byteLength", 1, kMaxBytes, kRequired)};
+
+constexpr Property kBufferView[] = {
+    index("buffer", "buffers", kRequired),
+    integer("byteOffset", 0, kMaxBytes),
+    integer("byteLength", 1, kMaxBytes, kRequired),
+    {.name = "byteStride", .kind = Kind::kInteger, .lower = 4, .upper = 252, .multiple_of = 4},
+};
+
+constexpr std::string_view kElementTypes = "|SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4|";
+constexpr double kByte = 5120, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
+
+constexpr Property kSparseIndices[] = {
+    index("bufferView", "bufferViews", kRequired),
+    integer("byteOffset", 0, kMaxInt),
+    integer("componentType", kByte, kUnsignedInt, kRequired),
+};
+constexpr Property kSparseValues[] = {index("bufferView", "bufferViews", kRequired), integer("byteOffset", 0, kMaxInt)};
+constexpr Property kSparse[] = {
+    integer("count", 1, kMaxInt, kRequired),
+    object("indices", kSparseIndices, kRequired),
+    object("values", kSparseValues, kRequired),
+};
+constexpr Property kAccessor[] = {
+    index("bufferView", "bufferViews"),
+    integer("byteOffset", 0, kMaxBytes),
+    integer("componentType", kByte, kFloat, kRequired),
+    boolean("normalized"),
+    integer("count", 1, kMaxInt, kRequired),
+    string("type", kRequired, kElementTypes),
+    object("sparse", kSparse),
+};
+
+// ---- Meshes and skins -----------------------------------------------------------------------------------------------
+
+constexpr Property kPrimitive[] = {
+    index_map("attributes", Kind::kIndexMap, kRequired),
+    index("indices", "accessors"),
+    index("material", "materials"),
+    integer("mode", 0, 6),
+    index_map("targets", Kind::kIndexMaps, kOptional),
+};
+constexpr Property kMesh[] = {string("name"), objects("primitives", kPrimitive, kRequired)};
+constexpr Property kSkin[] = {
+    string("name"),
+    indices("joints", "nodes", kRequired),
+    index("inverseBindMatrices", "accessors"),
+};
+
+// ---- Textures and materials -----------------------------------------------------------------------------------------
+
+constexpr Property kImage[] = {string("name"), string("uri"), index("bufferView", "bufferViews")};
+constexpr Property kTexture[] = {string("name"), index("sampler", "samplers"), index("source", "images")};
+constexpr double kFirstFilter = 9728, kLastFilter = 9987, kFirstWrap = 10497, kLastWrap = 33648;
+constexpr Property kSampler[] = {
+    integer("magFilter", kFirstFilter, kLastFilter),
+    integer("minFilter", kFirstFilter, kLastFilter),
+    integer("wrapS", kFirstWrap, kLastWrap),
+    integer("wrapT", kFirstWrap, kLastWrap),
+};
+
+constexpr Property kTextureInfo[] = {index("index", "textures", kRequired), integer("texCoord", 0, kMaxInt)};
+constexpr Property kMetallicRoughness[] = {
+    numbers("baseColorFactor", 4, 0.0, kOne),
+    object("baseColorTexture", kTextureInfo),
+    number("metallicFactor", 0.0, kOne),
+    number("roughnessFactor", 0.0, kOne),
+    object("metallicRoughnessTexture", kTextureInfo),
+};
+constexpr Property kEmissiveStrength[] = {number("emissiveStrength", 0.0, 1e12)};
+constexpr Property kIor[] = {number("ior", 0.0, 1000.0)};
+constexpr Property kTransmission[] = {number("transmissionFactor", 0.0, kOne), object("transmissionTexture", kTextureInfo)};
+constexpr Property kMaterialExtensions[] = {
+    object("KHR_materials_unlit", {}),
+    object("KHR_materials_emissive_strength", kEmissiveStrength),
+    object("KHR_materials_ior", kIor),
+    object("KHR_materials_transmission", kTransmission),
+};
+constexpr Property kMaterial[] = {
+    string("name"),
+    object("pbrMetallicRoughness", kMetallicRoughness),
+    object("normalTexture", kTextureInfo),
+    object("occlusionTexture", kTextureInfo),
+    object("emissiveTexture", kTextureInfo),
+    numbers("emissiveFactor", 3, 0.0, kOne),
+    string("alphaMode", kOptional, "|OPAQUE|MASK|BLEND|"),
+    number("alphaCutoff", 0.0, FLT_MAX),
+    boolean("doubleSided"),
+    object("extensions", kMaterialExtensions),
+};
+
+// ---- Cameras and lights ---------------------------------------------------------------------------------------------
+
+constexpr Property kPerspective[] = {
+    number("aspectRatio", kPositive, 1e6),
+    number("yfov", kPositive, 3.14, kRequired),
+    number("zfar", kPositive, FLT_MAX),
+    number("znear", 0.0, FLT_MAX, kRequired),
+};
+constexpr Property kOrthographic[] = {
+    number("xmag", -FLT_MAX, FLT_MAX, kRequired),
+    number("ymag", -FLT_MAX, FLT_MAX, kRequired),
+    number("zfar", 0.0, FLT_MAX, kRequired),
+    number("znear", -FLT_MAX, FLT_MAX, kRequired),
+};
+constexpr Property kCamera[] = {
+    string("name"),
+    string("type", kRequired, "|perspective|orthographic|"),
+    object("perspective", kPerspective),
+    object("orthographic", kOrthographic),
+};
+
+constexpr Property kSpot[] = {number("innerConeAngle", 0.0, kHalfPi), number("outerConeAngle", 0.0, kHalfPi + 1e-6)};
+constexpr Property kLight[] = {
+    string("name"),
+    string("type", kRequired, "|directional|point|spot|"),
+    numbers("color", 3, 0.0, 1e6),
+    number("intensity", 0.0, 1e12),
+    number("range", kPositive, FLT_MAX),
+    object("spot", kSpot),
+};
+constexpr Property kLights[] = {objects("lights", kLight, kRequired)};
+constexpr Property kRootExtensions[] = {object("KHR_lights_punctual", kLights)};
+constexpr std::string_view kLightsPath = "/extensions/KHR_lights_punctual/lights";
+
+// ---- Nodes and animations -------------------------------------------------------------------------------------------
+
+constexpr Property kNodeLight[] = {index("light", kLightsPath, kRequired)};
+constexpr Property kNodeExtensions[] = {object("KHR_lights_punctual", kNodeLight)};
+constexpr Property kNode[] = {
+    string("name"),
+    indices("children", "nodes"),
+    index("mesh", "meshes"),
+    index("skin", "skins"),
+    index("camera", "cameras"),
+    numbers("matrix", 16),
+    numbers("rotation", 4),
+    numbers("scale", 3),
+    numbers("translation", 3),
+    object("extensions", kNodeExtensions),
+};
+constexpr Property kScene[] = {string("name"), indices("nodes", "nodes")};
+
+constexpr Property kTarget[] = {index("node", "nodes"), string("path", kRequired)};
+constexpr Property kChannel[] = {integer("sampler", 0, kMaxInt, kRequired), object("target", kTarget, kRequired)};
+constexpr Property kAnimationSampler[] = {
+    index("input", "accessors", kRequired),
+    index("output", "accessors", kRequired),
+    string("interpolation", kOptional, "|LINEAR|STEP|CUBICSPLINE|"),
+};
+constexpr Property kAnimation[] = {
+    string("name"),
+    objects("channels", kChannel, kRequired),
+    objects("samplers", kAnimationSampler, kRequired),
+};
+
+// ---- The root -------------------------------------------------------------------------------------------------------
+
+constexpr Property kAsset[] = {string("version", kRequired), string("minVersion")};
+constexpr Property kRoot[] = {
+    object("asset", kAsset, kRequired),
+    {.name = "extensionsUsed", .kind = Kind::kStrings},
+    {.name = "extensionsRequired", .kind = Kind::kStrings},
+    index("scene", "scenes"),
+    objects("accessors", kAccessor),
+    objects("animations", kAnimation),
+    objects("buffers", kBuffer),
+    objects("bufferViews", kBufferView),
+    objects("cameras", kCamera),
+    objects("images", kImage),
+    objects("materials", kMaterial),
+    objects("meshes", kMesh),
+    objects("nodes", kNode),
+    objects("samplers", kSampler),
+    objects("scenes", kScene),
+    objects("skins", kSkin),
+    objects("textures", kTexture),
+    object("extensions", kRootExtensions),
+};
+
+// ---- The checker ----------------------------------------------------------------------------------------------------
+
+/// Where the checker is: a chain on its stack, spelled out only when something is wrong.
+struct Path {
+  const Path* parent = nullptr;
+  std::string_view name{};
+  std::ptrdiff_t index = -1;
+
+  std::string text() const {
+    std::string result = parent ? parent->text() : std::string();
+    if (index >= 0) return fmt::format("{}[{}]", result, index);
+    if (!result.empty()) result += '.';
+    return result + printable(name);
+  }
+};
+
+class Checker {
+ public:
+  Checker(const Json& root, const Report& report) : root_(root), report_(report) {}
+
+  std::set<std::string> extensions;
+
+  void check_object(Json& value, std::span<const Property> properties, const Path& path) {
+    if (!value.is_object()) fail(path, "is not an object");
+    for (const Property& property : properties)
+      if (property.need == kRequired && !value.contains(property.name)) fail({&path, property.name}, "is missing");
+    collect_extensions(value, path);
+    for (auto it = value.begin(); it != value.end();) {
+      const Property* property = find(properties, it.key());
+      if (!property) {
+        it = value.erase(it);
+        continue;
+      }
+      check(it.value(), *property, {&path, it.key()});
+      ++it;
+    }
+  }
+
+ private:
+  static const Property* find(std::span<const Property> properties, std::string_view name) {
+    for (const Property& property : properties)
+      if (property.name == name) return &property;
+    return nullptr;
+  }
+
+  [[noreturn]] void fail(const Path& path, const std::string& problem, const std::string& accepted = {}) const {
+    report_.fail(path.text(), problem, accepted);
+  }
+
+  void collect_extensions(const Json& value, const Path& path) {
+    const auto found = value.find("extensions");
+    if (found == value.end()) return;
+    if (!found->is_object()) fail({&path, "extensions"}, "is not an object");
+    for (const auto& entry : found->items()) extensions.insert(entry.key());
+  }
+
+  void check(Json& value, const Property& property, const Path& path) {
+    switch (property.kind) {
+      case Kind::kBool:
+        if (!value.is_boolean()) fail(path, "is not true or false");
+        return;
+      case Kind::kString:
+        return check_string(value, property, path);
+      case Kind::kNumber:
+        return check_number(value, property, path);
+      case Kind::kInteger:
+        return check_integer(value, property, path);
+      case Kind::kIndex:
+        return check_index(value, property, path);
+      case Kind::kIndexMap:
+        return check_index_map(value, property, path);
+      case Kind::kObject:
+        return check_object(value, property.object, path);
+      case Kind::kStrings:
+        return for_each(value, path, [&](Json& entry, const Path& at) { check_string(entry, property, at); });
+      case Kind::kNumbers:
+        for_each(value, path, [&](Json& entry, const Path& at) { check_number(entry, property, at); });
+        if (property.length && value.size() != property.length)
+          fail(path, fmt::format("has {} entries", value.size()), fmt::format("{}", property.length));
+        return;
+      case Kind::kIndices:
+        for_each(value, path, [&](Json& entry, const Path& at) { check_index(entry, property, at); });
+        return check_distinct(value, path);
+      case Kind::kIndexMaps:
+        return for_each(value, path, [&](Json& entry, const Path& at) { check_index_map(entry, property, at); });
+      case Kind::kObjects:
+        return for_each(value, path, [&](Json& entry, const Path& at) { check_object(entry, property.object, at); });
+    }
+  }
+
+  template <class F>
+  void for_each(Json& value, const Path& path, const F& check_entry) const {
+    if (!value.is_array()) fail(path, "is not an array");
+    for (std::size_t i = 0; i < value.size(); ++i) check_entry(value[i], Path{&path, {}, static_cast<std::ptrdiff_t>(i)});
+  }
+
+  void check_string(const Json& value, const Property& property, const Path& path) const {
+    if (!value.is_string()) fail(path, "is not a string");
+    const std::string& text = value.get_ref<const std::string&>();
+    if (property.choices.empty()) return;
+    if (text.find('|') == std::string::npos && property.choices.find('|' + text + '|') != std::string_view::npos) return;
+    std::string accepted;
+    for (const char c : property.choices.substr(1, property.choices.size() - 2))
+      accepted += c == '|' ? ", " : std::string(1, c);
+    fail(path, fmt::format("is \"{}\"", printable(text)), accepted);
+  }
+
+  void check_number(const Json& value, const Property& property, const Path& path) const {
+    if (!value.is_number()) fail(path, "is not a number");
+    require_range(value.get<double>(), property.lower, property.upper, path);
+  }
+
+  void require_range(double x, double lower, double upper, const Path& path) const {
+    if (x >= lower && x <= upper) return;
+    const bool open = upper >= FLT_MAX;
+    fail(path, fmt::format("is {}", x), open ? fmt::format("{} or more", lower) : fmt::format("{} to {}", lower, upper));
+  }
+
+  /// 3.0 is an integer too, and is written as one for those who read on.
+  void check_integer(Json& value, const Property& property, const Path& path) const {
+    if (!value.is_number()) fail(path, "is not an integer");
+    const double x = value.get<double>();
+    if (x != std::floor(x)) fail(path, fmt::format("is {}, not an integer", x));
+    require_range(x, property.lower, property.upper, path);
+    if (std::fmod(x, property.multiple_of) != 0.0)
+      fail(path, fmt::format("is {}", x), fmt::format("multiples of {}", property.multiple_of));
+    if (value.is_number_float()) value = static_cast<std::uint64_t>(x);
+  }
+
+  std::size_t count_of(std::string_view array) const {
+    if (array.starts_with('/')) {
+      const Json::json_pointer pointer{std::string(array)};
+      return root_.contains(pointer) && root_.at(pointer).is_array() ? root_.at(pointer).size() : 0;
+    }
+    const auto found = root_.find(array);
+    return found != root_.end() && found->is_array() ? found->size() : 0;
+  }
+
+  void check_index(Json& value, const Property& property, const Path& path) const {
+    check_integer(value, property, path);
+    const std::size_t count = count_of(property.refers_to), i = value.get<std::size_t>();
+    const std::string_view name = property.refers_to.substr(property.refers_to.rfind('/') + 1);
+    if (i >= count) fail(path, fmt::format("refers to {}[{}], but there are {}", name, i, count));
+  }
+
+  void check_index_map(Json& value, const Property& property, const Path& path) const {
+    if (!value.is_object()) fail(path, "is not an object");
+    for (auto it = value.begin(); it != value.end(); ++it) check_index(it.value(), property, {&path, it.key()});
+  }
+
+  void check_distinct(const Json& value, const Path& path) const {
+    std::set<std::size_t> seen;
+    for (const Json& entry : value)
+      if (!seen.insert(entry.get<std::size_t>()).second) fail(path, fmt::format("lists {} twice", entry.get<std::size_t>()));
+  }
+
+  const Json& root_;
+  const Report& report_;
+};
+
+}  // namespace
+
+std::set<std::string> check_schema(Json& root, const Report& report) {
+  Checker checker(root, report);
+  checker.check_object(root, kRoot, {});
+  return std::move(checker.extensions);
+}
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,30 @@
+// Decodes the textures of a glTF file that materials use.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+#include "scene/gltf/document.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann::gltf {
+
+/// Decodes each pair of image and wrap modes once, when it is first asked for.
+class TextureReader {
+ public:
+  TextureReader(Document& document, Scene& scene) : document_(document), scene_(scene), left_(document.limits.texture_bytes) {}
+
+  /// The index in scene.textures of a texture of the file. -1, with a warning, where it has no image that is supported.
+  int read(int texture);
+
+ private:
+  void decode(std::size_t image, Texture& into);
+
+  Document& document_;
+  Scene& scene_;
+  std::uint64_t left_;  ///< bytes that may still be decoded
+  std::map<std::tuple<int, Wrap, Wrap>, int> known_;
+};
+
+}  // namespace lippmann::gltf
