@@ -40,7 +40,7 @@ class AnimationReader {
       report_.fail(where, fmt::format("refers to samplers[{}], but there are {}", channel.sampler, animation.samplers.size()));
     const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
     if (channel.target_path == "weights")
-      return report_.not_supported("animated morph weights are", "meshes keep their base shape", where);
+      return report_.not_supported("morph targets are", "meshes keep their base shape", where);
     const int node = nodes_.scene_node[static_cast<std::size_t>(channel.target_node)];
     if (node < 0) return;
     if (scene_.nodes[static_cast<std::size_t>(node)].matrix)

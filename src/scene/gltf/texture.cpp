@@ -28,6 +28,20 @@ const char* format_of(Bytes bytes) {
   return nullptr;
 }
 
+/// Whether a PNG's chunks (length, type, data, checksum) go on to the last one. libpng finds that out too, but says so on
+/// stderr.
+bool is_whole_png(Bytes png) {
+  std::size_t at = sizeof kPng;
+  while (png.size() - at >= 12) {
+    std::uint64_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | std::to_integer<std::uint64_t>(png[at + i]);
+    if (length > png.size() - at - 12) return false;
+    if (std::memcmp(png.data() + at + 4, "IEND", 4) == 0) return true;
+    at += 12 + static_cast<std::size_t>(length);
+  }
+  return false;
+}
+
 /// Grey, grey and alpha, RGB or RGBA to RGBA, in place: `rgba` holds the pixels with `channels` each at its front.
 void expand_to_rgba(std::vector<std::uint8_t>& rgba, int channels) {
   for (std::size_t i = rgba.size() / 4; i-- > 0;) {
@@ -87,6 +101,7 @@ void TextureReader::decode(std::size_t image, Texture& into) {
   const Bytes encoded = image_bytes(document_, image, storage);
   const char* format = format_of(encoded);
   if (!format) report.fail(where, "is neither PNG nor JPEG");
+  if (begins_with(encoded, kPng) && !is_whole_png(encoded)) report.fail(where, "is a truncated PNG image");
 
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());  // which only reads
   OIIO::ImageSpec config;

@@ -1,0 +1,261 @@
+// What the glTF reader refuses, and how it names it: form, references, ranges, extensions, files outside the scene's folder.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "core/error.hpp"
+#include "scene/gltf/gltf_builder.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::GltfBuilder;
+using test::Json;
+using test::parse;
+using testing::Contains;
+using testing::HasSubstr;
+
+/// One of most things, all of it valid: a document to spoil.
+GltfBuilder good_document() {
+  GltfBuilder b;
+  b.add("materials", {{"pbrMetallicRoughness", {{"metallicFactor", 0.5}}}});
+  const int indices = b.add_accessor(std::vector<std::uint16_t>{0, 1, 2, 0});
+  b.accessor(indices)["count"] = 3;
+  b.add_triangle({{"material", 0}, {"indices", indices}});
+  b.add_node({{"mesh", 0}, {"children", {1}}});
+  b.add_node({{"rotation", {0, 0, 0, 1}}});
+  b.add("scenes", {{"nodes", {0}}});
+  b.root["scene"] = 0;
+  const int times = b.add_accessor(std::vector<float>{0.0f, 1.0f});
+  const int values = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}});
+  b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}},
+                       {"samplers", {{{"input", times}, {"output", values}}}}});
+  b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  return b;
+}
+
+/// The message that a document gives with one value replaced (or, null, removed).
+std::string message_with(const std::string& pointer, const Json& value) {
+  GltfBuilder b = good_document();
+  Json root = b.document();
+  const Json::json_pointer at(pointer);
+  if (value.is_null())
+    root.at(at.parent_pointer()).erase(at.back());
+  else
+    root[at] = value;
+  return error_message([&] { parse(GltfBuilder::glb(root.dump(), b.binary)); });
+}
+
+TEST(GltfDocument, good_document_passes) { EXPECT_NO_THROW(parse(good_document())); }
+
+struct Fault {
+  const char* name;
+  const char* pointer;
+  Json value;  ///< null: the property is removed
+  const char* message;
+};
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+class GltfFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(GltfFault, is_an_error_that_names_the_element) {
+  EXPECT_THAT(message_with(GetParam().pointer, GetParam().value), HasSubstr(std::string("a.glb: ") + GetParam().message));
+}
+
+const Fault kFaults[] = {
+    {"no_version", "/asset/version", nullptr, "asset.version: is missing"},
+    {"version_1", "/asset/version", "1.0", "asset.version: is \"1.0\"; accepted: 2.0"},
+    {"newer_minor", "/asset/minVersion", "2.1", "asset.minVersion: is not 2.0"},
+    {"array_expected", "/cameras", 3, "cameras: is not an array"},
+    {"object_expected", "/nodes/0", 3, "nodes[0]: is not an object"},
+    {"string_expected", "/nodes/0/name", 3, "nodes[0].name: is not a string"},
+    {"number_expected", "/materials/0/pbrMetallicRoughness/metallicFactor", "x",
+     "materials[0].pbrMetallicRoughness.metallicFactor: is not a number"},
+    {"bool_expected", "/materials/0/doubleSided", 1, "materials[0].doubleSided: is not true or false"},
+    {"integer_expected", "/scene", 0.5, "scene: is 0.5, not an integer"},
+    {"negative_index", "/nodes/0/mesh", -1, "nodes[0].mesh: is -1"},
+    {"factor_out_of_range", "/materials/0/pbrMetallicRoughness/metallicFactor", 2,
+     "materials[0].pbrMetallicRoughness.metallicFactor: is 2; accepted: 0 to 1.001"},
+    {"required_property", "/accessors/0/count", nullptr, "accessors[0].count: is missing"},
+    {"wrong_length", "/nodes/1/rotation", {0, 0, 1}, "nodes[1].rotation: has 3 entries; accepted: 4"},
+    {"unknown_choice", "/accessors/0/type", "VEC5", "accessors[0].type: is \"VEC5\"; accepted: SCALAR, VEC2"},
+    {"unknown_alpha_mode", "/materials/0/alphaMode", "OPAQUE|MASK", "materials[0].alphaMode: is \"OPAQUE|MASK\""},
+    {"dangling_mesh", "/nodes/0/mesh", 1, "nodes[0].mesh: refers to meshes[1], but there are 1"},
+    {"dangling_attribute", "/meshes/0/primitives/0/attributes/POSITION", 9,
+     "meshes[0].primitives[0].attributes.POSITION: refers to accessors[9], but there are 4"},
+    {"dangling_scene", "/scene", 1, "scene: refers to scenes[1]"},
+    {"dangling_sampler", "/animations/0/channels/0/sampler", 1, "animations[0].channels[0]: refers to samplers[1]"},
+    {"dangling_light",
+     "/nodes/0/extensions",
+     {{"KHR_lights_punctual", {{"light", 0}}}},
+     "nodes[0].extensions.KHR_lights_punctual.light: refers to lights[0], but there are 0"},
+    {"child_twice", "/nodes/0/children", {1, 1}, "nodes[0].children: lists 1 twice"},
+    {"stride_not_of_4", "/bufferViews/0/byteStride", 6, "bufferViews[0].byteStride: is 6; accepted: multiples of 4"},
+    {"component_type", "/accessors/0/componentType", 5124, "accessors[0]: has the component type 5124"},
+    {"count_beyond_view", "/accessors/0/count", 5, "accessors[0]: 5 elements of 2 bytes"},
+    {"count_that_overflows", "/accessors/1/count", 2147483647, "accessors[1]: 2147483647 elements of 12 bytes"},
+    {"offset_beyond_view", "/accessors/0/byteOffset", 4, "accessors[0]: 3 elements of 2 bytes from byte 4 on"},
+    {"offset_that_overflows", "/accessors/0/byteOffset", 9007199254740991, "accessors[0]: 3 elements of 2 bytes"},
+    {"stride_below_element", "/bufferViews/1/byteStride", 8, "accessors[1]: elements of 12 bytes stand 8 bytes apart"},
+    {"view_beyond_buffer", "/bufferViews/0/byteLength", 1000,
+     "bufferViews[0]: 1000 bytes from byte 0 on lie outside buffers[0]"},
+    {"view_offset_overflows", "/bufferViews/0/byteOffset", 9007199254740992, "bufferViews[0]: 8 bytes from byte"},
+    {"buffer_beyond_chunk", "/buffers/0/byteLength", 9007199254740992, "buffers[0]: promises 9007199254740992 bytes"},
+    {"second_buffer_without_uri", "/buffers/1", {{"byteLength", 4}}, "buffers[1]: has no uri"},
+    {"no_buffers", "/buffers", nullptr, "bufferViews[0].buffer: refers to buffers[0], but there are 0"},
+    {"data_uri_not_base64", "/buffers/0/uri", "data:application/octet-stream,AAAA", "buffers[0]: the data URI is not base64"},
+    {"data_uri_bad_digit", "/buffers/0/uri", "data:;base64,A*AA", "buffers[0]: the data URI is not valid base64"},
+    {"data_uri_too_short", "/buffers/0/uri", "data:;base64,AAAA", "buffers[0]: promises 76 bytes, 3 are there"},
+    {"index_of_wrong_type", "/meshes/0/primitives/0/indices", 3,
+     "accessors[3]: has the wrong type for its use; accepted: SCALAR"},
+    {"float_indices", "/meshes/0/primitives/0/indices", 2, "accessors[2]: does not hold plain unsigned integers"},
+    {"scalar_positions", "/meshes/0/primitives/0/attributes/POSITION", 2, "accessors[2]: has the wrong type for its use"},
+    {"camera_type", "/cameras/0/type", "fisheye", "cameras[0].type: is \"fisheye\"; accepted: perspective, orthographic"},
+    {"camera_fov", "/cameras/0/perspective/yfov", 3.2, "cameras[0].perspective.yfov: is 3.2"},
+    {"required_extension", "/extensionsRequired", Json::array({"KHR_draco_mesh_compression"}),
+     "extensionsRequired: needs KHR_draco_mesh_compression, which is not supported; accepted: KHR_lights_punctual"},
+    {"extension_not_a_string", "/extensionsUsed", Json::array({3}), "extensionsUsed[0]: is not a string"},
+};
+
+INSTANTIATE_TEST_SUITE_P(GltfDocument, GltfFault, testing::ValuesIn(kFaults),
+                         [](const auto& fault) { return std::string(fault.param.name); });
+
+TEST(GltfDocument, control_characters_of_the_file_do_not_reach_the_message) {
+  EXPECT_THAT(message_with("/materials/0/alphaMode", "\x1b[31mred\n"), HasSubstr("is \"?[31mred?\""));
+}
+
+TEST(GltfDocument, integer_written_as_float_is_read) { EXPECT_THAT(message_with("/scene", 0.0), "(no Error)"); }
+
+TEST(GltfDocument, extension_that_is_not_read_is_one_warning) {
+  GltfBuilder b = good_document();
+  b.root["extensionsUsed"] = {"KHR_materials_clearcoat"};
+  b.root["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 1}};
+  std::vector<std::string> warnings;
+  parse(b, &warnings);
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(),
+                       "a.glb: the extension KHR_materials_clearcoat is not supported yet and is ignored"),
+            1);
+}
+
+TEST(GltfDocument, extension_that_is_used_but_not_listed_is_a_warning) {
+  GltfBuilder b = good_document();
+  b.root["materials"][0]["extensions"]["EXT_surprise"] = Json::object();
+  std::vector<std::string> warnings;
+  parse(b, &warnings);
+  EXPECT_THAT(warnings, Contains("a.glb: the extension EXT_surprise is not supported yet and is ignored"));
+}
+
+TEST(GltfDocument, required_extension_that_is_read_passes) {
+  EXPECT_EQ(message_with("/extensionsRequired", Json::array({"KHR_materials_unlit"})), "(no Error)");
+}
+
+TEST(GltfDocument, meshes_that_unpack_to_more_than_the_limit_are_an_error) {
+  GltfLimits limits;
+  limits.unpacked_bytes = 30;  // below the 36 bytes of three positions
+  EXPECT_THAT(error_message([&] { parse(good_document(), nullptr, limits); }),
+              HasSubstr("accessors[1]: the scene unpacks to too much memory; accepted: at most 30 bytes together"));
+}
+
+TEST(GltfDocument, instances_beyond_the_limit_are_an_error) {
+  GltfBuilder b;
+  const int mesh = b.add_triangle();
+  for (int i = 0; i < 100; ++i) b.add_node({{"mesh", mesh}});
+  GltfLimits limits;
+  limits.unpacked_bytes = 100 * sizeof(Instance);  // enough for all of them, but not for the mesh as well
+  EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("too much memory"));
+}
+
+// ---- Files beside the scene -----------------------------------------------------------------------------------------
+
+/// A folder with a scene of one triangle whose positions are in a file of their own.
+class GltfFolder : public testing::Test {
+ protected:
+  GltfFolder() {
+    std::filesystem::create_directories(scene_ / "data");
+    write(scene_ / "data/my bytes.bin");
+    write(root_ / "secret.bin");
+  }
+
+  void write(const std::filesystem::path& path) const {
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(triangle_.binary.data()), static_cast<std::streamsize>(triangle_.binary.size()));
+  }
+
+  std::string message_with_uri(const std::string& uri) const {
+    Json root = triangle_.document();
+    root["buffers"][0]["uri"] = uri;
+    return error_message([&] { parse_gltf(test::contents_of(root.dump()), scene_ / "a.gltf", 25.0, Context{}); });
+  }
+
+  static GltfBuilder one_triangle() {
+    GltfBuilder builder;
+    builder.add_node({{"mesh", builder.add_triangle()}});
+    return builder;
+  }
+
+  test::TempDir root_;
+  std::filesystem::path scene_ = root_ / "scene";
+  GltfBuilder triangle_ = one_triangle();
+};
+
+TEST_F(GltfFolder, file_below_the_scene_is_read_by_its_percent_encoded_name) {
+  EXPECT_EQ(message_with_uri("data/my%20bytes.bin"), "(no Error)");
+}
+
+TEST_F(GltfFolder, missing_file_is_an_error) {
+  EXPECT_THAT(message_with_uri("none.bin"), HasSubstr("buffers[0]: none.bin does not exist"));
+}
+
+TEST_F(GltfFolder, file_shorter_than_promised_is_an_error) {
+  std::ofstream(scene_ / "short.bin") << "abc";
+  EXPECT_THAT(message_with_uri("short.bin"), HasSubstr("buffers[0]: promises 36 bytes, 3 are there"));
+}
+
+TEST_F(GltfFolder, file_above_the_scene_is_refused) {
+  EXPECT_THAT(message_with_uri("../secret.bin"),
+              HasSubstr("buffers[0]: refers to ../secret.bin; accepted: a file in the scene"));
+}
+
+TEST_F(GltfFolder, encoded_dots_are_refused) {
+  EXPECT_THAT(message_with_uri("data/%2e%2e/../%2E./secret.bin"), HasSubstr("buffers[0]: refers to "));
+}
+
+TEST_F(GltfFolder, absolute_path_is_refused) {
+  EXPECT_THAT(message_with_uri((root_ / "secret.bin").string()), HasSubstr("buffers[0]: refers to /"));
+}
+
+TEST_F(GltfFolder, web_address_is_refused) {
+  EXPECT_THAT(message_with_uri("https://example.org/a.bin"), HasSubstr("buffers[0]: refers to https://example.org/a.bin"));
+}
+
+TEST_F(GltfFolder, link_that_leads_out_is_refused) {
+  std::filesystem::create_symlink(root_ / "secret.bin", scene_ / "link.bin");
+  EXPECT_THAT(message_with_uri("link.bin"), HasSubstr("buffers[0]: link.bin is a link that leads out"));
+}
+
+TEST_F(GltfFolder, linked_folder_that_leads_out_is_refused) {
+  std::filesystem::create_directory_symlink(root_.path(), scene_ / "up");
+  EXPECT_THAT(message_with_uri("up/secret.bin"), HasSubstr("buffers[0]: up/secret.bin is a link that leads out"));
+}
+
+TEST_F(GltfFolder, link_that_stays_inside_is_followed) {
+  std::filesystem::create_symlink("data/my bytes.bin", scene_ / "link.bin");
+  EXPECT_EQ(message_with_uri("link.bin"), "(no Error)");
+}
+
+TEST_F(GltfFolder, folder_in_place_of_a_file_is_refused) {
+  EXPECT_THAT(message_with_uri("data"), HasSubstr("buffers[0]: data is not a regular file"));
+}
+
+TEST_F(GltfFolder, name_with_a_zero_byte_is_refused) {
+  EXPECT_THAT(message_with_uri("data/my%20bytes.bin%00.png"), HasSubstr("buffers[0]: refers to "));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,187 @@
+// Lights and cameras of the glTF reader.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "scene/gltf/gltf_builder.hpp"
+#include "scene/load.hpp"
+#include "scene/timeline.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::GltfBuilder;
+using test::Json;
+using test::parse;
+using testing::Contains;
+using testing::HasSubstr;
+
+/// A scene of one light, on a node below another.
+GltfBuilder lit_by(const Json& light) {
+  GltfBuilder b;
+  b.root["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
+  b.add_node({{"children", {1}}});
+  b.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  return b;
+}
+
+Light light_of(const Json& light) {
+  const Scene scene = parse(lit_by(light));
+  validate(scene, "a.glb");
+  return scene.lights.at(0);
+}
+
+TEST(GltfLight, point_light_has_colour_times_candela_and_falls_off) {
+  const Light light =
+      light_of({{"type", "point"}, {"name", "lamp"}, {"color", {1, 0.5, 0.25}}, {"intensity", 40}, {"range", 7}});
+  EXPECT_EQ(light.name, "lamp");
+  EXPECT_EQ(light.kind, LightKind::kPoint);
+  EXPECT_EQ(light.color, Vec3f(40, 20, 10));
+  EXPECT_TRUE(light.inverse_square);
+  EXPECT_EQ(light.range, 7.0f);
+  EXPECT_EQ(light.node, 1);
+}
+
+TEST(GltfLight, defaults_are_white_of_intensity_one_without_end) {
+  const Light light = light_of({{"type", "point"}});
+  EXPECT_EQ(light.color, Vec3f(1.0f));
+  EXPECT_EQ(light.range, kInfinity);
+}
+
+TEST(GltfLight, directional_light_does_not_fall_off) {
+  const Light light = light_of({{"type", "directional"}, {"intensity", 3}});
+  EXPECT_EQ(light.kind, LightKind::kDirectional);
+  EXPECT_FALSE(light.inverse_square);
+  EXPECT_EQ(light.color, Vec3f(3.0f));
+}
+
+TEST(GltfLight, spot_light_has_cones) {
+  const Light light = light_of({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.2}}}});
+  EXPECT_EQ(light.kind, LightKind::kSpot);
+  EXPECT_TRUE(light.inverse_square);
+  EXPECT_EQ(light.inner_cone, 0.1f);
+  EXPECT_EQ(light.outer_cone, 0.2f);
+}
+
+TEST(GltfLight, spot_light_without_angles_reaches_45_degrees) {
+  const Light light = light_of({{"type", "spot"}, {"spot", Json::object()}});
+  EXPECT_EQ(light.inner_cone, 0.0f);
+  EXPECT_FLOAT_EQ(light.outer_cone, kPi / 4);
+}
+
+TEST(GltfLight, inner_cone_wider_than_the_outer_is_an_error) {
+  EXPECT_THAT(error_message([] {
+                light_of({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.9}}}});
+              }),
+              HasSubstr("lights[0].spot: the inner cone is wider than the outer one"));
+}
+
+TEST(GltfLight, unknown_type_is_an_error) {
+  EXPECT_THAT(error_message([] {
+                light_of({{"type", "area"}});
+              }),
+              HasSubstr("extensions.KHR_lights_punctual.lights[0].type: is \"area\"; accepted: directional, point, spot"));
+}
+
+// ---- Scenes without lights ------------------------------------------------------------------------------------------
+
+Vec3f direction_of(const Scene& scene, const Light& light) {
+  return transform_vector(evaluate(scene, 0.0).of(light.node), {0, 0, -1});
+}
+
+TEST(GltfLight, scene_without_lights_gets_one_from_above_left_in_front_with_a_warning) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}});
+  std::vector<std::string> warnings;
+  const Scene scene = parse(b, &warnings);
+  ASSERT_EQ(scene.lights.size(), 1u);
+  const Vec3f direction = direction_of(scene, scene.lights[0]);
+  EXPECT_GT(direction.x, 0.0f);  // towards the right,
+  EXPECT_LT(direction.y, 0.0f);  // down,
+  EXPECT_LT(direction.z, 0.0f);  // and away from the viewer
+  EXPECT_GT(scene.background.horizon.x, 0.0f);
+  EXPECT_THAT(warnings, Contains(HasSubstr("a.glb: has no lights: a key light from above left")));
+  EXPECT_NO_THROW(validate(scene, "a.glb"));
+}
+
+TEST(GltfLight, added_light_comes_from_above_left_of_the_camera) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}});
+  b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  const float half_root = std::sqrt(0.5f);
+  b.add_node({{"camera", 0}, {"rotation", {0, half_root, 0, half_root}}, {"scale", {2, 2, 2}}});  // looks along -x
+  const Scene scene = parse(b);
+  const Vec3f direction = direction_of(scene, scene.lights.at(0));
+  EXPECT_LT(direction.x, 0.0f);  // away from the viewer,
+  EXPECT_LT(direction.y, 0.0f);  // down,
+  EXPECT_LT(direction.z, 0.0f);  // and to the right, which is -z for him
+}
+
+TEST(GltfLight, scene_with_a_light_keeps_a_black_background) {
+  GltfBuilder b = lit_by({{"type", "point"}});
+  b.add_node({{"mesh", b.add_triangle()}});
+  const Scene scene = parse(b);
+  EXPECT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.background.horizon, Vec3f(0.0f));
+}
+
+TEST(GltfLight, scene_of_unlit_materials_needs_none) {
+  GltfBuilder b;
+  b.add("materials", {{"extensions", {{"KHR_materials_unlit", Json::object()}}}});
+  b.add_node({{"mesh", b.add_triangle({{"material", 0}})}});
+  std::vector<std::string> warnings;
+  EXPECT_TRUE(parse(b, &warnings).lights.empty());
+  EXPECT_TRUE(warnings.empty());
+}
+
+// ---- Cameras --------------------------------------------------------------------------------------------------------
+
+TEST(GltfCamera, perspective_is_read_in_the_order_of_the_nodes) {
+  GltfBuilder b;
+  b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}});
+  b.add("cameras",
+        {{"type", "perspective"}, {"name", "wide"}, {"perspective", {{"yfov", 0.75}, {"znear", 1}, {"aspectRatio", 1.5}}}});
+  b.add_node({{"camera", 1}});
+  b.add_node({{"camera", 0}, {"name", "left"}});
+  const Scene scene = parse(b);
+  ASSERT_EQ(scene.cameras.size(), 2u);
+  EXPECT_EQ(scene.cameras[0].name, "wide");
+  EXPECT_EQ(scene.cameras[0].vertical_fov, 0.75f);
+  EXPECT_EQ(scene.cameras[0].aspect, 1.5f);
+  EXPECT_EQ(scene.cameras[1].name, "left");
+  EXPECT_EQ(scene.cameras[1].vertical_fov, 0.5f);
+  EXPECT_EQ(scene.cameras[1].aspect, 0.0f);
+  EXPECT_EQ(scene.cameras[1].node, 1);
+}
+
+TEST(GltfCamera, scene_without_one_has_none) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}});
+  EXPECT_TRUE(parse(b).cameras.empty());
+}
+
+TEST(GltfCamera, orthographic_becomes_a_perspective_that_shows_the_same_height_at_the_centre) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}, {"translation", {-0.5, -0.5, -8}}});  // its bounds are centred on z = -8
+  b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 100}}}});
+  b.add_node({{"camera", 0}, {"translation", {0, 0, 2}}});
+  std::vector<std::string> warnings;
+  const Scene scene = parse(b, &warnings);
+  EXPECT_FLOAT_EQ(std::tan(0.5f * scene.cameras.at(0).vertical_fov), 2.0f / 10.0f);
+  EXPECT_EQ(scene.cameras[0].aspect, 2.0f);
+  EXPECT_THAT(warnings, Contains(HasSubstr("orthographic cameras are not supported yet")));
+}
+
+TEST(GltfCamera, orthographic_with_nothing_in_front_of_it_still_is_a_camera) {
+  GltfBuilder b;
+  b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 0}, {"ymag", 0}, {"znear", 0}, {"zfar", 0}}}});
+  b.add_node({{"camera", 0}});
+  EXPECT_NO_THROW(validate(parse(b), "a.glb"));
+}
+
+}  // namespace
+}  // namespace lippmann

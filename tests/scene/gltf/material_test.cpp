@@ -1,0 +1,274 @@
+// Materials and textures of the glTF reader.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/error.hpp"
+#include "scene/gltf/gltf_builder.hpp"
+#include "scene/load.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::GltfBuilder;
+using test::Json;
+using test::parse;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// An encoded image of bytes.
+std::vector<unsigned char> encode(const char* format, int width, int height, int channels, std::vector<std::uint8_t> pixels) {
+  std::vector<unsigned char> encoded;
+  OIIO::Filesystem::IOVecOutput memory(encoded);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+  output->set_ioproxy(&memory);
+  OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
+  spec["oiio:UnassociatedAlpha"] = 1;
+  EXPECT_TRUE(output->open(std::string("memory.") + format, spec)) << output->geterror();
+  EXPECT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, pixels.data())) << output->geterror();
+  output->close();
+  return encoded;
+}
+
+/// Red, green, blue and transparent white, two by two.
+std::vector<unsigned char> four_colours() {
+  return encode("png", 2, 2, 4, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0});
+}
+
+Scene scene_of_material(const Json& material, std::vector<std::string>* warnings = nullptr) {
+  GltfBuilder b;
+  b.add("materials", material);
+  b.add_node({{"mesh", b.add_triangle({{"material", 0}})}});
+  Scene scene = parse(b, warnings);
+  validate(scene, "a.glb");
+  return scene;
+}
+
+MetallicRoughness surface_of(const Json& material, std::vector<std::string>* warnings = nullptr) {
+  return std::get<MetallicRoughness>(scene_of_material(material, warnings).materials.at(0).surface);
+}
+
+/// A document with one texture that a material uses as base colour.
+GltfBuilder textured(const std::vector<unsigned char>& image, const Json& sampler = Json::object()) {
+  GltfBuilder b;
+  b.add("images", {{"bufferView", b.add_view(image)}, {"mimeType", "image/png"}, {"name", "colours"}});
+  b.add("samplers", sampler);
+  b.add("textures", {{"source", 0}, {"sampler", 0}});
+  b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+  b.add_node({{"mesh", b.add_triangle({{"material", 0}})}});
+  return b;
+}
+
+// ---- Materials ------------------------------------------------------------------------------------------------------
+
+TEST(GltfMaterial, empty_material_has_the_defaults_of_gltf) {
+  const MetallicRoughness s = surface_of(Json::object());
+  EXPECT_EQ(s.base_color, Vec4f(1.0f));
+  EXPECT_EQ(s.metallic, 1.0f);
+  EXPECT_EQ(s.roughness, 1.0f);
+  EXPECT_EQ(s.emissive, Vec3f(0.0f));
+  EXPECT_EQ(s.ior, 1.5f);
+  EXPECT_EQ(s.transmission, 0.0f);
+  EXPECT_EQ(s.alpha_cutoff, 0.0f);
+  EXPECT_FALSE(s.blend || s.double_sided || s.unlit);
+}
+
+TEST(GltfMaterial, factors_are_read) {
+  const MetallicRoughness s = surface_of(
+      {{"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}}, {"metallicFactor", 0.5}, {"roughnessFactor", 0.6}}},
+       {"emissiveFactor", {0.7, 0.8, 0.9}},
+       {"doubleSided", true}});
+  EXPECT_EQ(s.base_color, Vec4f(0.1f, 0.2f, 0.3f, 0.4f));
+  EXPECT_EQ(s.metallic, 0.5f);
+  EXPECT_EQ(s.roughness, 0.6f);
+  EXPECT_EQ(s.emissive, Vec3f(0.7f, 0.8f, 0.9f));
+  EXPECT_TRUE(s.double_sided);
+}
+
+TEST(GltfMaterial, emissive_strength_multiplies_the_factor) {
+  const MetallicRoughness s = surface_of(
+      {{"emissiveFactor", {1, 0.5, 0}}, {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 100}}}}}});
+  EXPECT_EQ(s.emissive, Vec3f(100, 50, 0));
+}
+
+TEST(GltfMaterial, extensions_for_glass_and_flat_colour_are_read) {
+  const MetallicRoughness s = surface_of({{"extensions",
+                                           {{"KHR_materials_ior", {{"ior", 1.33}}},
+                                            {"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
+                                            {"KHR_materials_unlit", Json::object()}}}});
+  EXPECT_EQ(s.ior, 1.33f);
+  EXPECT_EQ(s.transmission, 0.75f);
+  EXPECT_TRUE(s.unlit);
+}
+
+TEST(GltfMaterial, ior_of_zero_means_that_everything_is_reflected) {
+  const float ior = surface_of({{"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}}).ior;
+  const float reflectance = std::pow((ior - 1.0f) / (ior + 1.0f), 2.0f);
+  EXPECT_GT(reflectance, 0.99f);  // what 1000 gives, 0.996, with room for another choice
+}
+
+TEST(GltfMaterial, mask_has_a_cutoff_and_blend_has_none) {
+  EXPECT_EQ(surface_of({{"alphaMode", "MASK"}}).alpha_cutoff, 0.5f);
+  EXPECT_EQ(surface_of({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}).alpha_cutoff, 0.25f);
+  EXPECT_FALSE(surface_of({{"alphaMode", "MASK"}}).blend);
+  EXPECT_EQ(surface_of({{"alphaMode", "BLEND"}, {"alphaCutoff", 0.25}}).alpha_cutoff, 0.0f);
+  EXPECT_TRUE(surface_of({{"alphaMode", "BLEND"}}).blend);
+}
+
+TEST(GltfMaterial, primitives_without_one_share_the_default) {
+  GltfBuilder b;
+  b.add("materials", {{"name", "named"}});
+  for (int i = 0; i < 2; ++i) b.add_node({{"mesh", b.add_triangle()}});
+  const Scene scene = parse(b);
+  ASSERT_EQ(scene.materials.size(), 2u);
+  EXPECT_EQ(scene.instances[0].material, 1);
+  EXPECT_EQ(scene.instances[1].material, 1);
+}
+
+TEST(GltfMaterial, textures_that_are_not_read_are_one_warning_each) {
+  GltfBuilder b = textured(four_colours());
+  Json& material = b.root["materials"][0];
+  material["normalTexture"] = material["occlusionTexture"] = {{"index", 0}};
+  material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+  b.add("materials", material);
+  std::vector<std::string> warnings;
+  parse(b, &warnings);
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("normal textures are not supported yet"), HasSubstr("occlusion textures are not"),
+                                    HasSubstr("metallic-roughness textures are not"), HasSubstr("has no lights")));
+}
+
+// ---- Textures -------------------------------------------------------------------------------------------------------
+
+TEST(GltfTexture, png_is_decoded_top_row_first_without_multiplying_by_alpha) {
+  const Scene scene = parse(textured(four_colours()));
+  ASSERT_EQ(scene.textures.size(), 1u);
+  const Texture& texture = scene.textures[0];
+  EXPECT_EQ(texture.name, "colours");
+  EXPECT_EQ(texture.width, 2);
+  EXPECT_EQ(texture.height, 2);
+  EXPECT_TRUE(texture.srgb);
+  EXPECT_THAT(texture.rgba, ElementsAre(255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0));
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).base_color_texture, 0);
+  EXPECT_NO_THROW(validate(scene, "a.glb"));
+}
+
+TEST(GltfTexture, fewer_channels_are_expanded) {
+  EXPECT_THAT(parse(textured(encode("png", 2, 1, 1, {10, 20}))).textures.at(0).rgba,
+              ElementsAre(10, 10, 10, 255, 20, 20, 20, 255));
+  EXPECT_THAT(parse(textured(encode("png", 2, 1, 2, {10, 11, 20, 22}))).textures.at(0).rgba,
+              ElementsAre(10, 10, 10, 11, 20, 20, 20, 22));
+  EXPECT_THAT(parse(textured(encode("png", 2, 1, 3, {1, 2, 3, 4, 5, 6}))).textures.at(0).rgba,
+              ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
+}
+
+TEST(GltfTexture, jpeg_is_decoded) {
+  const Scene scene = parse(textured(encode("jpeg", 8, 8, 3, std::vector<std::uint8_t>(3 * 64, 128))));
+  // A uniform grey of 128 is the zero of the cosine transform: every quality keeps it.
+  EXPECT_EQ(scene.textures.at(0).rgba[0], 128);
+  EXPECT_EQ(scene.textures.at(0).rgba[3], 255);
+}
+
+TEST(GltfTexture, wrap_modes_are_read) {
+  const Texture texture = parse(textured(four_colours(), {{"wrapS", 33071}, {"wrapT", 33648}})).textures.at(0);
+  EXPECT_EQ(texture.wrap_u, Wrap::kClamp);
+  EXPECT_EQ(texture.wrap_v, Wrap::kMirror);
+}
+
+TEST(GltfTexture, unknown_wrap_mode_is_an_error) {
+  EXPECT_THAT(error_message([] {
+                parse(textured(four_colours(), {{"wrapS", 10498}}));
+              }),
+              HasSubstr("samplers[0]: has the wrap mode 10498; accepted: 10497"));
+}
+
+TEST(GltfTexture, nearest_filter_is_a_warning) {
+  std::vector<std::string> warnings;
+  parse(textured(four_colours(), {{"magFilter", 9728}}), &warnings);
+  EXPECT_THAT(warnings, Contains(HasSubstr("nearest-neighbour filtering is not supported yet")));
+}
+
+TEST(GltfTexture, one_image_for_two_materials_is_decoded_once) {
+  GltfBuilder b = textured(four_colours());
+  b.add("materials", {{"emissiveFactor", {1, 1, 1}}, {"emissiveTexture", {{"index", 0}}}});
+  const Scene scene = parse(b);
+  EXPECT_EQ(scene.textures.size(), 1u);
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[1].surface).emissive_texture, 0);
+}
+
+TEST(GltfTexture, mesh_takes_the_set_of_coordinates_that_the_texture_asks_for) {
+  GltfBuilder b = textured(four_colours());
+  b.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 1;
+  const int first = b.add_accessor(std::vector<Vec2f>(3, Vec2f(0.25f))),
+            second = b.add_accessor(std::vector<Vec2f>(3, Vec2f(0.75f)));
+  b.root["meshes"][0]["primitives"][0]["attributes"].update({{"TEXCOORD_0", first}, {"TEXCOORD_1", second}});
+  const Scene scene = parse(b);
+  EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.75f)));
+}
+
+TEST(GltfTexture, image_that_is_neither_png_nor_jpeg_is_an_error) {
+  EXPECT_EQ(error_message([] { parse(textured({'G', 'I', 'F', '8'})); }), "a.glb: images[0]: is neither PNG nor JPEG");
+}
+
+TEST(GltfTexture, every_proper_prefix_of_a_png_is_an_error) {
+  const std::vector<unsigned char> whole = four_colours();
+  for (std::size_t length = 1; length < whole.size(); ++length) {
+    const std::vector<unsigned char> cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
+    EXPECT_EQ(error_message([&] { parse(textured(cut)); }),
+              length < 8 ? "a.glb: images[0]: is neither PNG nor JPEG" : "a.glb: images[0]: is a truncated PNG image")
+        << "cut to " << length;
+  }
+}
+
+TEST(GltfTexture, png_with_damaged_pixels_is_an_error) {
+  std::vector<unsigned char> damaged = four_colours();
+  damaged[damaged.size() - 12 - 4 - 6] ^= 0xff;  // before the last chunk and its own checksum: in the compressed pixels
+  EXPECT_THAT(error_message([&] { parse(textured(damaged)); }), HasSubstr("a.glb: images[0]: is not a readable png image"));
+}
+
+TEST(GltfTexture, image_larger_than_the_limit_is_refused_before_it_is_decoded) {
+  GltfLimits limits;
+  limits.texture_side = 1;
+  EXPECT_EQ(error_message([&] { parse(textured(four_colours()), nullptr, limits); }),
+            "a.glb: images[0]: has 2 x 2 pixels; accepted: 1 to 1 a side");
+}
+
+TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_refused) {
+  GltfBuilder b = textured(four_colours());
+  b.add("images", b.root["images"][0]);
+  b.add("textures", {{"source", 1}});
+  b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
+  GltfLimits limits;
+  limits.texture_bytes = 31;  // one takes 16
+  EXPECT_EQ(error_message([&] { parse(b, nullptr, limits); }),
+            "a.glb: images[1]: the textures decode to too much memory; accepted: at most 31 bytes together");
+}
+
+TEST(GltfTexture, image_without_a_source_is_an_error) {
+  GltfBuilder b = textured(four_colours());
+  b.root["images"][0].erase("bufferView");
+  EXPECT_EQ(error_message([&] { parse(b); }), "a.glb: images[0]: has neither a uri nor a buffer view");
+}
+
+TEST(GltfTexture, without_an_image_it_is_white_with_a_warning) {
+  GltfBuilder b = textured(four_colours());
+  b.root["textures"][0].erase("source");
+  std::vector<std::string> warnings;
+  const Scene scene = parse(b, &warnings);
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).base_color_texture, -1);
+  EXPECT_THAT(warnings, Contains("a.glb: textures[0] has no PNG or JPEG image; white is used"));
+}
+
+TEST(GltfTexture, image_that_no_material_uses_is_not_even_looked_at) {
+  GltfBuilder b = textured({'n', 'o'});
+  b.root["materials"][0].clear();
+  EXPECT_NO_THROW(parse(b));
+}
+
+}  // namespace
+}  // namespace lippmann

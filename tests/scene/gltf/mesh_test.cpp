@@ -1,0 +1,261 @@
+// Accessors and meshes of the glTF reader.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "scene/gltf/gltf_builder.hpp"
+#include "scene/load.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::GltfBuilder;
+using test::Json;
+using test::parse;
+using test::parse_mesh;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// A mesh of five vertices in a row, and what else its primitive says.
+Mesh five_vertices(const Json& more) {
+  GltfBuilder b;
+  const int positions = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {4, 1, 0}});
+  Json primitive = {{"attributes", {{"POSITION", positions}}}};
+  primitive.update(more);
+  b.add_mesh(primitive);
+  return parse_mesh(b);
+}
+
+// ---- Topology -------------------------------------------------------------------------------------------------------
+
+TEST(GltfMesh, triangles_without_indices_take_vertices_in_order_and_drop_the_rest) {
+  EXPECT_THAT(five_vertices({{"mode", 4}}).triangles, ElementsAre(Triangle{0, 1, 2}));
+}
+
+TEST(GltfMesh, strip_turns_every_other_triangle_around) {
+  EXPECT_THAT(five_vertices({{"mode", 5}}).triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{1, 3, 2}, Triangle{2, 3, 4}));
+}
+
+TEST(GltfMesh, fan_turns_around_its_first_vertex) {
+  EXPECT_THAT(five_vertices({{"mode", 6}}).triangles, ElementsAre(Triangle{1, 2, 0}, Triangle{2, 3, 0}, Triangle{3, 4, 0}));
+}
+
+TEST(GltfMesh, without_normals_it_is_faceted) { EXPECT_TRUE(five_vertices(Json::object()).normals.empty()); }
+
+TEST(GltfMesh, indices_of_every_unsigned_type_give_the_same_triangle) {
+  for (const int type : {test::kUnsignedByte, test::kUnsignedShort, test::kUnsignedInt}) {
+    GltfBuilder b;
+    int indices = -1;
+    if (type == test::kUnsignedByte) indices = b.add_accessor(std::vector<std::uint8_t>{2, 0, 1}, type, "SCALAR", 3);
+    if (type == test::kUnsignedShort) indices = b.add_accessor(std::vector<std::uint16_t>{2, 0, 1}, type, "SCALAR", 3);
+    if (type == test::kUnsignedInt) indices = b.add_accessor(std::vector<std::uint32_t>{2, 0, 1}, type, "SCALAR", 3);
+    b.add_triangle({{"indices", indices}});
+    EXPECT_THAT(parse_mesh(b).triangles, ElementsAre(Triangle{2, 0, 1})) << type;
+  }
+}
+
+TEST(GltfMesh, index_beyond_the_vertices_is_an_error) {
+  GltfBuilder b;
+  b.add_triangle({{"indices", b.add_accessor(std::vector<std::uint16_t>{0, 1, 3})}});
+  EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: meshes[0].primitives[0]: index 2 is 3; accepted: 0 to 2");
+}
+
+TEST(GltfMesh, points_and_lines_are_left_out_with_one_warning) {
+  GltfBuilder b;
+  const int mesh = b.add_triangle({{"mode", 0}});
+  b.root["meshes"][0]["primitives"].push_back(b.root["meshes"][0]["primitives"][0]);
+  b.add_node({{"mesh", mesh}});
+  std::vector<std::string> warnings;
+  EXPECT_TRUE(parse(b, &warnings).instances.empty());
+  EXPECT_THAT(
+      warnings,
+      ElementsAre("a.glb: points and lines are not supported yet: they are left out (first at meshes[0].primitives[0])"));
+}
+
+TEST(GltfMesh, primitive_without_positions_is_left_out_with_a_warning) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_mesh({{"attributes", Json::object()}})}});
+  std::vector<std::string> warnings;
+  EXPECT_TRUE(parse(b, &warnings).shapes.empty());
+  EXPECT_THAT(warnings, Contains("a.glb: meshes[0].primitives[0] has no positions and is left out"));
+}
+
+TEST(GltfMesh, shown_by_two_nodes_it_is_one_shape) {
+  GltfBuilder b;
+  const int mesh = b.add_triangle();
+  b.add_node({{"mesh", mesh}, {"name", "left"}});
+  b.add_node({{"mesh", mesh}});
+  const Scene scene = parse(b);
+  ASSERT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(scene.shapes.size(), 1u);
+  EXPECT_EQ(scene.instances[0].name, "left");
+  EXPECT_EQ(scene.instances[1].node, 1);
+}
+
+// ---- Values ---------------------------------------------------------------------------------------------------------
+
+TEST(GltfAccessor, strided_elements_are_picked_out_of_interleaved_data) {
+  GltfBuilder b;
+  // x y z of the position, then u v: five floats a vertex.
+  const int view = b.add_view(std::vector<float>{0, 0, 0, 0.1f, 0.2f, 1, 0, 0, 0.3f, 0.4f, 0, 1, 0, 0.5f, 0.6f});
+  b.root["bufferViews"][0]["byteStride"] = 20;
+  const Json accessor = {{"bufferView", view}, {"componentType", test::kFloat}, {"count", 3}};
+  Json positions = accessor, uvs = accessor;
+  positions["type"] = "VEC3";
+  uvs["type"] = "VEC2", uvs["byteOffset"] = 12;
+  b.add_mesh({{"attributes", {{"POSITION", b.add("accessors", positions)}, {"TEXCOORD_0", b.add("accessors", uvs)}}}});
+  const Mesh mesh = parse_mesh(b);
+  EXPECT_THAT(mesh.positions, ElementsAre(Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)));
+  EXPECT_THAT(mesh.uvs, ElementsAre(Vec2f(0.1f, 0.2f), Vec2f(0.3f, 0.4f), Vec2f(0.5f, 0.6f)));
+}
+
+TEST(GltfAccessor, last_strided_element_needs_no_padding_behind_it) {
+  GltfBuilder b;
+  const int view = b.add_view(std::vector<float>{0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0});  // 44 bytes: 2 strides of 16 and 12 more
+  b.root["bufferViews"][0]["byteStride"] = 16;
+  const int positions =
+      b.add("accessors", {{"bufferView", view}, {"componentType", test::kFloat}, {"count", 3}, {"type", "VEC3"}});
+  b.add_mesh({{"attributes", {{"POSITION", positions}}}});
+  EXPECT_EQ(parse_mesh(b).positions.at(2), Vec3f(0, 1, 0));
+}
+
+/// The texture coordinates of a triangle that stores them as integers.
+template <class T>
+std::vector<Vec2f> integer_uvs(const std::vector<T>& values, int component_type, bool normalized) {
+  GltfBuilder b;
+  const int view = b.add_view(values);
+  b.root["bufferViews"][0]["byteStride"] = 4;
+  const int uvs = b.add(
+      "accessors",
+      {{"bufferView", view}, {"componentType", component_type}, {"normalized", normalized}, {"count", 3}, {"type", "VEC2"}});
+  b.add_triangle({{"attributes", {{"TEXCOORD_0", uvs}}}});
+  return parse_mesh(b).uvs;
+}
+
+TEST(GltfAccessor, normalized_unsigned_bytes_are_divided_by_255) {
+  EXPECT_THAT(integer_uvs<std::uint8_t>({0, 255, 9, 9, 51, 102, 9, 9, 255, 0}, 5121, true),
+              ElementsAre(Vec2f(0.0f, 1.0f), Vec2f(0.2f, 0.4f), Vec2f(1.0f, 0.0f)));
+}
+
+TEST(GltfAccessor, normalized_signed_shorts_are_divided_by_32767_and_do_not_go_below_minus_1) {
+  EXPECT_THAT(integer_uvs<std::int16_t>({0, 32767, -32767, -32768, 1, -1}, 5122, true),
+              ElementsAre(Vec2f(0.0f, 1.0f), Vec2f(-1.0f, -1.0f), Vec2f(1.0f / 32767.0f, -1.0f / 32767.0f)));
+}
+
+TEST(GltfAccessor, integers_that_are_not_normalized_keep_their_value) {
+  EXPECT_THAT(integer_uvs<std::int8_t>({0, 1, 9, 9, -128, 127, 9, 9, 5, 6}, 5120, false),
+              ElementsAre(Vec2f(0, 1), Vec2f(-128, 127), Vec2f(5, 6)));
+}
+
+TEST(GltfAccessor, sparse_values_replace_elements_of_a_base) {
+  GltfBuilder b;
+  b.add_triangle();
+  const int indices = b.add_view(std::vector<std::uint8_t>{0, 2}),
+            values = b.add_view(std::vector<Vec3f>{{7, 8, 9}, {4, 5, 6}});
+  b.accessor(0)["sparse"] = {{"count", 2},
+                             {"indices", {{"bufferView", indices}, {"componentType", test::kUnsignedByte}}},
+                             {"values", {{"bufferView", values}}}};
+  EXPECT_THAT(parse_mesh(b).positions, ElementsAre(Vec3f(7, 8, 9), Vec3f(1, 0, 0), Vec3f(4, 5, 6)));
+}
+
+TEST(GltfAccessor, sparse_values_without_a_base_replace_zeros) {
+  GltfBuilder b;
+  b.add_triangle();
+  const int indices = b.add_view(std::vector<std::uint16_t>{1}), values = b.add_view(std::vector<Vec3f>{{7, 8, 9}});
+  b.accessor(0)["sparse"] = {{"count", 1},
+                             {"indices", {{"bufferView", indices}, {"componentType", test::kUnsignedShort}}},
+                             {"values", {{"bufferView", values}}}};
+  b.accessor(0).erase("bufferView");
+  EXPECT_THAT(parse_mesh(b).positions, ElementsAre(Vec3f(0, 0, 0), Vec3f(7, 8, 9), Vec3f(0, 0, 0)));
+}
+
+TEST(GltfAccessor, sparse_index_beyond_the_elements_is_an_error) {
+  GltfBuilder b;
+  b.add_triangle();
+  const int indices = b.add_view(std::vector<std::uint16_t>{3}), values = b.add_view(std::vector<Vec3f>{{7, 8, 9}});
+  b.accessor(0)["sparse"] = {{"count", 1},
+                             {"indices", {{"bufferView", indices}, {"componentType", test::kUnsignedShort}}},
+                             {"values", {{"bufferView", values}}}};
+  EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0].sparse.indices: replaces element 3 of 3");
+}
+
+TEST(GltfAccessor, more_sparse_values_than_elements_are_an_error) {
+  GltfBuilder b;
+  b.add_triangle();
+  const int view = b.add_view(std::vector<std::uint16_t>{1});
+  b.accessor(0)["sparse"] = {{"count", 4},
+                             {"indices", {{"bufferView", view}, {"componentType", test::kUnsignedShort}}},
+                             {"values", {{"bufferView", view}}}};
+  EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0].sparse: replaces 4 of 3 elements");
+}
+
+TEST(GltfAccessor, billions_of_elements_without_data_are_an_error_not_an_allocation) {
+  GltfBuilder b;
+  b.add_triangle();
+  b.accessor(0).erase("bufferView");
+  b.accessor(0)["count"] = 2'000'000'000;
+  EXPECT_THAT(error_message([&] { parse_mesh(b); }), StartsWith("a.glb: accessors[0]: the scene unpacks to too much memory"));
+}
+
+TEST(GltfAccessor, position_that_is_not_finite_is_an_error) {
+  for (const float bad : {kNan, kInfinity}) {
+    GltfBuilder b;
+    b.add_mesh({{"attributes", {{"POSITION", b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, bad, 0}, {0, 1, 0}})}}}});
+    EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0]: element 1 is not finite");
+  }
+}
+
+// ---- Attributes -----------------------------------------------------------------------------------------------------
+
+TEST(GltfMesh, attribute_with_another_count_is_an_error) {
+  GltfBuilder b;
+  b.add_triangle({{"attributes", {{"NORMAL", b.add_accessor(std::vector<Vec3f>{{0, 0, 1}, {0, 0, 1}})}}}});
+  EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: meshes[0].primitives[0]: has 3 positions, but 2 values of NORMAL");
+}
+
+TEST(GltfMesh, normals_become_unit_vectors_even_if_tiny_or_huge) {
+  GltfBuilder b;
+  b.add_triangle({{"attributes", {{"NORMAL", b.add_accessor(std::vector<Vec3f>{{0, 0, 2}, {0, 1e-30f, 0}, {3e38f, 0, 0}})}}}});
+  EXPECT_THAT(parse_mesh(b).normals, ElementsAre(Vec3f(0, 0, 1), Vec3f(0, 1, 0), Vec3f(1, 0, 0)));
+}
+
+TEST(GltfMesh, normal_without_direction_is_made_from_its_triangles_with_a_warning) {
+  GltfBuilder b;
+  b.add_triangle({{"attributes", {{"NORMAL", b.add_accessor(std::vector<Vec3f>{{1, 0, 0}, {0, 0, 0}, {1, 0, 0}})}}}});
+  std::vector<std::string> warnings;
+  EXPECT_THAT(parse_mesh(b, &warnings).normals, ElementsAre(Vec3f(1, 0, 0), Vec3f(0, 0, 1), Vec3f(1, 0, 0)));
+  EXPECT_THAT(warnings,
+              Contains("a.glb: meshes[0].primitives[0]: 1 normals have no direction and are made from the triangles"));
+}
+
+TEST(GltfMesh, vertex_colours_and_morph_targets_are_one_warning_each) {
+  GltfBuilder b;
+  const int vectors = b.add_accessor(std::vector<Vec3f>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  for (int i = 0; i < 2; ++i)
+    b.add_node({{"mesh", b.add_triangle({{"attributes", {{"COLOR_0", vectors}}}, {"targets", {{{"POSITION", vectors}}}}})}});
+  std::vector<std::string> warnings;
+  const Scene scene = parse(b, &warnings);
+  EXPECT_EQ(std::get<Mesh>(scene.shapes[1]).positions[1], Vec3f(1, 0, 0));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("vertex colours (COLOR_0) are not supported yet"),
+                                    HasSubstr("morph targets are not supported yet: meshes keep their base shape"),
+                                    HasSubstr("has no lights")));
+}
+
+TEST(GltfMesh, result_passes_validation) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}});
+  EXPECT_NO_THROW(validate(parse(b), "a.glb"));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,358 @@
+// Node hierarchy, skins and animation of the glTF reader.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "scene/gltf/gltf_builder.hpp"
+#include "scene/load.hpp"
+#include "scene/timeline.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::GltfBuilder;
+using test::Json;
+using test::parse;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const float kHalfRoot = std::sqrt(0.5f);
+
+/// A handful of roundings of numbers of order one.
+constexpr float kRounding = 1e-6f;
+
+void expect_near(Vec3f actual, Vec3f expected, float tolerance = kRounding) {
+  EXPECT_LE(glm::length(actual - expected), tolerance) << actual.x << " " << actual.y << " " << actual.z;
+}
+
+std::string message_of(const GltfBuilder& builder) {
+  return error_message([&] { parse(builder); });
+}
+
+// ---- Hierarchy ------------------------------------------------------------------------------------------------------
+
+TEST(GltfNodes, parents_come_first_whatever_the_order_of_the_file) {
+  GltfBuilder b;
+  b.add_node({{"name", "grandchild"}});
+  b.add_node({{"name", "child"}, {"children", {0}}});
+  b.add_node({{"name", "root"}, {"children", {3, 1}}});
+  b.add_node({{"name", "first child"}});
+  const Scene scene = parse(b);
+  std::vector<std::string> names;
+  std::vector<int> parents;
+  for (const Node& node : scene.nodes) names.push_back(node.name), parents.push_back(node.parent);
+  EXPECT_THAT(names, ElementsAre("root", "first child", "child", "grandchild"));
+  EXPECT_THAT(parents, ElementsAre(-1, 0, 0, 2));
+}
+
+TEST(GltfNodes, world_transform_scales_then_rotates_then_moves_level_by_level) {
+  GltfBuilder b;
+  // 90 degrees about z: x to y.
+  b.add_node(
+      {{"translation", {10, 0, 0}}, {"rotation", {0, 0, kHalfRoot, kHalfRoot}}, {"scale", {2, 3, 4}}, {"children", {1}}});
+  b.add_node({{"translation", {1, 0, 0}}});
+  const Scene scene = parse(b);
+  const ResolvedScene rest = evaluate(scene, 0.0);
+  // (1, 1, 1) in the child is (2, 1, 1) in its parent, scaled (4, 3, 4), rotated (-3, 4, 4), moved (7, 4, 4).
+  expect_near(transform_point(rest.of(1), {1, 1, 1}), {7, 4, 4}, 4 * kRounding);
+}
+
+TEST(GltfNodes, matrix_is_read_by_columns) {
+  GltfBuilder b;
+  b.add_node({{"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}});
+  const Scene scene = parse(b);
+  expect_near(transform_point(evaluate(scene, 0.0).of(0), {1, 0, 0}), {5, 8, 7});
+}
+
+TEST(GltfNodes, projective_matrix_is_an_error) {
+  GltfBuilder b;
+  b.add_node({{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0.5, 0, 0, 0, 1}}});
+  EXPECT_THAT(message_of(b), HasSubstr("nodes[0].matrix: is not an affine transform"));
+}
+
+TEST(GltfNodes, rotation_is_normalized) {
+  GltfBuilder b;
+  b.add_node({{"rotation", {0, 0, 0, 2}}});
+  EXPECT_EQ(parse(b).nodes[0].local.rotation, Quatf(1, 0, 0, 0));
+}
+
+TEST(GltfNodes, rotation_of_zero_length_is_an_error) {
+  GltfBuilder b;
+  b.add_node({{"rotation", {0, 0, 0, 0}}});
+  EXPECT_EQ(message_of(b), "a.glb: nodes[0].rotation: is not a unit quaternion");
+}
+
+TEST(GltfNodes, transforms_that_multiply_to_infinity_are_an_error) {
+  GltfBuilder b;
+  b.add_node({{"scale", {1e30, 1, 1}}, {"children", {1}}});
+  b.add_node({{"scale", {1e30, 1, 1}}});
+  EXPECT_EQ(message_of(b), "a.glb: nodes[1]: stands or reaches infinitely far away");
+}
+
+TEST(GltfNodes, node_with_two_parents_is_an_error) {
+  GltfBuilder b;
+  b.add_node({{"children", {2}}});
+  b.add_node({{"children", {2}}});
+  b.add_node(Json::object());
+  EXPECT_EQ(message_of(b), "a.glb: nodes[2]: has two parents, nodes[0] and nodes[1]");
+}
+
+TEST(GltfNodes, cycle_is_an_error) {
+  GltfBuilder b;
+  b.add_node(Json::object());
+  b.add_node({{"children", {2}}});
+  b.add_node({{"children", {1}}});
+  EXPECT_EQ(message_of(b), "a.glb: nodes[1]: is part of or below a cycle of nodes");
+}
+
+TEST(GltfNodes, node_that_is_its_own_child_is_an_error) {
+  GltfBuilder b;
+  b.add_node({{"children", {0}}});
+  EXPECT_THAT(message_of(b), HasSubstr("nodes[0]: is part of or below a cycle"));
+}
+
+TEST(GltfNodes, scene_that_lists_a_child_is_an_error) {
+  GltfBuilder b;
+  b.add_node({{"children", {1}}});
+  b.add_node(Json::object());
+  b.add("scenes", {{"nodes", {0, 1}}});
+  EXPECT_EQ(message_of(b), "a.glb: scenes[0]: lists nodes[1], which is a child of nodes[0]");
+}
+
+TEST(GltfNodes, chain_of_100000_nodes_is_read) {
+  GltfBuilder b;
+  constexpr int kLength = 100'000;
+  for (int i = 0; i + 1 < kLength; ++i) b.add_node({{"children", {i + 1}}});
+  b.add_node(Json::object());
+  EXPECT_EQ(parse(b).nodes.back().parent, kLength - 2);
+}
+
+TEST(GltfNodes, only_the_default_scene_is_read_with_a_warning) {
+  GltfBuilder b;
+  b.add_node({{"name", "a"}});
+  b.add_node({{"name", "b"}});
+  b.add("scenes", {{"nodes", {0}}});
+  b.add("scenes", {{"nodes", {1}}});
+  b.root["scene"] = 1;
+  std::vector<std::string> warnings;
+  const Scene scene = parse(b, &warnings);
+  ASSERT_EQ(scene.nodes.size(), 1u);
+  EXPECT_EQ(scene.nodes[0].name, "b");
+  EXPECT_THAT(warnings, Contains("a.glb: of 2 scenes only the default one, scenes[1], is read"));
+}
+
+// ---- Skins ----------------------------------------------------------------------------------------------------------
+
+/// A triangle hung on two joints: joint 0 moves by (10, 0, 0); joint 1 turns x to y and is bound at (0, 0, -1).
+GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
+  GltfBuilder b;
+  const glm::mat4 identity(1.0f);
+  glm::mat4 bind(1.0f);
+  bind[3] = {0, 0, 1, 1};
+  const int matrices = b.add_accessor(std::vector<glm::mat4>{identity, bind}, test::kFloat, "MAT4", 2);
+  const int joints =
+      b.add_accessor(std::vector<std::uint8_t>{0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, test::kUnsignedByte, "VEC4", 3);
+  const int normals = b.add_accessor(std::vector<Vec3f>(3, Vec3f(1, 0, 0)));
+  const int mesh =
+      b.add_triangle({{"attributes", {{"JOINTS_0", joints}, {"WEIGHTS_0", b.add_accessor(weights)}, {"NORMAL", normals}}}});
+  b.add("skins", {{"joints", {1, 2}}, {"inverseBindMatrices", matrices}});
+  b.add_node({{"mesh", mesh}, {"skin", 0}, {"translation", {100, 100, 100}}});
+  b.add_node({{"translation", {10, 0, 0}}});
+  b.add_node({{"rotation", {0, 0, kHalfRoot, kHalfRoot}}});
+  return b;
+}
+
+TEST(GltfSkin, rest_pose_follows_the_joints_and_not_the_node) {
+  std::vector<std::string> warnings;
+  const Scene scene = parse(skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {0.5f, 0.5f, 0, 0}}), &warnings);
+  const Mesh& mesh = std::get<Mesh>(scene.shapes.at(0));
+  EXPECT_EQ(scene.instances.at(0).node, -1);
+  expect_near(mesh.positions[0], {10, 0, 0});  // joint 0 alone
+  expect_near(mesh.positions[1], {0, 1, 1});   // (1, 0, 0) bound to (1, 0, 1), turned
+  // (0, 1, 0): half of (10, 1, 0) and half of (-1, 0, 1).
+  expect_near(mesh.positions[2], {4.5f, 0.5f, 0.5f}, 4 * kRounding);
+  expect_near(mesh.normals[1], {0, 1, 0});
+  EXPECT_THAT(warnings, Contains("a.glb: skinning is not supported yet: the mesh stands in its rest pose (first at nodes[0])"));
+}
+
+TEST(GltfSkin, weights_are_scaled_to_a_sum_of_one) {
+  const Scene scene = parse(skinned_triangle({{2, 0, 0, 0}, {0.25f, 0, 0, 0}, {0, 0, 0, 0}}));
+  const Mesh& mesh = std::get<Mesh>(scene.shapes.at(0));
+  expect_near(mesh.positions[0], {10, 0, 0});
+  expect_near(mesh.positions[1], {11, 0, 0});
+  expect_near(mesh.positions[2], {10, 1, 0});  // no weight at all: the first joint
+}
+
+TEST(GltfSkin, joint_beyond_the_skin_is_an_error) {
+  GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
+  b.root["skins"][0]["joints"] = {1};
+  EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[0]: vertex 1 hangs on joint 1; accepted: 0 to 0");
+}
+
+TEST(GltfSkin, too_few_bind_matrices_are_an_error) {
+  GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
+  b.root["skins"][0]["joints"] = {1, 2, 0};
+  EXPECT_EQ(message_of(b), "a.glb: skins[0]: has 3 joints, but 2 inverse bind matrices");
+}
+
+TEST(GltfSkin, joint_outside_the_scene_is_an_error) {
+  GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
+  b.add("scenes", {{"nodes", {0, 1}}});
+  EXPECT_EQ(message_of(b), "a.glb: skins[0]: has the joint nodes[2], which is not in the scene");
+}
+
+// ---- Animation ------------------------------------------------------------------------------------------------------
+
+/// One node, animated by one channel.
+template <class T>
+GltfBuilder animated(const char* path, const char* interpolation, const std::vector<float>& times,
+                     const std::vector<T>& values) {
+  GltfBuilder b;
+  b.add_node(Json::object());
+  const int input = b.add_accessor(times), output = b.add_accessor(values);
+  b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}},
+                       {"samplers", {{{"input", input}, {"output", output}, {"interpolation", interpolation}}}}});
+  return b;
+}
+
+Vec3f position_at(const Scene& scene, double time) { return evaluate(scene, time).of(0).translation; }
+
+TEST(GltfAnimation, step_holds_each_key_until_the_next) {
+  const Scene scene = parse(animated<Vec3f>("translation", "STEP", {0, 1}, {{1, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(position_at(scene, 0.99), Vec3f(1, 0, 0));
+  EXPECT_EQ(position_at(scene, 1.0), Vec3f(2, 0, 0));
+}
+
+TEST(GltfAnimation, linear_goes_straight_and_holds_the_ends) {
+  const Scene scene = parse(animated<Vec3f>("translation", "LINEAR", {1, 3}, {{1, 0, 0}, {2, 4, 0}}));
+  EXPECT_EQ(position_at(scene, 0.0), Vec3f(1, 0, 0));
+  EXPECT_EQ(position_at(scene, 2.0), Vec3f(1.5f, 2, 0));
+  EXPECT_EQ(position_at(scene, 9.0), Vec3f(2, 4, 0));
+}
+
+TEST(GltfAnimation, cubic_spline_reads_tangents_around_each_value) {
+  // Keys at 0 s and 2 s: (in-tangent, value, out-tangent) each. At 0.5 s, t = 1/4 and the interval is 2 s:
+  // (2/64 - 3/16 + 1) 1 + 2 (1/64 - 2/16 + 1/4) 3 + (3/16 - 2/64) 5 + 2 (1/64 - 1/16) (-2)
+  // = 27/32 + 27/32 + 25/32 + 6/32 = 85/32.
+  const Scene scene = parse(animated<Vec3f>("translation", "CUBICSPLINE", {0, 2},
+                                            {{9, 0, 0}, {1, 0, 0}, {3, 0, 0}, {-2, 0, 0}, {5, 0, 0}, {9, 0, 0}}));
+  expect_near(position_at(scene, 0.5), {85.0f / 32.0f, 0, 0}, 4 * kRounding);
+}
+
+TEST(GltfAnimation, rotation_is_read_as_x_y_z_w_and_takes_the_arc) {
+  const Scene scene = parse(animated<Vec4f>("rotation", "LINEAR", {0, 1}, {{0, 0, 0, 1}, {0, 0, kHalfRoot, kHalfRoot}}));
+  // Half of 90 degrees about z.
+  expect_near(transform_vector(evaluate(scene, 0.5).of(0), {1, 0, 0}), {kHalfRoot, kHalfRoot, 0});
+}
+
+TEST(GltfAnimation, rotation_as_normalized_shorts_is_a_unit_quaternion) {
+  GltfBuilder b = animated<Vec4f>("rotation", "LINEAR", {0, 1}, {{0, 0, 0, 1}, {0, 0, 0, 1}});
+  const int shorts = b.add_accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 23170, 23170}, 5122, "VEC4", 2);
+  b.accessor(shorts)["normalized"] = true;
+  b.root["animations"][0]["samplers"][0]["output"] = shorts;
+  const Scene scene = parse(b);
+  // 23170 / 32767 is sqrt(1/2) to 4e-5; after normalisation the direction is exact to rounding.
+  expect_near(transform_vector(evaluate(scene, 1.0).of(0), {1, 0, 0}), {0, 1, 0});
+}
+
+TEST(GltfAnimation, scale_is_read) {
+  const Scene scene = parse(animated<Vec3f>("scale", "LINEAR", {0, 1}, {{1, 1, 1}, {3, 1, 1}}));
+  EXPECT_EQ(transform_vector(evaluate(scene, 0.5).of(0), {1, 0, 0}), Vec3f(2, 0, 0));
+}
+
+TEST(GltfAnimation, channels_of_one_node_come_together) {
+  GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{1, 1, 1}, {3, 1, 1}});
+  b.root["animations"][0]["channels"].push_back({{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}});
+  const Scene scene = parse(b);
+  ASSERT_EQ(scene.timeline.animations.size(), 1u);
+  EXPECT_EQ(scene.timeline.animations[0].scale.values.size(), 2u);
+  EXPECT_NO_THROW(validate(scene, "a.glb"));
+}
+
+TEST(GltfAnimation, frame_count_is_the_length_times_the_rate_so_that_it_loops) {
+  // 1.5 s at 25 frames a second is 37.5 frames, rounded to 38.
+  EXPECT_EQ(parse(animated<Vec3f>("translation", "LINEAR", {0, 1.5f}, {{0, 0, 0}, {1, 0, 0}})).timeline.frame_count, 38);
+}
+
+TEST(GltfAnimation, single_key_gives_one_frame) {
+  EXPECT_EQ(parse(animated<Vec3f>("translation", "LINEAR", {0}, {{1, 0, 0}})).timeline.frame_count, 1);
+}
+
+TEST(GltfAnimation, that_lasts_forever_is_an_error) {
+  EXPECT_THAT(message_of(animated<Vec3f>("translation", "LINEAR", {0, 1e30f}, {{0, 0, 0}, {1, 0, 0}})),
+              HasSubstr("animations[0]: lasts 1.0000000150474662e+30 s"));
+}
+
+TEST(GltfAnimation, times_that_do_not_increase_are_an_error) {
+  EXPECT_EQ(message_of(animated<Vec3f>("translation", "LINEAR", {0, 1, 1}, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}})),
+            "a.glb: accessors[0]: key 2 at 1 s does not come after the one at 1 s");
+}
+
+TEST(GltfAnimation, time_that_is_not_a_number_is_an_error) {
+  EXPECT_EQ(message_of(animated<Vec3f>("translation", "LINEAR", {0, NAN}, {{0, 0, 0}, {1, 0, 0}})),
+            "a.glb: accessors[0]: element 1 is not finite");
+}
+
+TEST(GltfAnimation, negative_time_is_an_error) {
+  EXPECT_THAT(message_of(animated<Vec3f>("translation", "LINEAR", {-1, 1}, {{0, 0, 0}, {1, 0, 0}})),
+              HasSubstr("accessors[0]: the first key's time is -1; accepted: 0 or more"));
+}
+
+TEST(GltfAnimation, values_that_do_not_match_the_keys_are_an_error) {
+  EXPECT_EQ(message_of(animated<Vec3f>("translation", "CUBICSPLINE", {0, 1}, {{0, 0, 0}, {1, 0, 0}})),
+            "a.glb: animations[0].channels[0]: has 2 keys, but 2 values; accepted: 3 a key");
+}
+
+TEST(GltfAnimation, rotation_without_direction_is_an_error) {
+  EXPECT_EQ(message_of(animated<Vec4f>("rotation", "LINEAR", {0, 1}, {{0, 0, 0, 1}, {0, 0, 0, 0}})),
+            "a.glb: animations[0].channels[0]: the rotation of key 1 is not a unit quaternion");
+}
+
+TEST(GltfAnimation, of_a_node_with_a_matrix_is_an_error) {
+  GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
+  b.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  EXPECT_THAT(message_of(b), HasSubstr("animations[0].channels[0]: animates nodes[0], which has a matrix"));
+}
+
+TEST(GltfAnimation, two_channels_for_one_quantity_are_an_error) {
+  GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
+  b.root["animations"][0]["channels"].push_back(b.root["animations"][0]["channels"][0]);
+  EXPECT_EQ(message_of(b), "a.glb: animations[0].channels[1]: animates what another channel animates already");
+}
+
+TEST(GltfAnimation, unknown_path_is_an_error) {
+  EXPECT_EQ(message_of(animated<Vec3f>("wobble", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}})),
+            "a.glb: animations[0].channels[0].target.path: is \"wobble\"; accepted: translation, rotation, scale, weights");
+}
+
+TEST(GltfAnimation, only_the_first_is_read_and_the_others_are_named) {
+  GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
+  b.root["animations"][0]["name"] = "Walk";
+  b.add("animations", {{"name", "Run"}, {"channels", Json::array()}, {"samplers", Json::array()}});
+  std::vector<std::string> warnings;
+  EXPECT_EQ(parse(b, &warnings).timeline.frame_count, 25);
+  EXPECT_THAT(warnings, Contains("a.glb: of 2 animations only the first, \"Walk\", is read; left out: \"Run\""));
+}
+
+TEST(GltfAnimation, of_a_node_outside_the_scene_is_ignored) {
+  GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
+  b.add_node(Json::object());
+  b.add("scenes", {{"nodes", {1}}});
+  const Scene scene = parse(b);
+  EXPECT_TRUE(scene.timeline.animations.empty());
+  EXPECT_EQ(scene.timeline.frame_count, 1);
+}
+
+TEST(GltfAnimation, without_a_target_node_is_ignored) {
+  GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
+  b.root["animations"][0]["channels"][0]["target"].erase("node");
+  EXPECT_TRUE(parse(b).timeline.animations.empty());
+}
+
+}  // namespace
+}  // namespace lippmann
