@@ -1,0 +1,137 @@
+// Writes seeds for fuzz_gltf into a folder: small documents that reach every part of the reader, in both of its input forms.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "scene/gltf/gltf_builder.hpp"
+
+namespace {
+
+using namespace lippmann;
+using test::GltfBuilder;
+using test::Json;
+
+std::vector<unsigned char> encode(const char* format) {
+  std::vector<unsigned char> encoded;
+  OIIO::Filesystem::IOVecOutput memory(encoded);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+  output->set_ioproxy(&memory);
+  const std::vector<unsigned char> pixels(3 * 8 * 8, 100);
+  output->open(std::string("memory.") + format, OIIO::ImageSpec(8, 8, 3, OIIO::TypeDesc::UINT8));
+  output->write_image(OIIO::TypeDesc::UINT8, pixels.data());
+  output->close();
+  return encoded;
+}
+
+GltfBuilder geometry() {
+  GltfBuilder b;
+  const int indices = b.add_accessor(std::vector<std::uint16_t>{0, 1, 2, 2, 1, 0});
+  const int normals = b.add_accessor(std::vector<Vec3f>(3, Vec3f(0, 0, 1)));
+  const int uvs = b.add_accessor(std::vector<Vec2f>(3, Vec2f(0.5f)));
+  b.add_triangle({{"indices", indices}, {"attributes", {{"NORMAL", normals}, {"TEXCOORD_0", uvs}}}, {"mode", 5}});
+  const int sparse_indices = b.add_view(std::vector<std::uint8_t>{1}), values = b.add_view(std::vector<Vec3f>{{1, 2, 3}});
+  b.accessor(normals)["sparse"] = {{"count", 1},
+                                   {"indices", {{"bufferView", sparse_indices}, {"componentType", 5121}}},
+                                   {"values", {{"bufferView", values}}}};
+  b.add_node({{"mesh", 0}, {"children", {1}}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
+  b.add_node({{"translation", {1, 2, 3}}, {"rotation", {0, 0, 0, 1}}, {"scale", {1, 1, 1}}});
+  b.add("scenes", {{"nodes", {0}}});
+  b.root["scene"] = 0;
+  return b;
+}
+
+GltfBuilder textured(const char* format) {
+  GltfBuilder b;
+  b.add("images", {{"bufferView", b.add_view(encode(format))}});
+  b.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9729}});
+  b.add("textures", {{"source", 0}, {"sampler", 0}});
+  b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 0}}}, {"metallicFactor", 0}}},
+                      {"emissiveFactor", {1, 1, 1}},
+                      {"emissiveTexture", {{"index", 0}}},
+                      {"alphaMode", "MASK"},
+                      {"alphaCutoff", 0.3},
+                      {"doubleSided", true},
+                      {"extensions",
+                       {{"KHR_materials_ior", {{"ior", 1.3}}},
+                        {"KHR_materials_emissive_strength", {{"emissiveStrength", 5}}},
+                        {"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}});
+  b.add_node({{"mesh", b.add_triangle({{"material", 0}})}});
+  return b;
+}
+
+GltfBuilder animated() {
+  GltfBuilder b;
+  b.add_node(Json::object());
+  const int times = b.add_accessor(std::vector<float>{0, 1});
+  const int rotations = b.add_accessor(std::vector<Vec4f>{{0, 0, 0, 1}, {0, 1, 0, 0}});
+  const int splines = b.add_accessor(std::vector<Vec3f>(6, Vec3f(1)));
+  const auto channel = [](int sampler, const char* path) {
+    return Json{{"sampler", sampler}, {"target", {{"node", 0}, {"path", path}}}};
+  };
+  b.add("animations", {{"name", "a"},
+                       {"channels", {channel(0, "rotation"), channel(1, "translation"), channel(2, "scale")}},
+                       {"samplers",
+                        {{{"input", times}, {"output", rotations}},
+                         {{"input", times}, {"output", splines}, {"interpolation", "CUBICSPLINE"}},
+                         {{"input", times}, {"output", splines}, {"interpolation", "CUBICSPLINE"}}}}});
+  return b;
+}
+
+GltfBuilder skinned() {
+  GltfBuilder b;
+  const int matrices = b.add_accessor(std::vector<glm::mat4>(2, glm::mat4(1.0f)), test::kFloat, "MAT4", 2);
+  const int joints = b.add_accessor(std::vector<std::uint8_t>(12, 1), test::kUnsignedByte, "VEC4", 3);
+  const int weights = b.add_accessor(std::vector<Vec4f>(3, Vec4f(0.25f)));
+  const int mesh =
+      b.add_triangle({{"attributes", {{"JOINTS_0", joints}, {"WEIGHTS_0", weights}}}, {"targets", {{{"POSITION", 0}}}}});
+  b.add("skins", {{"joints", {1, 2}}, {"inverseBindMatrices", matrices}, {"skeleton", 1}});
+  b.add_node({{"mesh", mesh}, {"skin", 0}});
+  b.add_node({{"children", {2}}});
+  b.add_node({{"translation", {0, 1, 0}}});
+  return b;
+}
+
+GltfBuilder lights_and_cameras() {
+  GltfBuilder b;
+  b.root["extensionsUsed"] = {"KHR_lights_punctual", "KHR_other"};
+  b.root["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.5}}}, {"range", 5}},
+      {{"type", "point"}, {"color", {1, 0.5, 0.2}}, {"intensity", 100}},
+      {{"type", "directional"}}};
+  for (int i = 0; i < 3; ++i) b.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
+  b.add("cameras",
+        {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}, {"zfar", 10}, {"aspectRatio", 1.5}}}});
+  b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 2}, {"znear", 0}, {"zfar", 10}}}});
+  b.add_node({{"camera", 0}});
+  b.add_node({{"camera", 1}});
+  b.add_node({{"mesh", b.add_triangle()}});
+  return b;
+}
+
+void write(const std::filesystem::path& path, const std::string& head, const test::Contents& rest) {
+  std::ofstream file(path, std::ios::binary);
+  file << head;
+  file.write(reinterpret_cast<const char*>(rest.data()), static_cast<std::streamsize>(rest.size()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: fuzz_gltf_seeds FOLDER\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder);
+  int count = 0;
+  for (const GltfBuilder& builder :
+       {geometry(), textured("png"), textured("jpeg"), animated(), skinned(), lights_and_cameras()}) {
+    const std::string name = std::to_string(count++);
+    write(folder / ("whole" + name), "W", builder.glb());
+    write(folder / ("chunks" + name), "C" + builder.document().dump() + '\0', builder.binary);
+  }
+}
