@@ -64,8 +64,9 @@ void add_default_light(Document& document, Scene& scene) {
   if (!scene.lights.empty() || !has_lit_surface(scene)) return;
   document.report.warn("has no lights: a key light from above left of the viewer and a dim background are added");
 
-  // A white diffuse surface that faces the key light shows 0.8 of display white, one in its shadow 0.2.
-  constexpr float kKey = 0.8f * kPi, kAmbient = 0.2f;
+  // A white diffuse surface that faces the key light shows 0.8 of display white and the background's mean, 0.2, on top; one in
+  // shadow shows the mean alone. The background is a gradient so that such a surface does not vanish in front of it.
+  constexpr float kKey = 0.8f * kPi, kHorizon = 0.08f, kZenith = 0.32f;
   constexpr float kUp = radians(40.0f), kLeft = radians(30.0f);
   Quatf viewer(1.0f, 0.0f, 0.0f, 0.0f);
   if (!scene.cameras.empty()) viewer = orientation(evaluate(scene, 0.0).of(scene.cameras.front().node));
@@ -80,7 +81,8 @@ void add_default_light(Document& document, Scene& scene) {
   light.node = static_cast<int>(scene.nodes.size());
   scene.nodes.push_back(std::move(node));
   scene.lights.push_back(std::move(light));
-  scene.background.horizon = scene.background.zenith = Vec3f(kAmbient);
+  scene.background.horizon = Vec3f(kHorizon);
+  scene.background.zenith = Vec3f(kZenith);
 }
 
 }  // namespace lippmann::gltf
