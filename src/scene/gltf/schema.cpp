@@ -92,7 +92,7 @@ constexpr Property kBufferView[] = {
 };
 
 constexpr std::string_view kElementTypes = "|SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4|";
-constexpr double kByte = 5120, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
+constexpr double kByte = 5120, kUnsignedInt = 5125, kFloat = 5126;
 
 constexpr Property kSparseIndices[] = {
     index("bufferView", "bufferViews", kRequired),
