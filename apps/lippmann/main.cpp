@@ -33,6 +33,8 @@ int run(int argc, char** argv) {
   Action chosen;
   add_render_command(root, chosen);
   add_compare_command(root, chosen);
+  add_info_command(root, chosen);
+  add_scenes_command(root, chosen);
   add_bench_command(root, chosen);
   try {
     root.parse(argc, argv);

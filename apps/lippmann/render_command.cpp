@@ -1,23 +1,19 @@
 // `lippmann render SCENE`: flags and job file into RenderParams, then render_animation; progress, and what was made.
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/param_flags.hpp"
 #include "apps/lippmann/progress.hpp"
-#include "core/error.hpp"
 #include "render/animation.hpp"
 #include "render/frame.hpp"
 #include "render/job_file.hpp"
-#include "render/params_table.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -25,26 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string scene, job, dump_job;
-  std::map<std::string_view, std::vector<std::string>> flags;  ///< as given, by parameter
+  ParamFlags flags;
+  std::string dump_job;
   bool json = false;
 };
-
-bool is_job(const std::string& scene) { return fs::path(scene).extension() == ".toml"; }
-
-/// A job file first, then what the flags say over it.
-RenderParams read_params(const Options& options) {
-  RenderParams params;
-  const bool scene_is_job = is_job(options.scene);
-  if (scene_is_job && !options.job.empty()) throw usage_error("--job", "a second job file", "one");
-  if (scene_is_job || !options.job.empty()) read_job(scene_is_job ? options.scene : options.job, params);
-  if (!options.scene.empty() && !scene_is_job) params.scene = options.scene;
-  for (const auto& [name, values] : options.flags)
-    if (!values.empty()) find_param(name)->set(params, values, fmt::format("--{}", name));
-  if (params.scene.empty())
-    throw usage_error("SCENE", "no scene is named", "a built-in name (see: lippmann scenes), a file, or a job");
-  return params;
-}
 
 std::string describe_optics(const Optics& optics) {
   return fmt::format("{}x{} pixels", optics.panel.width, optics.panel.height);
@@ -73,7 +53,7 @@ void print_summary(const RenderReport& report, const fs::path& folder, int kept)
 }
 
 int run(const Options& options, Context& context) {
-  const RenderParams params = read_params(options);
+  const RenderParams params = options.flags.read();
   if (!options.dump_job.empty()) write_job(options.dump_job, params);
   std::optional<Progress> progress;
   fs::path folder;
@@ -94,33 +74,12 @@ int run(const Options& options, Context& context) {
   return 0;
 }
 
-void add_param(CLI::App& command, const ParamInfo& info, Options& options) {
-  std::vector<std::string>& values = options.flags[info.name];
-  const std::string flag = fmt::format("{}--{}", info.name == "output" ? "-o," : "", info.name);
-  const std::string doc(info.doc);
-  CLI::Option* option = nullptr;
-  if (info.kind == ParamKind::kFlag) {
-    option = command.add_flag_callback(
-        flag, [&values] { values = {"true"}; }, doc);
-  } else {
-    option = command.add_option(flag, values, doc)->type_name(std::string(info.type))->allow_extra_args(false);
-    if (info.kind != ParamKind::kList) option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-  }
-  const std::vector<std::string> standard = info.get(RenderParams{});
-  if (info.kind != ParamKind::kFlag && !standard.empty()) option->default_str(standard.front());
-  option->group(std::string(info.group));
-}
-
 }  // namespace
 
 void add_render_command(CLI::App& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   CLI::App& command = *root.add_subcommand("render", "Render a scene's animation as integral images");
-  command.add_option("SCENE", options->scene,
-                     "A built-in name (see: lippmann scenes), a file (.dat, .gltf, .glb), or a job (.toml)");
-  for (const ParamInfo& info : params_table())
-    if (info.name != "scene") add_param(command, info, *options);
-  command.add_option("--job", options->job, "Take what no flag says from this job file")->type_name("FILE")->group("Running");
+  add_param_flags(command, options->flags);
   command.add_option("--dump-job", options->dump_job, "Also write the job that reproduces this render")
       ->type_name("FILE")
       ->group("Running");

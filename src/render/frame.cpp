@@ -6,13 +6,6 @@
 namespace lippmann {
 namespace {
 
-Scene load(const RenderParams& params, const Context& context) {
-  LoadOptions options;
-  if (!params.camera_path.empty()) options.camera_path = params.camera_path;
-  options.frames_per_second = params.fps;
-  return load_scene(params.scene, options, context);
-}
-
 TraceParams trace_params(const RenderParams& params, const Scene& scene, int frame) {
   TraceParams trace;
   trace.order = params.order;
@@ -26,7 +19,10 @@ TraceParams trace_params(const RenderParams& params, const Scene& scene, int fra
 }  // namespace
 
 Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& context)
-    : scene(load(params, context)), array(fit_array(scene)), placed(make_optics(params, scene, array)), device(scene, pool) {}
+    : scene(load_scene(params.scene, load_options(params), context)),
+      array(fit_array(scene)),
+      placed(make_optics(params, scene, array)),
+      device(scene, pool) {}
 
 RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool,
                            const Context& context) {

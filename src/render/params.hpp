@@ -9,6 +9,7 @@
 
 #include "core/math.hpp"
 #include "optics/optics.hpp"
+#include "scene/load.hpp"
 #include "trace/trace_frame.hpp"
 
 namespace lippmann {
@@ -72,6 +73,9 @@ struct RenderParams {
 
 /// Whether `scene` names one of the built-in scenes, and thus no file.
 bool is_builtin_scene(const std::string& scene);
+
+/// What the parameters say about loading the scene.
+LoadOptions load_options(const RenderParams& params);
 
 /// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);

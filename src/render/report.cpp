@@ -45,16 +45,6 @@ Json model_json(const MultiView& views) {
 
 Json model_json(const SingleView& view) { return {{"kind", "single"}, {"distance_mm", view.distance_mm}}; }
 
-Json optics_json(const Optics& optics) {
-  Json json = std::visit([](const auto& model) { return model_json(model); }, optics.model);
-  json["width"] = optics.panel.width;
-  json["height"] = optics.panel.height;
-  json["pixel_pitch_mm"] = optics.panel.pixel_pitch_mm;
-  json["viewing_zone_deg"] = degrees(viewing_zone(optics));
-  json["depth_budget_mm"] = finite_or_null(depth_budget_mm(optics));
-  return json;
-}
-
 Json setting_json(const ParamInfo& info, const RenderParams& params) {
   const std::vector<std::string> values = info.get(params);
   if (info.kind == ParamKind::kList) return values;
@@ -92,6 +82,16 @@ Json totals_json(const RenderReport& report) {
 }
 
 }  // namespace
+
+Json optics_json(const Optics& optics) {
+  Json json = std::visit([](const auto& model) { return model_json(model); }, optics.model);
+  json["width"] = optics.panel.width;
+  json["height"] = optics.panel.height;
+  json["pixel_pitch_mm"] = optics.panel.pixel_pitch_mm;
+  json["viewing_zone_deg"] = degrees(viewing_zone(optics));
+  json["depth_budget_mm"] = finite_or_null(depth_budget_mm(optics));
+  return json;
+}
 
 Json to_json(const FrameReport& frame) {
   return {{"frame", frame.frame},

@@ -1,0 +1,63 @@
+#include "apps/lippmann/param_flags.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "render/job_file.hpp"
+#include "render/params_table.hpp"
+
+namespace lippmann::app {
+namespace {
+
+std::string default_text(const ParamInfo& info) {
+  const std::vector<std::string> values = info.get(RenderParams{});
+  return values.empty() ? "" : fmt::format(" [{}]", values.front());
+}
+
+void add_param(CLI::App& command, const ParamInfo& info, std::vector<std::string>& values) {
+  const std::string flag = fmt::format("{}--{}", info.name == "output" ? "-o," : "", info.name);
+  const std::string group(info.group), doc(info.doc);
+  if (info.kind == ParamKind::kFlag) {
+    command
+        .add_flag_callback(
+            flag, [&values] { values = {"true"}; }, doc)
+        ->group(group);
+    return;
+  }
+  CLI::Option& option = *command.add_option(flag, values, doc + default_text(info));
+  option.type_name(std::string(info.type))->group(group);
+  if (info.kind != ParamKind::kList) option.expected(1);
+  option.allow_extra_args(false);
+}
+
+}  // namespace
+
+RenderParams ParamFlags::read() const {
+  RenderParams params;
+  const bool scene_is_job = std::filesystem::path(scene).extension() == ".toml";
+  if (scene_is_job && !job.empty()) throw usage_error("--job", "a second job file", "one");
+  if (scene_is_job || !job.empty()) read_job(scene_is_job ? scene : job, params);
+  if (!scene.empty() && !scene_is_job) params.scene = scene;
+  for (const auto& [name, texts] : values)
+    if (!texts.empty()) find_param(name)->set(params, texts, fmt::format("--{}", name));
+  if (params.scene.empty())
+    throw usage_error("SCENE", "no scene is named", "a built-in name (see: lippmann scenes), a file, or a job");
+  return params;
+}
+
+void add_param_flags(CLI::App& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted) {
+  command.add_option("SCENE", flags.scene,
+                     "A built-in name (see: lippmann scenes), a file (.dat, .gltf, .glb), or a job (.toml)");
+  for (const ParamInfo& info : params_table()) {
+    const bool listed =
+        std::any_of(wanted.begin(), wanted.end(), [&](auto word) { return word == info.name || word == info.group; });
+    if ((listed || wanted.size() == 0) && info.name != "scene") add_param(command, info, flags.values[info.name]);
+  }
+  command.add_option("--job", flags.job, "A job file for all that no flag says")->type_name("FILE")->group("Scene");
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,31 @@
+// Flags of a command that are parameters of a render: declared from the table, read over a job file.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/params.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace lippmann::app {
+
+/// Filled while the command line is parsed; lives as long as the command.
+struct ParamFlags {
+  std::string scene;  ///< positional: a built-in name, a file, or a job
+  std::string job;
+  std::map<std::string_view, std::vector<std::string>> values;  ///< by parameter, as given
+
+  /// The job, if there is one, and what the flags say over it. Throws Error.
+  RenderParams read() const;
+};
+
+/// Declares SCENE, --job, and the parameters that are listed by name or by group (all if none is).
+void add_param_flags(CLI::App& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted = {});
+
+}  // namespace lippmann::app

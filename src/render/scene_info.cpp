@@ -1,0 +1,191 @@
+#include "render/scene_info.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "render/make_optics.hpp"
+#include "render/report.hpp"
+#include "scene/load.hpp"
+#include "scene/timeline.hpp"
+
+namespace lippmann {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSampledFrames = 32;
+
+struct CountShape {
+  SceneInfo& info;
+  void operator()(const Mesh& mesh) const { ++info.meshes, info.triangles += mesh.triangles.size(); }
+  void operator()(const Spheres& spheres) const { info.spheres += spheres.size(); }
+  void operator()(const Cylinders& cylinders) const { info.cylinders += cylinders.size(); }
+  void operator()(const Planes& planes) const { info.planes += planes.size(); }
+  void operator()(const Rings& rings) const { info.rings += rings.size(); }
+  void operator()(const Boxes& boxes) const { info.boxes += boxes.size(); }
+};
+
+/// As often as they are shown.
+void count(const Scene& scene, SceneInfo& info) {
+  info.nodes = scene.nodes.size();
+  info.instances = scene.instances.size();
+  info.materials = scene.materials.size();
+  info.textures = scene.textures.size();
+  info.lights = scene.lights.size();
+  info.cameras = scene.cameras.size();
+  for (const Instance& instance : scene.instances)
+    std::visit(CountShape{info}, scene.shapes[static_cast<std::size_t>(instance.shape)]);
+  const std::vector<bool> moves = moving_nodes(scene);
+  for (const Instance& instance : scene.instances)
+    if (instance.node >= 0 && moves[static_cast<std::size_t>(instance.node)]) ++info.moving_instances;
+}
+
+void measure_extent(const Scene& scene, SceneInfo& info) {
+  const int step = std::max(1, scene.timeline.frame_count / kSampledFrames);
+  Bounds3f display_bounds;
+  for (int frame = 0; frame < scene.timeline.frame_count; frame += step) {
+    const ResolvedScene resolved = evaluate(scene, scene.timeline.time(frame));
+    const Bounds3f bounds = finite_bounds(scene, resolved);
+    const Affine3f world = world_from_display(info.array, info.units_per_mm, resolved);
+    if (frame == 0) info.array_center = world.translation;
+    if (bounds.empty()) continue;
+    info.bounds.add(bounds);
+    display_bounds.add(transform_bounds(inverse(world), bounds));
+  }
+  if (display_bounds.empty()) return;
+  info.nearest_mm = std::min(display_bounds.upper.z, resolved_z_front_mm(info.optics));
+  info.farthest_mm = display_bounds.lower.z;
+}
+
+void warn_of_depth(SceneInfo& info) {
+  const float budget = depth_budget_mm(info.optics);
+  const float reach = std::max(info.nearest_mm, -info.farthest_mm);
+  if (reach <= budget) return;
+  info.warnings.push_back(
+      fmt::format("The scene reaches {:.0f} mm from the array, beyond its depth budget of {:.0f} mm: "
+                  "what is farther away is shown coarser than the lenses.",
+                  reach, budget));
+}
+
+Json vector_json(Vec3f v) { return {v.x, v.y, v.z}; }
+
+Json bounds_json(const Bounds3f& bounds) {
+  if (bounds.empty()) return nullptr;
+  return {{"lower", vector_json(bounds.lower)}, {"upper", vector_json(bounds.upper)}};
+}
+
+std::string_view origin_name(FittedArray::Origin origin) {
+  switch (origin) {
+    case FittedArray::Origin::kPlaced:
+      return "placed by the scene";
+    case FittedArray::Origin::kFocus:
+      return "at the camera's focus distance";
+    case FittedArray::Origin::kSceneCenter:
+      return "through the middle of what the camera sees";
+    case FittedArray::Origin::kBounds:
+      break;
+  }
+  return "through the scene's centre, there is no camera";
+}
+
+/// "3 meshes, 1 light": what there is at all.
+std::string list_counts(std::initializer_list<std::pair<std::size_t, std::string_view>> counts) {
+  std::string text;
+  for (const auto& [number, name] : counts) {
+    if (number == 0) continue;
+    const std::string plural = number == 1 ? "" : name == "mesh" || name == "box" ? "es" : "s";
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", number, name, plural);
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+SceneInfo describe_scene(const RenderParams& params, const Context& context) {
+  SceneInfo info;
+  Context collecting;
+  collecting.threads = context.threads;
+  collecting.warn = [&](std::string_view text) { info.warnings.emplace_back(text); };
+  const Scene scene = load_scene(params.scene, load_options(params), collecting);
+  info.name = scene.name;
+  info.frames = scene.timeline.frame_count;
+  info.frames_per_second = scene.timeline.frames_per_second;
+  count(scene, info);
+  info.array = fit_array(scene);
+  const PlacedOptics placed = make_optics(params, scene, info.array);
+  info.optics = placed.optics;
+  info.units_per_mm = placed.units_per_mm;
+  measure_extent(scene, info);
+  warn_of_depth(info);
+  return info;
+}
+
+Json to_json(const SceneInfo& info) {
+  const double distance = info.array.viewing_distance;
+  return {{"name", info.name},
+          {"nodes", info.nodes},
+          {"instances", info.instances},
+          {"moving_instances", info.moving_instances},
+          {"meshes", info.meshes},
+          {"triangles", info.triangles},
+          {"spheres", info.spheres},
+          {"cylinders", info.cylinders},
+          {"planes", info.planes},
+          {"rings", info.rings},
+          {"boxes", info.boxes},
+          {"materials", info.materials},
+          {"textures", info.textures},
+          {"lights", info.lights},
+          {"cameras", info.cameras},
+          {"frames", info.frames},
+          {"frames_per_second", info.frames_per_second},
+          {"seconds", info.frames / info.frames_per_second},
+          {"bounds", bounds_json(info.bounds)},
+          {"array",
+           {{"fitted", origin_name(info.array.origin)},
+            {"center", vector_json(info.array_center)},
+            {"height", info.array.plane_height},
+            {"viewing_distance", std::isfinite(distance) ? Json(distance) : Json(nullptr)},
+            {"units_per_mm", info.units_per_mm}}},
+          {"optics", optics_json(info.optics)},
+          {"depth", {{"nearest_mm", info.nearest_mm}, {"farthest_mm", info.farthest_mm}}},
+          {"warnings", info.warnings}};
+}
+
+std::string to_text(const SceneInfo& info) {
+  std::string text = fmt::format("{}\n", info.name);
+  const auto line = [&](std::string_view name, const std::string& value) { text += fmt::format("  {:<10} {}\n", name, value); };
+  line("shapes", list_counts({{info.meshes, "mesh"},
+                              {info.triangles, "triangle"},
+                              {info.spheres, "sphere"},
+                              {info.cylinders, "cylinder"},
+                              {info.planes, "plane"},
+                              {info.rings, "ring"},
+                              {info.boxes, "box"}}));
+  line("others", list_counts({{info.instances, "instance"},
+                              {info.materials, "material"},
+                              {info.textures, "texture"},
+                              {info.lights, "light"},
+                              {info.cameras, "camera"}}));
+  line("animation",
+       fmt::format("{} frames at {:g} a second = {:.1f} s; {} of {} instances move", info.frames, info.frames_per_second,
+                   info.frames / info.frames_per_second, info.moving_instances, info.instances));
+  if (!info.bounds.empty())
+    line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,
+                               info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));
+  line("array", fmt::format("{}; {:g} high, centre ({:g}, {:g}, {:g}), viewed from {:g}", origin_name(info.array.origin),
+                            info.array.plane_height, info.array_center.x, info.array_center.y, info.array_center.z,
+                            info.array.viewing_distance));
+  line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width,
+                            info.optics.panel.height, info.optics.panel.pixel_pitch_mm, info.units_per_mm));
+  line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));
+  line("depth", fmt::format("scene from {:.1f} mm in front of the array to {:.1f} mm behind it; budget {:.1f} mm either way",
+                            info.nearest_mm, -info.farthest_mm, depth_budget_mm(info.optics)));
+  for (const std::string& warning : info.warnings) line("warning", warning);
+  return text;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,45 @@
+// What is in a scene, how long its animation is, how the array was fitted, and whether the array can show its depth.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/context.hpp"
+#include "core/math.hpp"
+#include "optics/optics.hpp"
+#include "render/fit_array.hpp"
+#include "render/params.hpp"
+
+namespace lippmann {
+
+struct SceneInfo {
+  std::string name;
+  std::size_t nodes = 0, instances = 0, meshes = 0, triangles = 0;
+  std::size_t spheres = 0, cylinders = 0, planes = 0, rings = 0, boxes = 0;
+  std::size_t materials = 0, textures = 0, lights = 0, cameras = 0;
+
+  int frames = 1;
+  double frames_per_second = 25.0;
+  std::size_t moving_instances = 0;  ///< whose nodes are animated
+
+  Bounds3f bounds;  ///< world, of everything finite, over the animation (sampled at up to 32 frames)
+
+  FittedArray array;
+  Optics optics;
+  float units_per_mm = 1.0f;
+  Vec3f array_center{0.0f};           ///< world, at the first frame
+  float nearest_mm = 0.0f;            ///< display frame: of what is nearest to the viewer; > 0 in front of the array
+  float farthest_mm = 0.0f;           ///< and of what is farthest; < 0 behind it
+  std::vector<std::string> warnings;  ///< complete sentences: what the importer did not take over, depth beyond the budget
+};
+
+/// Loads the scene and fits the array as a render with these params would. Throws Error.
+SceneInfo describe_scene(const RenderParams& params, const Context& context);
+
+nlohmann::ordered_json to_json(const SceneInfo& info);
+
+/// Several lines for people.
+std::string to_text(const SceneInfo& info);
+
+}  // namespace lippmann
