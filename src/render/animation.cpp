@@ -18,6 +18,7 @@
 #include "render/frame.hpp"
 #include "render/frame_sink.hpp"
 #include "render/job_file.hpp"
+#include "video/video_writer.hpp"
 
 namespace lippmann {
 namespace {
@@ -66,9 +67,15 @@ std::uint64_t peak_memory_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+/// Frames are kept where the job says so; not where a video wants codes that the pictures do not hold to the bit.
+bool keeps_frames(const RenderParams& params) {
+  return params.resume && (params.video.empty() || params.format == PictureFormat::kPng);
+}
+
 int count_kept(const RenderParams& params, const FinishedFrames& finished, FrameRange frames) {
   int kept = 0;
-  for (int frame = frames.first; params.resume && frame <= frames.last; ++frame) kept += finished.find(frame).has_value();
+  for (int frame = frames.first; keeps_frames(params) && frame <= frames.last; ++frame)
+    kept += finished.find(frame).has_value();
   return kept;
 }
 
@@ -85,6 +92,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);
   require_memory(params, stage.placed.optics.panel, pool.threads());
+  for (const std::string& video : params.video) check_video_path(video);
 
   const fs::path folder = output_folder(params);
   make_folder(folder);
@@ -95,13 +103,15 @@ RenderReport render_animation(const RenderParams& params, const Context& context
 
   RenderReport report{params.scene, stage.placed.optics, params, {}};
   report.threads = pool.threads();
-  FrameSink sink({params, folder, stage.scene.encoding, pool.threads()}, finished);
+  const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
+  FrameSink sink({params, folder, stage.scene.encoding, fps, pool.threads()}, finished);
   if (observer.planned) observer.planned(plan);
   report.setup_seconds = setup.seconds();
 
   for (int frame = frames.first; frame <= frames.last && !context.cancelled; ++frame) {
-    if (const auto kept = params.resume ? finished.find(frame) : std::nullopt) {
+    if (const auto kept = keeps_frames(params) ? finished.find(frame) : std::nullopt) {
       report.frames.push_back(*kept);
+      sink.add_kept(frame);
       continue;
     }
     RenderedFrame rendered = render_frame(stage, params, frame, pool, context);
@@ -110,9 +120,9 @@ RenderReport render_animation(const RenderParams& params, const Context& context
     sink.add(std::move(rendered));
     if (observer.traced) observer.traced(report.frames.back());
   }
-  sink.finish();
-
+  sink.wait();
   report.interrupted = static_cast<int>(report.frames.size()) <= frames.last - frames.first;
+  if (!report.interrupted) sink.finish_videos();
   report.write_seconds = sink.write_seconds();
   report.peak_memory_bytes = peak_memory_bytes();
   write_report(folder / "report.json", report);

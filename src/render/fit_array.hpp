@@ -28,7 +28,7 @@ struct FittedArray {
   float viewing_distance = kInfinity;           ///< of the viewer in front of the plane
   float depth_front = 0.0f, depth_back = 0.0f;  ///< nearest and farthest z of the scene's finite shapes in front of the viewer,
                                                 ///< at frame 0; 0 and 0 where there are none
-  std::string how;  ///< one sentence for people
+  std::string how;                              ///< one sentence for people
 };
 
 /// aspect: width / height of the picture; only a scene without cameras is fitted to it.

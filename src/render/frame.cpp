@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "render/panel_size.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -20,7 +22,7 @@ TraceParams trace_params(const RenderParams& params, const Scene& scene, int fra
 
 Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& context)
     : scene(load_scene(params.scene, load_options(params), context)),
-      array(fit_array(scene)),
+      array(fit_array(scene, window_aspect(params, scene.resolution))),
       placed(make_optics(params, scene, array)),
       device(scene, pool) {}
 

@@ -5,9 +5,12 @@
 #include <chrono>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "core/background.hpp"
 #include "image/encode.hpp"
+#include "image/read_image.hpp"
+#include "video/video_writer.hpp"
 
 namespace lippmann {
 namespace {
@@ -32,22 +35,36 @@ class TimedWork {
   Clock::time_point start_ = Clock::now();
 };
 
+/// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
+bool needs_codes(const RenderParams& params) { return params.format == PictureFormat::kPng || !params.video.empty(); }
+
 }  // namespace
 
 struct FrameSink::Impl {
   Impl(const Settings& s, FinishedFrames& f)
-      : settings(s), finished(f), queue(writing_threads(s.threads), queue_capacity(s.threads)) {}
+      : settings(s), finished(f), queue(writing_threads(s.threads), queue_capacity(s.threads)) {
+    const VideoOptions options{.rate = frame_rate(s.frames_per_second)};
+    for (const std::string& video : s.params.video) videos.push_back(std::make_unique<VideoWriter>(video, options));
+  }
 
   Settings settings;
   FinishedFrames& finished;
+  std::vector<std::unique_ptr<VideoWriter>> videos;
   std::atomic<std::int64_t> write_nanoseconds{0};
   BackgroundQueue queue;  ///< last: its threads use what is above
 
   void write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     FramePictures& pictures = rendered.pictures;
-    if (settings.params.format == PictureFormat::kPng) pictures.codes = to_codes(pictures.film, settings.encoding);
+    if (needs_codes(settings.params)) pictures.codes = to_codes(pictures.film, settings.encoding);
     write_frame_files(settings.folder, rendered.report.frame, settings.params, settings.encoding, pictures);
+    pictures.film = {};
+    pictures.aovs = {};
+  }
+
+  void add_to_videos(const Image8& codes) {
+    const TimedWork timed(write_nanoseconds);
+    for (const auto& video : videos) video->add_frame(codes);
   }
 };
 
@@ -57,10 +74,26 @@ FrameSink::~FrameSink() = default;
 void FrameSink::add(RenderedFrame rendered) {
   const auto shared = std::make_shared<RenderedFrame>(std::move(rendered));
   impl_->queue.submit([impl = impl_.get(), shared] { impl->write(*shared); },
-                      [impl = impl_.get(), shared] { impl->finished.add(shared->report); });
+                      [impl = impl_.get(), shared] {
+                        impl->finished.add(shared->report);
+                        impl->add_to_videos(shared->pictures.codes);
+                      });
 }
 
-void FrameSink::finish() { impl_->queue.finish(); }
+void FrameSink::add_kept(int frame) {
+  if (impl_->videos.empty()) return;
+  const auto codes = std::make_shared<Image8>();
+  const auto path = picture_path(impl_->settings.folder, frame, impl_->settings.params.format);
+  impl_->queue.submit([codes, path] { *codes = read_image8(path); },
+                      [impl = impl_.get(), codes] { impl->add_to_videos(*codes); });
+}
+
+void FrameSink::wait() { impl_->queue.finish(); }
+
+void FrameSink::finish_videos() {
+  const TimedWork timed(impl_->write_nanoseconds);
+  for (const auto& video : impl_->videos) video->finish();
+}
 
 double FrameSink::write_seconds() const { return 1e-9 * static_cast<double>(impl_->write_nanoseconds); }
 

@@ -18,12 +18,13 @@ class FrameSink {
     const RenderParams& params;
     std::filesystem::path folder;
     Encoding encoding = Encoding::kSrgb;
+    double frames_per_second = 25.0;
     int threads = 1;  ///< that render; a share as many again write
   };
 
-  /// `finished` outlives the sink and is not touched by others meanwhile.
+  /// `finished` outlives the sink and is not changed by others meanwhile. Throws Error for videos that cannot be begun.
   FrameSink(const Settings& settings, FinishedFrames& finished);
-  /// Drops what is not written yet.
+  /// Drops what is not written yet; videos that finish() has not completed leave nothing.
   ~FrameSink();
   FrameSink(const FrameSink&) = delete;
   FrameSink& operator=(const FrameSink&) = delete;
@@ -32,8 +33,14 @@ class FrameSink {
   /// that could not be written, once.
   void add(RenderedFrame rendered);
 
+  /// Takes a frame whose picture is there already: only videos need it, and read it back. Like add() otherwise.
+  void add_kept(int frame);
+
   /// Waits until all is written. Throws as add() does.
-  void finish();
+  void wait();
+
+  /// Completes the videos, after wait(): without it, nothing remains of them.
+  void finish_videos();
 
   /// Spent so far encoding and writing, summed over threads.
   double write_seconds() const;

@@ -130,4 +130,10 @@ PanelSize panel_size(const RenderParams& params, Vec2i scene_resolution) {
   return size;
 }
 
+float window_aspect(const RenderParams& params, Vec2i scene_resolution) {
+  const PanelSize size = panel_size(params, scene_resolution);
+  const Extent<int> views = params.optics == OpticsKind::kMultiview ? quilt_views(params) : Extent<int>{1, 1};
+  return static_cast<float>(size.width / views.x) / static_cast<float>(size.height / views.y);
+}
+
 }  // namespace lippmann

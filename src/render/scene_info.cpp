@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "render/make_optics.hpp"
+#include "render/panel_size.hpp"
 #include "render/report.hpp"
 #include "scene/load.hpp"
 #include "scene/timeline.hpp"
@@ -43,31 +44,12 @@ void count(const Scene& scene, SceneInfo& info) {
     if (instance.node >= 0 && moves[static_cast<std::size_t>(instance.node)]) ++info.moving_instances;
 }
 
-void measure_extent(const Scene& scene, SceneInfo& info) {
+Bounds3f bounds_over_animation(const Scene& scene) {
+  Bounds3f bounds;
   const int step = std::max(1, scene.timeline.frame_count / kSampledFrames);
-  Bounds3f display_bounds;
-  for (int frame = 0; frame < scene.timeline.frame_count; frame += step) {
-    const ResolvedScene resolved = evaluate(scene, scene.timeline.time(frame));
-    const Bounds3f bounds = finite_bounds(scene, resolved);
-    const Affine3f world = world_from_display(info.array, info.units_per_mm, resolved);
-    if (frame == 0) info.array_center = world.translation;
-    if (bounds.empty()) continue;
-    info.bounds.add(bounds);
-    display_bounds.add(transform_bounds(inverse(world), bounds));
-  }
-  if (display_bounds.empty()) return;
-  info.nearest_mm = std::min(display_bounds.upper.z, resolved_z_front_mm(info.optics));
-  info.farthest_mm = display_bounds.lower.z;
-}
-
-void warn_of_depth(SceneInfo& info) {
-  const float budget = depth_budget_mm(info.optics);
-  const float reach = std::max(info.nearest_mm, -info.farthest_mm);
-  if (reach <= budget) return;
-  info.warnings.push_back(
-      fmt::format("The scene reaches {:.0f} mm from the array, beyond its depth budget of {:.0f} mm: "
-                  "what is farther away is shown coarser than the lenses.",
-                  reach, budget));
+  for (int frame = 0; frame < scene.timeline.frame_count; frame += step)
+    bounds.add(finite_bounds(scene, evaluate(scene, scene.timeline.time(frame))));
+  return bounds;
 }
 
 Json vector_json(Vec3f v) { return {v.x, v.y, v.z}; }
@@ -75,20 +57,6 @@ Json vector_json(Vec3f v) { return {v.x, v.y, v.z}; }
 Json bounds_json(const Bounds3f& bounds) {
   if (bounds.empty()) return nullptr;
   return {{"lower", vector_json(bounds.lower)}, {"upper", vector_json(bounds.upper)}};
-}
-
-std::string_view origin_name(FittedArray::Origin origin) {
-  switch (origin) {
-    case FittedArray::Origin::kPlaced:
-      return "placed by the scene";
-    case FittedArray::Origin::kFocus:
-      return "at the camera's focus distance";
-    case FittedArray::Origin::kSceneCenter:
-      return "through the middle of what the camera sees";
-    case FittedArray::Origin::kBounds:
-      break;
-  }
-  return "through the scene's centre, there is no camera";
 }
 
 /// "3 meshes, 1 light": what there is at all.
@@ -114,12 +82,12 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   info.frames = scene.timeline.frame_count;
   info.frames_per_second = scene.timeline.frames_per_second;
   count(scene, info);
-  info.array = fit_array(scene);
+  info.bounds = bounds_over_animation(scene);
+  info.array = fit_array(scene, window_aspect(params, scene.resolution));
   const PlacedOptics placed = make_optics(params, scene, info.array);
   info.optics = placed.optics;
   info.units_per_mm = placed.units_per_mm;
-  measure_extent(scene, info);
-  warn_of_depth(info);
+  info.array_center = world_from_display(info.array, info.units_per_mm, evaluate(scene, scene.timeline.time(0))).translation;
   return info;
 }
 
@@ -145,13 +113,16 @@ Json to_json(const SceneInfo& info) {
           {"seconds", info.frames / info.frames_per_second},
           {"bounds", bounds_json(info.bounds)},
           {"array",
-           {{"fitted", origin_name(info.array.origin)},
+           {{"fitted", info.array.how},
             {"center", vector_json(info.array_center)},
             {"height", info.array.plane_height},
             {"viewing_distance", std::isfinite(distance) ? Json(distance) : Json(nullptr)},
             {"units_per_mm", info.units_per_mm}}},
           {"optics", optics_json(info.optics)},
-          {"depth", {{"nearest_mm", info.nearest_mm}, {"farthest_mm", info.farthest_mm}}},
+          {"depth",
+           {{"front_mm", info.array.depth_front / info.units_per_mm},
+            {"back_mm", info.array.depth_back / info.units_per_mm},
+            {"summary", depth_budget_sentence(info.array, info.units_per_mm, info.optics)}}},
           {"warnings", info.warnings}};
 }
 
@@ -176,14 +147,13 @@ std::string to_text(const SceneInfo& info) {
   if (!info.bounds.empty())
     line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,
                                info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));
-  line("array", fmt::format("{}; {:g} high, centre ({:g}, {:g}, {:g}), viewed from {:g}", origin_name(info.array.origin),
-                            info.array.plane_height, info.array_center.x, info.array_center.y, info.array_center.z,
-                            info.array.viewing_distance));
+  line("array", info.array.how);
+  line("", fmt::format("{:g} high, centre ({:g}, {:g}, {:g}), viewed from {:g}", info.array.plane_height, info.array_center.x,
+                       info.array_center.y, info.array_center.z, info.array.viewing_distance));
   line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width,
                             info.optics.panel.height, info.optics.panel.pixel_pitch_mm, info.units_per_mm));
   line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));
-  line("depth", fmt::format("scene from {:.1f} mm in front of the array to {:.1f} mm behind it; budget {:.1f} mm either way",
-                            info.nearest_mm, -info.farthest_mm, depth_budget_mm(info.optics)));
+  line("depth", depth_budget_sentence(info.array, info.units_per_mm, info.optics));
   for (const std::string& warning : info.warnings) line("warning", warning);
   return text;
 }

@@ -29,9 +29,7 @@ struct SceneInfo {
   Optics optics;
   float units_per_mm = 1.0f;
   Vec3f array_center{0.0f};           ///< world, at the first frame
-  float nearest_mm = 0.0f;            ///< display frame: of what is nearest to the viewer; > 0 in front of the array
-  float farthest_mm = 0.0f;           ///< and of what is farthest; < 0 behind it
-  std::vector<std::string> warnings;  ///< complete sentences: what the importer did not take over, depth beyond the budget
+  std::vector<std::string> warnings;  ///< complete sentences: what the importer did not take over
 };
 
 /// Loads the scene and fits the array as a render with these params would. Throws Error.
