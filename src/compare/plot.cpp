@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Up to here gnuplot would put marks between frames.
+constexpr std::size_t kFewFrames = 20;
+
 /// A string in gnuplot's single quotes, where only the quote itself is special.
 std::string quoted(const std::string& text) {
   std::string result = "'";
@@ -25,15 +29,26 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
+/// The number at the end of a frame's name, if there is one: what people call the frame.
+std::optional<long> trailing_number(const std::string& name) {
+  constexpr std::size_t kMostDigits = 9;
+  std::size_t begin = name.size();
+  while (begin > 0 && name[begin - 1] >= '0' && name[begin - 1] <= '9') --begin;
+  if (begin == name.size() || name.size() - begin > kMostDigits) return std::nullopt;
+  return std::stol(name.substr(begin));
+}
+
 std::string make_script(const Comparison& comparison, const fs::path& picture) {
   std::string script = "$psnr << EOD\n";
   for (std::size_t i = 0; i < comparison.frames.size(); ++i) {
     const double psnr = comparison.frames[i].metrics.psnr_db;
-    script += std::isfinite(psnr) ? fmt::format("{} {}\n", i, psnr) : "\n";
+    const long frame = trailing_number(comparison.frames[i].name).value_or(static_cast<long>(i));
+    script += std::isfinite(psnr) ? fmt::format("{} {}\n", frame, psnr) : "\n";
   }
   script += "EOD\nset terminal pngcairo size 960,540 noenhanced font 'sans,11'\n";
   script += fmt::format("set output {}\n", quoted(picture.string()));
   script += "set xlabel 'frame'\nset ylabel 'PSNR, dB'\nset grid\nset offsets graph 0.02, graph 0.02, graph 0.1, graph 0.1\n";
+  if (comparison.frames.size() <= kFewFrames) script += "set xtics 1\n";
   const std::string title = comparison.mean_psnr_db ? fmt::format("mean {:.2f} dB", *comparison.mean_psnr_db) : "identical";
   script += fmt::format("plot $psnr using 1:2 with linespoints pointtype 7 pointsize 0.5 title {}\n", quoted(title));
   return script;
