@@ -30,9 +30,10 @@ inline int count_normals_not_unit(const Mesh& mesh) {
   return count;
 }
 
-/// Triangles whose front side does not lie on the side of their vertex normals' sum.
+/// Triangles whose front side does not lie on the side of their vertex normals' sum; none in a faceted mesh.
 inline int count_facing_wrong(const Mesh& mesh) {
   int count = 0;
+  if (mesh.normals.empty()) return count;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     count += glm::dot(area_normal(mesh, t), mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) > 0.0f ? 0 : 1;

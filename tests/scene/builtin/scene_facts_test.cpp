@@ -47,6 +47,46 @@ TEST(SmallBalls, first_generation_keeps_touching_the_ball_that_carries_it) {
   }
 }
 
+std::size_t shown_triangles(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Instance& instance : scene.instances)
+    if (const Mesh* mesh = std::get_if<Mesh>(&scene.shapes[static_cast<std::size_t>(instance.shape)]))
+      count += mesh->triangles.size();
+  return count;
+}
+
+TEST(Tree, shows_about_900000_triangles_of_few_stored_ones) {
+  const Scene scene = build_tree();
+  std::size_t stored = 0;
+  for (const Shape& shape : scene.shapes)
+    if (const Mesh* mesh = std::get_if<Mesh>(&shape)) stored += mesh->triangles.size();
+  EXPECT_NEAR(static_cast<double>(shown_triangles(scene)), 9e5, 2e4);
+  EXPECT_LT(stored, 60000u);
+}
+
+TEST(Room, has_about_70000_triangles) { EXPECT_NEAR(static_cast<double>(shown_triangles(build_room())), 7e4, 2e4); }
+
+TEST(Room, ball_rolls_without_slipping) {
+  // The point that touches the carpet stands still: over one frame it moves by less than a thousandth of what the centre does.
+  const Scene scene = build_room();
+  const int ball = find_node(scene, "ball");
+  const double time = 3.0, step = 1e-3;
+  const ResolvedScene before = evaluate(scene, time), after = evaluate(scene, time + step);
+  const Vec3f center = before.of(ball).translation;
+  const Vec3f foot = transform_point(inverse(before.of(ball)), {center.x, center.y - 0.14f, center.z});
+  const float foot_moves = glm::length(transform_point(after.of(ball), foot) - transform_point(before.of(ball), foot));
+  const float center_moves = glm::length(after.of(ball).translation - center);
+  EXPECT_GT(center_moves, 1e-5f);
+  EXPECT_LT(foot_moves, 0.05f * center_moves);
+}
+
+TEST(Primitives, shows_every_kind_of_finite_shape) {
+  std::map<std::size_t, int> kinds;
+  for (const Shape& shape : build_primitives().shapes) ++kinds[shape.index()];
+  for (const Shape& kind : {Shape(Mesh{}), Shape(Spheres{}), Shape(Cylinders{}), Shape(Rings{}), Shape(Boxes{})})
+    EXPECT_GE(kinds[kind.index()], 1) << kind.index();
+}
+
 /// By how much a node has turned about z between two times less than half a turn apart.
 float turned_about_z(const Scene& scene, int node, double from, double to) {
   const Vec3f a = evaluate(scene, from).of(node).linear[0], b = evaluate(scene, to).of(node).linear[0];
