@@ -29,10 +29,11 @@ float ramp(float from, float to, float x) {
 int wrapped(int i, int period) { return ((i % period) + period) % period; }
 
 float lattice_gradient(int x, int y, Vec2i period, std::uint32_t seed, Vec2f offset) {
-  const std::uint32_t h =
-      hash(static_cast<std::uint32_t>(wrapped(x, period.x)), static_cast<std::uint32_t>(wrapped(y, period.y)), seed);
-  const float angle = 2.0f * kPi * unit_float(h);
-  return std::cos(angle) * offset.x + std::sin(angle) * offset.y;
+  constexpr float kDiagonal = 0.70710678f;
+  constexpr Vec2f kGradients[8] = {{1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
+                                   {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
+  const auto u = static_cast<std::uint32_t>(wrapped(x, period.x)), v = static_cast<std::uint32_t>(wrapped(y, period.y));
+  return glm::dot(kGradients[hash(u, v, seed) >> 29], offset);
 }
 
 /// 1 on a line of the given half width around the whole numbers, 0 elsewhere.
@@ -130,7 +131,7 @@ Texture carpet(Vec3f ground, Vec3f ornament, Vec3f border) {
 }
 
 Texture globe(Vec3f sea, Vec3f land) {
-  return paint("globe", 2 * kTexels, kTexels, [=](Vec2f uv) {
+  return paint("globe", kTexels, kTexels / 2, [=](Vec2f uv) {
     const float height = fractal_noise({8.0f * uv.x, 4.0f * uv.y}, {8, 4}, 6, 7);
     const float latitude = std::abs(2.0f * uv.y - 1.0f);
     const Vec3f desert(0.55f, 0.40f, 0.20f), ice(0.85f, 0.88f, 0.90f);
