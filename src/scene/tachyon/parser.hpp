@@ -34,6 +34,12 @@ struct ParserState {
 /// Reads a whole scene, BEGIN_SCENE to END_SCENE.
 void parse_scene(Lexer& lexer, ParserState& state);
 
+/// The same as a Scene of one frame that passes validate() (tachyon.cpp).
+Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, double frames_per_second);
+
+/// Moves the scene's camera along a camera path (tachyon.cpp).
+void animate_camera(Scene& scene, Lexer& path);
+
 // Textures (texture_statements.cpp).
 void parse_texdef(Lexer& lexer, ParserState& state);
 void parse_texalias(Lexer& lexer, ParserState& state);

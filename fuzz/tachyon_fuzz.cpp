@@ -1,0 +1,74 @@
+// Feeds bytes to the Tachyon importer. Whatever they are, it either throws Error or gives a scene that validate() accepts.
+//
+// fuzz/tachyon_seeds SEEDS && fuzz_tachyon -dict=fuzz/tachyon.dict CORPUS SEEDS; or scripts/fuzz tachyon.
+// An input is a scene; what follows the first NUL byte, if there is one, is its camera path. Side files of every kind that a
+// scene can name lie in its folder.
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "core/error.hpp"
+#include "scene/load.hpp"
+#include "scene/tachyon/parser.hpp"
+
+namespace {
+
+using namespace lippmann;
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& contents) { std::ofstream(file, std::ios::binary) << contents; }
+
+/// Made once per process; removed when it exits.
+class SideFiles {
+ public:
+  SideFiles() : folder_((fs::temp_directory_path() / "lippmann-fuzz-XXXXXX").string()) {
+    if (!mkdtemp(folder_.data())) std::abort();
+    write(path("a.ppm"), "P6 2 1 255 abcdef");
+    write(path("a.tpoly"), "3 0 0 0 1 0 0 0 1 0");
+    write(path("a.inc"), "SPHERE CENTER 0 0 0 RAD 1 a INCLUDE a.inc");
+    write(path("b.inc"), "LIGHT CENTER 0 0 0 RAD 1 COLOR 1 1 1");
+  }
+  ~SideFiles() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  fs::path path(const char* name) const { return fs::path(folder_) / name; }
+
+ private:
+  std::string folder_;
+};
+
+Scene read(const std::string& text, const std::string& camera_path, const fs::path& where) {
+  tachyon::SceneFolder folder(where);
+  tachyon::Lexer lexer("scene.dat", text);
+  Scene scene = tachyon::read_scene(lexer, folder, Context{}, 25.0);
+  if (!camera_path.empty()) {
+    tachyon::Lexer poses("scene.cam", camera_path);
+    tachyon::animate_camera(scene, poses);
+  }
+  return scene;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  static const SideFiles files;
+  const std::string input(reinterpret_cast<const char*>(data), size);
+  const std::size_t end = std::min(input.find('\0'), size);
+  Scene scene;
+  try {
+    scene = read(input.substr(0, end), end < size ? input.substr(end + 1) : "", files.path("scene.dat"));
+  } catch (const Error&) {
+    return 0;
+  }
+  try {
+    validate(scene, "scene.dat");
+  } catch (const Error& error) {
+    std::cerr << "the importer made a scene that is not valid: " << error.what() << '\n';
+    std::abort();
+  }
+  return 0;
+}
