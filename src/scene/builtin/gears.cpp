@@ -176,7 +176,7 @@ Scene build_gears() {
              scene.add_material("plate", plate), -1);
 
   scene.add_light("key", {-45.0f, 50.0f, 60.0f}, {1.0f, 0.93f, 0.82f});
-  scene.add_light("fill", {60.0f, 0.0f, 130.0f}, {0.20f, 0.25f, 0.34f});
+  scene.add_light("fill", {45.0f, 25.0f, 200.0f}, {0.20f, 0.25f, 0.34f});
   scene.set_background({0.22f, 0.20f, 0.20f}, {1.0f, 0.98f, 0.95f});
   constexpr float kPlaneHeight = 70.0f;
   scene.set_display({0.0f, 0.0f, -1.0f}, radians(12.0f), radians(10.0f), kPlaneHeight, 3.0f * kPlaneHeight);

@@ -46,14 +46,16 @@ void add_riders(SceneBuilder& scene, int carousel) {
   const int green = scene.add_material("green", glossy({0.08f, 0.48f, 0.18f}, 0.5f, 60.0f));
   const int blue = scene.add_material("blue", glossy({0.04f, 0.20f, 0.65f}, 0.5f, 70.0f, 0.08f));
   const int violet = scene.add_material("violet", glossy({0.38f, 0.10f, 0.55f}, 0.5f, 60.0f, 0.05f));
+  const int chrome = scene.add_material("chrome", glossy(Vec3f(0.10f), 0.9f, 200.0f, 0.80f));
   const int white = scene.add_material("white", glossy({0.88f, 0.86f, 0.82f}, 0.3f, 40.0f));
 
   scene.show("box", Boxes{{Vec3f(-0.52f), Vec3f(0.52f)}}, red, add_rider(scene, carousel, 0, {1.0f, 1.0f, 0.3f}, 2));
   add_capped_cylinder(scene, add_rider(scene, carousel, 1, {1.0f, 0.0f, 0.4f}, 1), orange, white);
-  scene.show("sphere", Spheres{{Vec3f(0.0f), 0.66f}, {{0.0f, 0.72f, 0.0f}, 0.16f}, {{0.0f, -0.72f, 0.0f}, 0.16f}}, yellow,
-             add_rider(scene, carousel, 2, {0.3f, 0.0f, 1.0f}, 2));
+  const int ball = add_rider(scene, carousel, 2, {0.3f, 0.0f, 1.0f}, 2);
+  scene.show("sphere", Spheres{{Vec3f(0.0f), 0.62f}}, yellow, ball);
+  scene.show("chrome spheres", Spheres{{{0.0f, 0.80f, 0.0f}, 0.20f}, {{0.0f, -0.80f, 0.0f}, 0.20f}}, chrome, ball);
   const int cone_node =
-      scene.add_node("cone's middle", add_rider(scene, carousel, 3, {0.8f, 0.2f, 0.5f}, 1), at({0.0f, -0.5f, 0.0f}));
+      scene.add_node("cone's middle", add_rider(scene, carousel, 3, {0.5f, 0.3f, 1.0f}, 1), at({0.0f, -0.5f, 0.0f}));
   scene.show("cone", cone(0.66f, 1.25f, 96), green, cone_node);
   scene.show("torus", torus(0.55f, 0.21f, 128, 48), blue, add_rider(scene, carousel, 4, {1.0f, 0.2f, 0.0f}, 2));
   add_pipe(scene, add_rider(scene, carousel, 5, {0.5f, 0.1f, 1.0f}, 1), violet, white);
@@ -73,14 +75,14 @@ void add_glass_ball(SceneBuilder& scene) {
   const int leaning = scene.add_node("where the ring leans", center);
   scene.spin(leaning, kUp, -2);
   const int ring = scene.add_node("ring", leaning, turned(Vec3f(0.0f), {0.0f, 0.0f, 1.0f}, radians(24.0f)));
-  const int gold = scene.add_material("gold", polished_metal({0.85f, 0.55f, 0.18f}, 0.20f));
+  const int gold = scene.add_material("gold", polished_metal({0.90f, 0.50f, 0.10f}, 0.20f));
   scene.show("ring", Rings{{Vec3f(0.0f), kUp, 1.55f, 1.85f}, {Vec3f(0.0f), kUp, 1.93f, 2.0f}}, gold, ring);
 }
 
 /// A round floor of rings in two colours.
 void add_floor(SceneBuilder& scene) {
-  const int light = scene.add_material("floor, light", glossy({0.78f, 0.74f, 0.66f}, 0.2f, 40.0f, 0.08f));
-  const int dark = scene.add_material("floor, dark", glossy({0.07f, 0.16f, 0.22f}, 0.2f, 40.0f, 0.12f));
+  const int light = scene.add_material("floor, light", glossy({0.78f, 0.72f, 0.60f}, 0.0f, 1.0f, 0.06f));
+  const int dark = scene.add_material("floor, dark", glossy({0.02f, 0.07f, 0.12f}, 0.0f, 1.0f, 0.12f));
   Rings rings[2];
   constexpr float kWidth = 0.75f;
   for (int i = 0; i < 6; ++i)
@@ -101,12 +103,12 @@ Scene build_primitives() {
   add_glass_ball(scene);
 
   scene.add_light("key", {-7.0f, 11.0f, 7.0f}, {0.90f, 0.85f, 0.78f});
-  scene.add_light("fill", {8.0f, 7.0f, 8.0f}, {0.25f, 0.28f, 0.34f});
+  scene.add_light("fill", {2.0f, 10.0f, 24.0f}, {0.25f, 0.28f, 0.34f});
   scene.set_background({0.22f, 0.18f, 0.16f}, {0.70f, 0.75f, 0.84f});
   scene.set_max_depth(8);
-  constexpr float kPlaneHeight = 9.4f;
-  scene.set_display({0.0f, 1.0f, 0.0f}, 0.0f, radians(20.0f), kPlaneHeight, 3.0f * kPlaneHeight);
-  scene.add_backdrop({0.72f, 0.60f, 0.46f}, {0.30f, 0.20f, 0.15f});
+  constexpr float kPlaneHeight = 9.2f;
+  scene.set_display({0.0f, 0.55f, 0.0f}, 0.0f, radians(20.0f), kPlaneHeight, 3.0f * kPlaneHeight);
+  scene.add_backdrop({0.60f, 0.44f, 0.30f}, {0.13f, 0.07f, 0.06f});
   return scene.take();
 }
 

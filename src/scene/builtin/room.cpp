@@ -259,7 +259,7 @@ Scene build_room() {
 
   scene.add_light("evening sun", {-3.2f, 4.2f, 6.0f}, {0.72f, 0.66f, 0.58f});
   scene.add_light("lamp", {0.25f, 2.3f, -0.9f}, {0.42f, 0.33f, 0.22f});
-  scene.set_background({0.10f, 0.12f, 0.16f}, {0.25f, 0.30f, 0.40f});
+  scene.set_background({0.40f, 0.27f, 0.18f}, {0.12f, 0.20f, 0.40f});
   constexpr float kPlaneHeight = 4.1f;
   const int display = scene.set_display({0.0f, 1.62f, -0.3f}, 0.0f, radians(7.0f), kPlaneHeight, 2.4f * kPlaneHeight);
   scene.swing(display, kUp, {.amplitude = radians(7.0f), .cycles = 1, .phase = 0.0f});

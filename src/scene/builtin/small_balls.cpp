@@ -84,7 +84,7 @@ Scene build_small_balls() {
   scene.add_light("key", {-5.0f, 5.0f, 5.0f}, {0.95f, 0.90f, 0.82f});
   scene.add_light("fill", {6.0f, 4.0f, 2.0f}, {0.25f, 0.30f, 0.42f});
   scene.set_background({0.06f, 0.07f, 0.12f}, {0.55f, 0.62f, 0.75f});
-  constexpr float kPlaneHeight = 4.7f;
+  constexpr float kPlaneHeight = 4.8f;
   scene.set_display({0.0f, -0.05f, 0.0f}, 0.0f, radians(18.0f), kPlaneHeight, 3.0f * kPlaneHeight);
   scene.add_backdrop({0.10f, 0.10f, 0.20f}, {0.006f, 0.007f, 0.02f});
   return scene.take();

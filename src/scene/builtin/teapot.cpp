@@ -30,12 +30,12 @@ Mesh cup_mesh() {
   points.insert(points.end(), inside.begin(), inside.end());
   Mesh mesh = lathe(smooth_profile(points, 5), 72);
 
+  // Both ends of the ear lie within the wall.
   std::vector<Vec3f> ear;
-  for (int i = 0; i <= 24; ++i) {
-    const float angle = radians(115.0f - 230.0f * static_cast<float>(i) / 24.0f);
-    ear.push_back({0.66f + 0.20f * std::cos(angle), 0.46f + 0.20f * std::sin(angle), 0.0f});
-  }
-  append(mesh, tube(ear, std::vector<float>(ear.size(), 0.05f), 16, false));
+  for (const Vec2f& p :
+       smooth_profile({{0.605f, 0.65f}, {0.76f, 0.68f}, {0.88f, 0.56f}, {0.80f, 0.38f}, {0.62f, 0.29f}, {0.465f, 0.285f}}, 6))
+    ear.push_back({p, 0.0f});
+  append(mesh, tube(ear, std::vector<float>(ear.size(), 0.045f), 16, false));
   return mesh;
 }
 
@@ -117,7 +117,7 @@ Scene build_teapot() {
   scene.add_light("fill", {8.0f, 7.0f, 7.0f}, {0.18f, 0.22f, 0.30f});
   scene.set_background({0.10f, 0.13f, 0.15f}, {0.50f, 0.56f, 0.62f});
   constexpr float kPlaneHeight = 9.4f;
-  scene.set_display({0.0f, 1.05f, 0.0f}, 0.0f, radians(22.0f), kPlaneHeight, 3.0f * kPlaneHeight);
+  scene.set_display({0.0f, 0.85f, 0.0f}, 0.0f, radians(22.0f), kPlaneHeight, 3.0f * kPlaneHeight);
   scene.add_backdrop({0.10f, 0.20f, 0.22f}, {0.008f, 0.02f, 0.03f});
   return scene.take();
 }
