@@ -12,9 +12,9 @@
 namespace lippmann {
 
 struct Context {
-  int threads = 0;                              ///< worker threads; 0 = one per processor that this process may use
-  std::function<void(std::string_view)> warn;   ///< one complete sentence per call, no newline; any thread
-  std::atomic<bool> cancelled{false};           ///< set (from a signal handler too) to stop at the next tile or frame
+  int threads = 0;                             ///< worker threads; 0 = one per processor that this process may use
+  std::function<void(std::string_view)> warn;  ///< one complete sentence per call, no newline; any thread
+  std::atomic<bool> cancelled{false};          ///< set (from a signal handler too) to stop at the next tile or frame
 
   /// Reports to `warn` if it is set.
   void warning(std::string_view text) const {

@@ -62,8 +62,8 @@ inline Bounds3f transform_bounds(const Affine3f& a, const Bounds3f& b) {
   Bounds3f r;
   if (b.empty()) return r;
   for (int corner = 0; corner < 8; ++corner)
-    r.add(transform_point(a, {corner & 1 ? b.upper.x : b.lower.x, corner & 2 ? b.upper.y : b.lower.y,
-                              corner & 4 ? b.upper.z : b.lower.z}));
+    r.add(transform_point(
+        a, {corner & 1 ? b.upper.x : b.lower.x, corner & 2 ? b.upper.y : b.lower.y, corner & 4 ? b.upper.z : b.lower.z}));
   return r;
 }
 

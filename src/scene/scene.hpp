@@ -24,8 +24,8 @@ namespace lippmann {
 
 struct Mesh {
   std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;                         ///< per vertex, unit length; empty: faceted
-  std::vector<Vec2f> uvs;                             ///< per vertex; empty: no texture coordinates
+  std::vector<Vec3f> normals;                           ///< per vertex, unit length; empty: faceted
+  std::vector<Vec2f> uvs;                               ///< per vertex; empty: no texture coordinates
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertex indices, each < positions.size(); counter-clockwise = front
 };
 
@@ -95,7 +95,8 @@ enum class Highlight {
 };
 
 /// Whitted's surface as Tachyon computes it:
-/// color (ambient + diffuse sum L N.L) + highlight sum (N.H)^highlight_size + mirror reflected + (1 - opacity) transmitted + emission.
+/// color (ambient + diffuse sum L N.L) + highlight sum (N.H)^highlight_size + mirror reflected + (1 - opacity) transmitted +
+/// emission.
 struct PhongSurface {
   Vec3f color{0.8f};
   int texture = -1;                     ///< replaces (planar) or multiplies (uv) color
@@ -138,12 +139,12 @@ struct Light {
   std::string name;
   LightKind kind = LightKind::kPoint;
   int node = -1;
-  Vec3f color{1.0f};             ///< times intensity: what multiplies N.L (and albedo / pi for metallic-roughness surfaces)
-  bool inverse_square = false;   ///< point and spot: divide by the squared distance (glTF); else constant (Tachyon)
-  float range = kInfinity;       ///< no light beyond this distance
-  float inner_cone = 0.0f;       ///< spot: full strength within this half angle
-  float outer_cone = kPi / 4;    ///< spot: none beyond this half angle
-  float visible_radius = 0.0f;   ///< > 0: rays see the light as a sphere of its colour (it casts no shadow)
+  Vec3f color{1.0f};            ///< times intensity: what multiplies N.L (and albedo / pi for metallic-roughness surfaces)
+  bool inverse_square = false;  ///< point and spot: divide by the squared distance (glTF); else constant (Tachyon)
+  float range = kInfinity;      ///< no light beyond this distance
+  float inner_cone = 0.0f;      ///< spot: full strength within this half angle
+  float outer_cone = kPi / 4;   ///< spot: none beyond this half angle
+  float visible_radius = 0.0f;  ///< > 0: rays see the light as a sphere of its colour (it casts no shadow)
 };
 
 /// What a ray sees that hits nothing: `horizon`, or a gradient to `zenith` by the angle to `up`.
@@ -166,8 +167,8 @@ struct Camera {
 /// Where the author put the lens array: the plane z = 0 of the node, +z towards the viewer, +y up.
 struct DisplayPlacement {
   int node = -1;
-  float plane_height = 1.0f;            ///< height of the array in node units
-  float viewing_distance = kInfinity;   ///< node units in front of the array that the array's cells converge to
+  float plane_height = 1.0f;           ///< height of the array in node units
+  float viewing_distance = kInfinity;  ///< node units in front of the array that the array's cells converge to
 };
 
 // ---- Nodes and time -------------------------------------------------------------------------------------------------
@@ -227,13 +228,13 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Instance> instances;
   std::vector<Light> lights;
-  std::vector<Camera> cameras;                ///< the first is the default one
-  std::optional<DisplayPlacement> display;    ///< none: fitted to the first camera (render/fit_array.hpp)
+  std::vector<Camera> cameras;              ///< the first is the default one
+  std::optional<DisplayPlacement> display;  ///< none: fitted to the first camera (render/fit_array.hpp)
   Background background;
   Timeline timeline;
   Encoding encoding = Encoding::kSrgb;
-  int max_depth = 6;                          ///< path vertices; the file's own limit where it has one
-  Vec2i resolution{0, 0};                     ///< that the file asks for; 0: none
+  int max_depth = 6;       ///< path vertices; the file's own limit where it has one
+  Vec2i resolution{0, 0};  ///< that the file asks for; 0: none
 };
 
 }  // namespace lippmann
