@@ -56,6 +56,7 @@ void require_memory(const RenderParams& params, const Panel& panel, int threads)
 }
 
 void make_folder(const fs::path& folder) {
+  if (folder.empty()) return;  // the working folder
   std::error_code problem;
   fs::create_directories(folder, problem);
   if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "-o with one that can");
@@ -92,9 +93,12 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);
   require_memory(params, stage.placed.optics.panel, pool.threads());
-  for (const std::string& video : params.video) check_video_path(video);
 
   const fs::path folder = output_folder(params);
+  for (const std::string& video : params.video) {
+    make_folder(fs::path(video).parent_path());
+    check_video_path(video);
+  }
   make_folder(folder);
   write_job(folder / "job.toml", params);
   fs::remove(folder / "report.json");  // it would speak of another render

@@ -84,9 +84,10 @@ std::string toml_value(const ParamInfo& info, const std::vector<std::string>& va
   return fmt::format("[{}]", fmt::join(elements, ", "));
 }
 
-/// Relative to the working folder -> relative to `folder`.
+/// Relative to the working folder -> relative to `folder`, where empty means the working folder.
 std::string path_from(const fs::path& folder, const std::string& path) {
-  return tidy(fs::absolute(path).lexically_normal().lexically_relative(fs::absolute(folder / "").lexically_normal()));
+  const fs::path here = fs::current_path();
+  return tidy((here / path).lexically_normal().lexically_relative((here / folder / "").lexically_normal()));
 }
 
 }  // namespace

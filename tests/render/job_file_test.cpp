@@ -146,6 +146,12 @@ TEST(JobFile, written_relative_paths_lead_from_the_jobs_folder_to_the_same_files
   EXPECT_THAT(text, HasSubstr("output = \".\"\n"));
 }
 
+TEST(JobFile, written_paths_of_a_job_in_the_working_folder_stay_as_they_are) {
+  RenderParams params;
+  params.scene = "scenes/a.dat";
+  EXPECT_THAT(job_text(params, ""), HasSubstr("scene = \"scenes/a.dat\"\n"));
+}
+
 TEST(JobFile, built_in_scene_name_stays_a_name) {
   const test::TempDir dir;
   EXPECT_EQ(read(write(dir / "job.toml", "scene = 'teapot'\n")).scene, "teapot");

@@ -1,0 +1,87 @@
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// The names of files that no finished render leaves: hidden temporaries.
+Words temporaries_in(const std::filesystem::path& folder) {
+  Words names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (const std::string name = entry.path().filename().string(); name.find(".tmp-") != std::string::npos)
+      names.push_back(name);
+  return names;
+}
+
+TEST(Interruption, killed_render_resumes_to_the_same_pictures_and_video) {
+  const TempDir dir;
+  const Words whole = small_teapot("0-9", "whole") + Words{"--video", "whole.mkv"};
+  ASSERT_EQ(run_tool(dir, whole).exit_code, 0);
+
+  const Words parts = small_teapot("0-9", "parts") + Words{"--video", "parts.mkv"};
+  Subprocess killed(tool_command(parts), {dir.path().string(), 0});
+  ASSERT_TRUE(appears(dir / "parts/frame_0003.png"));
+  killed.signal(SIGKILL);
+  EXPECT_EQ(killed.wait().exit_code, 128 + SIGKILL);
+  EXPECT_FALSE(std::filesystem::exists(dir / "parts.mkv"));
+
+  const RunResult resumed = run_tool(dir, parts + Words{"--resume", "--json"});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_LE(lines_of(resumed.err), 7u) << "at least three of ten frames were kept";
+  EXPECT_EQ(files_in(dir / "parts", ".png"), files_in(dir / "whole", ".png"));
+  EXPECT_EQ(bytes_of(dir / "parts.mkv"), bytes_of(dir / "whole.mkv"));
+  EXPECT_EQ(Json::parse(resumed.out)["frames"].size(), 10u);
+}
+
+TEST(Interruption, resume_of_a_finished_render_traces_nothing) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0-2", "a")).exit_code, 0);
+  const RunResult again = run_tool(dir, small_teapot("0-2", "a") + Words{"--resume"});
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(again.err, "");
+  EXPECT_THAT(again.out, HasSubstr("3 kept"));
+}
+
+TEST(Interruption, resume_after_other_settings_renders_anew) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a")).exit_code, 0);
+  const RunResult other = run_tool(dir, small_teapot("0-1", "a") + Words{"--resume", "--view-angle", "40"});
+  EXPECT_EQ(lines_of(other.err), 2u) << other.err;
+}
+
+TEST(Interruption, resume_replaces_a_picture_that_was_damaged) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a")).exit_code, 0);
+  const std::string good = bytes_of(dir / "a/frame_0001.png");
+  std::filesystem::resize_file(dir / "a/frame_0001.png", 100);
+  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a") + Words{"--resume"}).exit_code, 0);
+  EXPECT_EQ(bytes_of(dir / "a/frame_0001.png"), good);
+}
+
+TEST(Interruption, ctrl_c_keeps_finished_frames_and_says_so) {
+  const TempDir dir;
+  const Words arguments = small_teapot("0-479", "a") + Words{"--video", "a/a.mp4", "--json"};
+  Subprocess running(tool_command(arguments), {dir.path().string(), 0});
+  ASSERT_TRUE(appears(dir / "a/frame_0002.png"));
+  running.signal(SIGINT);
+  const RunResult result = running.wait();
+  EXPECT_EQ(result.exit_code, 128 + SIGINT);
+  const Json report = Json::parse(result.out);
+  EXPECT_TRUE(report["interrupted"].get<bool>());
+  const auto pictures = files_in(dir / "a", ".png");
+  EXPECT_EQ(pictures.size(), report["frames"].size());
+  EXPECT_GE(pictures.size(), 3u);
+  EXPECT_LT(pictures.size(), 480u);
+  EXPECT_FALSE(std::filesystem::exists(dir / "a/a.mp4")) << "a video of some of the frames is not the video";
+  EXPECT_EQ(temporaries_in(dir / "a"), Words{});
+}
+
+}  // namespace
+}  // namespace lippmann::test

@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+TEST(Render, makes_pictures_job_and_report_and_says_where) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("0-2", "out"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(files_in(dir / "out", ".png").size(), 3u);
+  EXPECT_TRUE(std::filesystem::exists(dir / "out/frame_0002.png"));
+  EXPECT_TRUE(std::filesystem::exists(dir / "out/job.toml"));
+  EXPECT_TRUE(std::filesystem::exists(dir / "out/report.json"));
+  EXPECT_THAT(result.out, HasSubstr("out/frame_0000.png"));
+}
+
+TEST(Render, without_output_writes_to_out_slash_scene) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, {"render", "teapot", "--lenses", "4", "--frames", "7"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(dir / "out/teapot/frame_0007.png"));
+}
+
+TEST(Render, stderr_that_is_no_terminal_gets_one_line_per_frame) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("0-3", "out"));
+  EXPECT_EQ(lines_of(result.err), 4u) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("[4/4] frame 3"));
+  EXPECT_THAT(result.err, Not(HasSubstr("\r")));
+}
+
+TEST(Render, json_is_the_report_and_nothing_else) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("3-4", "out") + Words{"--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json report = Json::parse(result.out);
+  EXPECT_EQ(report, Json::parse(bytes_of(dir / "out/report.json")));
+  for (const char* key : {"version", "scene", "optics", "settings", "frames", "totals"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  ASSERT_EQ(report["frames"].size(), 2u);
+  const Json& frame = report["frames"][1];
+  EXPECT_EQ(frame["frame"], 4);
+  EXPECT_EQ(frame["kind"], "full");
+  EXPECT_EQ(frame["rays"]["primary"], 128 * 128);
+  for (const char* key : {"seconds", "cpu_seconds", "missed_pixels", "retraced_pixels", "reused_pixels", "estimated_psnr_db"})
+    EXPECT_TRUE(frame.contains(key)) << key;
+  const Json& totals = report["totals"];
+  EXPECT_EQ(totals["frames"], 2);
+  EXPECT_EQ(totals["rays"]["primary"], 2 * 128 * 128);
+  EXPECT_GT(totals["peak_memory_bytes"].get<double>(), 1e6);
+  for (const char* key : {"seconds", "cpu_seconds", "write_seconds", "setup_seconds", "threads"})
+    EXPECT_TRUE(totals[key].is_number()) << key;
+}
+
+TEST(Render, any_thread_count_and_any_ray_order_give_the_same_bytes) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0-2", "a") + Words{"--threads", "1"}).exit_code, 0);
+  const auto expected = files_in(dir / "a", ".png");
+  ASSERT_EQ(expected.size(), 3u);
+  for (const Words& how : {Words{"--threads", "1"}, Words{"--threads", "2"}, Words{"--threads", "4"}, Words{"--order", "rows"},
+                           Words{"--order", "columns"}}) {
+    ASSERT_EQ(run_tool(dir, small_teapot("0-2", "b") + how).exit_code, 0);
+    EXPECT_EQ(files_in(dir / "b", ".png"), expected) << how[0] << " " << how[1];
+    std::filesystem::remove_all(dir / "b");
+  }
+}
+
+TEST(Render, several_samples_give_the_same_bytes_for_any_thread_count) {
+  const TempDir dir;
+  for (const char* threads : {"1", "4"})
+    ASSERT_EQ(run_tool(dir, small_teapot("5", threads) + Words{"--spp", "4", "--threads", threads}).exit_code, 0);
+  EXPECT_EQ(files_in(dir / "1", ".png"), files_in(dir / "4", ".png"));
+}
+
+TEST(Render, job_file_of_a_render_makes_the_same_pictures_again) {
+  const TempDir dir;
+  const Words unusual{"--optics", "microlens", "--lens-pixels", "6", "--view-angle", "35", "--spp", "2", "--seed", "9"};
+  ASSERT_EQ(run_tool(dir, small_teapot("4-5", "a") + unusual).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, {"render", "a/job.toml", "--output", "b"}).exit_code, 0);
+  EXPECT_EQ(files_in(dir / "b", ".png"), files_in(dir / "a", ".png"));
+  EXPECT_EQ(files_in(dir / "b", ".png").size(), 2u);
+}
+
+TEST(Render, flags_go_over_the_job_and_dump_job_writes_both) {
+  const TempDir dir;
+  std::ofstream(dir / "in.toml") << "scene = 'teapot'\nlenses = 4\nframes = '0-1'\n";
+  ASSERT_EQ(run_tool(dir, {"render", "--job", "in.toml", "--frames", "1", "--output", "a", "--dump-job", "out.toml"}).exit_code,
+            0);
+  EXPECT_EQ(files_in(dir / "a", ".png").size(), 1u);
+  EXPECT_THAT(bytes_of(dir / "out.toml"), HasSubstr("frames = \"1-1\""));
+  EXPECT_THAT(bytes_of(dir / "out.toml"), HasSubstr("lenses = \"4\""));
+}
+
+TEST(Render, video_is_written_beside_the_pictures_with_every_frame) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0-3", "a") + Words{"--video", "a.mkv", "--video", "a.mp4"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(dir / "a.mp4"));
+  const RunResult compared = run_tool(dir, {"compare", "a", "a.mkv", "--json"});
+  EXPECT_TRUE(Json::parse(compared.out)["identical"].get<bool>()) << "FFV1 holds the codes of the PNGs";
+}
+
+TEST(Render, exr_and_extra_layers_are_written_where_asked) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "a") + Words{"--format", "exr", "--aov", "depth,normal,id,position"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(dir / "a/frame_0000.exr"));
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "b") + Words{"--format", "png16", "--aov", "depth"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(dir / "b/frame_0000.png"));
+  EXPECT_TRUE(std::filesystem::exists(dir / "b/aov_0000.exr"));
+}
+
+TEST(Render, every_kind_of_optics_makes_a_picture_of_its_size) {
+  const TempDir dir;
+  const std::vector<std::pair<Words, Words>> kinds{
+      {{"--optics", "lenticular", "--size", "90x50", "--lens-pixels", "13.776", "--slant", "-9.46"}, {"90", "50"}},
+      {{"--optics", "microlens", "--lenses", "10x6", "--lens-pixels", "5"}, {"50", "30"}},
+      {{"--optics", "microlens", "--packing", "hexagonal", "--lenses", "10", "--viewing-distance", "inf"}, {"80", "69"}},
+      {{"--optics", "multiview", "--views", "3x2", "--size", "60x40"}, {"60", "40"}},
+      {{"--optics", "single", "--size", "33x21"}, {"33", "21"}}};
+  for (const auto& [flags, size] : kinds) {
+    const RunResult result = run_tool(dir, Words{"render", "teapot", "--frames", "0", "--output", "o", "--json"} + flags);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json optics = Json::parse(result.out)["optics"];
+    EXPECT_EQ(optics["width"].dump(), size[0]);
+    EXPECT_EQ(optics["height"].dump(), size[1]);
+  }
+}
+
+}  // namespace
+}  // namespace lippmann::test

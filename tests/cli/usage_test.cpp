@@ -1,0 +1,94 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/tool.hpp"
+#include "render/params_table.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+TEST(Tool, help_lists_the_commands_and_exits_with_0) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {"--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  for (const char* command : {"render", "info", "scenes", "compare", "bench"}) EXPECT_THAT(result.out, HasSubstr(command));
+}
+
+TEST(Tool, render_help_names_every_parameter) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {"render", "--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  for (const ParamInfo& info : params_table())
+    if (info.name != "scene") {
+      EXPECT_THAT(result.out, HasSubstr("--" + std::string(info.name)));
+    }
+}
+
+TEST(Tool, version_names_itself_and_a_number) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, testing::MatchesRegex("lippmann [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(Tool, no_command_or_an_unknown_one_is_wrong_usage) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {}), 2, "--help");
+  expect_refusal(run_tool(dir, {"rendre"}), 2, "did you mean 'render'?");
+}
+
+TEST(Tool, unknown_flag_is_wrong_usage_and_suggests_the_nearest) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {"render", "teapot", "--lense", "3"}), 2, "did you mean '--lenses'?");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--reuse", "exact"}), 2, "--reuse");
+}
+
+TEST(Tool, flag_given_twice_or_without_a_value_is_wrong_usage) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {"render", "teapot", "--spp", "1", "--spp", "2"}), 2, "--spp");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--spp"}), 2, "--spp");
+}
+
+TEST(Tool, bad_value_is_wrong_usage_and_says_what_is_accepted) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {"render", "teapot", "--spp", "0"}), 2, "from 1 to 65536");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--optics", "fresnel"}), 2, "lenticular, microlens, multiview, single");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--size", "0x0"}), 2, "--size");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--size", "40000x25000"}), 2, "at most");
+}
+
+TEST(Tool, negative_value_is_a_value_and_not_a_flag) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {"info", "teapot", "--slant", "-9.46", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NEAR(Json::parse(result.out)["optics"]["slant_deg"].get<double>(), -9.46, 1e-5);
+}
+
+TEST(Tool, scenes_lists_the_built_in_ones_as_text_and_json) {
+  const TempDir dir;
+  EXPECT_THAT(run_tool(dir, {"scenes"}).out, HasSubstr("teapot"));
+  const Json scenes = Json::parse(run_tool(dir, {"scenes", "--json"}).out);
+  EXPECT_EQ(scenes[0]["name"], "teapot");
+  EXPECT_FALSE(scenes[0]["description"].get<std::string>().empty());
+}
+
+TEST(Tool, info_tells_contents_animation_array_and_depth) {
+  const TempDir dir;
+  const RunResult text = run_tool(dir, {"info", "teapot"});
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_THAT(text.out, HasSubstr("480 frames"));
+  const Json info = Json::parse(run_tool(dir, {"info", "teapot", "--json"}).out);
+  EXPECT_EQ(info["frames"], 480);
+  EXPECT_GT(info["triangles"].get<int>(), 1000);
+  EXPECT_EQ(info["optics"]["kind"], "lenticular");
+  EXPECT_NEAR(info["optics"]["viewing_zone_deg"].get<double>(), 28.0, 0.01);
+  EXPECT_LT(info["depth"]["back_mm"].get<double>(), 0.0);
+}
+
+}  // namespace
+}  // namespace lippmann::test

@@ -1,0 +1,40 @@
+// Runs a program as a person at a shell would, and keeps what it printed, stdout and stderr apart.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace lippmann::test {
+
+struct RunResult {
+  int exit_code = -1;  ///< 128 + n when signal n ended it; 127 when it could not be started
+  std::string out, err;
+};
+
+struct RunOptions {
+  std::string working_folder;       ///< empty: this process's
+  std::size_t file_size_limit = 0;  ///< bytes; writing beyond fails, as on a full disk; 0: no limit
+};
+
+/// A program that runs beside the test; killed at the end of its life unless it was waited for. stdin is empty.
+class Subprocess {
+ public:
+  explicit Subprocess(const std::vector<std::string>& command, const RunOptions& options = {});
+  ~Subprocess();
+  Subprocess(const Subprocess&) = delete;
+  Subprocess& operator=(const Subprocess&) = delete;
+
+  void signal(int number) const;
+  RunResult wait();
+
+ private:
+  pid_t pid_ = -1;
+  int out_ = -1, err_ = -1;
+};
+
+/// Starts it and waits for its end.
+RunResult run(const std::vector<std::string>& command, const RunOptions& options = {});
+
+}  // namespace lippmann::test
