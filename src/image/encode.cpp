@@ -16,7 +16,7 @@ namespace {
 /// The definition that the table has to reproduce.
 int srgb_code(float value, int max_code) {
   if (!(value > 0.0f)) return 0;
-  return static_cast<int>(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5);
+  return static_cast<int>(std::floor(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5));
 }
 
 /// The smallest float whose 8-bit code is `code`, 1 ... 255.
