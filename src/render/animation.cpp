@@ -102,7 +102,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   make_folder(folder);
   write_job(folder / "job.toml", params);
   fs::remove(folder / "report.json");  // it would speak of another render
-  FinishedFrames finished(folder, job_fingerprint(params), params.format);
+  FinishedFrames finished(folder, job_fingerprint(params, stage.scene), params.format);
   const RenderPlan plan{stage, folder, frames, count_kept(params, finished, frames)};
 
   RenderReport report{params.scene, stage.placed.optics, params, {}};

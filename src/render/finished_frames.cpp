@@ -8,38 +8,19 @@
 #include <span>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/fingerprint.hpp"
 #include "render/frame_files.hpp"
 #include "render/params_table.hpp"
+#include "scene/fingerprint.hpp"
 
 namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// FNV-1a, 64 bits. It tells jobs apart; nobody attacks it.
-class Hash {
- public:
-  void add(std::string_view bytes) {
-    for (const char c : bytes) state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  }
-  std::string text() const { return fmt::format("{:016x}", state_); }
-
- private:
-  std::uint64_t state_ = 0xcbf29ce484222325u;
-};
-
-void add_file(Hash& hash, const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::vector<char> buffer(1 << 16);
-  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || file.gcount() > 0)
-    hash.add({buffer.data(), static_cast<std::size_t>(file.gcount())});
-  if (!file.eof()) throw Error(path, "cannot be read");
-}
 
 /// The size of a file; 0 if there is none.
 std::uintmax_t bytes_of(const fs::path& path) {
@@ -60,18 +41,16 @@ std::string frame_line(const FrameReport& frame, std::uintmax_t bytes) {
 
 }  // namespace
 
-std::string job_fingerprint(const RenderParams& params) {
-  Hash hash;
-  hash.add(LIPPMANN_VERSION "\n");
+std::string job_fingerprint(const RenderParams& params, const Scene& scene) {
+  Fingerprint print;
+  print.add(LIPPMANN_VERSION);
   for (const ParamInfo& info : params_table()) {
     if (!info.changes_pictures) continue;
-    hash.add(info.name);
-    for (const std::string& value : info.get(params)) hash.add("=" + value);
-    hash.add("\n");
+    print.add(info.name);
+    for (const std::string& value : info.get(params)) print.add(value);
   }
-  if (!is_builtin_scene(params.scene)) add_file(hash, params.scene);
-  if (!params.camera_path.empty()) add_file(hash, params.camera_path);
-  return hash.text();
+  print.add(fingerprint(scene));
+  return fmt::format("{:016x}", print.value());
 }
 
 FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, PictureFormat format)

@@ -11,13 +11,12 @@
 
 #include "render/params.hpp"
 #include "render/report.hpp"
+#include "scene/scene.hpp"
 
 namespace lippmann {
 
-/// A hash of all that decides the pictures: the parameters that change them, this program's version, and the bytes of the scene
-/// file and camera path. Files that the scene file refers to (textures, buffers) are not looked at.
-/// Throws Error if one of the two files cannot be read.
-std::string job_fingerprint(const RenderParams& params);
+/// Tells jobs apart by all that decides the pictures: the parameters that change them, the scene, this program's version.
+std::string job_fingerprint(const RenderParams& params, const Scene& scene);
 
 class FinishedFrames {
  public:
@@ -28,7 +27,7 @@ class FinishedFrames {
   /// The figures of a frame that this job finished before; none if it has yet to be rendered.
   std::optional<FrameReport> find(int frame) const;
 
-  /// Records a frame whose files are complete. Throws Error. Not thread-safe.
+  /// Records a frame whose files are complete; find() does not see it. Throws Error. May run beside find(), not beside itself.
   void add(const FrameReport& frame);
 
  private:

@@ -23,7 +23,7 @@ struct ParamInfo {
   std::string_view type;   ///< what to write after the flag, e.g. "DEG"
   std::string_view doc;    ///< one line
   ParamKind kind = ParamKind::kText;
-  bool changes_pictures = true;  ///< two jobs that differ in it may make different pictures of a frame
+  bool changes_pictures = true;  ///< of the same loaded scene: two jobs that differ in it may make different ones
   bool is_path = false;          ///< relative to the working folder as a flag, to the job file's folder as a key
 
   /// `where` is how to call the place in a message: "--spp", "job.toml:3: spp".

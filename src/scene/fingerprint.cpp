@@ -1,0 +1,168 @@
+#include "scene/fingerprint.hpp"
+
+#include "core/fingerprint.hpp"
+
+// Every struct is taken apart by structured bindings: a member that is added to it stops this file from compiling until it is
+// added here too.
+
+namespace lippmann {
+namespace {
+
+/// Elements that consist of 4-byte or 8-byte numbers alone, and so have no padding.
+template <class T>
+concept Packed = std::is_trivially_copyable_v<T> &&(alignof(T) == 4 || alignof(T) == 8 || sizeof(T) == 1) &&
+                 sizeof(T) % alignof(T) == 0;
+
+class SceneFingerprint {
+ public:
+  std::uint64_t value() const { return print_.value(); }
+
+  void add(const Scene& scene) {
+    const auto& [name, nodes, shapes, textures, materials, instances, lights, cameras, display, background, timeline, encoding,
+                 max_depth, resolution] = scene;
+    add_each(nodes);
+    add_each(shapes);
+    add_each(textures);
+    add_each(materials);
+    add_each(instances);
+    add_each(lights);
+    add_each(cameras);
+    add_optional(display);
+    add(background);
+    add(timeline);
+    add_all(encoding, max_depth, resolution);
+  }
+
+ private:
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void add(T value) { print_.add(value); }
+  template <int N, class T>
+  void add(const glm::vec<N, T>& v) {
+    for (int i = 0; i < N; ++i) print_.add(v[i]);
+  }
+  void add(const Quatf& q) { add_all(q.w, q.x, q.y, q.z); }
+  void add(const Affine3f& a) { add_all(a.linear[0], a.linear[1], a.linear[2], a.translation); }
+
+  template <class... T>
+  void add_all(const T&... values) {
+    (add(values), ...);
+  }
+  template <class T>
+  void add_each(const std::vector<T>& values) {
+    print_.add(values.size());
+    for (const T& value : values) add(value);
+  }
+  template <Packed T>
+  void add_packed(const std::vector<T>& values) {
+    print_.add_bytes(values.data(), values.size() * sizeof(T));
+  }
+  template <class T>
+  void add_optional(const std::optional<T>& value) {
+    print_.add(value.has_value());
+    if (value) add(*value);
+  }
+
+  void add(const Shape& shape) {
+    print_.add(shape.index());
+    std::visit([&](const auto& s) { add_shape(s); }, shape);
+  }
+  void add_shape(const Mesh& mesh) {
+    const auto& [positions, normals, uvs, triangles] = mesh;
+    add_packed(positions);
+    add_packed(normals);
+    add_packed(uvs);
+    add_packed(triangles);
+  }
+  template <class Primitive>
+  void add_shape(const std::vector<Primitive>& primitives) {
+    add_packed(primitives);
+  }
+
+  void add(const Texture& texture) {
+    const auto& [name, width, height, rgba, srgb, wrap_u, wrap_v] = texture;
+    add_all(width, height, srgb, wrap_u, wrap_v);
+    add_packed(rgba);
+  }
+
+  void add(const PlanarMapping& mapping) {
+    const auto& [center, rotate, scale, u_axis, v_axis] = mapping;
+    add_all(center, rotate, scale, u_axis, v_axis);
+  }
+  void add(const PhongSurface& surface) {
+    const auto& [color, texture, planar, ambient, diffuse, highlight_kind, highlight, highlight_size, mirror, opacity, ior,
+                 emission] = surface;
+    add_all(color, texture, ambient, diffuse, highlight_kind, highlight, highlight_size, mirror, opacity, ior, emission);
+    add_optional(planar);
+  }
+  void add(const MetallicRoughness& surface) {
+    const auto& [base_color, base_color_texture, metallic, roughness, emissive, emissive_texture, ior, transmission,
+                 alpha_cutoff, blend, double_sided, unlit] = surface;
+    add_all(base_color, base_color_texture, metallic, roughness, emissive, emissive_texture, ior, transmission, alpha_cutoff,
+            blend, double_sided, unlit);
+  }
+  void add(const Material& material) {
+    const auto& [name, surface] = material;
+    print_.add(surface.index());
+    std::visit([&](const auto& s) { add(s); }, surface);
+  }
+
+  void add(const Light& light) {
+    const auto& [name, kind, node, color, inverse_square, range, inner_cone, outer_cone, visible_radius] = light;
+    add_all(kind, node, color, inverse_square, range, inner_cone, outer_cone, visible_radius);
+  }
+  void add(const Background& background) {
+    const auto& [horizon, zenith, up] = background;
+    add_all(horizon, zenith, up);
+  }
+  void add(const Camera& camera) {
+    const auto& [name, node, vertical_fov, aspect, focus_distance, pixel_offset] = camera;
+    add_all(node, vertical_fov, aspect, focus_distance, pixel_offset);
+  }
+  void add(const DisplayPlacement& display) {
+    const auto& [node, plane_height, viewing_distance] = display;
+    add_all(node, plane_height, viewing_distance);
+  }
+
+  void add(const Transform& transform) {
+    const auto& [translation, rotation, scale] = transform;
+    add_all(translation, rotation, scale);
+  }
+  void add(const Node& node) {
+    const auto& [name, parent, local, matrix] = node;
+    add_all(parent, local);
+    add_optional(matrix);
+  }
+  template <class T>
+  void add(const Channel<T>& channel) {
+    const auto& [times, values, interpolation] = channel;
+    add_packed(times);
+    add_packed(values);
+    add(interpolation);
+  }
+  void add(const NodeAnimation& animation) {
+    const auto& [node, translation, rotation, scale] = animation;
+    add_all(node, translation, rotation, scale);
+  }
+  void add(const Timeline& timeline) {
+    const auto& [frames_per_second, frame_count, animations] = timeline;
+    add_all(frames_per_second, frame_count);
+    add_each(animations);
+  }
+  void add(const Instance& instance) {
+    const auto& [name, shape, material, node] = instance;
+    add_all(shape, material, node);
+  }
+
+  Fingerprint print_;
+};
+
+}  // namespace
+
+std::uint64_t fingerprint(const Scene& scene) {
+  SceneFingerprint print;
+  print.add(scene);
+  return print.value();
+}
+
+}  // namespace lippmann
