@@ -148,8 +148,7 @@ std::string to_text(const SceneInfo& info) {
     line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,
                                info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));
   line("array", info.array.how);
-  line("", fmt::format("{:g} units high, centre ({:g}, {:g}, {:g})", info.array.plane_height, info.array_center.x,
-                       info.array_center.y, info.array_center.z));
+  line("", fmt::format("Its centre is at ({:g}, {:g}, {:g}).", info.array_center.x, info.array_center.y, info.array_center.z));
   line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width,
                             info.optics.panel.height, info.optics.panel.pixel_pitch_mm, info.units_per_mm));
   line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));

@@ -1,0 +1,96 @@
+#include "render/make_optics.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+/// An array 8 units high, viewed from 24 units.
+FittedArray placed_array() {
+  FittedArray array;
+  array.plane_height = 8.0f;
+  array.viewing_distance = 24.0f;
+  return array;
+}
+
+TEST(MakeOptics, default_sheet_has_the_gap_of_its_viewing_angle) {
+  RenderParams params;
+  params.viewing_distance_mm = kInfinity;
+  const Optics optics = make_optics(params, Scene{}, placed_array()).optics;
+  const auto& sheet = std::get<LenticularSheet>(optics.model);
+  EXPECT_FLOAT_EQ(optics.panel.pixel_pitch_mm, 0.125f);
+  EXPECT_FLOAT_EQ(sheet.lens_pitch_mm, 1.0f);
+  EXPECT_NEAR(sheet.gap_mm, 2.00539f, 1e-4f);  // 1 / (2 tan 14 degrees)
+  EXPECT_NEAR(degrees(viewing_zone(optics)), 28.0f, 1e-4f);
+  EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(8, 1));
+}
+
+TEST(MakeOptics, panel_is_scaled_to_the_fitted_plane) {
+  const PlacedOptics placed = make_optics({}, Scene{}, placed_array());
+  EXPECT_FLOAT_EQ(placed.units_per_mm, 8.0f / 64.0f);
+  EXPECT_FLOAT_EQ(std::get<LenticularSheet>(placed.optics.model).viewing_distance_mm, 24.0f * 64.0f / 8.0f);
+  EXPECT_FLOAT_EQ(resolved_z_front_mm(placed.optics), 192.0f) << "rays start at the viewer";
+}
+
+TEST(MakeOptics, one_view_of_a_quilt_fills_the_fitted_plane) {
+  RenderParams params;
+  params.optics = OpticsKind::kMultiview;
+  params.views = {4, 3};
+  params.size = {400, 300};
+  const PlacedOptics placed = make_optics(params, Scene{}, placed_array());
+  const float view_height_mm = 100.0f * placed.optics.panel.pixel_pitch_mm;
+  EXPECT_FLOAT_EQ(placed.units_per_mm * view_height_mm, 8.0f);
+  EXPECT_FLOAT_EQ(std::get<MultiView>(placed.optics.model).distance_mm * placed.units_per_mm, 24.0f);
+}
+
+TEST(MakeOptics, whole_cells_stay_aligned_with_pixels_for_odd_counts_and_near_viewers) {
+  for (const int lenses : {1, 7, 64})
+    for (const float distance : {50.0f, 192.0f, kInfinity}) {
+      RenderParams params;
+      params.lenses = {lenses, 0};
+      params.lens_pixels = {6.0f, 0.0f};
+      params.viewing_distance_mm = distance;
+      EXPECT_EQ(whole_pixels_per_lens(make_optics(params, Scene{}, placed_array()).optics), Vec2i(6, 1))
+          << lenses << " lenses, viewed from " << distance;
+      params.optics = OpticsKind::kMicrolens;
+      EXPECT_EQ(whole_pixels_per_lens(make_optics(params, Scene{}, placed_array()).optics), Vec2i(6, 6))
+          << lenses << " lenslets, viewed from " << distance;
+    }
+}
+
+TEST(MakeOptics, pixels_of_a_slanted_sheet_count_along_the_rows) {
+  RenderParams params;
+  params.slant_deg = 60.0f;
+  params.viewing_distance_mm = kInfinity;
+  const Optics optics = make_optics(params, Scene{}, placed_array()).optics;
+  EXPECT_NEAR(std::get<LenticularSheet>(optics.model).lens_pitch_mm, 8.0f * optics.panel.pixel_pitch_mm * 0.5f, 1e-6f);
+}
+
+TEST(MakeOptics, infinite_viewer_is_refused_where_there_are_no_lenses) {
+  RenderParams params;
+  params.optics = OpticsKind::kSingle;
+  params.viewing_distance_mm = kInfinity;
+  EXPECT_THROW(make_optics(params, Scene{}, placed_array()), Error);
+}
+
+TEST(MakeOptics, single_view_of_an_array_viewed_from_infinity_is_taken_from_a_finite_place) {
+  RenderParams params;
+  params.optics = OpticsKind::kSingle;
+  FittedArray array = placed_array();
+  array.viewing_distance = kInfinity;
+  EXPECT_FLOAT_EQ(std::get<SingleView>(make_optics(params, Scene{}, array).optics.model).distance_mm, 3.0f * 64.0f);
+}
+
+TEST(MakeOptics, single_view_takes_the_cameras_pixel_offset) {
+  RenderParams params;
+  params.optics = OpticsKind::kSingle;
+  Scene scene;
+  scene.cameras.push_back({});
+  scene.cameras[0].pixel_offset = {0.5f, -0.5f};
+  EXPECT_EQ(std::get<SingleView>(make_optics(params, scene, placed_array()).optics.model).pixel_offset, Vec2f(0.5f, -0.5f));
+}
+
+}  // namespace
+}  // namespace lippmann
