@@ -87,6 +87,19 @@ LIPPMANN_MULTIVERSION void add_diffuse(const WhittedLight& light, const ShadowPa
   }
 }
 
+/// Whether N.H passes the cutoff in any lit lane: without root, quotient or power, as most packets have no highlight.
+LIPPMANN_MULTIVERSION int highlight_shows(const SurfacePacket& s, const RTCRay16& view, const ShadowPacket& shadow) {
+  int any = 0;
+  for (int i = 0; i < kLanes; ++i) {
+    const float hx = shadow.rays.dir_x[i] - view.dir_x[i], hy = shadow.rays.dir_y[i] - view.dir_y[i],
+                hz = shadow.rays.dir_z[i] - view.dir_z[i];
+    const float along = s.normal.x[i] * hx + s.normal.y[i] * hy + s.normal.z[i] * hz;
+    const float limit = s.highlight_cutoff[i] * s.highlight_cutoff[i] * (hx * hx + hy * hy + hz * hz);
+    any |= (shadow.visibility[i] > 0.0f) & (along > 0.0f) & (along * along > limit) ? -1 : 0;
+  }
+  return any;
+}
+
 LIPPMANN_MULTIVERSION void add_highlight(const WhittedLight& light, const SurfacePacket& s, const RTCRay16& view,
                                          const ShadowPacket& shadow, bool tachyon, DirectLight& direct) {
   for (int i = 0; i < kLanes; ++i) {
@@ -161,7 +174,8 @@ void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow) {
 void add_light(const WhittedLight& light, const SurfacePacket& surface, const RTCRay16& view, const ShadowPacket& shadow,
                bool tachyon, DirectLight& direct) {
   add_diffuse(light, shadow, direct);
-  if (surface.any_highlight) add_highlight(light, surface, view, shadow, tachyon, direct);
+  if (surface.any_highlight && highlight_shows(surface, view, shadow))
+    add_highlight(light, surface, view, shadow, tachyon, direct);
 }
 
 }  // namespace lippmann

@@ -64,45 +64,63 @@ DeviceTexture::Level halve(const DeviceTexture::Level& fine, bool tachyon) {
   return coarse;
 }
 
-/// Brings a coordinate of the first tile into [0, 1], so that texels are found without dividing.
-LIPPMANN_INLINE float folded(float t, Wrap mode) {
-  if (mode == Wrap::kRepeat) return t - std::floor(t);
-  if (mode == Wrap::kClamp) return std::clamp(t, 0.0f, 1.0f);
-  const float in_period = t - 2.0f * std::floor(0.5f * t);
-  return in_period > 1.0f ? 2.0f - in_period : in_period;
+/// One texture axis of one level. The wrap mode is folded into numbers, so that the same arithmetic, without branches and
+/// vectorised, serves all of them.
+struct Axis {
+  float size, period, inverse_period, fold;
+  int last, before, after;  ///< texel indices: the last one, the one left of 0, the one right of the last
+};
+
+LIPPMANN_INLINE Axis make_axis(int size, Wrap mode) {
+  const bool repeat = mode == Wrap::kRepeat, mirror = mode == Wrap::kMirror;
+  const float period = repeat ? 1.0f : mirror ? 2.0f : 0.0f;
+  return {static_cast<float>(size),  period,   period > 0.0f ? 1.0f / period : 0.0f,
+          mirror ? 2.0f : kInfinity, size - 1, repeat ? size - 1 : 0,
+          repeat ? 0 : size - 1};
 }
 
-/// The texel beside the border of a folded coordinate, -1 <= i <= size.
-LIPPMANN_INLINE int neighbour(int i, int size, Wrap mode) {
-  if (i < 0) return mode == Wrap::kRepeat ? size - 1 : 0;
-  if (i >= size) return mode == Wrap::kRepeat ? 0 : size - 1;
-  return i;
+/// The two texels around coordinate t and the weight of the second.
+struct Neighbours {
+  int first, second;
+  float blend;
+};
+
+LIPPMANN_INLINE Neighbours neighbours(float t, const Axis& axis) {
+  const float in_period = t - axis.period * std::floor(t * axis.inverse_period);
+  const float unfolded = std::min(in_period, axis.fold - in_period);
+  const float x = std::min(std::max(unfolded, 0.0f), 1.0f) * axis.size - 0.5f;
+  const int i = static_cast<int>(x + 1.0f) - 1;  // floor, for x >= -1
+  return {i < 0 ? axis.before : i, i >= axis.last ? axis.after : i + 1, x - static_cast<float>(i)};
 }
 
-LIPPMANN_INLINE Color bilinear(const DeviceTexture& texture, std::size_t level_index, Vec2f uv) {
+constexpr int kMaxProbes = 8;
+
+/// `count` bilinear lookups along a line in one level: first all texel offsets and weights (vectorised), then the texels.
+LIPPMANN_INLINE Color probe_line(const DeviceTexture& texture, std::size_t level_index, Vec2f uv, Vec2f line, int count) {
   const DeviceTexture::Level& level = texture.levels[level_index];
-  const float x = folded(uv.x, texture.wrap_u) * static_cast<float>(level.width) - 0.5f;
-  const float y = folded(uv.y, texture.wrap_v) * static_cast<float>(level.height) - 0.5f;
-  const int ix = static_cast<int>(x + 1.0f) - 1, iy = static_cast<int>(y + 1.0f) - 1;  // floor, for x >= -1
-  const float fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy);
-  const int x0 = neighbour(ix, level.width, texture.wrap_u), x1 = neighbour(ix + 1, level.width, texture.wrap_u);
-  const int y0 = neighbour(iy, level.height, texture.wrap_v), y1 = neighbour(iy + 1, level.height, texture.wrap_v);
-  const Color a = load(texel(level, x0, y0)), b = load(texel(level, x1, y0));
-  const Color c = load(texel(level, x0, y1)), d = load(texel(level, x1, y1));
-  const Color top = a + (b - a) * fx, bottom = c + (d - c) * fx;
-  return top + (bottom - top) * fy;
+  const Axis axis_u = make_axis(level.width, texture.wrap_u), axis_v = make_axis(level.height, texture.wrap_v);
+  const int width = level.width;
+  const float inverse = 1.0f / static_cast<float>(count);
+  std::int32_t offset[4][kMaxProbes];
+  float weight[4][kMaxProbes];
+  for (int k = 0; k < kMaxProbes; ++k) {
+    const float along = (static_cast<float>(k) + 0.5f) * inverse - 0.5f;
+    const Neighbours x = neighbours(uv.x + along * line.x, axis_u), y = neighbours(uv.y + along * line.y, axis_v);
+    offset[0][k] = y.first * width + x.first, offset[1][k] = y.first * width + x.second;
+    offset[2][k] = y.second * width + x.first, offset[3][k] = y.second * width + x.second;
+    const float lower = y.blend * inverse, upper = inverse - lower;
+    weight[0][k] = upper * (1.0f - x.blend), weight[1][k] = upper * x.blend;
+    weight[2][k] = lower * (1.0f - x.blend), weight[3][k] = lower * x.blend;
+  }
+  const std::uint16_t* texels = level.rgba.data();
+  Color sum{};
+  for (int k = 0; k < count; ++k)
+    for (int corner = 0; corner < 4; ++corner)
+      sum += load(texels + 4 * static_cast<std::ptrdiff_t>(offset[corner][k])) * weight[corner][k];
+  return sum;
 }
 
 LIPPMANN_INLINE Vec4f to_vec4(Color c) { return {c[0], c[1], c[2], c[3]}; }
-
-LIPPMANN_INLINE Color trilinear(const DeviceTexture& texture, Vec2f uv, float lod) {
-  const float clamped = std::clamp(lod, 0.0f, static_cast<float>(texture.levels.size() - 1));
-  const auto fine = static_cast<std::size_t>(clamped);
-  const float blend = clamped - static_cast<float>(fine);
-  const Color a = bilinear(texture, fine, uv);
-  if (blend == 0.0f) return a;
-  return a + (bilinear(texture, fine + 1, uv) - a) * blend;
-}
 
 // Tachyon interpolates over (resolution - 1) without wrapping.
 Vec3f tachyon_bilinear(const DeviceTexture::Level& level, float u, float v) {
@@ -130,25 +148,26 @@ DeviceTexture make_device_texture(const Texture& texture, bool tachyon) {
 }
 
 LIPPMANN_MULTIVERSION Vec4f sample_uv(const DeviceTexture& texture, Vec2f uv, Vec2f footprint_a, Vec2f footprint_b) {
-  constexpr int kMaxProbes = 8;
   if (!(std::abs(uv.x) < 1e6f && std::abs(uv.y) < 1e6f)) uv = Vec2f(0.0f);  // no fraction left to look up
+  const std::size_t last = texture.levels.size() - 1;
   const Vec2f size(texture.levels[0].width, texture.levels[0].height);
   float length_a = glm::length(footprint_a * size), length_b = glm::length(footprint_b * size);
   if (length_a < length_b) {
     std::swap(length_a, length_b);
     std::swap(footprint_a, footprint_b);
   }
-  if (!(length_a < 1e6f && length_b < 1e6f)) return to_vec4(bilinear(texture, texture.levels.size() - 1, uv));  // the mean
-  if (!(length_a > 1.0f)) return to_vec4(bilinear(texture, 0, uv));  // magnified, or no footprint
+  if (!(length_a < 1e6f && length_b < 1e6f)) return to_vec4(probe_line(texture, last, uv, Vec2f(0.0f), 1));  // the mean
+  if (!(length_a > 1.0f)) return to_vec4(probe_line(texture, 0, uv, Vec2f(0.0f), 1));  // magnified, or no footprint
   const float shortest = std::max({length_b, length_a / kMaxProbes, 1.0f});
-  float lod = std::log2(shortest);
   const int probes = std::clamp(static_cast<int>(std::ceil(length_a / shortest - 1e-3f)), 1, kMaxProbes);
-  // Many overlapping probes hide the step from level to level by themselves; then one level each does.
+  float lod = std::min(std::log2(shortest), static_cast<float>(last));
+  // Many overlapping probes hide the step from level to level by themselves; then one level does.
   if (probes >= 4) lod = std::floor(lod + 0.5f);
-  Color sum{};
-  for (int i = 0; i < probes; ++i)
-    sum += trilinear(texture, uv + footprint_a * ((static_cast<float>(i) + 0.5f) / static_cast<float>(probes) - 0.5f), lod);
-  return to_vec4(sum * (1.0f / static_cast<float>(probes)));
+  const auto fine = static_cast<std::size_t>(lod);
+  const float blend = lod - static_cast<float>(fine);
+  Color sum = probe_line(texture, fine, uv, footprint_a, probes);
+  if (blend > 0.0f) sum += (probe_line(texture, fine + 1, uv, footprint_a, probes) - sum) * blend;
+  return to_vec4(sum);
 }
 
 Vec3f sample_planar(const DeviceTexture& texture, const PlanarMapping& m, Vec3f point, float path_length) {
