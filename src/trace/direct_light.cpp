@@ -27,26 +27,32 @@ LIPPMANN_INLINE float fast_exp2(float x) {
   return std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23) * p;
 }
 
-struct LightAtPoint {
-  float lx, ly, lz, distance, strength;
+/// A light as numbers that stand for its cases, so that the loop over lanes has no branches: every factor is 0 or 1.
+struct AimedLight {
+  float x, y, z;        ///< position
+  float dx, dy, dz;     ///< towards a directional light, unit length
+  float at_place;       ///< 1: point or spot light at the position, 0: directional
+  float falls_off;      ///< 1: by the squared distance
+  float range, beyond;  ///< beyond: added to the shadow ray's length; infinite for directional lights
+  float has_cone, cos_outer, inverse_ramp;
 };
 
-LIPPMANN_INLINE LightAtPoint at_point(const WhittedLight& light, float px, float py, float pz, bool directional, bool spot) {
-  float lx = light.position.x - px, ly = light.position.y - py, lz = light.position.z - pz;
-  const float squared = lx * lx + ly * ly + lz * lz;
-  float distance = std::sqrt(squared);
-  const float inverse = 1.0f / std::max(distance, 1e-20f);
-  lx = directional ? -light.direction.x : lx * inverse;
-  ly = directional ? -light.direction.y : ly * inverse;
-  lz = directional ? -light.direction.z : lz * inverse;
-  float strength = (light.inverse_square & !directional) ? inverse * inverse : 1.0f;
-  strength = (distance <= light.range) | directional ? strength : 0.0f;
-  const float cosine = -(lx * light.direction.x + ly * light.direction.y + lz * light.direction.z);
-  const float ramp = (cosine - light.cos_outer) / std::max(light.cos_inner - light.cos_outer, 1e-6f);
-  const float cone = std::min(std::max(ramp, 0.0f), 1.0f);
-  strength *= spot ? cone * cone : 1.0f;
-  distance = directional ? kInfinity : distance;
-  return {lx, ly, lz, distance, strength};
+AimedLight aimed(const WhittedLight& light) {
+  const bool directional = light.kind == LightKind::kDirectional;
+  const float nothing = 0.0f;
+  return {light.position.x,
+          light.position.y,
+          light.position.z,
+          -light.direction.x,
+          -light.direction.y,
+          -light.direction.z,
+          directional ? nothing : 1.0f,
+          light.inverse_square && !directional ? 1.0f : nothing,
+          directional ? kInfinity : light.range,
+          directional ? kInfinity : nothing,
+          light.kind == LightKind::kSpot && !light.linear_cone ? 1.0f : nothing,
+          light.cos_outer,
+          1.0f / std::max(light.cos_inner - light.cos_outer, 1e-6f)};
 }
 
 /// Weakens by Tachyon's cone: linear in the angle. Apart from at_point, because it does not vectorise.
@@ -62,7 +68,7 @@ void dim_by_angle(const WhittedLight& light, ShadowPacket& shadow) {
 }
 
 LIPPMANN_MULTIVERSION void read_visibility(const ShadowContext& context, ShadowPacket& shadow) {
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const bool lit = (shadow.active.lane[i] != 0) & (shadow.rays.tfar[i] >= 0.0f);
     shadow.visibility[i] = lit ? context.transmittance[i] : 0.0f;
   }
@@ -70,27 +76,27 @@ LIPPMANN_MULTIVERSION void read_visibility(const ShadowContext& context, ShadowP
 
 LIPPMANN_MULTIVERSION int still_lit(const ShadowPacket& shadow, LaneMask& lit) {
   int any = 0;
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     lit.lane[i] = (shadow.active.lane[i] != 0) & (shadow.rays.tfar[i] >= 0.0f) ? -1 : 0;
     any |= lit.lane[i];
   }
   return any;
 }
 
-LIPPMANN_MULTIVERSION void add_diffuse(const WhittedLight& light, const ShadowPacket& shadow, DirectLight& direct) {
-  for (int i = 0; i < kLanes; ++i) {
+LIPPMANN_MULTIVERSION void add_diffuse(Vec3f light_color, const ShadowPacket& shadow, DirectLight& direct) {
+  LIPPMANN_FOR_LANES(i) {
     const float weight = shadow.cosine[i] * shadow.strength[i] * shadow.visibility[i];
     const float arriving = shadow.visibility[i] > 0.0f ? weight : 0.0f;
-    direct.diffuse.x[i] += light.color.x * arriving;
-    direct.diffuse.y[i] += light.color.y * arriving;
-    direct.diffuse.z[i] += light.color.z * arriving;
+    direct.diffuse.x[i] += light_color.x * arriving;
+    direct.diffuse.y[i] += light_color.y * arriving;
+    direct.diffuse.z[i] += light_color.z * arriving;
   }
 }
 
 /// Whether N.H passes the cutoff in any lit lane: without root, quotient or power, as most packets have no highlight.
 LIPPMANN_MULTIVERSION int highlight_shows(const SurfacePacket& s, const RTCRay16& view, const ShadowPacket& shadow) {
   int any = 0;
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const float hx = shadow.rays.dir_x[i] - view.dir_x[i], hy = shadow.rays.dir_y[i] - view.dir_y[i],
                 hz = shadow.rays.dir_z[i] - view.dir_z[i];
     const float along = s.normal.x[i] * hx + s.normal.y[i] * hy + s.normal.z[i] * hz;
@@ -100,45 +106,55 @@ LIPPMANN_MULTIVERSION int highlight_shows(const SurfacePacket& s, const RTCRay16
   return any;
 }
 
-LIPPMANN_MULTIVERSION void add_highlight(const WhittedLight& light, const SurfacePacket& s, const RTCRay16& view,
+LIPPMANN_MULTIVERSION void add_highlight(Vec3f light_color, const SurfacePacket& s, const RTCRay16& view,
                                          const ShadowPacket& shadow, bool tachyon, DirectLight& direct) {
-  for (int i = 0; i < kLanes; ++i) {
+  const float whole = tachyon ? 1.0f : 0.0f;
+  LIPPMANN_FOR_LANES(i) {
     const float hx = shadow.rays.dir_x[i] - view.dir_x[i], hy = shadow.rays.dir_y[i] - view.dir_y[i],
                 hz = shadow.rays.dir_z[i] - view.dir_z[i];
-    const float length = std::sqrt(std::max(hx * hx + hy * hy + hz * hz, 1e-20f));
+    const float length = std::sqrt(hx * hx + hy * hy + hz * hz) + 1e-20f;
     const float n_h = (s.normal.x[i] * hx + s.normal.y[i] * hy + s.normal.z[i] * hz) / length;
-    const bool shows = (shadow.visibility[i] > 0.0f) & (n_h > s.highlight_cutoff[i]);
     const float base = std::min(std::max(n_h, 1e-6f), 1.0f);
     const float lobe = s.highlight[i] * fast_exp2(s.highlight_size[i] * fast_log2(base));
-    const float dimmed = tachyon ? lobe : lobe * shadow.strength[i] * shadow.visibility[i];
-    const float arriving = shows ? dimmed : 0.0f;
-    const float white = tachyon ? s.highlight_tint[i] : 0.0f;
-    direct.highlight.x[i] += (light.color.x + white * (1.0f - light.color.x)) * arriving;
-    direct.highlight.y[i] += (light.color.y + white * (1.0f - light.color.y)) * arriving;
-    direct.highlight.z[i] += (light.color.z + white * (1.0f - light.color.z)) * arriving;
+    const float dimmed = shadow.strength[i] * shadow.visibility[i];
+    const float shows = (shadow.visibility[i] > 0.0f ? 1.0f : 0.0f) * (n_h > s.highlight_cutoff[i] ? 1.0f : 0.0f);
+    const float arriving = shows * lobe * (dimmed + whole * (1.0f - dimmed));
+    const float white = whole * s.highlight_tint[i];
+    direct.highlight.x[i] += (light_color.x + white * (1.0f - light_color.x)) * arriving;
+    direct.highlight.y[i] += (light_color.y + white * (1.0f - light_color.y)) * arriving;
+    direct.highlight.z[i] += (light_color.z + white * (1.0f - light_color.z)) * arriving;
   }
 }
 
-LIPPMANN_MULTIVERSION void aim(const WhittedLight& light, const SurfacePacket& s, float t_near, ShadowPacket& shadow) {
-  const bool directional = light.kind == LightKind::kDirectional, spot = light.kind == LightKind::kSpot && !light.linear_cone;
-  for (int i = 0; i < kLanes; ++i) {
-    const LightAtPoint l = at_point(light, s.position.x[i], s.position.y[i], s.position.z[i], directional, spot);
-    shadow.rays.org_x[i] = s.position.x[i], shadow.rays.org_y[i] = s.position.y[i], shadow.rays.org_z[i] = s.position.z[i];
-    shadow.rays.dir_x[i] = l.lx, shadow.rays.dir_y[i] = l.ly, shadow.rays.dir_z[i] = l.lz;
+LIPPMANN_MULTIVERSION void aim(const AimedLight l, const SurfacePacket& s, float t_near, ShadowPacket& shadow) {
+  const float bx = (1.0f - l.at_place) * l.dx, by = (1.0f - l.at_place) * l.dy, bz = (1.0f - l.at_place) * l.dz;
+  LIPPMANN_FOR_LANES(i) {
+    const float px = s.position.x[i], py = s.position.y[i], pz = s.position.z[i];
+    const float lx = l.at_place * (l.x - px) + bx, ly = l.at_place * (l.y - py) + by, lz = l.at_place * (l.z - pz) + bz;
+    const float distance = std::sqrt(lx * lx + ly * ly + lz * lz), inverse = 1.0f / (distance + 1e-20f);
+    const float ux = lx * inverse, uy = ly * inverse, uz = lz * inverse;
+    const float ramp = (ux * l.dx + uy * l.dy + uz * l.dz - l.cos_outer) * l.inverse_ramp;
+    const float cone = std::min(std::max(ramp, 0.0f), 1.0f);
+    const float reached = distance <= l.range ? 1.0f : 0.0f;
+    shadow.strength[i] =
+        reached * (1.0f + l.falls_off * (inverse * inverse - 1.0f)) * (1.0f + l.has_cone * (cone * cone - 1.0f));
+    shadow.cosine[i] = s.normal.x[i] * ux + s.normal.y[i] * uy + s.normal.z[i] * uz;
+    shadow.rays.org_x[i] = px, shadow.rays.org_y[i] = py, shadow.rays.org_z[i] = pz;
+    shadow.rays.dir_x[i] = ux, shadow.rays.dir_y[i] = uy, shadow.rays.dir_z[i] = uz;
     shadow.rays.tnear[i] = t_near;
-    shadow.rays.tfar[i] = l.distance;
+    shadow.rays.tfar[i] = distance + l.beyond;
+  }
+  LIPPMANN_FOR_LANES(i) {
     shadow.rays.time[i] = 0.0f;
     shadow.rays.mask[i] = ~0u;
     shadow.rays.id[i] = static_cast<unsigned>(i);
     shadow.rays.flags[i] = 0;
-    shadow.cosine[i] = s.normal.x[i] * l.lx + s.normal.y[i] * l.ly + s.normal.z[i] * l.lz;
-    shadow.strength[i] = l.strength;
   }
 }
 
 LIPPMANN_MULTIVERSION int choose_active(const SurfacePacket& s, float least_light, ShadowPacket& shadow) {
   int count = 0;
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const int active = (s.hit.lane[i] != 0) & (shadow.cosine[i] * shadow.strength[i] > least_light) ? -1 : 0;
     shadow.active.lane[i] = active;
     count -= active;
@@ -150,7 +166,7 @@ LIPPMANN_MULTIVERSION int choose_active(const SurfacePacket& s, float least_ligh
 
 int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float t_near, float least_light,
                  ShadowPacket& shadow) {
-  aim(light, surface, t_near, shadow);
+  aim(aimed(light), surface, t_near, shadow);
   if (light.kind == LightKind::kSpot && light.linear_cone) dim_by_angle(light, shadow);
   return choose_active(surface, least_light, shadow);
 }
@@ -173,9 +189,9 @@ void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow) {
 
 void add_light(const WhittedLight& light, const SurfacePacket& surface, const RTCRay16& view, const ShadowPacket& shadow,
                bool tachyon, DirectLight& direct) {
-  add_diffuse(light, shadow, direct);
+  add_diffuse(light.color, shadow, direct);
   if (surface.any_highlight && highlight_shows(surface, view, shadow))
-    add_highlight(light, surface, view, shadow, tachyon, direct);
+    add_highlight(light.color, surface, view, shadow, tachyon, direct);
 }
 
 }  // namespace lippmann

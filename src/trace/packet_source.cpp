@@ -22,7 +22,7 @@ int rows_in_strip(int strip, const StripOrder& order, int height) {
 /// Centres of 16 pixels in a row of a strip's order, and their indices.
 LIPPMANN_MULTIVERSION void center_lanes(const StripPixel* pixels, int top, int width, float* px, float* py,
                                         std::uint32_t* index) {
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const int x = pixels[i].x, y = top + pixels[i].y;
     px[i] = static_cast<float>(x) + 0.5f;
     py[i] = static_cast<float>(y) + 0.5f;
@@ -31,7 +31,7 @@ LIPPMANN_MULTIVERSION void center_lanes(const StripPixel* pixels, int top, int w
 }
 
 LIPPMANN_MULTIVERSION void set_range(float depth, Vec3f forward, RayPacket& rays) {
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     rays.tnear[i] = 0.0f;
     rays.tfar[i] = depth / (rays.dir_x[i] * forward.x + rays.dir_y[i] * forward.y + rays.dir_z[i] * forward.z);
   }

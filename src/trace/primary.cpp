@@ -7,7 +7,7 @@ namespace {
 
 LIPPMANN_MULTIVERSION void store(const RayHitPacket& packet, float* t, float* u, float* v, std::uint32_t* geometry,
                                  std::uint32_t* primitive) {
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const unsigned placed = packet.hit.instID[0][i];
     t[i] = packet.ray.tfar[i];
     u[i] = packet.hit.u[i], v[i] = packet.hit.v[i];

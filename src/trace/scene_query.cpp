@@ -5,7 +5,7 @@ namespace {
 
 LIPPMANN_MULTIVERSION void meet_light(const WhittedLight& light, unsigned id, const LaneMask& active, RayHitPacket& packet) {
   const WorldSphere ball{light.position.x, light.position.y, light.position.z, light.visible_radius};
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const LaneRay ray{packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i], packet.ray.dir_x[i],
                       packet.ray.dir_y[i], packet.ray.dir_z[i], packet.ray.tnear[i], packet.ray.tfar[i]};
     const float t = distance(ball, ray);
@@ -19,7 +19,7 @@ LIPPMANN_MULTIVERSION void meet_light(const WhittedLight& light, unsigned id, co
 }  // namespace
 
 LIPPMANN_MULTIVERSION void clear_hits(RayHitPacket& packet) {
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     packet.ray.time[i] = 0.0f;
     packet.ray.mask[i] = ~0u;
     packet.ray.id[i] = static_cast<unsigned>(i);

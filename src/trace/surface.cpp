@@ -12,7 +12,7 @@ unsigned record_id(const RayHitPacket& packet, int i) {
 }
 
 LIPPMANN_MULTIVERSION void meet_plane(const WorldPlane& plane, unsigned id, const LaneMask& active, RayHitPacket& packet) {
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const float t = distance(plane, lane_ray(packet.ray, i));
     const bool hit = (active.lane[i] != 0) & (t < kInfinity);
     packet.ray.tfar[i] = hit ? t : packet.ray.tfar[i];
@@ -23,7 +23,7 @@ LIPPMANN_MULTIVERSION void meet_plane(const WorldPlane& plane, unsigned id, cons
 /// Positions, unit-length geometric normals as far as Embree gave them, the mask of lanes that hit something.
 LIPPMANN_MULTIVERSION bool place_hits(const RayHitPacket& packet, const LaneMask& active, SurfacePacket& s) {
   int any = 0;
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const int hit = (active.lane[i] != 0) & (packet.hit.geomID[i] < kLightId) ? -1 : 0;
     s.hit.lane[i] = hit;
     any |= hit;
@@ -37,7 +37,7 @@ LIPPMANN_MULTIVERSION bool place_hits(const RayHitPacket& packet, const LaneMask
 
 /// Turns the shading normal to the side of the geometric normal that the ray came from, and makes it unit length.
 LIPPMANN_MULTIVERSION void face_ray(const RayHitPacket& packet, const Lanes3& geometric, SurfacePacket& s) {
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     const float dx = packet.ray.dir_x[i], dy = packet.ray.dir_y[i], dz = packet.ray.dir_z[i];
     const bool behind = geometric.x[i] * dx + geometric.y[i] * dy + geometric.z[i] * dz > 0.0f;
     const float nx = s.normal.x[i], ny = s.normal.y[i], nz = s.normal.z[i];
@@ -126,7 +126,7 @@ void set_material(const WhittedMaterial& m, int i, SurfacePacket& s) {
 }
 
 LIPPMANN_MULTIVERSION void set_material_of_all(const WhittedMaterial& m, SurfacePacket& s) {
-  for (int i = 0; i < kLanes; ++i) {
+  LIPPMANN_FOR_LANES(i) {
     s.color.x[i] = m.color.x, s.color.y[i] = m.color.y, s.color.z[i] = m.color.z;
     s.ambient.x[i] = m.ambient.x, s.ambient.y[i] = m.ambient.y, s.ambient.z[i] = m.ambient.z;
     s.emission.x[i] = m.emission.x, s.emission.y[i] = m.emission.y, s.emission.z[i] = m.emission.z;

@@ -13,16 +13,20 @@ int count_lanes(const LaneMask& mask) {
 
 /// color (ambient + diffuse light) + highlight + emission, weighted by opacity: what the surface itself sends towards the ray.
 /// Tachyon's is not weighted.
-LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLight& direct, bool tachyon, Lanes3& out) {
-  for (int i = 0; i < kLanes; ++i) {
-    const float tint = s.highlight_tint[i], weight = tachyon ? 1.0f : s.opacity[i];
-    const auto channel = [&](float color, float ambient, float diffuse, float highlight, float emission) {
-      return weight * (color * (ambient + s.diffuse[i] * diffuse) + highlight * (1.0f + tint * (color - 1.0f)) + emission);
-    };
-    out.x[i] = channel(s.color.x[i], s.ambient.x[i], direct.diffuse.x[i], direct.highlight.x[i], s.emission.x[i]);
-    out.y[i] = channel(s.color.y[i], s.ambient.y[i], direct.diffuse.y[i], direct.highlight.y[i], s.emission.y[i]);
-    out.z[i] = channel(s.color.z[i], s.ambient.z[i], direct.diffuse.z[i], direct.highlight.z[i], s.emission.z[i]);
+LIPPMANN_INLINE void radiance_channel(const SurfacePacket& s, const Lanes& color, const Lanes& ambient, const Lanes& emission,
+                                      const Lanes& diffuse, const Lanes& highlight, float whole, Lanes& out) {
+  LIPPMANN_FOR_LANES(i) {
+    const float weight = s.opacity[i] + whole * (1.0f - s.opacity[i]);
+    const float tint = 1.0f + s.highlight_tint[i] * (color[i] - 1.0f);
+    out[i] = weight * (color[i] * (ambient[i] + s.diffuse[i] * diffuse[i]) + highlight[i] * tint + emission[i]);
   }
+}
+
+LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLight& direct, bool tachyon, Lanes3& out) {
+  const float whole = tachyon ? 1.0f : 0.0f;
+  radiance_channel(s, s.color.x, s.ambient.x, s.emission.x, direct.diffuse.x, direct.highlight.x, whole, out.x);
+  radiance_channel(s, s.color.y, s.ambient.y, s.emission.y, direct.diffuse.y, direct.highlight.y, whole, out.y);
+  radiance_channel(s, s.color.z, s.ambient.z, s.emission.z, direct.diffuse.z, direct.highlight.z, whole, out.z);
 }
 
 /// Snell's law; total reflection gives the mirror direction. eta = n_from / n_to, normal towards the ray.
