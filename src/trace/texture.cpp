@@ -10,7 +10,8 @@ namespace {
 
 using Color = float __attribute__((vector_size(16)));  // R, G, B, A in one register
 using Word = std::int32_t __attribute__((vector_size(16)));
-using Code = std::uint16_t __attribute__((vector_size(8)));
+using Code = std::uint16_t __attribute__((vector_size(16)));
+using Pair = std::int64_t __attribute__((vector_size(16)));
 
 constexpr float kUnit = 1.0f / 65535.0f;
 
@@ -39,9 +40,11 @@ LIPPMANN_INLINE const std::uint16_t* texel(const DeviceTexture::Level& level, in
 }
 
 LIPPMANN_INLINE Color load(const std::uint16_t* rgba) {
-  Code code;
-  std::memcpy(&code, rgba, sizeof(code));
-  return __builtin_convertvector(__builtin_convertvector(code, Word), Color) * kUnit;
+  // Four codes interleaved with zeros are four 32-bit integers: two instructions on any x86-64.
+  Pair packed{};
+  std::memcpy(&packed, rgba, 8);
+  const auto words = __builtin_shuffle(reinterpret_cast<Code>(packed), Code{}, Code{0, 8, 1, 9, 2, 10, 3, 11});
+  return __builtin_convertvector(reinterpret_cast<Word>(words), Color) * kUnit;
 }
 
 /// Half the size. Odd sizes: the last column or row of the coarse level also covers the one left over. Tachyon leaves that one
@@ -158,8 +161,9 @@ LIPPMANN_MULTIVERSION Vec4f sample_uv(const DeviceTexture& texture, Vec2f uv, Ve
   }
   if (!(length_a < 1e6f && length_b < 1e6f)) return to_vec4(probe_line(texture, last, uv, Vec2f(0.0f), 1));  // the mean
   if (!(length_a > 1.0f)) return to_vec4(probe_line(texture, 0, uv, Vec2f(0.0f), 1));  // magnified, or no footprint
-  const float shortest = std::max({length_b, length_a / kMaxProbes, 1.0f});
-  const int probes = std::clamp(static_cast<int>(std::ceil(length_a / shortest - 1e-3f)), 1, kMaxProbes);
+  const float shortest = std::max({length_b, 0.75f * length_a / kMaxProbes, 1.0f});
+  // A probe's bilinear weights reach two texels: 4/3 of a texel apart they still cover the line without gaps.
+  const int probes = std::clamp(static_cast<int>(std::ceil(0.75f * length_a / shortest - 1e-3f)), 1, kMaxProbes);
   float lod = std::min(std::log2(shortest), static_cast<float>(last));
   // Many overlapping probes hide the step from level to level by themselves; then one level does.
   if (probes >= 4) lod = std::floor(lod + 0.5f);
