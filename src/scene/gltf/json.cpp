@@ -16,30 +16,67 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
   return fmt::format("line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'), before.size() - line_start + 1);
 }
 
+/// Reads through a document once, without keeping anything, and stops at the first thing that is wrong. (The library's own
+/// callback parser could check limits while it builds, but takes time quadratic in the length of an array.)
+class LimitCheck : public Json::json_sax_t {
+ public:
+  LimitCheck(std::string_view text, const GltfLimits& limits, const Report& report)
+      : text_(text), limits_(limits), report_(report) {}
+
+  bool null() override { return count_value(); }
+  bool boolean(bool) override { return count_value(); }
+  bool number_integer(number_integer_t) override { return count_value(); }
+  bool number_unsigned(number_unsigned_t) override { return count_value(); }
+  bool number_float(number_float_t, const string_t&) override { return count_value(); }
+  bool string(string_t&) override { return count_value(); }
+  bool binary(binary_t&) override { return count_value(); }
+  bool key(string_t&) override { return count_value(); }
+
+  bool start_object(std::size_t) override {
+    if (++objects_ > limits_.json_objects)
+      report_.fail("", "the JSON has too many objects", fmt::format("at most {}", limits_.json_objects));
+    return enter();
+  }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+
+  bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
+    if (dynamic_cast<const Json::out_of_range*>(&error)) report_.fail("", "the JSON has a number that is too large");
+    report_.fail("", "is neither a .glb nor valid JSON: " + line_and_column(text_, position > 0 ? position - 1 : 0));
+  }
+
+ private:
+  bool count_value() {
+    if (++values_ > limits_.json_values)
+      report_.fail("", "the JSON has too many values", fmt::format("at most {}", limits_.json_values));
+    return true;
+  }
+  bool enter() {
+    if (++depth_ > limits_.json_depth)
+      report_.fail("", "the JSON is nested too deep", fmt::format("at most {} levels", limits_.json_depth));
+    return count_value();
+  }
+  bool leave() {
+    --depth_;
+    return true;
+  }
+
+  std::string_view text_;
+  const GltfLimits& limits_;
+  const Report& report_;
+  std::uint64_t values_ = 0, objects_ = 0;
+  int depth_ = 0;
+};
+
 }  // namespace
 
 Json parse_json(std::string_view text, const GltfLimits& limits, const Report& report) {
-  std::uint64_t values = 0, objects = 0;
-  const auto within_limits = [&](int depth, Json::parse_event_t event, const Json&) {
-    if (depth >= limits.json_depth)
-      report.fail("", "the JSON is nested too deep", fmt::format("at most {} levels", limits.json_depth));
-    if (event == Json::parse_event_t::object_start && ++objects > limits.json_objects)
-      report.fail("", "the JSON has too many objects", fmt::format("at most {}", limits.json_objects));
-    if (event != Json::parse_event_t::object_end && event != Json::parse_event_t::array_end && ++values > limits.json_values)
-      report.fail("", "the JSON has too many values", fmt::format("at most {}", limits.json_values));
-    return true;
-  };
-  try {
-    Json root = Json::parse(text.begin(), text.end(), within_limits);
-    if (!root.is_object()) report.fail("", "the JSON is not an object");
-    return root;
-  } catch (const Json::parse_error& error) {
-    // byte counts from 1 and is 0 where the text ended too early for a position.
-    const std::size_t offset = error.byte > 0 ? error.byte - 1 : text.size();
-    report.fail("", "is neither a .glb nor valid JSON: " + line_and_column(text, offset));
-  } catch (const Json::exception&) {
-    report.fail("", "the JSON has a number that is too large");
-  }
+  LimitCheck check(text, limits, report);
+  Json::sax_parse(text.begin(), text.end(), &check);
+  Json root = Json::parse(text.begin(), text.end());
+  if (!root.is_object()) report.fail("", "the JSON is not an object");
+  return root;
 }
 
 }  // namespace lippmann::gltf

@@ -3,6 +3,7 @@
 #include "scene/gltf/light.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "scene/timeline.hpp"
@@ -29,15 +30,14 @@ Light read_light(const tinygltf::Light& from, const std::string& where, const Re
   return light;
 }
 
-/// The rotation part of a node's transform.
+/// The rotation that turns -z and y where a node's transform turns them; none where it leaves them no direction.
 Quatf orientation(const Affine3f& world_from_node) {
-  Mat3f axes = world_from_node.linear;
-  for (int i = 0; i < 3; ++i) {
-    const float length = glm::length(axes[i]);
-    if (!(length > 0.0f)) return {1.0f, 0.0f, 0.0f, 0.0f};
-    axes[i] /= length;
-  }
-  return glm::normalize(glm::quat_cast(axes));
+  const Vec3f z = world_from_node.linear[2], x = glm::cross(world_from_node.linear[1], z);
+  const float z_length = glm::length(z), x_length = glm::length(x);
+  if (!(z_length > 0.0f && x_length > 0.0f && std::isfinite(z_length) && std::isfinite(x_length)))
+    return {1.0f, 0.0f, 0.0f, 0.0f};
+  const Vec3f unit_z = z / z_length, unit_x = x / x_length;
+  return glm::normalize(glm::quat_cast(Mat3f(unit_x, glm::cross(unit_z, unit_x), unit_z)));
 }
 
 bool has_lit_surface(const Scene& scene) {

@@ -90,6 +90,8 @@ void pose_at_rest(Document& document, PrimitiveId id, int skin, const NodeMap& n
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Affine3f world_from_vertex = blend(sets, i, transforms);
     mesh.positions[i] = transform_point(world_from_vertex, mesh.positions[i]);
+    if (!std::isfinite(glm::dot(mesh.positions[i], Vec3f(1.0f))))
+      document.report.fail(element(id), fmt::format("vertex {} is posed infinitely far away", i));
     if (!mesh.normals.empty()) mesh.normals[i] = unit_or(transform_normal(world_from_vertex, mesh.normals[i]), mesh.normals[i]);
   }
 }

@@ -188,6 +188,15 @@ TEST(GltfSkin, weights_are_scaled_to_a_sum_of_one) {
   expect_near(mesh.positions[2], {10, 1, 0});  // no weight at all: the first joint
 }
 
+TEST(GltfSkin, pose_that_is_not_finite_is_an_error) {
+  GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
+  b.root["nodes"][1]["scale"] = {3e38, 1, 1};
+  b.root["nodes"][1]["translation"] = {3e38, 0, 0};
+  b.root["nodes"][1]["rotation"] = {0, 0, 1, 0};
+  b.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = b.add_accessor(std::vector<Vec3f>(3, Vec3f(-2, 0, 0)));
+  EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[0]: vertex 0 is posed infinitely far away");
+}
+
 TEST(GltfSkin, joint_beyond_the_skin_is_an_error) {
   GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
   b.root["skins"][0]["joints"] = {1};
