@@ -54,8 +54,7 @@ class AnimationReader {
     else if (channel.target_path == "rotation")
       read_rotations(sampler, where, target.rotation);
     else
-      report_.fail(where + ".target.path", fmt::format("is \"{}\"", printable(channel.target_path)),
-                   "translation, rotation, scale, weights");
+      report_.fail(where + ".target.path", "is " + shown(channel.target_path), "translation, rotation, scale, weights");
   }
 
   NodeAnimation& animation_of(int node) {
@@ -114,10 +113,10 @@ void name_the_others(Document& document) {
   constexpr std::size_t kMost = 10;
   std::string others;
   for (std::size_t i = 1; i < std::min(all.size(), kMost + 1); ++i)
-    others += fmt::format("{}\"{}\"", i > 1 ? ", " : "", printable(all[i].name));
+    others += fmt::format("{}{}", i > 1 ? ", " : "", shown(all[i].name));
   if (all.size() > kMost + 1) others += ", ...";
-  document.report.warn(fmt::format("of {} animations only the first, \"{}\", is read; left out: {}", all.size(),
-                                   printable(all[0].name), others));
+  document.report.warn(
+      fmt::format("of {} animations only the first, {}, is read; left out: {}", all.size(), shown(all[0].name), others));
 }
 
 }  // namespace

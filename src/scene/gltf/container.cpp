@@ -65,7 +65,7 @@ Container split_container(Bytes contents, Report& report) {
 
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t limit, std::string_view element,
                                  const Report& report) {
-  const std::string name = element.empty() ? std::string("the file") : printable(path.filename().string());
+  const std::string name = element.empty() ? std::string("the file") : shown(path.filename().string());
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) report.fail(element, name + " does not exist");

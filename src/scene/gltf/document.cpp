@@ -36,7 +36,7 @@ void check_version(const Json& root, const Report& report) {
   const Json::json_pointer version("/asset/version"), min_version("/asset/minVersion");
   if (!root.contains(version) || !root.at(version).is_string()) report.fail("asset.version", "is missing", "2.0");
   const std::string& text = root.at(version).get_ref<const std::string&>();
-  if (!text.starts_with("2.")) report.fail("asset.version", fmt::format("is \"{}\"", printable(text)), "2.0");
+  if (!text.starts_with("2.")) report.fail("asset.version", "is " + shown(text), "2.0");
   if (root.contains(min_version) && root.at(min_version) != "2.0") report.fail("asset.minVersion", "is not 2.0", "2.0");
 }
 

@@ -6,23 +6,18 @@
 
 namespace lippmann::gltf {
 
-std::string printable(std::string_view text) {
-  constexpr std::size_t kLongest = 80;
-  std::string result(text.substr(0, kLongest));
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  if (text.size() > kLongest) result += "...";
-  return result;
-}
-
 std::string element(std::string_view array, std::size_t index) { return fmt::format("{}[{}]", array, index); }
 
 std::string element(std::string_view array, std::size_t index, std::string_view sub_array, std::size_t sub_index) {
   return fmt::format("{}[{}].{}[{}]", array, index, sub_array, sub_index);
 }
 
+std::string Report::where(std::string_view element) const {
+  return element.empty() ? file_ : fmt::format("{}: {}", file_, element);
+}
+
 void Report::fail(std::string_view element, const std::string& problem, const std::string& accepted) const {
-  throw Error(element.empty() ? file_ : fmt::format("{}: {}", file_, element), problem, accepted);
+  throw Error(where(element), problem, accepted);
 }
 
 void Report::warn(const std::string& text) {

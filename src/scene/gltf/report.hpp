@@ -6,11 +6,9 @@
 #include <string_view>
 
 #include "core/context.hpp"
+#include "core/printable.hpp"
 
 namespace lippmann::gltf {
-
-/// A string of the file made fit for a message: control characters replaced, cut after 80 bytes.
-std::string printable(std::string_view text);
 
 /// "meshes[3]", "meshes[3].primitives[0]".
 std::string element(std::string_view array, std::size_t index);
@@ -21,7 +19,10 @@ class Report {
  public:
   Report(std::string file, const Context& context) : file_(std::move(file)), context_(context) {}
 
-  /// Throws Error at "file: element".
+  /// "file: element", or the file alone.
+  std::string where(std::string_view element) const;
+
+  /// Throws Error there.
   [[noreturn]] void fail(std::string_view element, const std::string& problem, const std::string& accepted = {}) const;
 
   /// Warns about the file as a whole; the same text is said once.

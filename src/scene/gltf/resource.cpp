@@ -1,13 +1,12 @@
 // Based on: RFC 2397 (data URIs), RFC 3986 section 2.1 (percent-encoding), RFC 4648 section 4 (base 64).
 #include "scene/gltf/resource.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <system_error>
 
 #include "scene/gltf/container.hpp"
+#include "scene/side_file.hpp"
 
 namespace lippmann::gltf {
 namespace {
@@ -70,35 +69,15 @@ std::vector<std::byte> decode_data_uri(std::string_view uri, std::string_view el
   return std::move(*bytes);
 }
 
-bool below(const fs::path& folder, const fs::path& path) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-}
-
-/// The file's real place. Names are judged before links are followed, so that what is refused does not depend on the disk.
-fs::path locate(std::string_view uri, const fs::path& folder, std::string_view element, const Report& report) {
-  const std::string name = percent_decode(uri);
-  const fs::path relative(name);
-  const bool leaves = relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end();
-  const bool foreign = name.find('\0') != std::string::npos || name.find("://") != std::string::npos;
-  if (name.empty() || leaves || foreign)
-    report.fail(element, "refers to " + printable(name), "a file in the scene's own folder or below it");
-  std::error_code error;
-  const fs::path home = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
-  if (error) report.fail(element, "the scene's folder does not exist");
-  const fs::path real = fs::canonical(home / relative, error);
-  if (error) report.fail(element, printable(name) + " does not exist");
-  if (!below(home, real))
-    report.fail(element, printable(name) + " is a link that leads out of the scene's folder",
-                "a file in the scene's own folder or below it");
-  return real;
-}
-
 }  // namespace
 
 std::vector<std::byte> fetch(std::string_view uri, const fs::path& folder, std::uint64_t limit, std::string_view element,
                              const Report& report) {
   if (uri.starts_with("data:")) return decode_data_uri(uri, element, report);
-  return read_file(locate(uri, folder, element, report), limit, element, report);
+  const std::string name = percent_decode(uri);
+  if (name.find("://") != std::string::npos)
+    report.fail(element, shown(name) + " is an address in the net", "a file in the scene's own folder or below it");
+  return read_file(side_file(folder, name, report.where(element)), limit, element, report);
 }
 
 }  // namespace lippmann::gltf

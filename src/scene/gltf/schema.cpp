@@ -366,7 +366,7 @@ class Checker {
     std::string accepted;
     for (const char c : property.choices.substr(1, property.choices.size() - 2))
       accepted += c == '|' ? ", " : std::string(1, c);
-    fail(path, fmt::format("is \"{}\"", printable(text)), accepted);
+    fail(path, "is " + shown(text), accepted);
   }
 
   void check_number(const Json& value, const Property& property, const Path& path) const {

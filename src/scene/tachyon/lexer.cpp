@@ -45,13 +45,6 @@ std::string upper(std::string_view word) {
   return result;
 }
 
-std::string shown(std::string_view word) {
-  constexpr std::size_t kLongest = 60;
-  std::string text = "'";
-  for (const char c : word.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (word.size() > kLongest ? "...'" : "'");
-}
-
 void Lexer::skip_blanks() {
   for (; position_ < text_.size(); ++position_) {
     const char c = text_[position_];

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/math.hpp"
+#include "core/printable.hpp"
 
 namespace lippmann::tachyon {
 
@@ -66,8 +67,5 @@ bool is_keyword(std::string_view word, std::string_view keyword);
 
 /// ASCII letters in upper case.
 std::string upper(std::string_view word);
-
-/// A word of a file as it may stand in a message: shortened, without control characters.
-std::string shown(std::string_view word);
 
 }  // namespace lippmann::tachyon

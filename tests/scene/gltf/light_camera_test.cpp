@@ -84,7 +84,7 @@ TEST(GltfLight, unknown_type_is_an_error) {
   EXPECT_THAT(error_message([] {
                 light_of({{"type", "area"}});
               }),
-              HasSubstr("extensions.KHR_lights_punctual.lights[0].type: is \"area\"; accepted: directional, point, spot"));
+              HasSubstr("extensions.KHR_lights_punctual.lights[0].type: is 'area'; accepted: directional, point, spot"));
 }
 
 // ---- Scenes without lights ------------------------------------------------------------------------------------------

@@ -336,7 +336,7 @@ TEST(GltfAnimation, two_channels_for_one_quantity_are_an_error) {
 
 TEST(GltfAnimation, unknown_path_is_an_error) {
   EXPECT_EQ(message_of(animated<Vec3f>("wobble", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}})),
-            "a.glb: animations[0].channels[0].target.path: is \"wobble\"; accepted: translation, rotation, scale, weights");
+            "a.glb: animations[0].channels[0].target.path: is 'wobble'; accepted: translation, rotation, scale, weights");
 }
 
 TEST(GltfAnimation, only_the_first_is_read_and_the_others_are_named) {
@@ -345,7 +345,7 @@ TEST(GltfAnimation, only_the_first_is_read_and_the_others_are_named) {
   b.add("animations", {{"name", "Run"}, {"channels", Json::array()}, {"samplers", Json::array()}});
   std::vector<std::string> warnings;
   EXPECT_EQ(parse(b, &warnings).timeline.frame_count, 25);
-  EXPECT_THAT(warnings, Contains("a.glb: of 2 animations only the first, \"Walk\", is read; left out: \"Run\""));
+  EXPECT_THAT(warnings, Contains("a.glb: of 2 animations only the first, 'Walk', is read; left out: 'Run'"));
 }
 
 TEST(GltfAnimation, of_a_node_outside_the_scene_is_ignored) {

@@ -1,0 +1,41 @@
+#include "core/printable.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+namespace lippmann {
+namespace {
+
+/// The bytes of the character that the text begins with; 0 if it is a control character or not UTF-8.
+std::size_t character_bytes(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+  if (byte(0) < 0x80) return byte(0) < 0x20 || byte(0) == 0x7f ? 0 : 1;
+  const std::size_t length = byte(0) >= 0xf0 && byte(0) <= 0xf4  ? 4
+                             : byte(0) >= 0xe0 && byte(0) < 0xf0 ? 3
+                             : byte(0) >= 0xc2 && byte(0) < 0xe0 ? 2
+                                                                 : 0;
+  if (length == 0 || length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool is_control = byte(0) == 0xc2 && byte(1) < 0xa0;  // U+0080 to U+009F
+  return is_control ? 0 : length;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  constexpr int kLongest = 60;
+  std::string result;
+  for (int count = 0; !text.empty(); ++count) {
+    if (count == kLongest) return result + "...";
+    const std::size_t bytes = character_bytes(text);
+    result += bytes ? text.substr(0, bytes) : "?";
+    text.remove_prefix(bytes ? bytes : 1);
+  }
+  return result;
+}
+
+std::string shown(std::string_view text) { return fmt::format("'{}'", printable(text)); }
+
+}  // namespace lippmann

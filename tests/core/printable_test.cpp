@@ -1,0 +1,30 @@
+#include "core/printable.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lippmann {
+namespace {
+
+TEST(Printable, letters_of_any_language_stay) { EXPECT_EQ(printable("Ünï 歩く 🦊"), "Ünï 歩く 🦊"); }
+
+TEST(Printable, control_characters_become_question_marks) {
+  EXPECT_EQ(printable("\x1b[31m\n\x7f"), "?[31m??");
+  EXPECT_EQ(printable("\xc2\x9b"), "??");  // U+009B begins a terminal's escape sequence, as ESC [ does
+}
+
+TEST(Printable, bytes_that_are_not_utf8_become_question_marks) {
+  EXPECT_EQ(printable("a\xff\xc0\xaf z"), "a??? z");
+  EXPECT_EQ(printable("cut \xe6\xad"), "cut ??");
+}
+
+TEST(Printable, text_beyond_60_characters_is_cut_between_characters) {
+  std::string sixty, more;
+  for (int i = 0; i < 60; ++i) sixty += "é";
+  EXPECT_EQ(printable(sixty), sixty);
+  EXPECT_EQ(printable(sixty + "é"), sixty + "...");
+}
+
+TEST(Printable, shown_has_quotes) { EXPECT_EQ(shown("a"), "'a'"); }
+
+}  // namespace
+}  // namespace lippmann
