@@ -1,0 +1,66 @@
+// `lippmann compare` from outside: what it prints where, and how it refuses.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "image/png.hpp"
+#include "support/pictures.hpp"
+#include "tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// a/ and b/, two frames each: the first equal, the second not.
+void make_folders(const TempDir& dir) {
+  for (const char* folder : {"a", "b"}) {
+    std::filesystem::create_directory(dir / folder);
+    write_png(dir / folder / "frame_0000.png", smooth_codes(32, 24));
+  }
+  write_png(dir / "a/frame_0001.png", smooth_codes(32, 24));
+  write_png(dir / "b/frame_0001.png", smooth_codes(32, 24, 0.1));
+}
+
+TEST(CompareCommand, json_is_all_there_is_on_stdout) {
+  const TempDir dir;
+  make_folders(dir);
+  const RunResult result = run_tool(dir, {"compare", "a", "b", "--json"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["frames"].size(), 2u);
+  EXPECT_TRUE(json["frames"][0]["psnr_db"].is_null());
+  EXPECT_EQ(json["mean"]["psnr_db"], json["frames"][1]["psnr_db"]);
+  EXPECT_EQ(json["identical"], false);
+}
+
+TEST(CompareCommand, table_has_a_line_per_frame_between_titles_and_mean) {
+  const TempDir dir;
+  make_folders(dir);
+  const RunResult result = run_tool(dir, {"compare", "a", "b"});
+  EXPECT_EQ(lines_of(result.out), 4u);
+  EXPECT_THAT(result.out, HasSubstr("\nmean "));
+}
+
+TEST(CompareCommand, csv_is_written_beside) {
+  const TempDir dir;
+  make_folders(dir);
+  EXPECT_EQ(run_tool(dir, {"compare", "a", "b", "--csv", "c.csv"}).exit_code, 0);
+  EXPECT_EQ(lines_of(bytes_of(dir / "c.csv")), 3u);
+}
+
+TEST(CompareCommand, what_cannot_be_done_is_one_message) {
+  const TempDir dir;
+  make_folders(dir);
+  std::filesystem::remove(dir / "b/frame_0001.png");
+  expect_refusal(run_tool(dir, {"compare", "a", "b"}), 1, "b: has no frame frame_0001");
+  expect_refusal(run_tool(dir, {"compare", "a", "c"}), 1, "c: there is no such file or folder");
+  expect_refusal(run_tool(dir, {"compare", "a", "a", "--csv", "none/c.csv"}), 1, "none/c.csv");
+  expect_refusal(run_tool(dir, {"compare", "a"}), 2, "TEST is required");
+}
+
+}  // namespace
+}  // namespace lippmann::test
