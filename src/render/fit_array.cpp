@@ -13,6 +13,7 @@ namespace {
 constexpr float kNearestPlane = 0.05f;  // diagonals of the scene
 constexpr float kDefaultFov = radians(45.0f);
 constexpr float kDefaultMargin = 1.1f;  ///< what the default camera sees, over what there is to see
+constexpr float kDefaultYaw = radians(25.0f), kDefaultPitch = radians(15.0f);  ///< of the default camera, to the right and up
 
 /// The rotation, place and one scale of a node's transform.
 Affine3f similarity(const Affine3f& a) {
@@ -76,19 +77,33 @@ FittedArray half_way_through(const Camera& camera, const Bounds3f& seen) {
   return array;
 }
 
-/// The viewer stands so far in front of the scene's centre that its nearest face fits into the picture.
-FittedArray without_camera(const Bounds3f& bounds, float aspect) {
+/// Bounds along the axes of a frame of all that the animation shows, at up to 32 of its frames.
+Bounds3f bounds_over_animation(const Scene& scene, const Affine3f& frame_from_world) {
+  constexpr int kSampledFrames = 32;
+  Bounds3f bounds;
+  const int step = std::max(1, scene.timeline.frame_count / kSampledFrames);
+  for (int frame = 0; frame < scene.timeline.frame_count; frame += step)
+    bounds.add(finite_bounds(scene, evaluate(scene, scene.timeline.time(frame)), frame_from_world));
+  return bounds;
+}
+
+/// From the front, a little from above and from the right, so that depth shows; so far away that the nearest face of all that
+/// ever is in the scene fits into the picture.
+FittedArray without_camera(const Scene& scene, float aspect) {
   FittedArray array;
   array.origin = FittedArray::Origin::kBounds;
+  const Mat3f view =
+      glm::mat3_cast(glm::angleAxis(kDefaultYaw, Vec3f(0, 1, 0)) * glm::angleAxis(-kDefaultPitch, Vec3f(1, 0, 0)));
+  const Bounds3f bounds = bounds_over_animation(scene, {glm::transpose(view), Vec3f(0.0f)});
   const Vec3f size = bounds.empty() ? Vec3f(1.0f) : bounds.size();
   const float face_height = kDefaultMargin * std::max(size.y, size.x / aspect);
   const float tangent = std::tan(0.5f * kDefaultFov);
   const float distance = 0.5f * size.z + 0.5f * (face_height > 0.0f ? face_height : std::max(size.z, 1.0f)) / tangent;
   place_before_camera(array, distance, kDefaultFov);
-  array.node_from_plane.translation = bounds.empty() ? Vec3f(0.0f) : bounds.center();
+  array.node_from_plane = {view, bounds.empty() ? Vec3f(0.0f) : view * bounds.center()};
   array.how = fmt::format(
-      "The scene has no camera: the array stands upright through its centre and is viewed along -z from "
-      "{:.4g} units away.",
+      "The scene has no camera: the array goes through its middle and is viewed from {:.4g} units away, a "
+      "little from above and from the right.",
       distance);
   return array;
 }
@@ -104,7 +119,7 @@ void measure_depth(FittedArray& array, const Scene& scene, const ResolvedScene& 
 
 FittedArray place(const Scene& scene, const ResolvedScene& resolved, float aspect) {
   if (scene.display) return as_placed(*scene.display);
-  if (scene.cameras.empty()) return without_camera(finite_bounds(scene, resolved), aspect);
+  if (scene.cameras.empty()) return without_camera(scene, aspect);
   const Camera& camera = scene.cameras.front();
   if (camera.focus_distance > 0.0f) return at_focus(camera);
   return half_way_through(camera, finite_bounds(scene, resolved, inverse(similarity(resolved.of(camera.node)))));

@@ -2,7 +2,8 @@
 //
 // Fitted to the first camera: the array's plane is square to its view, at its focus distance or, where it has none, half way
 // through what lies in front of it; as high as what the camera sees there, and viewed from where the camera is, so that the
-// central directional view is the camera's own picture. Without a camera: to one that sees all of the scene from the front.
+// central directional view is the camera's own picture. Without a camera: to one that sees all of the animation, from the front
+// and a little from above and the right.
 // The fit is made once, at frame 0; after that the array moves rigidly with the camera's (or display's) node, so that it
 // neither grows nor breathes.
 //

@@ -134,22 +134,52 @@ TEST(FitArray, scene_behind_the_camera_keeps_a_twentieth_of_its_size) {
   EXPECT_LE(array.depth_front, array.viewing_distance);
 }
 
-TEST(FitArray, scene_without_a_camera_is_seen_whole_from_the_front) {
+/// How far from the middle of the picture the corners of a box are seen, at most; 1: at its edge.
+Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
+  const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
+  Vec2f extent(0.0f);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3f world(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
+    const Vec3f p = transform_point(plane_from_world, world);
+    const float shrink = array.viewing_distance / (array.viewing_distance - p.z);  // to the plane, as seen by the viewer
+    extent = glm::max(extent, glm::abs(Vec2f(p.x / aspect, p.y)) * shrink / (0.5f * array.plane_height));
+  }
+  return extent;
+}
+
+TEST(FitArray, scene_without_a_camera_is_seen_whole_from_front_above_and_right) {
+  const Vec3f lower(-1, 2, -3), upper(3, 5, 7);
   Scene scene;
-  add_box(scene, {-1, 2, -3}, {3, 5, 7});  // 4 x 3 x 10, centre (1, 3.5, 2)
+  add_box(scene, lower, upper);
+  for (const float aspect : {1.0f, 2.0f}) {
+    const FittedArray array = fit_array(scene, aspect);
+    EXPECT_EQ(array.origin, FittedArray::Origin::kBounds);
+    EXPECT_EQ(array.node, -1);
+    const Affine3f plane = plane_in_world(scene, array);
+    expect_near(plane.translation, {1, 3.5f, 2});
+    const Vec3f towards_viewer = transform_vector(plane, {0, 0, 1});
+    EXPECT_GT(towards_viewer.z, 0.8f);
+    EXPECT_GT(towards_viewer.y, 0.1f);
+    EXPECT_GT(towards_viewer.x, 0.1f);
+    EXPECT_NEAR(transform_vector(plane, {1, 0, 0}).y, 0.0f, kRounding) << "upright";
+    EXPECT_NEAR(2.0f * std::atan(0.5f * array.plane_height / array.viewing_distance), radians(45.0f), kRounding);
+    const Vec2f extent = seen_extent(scene, array, aspect, lower, upper);
+    EXPECT_LE(std::max(extent.x, extent.y), 1.0f);
+    EXPECT_GE(std::max(extent.x, extent.y), 0.6f) << "and fills the picture";
+  }
+}
+
+TEST(FitArray, scene_without_a_camera_is_seen_whole_all_through_its_animation) {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {1, 1, 1});
+  scene.timeline.frame_count = 26;  // one second
+  NodeAnimation rise;
+  rise.node = scene.instances[0].node = add_node(scene, {});
+  rise.translation = {{0.0, 1.0}, {Vec3f(0.0f), Vec3f(0.0f, 4.0f, 0.0f)}, Interpolation::kLinear};
+  scene.timeline.animations.push_back(rise);
   const FittedArray array = fit_array(scene);
-  EXPECT_EQ(array.origin, FittedArray::Origin::kBounds);
-  EXPECT_EQ(array.node, -1);
-  const Affine3f plane = plane_in_world(scene, array);
-  expect_near(plane.translation, {1, 3.5f, 2});
-  expect_near(transform_vector(plane, {0, 0, 1}), {0, 0, 1});
-  // The camera's angle is 45 degrees, and the front face, 5 in front of the plane, is 1/1.1 of what it sees there.
-  EXPECT_NEAR(2.0f * std::atan(0.5f * array.plane_height / array.viewing_distance), radians(45.0f), kRounding);
-  const float seen_at_front = array.plane_height * (array.viewing_distance - 5.0f) / array.viewing_distance;
-  EXPECT_NEAR(seen_at_front, 1.1f * 4.0f, 1e-4f);
-  // In a picture twice as wide as high the height decides: 4 / 2 < 3.
-  const FittedArray wide = fit_array(scene, 2.0f);
-  EXPECT_NEAR(wide.plane_height * (wide.viewing_distance - 5.0f) / wide.viewing_distance, 1.1f * 3.0f, 1e-4f);
+  const Vec2f extent = seen_extent(scene, array, 1.0f, {0, 0, 0}, {1, 5, 1});
+  EXPECT_LE(std::max(extent.x, extent.y), 1.0f);
 }
 
 TEST(FitArray, scene_with_nothing_finite_still_gets_an_array) {
