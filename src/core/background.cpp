@@ -95,16 +95,16 @@ BackgroundQueue::~BackgroundQueue() {
 }
 
 void BackgroundQueue::submit(std::function<void()> work, std::function<void()> in_order) {
-  {
-    std::unique_lock lock(impl_->mutex);
-    impl_->changed.wait(lock, [&] { return impl_->failed || impl_->existing < impl_->capacity; });
-    if (!impl_->failed) {
-      ++impl_->existing;
-      impl_->waiting.push_back({impl_->submitted++, std::move(work), std::move(in_order)});
-    }
+  std::unique_lock lock(impl_->mutex);
+  impl_->changed.wait(lock, [&] { return impl_->failed || impl_->existing < impl_->capacity; });
+  const bool accepted = !impl_->failed;
+  if (accepted) {
+    ++impl_->existing;
+    impl_->waiting.push_back({impl_->submitted++, std::move(work), std::move(in_order)});
   }
+  lock.unlock();
   impl_->changed.notify_all();
-  impl_->rethrow_failure();
+  if (!accepted) impl_->rethrow_failure();
 }
 
 void BackgroundQueue::finish() {

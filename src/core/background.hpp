@@ -22,7 +22,7 @@ class BackgroundQueue {
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
 
-  /// Waits while `capacity` pieces exist, then queues this one.
+  /// Waits while `capacity` pieces exist, then queues this one; its own failure is reported by a later call.
   void submit(std::function<void()> work, std::function<void()> in_order = {});
 
   /// Waits until every piece has ended.
