@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -35,21 +36,31 @@ std::string frame_line(const FrameReport& frame) {
                      static_cast<double>(frame.rays.total()) * 1e-6);
 }
 
+bool has_lenses(const RenderParams& params) {
+  return params.optics == OpticsKind::kLenticular || params.optics == OpticsKind::kMicrolens;
+}
+
+/// What was made, where it is, and how to look at it.
 void print_summary(const RenderReport& report, const fs::path& folder, int kept) {
+  const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
   for (const FrameReport& frame : report.frames) seconds += frame.seconds, rays += static_cast<double>(frame.rays.total());
-  fmt::print("{}{} frames of {}: {:.1f} s of rendering, {:.1f} million rays/s", report.interrupted ? "Stopped after " : "",
-             report.frames.size(), describe_optics(report.optics), seconds, rays * 1e-6 / std::max(seconds, 1e-9));
-  if (kept > 0) fmt::print(" ({} kept from before)", kept);
-  fmt::print("\n");
-  if (report.frames.empty()) return;
-  fmt::print("  pictures  {}\n", picture_path(folder, report.frames.front().frame, report.params.format).string());
-  if (report.frames.size() > 1)
-    fmt::print("       ...  {}\n", picture_path(folder, report.frames.back().frame, report.params.format).string());
-  for (const std::string& video : report.params.video)
-    if (!report.interrupted) fmt::print("  video     {}\n", video);
-  fmt::print("  figures   {}\n", (folder / "report.json").string());
-  fmt::print("  again     lippmann render {}{}\n", (folder / "job.toml").string(), report.interrupted ? " --resume" : "");
+  fmt::print("{}{} frame{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "",
+             frames, frames == 1 ? "" : "s", describe_optics(report.optics), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
+             kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
+  const auto line = [](std::string_view name, const std::string& value) { fmt::print("  {:<9} {}\n", name, value); };
+  if (frames > 0) {
+    const auto path = [&](const FrameReport& frame) {
+      return picture_path(folder, frame.frame, report.params.format).string();
+    };
+    line("pictures", path(report.frames.front()) + (frames > 1 ? " ... " + path(report.frames.back()) : ""));
+    for (const std::string& video : report.params.video)
+      if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
+    if (has_lenses(report.params)) line("one view", "lippmann render with --optics single shows what one eye sees");
+  }
+  line("figures", (folder / "report.json").string());
+  line(report.interrupted ? "go on" : "again",
+       "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));
 }
 
 int run(const Options& options, Context& context) {

@@ -35,6 +35,17 @@ TEST(Render, stderr_that_is_no_terminal_gets_one_line_per_frame) {
   EXPECT_THAT(result.err, Not(HasSubstr("\r")));
 }
 
+TEST(Render, stderr_that_is_a_terminal_gets_a_bar_with_the_time_left) {
+  const TempDir dir;
+  std::string command;
+  for (const std::string& word : tool_command(small_teapot("0-3", "out"))) command += "'" + word + "' ";
+  const RunResult result = run({"script", "--quiet", "--return", "--command", command, "/dev/null"}, {dir.path().string(), 0});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("\r[################################] 4/4"));
+  EXPECT_THAT(result.out, HasSubstr("0:00 left"));
+  EXPECT_THAT(result.out, Not(HasSubstr("frame 3: ")));
+}
+
 TEST(Render, json_is_the_report_and_nothing_else) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("3-4", "out") + Words{"--json"});
