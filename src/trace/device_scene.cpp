@@ -20,6 +20,25 @@ void check(RTCDevice device, const char* doing) {
               memory ? "a scene with fewer triangles, or a machine with more memory" : "");
 }
 
+std::vector<UvGradient> make_uv_gradients(const Mesh& mesh) {
+  std::vector<UvGradient> gradients;
+  gradients.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3f edge_b = mesh.positions[b] - mesh.positions[a], edge_c = mesh.positions[c] - mesh.positions[a];
+    const Vec2f uv_b = mesh.uvs[b] - mesh.uvs[a], uv_c = mesh.uvs[c] - mesh.uvs[a];
+    const Vec3f n = glm::cross(edge_b, edge_c);
+    const float squared = glm::dot(n, n);
+    if (!(squared > 0.0f)) {
+      gradients.push_back({Vec3f(0.0f), Vec3f(0.0f), Vec3f(0.0f)});
+      continue;
+    }
+    // Gradients of the barycentric coordinates of b and c.
+    const Vec3f to_b = glm::cross(edge_c, n) / squared, to_c = glm::cross(n, edge_b) / squared;
+    gradients.push_back({uv_b.x * to_b + uv_c.x * to_c, uv_b.y * to_b + uv_c.y * to_c, n / std::sqrt(squared)});
+  }
+  return gradients;
+}
+
 /// Assigns record ids while it attaches geometries.
 class SceneBuilder {
  public:
@@ -103,6 +122,7 @@ class SceneBuilder {
     GeometryRecord record;
     record.instance = index;
     record.mesh = world.get();
+    record.uv_gradients = uv_gradients(*world);
     impl_.flattened.push_back(std::move(world));
     push_record(record, {});
   }
@@ -121,12 +141,20 @@ class SceneBuilder {
     record.placed = true;
     record.instance = index;
     record.mesh = &mesh;
+    record.uv_gradients = uv_gradients(mesh);
     place_record(record, geometry.get(), place);
     const auto id = static_cast<unsigned>(impl_.records.size());
     rtcAttachGeometryByID((moving ? impl_.moving : impl_.fixed).get(), geometry.get(), id);
     (moving ? impl_.has_moving : impl_.has_fixed) = true;
     if (moving) impl_.moving_records.push_back(static_cast<int>(id));
     push_record(record, std::move(geometry));
+  }
+
+  const std::vector<UvGradient>* uv_gradients(const Mesh& mesh) {
+    if (mesh.uvs.empty()) return nullptr;
+    auto [entry, is_new] = impl_.uv_gradients.try_emplace(&mesh);
+    if (is_new) entry->second = make_uv_gradients(mesh);
+    return &entry->second;
   }
 
   EmbreeGeometry make_triangles(const Mesh& mesh, std::uint32_t instance) const {

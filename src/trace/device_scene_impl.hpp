@@ -22,13 +22,21 @@ namespace lippmann {
 
 enum class GeometryKind : std::uint8_t { kMesh, kSpheres, kCylinders, kRings, kBoxes };
 
+/// How texture coordinates change across a triangle, in its mesh's space, and its facet's normal: what filtering asks at every
+/// hit.
+struct UvGradient {
+  Vec3f du, dv;  ///< gradients of u and v within the facet; 0 for triangles without area
+  Vec3f normal;  ///< unit length; 0 for triangles without area
+};
+
 /// What a hit's geometry id leads to.
 struct GeometryRecord {
   GeometryKind kind = GeometryKind::kMesh;
-  bool placed = false;               ///< an Embree instance: normals and positions need world_from_mesh
-  std::uint32_t instance = 0;        ///< index in Scene::instances (meshes; other kinds keep one per primitive)
-  const Mesh* mesh = nullptr;        ///< world space, or mesh space where placed
-  const void* primitives = nullptr;  ///< PrimitiveTable of the kind
+  bool placed = false;         ///< an Embree instance: normals and positions need world_from_mesh
+  std::uint32_t instance = 0;  ///< index in Scene::instances (meshes; other kinds keep one per primitive)
+  const Mesh* mesh = nullptr;  ///< world space, or mesh space where placed
+  const std::vector<UvGradient>* uv_gradients = nullptr;  ///< per triangle, where the mesh has uvs
+  const void* primitives = nullptr;                       ///< PrimitiveTable of the kind
   Affine3f world_from_mesh;
   Mat3f normal_from_mesh{1.0f};  ///< inverse transpose of the linear part
 };
@@ -57,6 +65,7 @@ struct DeviceScene::Impl {
   std::vector<GeometryRecord> records;
   std::vector<std::unique_ptr<Mesh>> flattened;            ///< world-space copies of fixed meshes
   std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< by shape and material index
+  std::map<const Mesh*, std::vector<UvGradient>> uv_gradients;
   PrimitiveTables fixed_tables, moving_tables;
   std::vector<EmbreeGeometry> placed_geometries;  ///< by record id; the Embree instances that may move
   std::vector<int> moving_records;                ///< ids of records in `moving` that are placed meshes

@@ -148,28 +148,27 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
   const TriangleHit hit = triangle_hit(record, packet, i);
   const auto& [ia, ib, ic] = *hit.triangle;
   const auto& uvs = hit.mesh->uvs;
-  const Vec2f uv_b = uvs[ib] - uvs[ia], uv_c = uvs[ic] - uvs[ia];
-  UvFootprint result{uvs[ia] + hit.u * uv_b + hit.v * uv_c, Vec2f(0.0f), Vec2f(0.0f)};
-  Vec3f edge_b = hit.mesh->positions[ib] - hit.mesh->positions[ia], edge_c = hit.mesh->positions[ic] - hit.mesh->positions[ia];
+  const Vec2f uv = (1.0f - hit.u - hit.v) * uvs[ia] + hit.u * uvs[ib] + hit.v * uvs[ic];
+  const UvGradient& gradient = (*record.uv_gradients)[packet.hit.primID[i]];
+  Vec3f du = gradient.du, dv = gradient.dv, n = gradient.normal;
   if (record.placed) {
-    edge_b = record.world_from_mesh.linear * edge_b;
-    edge_c = record.world_from_mesh.linear * edge_c;
+    du = record.normal_from_mesh * du;
+    dv = record.normal_from_mesh * dv;
+    n = record.normal_from_mesh * n;
+    n *= 1.0f / (glm::length(n) + 1e-20f);
   }
-  const Vec3f n = glm::cross(edge_b, edge_c);
   const Vec3f d(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
-  const float squared = glm::dot(n, n), across = glm::dot(n, d);
-  if (!(squared > 0.0f)) return result;
+  const float across = glm::dot(n, d);
+  // Seen edge-on a footprint grows without bound; 1/16 stops it at 16 widths.
+  const float inverse = 1.0f / std::copysign(std::max(std::abs(across), 0.0625f), across);
+  const float u_along = glm::dot(du, d) * inverse, v_along = glm::dot(dv, d) * inverse;
   const Vec2f widths = beam.widths(path_length);
+  // An axis is moved along the ray onto the facet: axis - d (n . axis) / (n . d).
   const auto change = [&](Vec3f axis, float width) {
-    // Seen edge-on a footprint grows without bound; 1/16 stops it at 16 widths.
-    const float limit = std::copysign(std::max(std::abs(across), 0.0625f * std::sqrt(squared)), across);
-    const Vec3f move = width * (axis - d * (glm::dot(n, axis) / limit));
-    const float u = glm::dot(glm::cross(move, edge_c), n) / squared, v = glm::dot(glm::cross(edge_b, move), n) / squared;
-    return u * uv_b + v * uv_c;
+    const float slide = glm::dot(n, axis);
+    return width * Vec2f(glm::dot(du, axis) - slide * u_along, glm::dot(dv, axis) - slide * v_along);
   };
-  result.a = change(beam.axis_x(), widths.x);
-  result.b = change(beam.axis_y(), widths.y);
-  return result;
+  return {uv, change(beam.axis_x(), widths.x), change(beam.axis_y(), widths.y)};
 }
 
 void apply_textures(const DeviceScene::Impl& scene, const WhittedMaterial& m, const RayHitPacket& packet, int i,
