@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "scene/default_view.hpp"
 
 namespace lippmann {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 constexpr float kNearestPlane = 0.05f;  // diagonals of the scene
 constexpr float kDefaultFov = radians(45.0f);
 constexpr float kDefaultMargin = 1.1f;  ///< what the default camera sees, over what there is to see
-constexpr float kDefaultYaw = radians(25.0f), kDefaultPitch = radians(15.0f);  ///< of the default camera, to the right and up
 
 /// The rotation, place and one scale of a node's transform.
 Affine3f similarity(const Affine3f& a) {
@@ -87,13 +87,11 @@ Bounds3f bounds_over_animation(const Scene& scene, const Affine3f& frame_from_wo
   return bounds;
 }
 
-/// From the front, a little from above and from the right, so that depth shows; so far away that the nearest face of all that
-/// ever is in the scene fits into the picture.
+/// So far away that the nearest face of all that ever is in the scene fits into the picture.
 FittedArray without_camera(const Scene& scene, float aspect) {
   FittedArray array;
   array.origin = FittedArray::Origin::kBounds;
-  const Mat3f view =
-      glm::mat3_cast(glm::angleAxis(kDefaultYaw, Vec3f(0, 1, 0)) * glm::angleAxis(-kDefaultPitch, Vec3f(1, 0, 0)));
+  const Mat3f view = glm::mat3_cast(default_view());
   const Bounds3f bounds = bounds_over_animation(scene, {glm::transpose(view), Vec3f(0.0f)});
   const Vec3f size = bounds.empty() ? Vec3f(1.0f) : bounds.size();
   const float face_height = kDefaultMargin * std::max(size.y, size.x / aspect);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "scene/default_view.hpp"
 #include "scene/timeline.hpp"
 
 namespace lippmann::gltf {
@@ -67,9 +68,9 @@ void add_default_light(Document& document, Scene& scene) {
   // A white diffuse surface that faces the key light shows 0.8 of display white and the background's mean, 0.2, on top; one in
   // shadow shows the mean alone. The background is a gradient so that such a surface does not vanish in front of it.
   constexpr float kKey = 0.8f * kPi, kHorizon = 0.08f, kZenith = 0.32f;
-  constexpr float kUp = radians(40.0f), kLeft = radians(30.0f);
-  Quatf viewer(1.0f, 0.0f, 0.0f, 0.0f);
-  if (!scene.cameras.empty()) viewer = orientation(evaluate(scene, 0.0).of(scene.cameras.front().node));
+  constexpr float kUp = radians(30.0f), kLeft = radians(15.0f);
+  const Quatf viewer =
+      scene.cameras.empty() ? default_view() : orientation(evaluate(scene, 0.0).of(scene.cameras.front().node));
   Node node;
   node.name = "default light";
   node.local.rotation =

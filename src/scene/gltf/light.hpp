@@ -11,7 +11,7 @@ namespace lippmann::gltf {
 void read_lights(Document& document, const NodeMap& nodes, Scene& scene);
 
 /// Gives a scene that has surfaces to light but no lights a key light from above left of the viewer and a dim background, with
-/// a warning. The viewer is the first camera at rest, or looks along -z. Call after read_cameras().
+/// a warning. The viewer is the first camera at rest, or has the default view. Call after read_cameras().
 void add_default_light(Document& document, Scene& scene);
 
 }  // namespace lippmann::gltf
