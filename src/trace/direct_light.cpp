@@ -144,12 +144,6 @@ LIPPMANN_MULTIVERSION void aim(const AimedLight l, const SurfacePacket& s, float
     shadow.rays.tnear[i] = t_near;
     shadow.rays.tfar[i] = distance + l.beyond;
   }
-  LIPPMANN_FOR_LANES(i) {
-    shadow.rays.time[i] = 0.0f;
-    shadow.rays.mask[i] = ~0u;
-    shadow.rays.id[i] = static_cast<unsigned>(i);
-    shadow.rays.flags[i] = 0;
-  }
 }
 
 LIPPMANN_MULTIVERSION int choose_active(const SurfacePacket& s, float least_light, ShadowPacket& shadow) {

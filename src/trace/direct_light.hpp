@@ -19,6 +19,16 @@ struct DirectLight {
 
 /// Rays from a packet of points to one light.
 struct ShadowPacket {
+  /// Sets what is the same for every packet.
+  ShadowPacket() {
+    for (int i = 0; i < kLanes; ++i) {
+      rays.time[i] = 0.0f;
+      rays.mask[i] = ~0u;
+      rays.id[i] = static_cast<unsigned>(i);
+      rays.flags[i] = 0;
+    }
+  }
+
   alignas(64) RayPacket rays;
   LaneMask active;   ///< lanes whose surface faces the light within its range and cone
   Lanes cosine;      ///< N.L, for active lanes

@@ -45,7 +45,9 @@ Vec2f SubPixel::position(std::uint32_t pixel, int sample) const {
   const std::uint32_t shift_x = hash(seed, frame, pixel, 0u), shift_y = hash(seed, frame, pixel, 1u);
   // Both coordinates as 32-bit fractions, so that the shift wraps by itself.
   const auto x = static_cast<std::uint32_t>((static_cast<std::uint64_t>(s) << 32) / static_cast<std::uint32_t>(samples));
-  return {unit_float(x + shift_x), unit_float(reversed_bits(s) + shift_y)};
+  // Not the last 1/256: rounded to float after the pixel's own coordinate (up to 65,535) it would be the next pixel's, or
+  // lens's.
+  return glm::min(Vec2f(unit_float(x + shift_x), unit_float(reversed_bits(s) + shift_y)), Vec2f(1.0f - 1.0f / 256.0f));
 }
 
 PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel)

@@ -20,6 +20,18 @@ LIPPMANN_MULTIVERSION void meet_plane(const WorldPlane& plane, unsigned id, cons
   }
 }
 
+/// Ends the active shadow rays that cross a plane, or weakens them where it is see-through.
+LIPPMANN_MULTIVERSION void cross_plane(const WorldPlane of_scene, float transmittance, const LaneMask& active,
+                                       RayPacket& packet, float* passed) {
+  const WorldPlane plane = of_scene;
+  const float ends = transmittance > 0.0f ? kInfinity : -kInfinity;
+  LIPPMANN_FOR_LANES(i) {
+    const bool crossed = (active.lane[i] != 0) & (distance(plane, lane_ray(packet, i)) < kInfinity);
+    passed[i] *= crossed ? transmittance : 1.0f;
+    packet.tfar[i] = std::min(packet.tfar[i], crossed ? ends : kInfinity);
+  }
+}
+
 /// Positions, unit-length geometric normals as far as Embree gave them, the mask of lanes that hit something.
 LIPPMANN_MULTIVERSION bool place_hits(const RayHitPacket& packet, const LaneMask& active, SurfacePacket& s) {
   int any = 0;
@@ -213,12 +225,8 @@ void intersect_planes(const DeviceScene::Impl& scene, const LaneMask& active, Ra
 
 void occlude_by_planes(const DeviceScene::Impl& scene, const LaneMask& active, RayPacket& packet, ShadowContext& context) {
   for (const WorldPlaneRecord& record : scene.planes) {
-    const float transmittance = shadow_transmittance(scene.materials.materials[scene.material_of_instance[record.instance]]);
-    for (int i = 0; i < kLanes; ++i) {
-      const bool hit = active.lane[i] && distance(record.plane, lane_ray(packet, i)) < kInfinity;
-      if (hit && transmittance > 0.0f) context.transmittance[i] *= transmittance;
-      if (hit && transmittance <= 0.0f) packet.tfar[i] = -kInfinity;
-    }
+    const WhittedMaterial& material = scene.materials.materials[scene.material_of_instance[record.instance]];
+    cross_plane(record.plane, shadow_transmittance(material), active, packet, context.transmittance);
   }
 }
 

@@ -29,6 +29,20 @@ LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLi
   radiance_channel(s, s.color.z, s.ambient.z, s.emission.z, direct.diffuse.z, direct.highlight.z, whole, out.z);
 }
 
+/// Mirror directions, and what share of the radiance from there a surface sends on.
+LIPPMANN_MULTIVERSION void mirror_lanes(const RayHitPacket& packet, const SurfacePacket& s, Lanes3& direction, Lanes3& share) {
+  LIPPMANN_FOR_LANES(i) {
+    const float dx = packet.ray.dir_x[i], dy = packet.ray.dir_y[i], dz = packet.ray.dir_z[i];
+    const float twice = 2.0f * (dx * s.normal.x[i] + dy * s.normal.y[i] + dz * s.normal.z[i]);
+    direction.x[i] = dx - twice * s.normal.x[i];
+    direction.y[i] = dy - twice * s.normal.y[i];
+    direction.z[i] = dz - twice * s.normal.z[i];
+    share.x[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.x[i] - 1.0f));
+    share.y[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.y[i] - 1.0f));
+    share.z[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.z[i] - 1.0f));
+  }
+}
+
 /// Snell's law; total reflection gives the mirror direction. eta = n_from / n_to, normal towards the ray.
 Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   const float cosine = -glm::dot(d, n);
@@ -99,23 +113,24 @@ void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, co
   Lanes3 local;
   local_radiance(surface_, direct, scene_.tachyon, local);
   const bool last = depth >= max_depth_;
+  Lanes3 mirrored, share;
+  if (surface_.any_mirror) mirror_lanes(packet, surface_, mirrored, share);
   for (int i = 0; i < kLanes; ++i) {
     if (!surface_.hit.lane[i]) continue;
     const Vec3f weight = bundle.weight.get(i);
     Vec3f radiance = local.get(i);
     if (surface_.any_mirror && surface_.mirror[i] > 0.0f) {
-      const Vec3f share = surface_.mirror[i] * (Vec3f(1.0f) + surface_.mirror_tint[i] * (surface_.color.get(i) - Vec3f(1.0f)));
       if (!last)
-        queue_mirror(packet, bundle, i, weight * share);
+        queue(packet, bundle, i, mirrored.get(i), weight * share.get(i));
       else if (scene_.tachyon)
         radiance += background(direction_of(packet, i));  // as Tachyon: what is ahead, and whole
       else
-        radiance += share * background(glm::reflect(direction_of(packet, i), surface_.normal.get(i)));
+        radiance += share.get(i) * background(mirrored.get(i));
     }
     if (surface_.any_see_through && surface_.opacity[i] < 1.0f) {
       const float through = 1.0f - surface_.opacity[i];
       if (!last)
-        queue_transmitted(packet, bundle, i, weight * through);
+        queue(packet, bundle, i, transmitted(packet, i), weight * through);
       else
         radiance += (scene_.tachyon ? 1.0f : through) * background(direction_of(packet, i));
     }
@@ -144,17 +159,14 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
   }
 }
 
-void WhittedTracer::queue_mirror(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f weight) {
-  const Vec3f d = direction_of(packet, i);
-  const Vec3f r = glm::reflect(d, surface_.normal.get(i));
-  next_.push_back({surface_.position.get(i), r, weight, bundle.path_length[i] + packet.ray.tfar[i], bundle.pixel[i]});
+void WhittedTracer::queue(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f direction, Vec3f weight) {
+  next_.push_back({surface_.position.get(i), direction, weight, bundle.path_length[i] + packet.ray.tfar[i], bundle.pixel[i]});
 }
 
-void WhittedTracer::queue_transmitted(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f weight) {
-  Vec3f d = direction_of(packet, i);
-  if (surface_.ior[i] != 1.0f)
-    d = refracted(d, surface_.normal.get(i), surface_.entering.lane[i] ? 1.0f / surface_.ior[i] : surface_.ior[i]);
-  next_.push_back({surface_.position.get(i), d, weight, bundle.path_length[i] + packet.ray.tfar[i], bundle.pixel[i]});
+Vec3f WhittedTracer::transmitted(const RayHitPacket& packet, int i) const {
+  const Vec3f d = direction_of(packet, i);
+  const float ior = surface_.ior[i];
+  return ior == 1.0f ? d : refracted(d, surface_.normal.get(i), surface_.entering.lane[i] ? 1.0f / ior : ior);
 }
 
 Vec3f WhittedTracer::background(Vec3f direction) const {

@@ -50,8 +50,8 @@ class WhittedTracer {
   void shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth);
   void add_missed(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle);
   void gather_light(const RayHitPacket& packet, DirectLight& direct);
-  void queue_mirror(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f weight);
-  void queue_transmitted(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f weight);
+  void queue(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f direction, Vec3f weight);
+  Vec3f transmitted(const RayHitPacket& packet, int i) const;
   Vec3f background(Vec3f direction) const;
   void add(std::uint32_t pixel, Vec3f radiance) {
     float* p = film_ + 3 * static_cast<std::size_t>(pixel);
