@@ -73,7 +73,7 @@ void normalize_normals(Mesh& mesh, const std::string& where, Report& report) {
       missing.push_back(static_cast<std::uint32_t>(i));
   }
   if (missing.empty()) return;
-  report.warn(fmt::format("{}: {} normals have no direction and are made from the triangles", where, missing.size()));
+  report.warn_at("normals without a direction are made from the triangles", where);
   for (const Triangle& t : mesh.triangles)
     for (const std::uint32_t corner : t)
       if (std::binary_search(missing.begin(), missing.end(), corner))
@@ -110,7 +110,7 @@ std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, int uv_set) {
     return std::nullopt;
   }
   if (attribute(primitive, "POSITION") < 0) {
-    document.report.warn(element(id) + " has no positions and is left out");
+    document.report.warn_at("primitives without positions are left out", element(id));
     return std::nullopt;
   }
   name_what_is_left_out(document, id);

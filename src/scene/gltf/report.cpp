@@ -20,13 +20,20 @@ void Report::fail(std::string_view element, const std::string& problem, const st
   throw Error(where(element), problem, accepted);
 }
 
-void Report::warn(const std::string& text) {
-  if (said_.insert(text).second) context_.warning(fmt::format("{}: {}", file_, text));
+void Report::say(const std::string& topic, const std::string& text) {
+  constexpr std::size_t kMost = 50;
+  if (said_.size() > kMost || !said_.insert(topic).second) return;
+  context_.warning(fmt::format("{}: {}", file_, said_.size() > kMost ? "further warnings are left out" : text));
+}
+
+void Report::warn(const std::string& text) { say(text, text); }
+
+void Report::warn_at(const std::string& text, std::string_view first_element) {
+  say(text, fmt::format("{} (first at {})", text, first_element));
 }
 
 void Report::not_supported(const std::string& feature, const std::string& instead, std::string_view first_element) {
-  if (!said_.insert(feature).second) return;
-  context_.warning(fmt::format("{}: {} not supported yet: {} (first at {})", file_, feature, instead, first_element));
+  warn_at(fmt::format("{} not supported yet: {}", feature, instead), first_element);
 }
 
 }  // namespace lippmann::gltf

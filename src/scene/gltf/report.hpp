@@ -25,13 +25,19 @@ class Report {
   /// Throws Error there.
   [[noreturn]] void fail(std::string_view element, const std::string& problem, const std::string& accepted = {}) const;
 
-  /// Warns about the file as a whole; the same text is said once.
+  /// Warns about the file as a whole. The same text is said once, and after 50 texts that there are more.
   void warn(const std::string& text);
 
-  /// Warns that `feature` is left out and what happens instead, once per feature, naming the first element that has it.
+  /// Warns about something that may occur in many elements, once, naming the first of them.
+  void warn_at(const std::string& text, std::string_view first_element);
+
+  /// Warns in that way that `feature` ("skins are") is left out and what happens instead.
   void not_supported(const std::string& feature, const std::string& instead, std::string_view first_element);
 
  private:
+  /// `text`, unless the topic has been spoken of.
+  void say(const std::string& topic, const std::string& text);
+
   std::string file_;
   const Context& context_;
   std::set<std::string> said_;

@@ -72,7 +72,7 @@ int TextureReader::read(int index) {
   const tinygltf::Texture& texture = document_.model.textures[static_cast<std::size_t>(index)];
   const std::string where = element("textures", static_cast<std::size_t>(index));
   if (texture.source < 0) {
-    document_.report.warn(where + " has no PNG or JPEG image; white is used");
+    document_.report.warn_at("textures without a PNG or JPEG image are white", where);
     return -1;
   }
   tinygltf::Sampler sampler;

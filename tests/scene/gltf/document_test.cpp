@@ -151,6 +151,15 @@ TEST(GltfDocument, extension_that_is_used_but_not_listed_is_a_warning) {
   EXPECT_THAT(warnings, Contains("a.glb: the extension EXT_surprise is not supported yet and is ignored"));
 }
 
+TEST(GltfDocument, after_50_warnings_there_is_one_more) {
+  GltfBuilder b = good_document();
+  for (int i = 0; i < 1000; ++i) b.root["extensionsUsed"].push_back("EXT_" + std::to_string(i));
+  std::vector<std::string> warnings;
+  parse(b, &warnings);
+  ASSERT_EQ(warnings.size(), 51u);
+  EXPECT_EQ(warnings.back(), "a.glb: further warnings are left out");
+}
+
 TEST(GltfDocument, required_extension_that_is_read_passes) {
   EXPECT_EQ(message_with("/extensionsRequired", Json::array({"KHR_materials_unlit"})), "(no Error)");
 }

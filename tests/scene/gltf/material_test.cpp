@@ -261,7 +261,7 @@ TEST(GltfTexture, without_an_image_it_is_white_with_a_warning) {
   std::vector<std::string> warnings;
   const Scene scene = parse(b, &warnings);
   EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).base_color_texture, -1);
-  EXPECT_THAT(warnings, Contains("a.glb: textures[0] has no PNG or JPEG image; white is used"));
+  EXPECT_THAT(warnings, Contains("a.glb: textures without a PNG or JPEG image are white (first at textures[0])"));
 }
 
 TEST(GltfTexture, image_that_no_material_uses_is_not_even_looked_at) {

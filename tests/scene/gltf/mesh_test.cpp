@@ -87,7 +87,7 @@ TEST(GltfMesh, primitive_without_positions_is_left_out_with_a_warning) {
   b.add_node({{"mesh", b.add_mesh({{"attributes", Json::object()}})}});
   std::vector<std::string> warnings;
   EXPECT_TRUE(parse(b, &warnings).shapes.empty());
-  EXPECT_THAT(warnings, Contains("a.glb: meshes[0].primitives[0] has no positions and is left out"));
+  EXPECT_THAT(warnings, Contains("a.glb: primitives without positions are left out (first at meshes[0].primitives[0])"));
 }
 
 TEST(GltfMesh, shown_by_two_nodes_it_is_one_shape) {
@@ -235,7 +235,7 @@ TEST(GltfMesh, normal_without_direction_is_made_from_its_triangles_with_a_warnin
   std::vector<std::string> warnings;
   EXPECT_THAT(parse_mesh(b, &warnings).normals, ElementsAre(Vec3f(1, 0, 0), Vec3f(0, 0, 1), Vec3f(1, 0, 0)));
   EXPECT_THAT(warnings,
-              Contains("a.glb: meshes[0].primitives[0]: 1 normals have no direction and are made from the triangles"));
+              Contains("a.glb: normals without a direction are made from the triangles (first at meshes[0].primitives[0])"));
 }
 
 TEST(GltfMesh, vertex_colours_and_morph_targets_are_one_warning_each) {
