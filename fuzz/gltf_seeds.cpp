@@ -112,6 +112,18 @@ GltfBuilder lights_and_cameras() {
   return b;
 }
 
+/// A JSON file whose buffer is in a data URI: the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0).
+std::string data_uri() {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}});
+  Json root = b.document();
+  root["buffers"][0]["uri"] = "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+  root["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgo="}}};
+  root["textures"] = {{{"source", 0}}};
+  root["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  return root.dump();
+}
+
 void write(const std::filesystem::path& path, const std::string& head, const test::Contents& rest) {
   std::ofstream file(path, std::ios::binary);
   file << head;
@@ -134,4 +146,6 @@ int main(int argc, char** argv) {
     write(folder / ("whole" + name), "W", builder.glb());
     write(folder / ("chunks" + name), "C" + builder.document().dump() + '\0', builder.binary);
   }
+  write(folder / "data_uri", "W" + data_uri(), {});
+  write(folder / "side_file", R"(W{"asset":{"version":"2.0"},"buffers":[{"byteLength":1,"uri":"a%2f..%20b.bin"}]})", {});
 }

@@ -3,5 +3,5 @@
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_FS
-#include <fstream>  // which the writing half of tinygltf needs all the same
 #include <tiny_gltf.h>
+#include <fstream>  // which the writing half of tinygltf needs all the same
