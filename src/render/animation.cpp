@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -62,6 +63,21 @@ void make_folder(const fs::path& folder) {
   if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "-o with one that can");
 }
 
+/// Pictures in the folder that this render will not replace: after a take-over they are of other settings.
+void warn_of_strangers(const fs::path& folder, const RenderParams& params, FrameRange frames, const Context& context) {
+  const std::string ending = picture_path("", 0, params.format).extension().string();
+  int strangers = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    int frame = 0;
+    const std::string name = entry.path().filename().string();
+    if (std::sscanf(name.c_str(), "frame_%d.", &frame) != 1 || entry.path().extension() != ending) continue;
+    strangers += frame < frames.first || frame > frames.last;
+  }
+  if (strangers > 0)
+    context.warning(fmt::format("{} holds {} pictures that another job has made and this one leaves as they are",
+                                folder.string(), strangers));
+}
+
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -103,6 +119,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   write_job(folder / "job.toml", params);
   fs::remove(folder / "report.json");  // it would speak of another render
   FinishedFrames finished(folder, job_fingerprint(params, stage.scene), params.format);
+  if (finished.took_over()) warn_of_strangers(folder, params, frames, context);
   const RenderPlan plan{stage, folder, frames, count_kept(params, finished, frames)};
 
   RenderReport report{params.scene, stage.placed.optics, params, {}};

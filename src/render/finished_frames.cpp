@@ -58,7 +58,8 @@ FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, Picture
   std::string journal = header_line(fingerprint);
   std::ifstream old(journal_);
   std::string line;
-  const bool same_job = std::getline(old, line) && line + '\n' == journal;
+  const bool any_job = static_cast<bool>(std::getline(old, line)), same_job = any_job && line + '\n' == journal;
+  took_over_ = any_job && !same_job;
   while (same_job && std::getline(old, line)) {
     const Json json = Json::parse(line, nullptr, false);
     const std::optional<FrameReport> frame = frame_report_from_json(json);

@@ -27,6 +27,9 @@ class FinishedFrames {
   /// The figures of a frame that this job finished before; none if it has yet to be rendered.
   std::optional<FrameReport> find(int frame) const;
 
+  /// Whether the folder held frames of another job, which are now only files.
+  bool took_over() const { return took_over_; }
+
   /// Records a frame whose files are complete; find() does not see it. Throws Error. May run beside find(), not beside itself.
   void add(const FrameReport& frame);
 
@@ -35,6 +38,7 @@ class FinishedFrames {
   PictureFormat format_;
   std::map<int, FrameReport> finished_;
   std::ofstream out_;
+  bool took_over_ = false;
 };
 
 }  // namespace lippmann
