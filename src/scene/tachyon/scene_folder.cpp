@@ -15,9 +15,7 @@ namespace fs = std::filesystem;
 SceneFolder::SceneFolder(const fs::path& scene_file)
     : folder_(scene_file.has_parent_path() ? scene_file.parent_path() : fs::path(".")) {}
 
-fs::path SceneFolder::resolve(std::string_view name, const std::string& where) const {
-  return side_file(folder_, name, where);
-}
+fs::path SceneFolder::resolve(std::string_view name, const std::string& where) const { return side_file(folder_, name, where); }
 
 std::string SceneFolder::read_text(const fs::path& file, const std::string& where) {
   std::error_code failure;
