@@ -68,11 +68,12 @@ class SceneFingerprint {
     std::visit([&](const auto& s) { add_shape(s); }, shape);
   }
   void add_shape(const Mesh& mesh) {
-    const auto& [positions, normals, uvs, triangles] = mesh;
+    const auto& [positions, normals, uvs, triangles, colors] = mesh;
     add_packed(positions);
     add_packed(normals);
     add_packed(uvs);
     add_packed(triangles);
+    add_packed(colors);
   }
   template <class Primitive>
   void add_shape(const std::vector<Primitive>& primitives) {
@@ -85,15 +86,15 @@ class SceneFingerprint {
     add_packed(rgba);
   }
 
-  void add(const PlanarMapping& mapping) {
-    const auto& [center, rotate, scale, u_axis, v_axis] = mapping;
-    add_all(center, rotate, scale, u_axis, v_axis);
+  void add(const ImageProjection& projection) {
+    const auto& [kind, center, rotate, scale, u_axis, v_axis] = projection;
+    add_all(kind, center, rotate, scale, u_axis, v_axis);
   }
   void add(const PhongSurface& surface) {
-    const auto& [color, texture, planar, ambient, diffuse, highlight_kind, highlight, highlight_size, mirror, opacity, ior,
+    const auto& [color, texture, projection, ambient, diffuse, highlight_kind, highlight, highlight_size, mirror, opacity, ior,
                  emission] = surface;
     add_all(color, texture, ambient, diffuse, highlight_kind, highlight, highlight_size, mirror, opacity, ior, emission);
-    add_optional(planar);
+    add_optional(projection);
   }
   void add(const MetallicRoughness& surface) {
     const auto& [base_color, base_color_texture, metallic, roughness, emissive, emissive_texture, ior, transmission,
@@ -108,12 +109,12 @@ class SceneFingerprint {
   }
 
   void add(const Light& light) {
-    const auto& [name, kind, node, color, inverse_square, range, inner_cone, outer_cone, visible_radius] = light;
-    add_all(kind, node, color, inverse_square, range, inner_cone, outer_cone, visible_radius);
+    const auto& [name, kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius] = light;
+    add_all(kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius);
   }
   void add(const Background& background) {
-    const auto& [horizon, zenith, up] = background;
-    add_all(horizon, zenith, up);
+    const auto& [horizon, zenith, up, horizon_at, zenith_at] = background;
+    add_all(horizon, zenith, up, horizon_at, zenith_at);
   }
   void add(const Camera& camera) {
     const auto& [name, node, vertical_fov, aspect, focus_distance, pixel_offset] = camera;

@@ -27,6 +27,7 @@ struct Mesh {
   std::vector<Vec3f> normals;                           ///< per vertex, unit length; empty: faceted
   std::vector<Vec2f> uvs;                               ///< per vertex; empty: no texture coordinates
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertex indices, each < positions.size(); counter-clockwise = front
+  std::vector<Vec3f> colors{};                          ///< per vertex; multiply the material's color; empty: white
 };
 
 struct Sphere {
@@ -82,10 +83,17 @@ struct Texture {
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
 };
 
-/// Projects a texture along the axes of a plane, after Tachyon's TEXFUNC 9 (u and v formulas: see trace/texture.hpp).
-struct PlanarMapping {
+enum class ProjectionKind {
+  kPlane,     ///< u and v along u_axis and v_axis (Tachyon's TEXFUNC 9)
+  kCylinder,  ///< u around v_axis, v along it (TEXFUNC 7)
+  kSphere,    ///< u around v_axis, v from -v_axis (0) to v_axis (1) (TEXFUNC 8)
+};
+
+/// Projects a texture onto whatever it meets, after Tachyon's image maps (formulas: trace/projection.hpp).
+struct ImageProjection {
+  ProjectionKind kind = ProjectionKind::kPlane;
   Vec3f center{0.0f}, rotate{0.0f}, scale{1.0f};
-  Vec3f u_axis{1.0f, 0.0f, 0.0f}, v_axis{0.0f, 1.0f, 0.0f};
+  Vec3f u_axis{1.0f, 0.0f, 0.0f}, v_axis{0.0f, 1.0f, 0.0f};  ///< kCylinder and kSphere: orthonormal
 };
 
 enum class Highlight {
@@ -99,8 +107,8 @@ enum class Highlight {
 /// emission.
 struct PhongSurface {
   Vec3f color{0.8f};
-  int texture = -1;                     ///< replaces (planar) or multiplies (uv) color
-  std::optional<PlanarMapping> planar;  ///< how the texture is mapped; without it by the mesh's uvs
+  int texture = -1;                           ///< replaces (projected) or multiplies (uv) color
+  std::optional<ImageProjection> projection;  ///< how the texture is mapped; without it by the mesh's uvs
   float ambient = 0.1f, diffuse = 0.9f;
   Highlight highlight_kind = Highlight::kNone;
   float highlight = 0.0f, highlight_size = 1.0f;
@@ -139,19 +147,22 @@ struct Light {
   std::string name;
   LightKind kind = LightKind::kPoint;
   int node = -1;
-  Vec3f color{1.0f};            ///< times intensity: what multiplies N.L (and albedo / pi for metallic-roughness surfaces)
-  bool inverse_square = false;  ///< point and spot: divide by the squared distance (glTF); else constant (Tachyon)
-  float range = kInfinity;      ///< no light beyond this distance
-  float inner_cone = 0.0f;      ///< spot: full strength within this half angle
-  float outer_cone = kPi / 4;   ///< spot: none beyond this half angle
-  float visible_radius = 0.0f;  ///< > 0: rays see the light as a sphere of its colour (it casts no shadow)
+  Vec3f color{1.0f};  ///< times intensity: what multiplies N.L (and albedo / pi for metallic-roughness surfaces)
+  Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< point and spot: divide by x + y d + z d^2 at distance d (Tachyon)
+  bool inverse_square = false;          ///< point and spot: divide by the squared distance (glTF); else constant (Tachyon)
+  float range = kInfinity;              ///< no light beyond this distance
+  float inner_cone = 0.0f;              ///< spot: full strength within this half angle
+  float outer_cone = kPi / 4;           ///< spot: none beyond this half angle
+  float visible_radius = 0.0f;          ///< > 0: rays see the light as a sphere of its colour (it casts no shadow)
 };
 
-/// What a ray sees that hits nothing: `horizon`, or a gradient to `zenith` by the angle to `up`.
+/// What a ray sees that hits nothing: `horizon` where dot(direction, up) <= horizon_at, `zenith` where it is >= zenith_at, in
+/// between a linear blend.
 struct Background {
   Vec3f horizon{0.0f};
   Vec3f zenith{0.0f};
-  Vec3f up{0.0f, 1.0f, 0.0f};  ///< unit length
+  Vec3f up{0.0f, 1.0f, 0.0f};                 ///< unit length
+  float horizon_at = 0.0f, zenith_at = 1.0f;  ///< sines of elevation, not equal; exchanged, the blend is turned over
 };
 
 /// Looks along its node's -z with +y up.

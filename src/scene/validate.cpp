@@ -83,12 +83,15 @@ class Validator {
     const std::size_t vertices = mesh.positions.size();
     require(mesh.normals.empty() || mesh.normals.size() == vertices, element, "not one normal per vertex");
     require(mesh.uvs.empty() || mesh.uvs.size() == vertices, element, "not one uv per vertex");
+    require(mesh.colors.empty() || mesh.colors.size() == vertices, element, "not one colour per vertex");
     for (std::size_t i = 0; i < vertices; ++i)
       if (!finite(mesh.positions[i])) require(false, element, fmt::format("the position of vertex {} is not finite", i));
     for (std::size_t i = 0; i < mesh.normals.size(); ++i)
       if (!unit(mesh.normals[i])) require(false, element, fmt::format("the normal of vertex {} is not a unit vector", i));
     for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
       if (!finite(mesh.uvs[i])) require(false, element, fmt::format("the uv of vertex {} is not finite", i));
+    for (std::size_t i = 0; i < mesh.colors.size(); ++i)
+      if (!finite(mesh.colors[i])) require(false, element, fmt::format("the colour of vertex {} is not finite", i));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
       for (const std::uint32_t index : mesh.triangles[i])
         if (index >= vertices)
@@ -144,10 +147,13 @@ class Validator {
     require(finite(Vec4f(s.ambient, s.diffuse, s.highlight, s.highlight_size)) && finite(Vec2f(s.mirror, s.opacity)), element,
             "a coefficient is not finite");
     require(finite(s.ior) && s.ior > 0.0f, element, "the index of refraction is not a positive number");
-    if (!s.planar) return;
-    const PlanarMapping& p = *s.planar;
+    if (!s.projection) return;
+    const ImageProjection& p = *s.projection;
     require(finite(p.center) && finite(p.rotate) && finite(p.scale) && finite(p.u_axis) && finite(p.v_axis), element,
-            "the texture mapping is not finite");
+            "the image projection is not finite");
+    require(p.kind == ProjectionKind::kPlane ||
+                (unit(p.u_axis) && unit(p.v_axis) && std::abs(glm::dot(p.u_axis, p.v_axis)) < 1e-3f),
+            element, "the axes of the image projection are not orthonormal");
   }
 
   void check_surface(const MetallicRoughness& s, const std::string& element) const {
@@ -199,6 +205,9 @@ class Validator {
     require_node(light.node, element);
     require(finite(light.color), element, "the colour is not finite");
     require(light.range > 0.0f, element, "the range is not positive");
+    const Vec3f a = light.attenuation;
+    require(finite(a) && std::min({a.x, a.y, a.z}) >= 0.0f && a.x + a.y + a.z > 0.0f, element,
+            "the attenuation is not three numbers >= 0, one of them above");
     require(0.0f <= light.inner_cone && light.inner_cone <= light.outer_cone && light.outer_cone <= kPi, element,
             "the cone angles are not 0 <= inner <= outer <= pi");
     require(finite(light.visible_radius) && light.visible_radius >= 0.0f, element, "the radius is not a number >= 0");
@@ -224,6 +233,8 @@ class Validator {
     const Background& b = scene_.background;
     require(finite(b.horizon) && finite(b.zenith), "background", "a colour is not finite");
     require(unit(b.up), "background", "up is not a unit vector");
+    require(finite(b.horizon_at) && finite(b.zenith_at) && b.horizon_at != b.zenith_at, "background",
+            "horizon and zenith are not at two different heights");
     require(scene_.max_depth >= 1, "max_depth", "is below 1");
     require(scene_.resolution.x >= 0 && scene_.resolution.y >= 0, "resolution", "is negative");
   }

@@ -269,6 +269,10 @@ DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool) : impl_(std
   Impl& impl = *impl_;
   impl.scene = &scene;
   impl.tachyon = scene.encoding == Encoding::kTachyonTruncate;
+  impl.any_vertex_colors = std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape);
+    return mesh && !mesh->colors.empty();
+  });
   impl.node_moves = moving_nodes(scene);
   impl.materials = make_material_table(scene);
   impl.material_of_instance.reserve(scene.instances.size());

@@ -76,9 +76,10 @@ struct DeviceScene::Impl {
   std::vector<std::uint32_t> material_of_instance;
   std::vector<WhittedLight> lights;
   std::vector<DeviceTexture> textures;
-  bool tachyon = false;  ///< Tachyon's conventions (scene.encoding): box normals, mirror end, visible lights
-  float secondary_t_near = 1e-4f;
+  bool tachyon = false;            ///< Tachyon's conventions (scene.encoding): box normals, mirror end, visible lights
+  float secondary_t_near = 1e-4f;  ///< at least so far from their surface do secondary rays start
   bool any_see_through = false;
+  bool any_vertex_colors = false;
 };
 
 }  // namespace lippmann

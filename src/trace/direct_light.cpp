@@ -67,6 +67,15 @@ void dim_by_angle(const WhittedLight& light, ShadowPacket& shadow) {
   }
 }
 
+/// Weakens by Tachyon's attenuation. Apart from at_point, because few lights have it.
+void dim_by_distance(const WhittedLight& light, ShadowPacket& shadow) {
+  const Vec3f a = light.attenuation;
+  for (int i = 0; i < kLanes; ++i) {
+    const float d = shadow.rays.tfar[i];
+    shadow.strength[i] /= a.x + (a.y + a.z * d) * d;
+  }
+}
+
 LIPPMANN_MULTIVERSION void read_visibility(const ShadowContext& context, ShadowPacket& shadow) {
   LIPPMANN_FOR_LANES(i) {
     const bool lit = (shadow.active.lane[i] != 0) & (shadow.rays.tfar[i] >= 0.0f);
@@ -126,7 +135,7 @@ LIPPMANN_MULTIVERSION void add_highlight(Vec3f light_color, const SurfacePacket&
   }
 }
 
-LIPPMANN_MULTIVERSION void aim(const AimedLight l, const SurfacePacket& s, float t_near, ShadowPacket& shadow) {
+LIPPMANN_MULTIVERSION void aim(const AimedLight l, const SurfacePacket& s, ShadowPacket& shadow) {
   const float bx = (1.0f - l.at_place) * l.dx, by = (1.0f - l.at_place) * l.dy, bz = (1.0f - l.at_place) * l.dz;
   LIPPMANN_FOR_LANES(i) {
     const float px = s.position.x[i], py = s.position.y[i], pz = s.position.z[i];
@@ -141,7 +150,7 @@ LIPPMANN_MULTIVERSION void aim(const AimedLight l, const SurfacePacket& s, float
     shadow.cosine[i] = s.normal.x[i] * ux + s.normal.y[i] * uy + s.normal.z[i] * uz;
     shadow.rays.org_x[i] = px, shadow.rays.org_y[i] = py, shadow.rays.org_z[i] = pz;
     shadow.rays.dir_x[i] = ux, shadow.rays.dir_y[i] = uy, shadow.rays.dir_z[i] = uz;
-    shadow.rays.tnear[i] = t_near;
+    shadow.rays.tnear[i] = s.t_near[i];
     shadow.rays.tfar[i] = distance + l.beyond;
   }
 }
@@ -158,10 +167,10 @@ LIPPMANN_MULTIVERSION int choose_active(const SurfacePacket& s, float least_ligh
 
 }  // namespace
 
-int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float t_near, float least_light,
-                 ShadowPacket& shadow) {
-  aim(aimed(light), surface, t_near, shadow);
+int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float least_light, ShadowPacket& shadow) {
+  aim(aimed(light), surface, shadow);
   if (light.kind == LightKind::kSpot && light.linear_cone) dim_by_angle(light, shadow);
+  if (light.kind != LightKind::kDirectional && light.attenuation != Vec3f(1.0f, 0.0f, 0.0f)) dim_by_distance(light, shadow);
   return choose_active(surface, least_light, shadow);
 }
 

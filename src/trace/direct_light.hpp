@@ -37,8 +37,7 @@ struct ShadowPacket {
 };
 
 /// Fills rays, active, cosine and strength. Light of strength x N.L <= least_light is none. Returns how many lanes are active.
-int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float t_near, float least_light,
-                 ShadowPacket& shadow);
+int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float least_light, ShadowPacket& shadow);
 
 /// Traces the active rays and fills visibility (0 for inactive lanes).
 void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow);

@@ -23,9 +23,9 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
   m.ior = s.ior;
   m.emission = s.emission;
   m.texture = s.texture;
-  if (s.planar) {
-    m.planar = static_cast<int>(table.planar.size());
-    table.planar.push_back(*s.planar);
+  if (s.projection) {
+    m.projection = static_cast<int>(table.projections.size());
+    table.projections.push_back(*s.projection);
   }
   return m;
 }
@@ -93,6 +93,7 @@ std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& r
     w.position = world_from_light.translation;
     w.direction = glm::normalize(transform_vector(world_from_light, {0, 0, -1}));
     w.color = light.color;
+    w.attenuation = light.attenuation;
     w.inverse_square = light.inverse_square;
     w.range = light.range;
     w.cos_inner = std::cos(light.inner_cone);

@@ -14,7 +14,7 @@
 namespace lippmann {
 
 struct WhittedMaterial {
-  Vec3f color{0.8f};    ///< multiplied by a uv texture, replaced by a planar one
+  Vec3f color{0.8f};    ///< multiplied by a uv texture, replaced by a projected one
   Vec3f ambient{0.1f};  ///< radiance per colour, without any light
   float diffuse = 0.9f;
   float highlight = 0.0f;
@@ -27,14 +27,14 @@ struct WhittedMaterial {
   float ior = 1.0f;
   Vec3f emission{0.0f};
   int texture = -1, emission_texture = -1;
-  int planar = -1;  ///< index into the tables' planar mappings, or -1: by uv
+  int projection = -1;  ///< index into the table's projections, or -1: by uv
   float alpha_cutoff = 0.0f;
   bool alpha_from_texture = false;  ///< opacity = texture alpha (mask or blend)
 };
 
 struct MaterialTable {
   std::vector<WhittedMaterial> materials;
-  std::vector<PlanarMapping> planar;
+  std::vector<ImageProjection> projections;
 };
 
 MaterialTable make_material_table(const Scene& scene);
@@ -47,12 +47,12 @@ struct WhittedLight {
   Vec3f position{0.0f};
   Vec3f direction{0.0f, 0.0f, -1.0f};  ///< that the light travels, unit length (directional, spot)
   Vec3f color{1.0f};
+  Vec3f attenuation{1.0f, 0.0f, 0.0f};
   bool inverse_square = false;
   float range = kInfinity;
   float cos_inner = 1.0f, cos_outer = -1.0f;
   float inner_cone = 0.0f, outer_cone = kPi;
-  bool linear_cone =
-      false;  ///< falls off with the angle from inner to outer cone (Tachyon), not with its cosine, squared (glTF)
+  bool linear_cone = false;  ///< fades with the angle from inner to outer (Tachyon); else with its cosine, squared (glTF)
   float visible_radius = 0.0f;
 };
 

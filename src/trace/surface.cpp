@@ -32,8 +32,11 @@ LIPPMANN_MULTIVERSION void cross_plane(const WorldPlane of_scene, float transmit
   }
 }
 
-/// Positions, unit-length geometric normals as far as Embree gave them, the mask of lanes that hit something.
-LIPPMANN_MULTIVERSION bool place_hits(const RayHitPacket& packet, const LaneMask& active, SurfacePacket& s) {
+/// Positions, how exact they are, the mask of lanes that hit something.
+LIPPMANN_MULTIVERSION bool place_hits(const RayHitPacket& packet, const LaneMask& active, float least_t_near,
+                                      SurfacePacket& s) {
+  // Rounding moves a point by some 10^-7 of its coordinates and of the ray's length.
+  constexpr float kRounding = 1e-5f;
   int any = 0;
   LIPPMANN_FOR_LANES(i) {
     const int hit = (active.lane[i] != 0) & (packet.hit.geomID[i] < kLightId) ? -1 : 0;
@@ -43,6 +46,8 @@ LIPPMANN_MULTIVERSION bool place_hits(const RayHitPacket& packet, const LaneMask
     s.position.x[i] = packet.ray.org_x[i] + t * packet.ray.dir_x[i];
     s.position.y[i] = packet.ray.org_y[i] + t * packet.ray.dir_y[i];
     s.position.z[i] = packet.ray.org_z[i] + t * packet.ray.dir_z[i];
+    const float farthest = std::max(std::max(std::abs(s.position.x[i]), std::abs(s.position.y[i])), std::abs(s.position.z[i]));
+    s.t_near[i] = std::max(least_t_near, kRounding * std::max(farthest, t));
   }
   return any != 0;
 }
@@ -186,10 +191,11 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
 void apply_textures(const DeviceScene::Impl& scene, const WhittedMaterial& m, const RayHitPacket& packet, int i,
                     float path_length, const BeamFootprint& beam, SurfacePacket& s) {
   const float length = path_length + packet.ray.tfar[i];
-  if (m.planar >= 0) {
+  if (m.projection >= 0) {
     if (m.texture >= 0)
-      s.color.set(i, sample_planar(scene.textures[static_cast<std::size_t>(m.texture)],
-                                   scene.materials.planar[static_cast<std::size_t>(m.planar)], s.position.get(i), length));
+      s.color.set(
+          i, sample_projected(scene.textures[static_cast<std::size_t>(m.texture)],
+                              scene.materials.projections[static_cast<std::size_t>(m.projection)], s.position.get(i), length));
     return;
   }
   const unsigned id = record_id(packet, i);
@@ -208,6 +214,53 @@ void apply_textures(const DeviceScene::Impl& scene, const WhittedMaterial& m, co
   if (m.emission_texture >= 0)
     s.emission.set(i,
                    m.emission * Vec3f(sample_uv(scene.textures[static_cast<std::size_t>(m.emission_texture)], f.uv, f.a, f.b)));
+}
+
+/// Multiplies in the vertex colours of the meshes that have any.
+void apply_vertex_colors(const DeviceScene::Impl& scene, const RayHitPacket& packet, SurfacePacket& s) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!s.hit.lane[i]) continue;
+    const unsigned id = record_id(packet, i);
+    if (id >= kPlaneId) continue;
+    const GeometryRecord& record = scene.records[id];
+    if (record.kind != GeometryKind::kMesh || record.mesh->colors.empty()) continue;
+    const TriangleHit hit = triangle_hit(record, packet, i);
+    const auto& [a, b, c] = *hit.triangle;
+    const auto& colors = record.mesh->colors;
+    s.color.set(i, s.color.get(i) * ((1.0f - hit.u - hit.v) * colors[a] + hit.u * colors[b] + hit.v * colors[c]));
+  }
+}
+
+void evaluate_materials(const DeviceScene::Impl& scene, const RayHitPacket& packet, const Lanes& path_length,
+                        const BeamFootprint& beam, SurfacePacket& s) {
+  // Most packets lie on one material; then its terms are broadcast, else each lane's are looked up.
+  std::uint32_t first = ~0u;
+  bool uniform = true;
+  std::uint32_t material[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    if (!s.hit.lane[i]) continue;
+    material[i] = scene.material_of_instance[s.instance[i]];
+    if (first == ~0u) first = material[i];
+    uniform &= material[i] == first;
+  }
+  const auto note = [&](const WhittedMaterial& m) {
+    s.any_highlight |= m.highlight > 0.0f;
+    s.any_mirror |= m.mirror > 0.0f;
+    s.any_see_through |= m.opacity < 1.0f || m.alpha_from_texture;
+  };
+  const auto& materials = scene.materials.materials;
+  set_material_of_all(materials[first], s);
+  note(materials[first]);
+  if (uniform && materials[first].texture < 0 && materials[first].emission_texture < 0) return;
+  for (int i = 0; i < kLanes; ++i) {
+    if (!s.hit.lane[i]) continue;
+    const WhittedMaterial& m = materials[material[i]];
+    if (!uniform) {
+      set_material(m, i, s);
+      note(m);
+    }
+    if (m.texture >= 0 || m.emission_texture >= 0) apply_textures(scene, m, packet, i, path_length[i], beam, s);
+  }
 }
 
 }  // namespace
@@ -231,7 +284,7 @@ void occlude_by_planes(const DeviceScene::Impl& scene, const LaneMask& active, R
 }
 
 void evaluate_geometry(const DeviceScene::Impl& scene, const RayHitPacket& packet, const LaneMask& active, SurfacePacket& s) {
-  s.any_hit = place_hits(packet, active, s);
+  s.any_hit = place_hits(packet, active, scene.secondary_t_near, s);
   if (!s.any_hit) return;
   Lanes3 geometric;
   for (int i = 0; i < kLanes; ++i) {
@@ -265,34 +318,8 @@ void evaluate_surfaces(const DeviceScene::Impl& scene, const RayHitPacket& packe
   evaluate_geometry(scene, packet, active, s);
   s.any_highlight = s.any_mirror = s.any_see_through = false;
   if (!s.any_hit) return;
-  // Most packets lie on one material; then its terms are broadcast, else each lane's are looked up.
-  std::uint32_t first = ~0u;
-  bool uniform = true;
-  std::uint32_t material[kLanes];
-  for (int i = 0; i < kLanes; ++i) {
-    if (!s.hit.lane[i]) continue;
-    material[i] = scene.material_of_instance[s.instance[i]];
-    if (first == ~0u) first = material[i];
-    uniform &= material[i] == first;
-  }
-  const auto note = [&](const WhittedMaterial& m) {
-    s.any_highlight |= m.highlight > 0.0f;
-    s.any_mirror |= m.mirror > 0.0f;
-    s.any_see_through |= m.opacity < 1.0f || m.alpha_from_texture;
-  };
-  const auto& materials = scene.materials.materials;
-  set_material_of_all(materials[first], s);
-  note(materials[first]);
-  if (uniform && materials[first].texture < 0 && materials[first].emission_texture < 0) return;
-  for (int i = 0; i < kLanes; ++i) {
-    if (!s.hit.lane[i]) continue;
-    const WhittedMaterial& m = materials[material[i]];
-    if (!uniform) {
-      set_material(m, i, s);
-      note(m);
-    }
-    if (m.texture >= 0 || m.emission_texture >= 0) apply_textures(scene, m, packet, i, path_length[i], beam, s);
-  }
+  evaluate_materials(scene, packet, path_length, beam, s);
+  if (scene.any_vertex_colors) apply_vertex_colors(scene, packet, s);
 }
 
 }  // namespace lippmann

@@ -27,6 +27,7 @@ struct SurfacePacket {
   bool any_hit = false;
   Lanes3 position;
   Lanes3 normal;      ///< shading normal, unit length, on the ray's side of the geometric one
+  Lanes t_near;       ///< how far rays that leave the point have to start from it: beyond the rounding of the point itself
   LaneMask entering;  ///< -1 where the ray meets the outer side of the surface
   std::uint32_t instance[kLanes];
   // Material, after textures.

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/multiversion.hpp"
+#include "trace/projection.hpp"
 
 namespace lippmann {
 namespace {
@@ -174,16 +175,10 @@ LIPPMANN_MULTIVERSION Vec4f sample_uv(const DeviceTexture& texture, Vec2f uv, Ve
   return to_vec4(sum);
 }
 
-Vec3f sample_planar(const DeviceTexture& texture, const PlanarMapping& m, Vec3f point, float path_length) {
-  const Vec3f q = point - m.center;
-  float u = glm::dot(m.u_axis, q) * m.scale.x + m.rotate.x;
-  float v = glm::dot(m.v_axis, q) * m.scale.y + m.rotate.y;
-  u = std::fmod(u, 1.0f), v = std::fmod(v, 1.0f);
-  if (u < 0.0f) u += 1.0f;
-  if (v < 0.0f) v += 1.0f;
+Vec3f sample_projected(const DeviceTexture& texture, const ImageProjection& projection, Vec3f point, float path_length) {
+  const auto [u, v, blur] = project(projection, point, path_length);
   const auto count = static_cast<int>(texture.levels.size());
-  const float scale = std::max(std::abs(m.scale.x), std::abs(m.scale.y));
-  const float level = std::min(1.0f, 0.05f * path_length * scale) * (static_cast<float>(count) - 0.9999f);
+  const float level = blur * (static_cast<float>(count) - 0.9999f);
   const int fine = static_cast<int>(level);
   if (fine >= count - 2) {
     const std::uint16_t* t = texture.levels.back().rgba.data();

@@ -2,7 +2,7 @@
 //
 // By uv: a footprint parallelogram in texture space is covered by up to 8 trilinear probes along its longer side, at the level
 // that fits its shorter side (after: McCormack et al., "Feline", SIGGRAPH 1999, with equal weights), which keeps 1 sample per
-// pixel free of aliasing without blurring along the lens. By plane: Tachyon's image map, bit for bit where it can be.
+// pixel free of aliasing without blurring along the lens. Projected: Tachyon's image maps, bit for bit where they can be.
 #pragma once
 
 #include <vector>
@@ -27,8 +27,8 @@ DeviceTexture make_device_texture(const Texture& texture, bool tachyon);
 /// Linear RGBA at uv, filtered over the parallelogram du, dv (two vectors in uv space).
 Vec4f sample_uv(const DeviceTexture& texture, Vec2f uv, Vec2f footprint_a, Vec2f footprint_b);
 
-/// Tachyon's TEXFUNC 9: u = fraction of u_axis . (p - center) scale.x + rotate.x, v likewise with v_axis and .y; path_length is
-/// the length of the whole path from the eye and chooses the level (../docs/formats: Tachyon scenes).
-Vec3f sample_planar(const DeviceTexture& texture, const PlanarMapping& mapping, Vec3f point, float path_length);
+/// Tachyon's image maps (trace/projection.hpp): bilinear over (resolution - 1) texels without wrapping, between the two levels
+/// of n that blur (n - 0.9999) falls between, the last level from n - 2 on. path_length: of the whole path from the eye.
+Vec3f sample_projected(const DeviceTexture& texture, const ImageProjection& projection, Vec3f point, float path_length);
 
 }  // namespace lippmann

@@ -90,7 +90,7 @@ void WhittedTracer::finish_batch() {
         active.lane[i] = i < lanes ? -1 : 0;
         packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
         packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
-        packet.ray.tnear[i] = scene_.secondary_t_near;
+        packet.ray.tnear[i] = ray.t_near;
         packet.ray.tfar[i] = kInfinity;
         bundle.weight.set(lane, ray.weight);
         bundle.path_length[lane] = ray.path_length;
@@ -150,7 +150,7 @@ void WhittedTracer::add_missed(const RayHitPacket& packet, const LaneMask& activ
 void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct) {
   const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's, about 1/512
   for (const WhittedLight& light : scene_.lights) {
-    const int rays = aim_at_light(light, surface_, scene_.secondary_t_near, least_light, shadow_);
+    const int rays = aim_at_light(light, surface_, least_light, shadow_);
     if (rays == 0) continue;
     counts_.shadow += static_cast<std::uint64_t>(rays);
     if (log_) log_->push_back({shadow_.rays, shadow_.active, true, Coherence::kIncoherent});
@@ -160,7 +160,8 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
 }
 
 void WhittedTracer::queue(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f direction, Vec3f weight) {
-  next_.push_back({surface_.position.get(i), direction, weight, bundle.path_length[i] + packet.ray.tfar[i], bundle.pixel[i]});
+  next_.push_back({surface_.position.get(i), direction, weight, bundle.path_length[i] + packet.ray.tfar[i], surface_.t_near[i],
+                   bundle.pixel[i]});
 }
 
 Vec3f WhittedTracer::transmitted(const RayHitPacket& packet, int i) const {
@@ -172,8 +173,8 @@ Vec3f WhittedTracer::transmitted(const RayHitPacket& packet, int i) const {
 Vec3f WhittedTracer::background(Vec3f direction) const {
   const Background& b = scene_.scene->background;
   if (b.horizon == b.zenith) return b.horizon;
-  const float up = std::clamp(glm::dot(direction, b.up), 0.0f, 1.0f);
-  return glm::mix(b.horizon, b.zenith, up);
+  const float share = (glm::dot(direction, b.up) - b.horizon_at) / (b.zenith_at - b.horizon_at);
+  return glm::mix(b.horizon, b.zenith, std::clamp(share, 0.0f, 1.0f));
 }
 
 }  // namespace lippmann

@@ -37,7 +37,7 @@ class WhittedTracer {
  private:
   struct QueuedRay {
     Vec3f origin, direction, weight;
-    float path_length;
+    float path_length, t_near;
     std::uint32_t pixel;
   };
   /// Where the lanes of a packet come from and go to.

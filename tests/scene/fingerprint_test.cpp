@@ -42,7 +42,7 @@ TEST(SceneFingerprint, any_change_that_a_picture_shows_changes_the_number) {
       [](Scene& s) { std::get<Spheres>(s.shapes[1]).push_back({}); },
       [](Scene& s) { s.textures[0].rgba[3] = 5; },
       [](Scene& s) { s.textures[0].wrap_v = Wrap::kClamp; },
-      [](Scene& s) { std::get<PhongSurface>(s.materials[0].surface).planar = PlanarMapping{}; },
+      [](Scene& s) { std::get<PhongSurface>(s.materials[0].surface).projection = ImageProjection{}; },
       [](Scene& s) { std::get<MetallicRoughness>(s.materials[1].surface).unlit = true; },
       [](Scene& s) { s.instances[0].material = 1; },
       [](Scene& s) { s.lights[0].color.y = 0.5f; },

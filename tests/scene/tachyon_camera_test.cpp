@@ -132,10 +132,27 @@ TEST_F(Tachyon, light_is_a_visible_sphere_that_does_not_fade) {
   EXPECT_FALSE(light.inverse_square);
 }
 
-TEST_F(Tachyon, attenuation_that_is_none_is_read) {
+TEST_F(Tachyon, attenuation_is_constant_linear_quadratic) {
   const Scene scene =
-      files.load_statements("LIGHT CENTER 1 2 3 RAD 0.25 ATTENUATION CONSTANT 1 LINEAR 0 QUADRATIC 0 COLOR 1 1 1");
-  EXPECT_FALSE(scene.lights[0].inverse_square);
+      files.load_statements("LIGHT CENTER 1 2 3 RAD 0.25 ATTENUATION CONSTANT 1 LINEAR 0.2 QUADRATIC 0.05 COLOR 0 1 1");
+  EXPECT_EQ(xyz(scene.lights[0].attenuation), (std::array{1.0f, 0.2f, 0.05f}));
+  EXPECT_EQ(xyz(scene.lights[0].color), (std::array{0.0f, 1.0f, 1.0f}));
+}
+
+TEST_F(Tachyon, light_without_attenuation_does_not_fade) {
+  const Scene scene = files.load_statements("LIGHT CENTER 1 2 3 RAD 0.25 COLOR 0 1 1");
+  EXPECT_EQ(xyz(scene.lights[0].attenuation), (std::array{1.0f, 0.0f, 0.0f}));
+}
+
+/// d.UPDIR with an UPDIR of length 2 reaches TOPVAL 1.5 where d.up = 0.75.
+TEST_F(Tachyon, gradient_is_scaled_to_a_unit_up_and_wins_over_background) {
+  const Scene scene = files.load_statements(
+      "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 2 TOPVAL 1.5 BOTTOMVAL -1 TOPCOLOR 0 0 1 BOTTOMCOLOR 1 0 0 BACKGROUND 1 1 1");
+  EXPECT_EQ(xyz(scene.background.up), (std::array{0.0f, 0.0f, -1.0f}));
+  EXPECT_EQ(scene.background.zenith_at, 0.75f);
+  EXPECT_EQ(scene.background.horizon_at, -0.5f);
+  EXPECT_EQ(xyz(scene.background.zenith), (std::array{0.0f, 0.0f, 1.0f}));
+  EXPECT_EQ(xyz(scene.background.horizon), (std::array{1.0f, 0.0f, 0.0f}));
 }
 
 TEST_F(Tachyon, spotlight_shines_along_its_mirrored_direction) {

@@ -173,6 +173,64 @@ TEST_F(Tachyon, vertexarray_with_two_textures_is_two_meshes) {
   EXPECT_EQ(xyz(second.positions[2]), (std::array{1.0f, 1.0f, 0.0f}));
 }
 
+TEST_F(Tachyon, vertex_colours_make_the_material_white) {
+  const Scene scene = files.load_statements(
+      "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 0 COLORS 1 0 0 0 1 0 0 0 1 TEXTURE AMBIENT 0.3 "
+      "DIFFUSE 1 "
+      "SPECULAR 0 OPACITY 1 COLOR 0.5 0.5 0.5 TEXFUNC 0 TRIMESH 1 0 1 2 END_VERTEXARRAY");
+  const Mesh& mesh = only_shape<Mesh>(scene);
+  ASSERT_EQ(mesh.colors.size(), 3u);
+  EXPECT_EQ(xyz(mesh.colors[1]), (std::array{0.0f, 1.0f, 0.0f}));
+  const PhongSurface& surface = test::phong(scene.materials[static_cast<std::size_t>(scene.instances[0].material)]);
+  EXPECT_EQ(xyz(surface.color), (std::array{1.0f, 1.0f, 1.0f}));
+  EXPECT_EQ(surface.ambient, 0.3f);
+}
+
+TEST_F(Tachyon, vertex_colours_count_from_where_they_stand) {
+  const Scene scene =
+      files.load_statements(kQuad + "TRIMESH 1 0 1 2 COLORS 1 0 0 0 1 0 0 0 1 1 1 1 TRIMESH 1 0 1 2 END_VERTEXARRAY");
+  ASSERT_EQ(scene.shapes.size(), 2u);
+  EXPECT_TRUE(std::get<Mesh>(scene.shapes[0]).colors.empty());
+  EXPECT_EQ(std::get<Mesh>(scene.shapes[1]).colors.size(), 3u);
+}
+
+TEST_F(Tachyon, vcstri_has_three_colours_and_a_texture_without) {
+  const Scene scene = files.load_statements(
+      "VCSTRI V0 0 0 1 V1 1 0 1 V2 0 1 1 N0 0 0 1 N1 0 0 1 N2 0 0 1 C0 1 0 0 C1 0 1 0 C2 0 0 1 "
+      "AMBIENT 0.3 DIFFUSE 0.6 SPECULAR 0 OPACITY 0.5 PHONG PLASTIC 0.5 PHONG_SIZE 40 VCST");
+  const Mesh& mesh = only_shape<Mesh>(scene);
+  ASSERT_EQ(mesh.colors.size(), 3u);
+  EXPECT_EQ(xyz(mesh.colors[2]), (std::array{0.0f, 0.0f, 1.0f}));
+  EXPECT_EQ(xyz(mesh.positions[2]), (std::array{0.0f, 1.0f, -1.0f}));
+  EXPECT_EQ(test::phong(scene.materials[0]).highlight_size, 40.0f);
+}
+
+// ---- SCAPE ----
+
+/// Two grid points a side: four corners, random numbers x <- 1099087573 x mod 2^32 from x = 4 on, divided by 2^32.
+TEST_F(Tachyon, landscape_of_four_points_is_two_triangles_over_random_heights) {
+  const Scene scene = files.load_statements("SCAPE RES 2 2 SCALE 4 6 CENTER 1 2 3" + white);
+  const Mesh& mesh = only_shape<Mesh>(scene);
+  ASSERT_EQ(mesh.positions.size(), 4u);
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  std::uint32_t x = 4;
+  std::vector<float> heights;
+  for (int i = 0; i < 4; ++i) heights.push_back(2.0f + static_cast<float>((x *= 1099087573u) / 4294967296.0));
+  // In the order in which triangles first use them: (0, 0), (1, 1), (1, 0), (0, 1).
+  EXPECT_EQ(xyz(mesh.positions[0]), (std::array{-1.0f, heights[0], 0.0f}));
+  EXPECT_EQ(xyz(mesh.positions[1]), (std::array{3.0f, heights[3], -6.0f}));
+  EXPECT_EQ(xyz(mesh.positions[2]), (std::array{3.0f, heights[1], 0.0f}));
+  EXPECT_EQ(xyz(mesh.positions[3]), (std::array{-1.0f, heights[2], -6.0f}));
+  EXPECT_EQ(xyz(mesh.normals[0]), (std::array{0.0f, 1.0f, 0.0f}));
+}
+
+TEST_F(Tachyon, landscape_is_never_below_its_center) {
+  const Scene scene = files.load_statements("SCAPE RES 40 30 SCALE 80 60 CENTER 0 -4 0" + white);
+  const Mesh& mesh = only_shape<Mesh>(scene);
+  EXPECT_EQ(mesh.triangles.size(), 2u * 39 * 29);
+  for (const Vec3f p : mesh.positions) EXPECT_GE(p.y, -4.0f);
+}
+
 // ---- TPOLYFILE ----
 
 TEST_F(Tachyon, tpolyfile_scales_rotates_and_moves) {

@@ -107,12 +107,29 @@ TEST_F(Tachyon, planar_mapping_is_mirrored_so_that_u_and_v_stay) {
   files.write("imaps/a.ppm", kPpm);
   const Scene scene = files.load_statements(planar("imaps/a.ppm"));
   const PhongSurface& surface = phong(scene.materials[0]);
-  ASSERT_TRUE(surface.planar);
-  EXPECT_EQ(xyz(surface.planar->center), (std::array{1.0f, 2.0f, -3.0f}));
-  EXPECT_EQ(xyz(surface.planar->rotate), (std::array{4.0f, 5.0f, 6.0f}));
-  EXPECT_EQ(xyz(surface.planar->scale), (std::array{7.0f, 8.0f, 9.0f}));
-  EXPECT_EQ(xyz(surface.planar->u_axis), (std::array{1.0f, 0.0f, -2.0f}));
-  EXPECT_EQ(xyz(surface.planar->v_axis), (std::array{0.0f, 1.0f, -3.0f}));
+  ASSERT_TRUE(surface.projection);
+  EXPECT_EQ(surface.projection->kind, ProjectionKind::kPlane);
+  EXPECT_EQ(xyz(surface.projection->center), (std::array{1.0f, 2.0f, -3.0f}));
+  EXPECT_EQ(xyz(surface.projection->rotate), (std::array{4.0f, 5.0f, 6.0f}));
+  EXPECT_EQ(xyz(surface.projection->scale), (std::array{7.0f, 8.0f, 9.0f}));
+  EXPECT_EQ(xyz(surface.projection->u_axis), (std::array{1.0f, 0.0f, -2.0f}));
+  EXPECT_EQ(xyz(surface.projection->v_axis), (std::array{0.0f, 1.0f, -3.0f}));
+}
+
+TEST_F(Tachyon, cylindrical_and_spherical_images_stand_along_y) {
+  files.write("a.ppm", kPpm);
+  const std::string start = " AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC ";
+  const std::string end = " a.ppm CENTER 1 2 3 ROTATE 4 5 6 SCALE 7 8 9 ";
+  const Scene scene = files.load_statements("TEXDEF c" + start + "7" + end + "TEXDEF s" + start + "8" + end);
+  ASSERT_EQ(scene.materials.size(), 2u);
+  const ImageProjection &cylinder = *phong(scene.materials[0]).projection, &sphere = *phong(scene.materials[1]).projection;
+  EXPECT_EQ(cylinder.kind, ProjectionKind::kCylinder);
+  EXPECT_EQ(sphere.kind, ProjectionKind::kSphere);
+  EXPECT_EQ(xyz(cylinder.center), (std::array{1.0f, 2.0f, -3.0f}));
+  EXPECT_EQ(xyz(cylinder.rotate), (std::array{4.0f, 5.0f, 6.0f}));
+  EXPECT_EQ(xyz(cylinder.scale), (std::array{7.0f, 8.0f, 9.0f}));
+  EXPECT_EQ(xyz(cylinder.u_axis), (std::array{1.0f, 0.0f, 0.0f}));
+  EXPECT_EQ(xyz(cylinder.v_axis), (std::array{0.0f, 1.0f, 0.0f}));
 }
 
 TEST_F(Tachyon, ppm_has_its_top_row_at_v_0) {

@@ -28,7 +28,7 @@ Scene good_scene() {
   scene.textures = {texture};
   PhongSurface phong;
   phong.texture = 0;
-  phong.planar = PlanarMapping{};
+  phong.projection = ImageProjection{};
   MetallicRoughness metal;
   metal.base_color_texture = 0;
   scene.materials = {{"p", phong}, {"m", metal}};
@@ -79,6 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"normal_count", [](Scene& s) { mesh_of(s).normals.pop_back(); }, "not one normal per vertex"},
         Fault{"normal_zero", [](Scene& s) { mesh_of(s).normals[0] = Vec3f(0.0f); }, "the normal of vertex 0"},
         Fault{"uv_count", [](Scene& s) { mesh_of(s).uvs.pop_back(); }, "not one uv per vertex"},
+        Fault{"color_count", [](Scene& s) { mesh_of(s).colors.resize(2); }, "not one colour per vertex"},
+        Fault{"color_nan", [](Scene& s) { mesh_of(s).colors.assign(3, Vec3f(kNan)); }, "the colour of vertex 0"},
         Fault{"uv_nan", [](Scene& s) { mesh_of(s).uvs[0].x = kNan; }, "the uv of vertex 0"},
         Fault{"triangle_index", [](Scene& s) { mesh_of(s).triangles[0][1] = 3; }, "triangle 0 names vertex 3 of 3"},
         Fault{"sphere_radius", [](Scene& s) { std::get<Spheres>(s.shapes[1])[0].radius = 0.0f; }, "shape 1, element 0"},
@@ -93,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"texture_bytes", [](Scene& s) { s.textures[0].rgba.pop_back(); }, "four bytes a pixel"},
         Fault{"material_texture", [](Scene& s) { phong_of(s).texture = 1; }, "material 0 (p): texture 1 does not exist"},
         Fault{"material_nan", [](Scene& s) { phong_of(s).opacity = kNan; }, "coefficient"},
-        Fault{"material_mapping", [](Scene& s) { phong_of(s).planar->scale.y = kNan; }, "mapping"},
+        Fault{"material_mapping", [](Scene& s) { phong_of(s).projection->scale.y = kNan; }, "projection is not finite"},
         Fault{"material_ior", [](Scene& s) { metal_of(s).ior = 0.0f; }, "refraction"},
         Fault{"material_color", [](Scene& s) { metal_of(s).base_color.w = kInfinity; }, "colour"},
         Fault{"instance_shape", [](Scene& s) { s.instances[0].shape = -1; }, "instance 0: shape -1"},
@@ -115,6 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
               "unevenly"},
         Fault{"light_node", [](Scene& s) { s.lights[0].node = 7; }, "light 0: node 7"},
         Fault{"light_color", [](Scene& s) { s.lights[0].color.x = kNan; }, "colour"},
+        Fault{"light_attenuation", [](Scene& s) { s.lights[0].attenuation = Vec3f(0.0f); }, "attenuation"},
         Fault{"light_range", [](Scene& s) { s.lights[0].range = 0.0f; }, "range"},
         Fault{"light_cones", [](Scene& s) { s.lights[0].inner_cone = 1.0f; }, "cone angles"},
         Fault{"light_radius", [](Scene& s) { s.lights[0].visible_radius = -1.0f; }, "radius"},
@@ -123,6 +126,13 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"camera_offset", [](Scene& s) { s.cameras[0].pixel_offset.x = kNan; }, "pixel offset"},
         Fault{"display_height", [](Scene& s) { s.display->plane_height = 0.0f; }, "display: the height"},
         Fault{"display_distance", [](Scene& s) { s.display->viewing_distance = kNan; }, "viewing distance"},
+        Fault{"background_heights", [](Scene& s) { s.background.horizon_at = 1.0f; }, "two different heights"},
+        Fault{"projection_axes",
+              [](Scene& s) {
+                phong_of(s).projection->kind = ProjectionKind::kSphere;
+                phong_of(s).projection->u_axis = Vec3f(0, 1, 0);
+              },
+              "not orthonormal"},
         Fault{"background_up", [](Scene& s) { s.background.up = Vec3f(0.0f); }, "background: up"},
         Fault{"depth", [](Scene& s) { s.max_depth = 0; }, "max_depth"},
         Fault{"frames", [](Scene& s) { s.timeline.frame_count = 0; }, "no frames"},

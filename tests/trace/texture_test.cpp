@@ -82,23 +82,23 @@ TEST(SampleUv, absurd_coordinates_give_some_texel) {
   }
 }
 
-TEST(SamplePlanar, coordinates_fraction_and_level_by_hand) {
+TEST(SampleProjected, coordinates_fraction_and_level_by_hand) {
   // 4 x 4: levels of 4, 2 and 1; rows of equal texels but for the first.
   const DeviceTexture t =
       make_device_texture(gray(4, 4, {0, 51, 102, 255, 60, 60, 60, 60, 120, 120, 120, 120, 180, 180, 180, 180}), true);
-  PlanarMapping m;
+  ImageProjection m;
   m.center = {1, 0, 0};
   m.scale = {0.5f, 0.25f, 0.0f};
   // u = 0.5 (x - 1), v = 0.25 y; at path length 0 level 0, bilinear over (resolution - 1): u = 1/6 is half way to the second
   // texel.
-  EXPECT_NEAR(sample_planar(t, m, {1, 0, 0}, 0.0f).r, 0.0f, kStep);
-  EXPECT_NEAR(sample_planar(t, m, {1 + 1 / 3.0f, 0, 0}, 0.0f).r, 0.1f, kStep);
-  EXPECT_NEAR(sample_planar(t, m, {1 / 3.0f, 0, 0}, 0.0f).r, 0.4f, kStep) << "-1/3 wraps to 2/3: the third texel";
-  EXPECT_NEAR(sample_planar(t, m, {1, 2 / 3.0f, 0}, 0.0f).r, 30 / 255.0f, kStep) << "v = 1/6: half way down to 60";
+  EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 0.0f).r, 0.0f, kStep);
+  EXPECT_NEAR(sample_projected(t, m, {1 + 1 / 3.0f, 0, 0}, 0.0f).r, 0.1f, kStep);
+  EXPECT_NEAR(sample_projected(t, m, {1 / 3.0f, 0, 0}, 0.0f).r, 0.4f, kStep) << "-1/3 wraps to 2/3: the third texel";
+  EXPECT_NEAR(sample_projected(t, m, {1, 2 / 3.0f, 0}, 0.0f).r, 30 / 255.0f, kStep) << "v = 1/6: half way down to 60";
   // Level min(1, 0.05 path 0.5) (3 - 0.9999): path 20 gives 1.00005, from which on it is the 1 x 1 level. Level 1 averages
   // 2 x 2 texels, truncating: 42, 119; 150, 150. Level 2: (42 + 119 + 150 + 150) / 4 = 115.
-  EXPECT_NEAR(sample_planar(t, m, {1, 0, 0}, 20.0f).r, 115 / 255.0f, kStep);
-  EXPECT_NEAR(sample_planar(t, m, {1, 0, 0}, 10.0f).r, 0.500025f * 42 / 255.0f, 2 * kStep) << "half way to level 1";
+  EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 20.0f).r, 115 / 255.0f, kStep);
+  EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 10.0f).r, 0.500025f * 42 / 255.0f, 2 * kStep) << "half way to level 1";
 }
 
 TEST(MakeDeviceTexture, tachyon_averages_truncate) {

@@ -1,6 +1,8 @@
 // LIGHT, SPOTLIGHT and DIRECTIONAL_LIGHT.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/tachyon/parser.hpp"
 
 namespace lippmann::tachyon {
@@ -13,18 +15,23 @@ float parse_visible_radius(Lexer& lexer) {
   return radius;
 }
 
-/// COLOR, with ATTENUATION before it if that changes nothing.
-Vec3f parse_attenuated_color(Lexer& lexer) {
+/// COLOR, with ATTENUATION before it or not.
+void parse_attenuated_color(Lexer& lexer, Light& light) {
   const std::string_view word = lexer.word("COLOR");
-  if (is_keyword(word, "COLOR")) return lexer.vector("COLOR");
+  if (is_keyword(word, "COLOR")) {
+    light.color = lexer.vector("COLOR");
+    return;
+  }
   if (!is_keyword(word, "ATTENUATION"))
     throw lexer.error(fmt::format("{} stands where COLOR is expected", shown(word)), "ATTENUATION, COLOR");
-  const float constant = lexer.number_after("CONSTANT");
-  const float linear = lexer.number_after("LINEAR");
-  const float quadratic = lexer.number_after("QUADRATIC");
-  if (constant != 1.0f || linear != 0.0f || quadratic != 0.0f)
-    throw lexer.error("ATTENUATION is not supported", "CONSTANT 1 LINEAR 0 QUADRATIC 0");
-  return lexer.vector_after("COLOR");
+  light.attenuation.x = lexer.number_after("CONSTANT");
+  light.attenuation.y = lexer.number_after("LINEAR");
+  light.attenuation.z = lexer.number_after("QUADRATIC");
+  const Vec3f a = light.attenuation;
+  if (std::min({a.x, a.y, a.z}) < 0.0f || a == Vec3f(0.0f))
+    throw lexer.error(fmt::format("ATTENUATION is {}, {}, {}", a.x, a.y, a.z),
+                      "three numbers that are not negative, one of them not 0");
+  light.color = lexer.vector_after("COLOR");
 }
 
 Vec3f parse_direction(Lexer& lexer) {
@@ -39,7 +46,7 @@ void parse_light(Lexer& lexer, ParserState& state) {
   Light light;
   const Vec3f center = lexer.vector_after("CENTER");
   light.visible_radius = parse_visible_radius(lexer);
-  light.color = parse_attenuated_color(lexer);
+  parse_attenuated_color(lexer, light);
   state.builder.add_light(std::move(light), center);
 }
 
@@ -55,7 +62,7 @@ void parse_spotlight(Lexer& lexer, ParserState& state) {
                       "0 <= FALLOFF_START <= FALLOFF_END <= 180");
   light.inner_cone = radians(start);
   light.outer_cone = std::min(radians(end), kPi);
-  light.color = parse_attenuated_color(lexer);
+  parse_attenuated_color(lexer, light);
   state.builder.add_light(std::move(light), center, direction);
 }
 

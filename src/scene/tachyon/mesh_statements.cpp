@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "scene/tachyon/parser.hpp"
@@ -21,7 +22,7 @@ std::vector<Vertex> parse_vertices(Lexer& lexer) {
   const int count = lexer.integer("NUMVERTS", 1, kAnyCount);
   std::vector<Vertex> vertices;  // grows with what the file really holds, whatever the count says
   lexer.expect("COORDS");
-  for (int i = 0; i < count; ++i) vertices.push_back({lexer.vector("COORDS"), Vec3f(0.0f)});
+  for (int i = 0; i < count; ++i) vertices.push_back({.position = lexer.vector("COORDS")});
   lexer.expect("NORMALS");
   for (Vertex& vertex : vertices) vertex.normal = lexer.vector("NORMALS");
   return vertices;
@@ -84,26 +85,30 @@ struct Placement {
 }  // namespace
 
 void parse_vertexarray(Lexer& lexer, ParserState& state) {
-  const std::vector<Vertex> vertices = parse_vertices(lexer);
+  constexpr std::string_view kBlocks = "COLORS, TEXTURE, TRIMESH, TRISTRIP, END_VERTEXARRAY";
+  std::vector<Vertex> vertices = parse_vertices(lexer);
   IndexedTriangles triangles(state.builder, vertices);
-  bool has_texture = false;
+  std::optional<int> material;
+  bool colored = false;
+  const auto use = [&](int next) {
+    material = next;
+    triangles.set_material(colored ? state.builder.whitened(next) : next, colored);
+  };
   for (;;) {
     const std::string block = upper(lexer.word("END_VERTEXARRAY"));
     if (block == "END_VERTEXARRAY") return;
-    if (block == "COLORS")
-      throw lexer.error("COLORS are not supported in VERTEXARRAY", "TEXTURE, TRIMESH, TRISTRIP, END_VERTEXARRAY");
-    if (block == "TEXTURE") {
-      triangles.set_material(parse_texture_body(lexer, state, fmt::format("line {}", lexer.line())));
-      has_texture = true;
-      continue;
+    if (block == "COLORS") {
+      for (Vertex& vertex : vertices) vertex.color = lexer.vector("COLORS");
+      colored = true;
+      use(material ? *material : add_default_material(state));
+    } else if (block == "TEXTURE") {
+      use(parse_texture_body(lexer, state, fmt::format("line {}", lexer.line())));
+    } else if (block == "TRIMESH" || block == "TRISTRIP") {
+      if (!material) use(add_default_material(state));
+      block == "TRIMESH" ? parse_trimesh(lexer, triangles) : parse_tristrip(lexer, triangles);
+    } else {
+      throw lexer.error(fmt::format("{} is not a block of VERTEXARRAY", shown(block)), std::string(kBlocks));
     }
-    const bool mesh = block == "TRIMESH";
-    if (!mesh && block != "TRISTRIP")
-      throw lexer.error(fmt::format("{} is not a block of VERTEXARRAY", shown(block)),
-                        "TEXTURE, TRIMESH, TRISTRIP, END_VERTEXARRAY");
-    if (!has_texture) triangles.set_material(add_default_material(state));
-    has_texture = true;
-    mesh ? parse_trimesh(lexer, triangles) : parse_tristrip(lexer, triangles);
   }
 }
 

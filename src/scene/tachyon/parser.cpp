@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <vector>
 
 #include "core/suggest.hpp"
+#include "scene/tachyon/handedness.hpp"
 
 namespace lippmann::tachyon {
 namespace {
@@ -19,6 +21,25 @@ void parse_statements(Lexer& lexer, ParserState& state, bool must_end);
 
 void parse_background(Lexer& lexer, ParserState& state) {
   state.background.horizon = state.background.zenith = lexer.vector("BACKGROUND");
+}
+
+/// The colour of a direction d is BOTTOMCOLOR where d.UPDIR <= BOTTOMVAL, TOPCOLOR where it is >= TOPVAL, between them a blend.
+void parse_background_gradient(Lexer& lexer, ParserState& state) {
+  const std::string kind = upper(lexer.word("SKY_SPHERE"));
+  if (kind != "SKY_SPHERE")
+    throw lexer.error(fmt::format("BACKGROUND_GRADIENT {} is not supported", shown(kind)), "SKY_SPHERE");
+  Background gradient;
+  const Vec3f up = lexer.vector_after("UPDIR");
+  if (up == Vec3f(0.0f)) throw lexer.error("UPDIR is zero", "a vector that is not zero");
+  const double length = glm::length(glm::dvec3(up));
+  gradient.up = mirrored(direction_of(up));
+  gradient.zenith_at = static_cast<float>(lexer.number_after("TOPVAL") / length);
+  gradient.horizon_at = static_cast<float>(lexer.number_after("BOTTOMVAL") / length);
+  if (!(std::isfinite(gradient.zenith_at) && std::isfinite(gradient.horizon_at)) || gradient.zenith_at == gradient.horizon_at)
+    throw lexer.error("TOPVAL and BOTTOMVAL make no gradient", "two different heights");
+  gradient.zenith = lexer.vector_after("TOPCOLOR");
+  gradient.horizon = lexer.vector_after("BOTTOMCOLOR");
+  state.gradient = gradient;
 }
 
 void parse_camera_statement(Lexer& lexer, ParserState& state) { state.camera = parse_camera(lexer, state.context); }
@@ -56,6 +77,7 @@ struct Statement {
 constexpr Statement kStatements[] = {
     // sorted by keyword
     {"BACKGROUND", parse_background},
+    {"BACKGROUND_GRADIENT", parse_background_gradient},
     {"BOX", parse_box},
     {"CAMERA", parse_camera_statement},
     {"DIRECTIONAL_LIGHT", parse_directional_light},
@@ -66,6 +88,7 @@ constexpr Statement kStatements[] = {
     {"PLANE", parse_plane},
     {"POLYCYLINDER", parse_polycylinder},
     {"RING", parse_ring},
+    {"SCAPE", parse_scape},
     {"SHADER_MODE", parse_shader_mode},
     {"SPHERE", parse_sphere},
     {"SPOTLIGHT", parse_spotlight},
@@ -74,13 +97,13 @@ constexpr Statement kStatements[] = {
     {"TEXDEF", parse_texdef},
     {"TPOLYFILE", parse_tpolyfile},
     {"TRI", parse_tri},
+    {"VCSTRI", parse_vcstri},
     {"VERTEXARRAY", parse_vertexarray},
 };
 
 /// Statements that Tachyon knows and we do not; named, so that nobody looks for a spelling mistake.
-constexpr std::string_view kUnsupported[] = {
-    "BACKGROUND_GRADIENT", "CYLINDER",    "END_CLIPGROUP",   "FOG",   "MGFFILE", "SCALARVOL", "SCAPE",
-    "SKY_LIGHT",           "SPHEREARRAY", "START_CLIPGROUP", "VCSTRI"};
+constexpr std::string_view kUnsupported[] = {"CYLINDER",  "END_CLIPGROUP", "FOG",         "MGFFILE",
+                                             "SCALARVOL", "SKY_LIGHT",     "SPHEREARRAY", "START_CLIPGROUP"};
 
 std::vector<std::string_view> statement_keywords() {
   std::vector<std::string_view> keywords;

@@ -4,7 +4,9 @@
 // has been read and reads to the end of its statement; each throws Error that names file and line.
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "core/context.hpp"
@@ -25,7 +27,9 @@ struct ParserState {
   std::map<std::string, int, std::less<>> textures;  ///< TEXDEF and TEXALIAS names to materials
   std::map<std::string, int, std::less<>> images;    ///< image maps by the name that the scene calls them
   CameraRecord camera;
-  Background background;
+  Background background;               ///< BACKGROUND
+  std::optional<Background> gradient;  ///< BACKGROUND_GRADIENT, which wins wherever it stands
+  std::int64_t landscape_steps = 0;    ///< taken so far
   Vec2i resolution{0, 0};
   int include_depth = 0, includes = 0;
   int undefined_textures = 0, redefined_textures = 0;  ///< how often; the first is a warning
@@ -48,6 +52,8 @@ void parse_imagedef(Lexer& lexer, ParserState& state);
 int parse_texture_body(Lexer& lexer, ParserState& state, std::string name);
 /// What Tachyon gives to shapes without a texture that it knows: matt white.
 int add_default_material(ParserState& state);
+/// The body of a texture in VCSTRI, where the vertices bring the colour and the word VCST stands for COLOR and TEXFUNC.
+int parse_colorless_texture_body(Lexer& lexer, ParserState& state);
 /// At the end of a shape: a texture's name, or TEXTURE and a body.
 int parse_texture_reference(Lexer& lexer, ParserState& state);
 
@@ -60,10 +66,14 @@ void parse_ring(Lexer& lexer, ParserState& state);
 void parse_sphere(Lexer& lexer, ParserState& state);
 void parse_stri(Lexer& lexer, ParserState& state);
 void parse_tri(Lexer& lexer, ParserState& state);
+void parse_vcstri(Lexer& lexer, ParserState& state);
 
 // Shapes of many triangles (mesh_statements.cpp).
 void parse_tpolyfile(Lexer& lexer, ParserState& state);
 void parse_vertexarray(Lexer& lexer, ParserState& state);
+
+// Fractal landscapes (landscape_statement.cpp).
+void parse_scape(Lexer& lexer, ParserState& state);
 
 // Lights (light_statements.cpp).
 void parse_directional_light(Lexer& lexer, ParserState& state);

@@ -32,8 +32,8 @@ Quatf looking_along(Vec3f forward, Vec3f up) {
 }
 
 SceneBuilder::MaterialKey SceneBuilder::key_of(const PhongSurface& s) {
-  const PlanarMapping none{};
-  const PlanarMapping& p = s.planar ? *s.planar : none;
+  const ImageProjection none{};
+  const ImageProjection& p = s.projection ? *s.projection : none;
   return {s.color.x,
           s.color.y,
           s.color.z,
@@ -44,7 +44,8 @@ SceneBuilder::MaterialKey SceneBuilder::key_of(const PhongSurface& s) {
           s.mirror,
           s.opacity,
           static_cast<float>(s.highlight_kind),
-          s.planar ? 1.0f : 0.0f,
+          s.projection ? 1.0f : 0.0f,
+          static_cast<float>(p.kind),
           s.highlight_size,
           p.center.x,
           p.center.y,
@@ -67,15 +68,24 @@ int SceneBuilder::add_material(const PhongSurface& surface, std::string name) {
   const auto [entry, is_new] = materials_.try_emplace(key_of(surface), static_cast<int>(scene_.materials.size()));
   if (!is_new) return entry->second;
   Material material{std::move(name), surface};
-  if (surface.planar) {
-    PlanarMapping& mapping = *std::get<PhongSurface>(material.surface).planar;
-    mapping.center = mirrored(mapping.center);
-    mapping.u_axis = mirrored(mapping.u_axis);
-    mapping.v_axis = mirrored(mapping.v_axis);
+  if (surface.projection) {
+    ImageProjection& projection = *std::get<PhongSurface>(material.surface).projection;
+    projection.center = mirrored(projection.center);
+    projection.u_axis = mirrored(projection.u_axis);
+    projection.v_axis = mirrored(projection.v_axis);
   }
   scene_.materials.push_back(std::move(material));
   groups_.emplace_back();
   return entry->second;
+}
+
+int SceneBuilder::whitened(int material) {
+  const Material& colored = scene_.materials[static_cast<std::size_t>(material)];
+  PhongSurface surface = std::get<PhongSurface>(colored.surface);
+  surface.color = Vec3f(1.0f);
+  surface.texture = -1;
+  surface.projection.reset();
+  return add_material(surface, colored.name);
 }
 
 int SceneBuilder::add_texture(Texture texture) {
@@ -122,16 +132,16 @@ void SceneBuilder::add_triangle(int material, const std::array<Vec3f, 3>& corner
   mesh.triangles.push_back(mirrored_triangle(first, first + 1, first + 2));
 }
 
-void SceneBuilder::add_smooth_triangle(int material, const std::array<Vertex, 3>& corners) {
+void SceneBuilder::add_corners(Mesh& mesh, const std::array<Vertex, 3>& corners, bool colored) {
   if (!has_area(corners[0].position, corners[1].position, corners[2].position)) return;
   const Vec3d facet = glm::cross(Vec3d(corners[1].position) - Vec3d(corners[0].position),
                                  Vec3d(corners[2].position) - Vec3d(corners[0].position));
-  Mesh& mesh = group(material).smooth;
   const std::uint32_t first = next_index(mesh);
   for (const Vertex& corner : corners) {
     const bool given = corner.normal != Vec3f(0.0f);
     mesh.positions.push_back(mirrored(corner.position));
     mesh.normals.push_back(mirrored(given ? direction_of(corner.normal) : Vec3f(glm::normalize(facet))));
+    if (colored) mesh.colors.push_back(corner.color);
   }
   mesh.triangles.push_back(mirrored_triangle(first, first + 1, first + 2));
 }
@@ -139,10 +149,11 @@ void SceneBuilder::add_smooth_triangle(int material, const std::array<Vertex, 3>
 SceneBuilder::IndexedTriangles::IndexedTriangles(SceneBuilder& builder, const std::vector<Vertex>& vertices)
     : builder_(builder), vertices_(vertices), placed_(vertices.size(), -1) {}
 
-void SceneBuilder::IndexedTriangles::set_material(int material) {
+void SceneBuilder::IndexedTriangles::set_material(int material, bool colored) {
   for (const int index : used_) placed_[static_cast<std::size_t>(index)] = -1;
   used_.clear();
   material_ = material;
+  colored_ = colored;
 }
 
 bool SceneBuilder::IndexedTriangles::add(int i0, int i1, int i2) {
@@ -154,12 +165,12 @@ bool SceneBuilder::IndexedTriangles::add(int i0, int i1, int i2) {
     corners[k] = vertices_[static_cast<std::size_t>(indices[k])];
     all_have_normals = all_have_normals && corners[k].normal != Vec3f(0.0f);
   }
+  Mesh& mesh = colored_ ? builder_.group(material_).colored : builder_.group(material_).smooth;
   if (!all_have_normals) {  // its normals are its own, so nothing can be shared
-    builder_.add_smooth_triangle(material_, corners);
+    builder_.add_corners(mesh, corners, colored_);
     return true;
   }
   if (!builder_.has_area(corners[0].position, corners[1].position, corners[2].position)) return true;
-  Mesh& mesh = builder_.group(material_).smooth;
   std::array<std::uint32_t, 3> own;
   for (std::size_t k = 0; k < 3; ++k) {
     std::int64_t& place = placed_[static_cast<std::size_t>(indices[k])];
@@ -168,6 +179,7 @@ bool SceneBuilder::IndexedTriangles::add(int i0, int i1, int i2) {
       used_.push_back(indices[k]);
       mesh.positions.push_back(mirrored(corners[k].position));
       mesh.normals.push_back(mirrored(direction_of(corners[k].normal)));
+      if (colored_) mesh.colors.push_back(corners[k].color);
     }
     own[k] = static_cast<std::uint32_t>(place);
   }
@@ -203,6 +215,7 @@ Scene SceneBuilder::take() {
     const int material = static_cast<int>(i);
     take_shape(material, g.facets, g.facets.triangles.empty(), "triangles");
     take_shape(material, g.smooth, g.smooth.triangles.empty(), "smooth triangles");
+    take_shape(material, g.colored, g.colored.triangles.empty(), "colored triangles");
     take_shape(material, g.spheres, g.spheres.empty(), "spheres");
     take_shape(material, g.cylinders, g.cylinders.empty(), "cylinders");
     take_shape(material, g.planes, g.planes.empty(), "planes");

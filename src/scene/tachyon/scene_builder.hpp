@@ -26,23 +26,34 @@ class SceneBuilder {
   void add_box(int material, Vec3f corner, Vec3f opposite_corner);
   void add_triangle(int material, const std::array<Vec3f, 3>& corners);
 
+  /// The index of the same material, but white and without image, to be coloured by vertices.
+  int whitened(int material);
+
   /// Vertices of smooth triangles: a normal of any length > 0, or of length 0: then it is taken from its triangle.
   struct Vertex {
-    Vec3f position, normal;
+    Vec3f position{0.0f}, normal{0.0f}, color{1.0f};
   };
-  void add_smooth_triangle(int material, const std::array<Vertex, 3>& corners);
+  void add_smooth_triangle(int material, const std::array<Vertex, 3>& corners) {
+    add_corners(group(material).smooth, corners, false);
+  }
+  /// The same, with the vertices' colours multiplied into the material's.
+  void add_colored_triangle(int material, const std::array<Vertex, 3>& corners) {
+    add_corners(group(material).colored, corners, true);
+  }
 
   /// Smooth triangles that share vertices. add() returns false where an index is beyond the vertices.
   class IndexedTriangles {
    public:
     IndexedTriangles(SceneBuilder& builder, const std::vector<Vertex>& vertices);
-    void set_material(int material);
+    /// Of the triangles to come; colored: the vertices' colours count.
+    void set_material(int material, bool colored);
     bool add(int i0, int i1, int i2);
 
    private:
     SceneBuilder& builder_;
     const std::vector<Vertex>& vertices_;
     int material_ = -1;
+    bool colored_ = false;
     std::vector<std::int64_t> placed_;  ///< where a vertex is in the material's mesh; -1: nowhere yet
     std::vector<int> used_;             ///< whose `placed_` is set
   };
@@ -58,7 +69,7 @@ class SceneBuilder {
 
  private:
   struct Group {
-    Mesh facets, smooth;
+    Mesh facets, smooth, colored;
     Spheres spheres;
     Cylinders cylinders;
     Planes planes;
@@ -67,10 +78,11 @@ class SceneBuilder {
   };
   Group& group(int material) { return groups_[static_cast<std::size_t>(material)]; }
   bool has_area(Vec3f a, Vec3f b, Vec3f c);
+  void add_corners(Mesh& mesh, const std::array<Vertex, 3>& corners, bool colored);
   template <class S>
   void take_shape(int material, S& shape, bool empty, std::string_view kind);
 
-  using MaterialKey = std::array<float, 27>;
+  using MaterialKey = std::array<float, 28>;
   static MaterialKey key_of(const PhongSurface& surface);
 
   Scene scene_;

@@ -1,4 +1,4 @@
-// The statements of single shapes: TRI, STRI, SPHERE, PLANE, RING, BOX, FCYLINDER and POLYCYLINDER.
+// The statements of single shapes: TRI, STRI, VCSTRI, SPHERE, PLANE, RING, BOX, FCYLINDER and POLYCYLINDER.
 #include <fmt/format.h>
 
 #include <limits>
@@ -21,6 +21,17 @@ Vec3f normal_after(Lexer& lexer, std::string_view keyword) {
   return normal;
 }
 
+std::array<SceneBuilder::Vertex, 3> parse_smooth_corners(Lexer& lexer) {
+  std::array<SceneBuilder::Vertex, 3> corners;
+  corners[0].position = lexer.vector_after("V0");
+  corners[1].position = lexer.vector_after("V1");
+  corners[2].position = lexer.vector_after("V2");
+  corners[0].normal = lexer.vector_after("N0");
+  corners[1].normal = lexer.vector_after("N1");
+  corners[2].normal = lexer.vector_after("N2");
+  return corners;
+}
+
 }  // namespace
 
 void parse_tri(Lexer& lexer, ParserState& state) {
@@ -29,14 +40,16 @@ void parse_tri(Lexer& lexer, ParserState& state) {
 }
 
 void parse_stri(Lexer& lexer, ParserState& state) {
-  std::array<SceneBuilder::Vertex, 3> corners;
-  corners[0].position = lexer.vector_after("V0");
-  corners[1].position = lexer.vector_after("V1");
-  corners[2].position = lexer.vector_after("V2");
-  corners[0].normal = lexer.vector_after("N0");
-  corners[1].normal = lexer.vector_after("N1");
-  corners[2].normal = lexer.vector_after("N2");
+  const std::array<SceneBuilder::Vertex, 3> corners = parse_smooth_corners(lexer);
   state.builder.add_smooth_triangle(parse_texture_reference(lexer, state), corners);
+}
+
+void parse_vcstri(Lexer& lexer, ParserState& state) {
+  std::array<SceneBuilder::Vertex, 3> corners = parse_smooth_corners(lexer);
+  corners[0].color = lexer.vector_after("C0");
+  corners[1].color = lexer.vector_after("C1");
+  corners[2].color = lexer.vector_after("C2");
+  state.builder.add_colored_triangle(parse_colorless_texture_body(lexer, state), corners);
 }
 
 void parse_sphere(Lexer& lexer, ParserState& state) {

@@ -31,7 +31,7 @@ Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, doub
   if (const int count = state.builder.left_out(); count > 0)
     context.warning(fmt::format("{}: {} shapes without extent are left out.", lexer.name(), count));
   Scene scene = state.builder.take();
-  scene.background = state.background;
+  scene.background = state.gradient.value_or(state.background);
   scene.encoding = Encoding::kTachyonTruncate;
   scene.max_depth = std::max(state.camera.ray_depth, 1);
   scene.resolution = state.resolution;

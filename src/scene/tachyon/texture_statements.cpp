@@ -9,7 +9,7 @@
 namespace lippmann::tachyon {
 namespace {
 
-constexpr int kConstantTexture = 0, kPlanarImage = 9, kLastTexfunc = 10;
+constexpr int kConstantTexture = 0, kCylindricalImage = 7, kSphericalImage = 8, kPlanarImage = 9, kLastTexfunc = 10;
 
 /// PHONG kind strength PHONG_SIZE exponent, after PHONG.
 void parse_highlight(Lexer& lexer, PhongSurface& surface) {
@@ -21,26 +21,33 @@ void parse_highlight(Lexer& lexer, PhongSurface& surface) {
   surface.highlight_size = lexer.number_after("PHONG_SIZE");
 }
 
-/// The words between OPACITY and COLOR, all of which may be missing.
-void parse_options(Lexer& lexer, PhongSurface& surface) {
-  std::string_view word = lexer.word("COLOR");
+/// AMBIENT to `last`, the word that ends the optional ones.
+void parse_coefficients(Lexer& lexer, PhongSurface& surface, std::string_view last) {
+  surface.ambient = lexer.number_after("AMBIENT");
+  surface.diffuse = lexer.number_after("DIFFUSE");
+  surface.mirror = lexer.number_after("SPECULAR");
+  const float opacity = lexer.number_after("OPACITY");
+  if (opacity < 0.0f) throw lexer.error(fmt::format("OPACITY is {}", opacity), "a number that is not negative");
+  surface.opacity = std::min(opacity, 1.0f);
+  std::string_view word = lexer.word(last);
   if (is_keyword(word, "TRANSMODE")) {
     const std::string mode = upper(lexer.word("TRANSMODE's name"));
     if (mode == "R3D") throw lexer.error("TRANSMODE R3D is not supported", "TRANSMODE ORIG, or no TRANSMODE");
-    word = lexer.word("COLOR");
+    word = lexer.word(last);
   }
   if (is_keyword(word, "OUTLINE")) {
     const float strength = lexer.number("OUTLINE");
     if (strength != 0.0f) throw lexer.error("OUTLINE is not supported", "OUTLINE 0, or no OUTLINE");
     lexer.number_after("OUTLINE_WIDTH");
-    word = lexer.word("COLOR");
+    word = lexer.word(last);
   }
   if (is_keyword(word, "PHONG")) {
     parse_highlight(lexer, surface);
-    word = lexer.word("COLOR");
+    word = lexer.word(last);
   }
-  if (!is_keyword(word, "COLOR"))
-    throw lexer.error(fmt::format("{} stands where COLOR is expected", shown(word)), "TRANSMODE, OUTLINE, PHONG, COLOR");
+  if (!is_keyword(word, last))
+    throw lexer.error(fmt::format("{} stands where {} is expected", shown(word), last),
+                      fmt::format("TRANSMODE, OUTLINE, PHONG, {}", last));
 }
 
 int image_named(Lexer& lexer, ParserState& state) {
@@ -57,15 +64,38 @@ int image_named(Lexer& lexer, ParserState& state) {
   return texture;
 }
 
-void parse_planar_image(Lexer& lexer, ParserState& state, PhongSurface& surface) {
+/// Cylinders and spheres stand along y, and u runs from x towards z: in our mirrored world towards -z, which is v_axis x
+/// u_axis.
+void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, PhongSurface& surface) {
   surface.texture = image_named(lexer, state);
-  PlanarMapping mapping;
-  mapping.center = lexer.vector_after("CENTER");
-  mapping.rotate = lexer.vector_after("ROTATE");
-  mapping.scale = lexer.vector_after("SCALE");
-  mapping.u_axis = lexer.vector_after("UAXIS");
-  mapping.v_axis = lexer.vector_after("VAXIS");
-  surface.planar = mapping;
+  ImageProjection projection;
+  projection.kind = kind;
+  projection.center = lexer.vector_after("CENTER");
+  projection.rotate = lexer.vector_after("ROTATE");
+  projection.scale = lexer.vector_after("SCALE");
+  if (kind == ProjectionKind::kPlane) {
+    projection.u_axis = lexer.vector_after("UAXIS");
+    projection.v_axis = lexer.vector_after("VAXIS");
+  }
+  surface.projection = projection;
+}
+
+/// TEXFUNC's number and what follows it.
+void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
+  const int function = lexer.integer("TEXFUNC", 0, std::numeric_limits<int>::max());
+  switch (function) {
+    case kConstantTexture:
+      return;
+    case kCylindricalImage:
+      return parse_image_map(lexer, state, ProjectionKind::kCylinder, surface);
+    case kSphericalImage:
+      return parse_image_map(lexer, state, ProjectionKind::kSphere, surface);
+    case kPlanarImage:
+      return parse_image_map(lexer, state, ProjectionKind::kPlane, surface);
+    default:
+      throw lexer.error(fmt::format("TEXFUNC {} is not {}", function, function <= kLastTexfunc ? "supported" : "known"),
+                        "TEXFUNC 0 (plain colour), 7, 8 and 9 (cylindrical, spherical and planar image map)");
+  }
 }
 
 /// A name keeps its first meaning, as in Tachyon.
@@ -111,22 +141,18 @@ int add_default_material(ParserState& state) {
 
 int parse_texture_body(Lexer& lexer, ParserState& state, std::string name) {
   PhongSurface surface;
-  surface.ambient = lexer.number_after("AMBIENT");
-  surface.diffuse = lexer.number_after("DIFFUSE");
-  surface.mirror = lexer.number_after("SPECULAR");
-  const float opacity = lexer.number_after("OPACITY");
-  if (opacity < 0.0f) throw lexer.error(fmt::format("OPACITY is {}", opacity), "a number that is not negative");
-  surface.opacity = std::min(opacity, 1.0f);
-  parse_options(lexer, surface);
+  parse_coefficients(lexer, surface, "COLOR");
   surface.color = lexer.vector("COLOR");
   lexer.expect("TEXFUNC");
-  const int function = lexer.integer("TEXFUNC", 0, std::numeric_limits<int>::max());
-  if (function == kPlanarImage) {
-    parse_planar_image(lexer, state, surface);
-  } else if (function != kConstantTexture) {
-    throw lexer.error(fmt::format("TEXFUNC {} is not {}", function, function <= kLastTexfunc ? "supported" : "known"),
-                      "TEXFUNC 0 (plain colour), TEXFUNC 9 (planar image map)");
-  }
+  parse_texfunc(lexer, state, surface);
+  return state.builder.add_material(surface, std::move(name));
+}
+
+int parse_colorless_texture_body(Lexer& lexer, ParserState& state) {
+  PhongSurface surface;
+  surface.color = Vec3f(1.0f);
+  std::string name = fmt::format("line {}", lexer.line());
+  parse_coefficients(lexer, surface, "VCST");
   return state.builder.add_material(surface, std::move(name));
 }
 
