@@ -32,6 +32,11 @@ std::size_t component_bytes(int type) {
   }
 }
 
+bool is_unsigned(int type) {
+  return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+         type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
 std::size_t components_of(int type) {
   return static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
 }
@@ -85,9 +90,7 @@ struct SparseElements {
 SparseElements sparse_elements(const Document& document, const tinygltf::Accessor& a, const std::string& where) {
   const auto& s = a.sparse;
   const int type = s.indices.componentType;
-  if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-      type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-    document.report.fail(where + ".sparse.indices", "the component type is not an unsigned integer");
+  if (!is_unsigned(type)) document.report.fail(where + ".sparse.indices", "the component type is not an unsigned integer");
   const std::size_t count = static_cast<std::size_t>(s.count);
   if (count > a.count) document.report.fail(where + ".sparse", fmt::format("replaces {} of {} elements", count, a.count));
   return {locate(document, s.indices.bufferView, static_cast<std::size_t>(s.indices.byteOffset), component_bytes(type), count,
@@ -105,24 +108,37 @@ C load(const std::byte* at) {
   return value;
 }
 
-/// Calls use(C{}) with the C++ type of a component type that has passed check_ranges().
+/// Calls use(C{}) with the C++ type of an unsigned component type.
+template <class F>
+void with_unsigned(int type, const F& use) {
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return use(std::uint8_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return use(std::uint16_t{});
+    default:
+      return use(std::uint32_t{});
+  }
+}
+
+/// The same for any component type that has passed check_ranges().
 template <class F>
 void with_component(int type, const F& use) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
       return use(std::int8_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return use(std::uint8_t{});
     case TINYGLTF_COMPONENT_TYPE_SHORT:
       return use(std::int16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return use(std::uint16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return use(std::uint32_t{});
-    default:
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return use(float{});
+    default:
+      return with_unsigned(type, use);
   }
 }
+
+/// All numbers that are unpacked have four bytes.
+template <class T>
+constexpr std::size_t kComponents = sizeof(T) / 4;
 
 template <class C>
 float to_float(C c, bool normalized) {
@@ -140,8 +156,7 @@ struct Target {
 
 std::uint32_t sparse_index(const tinygltf::Accessor& a, const SparseElements& sparse, std::size_t i) {
   std::uint32_t index = 0;
-  with_component(a.sparse.indices.componentType,
-                 [&](auto c) { index = static_cast<std::uint32_t>(load<decltype(c)>(sparse.indices[i])); });
+  with_unsigned(a.sparse.indices.componentType, [&](auto c) { index = load<decltype(c)>(sparse.indices[i]); });
   return index;
 }
 
@@ -215,7 +230,7 @@ void check_ranges(const Document& document) {
 
 template <class T>
 std::vector<T> unpack(Document& document, int index) {
-  const std::size_t components = sizeof(T) / sizeof(float);
+  constexpr std::size_t components = kComponents<T>;
   const std::string where = element("accessors", static_cast<std::size_t>(index));
   const tinygltf::Accessor& a = accessor_of_type(document, index, components);
   document.unpacked.spend(a.count, sizeof(T), where, document.report);
@@ -229,23 +244,19 @@ std::vector<T> unpack(Document& document, int index) {
 
 template <class T>
 std::vector<T> unpack_unsigned(Document& document, int index) {
-  const std::size_t components = sizeof(T) / sizeof(std::uint32_t);
+  constexpr std::size_t components = kComponents<T>;
   const std::string where = element("accessors", static_cast<std::size_t>(index));
   const tinygltf::Accessor& a = accessor_of_type(document, index, components);
-  const bool is_unsigned = a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                           a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-                           a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  if (!is_unsigned || a.bufferView < 0 || a.sparse.isSparse)
+  if (!is_unsigned(a.componentType) || a.bufferView < 0 || a.sparse.isSparse)
     document.report.fail(where, "does not hold plain unsigned integers", "component type 5121, 5123 or 5125, not sparse");
   document.unpacked.spend(a.count, sizeof(T), where, document.report);
   std::vector<T> values(a.count);
   std::uint32_t* out = reinterpret_cast<std::uint32_t*>(values.data());
   const Elements elements = dense_elements(document, a, where);
-  with_component(a.componentType, [&](auto c) {
+  with_unsigned(a.componentType, [&](auto c) {
     using C = decltype(c);
     for (std::size_t i = 0; i < a.count; ++i)
-      for (std::size_t k = 0; k < components; ++k)
-        out[i * components + k] = static_cast<std::uint32_t>(load<C>(elements[i] + k * sizeof(C)));
+      for (std::size_t k = 0; k < components; ++k) out[i * components + k] = load<C>(elements[i] + k * sizeof(C));
   });
   return values;
 }

@@ -15,14 +15,13 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-constexpr std::array<std::int8_t, 256> make_digits() {
-  std::array<std::int8_t, 256> digits{};
-  for (std::int8_t& digit : digits) digit = -1;
-  for (std::size_t i = 0; i < kAlphabet.size(); ++i)
-    digits[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::int8_t>(i);
+constexpr std::array<int, 256> make_digits() {
+  std::array<int, 256> digits{};
+  for (int& digit : digits) digit = -1;
+  for (std::size_t i = 0; i < kAlphabet.size(); ++i) digits[static_cast<unsigned char>(kAlphabet[i])] = static_cast<int>(i);
   return digits;
 }
-constexpr std::array<std::int8_t, 256> kDigits = make_digits();
+constexpr std::array<int, 256> kDigits = make_digits();
 
 std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
