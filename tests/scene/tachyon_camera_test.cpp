@@ -228,6 +228,8 @@ struct BadPath {
   const char* text;
   const char* message;
 };
+void PrintTo(const BadPath& bad, std::ostream* out) { *out << bad.message; }
+
 class TachyonBadPath : public testing::TestWithParam<BadPath> {};
 
 TEST_P(TachyonBadPath, text_is_an_error_with_its_line) {

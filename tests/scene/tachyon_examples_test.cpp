@@ -65,6 +65,8 @@ struct PathExample {
   const char* path;
   int frames;
 };
+void PrintTo(const PathExample& example, std::ostream* out) { *out << example.path; }
+
 class TachyonPathExample : public testing::TestWithParam<PathExample> {};
 
 TEST_P(TachyonPathExample, has_one_frame_more_than_lines) {

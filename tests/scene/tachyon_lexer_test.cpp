@@ -62,6 +62,8 @@ struct NumberCase {
   float value;
 };
 
+void PrintTo(const NumberCase& number, std::ostream* out) { *out << number.text; }
+
 class TachyonLexerNumber : public testing::TestWithParam<NumberCase> {};
 
 TEST_P(TachyonLexerNumber, text_gives_value) {
