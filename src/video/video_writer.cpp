@@ -128,6 +128,8 @@ struct VideoWriter::Impl {
     tag_colours(*codec);
     if (format.pixels == AV_PIX_FMT_YUV420P) {
       av_opt_set_int(codec->priv_data, "crf", options.crf, 0);
+      // x264's macroblock tree reads memory that it never wrote (seen with x264 164): two encodings in one process then differ.
+      av_opt_set_int(codec->priv_data, "mbtree", 0, 0);
     } else {
       codec->level = 3;
       codec->gop_size = 1;                                               // every frame can be read alone
