@@ -132,6 +132,25 @@ TEST(Video, equal_frames_give_equal_bytes) {
     }
 }
 
+TEST(Video, h264_bytes_do_not_depend_on_what_lies_in_freed_memory) {
+  const TempDir dir;
+  std::vector<Image8> frames(12, {144, 48, {}});
+  for (int f = 0; f < 12; ++f)
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 144; ++x)
+        for (const int code : {4 * x, 5 * y + 3 * f, (x * x + 17 * y * f) / 8})
+          frames[static_cast<std::size_t>(f)].rgb.push_back(static_cast<unsigned char>(code));
+  write_video(dir / "first.mp4", frames, {});
+  for (std::size_t run = 1; run < 20; ++run) {
+    std::vector<std::vector<unsigned char>> filled_and_freed;
+    for (std::size_t i = 0; i < 8; ++i)
+      filled_and_freed.emplace_back(1000 + (7919 * run + 104729 * i) % 300000, static_cast<unsigned char>(31 * run + 7 * i));
+    filled_and_freed.clear();
+    write_video(dir / "again.mp4", frames, {});
+    ASSERT_EQ(file_bytes(dir / "again.mp4"), file_bytes(dir / "first.mp4")) << "run " << run;
+  }
+}
+
 TEST(Video, ffv1_bytes_do_not_depend_on_encoder_threads) {
   const TempDir dir;
   const std::vector<Image8> frames = noise_frames(3, 64, 48);
