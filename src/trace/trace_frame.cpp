@@ -1,5 +1,7 @@
 #include "trace/trace_frame.hpp"
 
+#include <optional>
+
 #include "core/error.hpp"
 #include "trace/packet_source.hpp"
 #include "trace/scene_query.hpp"
@@ -12,8 +14,9 @@ namespace {
 constexpr int kBatchPackets = 64;
 
 RayCounts trace_strip(const PacketSource& source, const DeviceScene::Impl& scene, const BeamFootprint& beam,
-                      const TraceParams& params, int strip, Image& film) {
+                      const TraceParams& params, int strip, Image& film, const PointCapture* capture) {
   WhittedTracer tracer(scene, beam, params.max_depth, film);
+  tracer.capture_to(capture);
   const float weight = 1.0f / static_cast<float>(params.spp);
   RayHitPacket packet;
   LaneMask active;
@@ -74,20 +77,45 @@ void fill_aovs(const DeviceScene& scene, const Optics& optics, const Affine3f& w
   });
 }
 
+/// The first hits behind the centres of pixels whose samples lie elsewhere.
+void capture_points(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
+                    const ThreadPool& pool, const PointCapture& capture) {
+  const PacketSource source(optics, world_from_display, order, SubPixel{});
+  pool.for_each(static_cast<std::size_t>(source.strips()), [&](std::size_t strip) {
+    RayHitPacket packet;
+    LaneMask active;
+    alignas(64) std::uint32_t pixel[kLanes];
+    for (int p = 0; p < source.packets_per_strip(); ++p) {
+      if (source.fill(static_cast<int>(strip), p, 0, packet.ray, active, pixel) == 0) continue;
+      clear_hits(packet);
+      intersect_scene(scene.impl(), active, packet, Coherence::kCoherent);
+      capture.store(packet, active, pixel);
+    }
+  });
+}
+
 }  // namespace
 
 RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                      const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film, FrameAovs* aovs) {
+                      const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film, FrameAovs* aovs,
+                      PrimaryPoints* points) {
   film.width = optics.panel.width, film.height = optics.panel.height, film.channels = 3;
   film.data.assign(3 * static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height), 0.0f);
   const BeamFootprint beam(optics, world_from_display);
   const SubPixel sub_pixel{params.seed, static_cast<std::uint32_t>(params.frame), params.spp};
   const PacketSource source(optics, world_from_display, params.order, sub_pixel);
+  std::optional<PointCapture> capture;
+  if (points) {
+    points->resize(static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
+    capture.emplace(scene.impl(), inverse(world_from_display), *points);
+  }
+  const PointCapture* along = params.spp == 1 && capture ? &*capture : nullptr;
   std::vector<RayCounts> counts(static_cast<std::size_t>(source.strips()));
   pool.for_each(counts.size(), [&](std::size_t strip) {
     if (context.cancelled) return;
-    counts[strip] = trace_strip(source, scene.impl(), beam, params, static_cast<int>(strip), film);
+    counts[strip] = trace_strip(source, scene.impl(), beam, params, static_cast<int>(strip), film, along);
   });
+  if (capture && !along) capture_points(scene, optics, world_from_display, params.order, pool, *capture);
   if (aovs && (aovs->depth || aovs->normal || aovs->object_id || aovs->position))
     fill_aovs(scene, optics, world_from_display, params.order, pool, *aovs);
   RayCounts total;

@@ -9,6 +9,7 @@
 #include "image/image.hpp"
 #include "optics/optics.hpp"
 #include "trace/device_scene.hpp"
+#include "trace/primary_points.hpp"
 
 namespace lippmann {
 
@@ -41,10 +42,11 @@ struct FrameAovs {
   Image position_image;   ///< 3 channels: world space; 0 where nothing was hit
 };
 
-/// Fills `film` (3 channels, linear, the panel's size) with the frame. The same bits for any number of threads.
+/// Fills `film` (3 channels, linear, the panel's size) with the frame, and where given `points` with the first hits behind the
+/// pixels' centres (free at one sample per pixel, else a pass of its own). The same bits for any number of threads.
 /// Returns early, film unfinished, when context.cancelled is set.
 RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
                       const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film,
-                      FrameAovs* aovs = nullptr);
+                      FrameAovs* aovs = nullptr, PrimaryPoints* points = nullptr);
 
 }  // namespace lippmann

@@ -65,6 +65,7 @@ void WhittedTracer::primary(RayHitPacket& packet, const LaneMask& active, const 
   counts_.primary += static_cast<std::uint64_t>(count_lanes(active));
   if (log_) log_->push_back({packet.ray, active, false, Coherence::kCoherent});
   intersect_scene(scene_, active, packet, Coherence::kCoherent);
+  if (capture_) capture_->store(packet, active, pixel);
   Bundle bundle;
   for (int i = 0; i < kLanes; ++i) {
     bundle.weight.x[i] = bundle.weight.y[i] = bundle.weight.z[i] = weight;

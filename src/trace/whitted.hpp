@@ -11,6 +11,7 @@
 
 #include "image/image.hpp"
 #include "trace/direct_light.hpp"
+#include "trace/point_capture.hpp"
 #include "trace/ray_log.hpp"
 #include "trace/surface.hpp"
 #include "trace/trace_frame.hpp"
@@ -33,6 +34,9 @@ class WhittedTracer {
 
   /// From now on appends every traced packet to `log`.
   void log_to(RayLog* log) { log_ = log; }
+
+  /// From now on keeps the first hits of primary packets.
+  void capture_to(const PointCapture* capture) { capture_ = capture; }
 
  private:
   struct QueuedRay {
@@ -64,6 +68,7 @@ class WhittedTracer {
   float* film_;
   RayCounts counts_;
   RayLog* log_ = nullptr;
+  const PointCapture* capture_ = nullptr;
   std::vector<QueuedRay> wave_, next_;
   SurfacePacket surface_;
   ShadowPacket shadow_;
