@@ -1,0 +1,66 @@
+// Makes one in-between frame from the point images of two others: projects, averages, deals with what is missed.
+//
+// The paper's interpolated animation; what to do with missed pixels after S. J. Adelson, L. F. Hodges, "Generating exact
+// ray-traced animation frames by reprojection", IEEE Computer Graphics and Applications 15(3), 1995 (retrace).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "reuse/epipolar.hpp"
+#include "reuse/missed.hpp"
+
+namespace lippmann {
+
+enum class SplatSampling {
+  kPixel,     ///< the colour of the point that lands on a pixel, wherever on it it lands (the paper's)
+  kEpipolar,  ///< where colours change, that between samples (epipolar.hpp); arrays with whole pixels per lens only
+};
+
+enum class MissedFill {
+  kInterpolate,  ///< from neighbours
+  kRetrace,      ///< traced
+  kBlack,        ///< left black, to be looked at (the paper's figures 4 and 5)
+};
+
+struct ForwardParams {
+  SplatParams splat;
+  SplatSampling sampling = SplatSampling::kEpipolar;
+  MissedFill fill = MissedFill::kInterpolate;
+};
+
+struct InBetweenCounts {
+  std::uint64_t missed = 0;
+  MissedCauses causes;
+  std::uint64_t retraced = 0;
+};
+
+/// Traces the given pixels (ascending) of the frame under way into its film and, where not null, its points.
+using TracePixels = std::function<void(std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points)>;
+
+/// Keeps its working memory from frame to frame: one per animation, used by one caller at a time.
+class InBetweenMaker {
+ public:
+  /// `scene` and `optics` as traced. With kEpipolar and optics that do not suit it, or SplatMode::kLens, pixels are sampled.
+  InBetweenMaker(const Scene& scene, const Optics& optics, const ForwardParams& params);
+
+  /// Completes a frame that was traced (film, points, moment) so that others can be made from it.
+  void prepare(PointImage& frame, const ThreadPool& pool) const;
+
+  /// Makes the frame at frame.moment: its film and, where wanted, all that makes it a source in turn.
+  InBetweenCounts make(const PointImage& previous, const PointImage& following, bool as_source, const TracePixels& trace,
+                       const ThreadPool& pool, PointImage& frame);
+
+ private:
+  ForwardParams params_;
+  Panel panel_;
+  MotionGroups groups_;
+  Splatter splatter_;
+  ViewSteps steps_;
+  std::optional<EpipolarSampler> sampler_;
+  SplatBuffer landed_previous_, landed_following_;
+  std::vector<std::uint32_t> missed_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,66 @@
+// From a pixel to its neighbours in the same picture: in the same directional view, or below the same lens.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "optics/lenticular.hpp"
+#include "optics/microlens.hpp"
+#include "optics/optics.hpp"
+#include "reuse/splat.hpp"
+
+namespace lippmann {
+
+enum class StepDirection { kLeft, kRight, kUp, kDown };
+inline constexpr StepDirection kStepDirections[] = {StepDirection::kLeft, StepDirection::kRight, StepDirection::kUp,
+                                                    StepDirection::kDown};
+
+/// The pixels of one picture in one direction, one after the other.
+class ViewWalk {
+ public:
+  /// The next pixel; none where the view, the lens or the panel ends.
+  std::optional<std::uint32_t> next() {
+    place_ += step_;
+    if (!(place_.x >= low_.x && place_.x < high_.x && place_.y >= low_.y && place_.y < high_.y)) return std::nullopt;
+    const auto x = static_cast<std::uint32_t>(place_.x), y = static_cast<std::uint32_t>(place_.y);
+    return y * width_ + x;
+  }
+
+ private:
+  friend class ViewSteps;
+  Vec2f place_, step_, low_, high_;
+  std::uint32_t width_;
+};
+
+/// Same view (SplatMode::kView): the pixels at the same offset below the next lenses, or as near to it as pixels are; along the
+/// lenses of a lenticular sheet the next row. Same lens (kLens): the next pixels, as long as they lie below the same lens (of
+/// hexagons: in the rectangle of lens pitch by row pitch).
+/// In single views and in the views of a quilt: the next pixels of that view.
+class ViewSteps {
+ public:
+  /// `optics` must pass validate().
+  ViewSteps(const Optics& optics, SplatMode mode);
+
+  ViewWalk walk(std::uint32_t pixel, StepDirection direction) const;
+
+  /// How far a step in that direction is, pixels.
+  float length_px(StepDirection direction) const { return glm::length(step_of(direction)); }
+
+ private:
+  /// Steps may not leave: the whole panel, the tile of a quilt, the cell of a lens.
+  enum class Bounds { kPanel, kTile, kSheetLens, kSquareLens, kHexagon };
+
+  Vec2f step_of(StepDirection direction) const;
+  void limit_to_tile(Vec2f place, ViewWalk& walk) const;
+  void limit_to_lens(Vec2f place, ViewWalk& walk) const;
+
+  int width_, height_;
+  Vec2f across_{1.0f, 0.0f}, down_{0.0f, 1.0f};  ///< pixels
+  Bounds bounds_ = Bounds::kPanel;
+  LenticularConstants<float> sheet_{};
+  MicrolensConstants<float> lenses_{};
+  Vec2i tile_{1, 1}, last_tile_{0, 0};
+  int padding_top_ = 0;
+};
+
+}  // namespace lippmann
