@@ -24,7 +24,8 @@ InBetweenCounts InBetweenMaker::make(const PointImage& previous, const PointImag
   splatter_.splat(previous, from_previous, pool, landed_previous_);
   splatter_.splat(following, from_following, pool, landed_following_);
   const SplatSource a{previous, from_previous, landed_previous_}, b{following, from_following, landed_following_};
-  frame.film = Image(panel_.width, panel_.height, 3);
+  if (frame.film.width != panel_.width || frame.film.height != panel_.height || frame.film.channels != 3)
+    frame.film = Image(panel_.width, panel_.height, 3);  // else every pixel of it is written over
   average(a, b, sampler_ ? &*sampler_ : nullptr, pool, frame.film, missed_);
   if (as_source) average_points(a, b, pool, frame.points);
 
