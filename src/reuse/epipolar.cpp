@@ -257,7 +257,7 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
   }
 }
 
-/// 4. Background has no place of its own, and needs none.
+/// 4. By distance alone, without what views have cost. Background has no place of its own, and needs none.
 LIPPMANN_INLINE void weigh(const Search& s, Samples& out) {
   for (int i = 0; i < kPointLanes; ++i) {
     const bool exact = (std::abs(s.off.v[i]) < kExact) | (s.object.v[i] >= kMissedObject);
@@ -266,7 +266,8 @@ LIPPMANN_INLINE void weigh(const Search& s, Samples& out) {
     const std::int32_t some_left = left_cost < kFar ? left : right, some_right = right_cost < kFar ? right : left;
     out.left.v[i] = exact ? source : some_left;
     out.right.v[i] = exact ? source : some_right;
-    out.left_weight.v[i] = exact ? 1.0f : right_cost / (left_cost + right_cost);
+    const float to_left = left_cost - s.left.extra.v[i], to_right = right_cost - s.right.extra.v[i];
+    out.left_weight.v[i] = exact ? 1.0f : to_right / (to_left + to_right);
   }
 }
 

@@ -1,0 +1,300 @@
+// Where moved points land, against the definitions in reuse/landing.hpp written out in double or by search: random points and
+// motions behind random pixels of random arrays of every model.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "optics/random_optics.hpp"
+#include "reuse/point_images.hpp"
+#include "reuse/splat.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::at_depth;
+using test::KnownMotion;
+using test::OpticsSampler;
+
+/// A place on the panel in continuous pixel coordinates; none where the point is not seen.
+using Place = std::optional<glm::dvec2>;
+
+Vec2f centre_of(const Optics& optics, std::uint32_t pixel) {
+  const auto width = static_cast<std::uint32_t>(optics.panel.width);
+  return {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f};
+}
+
+bool on_panel(const Optics& optics, glm::dvec2 p) {
+  return p.x >= 0 && p.y >= 0 && p.x < optics.panel.width && p.y < optics.panel.height;
+}
+
+// ---- Same lens: that one of all the pixels that see the point which lies below the lens ---------------------------------
+
+/// Where the rays below the lens of this panel point cross z = 0: the lens's centre (its distance from the slanted axis x = 0
+/// for a sheet).
+glm::dvec2 lens_above(const Optics& optics, Vec2f pixel) {
+  const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
+  const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
+  return sheet ? glm::dvec2(p.x * std::cos(sheet->slant) + p.y * std::sin(sheet->slant), 0.0) : glm::dvec2(p.x, p.y);
+}
+
+float lens_pitch(const Optics& optics) {
+  const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
+  return sheet ? sheet->lens_pitch_mm : std::get<MicrolensArray>(optics.model).lens_pitch_mm;
+}
+
+bool same_lens(const Optics& optics, Vec2f a, Vec2f b) {
+  return glm::distance(lens_above(optics, a), lens_above(optics, b)) < 0.25 * lens_pitch(optics);
+}
+
+Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
+  // On a larger panel: where its edge cuts a cell off, the image may lie just outside.
+  constexpr float kMargin = 8.0f;
+  Optics wide = optics;
+  wide.z_front_mm = resolved_z_front_mm(optics);
+  wide.panel.width += 2 * static_cast<int>(kMargin), wide.panel.height += 2 * static_cast<int>(kMargin);
+  std::vector<Vec2f> pixels;
+  pixels_seeing(wide, point, pixels);
+  const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
+  for (const Vec2f p : pixels) {
+    if (!same_lens(wide, p, from + kMargin)) continue;
+    const Vec2f place = p - kMargin;
+    if (!sheet) return place;
+    // A pixel of a sheet shows its whole row: at the row's centre the same place below the lens.
+    const float row = std::floor(place.y) + 0.5f;
+    return glm::dvec2(place.x + (row - place.y) * std::tan(sheet->slant), row);
+  }
+  return std::nullopt;
+}
+
+// ---- Same view ----------------------------------------------------------------------------------------------------------
+
+struct Lattice {
+  double pitch, row_pitch;  ///< mm; row_pitch 0: a sheet
+  glm::dvec2 offset;        ///< of lens 0
+  double spread;            ///< 1 + g/V: cells are that much wider than lenses
+  glm::dvec2 eye;           ///< that cells converge to
+  bool hexagonal = false;
+};
+
+Lattice lattice_of(const Optics& optics) {
+  if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) {
+    const bool far = std::isinf(s->viewing_distance_mm);
+    return {s->lens_pitch_mm,
+            0.0,
+            {s->offset_mm, 0.0},
+            1.0 + s->gap_mm / double{s->viewing_distance_mm},
+            {far ? 0.0 : s->eye_height_mm * std::sin(s->slant), 0.0}};
+  }
+  const auto& a = std::get<MicrolensArray>(optics.model);
+  const bool hexagonal = a.packing == LensPacking::kHexagonal;
+  return {a.lens_pitch_mm,
+          a.lens_pitch_mm * (hexagonal ? std::sqrt(3.0) / 2 : 1.0),
+          {a.offset_mm.x, a.offset_mm.y},
+          1.0 + a.gap_mm / double{a.viewing_distance_mm},
+          {0.0, 0.0},
+          hexagonal};
+}
+
+/// The lens with its centre nearest to a point of z = 0, both in mm.
+glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
+  const auto nearest = [](double x, double first, double pitch) { return first + std::round((x - first) / pitch) * pitch; };
+  if (lattice.row_pitch == 0.0) return {nearest(p.x, lattice.offset.x, lattice.pitch), 0.0};
+  // Rows count downwards from lens (0, 0); of hexagons every second one is shifted: all rows near the point are tried.
+  const double row = std::round((lattice.offset.y - p.y) / lattice.row_pitch);
+  glm::dvec2 best(1e30);
+  for (double r = row - 2; r <= row + 2; ++r) {
+    const bool odd = lattice.hexagonal && std::fmod(std::abs(r), 2.0) == 1.0;
+    const glm::dvec2 lens(nearest(p.x, lattice.offset.x + (odd ? 0.5 * lattice.pitch : 0.0), lattice.pitch),
+                          lattice.offset.y - r * lattice.row_pitch);
+    if (glm::distance(lens, p) < glm::distance(best, p)) best = lens;
+  }
+  return best;
+}
+
+/// Below lenses: same offset from the cell's centre, below the lens whose ray of that offset passes nearest to the point.
+Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
+  const Lattice lattice = lattice_of(optics);
+  const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
+  const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
+  const double gap = sheet ? sheet->gap_mm : std::get<MicrolensArray>(optics.model).gap_mm;
+  const double vergence = (lattice.spread - 1.0) / gap, from_eye = 1.0 - point.z * vergence;
+  if (from_eye <= 0.0) return std::nullopt;
+  glm::dvec2 panel_mm((from.x - w / 2) * m, (h / 2 - from.y) * m), p(point.x, point.y);
+  const double cosine = sheet ? std::cos(sheet->slant) : 1.0, sine = sheet ? std::sin(sheet->slant) : 0.0;
+  if (sheet) {
+    panel_mm = {panel_mm.x * cosine + panel_mm.y * sine, 0.0};
+    p = {p.x * cosine + p.y * sine, 0.0};
+  }
+  const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
+  // The lens above the pixel: its cell's centre is nearest. Offset o: slope -o/g - (l - e)/V.
+  const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
+  const glm::dvec2 o = panel_mm - cell_centre(own);
+  const glm::dvec2 through = (p + (o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
+  const glm::dvec2 landed = cell_centre(nearest_lens(lattice, through)) + o;
+  if (!sheet) return glm::dvec2(landed.x / m + w / 2, h / 2 - landed.y / m);
+  // Along the lens: the row that shows the point, whose rays run through (y (1 + z/(V+g)...) towards the eye.
+  const double y_eye = sheet->eye_height_mm, v = sheet->viewing_distance_mm;
+  const double y = std::isinf(v) ? point.y : (point.y * (v + gap) - y_eye * (point.z + gap)) / (v - point.z);
+  const double row = std::floor(h / 2 - y / m);
+  return glm::dvec2((landed.x + (row + 0.5 - h / 2) * m * sine) / cosine / m + w / 2, row + 0.5);
+}
+
+/// Views of a quilt and single views: the pixel of the same view whose ray passes nearest to the point, of the picture's edge
+/// at the most half a pixel away.
+Place seen_in_picture(const Optics& optics, Vec2f from, Vec3f point) {
+  const auto* views = std::get_if<MultiView>(&optics.model);
+  const float distance = views ? views->distance_mm : std::get<SingleView>(optics.model).distance_mm;
+  if (point.z >= distance) return std::nullopt;
+  const Vec2i tile = views ? Vec2i(optics.panel.width / views->columns, optics.panel.height / views->rows)
+                           : Vec2i(optics.panel.width, optics.panel.height);
+  const int padding = views ? optics.panel.height - views->rows * tile.y : 0;
+  const auto tile_at = [&](Vec2f p) {
+    const Vec2i last = views ? Vec2i(views->columns - 1, views->rows - 1) : Vec2i(0);
+    return glm::min(Vec2i(static_cast<int>(p.x) / tile.x, std::max(0, static_cast<int>(p.y) - padding) / tile.y), last);
+  };
+  const double spacing = optics.panel.pixel_pitch_mm * (1.0 - point.z / distance);
+  glm::dvec2 best(0.0), miss(1e30);
+  for (int i = 0; i < optics.panel.width; ++i) {
+    const Vec2f p(i + 0.5f, from.y);
+    const double d = std::abs(at_depth(ray_of_pixel(optics, p), point.z).x - point.x);
+    if (tile_at(p).x == tile_at(from).x && d < miss.x) miss.x = d, best.x = p.x;
+  }
+  for (int j = 0; j < optics.panel.height; ++j) {
+    const Vec2f p(from.x, j + 0.5f);
+    const double d = std::abs(at_depth(ray_of_pixel(optics, p), point.z).y - point.y);
+    if (tile_at(p).y == tile_at(from).y && d < miss.y) miss.y = d, best.y = p.y;
+  }
+  return std::max(miss.x, miss.y) <= 0.5 * spacing ? Place(best) : std::nullopt;
+}
+
+Place expected_place(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point) {
+  const bool lenses =
+      std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
+  if (!lenses) return seen_in_picture(optics, from, point);
+  return mode == SplatMode::kLens ? seen_below_lens(optics, from, point) : seen_in_lens_view(optics, from, point);
+}
+
+/// The pixel of a place, none off the panel.
+std::optional<std::uint32_t> pixel_at(const Optics& optics, const Place& place) {
+  if (!place || !on_panel(optics, *place)) return std::nullopt;
+  return static_cast<std::uint32_t>(place->y) * static_cast<std::uint32_t>(optics.panel.width) +
+         static_cast<std::uint32_t>(place->x);
+}
+
+/// A thousandth of a pixel from where the next one begins.
+bool is_on_pixel_edge(double place) { return std::abs(place - std::round(place)) < 1e-3; }
+
+/// Whether rounding decides: a step of a thousandth of what a pixel covers there changes the outcome.
+bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point) {
+  const Vec2f footprint = sample_footprint_mm(optics, point.z);
+  const float step = 1e-3f * std::min(footprint.x, optics.panel.pixel_pitch_mm);
+  const Place place = expected_place(optics, mode, from, point);
+  if (place && (is_on_pixel_edge(place->x) || is_on_pixel_edge(place->y))) return true;
+  const auto here = pixel_at(optics, place);
+  for (const Vec3f nudge : {Vec3f(step, 0, 0), Vec3f(-step, 0, 0), Vec3f(0, step, 0), Vec3f(0, -step, 0)})
+    if (pixel_at(optics, expected_place(optics, mode, from, point + nudge)) != here) return true;
+  return false;
+}
+
+/// Where a cell ends in the middle of a pixel, a place in it may lie on a pixel whose centre is the neighbour's. Then one next
+/// to it which is the lens's own is right, or none.
+bool is_own_neighbour(const Optics& optics, glm::dvec2 place, glm::dvec2 lens, std::optional<std::uint32_t> landed) {
+  if (!landed) return true;
+  const Vec2f centre = centre_of(optics, *landed);
+  return glm::distance(lens_above(optics, centre), lens) < 0.25 * lens_pitch(optics) && std::abs(centre.x - place.x) <= 1.5 &&
+         std::abs(centre.y - place.y) <= 1.5;
+}
+
+void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
+  const Splatter splatter(optics, {mode, true});
+  const float reach = std::min(20.0f, 0.5f * resolved_z_front_mm(optics));
+  const bool lenses = whole_pixels_per_lens(optics) != Vec2i(1, 1);
+  int compared = 0;
+  for (int k = 0; k < 200; ++k) {
+    const auto pixel = static_cast<std::uint32_t>(random.integer(0, optics.panel.width * optics.panel.height - 1));
+    const Vec2f from = centre_of(optics, pixel);
+    const float z = random.uniform(0.1f, reach) * (random.coin() ? 1.0f : -1.0f);
+    const float step = 4.0f * sample_footprint_mm(optics, z).x;
+    const Affine3f a{Mat3f(1.0f), {random.uniform(-step, step), random.uniform(-step, step), random.uniform(-0.05f, 0.05f)}};
+    const KnownMotion motion({a});
+    const Vec3f moved = at_depth(ray_of_pixel(optics, from), z) + a.translation;
+    if (is_close_call(optics, mode, from, moved)) continue;
+    ++compared;
+    const Place place = expected_place(optics, mode, from, moved);
+    const auto landed = splatter.landing(pixel, z, 0, motion.motion), expected = pixel_at(optics, place);
+    if (landed == expected) continue;
+    std::ostringstream what;
+    what << test::model_name(optics) << " " << optics.panel.width << "x" << optics.panel.height << ", pixel " << pixel
+         << ", landed on " << (landed ? std::to_string(*landed) : "nothing") << ", expected ";
+    (place ? what << place->x << " " << place->y : what << "nothing");
+    ASSERT_TRUE(place && lenses) << what.str();
+    // The lens that shows it: in the same lens that of the pixel, in the same view the one that the definition chose.
+    const Vec2f floor_centre(std::floor(place->x) + 0.5, std::floor(place->y) + 0.5);
+    const glm::dvec2 lens = mode == SplatMode::kLens ? lens_above(optics, from) : lens_above(optics, Vec2f(*place));
+    EXPECT_TRUE(glm::distance(lens_above(optics, floor_centre), lens) > 0.25 * lens_pitch(optics) || !on_panel(optics, *place))
+        << what.str();
+    EXPECT_TRUE(is_own_neighbour(optics, *place, lens, landed)) << what.str();
+  }
+  EXPECT_GT(compared, 100) << test::model_name(optics);  // of 200
+}
+
+TEST(Landing, same_view_agrees_with_its_definition_for_every_model) {
+  OpticsSampler random(1);
+  for (int k = 0; k < 60; ++k) check(random.any(k), SplatMode::kView, random);
+}
+
+TEST(Landing, same_lens_agrees_with_the_optics_inverse_for_every_model) {
+  OpticsSampler random(2);
+  for (int k = 0; k < 60; ++k) check(random.any(k), SplatMode::kLens, random);
+}
+
+TEST(Landing, point_that_does_not_move_stays_in_its_pixel) {
+  OpticsSampler random(3);
+  const KnownMotion still({Affine3f{}});
+  for (int k = 0; k < 60; ++k) {
+    const Optics optics = random.any(k);
+    for (const SplatMode mode : {SplatMode::kView, SplatMode::kLens}) {
+      PointImage image = test::empty_points(optics.panel);
+      const auto pixels = static_cast<std::uint32_t>(image.points.z.size());
+      for (std::uint32_t p = 0; p < pixels; ++p) test::set_point(image, p, random.uniform(-30.0f, 30.0f));
+      SplatBuffer buffer;
+      Splatter(optics, {mode, true}).splat(image, still.motion, ThreadPool(1), buffer);
+      for (std::uint32_t p = 0; p < pixels; ++p) ASSERT_EQ(SplatBuffer::source(buffer.keys[p]), p) << test::model_name(optics);
+    }
+  }
+}
+
+/// The whole splat: for every pixel the nearest of all points that land on it, found one point at a time.
+TEST(Landing, splat_of_a_whole_panel_agrees_with_one_point_at_a_time_for_any_number_of_threads) {
+  OpticsSampler random(4);
+  for (int k = 0; k < 24; ++k) {
+    const Optics optics = random.any(k);
+    const SplatMode mode = random.coin() ? SplatMode::kView : SplatMode::kLens;
+    PointImage image = test::empty_points(optics.panel);
+    const auto pixels = static_cast<std::uint32_t>(image.points.z.size());
+    // Depths from a few, so that there are ties.
+    for (std::uint32_t p = 0; p < pixels; ++p)
+      test::set_point(image, p, 0.5f * static_cast<float>(random.integer(-20, 20)), static_cast<std::uint32_t>(p % 3));
+    const KnownMotion motion({test::shift(1.0f, 0.2f, 0), test::shift(-2.0f, 3.0f, 0), Affine3f{}});
+    const Splatter splatter(optics, {mode, true});
+    std::vector<std::uint32_t> nearest(pixels, kNoSource);
+    std::vector<float> depth(pixels, -kInfinity);
+    for (std::uint32_t p = 0; p < pixels; ++p) {
+      const auto at =
+          image.points.object[p] == 2 ? p : splatter.landing(p, image.points.z[p], image.points.object[p], motion.motion);
+      if (!at || image.points.z[p] <= depth[*at]) continue;
+      nearest[*at] = p, depth[*at] = image.points.z[p];
+    }
+    for (const int threads : {1, 2, 4}) {
+      SplatBuffer buffer;
+      splatter.splat(image, motion.motion, ThreadPool(threads), buffer);
+      for (std::uint32_t p = 0; p < pixels; ++p)
+        ASSERT_EQ(SplatBuffer::source(buffer.keys[p]), nearest[p]) << test::model_name(optics) << ", pixel " << p;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,119 @@
+// What missed pixels show and why they were missed, by hand: one row of 9 pixels a millimetre wide, seen from far away.
+#include "reuse/missed.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reuse/point_images.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::KnownMotion;
+
+Optics row_of_pixels() {
+  Optics optics;
+  optics.panel = {9, 1, 1.0f};
+  optics.model = SingleView{1e6f, {0.0f, 0.0f}};
+  return optics;
+}
+
+/// The previous and the following frame's points and colours, and where both have moved until the frame between them.
+struct Row {
+  Optics optics = row_of_pixels();
+  PointImage previous = test::empty_points(optics.panel), following = previous;
+  Image film = Image(9, 1, 3);
+  MissedCauses causes;
+
+  void fill(std::uint32_t missed, const std::vector<Affine3f>& from_previous, const std::vector<Affine3f>& from_following) {
+    const KnownMotion forth(from_previous), back(from_following), forth_back(inverted(from_previous)),
+        back_back(inverted(from_following));
+    const Splatter splatter(optics, {});
+    const ThreadPool pool(1);
+    SplatBuffer a, b;
+    splatter.splat(previous, forth.motion, pool, a);
+    splatter.splat(following, back.motion, pool, b);
+    const SplatSource from_a{previous, forth.motion, a}, from_b{following, back.motion, b};
+    std::vector<std::uint32_t> all_missed;
+    average(from_a, from_b, nullptr, pool, film, all_missed);
+    const std::vector<std::uint32_t> asked{missed};
+    ASSERT_NE(std::find(all_missed.begin(), all_missed.end(), missed), all_missed.end());
+    const SplatPair pair{from_a, from_b, forth_back.motion, back_back.motion};
+    causes = resolve_missed(pair, splatter, ViewSteps(optics, SplatMode::kView), asked, pool, &film);
+  }
+
+  float shown(std::size_t pixel) const { return film.data[3 * pixel]; }
+
+ private:
+  static std::vector<Affine3f> inverted(const std::vector<Affine3f>& motions) {
+    std::vector<Affine3f> result;
+    for (const Affine3f& a : motions) result.push_back(inverse(a));
+    return result;
+  }
+};
+
+const std::vector<Affine3f> kStill{Affine3f{}, Affine3f{}};
+
+TEST(Missed, neighbours_of_one_surface_are_weighted_by_the_inverse_of_their_distance) {
+  Row row;
+  test::set_point(row.previous, 2, 0.0f);
+  test::set_point(row.previous, 5, 0.0f);
+  row.fill(3, kStill, kStill);
+  // Colours are pixel numbers: 2 one pixel away, 5 two.
+  EXPECT_FLOAT_EQ(row.shown(3), (2.0f + 0.5f * 5.0f) / 1.5f);
+}
+
+TEST(Missed, neighbours_in_front_of_the_others_are_left_out) {
+  Row row;
+  test::set_point(row.previous, 2, 10.0f, 1);
+  test::set_point(row.previous, 5, -10.0f, 0);
+  row.fill(3, kStill, kStill);
+  EXPECT_EQ(row.shown(3), 5.0f);
+}
+
+TEST(Missed, background_behind_everything_is_what_comes_into_view) {
+  Row row;
+  test::set_point(row.previous, 2, -1000.0f);
+  test::set_point(row.following, 6, -kInfinity, kNoObject);
+  row.fill(3, kStill, kStill);
+  EXPECT_EQ(row.shown(3), 6.0f);
+  EXPECT_EQ(row.causes.newly_visible, 1u);
+}
+
+TEST(Missed, neighbour_known_from_both_frames_counts_as_it_is_shown) {
+  Row row;
+  test::set_point(row.previous, 2, 0.0f);
+  test::set_point(row.following, 2, 0.0f);
+  row.following.film.data[3 * 2] = 12.0f;
+  row.fill(3, kStill, kStill);
+  EXPECT_EQ(row.shown(3), 7.0f);  // the mean of 2 and 12
+}
+
+TEST(Missed, without_neighbours_both_frames_colours_of_the_pixel_are_averaged_and_the_cause_is_not_covered) {
+  Row row;
+  row.following.film.data[3 * 3] = 13.0f;
+  row.fill(3, kStill, kStill);
+  EXPECT_EQ(row.shown(3), 8.0f);  // the mean of 3 and 13
+  EXPECT_EQ(row.causes.not_covered, 1u);
+  EXPECT_EQ(row.causes.newly_visible, 0u);
+}
+
+TEST(Missed, surface_that_one_frames_picture_held_was_hidden_there) {
+  Row row;
+  test::set_point(row.previous, 2, 0.0f);  // moves by 2, so that what is at 7 was at 5
+  row.fill(7, {test::shift(2, 0, 0)}, {test::shift(4, 0, 0)});
+  EXPECT_EQ(row.causes.newly_visible, 1u);
+}
+
+TEST(Missed, surface_that_comes_in_over_the_edge_of_both_was_not_covered) {
+  Row row;
+  test::set_point(row.previous, 2, 0.0f);  // what is at 1 was at -1 before and comes to -3 in the following frame
+  row.fill(1, {test::shift(2, 0, 0)}, {test::shift(4, 0, 0)});
+  EXPECT_EQ(row.causes.not_covered, 1u);
+  Row left_again;  // held by the following frame
+  test::set_point(left_again.previous, 2, 0.0f);
+  left_again.fill(1, {test::shift(2, 0, 0)}, {test::shift(-4, 0, 0)});
+  EXPECT_EQ(left_again.causes.newly_visible, 1u);
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,83 @@
+#include "reuse/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reuse/move_points.hpp"
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::SmallScene;
+
+void expect_near(Vec3f got, Vec3f expected, float tolerance) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "axis " << c;
+}
+
+Moment moment_at(const Scene& scene, double time, const Affine3f& world_from_display = {}) {
+  return {evaluate(scene, time), world_from_display};
+}
+
+TEST(Motion, objects_that_never_move_share_one_group) {
+  SmallScene s;
+  const int material = s.material(test::glowing(Vec3f(1.0f)));
+  s.add(test::square(1, 0), material);
+  s.add(test::square(1, 0), material, s.node({Mat3f(1.0f), {1, 2, 3}}));
+  const int mover = s.moving_node({0, 0, 0}, {4, 0, 0});
+  s.add(test::square(1, 0), material, mover);
+  s.add(test::square(1, 0), material, mover);
+  const MotionGroups groups = make_motion_groups(s.scene);
+  EXPECT_EQ(groups.group_of_object, (std::vector<std::uint32_t>{0, 0, 1, 1}));
+  EXPECT_EQ(groups.node_of_group, (std::vector<int>{-1, mover}));
+}
+
+TEST(Motion, lights_are_counted_after_the_instances) {
+  SmallScene s;
+  s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))));
+  s.point_light({0, 0, 5}).node = s.moving_node({0, 0, 5}, {1, 0, 5});
+  EXPECT_EQ(make_motion_groups(s.scene).group_of_object, (std::vector<std::uint32_t>{0, 1}));
+}
+
+TEST(Motion, object_moves_as_its_node_in_units_of_the_display) {
+  SmallScene s;
+  s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))), s.moving_node({0, 0, 0}, {4, 0, 0}));
+  // Half a world unit a millimetre, turned by a quarter about z: the world's x is the display's -y.
+  const Affine3f display{0.5f * Mat3f(Vec3f(0, 1, 0), Vec3f(-1, 0, 0), Vec3f(0, 0, 1)), Vec3f(7, 8, 9)};
+  const MotionGroups groups = make_motion_groups(s.scene);
+  const Motion motion = motion_between(groups, moment_at(s.scene, 0.25, display), moment_at(s.scene, 0.75, display));
+  expect_near(moved_point(motion, 0, {10, 20, 30}), {10, 20 - 4, 30}, 1e-5f);  // 2 world units
+}
+
+TEST(Motion, moving_display_moves_what_stands_still_the_other_way) {
+  SmallScene s;
+  s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))));
+  const MotionGroups groups = make_motion_groups(s.scene);
+  const Motion motion = motion_between(groups, moment_at(s.scene, 0.0), moment_at(s.scene, 0.0, {Mat3f(1.0f), {1, 2, 3}}));
+  EXPECT_TRUE(motion.uniform());
+  EXPECT_FALSE(motion.groups[0].still);
+  EXPECT_EQ(moved_point(motion, 0, {10, 10, 10}), Vec3f(9, 8, 7));
+}
+
+TEST(Motion, what_ends_where_it_began_is_still) {
+  SmallScene s;
+  s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))), s.moving_node({0, 0, 0}, {4, 0, 0}));
+  const Affine3f display{Mat3f(0.3f), Vec3f(1e4f, 2, 3)};
+  const MotionGroups groups = make_motion_groups(s.scene);
+  const Moment before = moment_at(s.scene, 2.0, display), after = moment_at(s.scene, 3.0, display);  // past the last key
+  const Motion motion = motion_between(groups, before, after);
+  EXPECT_TRUE(motion.groups[0].still);
+  EXPECT_TRUE(motion.groups[1].still);
+  EXPECT_EQ(moved_point(motion, 0, {0.1f, 0.2f, 0.3f}), Vec3f(0.1f, 0.2f, 0.3f));
+}
+
+TEST(Motion, far_away_worlds_do_not_make_points_tremble) {
+  SmallScene s;
+  s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))));
+  // 100 km from the world's origin the display moves by one of its millimetres, which is 1/4 of a world unit.
+  const Affine3f from{Mat3f(0.25f), Vec3f(1e5f, 0, 0)}, to{Mat3f(0.25f), Vec3f(1e5f + 0.25f, 0, 0)};
+  const Motion motion = motion_between(make_motion_groups(s.scene), {evaluate(s.scene, 0), from}, {evaluate(s.scene, 0), to});
+  EXPECT_EQ(motion.groups[0].rows[3], -1.0f);
+}
+
+}  // namespace
+}  // namespace lippmann

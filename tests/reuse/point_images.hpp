@@ -1,0 +1,56 @@
+// Point images made by hand and motions given as matrices, for tests of reuse.
+#pragma once
+
+#include <vector>
+
+#include "optics/optics.hpp"
+#include "reuse/motion.hpp"
+#include "reuse/point_image.hpp"
+
+namespace lippmann::test {
+
+/// Everything missed, every pixel of the colour (its index, 0, 0).
+inline PointImage empty_points(const Panel& panel) {
+  const auto pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
+  PointImage image;
+  image.points.z.assign(pixels, kMissedDepth);
+  image.points.object.assign(pixels, kMissedObject);
+  image.film = Image(panel.width, panel.height, 3);
+  for (std::size_t p = 0; p < pixels; ++p) image.film.data[3 * p] = static_cast<float>(p);
+  return image;
+}
+
+inline void set_point(PointImage& image, std::size_t pixel, float z, std::uint32_t object = 0) {
+  image.points.z[pixel] = z;
+  image.points.object[pixel] = object;
+}
+
+inline GroupMotion group_motion(const Affine3f& a) {
+  GroupMotion motion;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) motion.rows[static_cast<std::size_t>(4 * r + c)] = a.linear[c][r];
+    motion.rows[static_cast<std::size_t>(4 * r + 3)] = a.translation[r];
+  }
+  motion.still = a == Affine3f{};
+  return motion;
+}
+
+/// Object i moves by the i-th transform (display mm). Stays where it was made.
+struct KnownMotion {
+  std::vector<std::uint32_t> group_of_object;
+  Motion motion;
+
+  explicit KnownMotion(const std::vector<Affine3f>& of_objects) {
+    for (const Affine3f& a : of_objects) {
+      group_of_object.push_back(static_cast<std::uint32_t>(group_of_object.size()));
+      motion.groups.push_back(group_motion(a));
+    }
+    motion.group_of_object = &group_of_object;
+  }
+  KnownMotion(const KnownMotion&) = delete;
+  KnownMotion& operator=(const KnownMotion&) = delete;
+};
+
+inline Affine3f shift(float x, float y, float z) { return {Mat3f(1.0f), Vec3f(x, y, z)}; }
+
+}  // namespace lippmann::test

@@ -1,0 +1,143 @@
+// Single pixels traced into a frame, and the first hits that are kept while one is traced.
+#include "trace/trace_pixels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+/// Mirrors, glass, several shapes, and a light that is seen.
+SmallScene scene_of_everything() {
+  SmallScene s;
+  s.scene.max_depth = 4;
+  s.scene.background.horizon = {0.2f, 0.3f, 0.5f};
+  PhongSurface shiny = matte({0.8f, 0.4f, 0.2f});
+  shiny.mirror = 0.3f;
+  PhongSurface glass = matte(Vec3f(0.1f));
+  glass.opacity = 0.3f;
+  glass.ior = 1.4f;
+  const int materials[] = {s.material(shiny), s.material(matte({0.3f, 0.6f, 0.9f})), s.material(glass)};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> uniform(-1.5f, 1.5f);
+  for (int i = 0; i < 12; ++i) s.add(Spheres{{{uniform(random), uniform(random), uniform(random)}, 0.35f}}, materials[i % 3]);
+  s.add(Boxes{{{-1.8f, -1.8f, -1.5f}, {1.8f, -1.6f, 1.5f}}}, materials[1]);
+  s.point_light({3, 4, 8});
+  s.point_light({-1.0f, 1.2f, 1.8f}).visible_radius = 0.3f;
+  return s;
+}
+
+Optics lenticular() {
+  Optics optics;
+  optics.panel = {64, 50, 4.0f / 64};
+  LenticularSheet sheet;
+  sheet.lens_pitch_mm = 0.5f;
+  sheet.gap_mm = 1.0f;
+  sheet.offset_mm = 0.25f;
+  optics.model = sheet;
+  optics.z_front_mm = 10.0f;
+  return optics;
+}
+
+struct Traced {
+  Image film;
+  FrameAovs aovs;
+  PrimaryPoints points;
+};
+
+class TracePixels : public testing::Test {
+ protected:
+  TracePixels() : s_(scene_of_everything()), pool_(2), device_(s_.scene, pool_) {
+    device_.update(evaluate(s_.scene, 0.0), pool_);
+    params_.max_depth = s_.scene.max_depth;
+  }
+
+  Traced whole() {
+    Traced t;
+    t.aovs.depth = t.aovs.object_id = true;
+    trace_frame(device_, optics_, {}, params_, pool_, context_, t.film, &t.aovs, &t.points);
+    return t;
+  }
+
+  /// Some pixels of every strip, ascending.
+  std::vector<std::uint32_t> some_pixels() const {
+    std::vector<std::uint32_t> pixels;
+    std::mt19937 random(11);
+    for (std::uint32_t p = 0; p < 64 * 50; ++p)
+      if (random() % 5 == 0) pixels.push_back(p);
+    return pixels;
+  }
+
+  SmallScene s_;
+  Optics optics_ = lenticular();
+  ThreadPool pool_;
+  Context context_;
+  DeviceScene device_;
+  TraceParams params_;
+};
+
+TEST_F(TracePixels, given_pixels_get_the_frames_bits_and_all_others_stay) {
+  for (const int spp : {1, 3})
+    for (const RayOrder order : {RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles}) {
+      params_.spp = spp, params_.order = order, params_.frame = 7;
+      const Traced truth = whole();
+      Image film(64, 50, 3);
+      std::fill(film.data.begin(), film.data.end(), -5.0f);
+      PrimaryPoints points;
+      points.z.assign(64 * 50, -7.0f), points.object.assign(64 * 50, 77u);
+      const std::vector<std::uint32_t> pixels = some_pixels();
+      const RayCounts counts = trace_pixels(device_, optics_, {}, params_, pixels, pool_, context_, film, &points);
+      EXPECT_EQ(counts.primary, pixels.size() * static_cast<std::size_t>(spp));
+      for (std::uint32_t p = 0; p < 64 * 50; ++p) {
+        const bool given = std::binary_search(pixels.begin(), pixels.end(), p);
+        for (std::size_t c = 0; c < 3; ++c)
+          ASSERT_EQ(film.data[3 * p + c], given ? truth.film.data[3 * p + c] : -5.0f) << "spp " << spp << ", pixel " << p;
+        ASSERT_EQ(points.z[p], given ? truth.points.z[p] : -7.0f) << "spp " << spp << ", pixel " << p;
+        ASSERT_EQ(points.object[p], given ? truth.points.object[p] : 77u) << "spp " << spp << ", pixel " << p;
+      }
+    }
+}
+
+TEST_F(TracePixels, no_pixels_trace_nothing) {
+  Image film(64, 50, 3);
+  EXPECT_EQ(trace_pixels(device_, optics_, {}, params_, {}, pool_, context_, film).total(), 0u);
+}
+
+TEST_F(TracePixels, points_of_a_frame_are_its_depth_and_object_layers) {
+  for (const int spp : {1, 3}) {
+    params_.spp = spp;
+    const Traced t = whole();
+    std::size_t lights = 0, background = 0;
+    for (std::size_t p = 0; p < 64 * 50; ++p) {
+      // Lights are objects after the instances; the layer of ids knows none.
+      const std::uint32_t object = t.points.object[p];
+      const bool is_light = object == s_.scene.instances.size() + 1;
+      lights += is_light, background += object == kNoObject;
+      const float id = object < s_.scene.instances.size() ? static_cast<float>(object) : -1.0f;
+      ASSERT_EQ(t.aovs.object_id_image.data[p], id) << p;
+      if (is_light)
+        ASSERT_NEAR(t.points.z[p], 1.8f, 0.301f);  // on its sphere
+      else if (object == kNoObject)
+        ASSERT_EQ(t.points.z[p], -kInfinity);
+      else
+        ASSERT_NEAR(t.points.z[p], t.aovs.depth_image.data[p], 1e-5f) << p;  // single precision of lengths around 10
+    }
+    EXPECT_GT(lights, 0u);
+    EXPECT_GT(background, 0u);
+  }
+}
+
+TEST_F(TracePixels, keeping_points_changes_no_colour) {
+  const Traced with = whole();
+  Image without;
+  trace_frame(device_, optics_, {}, params_, pool_, context_, without);
+  EXPECT_EQ(with.film.data, without.data);
+}
+
+}  // namespace
+}  // namespace lippmann
