@@ -4,6 +4,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,10 +17,16 @@ struct Report {
   int passed_checks = 0;  ///< of results, made before measuring; a failed one throws Error
 };
 
+/// What a person can choose.
+struct Request {
+  std::vector<std::string> scenes;                                        ///< by name; empty: all that the benchmark has
+  std::string tachyon_scenes = "/usr/share/doc/tachyon/examples/scenes";  ///< the folder of Tachyon's teapot.dat and others
+};
+
 struct Benchmark {
   std::string_view name;
   std::string_view description;  ///< one line for --help
-  Report (*run)(const Context& context);
+  Report (*run)(const Request& request, const Context& context);
 };
 
 /// In the order that --help lists them.

@@ -6,6 +6,8 @@ const std::vector<Benchmark>& benchmarks() {
   static const std::vector<Benchmark> all{
       {"png", "CPU time and size of a PNG by strategy, filter and level", measure_png},
       {"rays", "rays per second of our passes beside bare Embree, by ray order and scene", measure_rays},
+      {"spheres", "rays per second against our spheres beside Embree's own sphere points", measure_spheres},
+      {"tachyon", "CPU time per pixel beside the program tachyon, on its own scenes", measure_tachyon},
   };
   return all;
 }

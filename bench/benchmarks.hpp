@@ -5,7 +5,9 @@
 
 namespace lippmann::bench {
 
-Report measure_png(const Context& context);
-Report measure_rays(const Context& context);
+Report measure_png(const Request& request, const Context& context);
+Report measure_rays(const Request& request, const Context& context);
+Report measure_spheres(const Request& request, const Context& context);
+Report measure_tachyon(const Request& request, const Context& context);
 
 }  // namespace lippmann::bench

@@ -1,6 +1,5 @@
 // CPU time and size of one 512 x 512 PNG for each way to compress it: the table of docs/decisions/0002-png-compression.md.
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "bench/benchmarks.hpp"
+#include "bench/timing.hpp"
 #include "core/error.hpp"
 #include "core/math.hpp"
 #include "core/random.hpp"
@@ -71,12 +71,6 @@ Image8 make_picture(Kind kind) {
   return to_codes(film, Encoding::kSrgb);
 }
 
-double thread_cpu_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
 bool comes_back(const Image8& image, const PngOptions& options) {
   const auto path = std::filesystem::temp_directory_path() / fmt::format("lippmann-png-bench-{}.png", getpid());
   write_png(path, image, options);
@@ -111,9 +105,7 @@ nlohmann::ordered_json measure(const std::string& picture, const Image8& image, 
   std::vector<double> times;
   std::size_t bytes = 0;
   for (int run = 0; run < kRuns; ++run) {
-    const double begin = thread_cpu_ms();
-    bytes = encode_png(image, setting.options).size();
-    times.push_back(thread_cpu_ms() - begin);
+    times.push_back(1e3 * seconds([&] { bytes = encode_png(image, setting.options).size(); }));
   }
   std::sort(times.begin(), times.end());
   return {{"picture", picture},         {"strategy", setting.strategy},
@@ -124,7 +116,7 @@ nlohmann::ordered_json measure(const std::string& picture, const Image8& image, 
 
 }  // namespace
 
-Report measure_png(const Context& context) {
+Report measure_png(const Request&, const Context& context) {
   Report report;
   const std::pair<const char*, Kind> pictures[] = {
       {"view", Kind::kView}, {"integral", Kind::kIntegral}, {"noisy", Kind::kNoisyIntegral}};

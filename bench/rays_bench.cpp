@@ -4,16 +4,14 @@
 // generation, no shading, no picture. Its time is taken strip by strip with the strip's packets fresh in cache, so that it does
 // not wait for memory that our side never touches. One thread. Each row is the median over repetitions of ratios taken within
 // one repetition.
-#include <time.h>
-
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <string>
 
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
+#include "bench/timing.hpp"
 #include "core/error.hpp"
+#include "render/frame.hpp"
 #include "trace/primary.hpp"
 #include "trace/scene_query.hpp"
 #include "trace/whitted.hpp"
@@ -23,29 +21,6 @@ namespace {
 
 constexpr int kRepetitions = 7;
 constexpr int kBatchPackets = 64;
-
-/// CPU time of this thread: what other processes take does not count.
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double seconds(const std::function<void()>& work) {
-  const double start = cpu_seconds();
-  work();
-  return cpu_seconds() - start;
-}
-
-double second_run(const std::function<void()>& work) {
-  work();
-  return seconds(work);
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 void shade_strip(const PacketSource& source, int strip, WhittedTracer& tracer) {
   RayHitPacket packet;
@@ -92,12 +67,12 @@ struct Measured {
 
 class RayBench {
  public:
-  RayBench(const DeviceScene& scene, const BenchScene& setup, RayOrder order)
-      : scene_(scene.impl()),
-        source_(setup.optics, setup.world_from_display, order, SubPixel{}),
-        beam_(setup.optics, setup.world_from_display),
-        max_depth_(setup.scene.max_depth),
-        film_(setup.optics.panel.width, setup.optics.panel.height, 3) {}
+  RayBench(const Stage& stage, const Affine3f& world_from_display, RayOrder order)
+      : scene_(stage.device.impl()),
+        source_(stage.placed.optics, world_from_display, order, SubPixel{}),
+        beam_(stage.placed.optics, world_from_display),
+        max_depth_(stage.scene.max_depth),
+        film_(stage.placed.optics.panel.width, stage.placed.optics.panel.height, 3) {}
 
   Measured measure() {
     Measured result;
@@ -173,19 +148,19 @@ class RayBench {
   volatile double sink_ = 0;
 };
 
-double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
-
 }  // namespace
 
-Report measure_rays(const Context& context) {
+Report measure_rays(const Request& request, const Context& context) {
   Report report;
   const ThreadPool pool(1);
   pool.run([&] {
-    for (const BenchScene& setup : bench_scenes(context)) {
-      DeviceScene device(setup.scene, pool);
-      device.update(evaluate(setup.scene, setup.time), pool);
+    for (const BenchScene& setup : bench_scenes(request, context)) {
+      Stage stage(setup.params, pool, context);
+      const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(setup.frame));
+      stage.device.update(resolved, pool);
+      const Affine3f world_from_array = world_from_display(stage.array, stage.placed.units_per_mm, resolved);
       for (const RayOrder order : {RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles}) {
-        RayBench bench(device, setup, order);
+        RayBench bench(stage, world_from_array, order);
         bench.check();
         ++report.passed_checks;
         const Measured m = bench.measure();

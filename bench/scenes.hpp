@@ -4,20 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
-#include "optics/optics.hpp"
-#include "scene/scene.hpp"
+#include "bench/bench.hpp"
+#include "render/params.hpp"
 
 namespace lippmann::bench {
 
 struct BenchScene {
   std::string name;
-  Scene scene;
-  double time = 0.0;  ///< seconds
-  Optics optics;      ///< lenticular, 512 x 512, 64 lenses of 8 pixels, 28 degrees
-  Affine3f world_from_display;
+  RenderParams params;  ///< lenticular, 512 x 512, 64 lenses of 8 pixels, 28 degrees
+  int frame = 0;
 };
 
-std::vector<BenchScene> bench_scenes(const Context& context);
+/// Those that the request names, built-in ones or files; all built-in ones where it names none. Throws Error.
+std::vector<BenchScene> bench_scenes(const Request& request, const Context& context);
+
+/// Which of Tachyon's own teapot, room and smallballs (.dat) are in a folder; those of them that the request names.
+std::vector<BenchScene> tachyon_scenes(const Request& request);
 
 }  // namespace lippmann::bench

@@ -16,6 +16,7 @@ namespace {
 
 struct Options {
   std::string name;
+  bench::Request request;
   int threads = 0;
   bool json = false;
 };
@@ -76,7 +77,7 @@ const bench::Benchmark& find_benchmark(const std::string& name) {
 int run(const Options& options, Context& context) {
   const bench::Benchmark& benchmark = find_benchmark(options.name);
   context.threads = options.threads;
-  const bench::Report report = benchmark.run(context);
+  const bench::Report report = benchmark.run(options.request, context);
   if (!options.json) {
     print_table(report);
     return 0;
@@ -99,6 +100,11 @@ void add_bench_command(CLI::App& root, Action& chosen) {
     footer += fmt::format("  {:<10} {}\n", benchmark.name, benchmark.description);
   command.footer(footer);
   command.add_option("NAME", options->name, "Which benchmark")->required();
+  command.add_option("--scene", options->request.scenes, "Only these scenes: built-in names or files; once for each")
+      ->type_name("NAME");
+  command.add_option("--tachyon-scenes", options->request.tachyon_scenes, "The folder of Tachyon's own scenes")
+      ->type_name("DIR")
+      ->capture_default_str();
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

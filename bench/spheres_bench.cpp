@@ -1,0 +1,136 @@
+// Spheres as our user geometry, tested against whole packets, beside RTC_GEOMETRY_TYPE_SPHERE_POINT: the same spheres, the same
+// primary packets, one thread, and nothing but the two Embree calls timed.
+#include <cmath>
+#include <string>
+
+#include "bench/benchmarks.hpp"
+#include "bench/scenes.hpp"
+#include "bench/timing.hpp"
+#include "core/error.hpp"
+#include "render/frame.hpp"
+#include "trace/device_scene_impl.hpp"
+#include "trace/packet_source.hpp"
+#include "trace/scene_query.hpp"
+#include "trace/user_geometry.hpp"
+
+namespace lippmann::bench {
+namespace {
+
+constexpr int kRepetitions = 9;
+
+struct LogEntry {
+  RayPacket rays;
+  LaneMask active;
+};
+using Packets = std::vector<LogEntry>;
+
+PrimitiveTable<WorldSphere> world_spheres(const Scene& scene, const ResolvedScene& resolved) {
+  PrimitiveTable<WorldSphere> table;
+  for (const Instance& instance : scene.instances)
+    if (const auto* spheres = std::get_if<Spheres>(&scene.shapes[static_cast<std::size_t>(instance.shape)]))
+      for (const Sphere& sphere : *spheres) table.primitives.push_back(to_world(resolved.of(instance.node), sphere));
+  return table;
+}
+
+EmbreeScene commit(RTCDevice device, const EmbreeGeometry& geometry) {
+  EmbreeScene scene(rtcNewScene(device));
+  rtcAttachGeometry(scene.get(), geometry.get());
+  rtcCommitScene(scene.get());
+  return scene;
+}
+
+EmbreeScene scene_of_points(RTCDevice device, const std::vector<WorldSphere>& spheres) {
+  EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT));
+  auto* vertices = static_cast<WorldSphere*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                     RTC_FORMAT_FLOAT4, sizeof(WorldSphere), spheres.size()));
+  std::copy(spheres.begin(), spheres.end(), vertices);
+  rtcCommitGeometry(geometry.get());
+  return commit(device, geometry);
+}
+
+std::vector<float> distances(const EmbreeScene& scene, int native_width, const Packets& packets) {
+  std::vector<float> result;
+  result.reserve(packets.size() * kLanes);
+  RayHitPacket packet;
+  for (const LogEntry& entry : packets) {
+    packet.ray = entry.rays;
+    clear_hits(packet);
+    intersect(scene.get(), native_width, entry.active, packet, Coherence::kCoherent);
+    for (int i = 0; i < kLanes; ++i)
+      result.push_back(entry.active.lane[i] && packet.hit.primID[i] != kNoId ? packet.ray.tfar[i] : 0.0f);
+  }
+  return result;
+}
+
+double trace_all(const EmbreeScene& scene, int native_width, const Packets& packets) {
+  RayHitPacket packet;
+  double sum = 0.0;
+  for (const LogEntry& entry : packets) {
+    packet.ray = entry.rays;
+    clear_hits(packet);
+    intersect(scene.get(), native_width, entry.active, packet, Coherence::kCoherent);
+    sum += packet.ray.tfar[0];
+  }
+  return sum;
+}
+
+/// Both sides must meet the same spheres at the same places, but for rays that graze one.
+void check(const std::vector<float>& ours, const std::vector<float>& theirs) {
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    if (std::abs(ours[i] - theirs[i]) > 1e-3f * std::abs(theirs[i])) ++different;
+  if (different * 1000 > ours.size())
+    throw Error("bench spheres", std::to_string(different) + " of " + std::to_string(ours.size()) + " rays disagree");
+}
+
+}  // namespace
+
+Report measure_spheres(const Request& request, const Context& context) {
+  Report report;
+  Request wanted = request;
+  if (wanted.scenes.empty()) wanted.scenes = {"small-balls"};
+  const ThreadPool pool(1);
+  pool.run([&] {
+    for (const BenchScene& setup : bench_scenes(wanted, context)) {
+      Stage stage(setup.params, pool, context);
+      const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(setup.frame));
+      PrimitiveTable<WorldSphere> table = world_spheres(stage.scene, resolved);
+      if (table.primitives.empty()) throw Error(setup.name, "it has no spheres", "a scene with spheres, such as small-balls");
+      const DeviceScene::Impl& impl = stage.device.impl();
+      const EmbreeScene ours = commit(impl.device.get(), make_user_geometry(impl.device.get(), table));
+      const EmbreeScene theirs = scene_of_points(impl.device.get(), table.primitives);
+
+      const PacketSource source(stage.placed.optics, world_from_display(stage.array, stage.placed.units_per_mm, resolved),
+                                setup.params.order, SubPixel{});
+      Packets packets;
+      LogEntry entry;
+      alignas(64) std::uint32_t pixel[kLanes];
+      std::uint64_t rays = 0;
+      for (int strip = 0; strip < source.strips(); ++strip)
+        for (int p = 0; p < source.packets_per_strip(); ++p)
+          if (const int count = source.fill(strip, p, 0, entry.rays, entry.active, pixel); count > 0) {
+            packets.push_back(entry);
+            rays += static_cast<std::uint64_t>(count);
+          }
+      check(distances(ours, impl.native_width, packets), distances(theirs, impl.native_width, packets));
+      ++report.passed_checks;
+
+      volatile double sink = 0;
+      std::vector<double> our_times, their_times, ratios;
+      for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+        our_times.push_back(second_run([&] { sink = sink + trace_all(ours, impl.native_width, packets); }));
+        their_times.push_back(second_run([&] { sink = sink + trace_all(theirs, impl.native_width, packets); }));
+        ratios.push_back(their_times.back() / our_times.back());
+      }
+      const double mrays = 1e-6 * static_cast<double>(rays);
+      report.rows.push_back({{"scene", setup.name},
+                             {"spheres", table.primitives.size()},
+                             {"mrays_s", rounded(mrays / median(our_times))},
+                             {"sphere_point_mrays_s", rounded(mrays / median(their_times))},
+                             {"ratio", rounded(median(ratios))}});
+    }
+  });
+  return report;
+}
+
+}  // namespace lippmann::bench

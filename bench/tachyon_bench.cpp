@@ -1,0 +1,86 @@
+// CPU time per pixel of a Whitted frame of ours beside the program tachyon, on its own scenes and cameras, one thread each.
+//
+// tachyon's time is the difference between a large and a tiny picture, so that reading the scene and building its structures
+// do not count; nor do ours. Two frames of ours: the same single view of the same size, and the integral image that our default
+// array around the same camera makes (the same pixels of scene, seen from 8 directions each).
+#include <filesystem>
+#include <string>
+
+#include "bench/benchmarks.hpp"
+#include "bench/program.hpp"
+#include "bench/scenes.hpp"
+#include "bench/timing.hpp"
+#include "core/error.hpp"
+#include "render/frame.hpp"
+
+namespace lippmann::bench {
+namespace {
+
+constexpr int kRepetitions = 5;
+constexpr int kSize = 512, kTinySize = 8;
+
+double tachyon_seconds(const std::filesystem::path& scene, int size) {
+  const std::string pixels = std::to_string(size);
+  return cpu_seconds_of(
+      {"tachyon", scene.filename().string(), "-res", pixels, pixels, "-aasamples", "0", "-numthreads", "1", "-nosave"},
+      scene.parent_path());
+}
+
+class OurFrame {
+ public:
+  OurFrame(RenderParams params, OpticsKind optics, const ThreadPool& pool, const Context& context)
+      : params_(with_optics(std::move(params), optics)), stage_(params_, pool, context), pool_(pool), context_(context) {}
+
+  double seconds() {
+    return second_run([&] { render_frame(stage_, params_, 0, pool_, context_); });
+  }
+
+ private:
+  static RenderParams with_optics(RenderParams params, OpticsKind optics) {
+    params.optics = optics;
+    if (optics == OpticsKind::kSingle) params.size = {kSize, kSize};
+    return params;
+  }
+
+  RenderParams params_;
+  Stage stage_;
+  const ThreadPool& pool_;
+  const Context& context_;
+};
+
+nlohmann::ordered_json measure_scene(const BenchScene& setup, const ThreadPool& pool, const Context& context) {
+  OurFrame single(setup.params, OpticsKind::kSingle, pool, context);
+  OurFrame integral(setup.params, OpticsKind::kLenticular, pool, context);
+  std::vector<double> theirs, ours_single, ours_integral, single_ratios, integral_ratios;
+  for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+    theirs.push_back(tachyon_seconds(setup.params.scene, kSize) - tachyon_seconds(setup.params.scene, kTinySize));
+    ours_single.push_back(single.seconds());
+    ours_integral.push_back(integral.seconds());
+    single_ratios.push_back(theirs.back() / ours_single.back());
+    integral_ratios.push_back(theirs.back() / ours_integral.back());
+  }
+  const auto ns_per_pixel = [](const std::vector<double>& times) { return rounded(1e9 * median(times) / (kSize * kSize)); };
+  return {{"scene", setup.name},
+          {"tachyon_ns_per_pixel", ns_per_pixel(theirs)},
+          {"single_ns_per_pixel", ns_per_pixel(ours_single)},
+          {"integral_ns_per_pixel", ns_per_pixel(ours_integral)},
+          {"single_ratio", rounded(median(single_ratios))},
+          {"integral_ratio", rounded(median(integral_ratios))}};
+}
+
+}  // namespace
+
+Report measure_tachyon(const Request& request, const Context& context) {
+  const std::vector<BenchScene> scenes = tachyon_scenes(request);
+  if (scenes.empty())
+    throw Error(request.tachyon_scenes, "none of teapot.dat, room.dat and smallballs.dat is there",
+                "a folder with Tachyon's scenes (--tachyon-scenes DIR); Debian has them in the package tachyon-doc");
+  Report report;
+  const ThreadPool pool(1);
+  pool.run([&] {
+    for (const BenchScene& setup : scenes) report.rows.push_back(measure_scene(setup, pool, context));
+  });
+  return report;
+}
+
+}  // namespace lippmann::bench
