@@ -122,6 +122,25 @@ TEST(Whitted, see_through_blocker_weakens_the_shadow_by_its_opacity) {
   }
 }
 
+TEST(Whitted, rays_along_the_edge_that_triangles_share_meet_one_of_them) {
+  // A square larger than the view with its diagonal through pixels' centres; turned in its mesh and turned back by its node,
+  // so that crossings of the diagonal round either way.
+  constexpr int kPixels = 200;
+  int holes = 0;
+  for (int n = 1; n <= 100; ++n) {
+    SmallScene s;
+    const Mat3f turn = glm::mat3_cast(glm::angleAxis(0.37f * static_cast<float>(n), glm::normalize(Vec3f(0.3f, 0.4f, 0.8f))));
+    Mesh mesh = square(2.5f, 0);
+    mesh.triangles = {{3, 2, 0}, {2, 1, 0}};  // the shared edge is another side of each: its two tests round differently
+    for (Vec3f& p : mesh.positions) p = glm::transpose(turn) * p;
+    s.add(mesh, s.material(glowing(Vec3f(1.0f))), s.node({turn, Vec3f(0.0f)}));
+    s.add(Shape(mesh), 0, s.node({turn, Vec3f(0.0f, 100.0f, 0.0f)}));  // a second use makes both of them Embree instances
+    const Picture p = trace(s.scene, single_view(kPixels));
+    for (int i = 0; i < kPixels; ++i) holes += p.at(i, i).x != 1.0f;
+  }
+  EXPECT_EQ(holes, 0);
+}
+
 TEST(Whitted, mirror_shows_what_lies_behind_the_viewer) {
   SmallScene s;
   s.scene.max_depth = 2;
