@@ -32,6 +32,9 @@ std::string describe_optics(const Optics& optics) {
 }
 
 std::string frame_line(const FrameReport& frame) {
+  if (frame.kind == "in-between")
+    return fmt::format("frame {}: {:.3f} s, between key frames, {} pixels missed", frame.frame, frame.seconds,
+                       frame.missed_pixels);
   return fmt::format("frame {}: {:.3f} s, {:.2f} million rays", frame.frame, frame.seconds,
                      static_cast<double>(frame.rays.total()) * 1e-6);
 }
@@ -40,11 +43,29 @@ bool has_lenses(const RenderParams& params) {
   return params.optics == OpticsKind::kLenticular || params.optics == OpticsKind::kMicrolens;
 }
 
+/// How much was traced and how much made from that.
+std::string describe_reuse(const RenderReport& report) {
+  std::uint64_t keys = report.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
+  for (const FrameReport& frame : report.frames) {
+    keys += frame.kind == "key";
+    made += frame.kind == "in-between";
+    missed += frame.missed_pixels, newly_visible += frame.newly_visible_pixels, retraced += frame.retraced_pixels;
+  }
+  const double pixels = static_cast<double>(report.optics.panel.width) * report.optics.panel.height;
+  const double percent = 100.0 / std::max(pixels * static_cast<double>(made), 1.0);
+  return fmt::format(
+      "{} frames made between {} sources; {:.2f} % of their pixels missed ({:.2f} newly visible, {:.2f} not "
+      "covered), {}",
+      made, keys, percent * static_cast<double>(missed), percent * static_cast<double>(newly_visible),
+      percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
+}
+
 /// What was made, where it is, and how to look at it.
 void print_summary(const RenderReport& report, const fs::path& folder, int kept) {
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
-  for (const FrameReport& frame : report.frames) seconds += frame.seconds, rays += static_cast<double>(frame.rays.total());
+  for (const auto* some : {&report.frames, &report.sources})
+    for (const FrameReport& frame : *some) seconds += frame.seconds, rays += static_cast<double>(frame.rays.total());
   fmt::print("{}{} frame{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "",
              frames, frames == 1 ? "" : "s", describe_optics(report.optics), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
              kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
@@ -56,6 +77,7 @@ void print_summary(const RenderReport& report, const fs::path& folder, int kept)
     line("pictures", path(report.frames.front()) + (frames > 1 ? " ... " + path(report.frames.back()) : ""));
     for (const std::string& video : report.params.video)
       if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
+    if (report.params.reuse != Reuse::kNone) line("reuse", describe_reuse(report));
     if (has_lenses(report.params)) line("one view", "lippmann render with --optics single shows what one eye sees");
   }
   line("figures", (folder / "report.json").string());

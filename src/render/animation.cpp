@@ -16,9 +16,10 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "render/finished_frames.hpp"
-#include "render/frame.hpp"
+#include "render/frame_maker.hpp"
 #include "render/frame_sink.hpp"
 #include "render/job_file.hpp"
+#include "render/reuse_params.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {
@@ -49,7 +50,7 @@ void require_memory(const RenderParams& params, const Panel& panel, int threads)
   constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
   const double pixels = static_cast<double>(panel.width) * panel.height;
   const double frame = pixels * (kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size()));
-  const double needed = frame * FrameSink::frames_in_memory(threads);
+  const double needed = frame * FrameSink::frames_in_memory(threads) + pixels * bytes_kept_per_pixel(params);
   const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   if (needed > available)
     throw Error("--size", fmt::format("frames of {}x{} pixels need {:.1f} GB of memory, this machine has {:.1f} GB",
@@ -105,6 +106,7 @@ void write_report(const fs::path& file, const RenderReport& report) {
 
 RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {
   const Stopwatch setup;
+  check_reuse(params);
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);
@@ -122,10 +124,11 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   if (finished.took_over()) warn_of_strangers(folder, params, frames, context);
   const RenderPlan plan{stage, folder, frames, count_kept(params, finished, frames)};
 
-  RenderReport report{params.scene, stage.placed.optics, params, {}};
+  RenderReport report{params.scene, stage.placed.optics, params, {}, {}};
   report.threads = pool.threads();
   const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
   FrameSink sink({params, folder, stage.scene.encoding, fps, pool.threads()}, finished);
+  const auto maker = make_frame_maker(stage, params, pool, context);
   if (observer.planned) observer.planned(plan);
   report.setup_seconds = setup.seconds();
 
@@ -135,12 +138,13 @@ RenderReport render_animation(const RenderParams& params, const Context& context
       sink.add_kept(frame);
       continue;
     }
-    RenderedFrame rendered = render_frame(stage, params, frame, pool, context);
+    RenderedFrame rendered = maker->make(frame);
     if (context.cancelled) break;
     report.frames.push_back(rendered.report);
     sink.add(std::move(rendered));
     if (observer.traced) observer.traced(report.frames.back());
   }
+  report.sources = maker->sources();
   sink.wait();
   report.interrupted = static_cast<int>(report.frames.size()) <= frames.last - frames.first;
   if (!report.interrupted) sink.finish_videos();

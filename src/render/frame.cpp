@@ -1,12 +1,8 @@
 #include "render/frame.hpp"
 
-#include <chrono>
-#include <utility>
-
 #include "render/panel_size.hpp"
 
 namespace lippmann {
-namespace {
 
 TraceParams trace_params(const RenderParams& params, const Scene& scene, int frame) {
   TraceParams trace;
@@ -18,8 +14,6 @@ TraceParams trace_params(const RenderParams& params, const Scene& scene, int fra
   return trace;
 }
 
-}  // namespace
-
 Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& context)
     : scene(load_scene(params.scene, load_options(params), context)),
       array(fit_array(scene, window_aspect(params, scene.resolution))),
@@ -28,10 +22,7 @@ Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& 
 
 RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool,
                            const Context& context) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  const double cpu_start = pool.cpu_seconds();
-
+  const FrameClock clock(pool);
   const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(frame));
   stage.device.update(resolved, pool);
   const Affine3f world_from_array = world_from_display(stage.array, stage.placed.units_per_mm, resolved);
@@ -44,8 +35,7 @@ RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, 
   rendered.report.rays =
       trace_frame(stage.device, stage.placed.optics, world_from_array, trace_params(params, stage.scene, frame), pool, context,
                   rendered.pictures.film, params.aov.empty() ? nullptr : &rendered.pictures.aovs);
-  rendered.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  rendered.report.cpu_seconds = pool.cpu_seconds() - cpu_start;
+  clock.stop(rendered.report);
   return rendered;
 }
 

@@ -1,6 +1,8 @@
 // Renders one frame: where everything is at its time, the scene made ready for tracing, every pixel traced.
 #pragma once
 
+#include <chrono>
+
 #include "core/context.hpp"
 #include "core/parallel.hpp"
 #include "render/fit_array.hpp"
@@ -31,6 +33,25 @@ struct RenderedFrame {
   FramePictures pictures;
   FrameReport report;
 };
+
+/// Measures the rendering of one frame, from its making on.
+class FrameClock {
+ public:
+  explicit FrameClock(const ThreadPool& pool) : pool_(pool), cpu_start_(pool.cpu_seconds()) {}
+  void stop(FrameReport& report) const {
+    report.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    report.cpu_seconds = pool_.cpu_seconds() - cpu_start_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const ThreadPool& pool_;
+  Clock::time_point start_ = Clock::now();
+  double cpu_start_;
+};
+
+/// How the parameters have a frame traced.
+TraceParams trace_params(const RenderParams& params, const Scene& scene, int frame);
 
 /// Moves the device scene to the frame's time and traces it. Unfinished when context.cancelled is set meanwhile.
 RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context);

@@ -9,6 +9,7 @@
 
 #include "core/math.hpp"
 #include "optics/optics.hpp"
+#include "reuse/in_between.hpp"
 #include "scene/load.hpp"
 #include "trace/trace_frame.hpp"
 
@@ -16,6 +17,11 @@ namespace lippmann {
 
 enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
 enum class Integrator { kWhitted };
+enum class Reuse {
+  kNone,     ///< every frame is traced
+  kForward,  ///< the paper's: frames between key frames are interpolated from these frames' points
+};
+enum class DebugPicture { kNone, kMissed };
 enum class PictureFormat { kPng, kPng16, kExr };
 enum class ExrPixels { kHalf, kFloat };
 enum class Aov { kDepth, kNormal, kId, kPosition };
@@ -58,6 +64,14 @@ struct RenderParams {
   int spp = 1;
   int max_depth = 0;  ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
+
+  // Reuse between frames
+  Reuse reuse = Reuse::kNone;
+  std::optional<int> keyframes;  ///< every K-th frame is a key frame; none: kDefaultKeyframes
+  SplatMode splat = SplatMode::kView;
+  MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
+  bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, to be looked at
+  DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black
 
   // Files
   std::string output;  ///< folder; empty: out/<scene name>

@@ -9,6 +9,7 @@
 
 #include "core/suggest.hpp"
 #include "render/param_text.hpp"
+#include "render/reuse_params.hpp"
 
 namespace lippmann {
 namespace {
@@ -19,6 +20,10 @@ constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens"
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 1> kIntegratorNames{"whitted"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
+constexpr std::array<std::string_view, 2> kReuseNames{"none", "forward"};
+constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
+constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
+constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
 constexpr std::array<std::string_view, 3> kFormatNames{"png", "png16", "exr"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 4> kAovNames{"depth", "normal", "id", "position"};
@@ -217,6 +222,30 @@ std::vector<ParamInfo> rendering_rows() {
   };
 }
 
+std::vector<ParamInfo> reuse_rows() {
+  using P = RenderParams;
+  const Codec<std::optional<int>> keyframes{
+      [](std::string_view value, const std::string& where) -> std::optional<int> {
+        if (value == "auto") return std::nullopt;
+        return static_cast<int>(read_integer(value, 2, kMaxKeyframes, where));
+      },
+      [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string("auto"); }};
+  return {
+      row(ParamKind::kText, &P::reuse, choice<Reuse>(kReuseNames),
+          {"reuse", "Reuse", "NAME", "Between frames: none, or forward (the frames between key frames are interpolated)"}),
+      row(ParamKind::kText, &P::keyframes, keyframes,
+          {"keyframes", "Reuse", "K|auto", "Every K-th frame is a key frame, which is traced; auto: 8"}),
+      row(ParamKind::kText, &P::splat, choice<SplatMode>(kSplatNames),
+          {"splat", "Reuse", "WHERE", "Forward: points stay below their lens (the paper's) or in their directional view"}),
+      row(ParamKind::kText, &P::fill, choice<MissedFill>(kFillNames),
+          {"fill", "Reuse", "HOW", "Forward: missed pixels are interpolated from their neighbours, or retraced"}),
+      row(ParamKind::kFlag, &P::no_z_buffer, flag(),
+          {"no-z-buffer", "Reuse", "", "Forward: points overwrite each other in pixel order; wrong, to be looked at"}),
+      row(ParamKind::kText, &P::debug, choice<DebugPicture>(kDebugNames),
+          {"debug", "Reuse", "PICTURE", "Forward: missed shows missed pixels black"}),
+  };
+}
+
 std::vector<ParamInfo> file_rows() {
   using P = RenderParams;
   return {
@@ -246,7 +275,7 @@ std::vector<ParamInfo> running_rows() {
 const std::vector<ParamInfo>& params_table() {
   static const std::vector<ParamInfo> table = [] {
     std::vector<ParamInfo> all;
-    for (auto rows : {scene_rows(), optics_rows(), rendering_rows(), file_rows(), running_rows()})
+    for (auto rows : {scene_rows(), optics_rows(), rendering_rows(), reuse_rows(), file_rows(), running_rows()})
       for (ParamInfo& info : rows) all.push_back(std::move(info));
     return all;
   }();

@@ -63,19 +63,21 @@ Json settings_json(const RenderParams& params) {
 Json totals_json(const RenderReport& report) {
   double seconds = 0.0, cpu_seconds = 0.0;
   RayCounts rays;
-  for (const FrameReport& frame : report.frames) {
-    seconds += frame.seconds;
-    cpu_seconds += frame.cpu_seconds;
-    rays.primary += frame.rays.primary;
-    rays.shadow += frame.rays.shadow;
-    rays.reflection += frame.rays.reflection;
-    rays.indirect += frame.rays.indirect;
-  }
+  for (const auto* frames : {&report.frames, &report.sources})
+    for (const FrameReport& frame : *frames) {
+      seconds += frame.seconds;
+      cpu_seconds += frame.cpu_seconds;
+      rays.primary += frame.rays.primary;
+      rays.shadow += frame.rays.shadow;
+      rays.reflection += frame.rays.reflection;
+      rays.indirect += frame.rays.indirect;
+    }
   return {{"seconds", seconds},
           {"cpu_seconds", cpu_seconds},
           {"write_seconds", report.write_seconds},
           {"setup_seconds", report.setup_seconds},
           {"frames", report.frames.size()},
+          {"source_frames", report.sources.size()},
           {"rays", rays_json(rays)},
           {"peak_memory_bytes", report.peak_memory_bytes},
           {"threads", report.threads}};
@@ -100,6 +102,8 @@ Json to_json(const FrameReport& frame) {
           {"cpu_seconds", frame.cpu_seconds},
           {"rays", rays_json(frame.rays)},
           {"missed_pixels", frame.missed_pixels},
+          {"newly_visible_pixels", frame.newly_visible_pixels},
+          {"not_covered_pixels", frame.not_covered_pixels},
           {"retraced_pixels", frame.retraced_pixels},
           {"reused_pixels", frame.reused_pixels},
           {"estimated_psnr_db", frame.estimated_psnr_db ? Json(*frame.estimated_psnr_db) : Json(nullptr)}};
@@ -126,6 +130,8 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   rays.at("reflection").get_to(frame.rays.reflection);
   rays.at("indirect").get_to(frame.rays.indirect);
   json.at("missed_pixels").get_to(frame.missed_pixels);
+  json.at("newly_visible_pixels").get_to(frame.newly_visible_pixels);
+  json.at("not_covered_pixels").get_to(frame.not_covered_pixels);
   json.at("retraced_pixels").get_to(frame.retraced_pixels);
   json.at("reused_pixels").get_to(frame.reused_pixels);
   if (const Json& psnr = json.at("estimated_psnr_db"); !psnr.is_null()) frame.estimated_psnr_db = psnr.get<double>();

@@ -16,11 +16,12 @@ namespace lippmann {
 
 struct FrameReport {
   int frame = 0;
-  std::string kind = "full";  ///< how its pixels came about: all of them traced
+  std::string kind = "full";  ///< full: traced; key: traced, and others are made from it; in-between: made from others
   double seconds = 0.0;       ///< wall time of rendering, without writing files
   double cpu_seconds = 0.0;   ///< of all threads, likewise
   RayCounts rays;
-  std::uint64_t missed_pixels = 0;  ///< onto which no earlier sample projected
+  std::uint64_t missed_pixels = 0;  ///< onto which no point of another frame projected; for one of two causes:
+  std::uint64_t newly_visible_pixels = 0, not_covered_pixels = 0;
   std::uint64_t retraced_pixels = 0;
   std::uint64_t reused_pixels = 0;
   std::optional<double> estimated_psnr_db;  ///< none: exact
@@ -30,9 +31,10 @@ struct RenderReport {
   std::string scene;
   Optics optics;
   RenderParams params;
-  std::vector<FrameReport> frames;  ///< in ascending order; frames kept from before with the figures of then
-  double setup_seconds = 0.0;       ///< wall time before the first frame: loading, building
-  double write_seconds = 0.0;       ///< time that files took to encode and write, summed over threads; beside rendering
+  std::vector<FrameReport> frames;   ///< in ascending order; frames kept from before with the figures of then
+  std::vector<FrameReport> sources;  ///< rendered only because frames are made from them; ascending
+  double setup_seconds = 0.0;        ///< wall time before the first frame: loading, building
+  double write_seconds = 0.0;        ///< time that files took to encode and write, summed over threads; beside rendering
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
   bool interrupted = false;  ///< stopped before the last frame; what is listed is whole

@@ -24,7 +24,9 @@ const std::map<std::string_view, Values> kOtherValues{
     {"max-depth", {"3"}},        {"seed", {"4294967295"}},      {"order", {"columns"}},
     {"output", {"some/folder"}}, {"format", {"exr"}},           {"exr-pixels", {"float"}},
     {"aov", {"depth", "id"}},    {"video", {"a.mp4", "b.mkv"}}, {"threads", {"3"}},
-    {"resume", {"true"}},
+    {"resume", {"true"}},        {"reuse", {"forward"}},        {"keyframes", {"4"}},
+    {"splat", {"lens"}},         {"fill", {"retrace"}},         {"no-z-buffer", {"true"}},
+    {"debug", {"missed"}},
 };
 
 const ParamInfo& param(std::string_view name) {

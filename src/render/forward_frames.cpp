@@ -1,0 +1,144 @@
+#include "render/forward_frames.hpp"
+
+#include <set>
+#include <utility>
+
+#include "render/reuse_params.hpp"
+#include "trace/trace_pixels.hpp"
+
+namespace lippmann {
+namespace {
+
+bool has_frames_inside(int first, int last) { return last - first > 1; }
+
+FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, std::size_t pixels) {
+  FrameReport report;
+  report.frame = frame;
+  report.kind = "in-between";
+  report.rays = rays;
+  report.missed_pixels = counts.missed;
+  report.newly_visible_pixels = counts.causes.newly_visible;
+  report.not_covered_pixels = counts.causes.not_covered;
+  report.retraced_pixels = counts.retraced;
+  report.reused_pixels = pixels - counts.missed;
+  return report;
+}
+
+}  // namespace
+
+ForwardFrames::ForwardFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+    : stage_(stage),
+      params_(params),
+      pool_(pool),
+      context_(context),
+      every_(key_frame_interval(params)),
+      last_frame_(stage.scene.timeline.frame_count - 1),
+      maker_(stage.scene, stage.placed.optics, forward_params(params)) {}
+
+RenderedFrame ForwardFrames::make(int frame) {
+  keep_only_sources_of(frame);
+  RenderedFrame rendered;
+  const auto copy = [&](const Source& source) {
+    rendered.pictures.film = source.image.film;
+    rendered.report = source.report;
+  };
+  if (const auto known = sources_.find(frame); known != sources_.end()) {
+    copy(known->second);
+  } else if (is_key_frame(frame, every_, last_frame_)) {
+    copy(key(frame));
+  } else {
+    const std::vector<FrameInterval> path = halving_path(frame, every_, last_frame_);
+    key(path.front().first), key(path.front().last);
+    for (std::size_t i = 0; i + 1 < path.size() && !context_.cancelled; ++i)
+      if (const int middle = middle_frame(path[i]); !sources_.contains(middle)) add(between(middle, path[i], true));
+    if (context_.cancelled) return rendered;
+    const FrameInterval& last = path.back();
+    if (has_frames_inside(last.first, frame) || has_frames_inside(frame, last.last)) {
+      copy(add(between(frame, last, true)));
+    } else {
+      Source made = between(frame, last, false);
+      rendered.pictures.film = std::move(made.image.film);
+      rendered.report = made.report;
+    }
+  }
+  not_asked_for_.erase(frame);
+  return rendered;
+}
+
+void ForwardFrames::keep_only_sources_of(int frame) {
+  std::set<int> needed{frame};
+  if (!is_key_frame(frame, every_, last_frame_))
+    for (const FrameInterval& interval : halving_path(frame, every_, last_frame_)) {
+      needed.insert(interval.first);
+      needed.insert(interval.last);
+    }
+  std::erase_if(sources_, [&](const auto& source) { return !needed.contains(source.first); });
+}
+
+const ForwardFrames::Source& ForwardFrames::key(int frame) {
+  const auto known = sources_.find(frame);
+  return known != sources_.end() ? known->second : add(traced(frame));
+}
+
+const ForwardFrames::Source& ForwardFrames::add(Source source) {
+  const int frame = source.report.frame;
+  not_asked_for_[frame] = source.report;
+  return sources_[frame] = std::move(source);
+}
+
+Moment ForwardFrames::moment_at(int frame) const {
+  Moment moment{evaluate(stage_.scene, stage_.scene.timeline.time(frame)), {}};
+  moment.world_from_display = world_from_display(stage_.array, stage_.placed.units_per_mm, moment.resolved);
+  return moment;
+}
+
+ForwardFrames::Source ForwardFrames::traced(int frame) {
+  const FrameClock clock(pool_);
+  Source source;
+  PointImage& image = source.image;
+  image.moment = moment_at(frame);
+  stage_.device.update(image.moment.resolved, pool_);
+  source.report.frame = frame;
+  source.report.kind = "key";
+  source.report.rays =
+      trace_frame(stage_.device, stage_.placed.optics, image.moment.world_from_display,
+                  trace_params(params_, stage_.scene, frame), pool_, context_, image.film, nullptr, &image.points);
+  maker_.prepare(image, pool_);
+  clock.stop(source.report);
+  return source;
+}
+
+ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& interval, bool as_source) {
+  const FrameClock clock(pool_);
+  Source source;
+  source.image.moment = moment_at(frame);
+  const Moment& moment = source.image.moment;
+  RayCounts rays;
+  const TracePixels trace = [&](std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points) {
+    stage_.device.update(moment.resolved, pool_);
+    rays = trace_pixels(stage_.device, stage_.placed.optics, moment.world_from_display,
+                        trace_params(params_, stage_.scene, frame), pixels, pool_, context_, film, points);
+  };
+  const InBetweenCounts counts =
+      maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, as_source, trace, pool_, source.image);
+  const Panel& panel = stage_.placed.optics.panel;
+  const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
+  source.report = in_between_report(frame, counts, rays, pixels);
+  clock.stop(source.report);
+  return source;
+}
+
+std::vector<FrameReport> ForwardFrames::sources() const {
+  std::vector<FrameReport> reports;
+  for (const auto& [frame, report] : not_asked_for_) reports.push_back(report);
+  return reports;
+}
+
+double ForwardFrames::bytes_kept_per_pixel(const RenderParams& params) {
+  constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
+  // Two keys, one made frame per halving, and the keys of two splats.
+  const int images = 2 + halving_depth(key_frame_interval(params));
+  return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t);
+}
+
+}  // namespace lippmann

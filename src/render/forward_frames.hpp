@@ -1,0 +1,46 @@
+// The paper's interpolated animation: key frames are traced, the frames between them made from their points by halving
+// (reuse/frame_plan.hpp). Of the frames that others are made from, only those on the way to the frame under way are kept.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "render/frame_maker.hpp"
+#include "reuse/frame_plan.hpp"
+#include "reuse/in_between.hpp"
+
+namespace lippmann {
+
+class ForwardFrames final : public FrameMaker {
+ public:
+  ForwardFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
+
+  RenderedFrame make(int frame) override;
+  std::vector<FrameReport> sources() const override;
+
+  static double bytes_kept_per_pixel(const RenderParams& params);
+
+ private:
+  struct Source {
+    PointImage image;
+    FrameReport report;
+  };
+
+  Moment moment_at(int frame) const;
+  Source traced(int frame);
+  Source between(int frame, const FrameInterval& interval, bool as_source);
+  void keep_only_sources_of(int frame);
+  const Source& key(int frame);
+  const Source& add(Source source);
+
+  Stage& stage_;
+  const RenderParams& params_;
+  const ThreadPool& pool_;
+  const Context& context_;
+  int every_, last_frame_;
+  InBetweenMaker maker_;
+  std::map<int, Source> sources_;             ///< by frame
+  std::map<int, FrameReport> not_asked_for_;  ///< rendered as sources only, by frame
+};
+
+}  // namespace lippmann

@@ -1,0 +1,34 @@
+#include "render/frame_maker.hpp"
+
+#include "render/forward_frames.hpp"
+
+namespace lippmann {
+namespace {
+
+class TracedFrames final : public FrameMaker {
+ public:
+  TracedFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+      : stage_(stage), params_(params), pool_(pool), context_(context) {}
+
+  RenderedFrame make(int frame) override { return render_frame(stage_, params_, frame, pool_, context_); }
+
+ private:
+  Stage& stage_;
+  const RenderParams& params_;
+  const ThreadPool& pool_;
+  const Context& context_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
+                                             const Context& context) {
+  if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
+  return std::make_unique<TracedFrames>(stage, params, pool, context);
+}
+
+double bytes_kept_per_pixel(const RenderParams& params) {
+  return params.reuse == Reuse::kForward ? ForwardFrames::bytes_kept_per_pixel(params) : 0.0;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,31 @@
+// Makes the frames of an animation one after the other, in the way that the reuse asked for makes them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "render/frame.hpp"
+
+namespace lippmann {
+
+class FrameMaker {
+ public:
+  virtual ~FrameMaker() = default;
+
+  /// Frames in ascending order; which of them are left out changes no picture. Unfinished when the context was cancelled
+  /// meanwhile.
+  virtual RenderedFrame make(int frame) = 0;
+
+  /// What was rendered besides the frames asked for so far, because these are made from it; ascending.
+  virtual std::vector<FrameReport> sources() const { return {}; }
+};
+
+/// All arguments outlive the result. `params` must pass check_reuse().
+std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
+                                             const Context& context);
+
+/// Bytes per pixel that a maker keeps from frame to frame.
+double bytes_kept_per_pixel(const RenderParams& params);
+
+}  // namespace lippmann

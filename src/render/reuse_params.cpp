@@ -1,0 +1,41 @@
+#include "render/reuse_params.hpp"
+
+#include <string>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+/// The first flag that only reuse forward knows and that is not as it is by default; empty if there is none.
+std::string forward_only_flag(const RenderParams& params) {
+  const RenderParams defaults;
+  if (params.splat != defaults.splat) return "--splat";
+  if (params.fill != defaults.fill) return "--fill";
+  if (params.no_z_buffer) return "--no-z-buffer";
+  if (params.debug != defaults.debug) return "--debug";
+  return "";
+}
+
+}  // namespace
+
+void check_reuse(const RenderParams& params) {
+  const std::string stray = forward_only_flag(params);
+  if (params.reuse != Reuse::kForward && !stray.empty())
+    throw usage_error(stray, "means nothing without interpolated frames", "it together with --reuse forward");
+  if (params.reuse == Reuse::kNone && params.keyframes)
+    throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse forward");
+  if (params.reuse == Reuse::kForward && !params.aov.empty())
+    throw usage_error("--aov", "interpolated frames have no extra layers", "--reuse none with it");
+  if (params.debug == DebugPicture::kMissed && params.fill == MissedFill::kRetrace)
+    throw usage_error("--fill", "retraced pixels would not be seen: --debug missed leaves them black", "one of the two");
+}
+
+ForwardParams forward_params(const RenderParams& params) {
+  ForwardParams forward;
+  forward.splat = {params.splat, !params.no_z_buffer};
+  forward.fill = params.debug == DebugPicture::kMissed ? MissedFill::kBlack : params.fill;
+  return forward;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,19 @@
+// What the parameters say about reuse between frames.
+#pragma once
+
+#include "render/params.hpp"
+
+namespace lippmann {
+
+inline constexpr int kDefaultKeyframes = 8;
+inline constexpr int kMaxKeyframes = 4096;
+
+/// Throws a usage Error for parameters of reuse that contradict each other, or that mean nothing in the mode asked for.
+void check_reuse(const RenderParams& params);
+
+/// Every how many frames one is traced; reuse only.
+inline int key_frame_interval(const RenderParams& params) { return params.keyframes.value_or(kDefaultKeyframes); }
+
+ForwardParams forward_params(const RenderParams& params);
+
+}  // namespace lippmann
