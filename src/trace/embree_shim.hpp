@@ -14,24 +14,14 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/multiversion.hpp"
+#include "trace/lanes.hpp"
 
 namespace lippmann {
-
-inline constexpr int kLanes = 16;
-/// A loop over the lanes of a packet, each iteration on its own: without the promise the compiler has to assume that the arrays
-/// of one packet overlap those of another, and gives up vectorising.
-#define LIPPMANN_FOR_LANES(i) _Pragma("GCC ivdep") for (int i = 0; i < kLanes; ++i)
 
 inline constexpr unsigned kNoId = RTC_INVALID_GEOMETRY_ID;
 
 using RayPacket = RTCRay16;        ///< arrays of kLanes: org, tnear, dir, time, tfar, mask, id, flags
 using RayHitPacket = RTCRayHit16;  ///< the same, and Ng, u, v, primID, geomID, instID[0]
-
-/// Per-lane activity: -1 traced, 0 left alone.
-struct alignas(64) LaneMask {
-  int lane[kLanes];
-};
 
 enum class Coherence { kCoherent, kIncoherent };
 

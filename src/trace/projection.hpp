@@ -10,16 +10,18 @@
 // path is the length of the whole path from the eye, mirrors included.
 #pragma once
 
-#include "core/math.hpp"
 #include "scene/scene.hpp"
+#include "trace/lanes.hpp"
 
 namespace lippmann {
 
-struct ProjectedPoint {
-  float u, v;  ///< [0, 1]
-  float blur;  ///< [0, 1]
+struct ProjectedLanes {
+  Lanes u, v;  ///< [0, 1]
+  Lanes blur;  ///< [0, 1]
 };
 
-ProjectedPoint project(const ImageProjection& projection, Vec3f point, float path_length);
+/// Lanes that are not wanted get some coordinates within range, whatever their point is.
+void project(const ImageProjection& projection, const Lanes3& point, const Lanes& path_length, const LaneMask& wanted,
+             ProjectedLanes& at);
 
 }  // namespace lippmann

@@ -131,28 +131,44 @@ std::uint32_t instance_of(const GeometryRecord& record, unsigned prim) {
   return record.instance;
 }
 
-void set_material(const WhittedMaterial& m, int i, SurfacePacket& s) {
-  s.color.set(i, m.color);
-  s.ambient.set(i, m.ambient);
-  s.emission.set(i, m.emission);
-  s.diffuse[i] = m.diffuse;
-  s.highlight[i] = m.highlight, s.highlight_size[i] = m.highlight_size;
-  s.highlight_cutoff[i] = m.highlight_cutoff, s.highlight_tint[i] = m.highlight_tint;
-  s.mirror[i] = m.mirror, s.mirror_tint[i] = m.mirror_tint;
-  s.opacity[i] = m.opacity, s.ior[i] = m.ior;
+/// Takes the first lane of `left`, and all those of the same key, out of it and into `group`; returns that lane, or -1 where
+/// none is left.
+LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, LaneMask& group) {
+  int first = kLanes;
+  LIPPMANN_FOR_LANES(i) first = std::min(first, left.lane[i] != 0 ? i : kLanes);
+  if (first == kLanes) return -1;
+  const std::uint32_t of_group = key[first];
+  LIPPMANN_FOR_LANES(i) {
+    group.lane[i] = key[i] == of_group ? left.lane[i] : 0;
+    left.lane[i] = key[i] == of_group ? 0 : left.lane[i];
+  }
+  return first;
 }
 
-LIPPMANN_MULTIVERSION void set_material_of_all(const WhittedMaterial& m, SurfacePacket& s) {
-  LIPPMANN_FOR_LANES(i) {
-    s.color.x[i] = m.color.x, s.color.y[i] = m.color.y, s.color.z[i] = m.color.z;
-    s.ambient.x[i] = m.ambient.x, s.ambient.y[i] = m.ambient.y, s.ambient.z[i] = m.ambient.z;
-    s.emission.x[i] = m.emission.x, s.emission.y[i] = m.emission.y, s.emission.z[i] = m.emission.z;
-    s.diffuse[i] = m.diffuse;
-    s.highlight[i] = m.highlight, s.highlight_size[i] = m.highlight_size;
-    s.highlight_cutoff[i] = m.highlight_cutoff, s.highlight_tint[i] = m.highlight_tint;
-    s.mirror[i] = m.mirror, s.mirror_tint[i] = m.mirror_tint;
-    s.opacity[i] = m.opacity, s.ior[i] = m.ior;
-  }
+LIPPMANN_INLINE void set_lanes(Lanes& to, float value, const LaneMask& lanes) {
+  LIPPMANN_FOR_LANES(i) to[i] = lanes.lane[i] != 0 ? value : to[i];
+}
+
+LIPPMANN_INLINE void set_lanes(Lanes3& to, Vec3f value, const LaneMask& lanes) {
+  set_lanes(to.x, value.x, lanes), set_lanes(to.y, value.y, lanes), set_lanes(to.z, value.z, lanes);
+}
+
+LIPPMANN_MULTIVERSION void set_material(const WhittedMaterial& m, const LaneMask& lanes, SurfacePacket& s) {
+  set_lanes(s.color, m.color, lanes);
+  set_lanes(s.ambient, m.ambient, lanes);
+  set_lanes(s.emission, m.emission, lanes);
+  set_lanes(s.diffuse, m.diffuse, lanes);
+  set_lanes(s.highlight, m.highlight, lanes);
+  set_lanes(s.highlight_size, m.highlight_size, lanes);
+  set_lanes(s.highlight_cutoff, m.highlight_cutoff, lanes);
+  set_lanes(s.highlight_tint, m.highlight_tint, lanes);
+  set_lanes(s.mirror, m.mirror, lanes);
+  set_lanes(s.mirror_tint, m.mirror_tint, lanes);
+  set_lanes(s.opacity, m.opacity, lanes);
+  set_lanes(s.ior, m.ior, lanes);
+  s.any_highlight |= m.highlight > 0.0f;
+  s.any_mirror |= m.mirror > 0.0f;
+  s.any_see_through |= m.opacity < 1.0f || m.alpha_from_texture;
 }
 
 /// uv at the hit, and how it changes along the beam's two axes, each projected along the ray onto the facet.
@@ -160,6 +176,7 @@ struct UvFootprint {
   Vec2f uv, a, b;
 };
 
+/// path_length: to the hit.
 UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, const BeamFootprint& beam,
                          float path_length) {
   const TriangleHit hit = triangle_hit(record, packet, i);
@@ -188,32 +205,62 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
   return {uv, change(beam.axis_x(), widths.x), change(beam.axis_y(), widths.y)};
 }
 
-void apply_textures(const DeviceScene::Impl& scene, const WhittedMaterial& m, const RayHitPacket& packet, int i,
-                    float path_length, const BeamFootprint& beam, SurfacePacket& s) {
-  const float length = path_length + packet.ray.tfar[i];
+/// The footprints of the lanes of `group` that lie on meshes with texture coordinates; takes the others out of `group`.
+void uv_footprints(const DeviceScene::Impl& scene, const RayHitPacket& packet, const Lanes& length, const BeamFootprint& beam,
+                   LaneMask& group, UvLanes& uv) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!group.lane[i]) continue;
+    const unsigned id = record_id(packet, i);
+    if (id >= kPlaneId || !scene.records[id].uv_gradients) {
+      group.lane[i] = 0;
+      continue;
+    }
+    const UvFootprint f = uv_footprint(scene.records[id], packet, i, beam, length[i]);
+    uv.u[i] = f.uv.x, uv.v[i] = f.uv.y;
+    uv.a_u[i] = f.a.x, uv.a_v[i] = f.a.y, uv.b_u[i] = f.b.x, uv.b_v[i] = f.b.y;
+  }
+}
+
+LIPPMANN_INLINE void scale_lanes(const Lanes& by, float factor, const LaneMask& lanes, Lanes& to) {
+  LIPPMANN_FOR_LANES(i) to[i] = lanes.lane[i] != 0 ? factor * by[i] : to[i];
+}
+
+LIPPMANN_MULTIVERSION void scale_texels(const TexelLanes& texels, Vec3f factor, const LaneMask& lanes, Lanes3& to) {
+  scale_lanes(texels.color.x, factor.x, lanes, to.x);
+  scale_lanes(texels.color.y, factor.y, lanes, to.y);
+  scale_lanes(texels.color.z, factor.z, lanes, to.z);
+}
+
+void apply_alpha(const WhittedMaterial& m, const Lanes& alpha, const LaneMask& lanes, SurfacePacket& s) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!lanes.lane[i]) continue;
+    s.opacity[i] *= m.alpha_cutoff > 0.0f ? (alpha[i] >= m.alpha_cutoff ? 1.0f : 0.0f) : alpha[i];
+  }
+}
+
+/// `group`: the lanes of material `m`.
+void apply_textures(const DeviceScene::Impl& scene, const WhittedMaterial& m, const RayHitPacket& packet, LaneMask group,
+                    const Lanes& path_length, const BeamFootprint& beam, SurfacePacket& s) {
+  const auto texture = [&](int index) -> const DeviceTexture& { return scene.textures[static_cast<std::size_t>(index)]; };
+  Lanes length;
+  LIPPMANN_FOR_LANES(i) length[i] = path_length[i] + packet.ray.tfar[i];
   if (m.projection >= 0) {
-    if (m.texture >= 0)
-      s.color.set(
-          i, sample_projected(scene.textures[static_cast<std::size_t>(m.texture)],
-                              scene.materials.projections[static_cast<std::size_t>(m.projection)], s.position.get(i), length));
+    const ImageProjection& projection = scene.materials.projections[static_cast<std::size_t>(m.projection)];
+    if (m.texture >= 0) sample_projected(texture(m.texture), projection, s.position, length, group, s.color);
     return;
   }
-  const unsigned id = record_id(packet, i);
-  if (id >= kPlaneId) return;
-  const GeometryRecord& record = scene.records[id];
-  if (record.kind != GeometryKind::kMesh || record.mesh->uvs.empty()) return;
-  const UvFootprint f = uv_footprint(record, packet, i, beam, length);
+  UvLanes uv;
+  uv_footprints(scene, packet, length, beam, group, uv);
+  TexelLanes texels;
   if (m.texture >= 0) {
-    const Vec4f texel = sample_uv(scene.textures[static_cast<std::size_t>(m.texture)], f.uv, f.a, f.b);
-    s.color.set(i, m.color * Vec3f(texel));
-    if (m.alpha_from_texture) {
-      const float alpha = m.alpha_cutoff > 0.0f ? (texel.a >= m.alpha_cutoff ? 1.0f : 0.0f) : texel.a;
-      s.opacity[i] *= alpha;
-    }
+    sample_uv(texture(m.texture), uv, group, texels);
+    scale_texels(texels, m.color, group, s.color);
+    if (m.alpha_from_texture) apply_alpha(m, texels.alpha, group, s);
   }
-  if (m.emission_texture >= 0)
-    s.emission.set(i,
-                   m.emission * Vec3f(sample_uv(scene.textures[static_cast<std::size_t>(m.emission_texture)], f.uv, f.a, f.b)));
+  if (m.emission_texture >= 0) {
+    sample_uv(texture(m.emission_texture), uv, group, texels);
+    scale_texels(texels, m.emission, group, s.emission);
+  }
 }
 
 /// Multiplies in the vertex colours of the meshes that have any.
@@ -233,33 +280,14 @@ void apply_vertex_colors(const DeviceScene::Impl& scene, const RayHitPacket& pac
 
 void evaluate_materials(const DeviceScene::Impl& scene, const RayHitPacket& packet, const Lanes& path_length,
                         const BeamFootprint& beam, SurfacePacket& s) {
-  // Most packets lie on one material; then its terms are broadcast, else each lane's are looked up.
-  std::uint32_t first = ~0u;
-  bool uniform = true;
-  std::uint32_t material[kLanes];
-  for (int i = 0; i < kLanes; ++i) {
-    if (!s.hit.lane[i]) continue;
-    material[i] = scene.material_of_instance[s.instance[i]];
-    if (first == ~0u) first = material[i];
-    uniform &= material[i] == first;
-  }
-  const auto note = [&](const WhittedMaterial& m) {
-    s.any_highlight |= m.highlight > 0.0f;
-    s.any_mirror |= m.mirror > 0.0f;
-    s.any_see_through |= m.opacity < 1.0f || m.alpha_from_texture;
-  };
-  const auto& materials = scene.materials.materials;
-  set_material_of_all(materials[first], s);
-  note(materials[first]);
-  if (uniform && materials[first].texture < 0 && materials[first].emission_texture < 0) return;
-  for (int i = 0; i < kLanes; ++i) {
-    if (!s.hit.lane[i]) continue;
-    const WhittedMaterial& m = materials[material[i]];
-    if (!uniform) {
-      set_material(m, i, s);
-      note(m);
-    }
-    if (m.texture >= 0 || m.emission_texture >= 0) apply_textures(scene, m, packet, i, path_length[i], beam, s);
+  alignas(64) std::uint32_t material[kLanes];
+  for (int i = 0; i < kLanes; ++i)
+    if (s.hit.lane[i]) material[i] = scene.material_of_instance[s.instance[i]];
+  LaneMask left = s.hit, group;
+  for (int first; (first = take_group(material, left, group)) >= 0;) {
+    const WhittedMaterial& m = scene.materials.materials[material[first]];
+    set_material(m, group, s);
+    if (m.texture >= 0 || m.emission_texture >= 0) apply_textures(scene, m, packet, group, path_length, beam, s);
   }
 }
 

@@ -8,18 +8,6 @@
 
 namespace lippmann {
 
-struct alignas(64) Lanes {
-  float lane[kLanes];
-  LIPPMANN_INLINE float& operator[](int i) { return lane[i]; }
-  LIPPMANN_INLINE float operator[](int i) const { return lane[i]; }
-};
-
-struct alignas(64) Lanes3 {
-  Lanes x, y, z;
-  LIPPMANN_INLINE void set(int i, Vec3f v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
-  LIPPMANN_INLINE Vec3f get(int i) const { return {x[i], y[i], z[i]}; }
-};
-
 class BeamFootprint;
 
 struct SurfacePacket {

@@ -1,4 +1,5 @@
-// Textures ready for lookup: mip pyramids and the two ways of filtering. Private to src/trace.
+// Textures ready for lookup: mip pyramids and the two ways of filtering, for the lanes of a packet at once. Private to
+// src/trace.
 //
 // By uv: a footprint parallelogram in texture space is covered by up to 8 trilinear probes along its longer side, at the level
 // that fits its shorter side (after: McCormack et al., "Feline", SIGGRAPH 1999, with equal weights), which keeps 1 sample per
@@ -9,6 +10,7 @@
 
 #include "core/math.hpp"
 #include "scene/scene.hpp"
+#include "trace/lanes.hpp"
 
 namespace lippmann {
 
@@ -24,11 +26,24 @@ struct DeviceTexture {
 /// Averages in linear light, or, for scenes after Tachyon, truncating averages of the bytes.
 DeviceTexture make_device_texture(const Texture& texture, bool tachyon);
 
-/// Linear RGBA at uv, filtered over the parallelogram du, dv (two vectors in uv space).
-Vec4f sample_uv(const DeviceTexture& texture, Vec2f uv, Vec2f footprint_a, Vec2f footprint_b);
+/// Points of a texture and the footprints around them: parallelograms of the vectors a and b in uv space.
+struct UvLanes {
+  Lanes u, v, a_u, a_v, b_u, b_v;
+};
+
+struct TexelLanes {
+  Lanes3 color;
+  Lanes alpha;
+};
+
+/// Linear RGBA at uv, filtered over the footprint; `texels` changes in the wanted lanes only. What the other lanes hold may be
+/// anything.
+void sample_uv(const DeviceTexture& texture, const UvLanes& uv, const LaneMask& wanted, TexelLanes& texels);
 
 /// Tachyon's image maps (trace/projection.hpp): bilinear over (resolution - 1) texels without wrapping, between the two levels
 /// of n that blur (n - 0.9999) falls between, the last level from n - 2 on. path_length: of the whole path from the eye.
-Vec3f sample_projected(const DeviceTexture& texture, const ImageProjection& projection, Vec3f point, float path_length);
+/// `color` changes in the wanted lanes only.
+void sample_projected(const DeviceTexture& texture, const ImageProjection& projection, const Lanes3& point,
+                      const Lanes& path_length, const LaneMask& wanted, Lanes3& color);
 
 }  // namespace lippmann

@@ -10,6 +10,28 @@ namespace {
 // What float loses in one arc tangent and a division.
 constexpr float kRounding = 1e-6f;
 
+struct ProjectedPoint {
+  float u, v, blur;
+};
+
+/// One point, in a lane whose neighbours hold nothing.
+ProjectedPoint project(const ImageProjection& projection, Vec3f point, float path_length) {
+  constexpr int kLane = 5;
+  Lanes3 points;
+  Lanes lengths;
+  LaneMask wanted;
+  for (int i = 0; i < kLanes; ++i) {
+    points.set(i, Vec3f(std::numeric_limits<float>::quiet_NaN()));
+    lengths[i] = kInfinity;
+    wanted.lane[i] = i == kLane ? -1 : 0;
+  }
+  points.set(kLane, point);
+  lengths[kLane] = path_length;
+  ProjectedLanes at;
+  project(projection, points, lengths, wanted, at);
+  return {at.u[kLane], at.v[kLane], at.blur[kLane]};
+}
+
 ImageProjection projection(ProjectionKind kind) {
   ImageProjection p;
   p.kind = kind;

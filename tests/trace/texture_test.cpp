@@ -17,6 +17,37 @@ Texture gray(int width, int height, const std::vector<int>& bytes) {
 }
 
 const Vec2f kNone(0.0f);
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// One lookup, in a lane whose neighbours hold nothing.
+constexpr int kLane = 5;
+
+LaneMask one_lane() {
+  LaneMask mask{};
+  mask.lane[kLane] = -1;
+  return mask;
+}
+
+Vec4f sample_uv(const DeviceTexture& texture, Vec2f uv, Vec2f a, Vec2f b) {
+  UvLanes lanes;
+  for (Lanes* value : {&lanes.u, &lanes.v, &lanes.a_u, &lanes.a_v, &lanes.b_u, &lanes.b_v})
+    for (int i = 0; i < kLanes; ++i) (*value)[i] = kNan;
+  lanes.u[kLane] = uv.x, lanes.v[kLane] = uv.y;
+  lanes.a_u[kLane] = a.x, lanes.a_v[kLane] = a.y;
+  lanes.b_u[kLane] = b.x, lanes.b_v[kLane] = b.y;
+  TexelLanes texels;
+  lippmann::sample_uv(texture, lanes, one_lane(), texels);
+  return Vec4f(texels.color.get(kLane), texels.alpha[kLane]);
+}
+
+Vec3f sample_projected(const DeviceTexture& texture, const ImageProjection& projection, Vec3f point, float path_length) {
+  Lanes3 points, color;
+  Lanes lengths;
+  for (int i = 0; i < kLanes; ++i) points.set(i, Vec3f(kNan)), lengths[i] = kNan;
+  points.set(kLane, point), lengths[kLane] = path_length;
+  lippmann::sample_projected(texture, projection, points, lengths, one_lane(), color);
+  return color.get(kLane);
+}
 
 TEST(SampleUv, texel_centre_gives_the_texel) {
   const DeviceTexture t = make_device_texture(gray(2, 2, {0, 51, 102, 255}), false);
@@ -75,7 +106,7 @@ TEST(SampleUv, long_footprint_blurs_along_itself_only) {
 
 TEST(SampleUv, absurd_coordinates_give_some_texel) {
   const DeviceTexture t = make_device_texture(gray(2, 2, {10, 20, 30, 40}), false);
-  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), kInfinity, -1e30f}) {
+  for (const float bad : {kNan, kInfinity, -1e30f}) {
     const float value = sample_uv(t, {bad, bad}, {bad, 0}, {0, bad}).r;
     EXPECT_GE(value, 10 / 255.0f - kStep);
     EXPECT_LE(value, 40 / 255.0f + kStep);
