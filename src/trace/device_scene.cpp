@@ -86,7 +86,7 @@ class SceneBuilder {
     if (const auto* mesh = std::get_if<Mesh>(&shape)) {
       if (!mesh->triangles.empty()) add_mesh(*mesh, instance, index, moving, place);
     } else if (const auto* planes = std::get_if<Planes>(&shape)) {
-      for (const Plane& plane : *planes) impl_.planes.push_back({to_world(place, plane), index});
+      for (const Plane& plane : *planes) impl_.planes.push_back({to_world(place, plane), index, transmittance});
     } else if (const auto* spheres = std::get_if<Spheres>(&shape)) {
       add_primitives(tables.spheres, *spheres, place, index, transmittance);
     } else if (const auto* cylinders = std::get_if<Cylinders>(&shape)) {
@@ -288,6 +288,8 @@ DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool) : impl_(std
   for (const Texture& texture : scene.textures) impl.textures.push_back(make_device_texture(texture, impl.tachyon));
   const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
   impl.lights = make_lights(scene, resolved);
+  impl.any_visible_light = std::any_of(impl.lights.begin(), impl.lights.end(),
+                                       [](const WhittedLight& light) { return light.visible_radius > 0.0f; });
   impl.secondary_t_near = choose_t_near(scene, resolved);
   // Embree runs its builders on the calling arena's oneTBB threads; asking it for more would start its own.
   const std::string config = "threads=" + std::to_string(pool.threads()) + ",set_affinity=0";

@@ -53,6 +53,7 @@ struct PrimitiveTables {
 struct WorldPlaneRecord {
   WorldPlane plane;
   std::uint32_t instance;
+  float transmittance;  ///< of shadow rays; 0: opaque
 };
 
 struct DeviceScene::Impl {
@@ -78,6 +79,7 @@ struct DeviceScene::Impl {
   std::vector<DeviceTexture> textures;
   bool tachyon = false;            ///< Tachyon's conventions (scene.encoding): box normals, mirror end, visible lights
   float secondary_t_near = 1e-4f;  ///< at least so far from their surface do secondary rays start
+  bool any_visible_light = false;
   bool any_see_through = false;
   bool any_vertex_colors = false;
 };

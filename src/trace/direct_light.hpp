@@ -30,20 +30,21 @@ struct ShadowPacket {
   }
 
   alignas(64) RayPacket rays;
-  LaneMask active;   ///< lanes whose surface faces the light within its range and cone
-  Lanes cosine;      ///< N.L, for active lanes
-  Lanes strength;    ///< of the light at the point (distance, cone), for active lanes
-  Lanes visibility;  ///< after trace_shadows: 0 in shadow, 1 lit, between: seen through see-through surfaces
+  LaneMask active;        ///< lanes whose surface faces the light within its range and cone
+  Lanes strength;         ///< of the light at the point (distance, cone), for active lanes
+  Lanes arriving;         ///< strength x N.L, for active lanes
+  ShadowContext context;  ///< after trace_shadows: how much of the light passes in lanes that it does not end
 };
 
-/// Fills rays, active, cosine and strength. Light of strength x N.L <= least_light is none. Returns how many lanes are active.
+/// Fills rays, active, strength and arriving. Light of strength x N.L <= least_light is none. Returns how many lanes are
+/// active.
 int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float least_light, ShadowPacket& shadow);
 
-/// Traces the active rays and fills visibility (0 for inactive lanes).
+/// Traces the active rays: ends (tfar = -inf) those in shadow.
 void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow);
 
 /// Adds what arrives. `view`: the rays that hit the surface.
-void add_light(const WhittedLight& light, const SurfacePacket& surface, const RTCRay16& view, const ShadowPacket& shadow,
+void add_light(const WhittedLight& light, const SurfacePacket& surface, const RayPacket& view, const ShadowPacket& shadow,
                bool tachyon, DirectLight& direct);
 
 }  // namespace lippmann

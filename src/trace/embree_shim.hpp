@@ -61,7 +61,7 @@ struct ShadowContext {
   RTCIntersectContext embree;
 #endif
   // `embree` comes first: Embree hands its address to filters, which take it for the whole. A ray's id is its lane.
-  float transmittance[kLanes];
+  alignas(64) float transmittance[kLanes];
 };
 
 /// Traces the active lanes; tfar and the hit of a lane change where something nearer than its tfar is met.

@@ -88,19 +88,25 @@ std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& r
   std::vector<WhittedLight> lights;
   for (const Light& light : scene.lights) {
     const Affine3f world_from_light = resolved.of(light.node);
+    const bool directional = light.kind == LightKind::kDirectional, spot = light.kind == LightKind::kSpot;
+    const bool linear_cones = scene.encoding == Encoding::kTachyonTruncate;
+    const float cos_inner = std::cos(light.inner_cone), cos_outer = std::cos(light.outer_cone);
     WhittedLight w;
-    w.kind = light.kind;
     w.position = world_from_light.translation;
-    w.direction = glm::normalize(transform_vector(world_from_light, {0, 0, -1}));
+    w.toward = -glm::normalize(transform_vector(world_from_light, {0, 0, -1}));
     w.color = light.color;
-    w.attenuation = light.attenuation;
-    w.inverse_square = light.inverse_square;
-    w.range = light.range;
-    w.cos_inner = std::cos(light.inner_cone);
-    w.cos_outer = std::cos(light.outer_cone);
+    w.at_place = directional ? 0.0f : 1.0f;
+    w.falls_off = light.inverse_square && !directional ? 1.0f : 0.0f;
+    w.range = directional ? kInfinity : light.range;
+    w.beyond = directional ? kInfinity : 0.0f;
+    w.has_cone = spot && !linear_cones ? 1.0f : 0.0f;
+    w.cos_outer = cos_outer;
+    w.inverse_ramp = 1.0f / std::max(cos_inner - cos_outer, 1e-6f);
+    w.linear_cone = spot && linear_cones;
     w.inner_cone = light.inner_cone;
     w.outer_cone = light.outer_cone;
-    w.linear_cone = scene.encoding == Encoding::kTachyonTruncate;
+    w.attenuates = !directional && light.attenuation != Vec3f(1.0f, 0.0f, 0.0f);
+    w.attenuation = light.attenuation;
     w.visible_radius = light.visible_radius;
     lights.push_back(w);
   }

@@ -42,17 +42,20 @@ MaterialTable make_material_table(const Scene& scene);
 /// Opacity as shadow rays see it: how much light passes the whole surface (texture alpha is not looked up).
 float shadow_transmittance(const WhittedMaterial& material);
 
+/// A light as numbers that stand for its cases, so that loops over lanes have no branches: flags are 0 or 1.
 struct WhittedLight {
-  LightKind kind = LightKind::kPoint;
   Vec3f position{0.0f};
-  Vec3f direction{0.0f, 0.0f, -1.0f};  ///< that the light travels, unit length (directional, spot)
+  Vec3f toward{0.0f, 0.0f, 1.0f};  ///< against the way the light travels, unit length (directional, spot)
   Vec3f color{1.0f};
-  Vec3f attenuation{1.0f, 0.0f, 0.0f};
-  bool inverse_square = false;
+  float at_place = 1.0f;   ///< 1: point or spot light at the position, 0: directional
+  float falls_off = 0.0f;  ///< 1: by the squared distance
   float range = kInfinity;
-  float cos_inner = 1.0f, cos_outer = -1.0f;
+  float beyond = 0.0f;  ///< added to the length of shadow rays; infinite for directional lights
+  float has_cone = 0.0f, cos_outer = -1.0f, inverse_ramp = 1.0f;  ///< fades with the cosine from outer to inner cone (glTF)
+  bool linear_cone = false;  ///< fades with the angle instead (Tachyon), from inner to outer
   float inner_cone = 0.0f, outer_cone = kPi;
-  bool linear_cone = false;  ///< fades with the angle from inner to outer (Tachyon); else with its cosine, squared (glTF)
+  bool attenuates = false;
+  Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< divide by x + y d + z d^2 at distance d, if it attenuates
   float visible_radius = 0.0f;
 };
 

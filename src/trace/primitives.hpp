@@ -28,14 +28,25 @@ struct WorldSphere {
 
 /// The discriminant comes from the part of (centre - origin) perpendicular to the ray, which stays accurate for small, far
 /// spheres: Haines, Gunther, Akenine-Moller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019.
-LIPPMANN_INLINE float distance(const WorldSphere& s, const LaneRay& r) {
+struct SphereCrossing {
+  float middle;        ///< t of the ray's point closest to the centre
+  float discriminant;  ///< square of half the chord; < 0: none
+};
+
+LIPPMANN_INLINE SphereCrossing crossing(const WorldSphere& s, const LaneRay& r) {
   const float cx = s.x - r.ox, cy = s.y - r.oy, cz = s.z - r.oz;
   const float b = cx * r.dx + cy * r.dy + cz * r.dz;
   const float px = cx - b * r.dx, py = cy - b * r.dy, pz = cz - b * r.dz;
-  const float discriminant = s.radius * s.radius - (px * px + py * py + pz * pz);
-  const float half = std::sqrt(std::max(discriminant, 0.0f));
+  return {b, s.radius * s.radius - (px * px + py * py + pz * pz)};
+}
+
+LIPPMANN_INLINE float discriminant(const WorldSphere& s, const LaneRay& r) { return crossing(s, r).discriminant; }
+
+LIPPMANN_INLINE float distance(const WorldSphere& s, const LaneRay& r) {
+  const auto [b, squared] = crossing(s, r);
+  const float half = std::sqrt(std::max(squared, 0.0f));
   const float t0 = b - half, t1 = b + half;
-  const bool real = discriminant >= 0.0f;
+  const bool real = squared >= 0.0f;
   return nearest_valid(t0, t1, real & (t0 > r.t_near) & (t0 < r.t_far), real & (t1 > r.t_near) & (t1 < r.t_far));
 }
 

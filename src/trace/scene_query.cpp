@@ -3,16 +3,38 @@
 namespace lippmann {
 namespace {
 
-LIPPMANN_MULTIVERSION void meet_light(const WhittedLight& light, unsigned id, const LaneMask& active, RayHitPacket& packet) {
-  const WorldSphere ball{light.position.x, light.position.y, light.position.z, light.visible_radius};
-  LIPPMANN_FOR_LANES(i) {
-    const LaneRay ray{packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i], packet.ray.dir_x[i],
-                      packet.ray.dir_y[i], packet.ray.dir_z[i], packet.ray.tnear[i], packet.ray.tfar[i]};
-    const float t = distance(ball, ray);
-    const bool hit = (active.lane[i] != 0) & (t < kInfinity);
-    packet.ray.tfar[i] = hit ? t : packet.ray.tfar[i];
-    packet.hit.geomID[i] = hit ? id : packet.hit.geomID[i];
-    packet.hit.instID[0][i] = hit ? kNoId : packet.hit.instID[0][i];
+LIPPMANN_INLINE void record_hit(RayHitPacket& packet, const LaneMask& active, int i, float t, unsigned id) {
+  const bool hit = (active.lane[i] != 0) & (t < kInfinity);
+  packet.ray.tfar[i] = hit ? t : packet.ray.tfar[i];
+  packet.hit.geomID[i] = hit ? id : packet.hit.geomID[i];
+  packet.hit.instID[0][i] = hit ? kNoId : packet.hit.instID[0][i];
+}
+
+/// Meets the infinite planes: shortens tfar and records hits with the plane's id, kPlaneId + its index.
+LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
+                                       RayHitPacket& packet) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const WorldPlane plane = planes[p].plane;
+    const unsigned id = kPlaneId + static_cast<unsigned>(p);
+    LIPPMANN_FOR_LANES(i) record_hit(packet, active, i, distance(plane, lane_ray(packet.ray, i)), id);
+  }
+}
+
+/// Whether any ray's line comes as close to a visible light as its radius: a small part of the work of meeting it, and most
+/// packets see no light.
+LIPPMANN_INLINE int points_at(const WorldSphere ball, const RayPacket& rays) {
+  int any = 0;
+  LIPPMANN_FOR_LANES(i) any |= discriminant(ball, lane_ray(rays, i)) >= 0.0f ? -1 : 0;
+  return any;
+}
+
+LIPPMANN_MULTIVERSION void meet_lights(const WhittedLight* lights, std::size_t count, const LaneMask& active,
+                                       RayHitPacket& packet) {
+  for (std::size_t l = 0; l < count; ++l) {
+    const WorldSphere ball{lights[l].position.x, lights[l].position.y, lights[l].position.z, lights[l].visible_radius};
+    if (!(ball.radius > 0.0f) || !points_at(ball, packet.ray)) continue;
+    const unsigned id = kLightId + static_cast<unsigned>(l);
+    LIPPMANN_FOR_LANES(i) record_hit(packet, active, i, distance(ball, lane_ray(packet.ray, i)), id);
   }
 }
 
@@ -30,11 +52,10 @@ LIPPMANN_MULTIVERSION void clear_hits(RayHitPacket& packet) {
 }
 
 void intersect_scene(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet, Coherence coherence) {
-  intersect_planes(scene, active, packet);
+  if (!scene.planes.empty()) meet_planes(scene.planes.data(), scene.planes.size(), active, packet);
   if (scene.has_fixed) intersect(scene.fixed.get(), scene.native_width, active, packet, coherence);
   if (scene.has_moving) intersect(scene.moving.get(), scene.native_width, active, packet, coherence);
-  for (std::size_t l = 0; l < scene.lights.size(); ++l)
-    if (scene.lights[l].visible_radius > 0.0f) meet_light(scene.lights[l], kLightId + static_cast<unsigned>(l), active, packet);
+  if (scene.any_visible_light) meet_lights(scene.lights.data(), scene.lights.size(), active, packet);
 }
 
 }  // namespace lippmann

@@ -5,6 +5,10 @@
 
 namespace lippmann {
 
+LIPPMANN_INLINE LaneRay lane_ray(const RayPacket& ray, int i) {
+  return {ray.org_x[i], ray.org_y[i], ray.org_z[i], ray.dir_x[i], ray.dir_y[i], ray.dir_z[i], ray.tnear[i], ray.tfar[i]};
+}
+
 /// Resets the hit part and the bookkeeping words of a packet whose origins, directions, tnear and tfar are set.
 void clear_hits(RayHitPacket& packet);
 

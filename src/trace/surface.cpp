@@ -3,45 +3,21 @@
 namespace lippmann {
 namespace {
 
-LIPPMANN_INLINE LaneRay lane_ray(const RTCRay16& ray, int i) {
-  return {ray.org_x[i], ray.org_y[i], ray.org_z[i], ray.dir_x[i], ray.dir_y[i], ray.dir_z[i], ray.tnear[i], ray.tfar[i]};
-}
-
 unsigned record_id(const RayHitPacket& packet, int i) {
   return packet.hit.instID[0][i] != kNoId ? packet.hit.instID[0][i] : packet.hit.geomID[i];
 }
 
-LIPPMANN_MULTIVERSION void meet_plane(const WorldPlane& plane, unsigned id, const LaneMask& active, RayHitPacket& packet) {
-  LIPPMANN_FOR_LANES(i) {
-    const float t = distance(plane, lane_ray(packet.ray, i));
-    const bool hit = (active.lane[i] != 0) & (t < kInfinity);
-    packet.ray.tfar[i] = hit ? t : packet.ray.tfar[i];
-    packet.hit.geomID[i] = hit ? id : packet.hit.geomID[i];
-  }
-}
-
-/// Ends the active shadow rays that cross a plane, or weakens them where it is see-through.
-LIPPMANN_MULTIVERSION void cross_plane(const WorldPlane of_scene, float transmittance, const LaneMask& active,
-                                       RayPacket& packet, float* passed) {
-  const WorldPlane plane = of_scene;
-  const float ends = transmittance > 0.0f ? kInfinity : -kInfinity;
-  LIPPMANN_FOR_LANES(i) {
-    const bool crossed = (active.lane[i] != 0) & (distance(plane, lane_ray(packet, i)) < kInfinity);
-    passed[i] *= crossed ? transmittance : 1.0f;
-    packet.tfar[i] = std::min(packet.tfar[i], crossed ? ends : kInfinity);
-  }
-}
-
-/// Positions, how exact they are, the mask of lanes that hit something.
-LIPPMANN_MULTIVERSION bool place_hits(const RayHitPacket& packet, const LaneMask& active, float least_t_near,
+/// Positions, how exact they are, the mask of lanes that hit something, whether any did and whether any did not.
+LIPPMANN_MULTIVERSION void place_hits(const RayHitPacket& packet, const LaneMask& active, float least_t_near,
                                       SurfacePacket& s) {
   // Rounding moves a point by some 10^-7 of its coordinates and of the ray's length.
   constexpr float kRounding = 1e-5f;
-  int any = 0;
+  int any = 0, all = -1;
   LIPPMANN_FOR_LANES(i) {
     const int hit = (active.lane[i] != 0) & (packet.hit.geomID[i] < kLightId) ? -1 : 0;
     s.hit.lane[i] = hit;
     any |= hit;
+    all &= hit | ~active.lane[i];
     const float t = packet.ray.tfar[i];
     s.position.x[i] = packet.ray.org_x[i] + t * packet.ray.dir_x[i];
     s.position.y[i] = packet.ray.org_y[i] + t * packet.ray.dir_y[i];
@@ -49,7 +25,8 @@ LIPPMANN_MULTIVERSION bool place_hits(const RayHitPacket& packet, const LaneMask
     const float farthest = std::max(std::max(std::abs(s.position.x[i]), std::abs(s.position.y[i])), std::abs(s.position.z[i]));
     s.t_near[i] = std::max(least_t_near, kRounding * std::max(farthest, t));
   }
-  return any != 0;
+  s.any_hit = any != 0;
+  s.any_miss = all == 0;
 }
 
 /// Turns the shading normal to the side of the geometric normal that the ray came from, and makes it unit length.
@@ -135,7 +112,10 @@ std::uint32_t instance_of(const GeometryRecord& record, unsigned prim) {
 /// none is left.
 LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, LaneMask& group) {
   int first = kLanes;
-  LIPPMANN_FOR_LANES(i) first = std::min(first, left.lane[i] != 0 ? i : kLanes);
+  LIPPMANN_FOR_LANES(i) {
+    const int candidate = left.lane[i] != 0 ? i : kLanes;
+    first = candidate < first ? candidate : first;
+  }
   if (first == kLanes) return -1;
   const std::uint32_t of_group = key[first];
   LIPPMANN_FOR_LANES(i) {
@@ -299,20 +279,8 @@ std::uint32_t hit_instance(const DeviceScene::Impl& scene, const RayHitPacket& p
   return instance_of(scene.records[id], packet.hit.primID[i]);
 }
 
-void intersect_planes(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet) {
-  for (std::size_t p = 0; p < scene.planes.size(); ++p)
-    meet_plane(scene.planes[p].plane, kPlaneId + static_cast<unsigned>(p), active, packet);
-}
-
-void occlude_by_planes(const DeviceScene::Impl& scene, const LaneMask& active, RayPacket& packet, ShadowContext& context) {
-  for (const WorldPlaneRecord& record : scene.planes) {
-    const WhittedMaterial& material = scene.materials.materials[scene.material_of_instance[record.instance]];
-    cross_plane(record.plane, shadow_transmittance(material), active, packet, context.transmittance);
-  }
-}
-
 void evaluate_geometry(const DeviceScene::Impl& scene, const RayHitPacket& packet, const LaneMask& active, SurfacePacket& s) {
-  s.any_hit = place_hits(packet, active, scene.secondary_t_near, s);
+  place_hits(packet, active, scene.secondary_t_near, s);
   if (!s.any_hit) return;
   Lanes3 geometric;
   for (int i = 0; i < kLanes; ++i) {

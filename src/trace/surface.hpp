@@ -11,8 +11,8 @@ namespace lippmann {
 class BeamFootprint;
 
 struct SurfacePacket {
-  LaneMask hit;  ///< -1 where something was hit; the other arrays are defined there only
-  bool any_hit = false;
+  LaneMask hit;                            ///< -1 where something was hit; the other arrays are defined there only
+  bool any_hit = false, any_miss = false;  ///< of the active lanes
   Lanes3 position;
   Lanes3 normal;      ///< shading normal, unit length, on the ray's side of the geometric one
   Lanes t_near;       ///< how far rays that leave the point have to start from it: beyond the rounding of the point itself
@@ -36,11 +36,6 @@ void evaluate_surfaces(const DeviceScene::Impl& scene, const RayHitPacket& packe
 /// Only position, normal and instance, for object buffers and point images.
 void evaluate_geometry(const DeviceScene::Impl& scene, const RayHitPacket& packet, const LaneMask& active,
                        SurfacePacket& surface);
-
-/// Meets the infinite planes: shortens tfar and records hits with the plane's id, kPlaneId + its index.
-void intersect_planes(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet);
-/// Shadow rays: ends (tfar = -inf) or weakens the active lanes that cross a plane.
-void occlude_by_planes(const DeviceScene::Impl& scene, const LaneMask& active, RayPacket& packet, ShadowContext& context);
 
 /// Geometry ids from here on name infinite planes.
 inline constexpr unsigned kPlaneId = 0x80000000u;

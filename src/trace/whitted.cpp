@@ -29,18 +29,37 @@ LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLi
   radiance_channel(s, s.color.z, s.ambient.z, s.emission.z, direct.diffuse.z, direct.highlight.z, whole, out.z);
 }
 
-/// Mirror directions, and what share of the radiance from there a surface sends on.
-LIPPMANN_MULTIVERSION void mirror_lanes(const RayHitPacket& packet, const SurfacePacket& s, Lanes3& direction, Lanes3& share) {
+/// Mirrored rays, and transmitted ones as if nothing refracted them.
+LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket& s, Branches& branches) {
   LIPPMANN_FOR_LANES(i) {
-    const float dx = packet.ray.dir_x[i], dy = packet.ray.dir_y[i], dz = packet.ray.dir_z[i];
+    const float dx = rays.dir_x[i], dy = rays.dir_y[i], dz = rays.dir_z[i];
     const float twice = 2.0f * (dx * s.normal.x[i] + dy * s.normal.y[i] + dz * s.normal.z[i]);
-    direction.x[i] = dx - twice * s.normal.x[i];
-    direction.y[i] = dy - twice * s.normal.y[i];
-    direction.z[i] = dz - twice * s.normal.z[i];
-    share.x[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.x[i] - 1.0f));
-    share.y[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.y[i] - 1.0f));
-    share.z[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.z[i] - 1.0f));
+    branches.dir_x[i] = dx - twice * s.normal.x[i];
+    branches.dir_y[i] = dy - twice * s.normal.y[i];
+    branches.dir_z[i] = dz - twice * s.normal.z[i];
+    branches.share_x[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.x[i] - 1.0f));
+    branches.share_y[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.y[i] - 1.0f));
+    branches.share_z[i] = s.mirror[i] * (1.0f + s.mirror_tint[i] * (s.color.z[i] - 1.0f));
   }
+  LIPPMANN_FOR_LANES(i) {
+    const int e = kLanes + i;
+    const float through = 1.0f - s.opacity[i];
+    branches.dir_x[e] = rays.dir_x[i], branches.dir_y[e] = rays.dir_y[i], branches.dir_z[e] = rays.dir_z[i];
+    branches.share_x[e] = branches.share_y[e] = branches.share_z[e] = through;
+  }
+}
+
+/// The entries in which there is a ray: of each lane the mirrored one, then the transmitted one. (So each pixel gets its parts
+/// in one order, whatever packets its rays travel in.)
+int list_branches(const SurfacePacket& s, int* entry) {
+  int count = 0;
+  for (int i = 0; i < kLanes; ++i) {
+    entry[count] = i;
+    count += (s.hit.lane[i] != 0) & (s.mirror[i] > 0.0f);
+    entry[count] = kLanes + i;
+    count += (s.hit.lane[i] != 0) & (s.opacity[i] < 1.0f);
+  }
+  return count;
 }
 
 /// Snell's law; total reflection gives the mirror direction. eta = n_from / n_to, normal towards the ray.
@@ -51,8 +70,58 @@ Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   return glm::normalize(eta * d + (eta * cosine - std::sqrt(k)) * n);
 }
 
-Vec3f direction_of(const RayHitPacket& packet, int i) {
-  return {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
+/// The background along (x, y, z), a unit vector.
+struct Sky {
+  explicit Sky(const Background& b)
+      : horizon(b.horizon),
+        rise(b.zenith - b.horizon),
+        up(b.up),
+        begin(b.horizon_at),
+        inverse_range(1.0f / (b.zenith_at - b.horizon_at)) {}
+
+  LIPPMANN_INLINE float height(float x, float y, float z) const {
+    const float share = (x * up.x + y * up.y + z * up.z - begin) * inverse_range;
+    return std::min(std::max(share, 0.0f), 1.0f);
+  }
+
+  Vec3f horizon, rise, up;
+  float begin, inverse_range;
+};
+
+/// What the lanes see that have hit nothing.
+LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPacket& packet, Lanes3& radiance) {
+  const Sky sky(background);
+  LIPPMANN_FOR_LANES(i) {
+    const float height = sky.height(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
+    const bool missed = packet.hit.geomID[i] == kNoId;
+    radiance.x[i] = missed ? sky.horizon.x + height * sky.rise.x : radiance.x[i];
+    radiance.y[i] = missed ? sky.horizon.y + height * sky.rise.y : radiance.y[i];
+    radiance.z[i] = missed ? sky.horizon.z + height * sky.rise.z : radiance.z[i];
+  }
+}
+
+void see_lights(const std::vector<WhittedLight>& lights, const RayHitPacket& packet, Lanes3& radiance) {
+  for (int i = 0; i < kLanes; ++i) {
+    const unsigned id = packet.hit.geomID[i];
+    if (id >= kLightId && id != kNoId) radiance.set(i, lights[id - kLightId].color);
+  }
+}
+
+/// At the end of a path, branch `first` + lane shows the background. Tachyon's: what lies straight ahead, and whole.
+LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayPacket& rays, const Branches& branches,
+                                        int first, bool tachyon, Lanes3& radiance) {
+  const Sky sky(background);
+  const float whole = tachyon ? 1.0f : 0.0f;
+  LIPPMANN_FOR_LANES(i) {
+    const int e = first + i;
+    const float ahead = sky.height(rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]);
+    const float there = sky.height(branches.dir_x[e], branches.dir_y[e], branches.dir_z[e]);
+    const float height = whole > 0.0f ? ahead : there;
+    const float any = branches.share_x[e] + branches.share_y[e] + branches.share_z[e] > 0.0f ? whole : 0.0f;
+    radiance.x[i] += (any + (1.0f - whole) * branches.share_x[e]) * (sky.horizon.x + height * sky.rise.x);
+    radiance.y[i] += (any + (1.0f - whole) * branches.share_y[e]) * (sky.horizon.y + height * sky.rise.y);
+    radiance.z[i] += (any + (1.0f - whole) * branches.share_z[e]) * (sky.horizon.z + height * sky.rise.z);
+  }
 }
 
 }  // namespace
@@ -79,24 +148,12 @@ void WhittedTracer::finish_batch() {
   RayHitPacket packet;
   Bundle bundle;
   LaneMask active;
-  for (int depth = 2; !next_.empty(); ++depth) {
-    wave_.swap(next_);
+  for (int depth = 2; next_.size() > 0; ++depth) {
+    std::swap(wave_, next_);
     next_.clear();
     counts_.reflection += wave_.size();
     for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
-      const std::size_t lanes = std::min<std::size_t>(kLanes, wave_.size() - first);
-      for (std::size_t i = 0; i < kLanes; ++i) {
-        const QueuedRay& ray = wave_[first + std::min(i, lanes - 1)];
-        const auto lane = static_cast<int>(i);
-        active.lane[i] = i < lanes ? -1 : 0;
-        packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
-        packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
-        packet.ray.tnear[i] = ray.t_near;
-        packet.ray.tfar[i] = kInfinity;
-        bundle.weight.set(lane, ray.weight);
-        bundle.path_length[lane] = ray.path_length;
-        bundle.pixel[i] = ray.pixel;
-      }
+      wave_.load(first, packet, bundle, active);
       clear_hits(packet);
       if (log_) log_->push_back({packet.ray, active, false, Coherence::kIncoherent});
       intersect_scene(scene_, active, packet, Coherence::kIncoherent);
@@ -106,46 +163,19 @@ void WhittedTracer::finish_batch() {
 }
 
 void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth) {
-  add_missed(packet, active, bundle);
   evaluate_surfaces(scene_, packet, active, bundle.path_length, beam_, surface_);
-  if (!surface_.any_hit) return;
-  DirectLight direct{};
-  gather_light(packet, direct);
-  Lanes3 local;
-  local_radiance(surface_, direct, scene_.tachyon, local);
-  const bool last = depth >= max_depth_;
-  Lanes3 mirrored, share;
-  if (surface_.any_mirror) mirror_lanes(packet, surface_, mirrored, share);
-  for (int i = 0; i < kLanes; ++i) {
-    if (!surface_.hit.lane[i]) continue;
-    const Vec3f weight = bundle.weight.get(i);
-    Vec3f radiance = local.get(i);
-    if (surface_.any_mirror && surface_.mirror[i] > 0.0f) {
-      if (!last)
-        queue(packet, bundle, i, mirrored.get(i), weight * share.get(i));
-      else if (scene_.tachyon)
-        radiance += background(direction_of(packet, i));  // as Tachyon: what is ahead, and whole
-      else
-        radiance += share.get(i) * background(mirrored.get(i));
-    }
-    if (surface_.any_see_through && surface_.opacity[i] < 1.0f) {
-      const float through = 1.0f - surface_.opacity[i];
-      if (!last)
-        queue(packet, bundle, i, transmitted(packet, i), weight * through);
-      else
-        radiance += (scene_.tachyon ? 1.0f : through) * background(direction_of(packet, i));
-    }
-    add(bundle.pixel[i], weight * radiance);
+  Lanes3 radiance;
+  if (surface_.any_hit) {
+    DirectLight direct{};
+    gather_light(packet, direct);
+    local_radiance(surface_, direct, scene_.tachyon, radiance);
+    if (surface_.any_mirror || surface_.any_see_through) branch(packet, bundle, depth >= max_depth_, radiance);
   }
-}
-
-void WhittedTracer::add_missed(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle) {
-  for (int i = 0; i < kLanes; ++i) {
-    const unsigned id = packet.hit.geomID[i];
-    if (!active.lane[i] || id < kLightId) continue;
-    const Vec3f radiance = id == kNoId ? background(direction_of(packet, i)) : scene_.lights[id - kLightId].color;
-    add(bundle.pixel[i], bundle.weight.get(i) * radiance);
+  if (surface_.any_miss) {
+    see_sky(scene_.scene->background, packet, radiance);
+    if (scene_.any_visible_light) see_lights(scene_.lights, packet, radiance);
   }
+  add_to_film(active, bundle, radiance);
 }
 
 void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct) {
@@ -160,22 +190,40 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
   }
 }
 
-void WhittedTracer::queue(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f direction, Vec3f weight) {
-  next_.push_back({surface_.position.get(i), direction, weight, bundle.path_length[i] + packet.ray.tfar[i], surface_.t_near[i],
-                   bundle.pixel[i]});
+/// Queues the rays with which paths go on, or ends the paths here.
+void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance) {
+  Branches branches;
+  branch_off(packet.ray, surface_, branches);
+  if (last) {
+    const Background& background = scene_.scene->background;
+    if (surface_.any_mirror) end_branches(background, packet.ray, branches, 0, scene_.tachyon, radiance);
+    if (surface_.any_see_through) end_branches(background, packet.ray, branches, kLanes, scene_.tachyon, radiance);
+    return;
+  }
+  if (surface_.any_see_through) refract(packet, branches);
+  int entry[Branches::kCount + kLanes] = {};
+  const int count = list_branches(surface_, entry);
+  next_.append(surface_, packet, bundle, branches, entry, count);
 }
 
-Vec3f WhittedTracer::transmitted(const RayHitPacket& packet, int i) const {
-  const Vec3f d = direction_of(packet, i);
-  const float ior = surface_.ior[i];
-  return ior == 1.0f ? d : refracted(d, surface_.normal.get(i), surface_.entering.lane[i] ? 1.0f / ior : ior);
+void WhittedTracer::refract(const RayHitPacket& packet, Branches& branches) const {
+  for (int i = 0; i < kLanes; ++i) {
+    const float ior = surface_.ior[i];
+    if (!surface_.hit.lane[i] || ior == 1.0f || !(surface_.opacity[i] < 1.0f)) continue;
+    const Vec3f d(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
+    const Vec3f t = refracted(d, surface_.normal.get(i), surface_.entering.lane[i] ? 1.0f / ior : ior);
+    branches.dir_x[kLanes + i] = t.x, branches.dir_y[kLanes + i] = t.y, branches.dir_z[kLanes + i] = t.z;
+  }
 }
 
-Vec3f WhittedTracer::background(Vec3f direction) const {
-  const Background& b = scene_.scene->background;
-  if (b.horizon == b.zenith) return b.horizon;
-  const float share = (glm::dot(direction, b.up) - b.horizon_at) / (b.zenith_at - b.horizon_at);
-  return glm::mix(b.horizon, b.zenith, std::clamp(share, 0.0f, 1.0f));
+void WhittedTracer::add_to_film(const LaneMask& active, const Bundle& bundle, const Lanes3& radiance) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!active.lane[i]) continue;
+    float* p = film_ + 3 * static_cast<std::size_t>(bundle.pixel[i]);
+    p[0] += bundle.weight.x[i] * radiance.x[i];
+    p[1] += bundle.weight.y[i] * radiance.y[i];
+    p[2] += bundle.weight.z[i] * radiance.z[i];
+  }
 }
 
 }  // namespace lippmann

@@ -7,12 +7,12 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "image/image.hpp"
 #include "trace/direct_light.hpp"
 #include "trace/point_capture.hpp"
 #include "trace/ray_log.hpp"
+#include "trace/ray_queue.hpp"
 #include "trace/surface.hpp"
 #include "trace/trace_frame.hpp"
 
@@ -39,28 +39,11 @@ class WhittedTracer {
   void capture_to(const PointCapture* capture) { capture_ = capture; }
 
  private:
-  struct QueuedRay {
-    Vec3f origin, direction, weight;
-    float path_length, t_near;
-    std::uint32_t pixel;
-  };
-  /// Where the lanes of a packet come from and go to.
-  struct Bundle {
-    Lanes3 weight;
-    Lanes path_length;
-    std::uint32_t pixel[kLanes];
-  };
-
   void shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth);
-  void add_missed(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle);
   void gather_light(const RayHitPacket& packet, DirectLight& direct);
-  void queue(const RayHitPacket& packet, const Bundle& bundle, int i, Vec3f direction, Vec3f weight);
-  Vec3f transmitted(const RayHitPacket& packet, int i) const;
-  Vec3f background(Vec3f direction) const;
-  void add(std::uint32_t pixel, Vec3f radiance) {
-    float* p = film_ + 3 * static_cast<std::size_t>(pixel);
-    p[0] += radiance.x, p[1] += radiance.y, p[2] += radiance.z;
-  }
+  void branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance);
+  void refract(const RayHitPacket& packet, Branches& branches) const;
+  void add_to_film(const LaneMask& active, const Bundle& bundle, const Lanes3& radiance);
 
   const DeviceScene::Impl& scene_;
   const BeamFootprint& beam_;
@@ -68,8 +51,8 @@ class WhittedTracer {
   float* film_;
   RayCounts counts_;
   RayLog* log_ = nullptr;
-  const PointCapture* capture_ = nullptr;
-  std::vector<QueuedRay> wave_, next_;
+const PointCapture* capture_ = nullptr;
+  RayQueue wave_, next_;
   SurfacePacket surface_;
   ShadowPacket shadow_;
 };
