@@ -28,8 +28,6 @@ RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, 
   const Affine3f world_from_array = world_from_display(stage.array, stage.placed.units_per_mm, resolved);
 
   RenderedFrame rendered;
-  const Panel& panel = stage.placed.optics.panel;
-  rendered.pictures.film = Image(panel.width, panel.height, 3);
   rendered.pictures.aovs = wanted_aovs(params);
   rendered.report.frame = frame;
   rendered.report.rays =

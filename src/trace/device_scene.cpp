@@ -209,6 +209,10 @@ class SceneBuilder {
     GeometryRecord record;
     record.kind = kind;
     record.primitives = &table;
+    record.instance_of_primitive = &table.instance;
+    record.one_material = std::all_of(table.instance.begin(), table.instance.end(), [&](std::uint32_t instance) {
+      return impl_.material_of_instance[instance] == impl_.material_of_instance[table.instance.front()];
+    });
     push_record(record, {});
   }
 
@@ -276,10 +280,6 @@ DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool) : impl_(std
   Impl& impl = *impl_;
   impl.scene = &scene;
   impl.tachyon = scene.encoding == Encoding::kTachyonTruncate;
-  impl.any_vertex_colors = std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
-    const auto* mesh = std::get_if<Mesh>(&shape);
-    return mesh && !mesh->colors.empty();
-  });
   impl.node_moves = moving_nodes(scene);
   impl.materials = make_material_table(scene);
   impl.material_of_instance.reserve(scene.instances.size());

@@ -37,6 +37,8 @@ struct GeometryRecord {
   const Mesh* mesh = nullptr;  ///< world space, or mesh space where placed
   const std::vector<UvGradient>* uv_gradients = nullptr;  ///< per triangle, where the mesh has uvs
   const void* primitives = nullptr;                       ///< PrimitiveTable of the kind
+  const std::vector<std::uint32_t>* instance_of_primitive = nullptr;
+  bool one_material = true;  ///< shared by all that has this record
   Affine3f world_from_mesh;
   Mat3f normal_from_mesh{1.0f};  ///< inverse transpose of the linear part
 };
@@ -81,7 +83,6 @@ struct DeviceScene::Impl {
   float secondary_t_near = 1e-4f;  ///< at least so far from their surface do secondary rays start
   bool any_visible_light = false;
   bool any_see_through = false;
-  bool any_vertex_colors = false;
 };
 
 }  // namespace lippmann

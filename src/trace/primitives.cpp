@@ -53,10 +53,13 @@ WorldRing to_world(const Affine3f& world_from_local, const Ring& ring) {
 WorldBox to_world(const Affine3f& world_from_local, const Box& box) {
   const Vec3f half = 0.5f * (box.upper - box.lower);
   const Affine3f local_from_box{Mat3f(half.x, 0, 0, 0, half.y, 0, 0, 0, half.z), 0.5f * (box.upper + box.lower)};
-  const Affine3f box_from_world = inverse(world_from_local * local_from_box);
+  const Affine3f world_from_box = world_from_local * local_from_box;
+  const Affine3f box_from_world = inverse(world_from_box);
+  const Vec3f& center = world_from_box.translation;
   const Mat3f& m = box_from_world.linear;
   return {{m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]},
-          {box_from_world.translation.x, box_from_world.translation.y, box_from_world.translation.z}};
+          {box_from_world.translation.x, box_from_world.translation.y, box_from_world.translation.z},
+          {center.x, center.y, center.z}};
 }
 
 Bounds3f bounds(const WorldSphere& s) {
@@ -91,7 +94,7 @@ Vec3f normal_at(const WorldBox& b, Vec3f p) {
 }
 
 Vec3f tachyon_box_normal(const WorldBox& b, Vec3f p) {
-  const Vec3f q = p - frame_of(b).center;
+  const Vec3f q = p - Vec3f(b.center[0], b.center[1], b.center[2]);
   Vec3f n(0.0f);
   const int axis = largest_component(q);
   n[axis] = q[axis] < 0.0f ? -1.0f : 1.0f;

@@ -50,6 +50,22 @@ LIPPMANN_INLINE float distance(const WorldSphere& s, const LaneRay& r) {
   return nearest_valid(t0, t1, real & (t0 > r.t_near) & (t0 < r.t_far), real & (t1 > r.t_near) & (t1 < r.t_far));
 }
 
+/// Whether the ray crosses the surface at all: for shadows.
+template <class Primitive>
+LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
+  return distance(primitive, r) < kInfinity;
+}
+
+/// Without the root: t0 = b - half > t_near where b - t_near > half, and so on.
+LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
+  const auto [b, squared] = crossing(s, r);
+  const float past_near = b - r.t_near, past_far = b - r.t_far;
+  const bool near_within = past_near * past_near < squared, far_within = past_far * past_far < squared;
+  const bool first = (past_near > 0.0f) & !near_within & ((past_far < 0.0f) | far_within);
+  const bool second = ((past_near > 0.0f) | near_within) & (past_far < 0.0f) & !far_within;
+  return (squared >= 0.0f) & (first | second);
+}
+
 struct WorldCylinder {
   float x, y, z;     ///< centre of the base
   float ax, ay, az;  ///< axis, unit length
@@ -106,6 +122,7 @@ LIPPMANN_INLINE float distance(const WorldRing& g, const LaneRay& r) {
 struct WorldBox {
   float m[9];  ///< box_from_world, linear part, columns
   float t[3];  ///< box_from_world, translation
+  float center[3];
 };
 
 LIPPMANN_INLINE float distance(const WorldBox& b, const LaneRay& r) {

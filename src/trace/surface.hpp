@@ -17,7 +17,8 @@ struct SurfacePacket {
   Lanes3 normal;      ///< shading normal, unit length, on the ray's side of the geometric one
   Lanes t_near;       ///< how far rays that leave the point have to start from it: beyond the rounding of the point itself
   LaneMask entering;  ///< -1 where the ray meets the outer side of the surface
-  std::uint32_t instance[kLanes];
+  alignas(64) std::uint32_t instance[kLanes];
+  alignas(64) std::uint32_t record[kLanes];  ///< index of the geometry's record, or kPlaneId + plane
   // Material, after textures.
   Lanes3 color, ambient, emission;  ///< ambient: radiance per colour
   Lanes diffuse, highlight, highlight_size, highlight_cutoff, highlight_tint;

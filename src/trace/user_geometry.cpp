@@ -50,7 +50,7 @@ LIPPMANN_INLINE void occlude_lanes(const Primitive& primitive, const int* valid,
   float* tfar = packet.field(8);
 #pragma GCC ivdep
   for (unsigned i = 0; i < n; ++i) {
-    const bool hit = (valid[i] != 0) & (distance(primitive, packet.ray(i)) < kInfinity);
+    const bool hit = (valid[i] != 0) & crosses(primitive, packet.ray(i));
     tfar[i] = hit ? -kInfinity : tfar[i];
   }
 }

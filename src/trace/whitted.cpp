@@ -127,7 +127,12 @@ LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayP
 }  // namespace
 
 WhittedTracer::WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, int max_depth, Image& film)
-    : scene_(scene), beam_(beam), max_depth_(max_depth), film_(film.data.data()) {}
+    : scene_(scene),
+      beam_(beam),
+      max_depth_(max_depth),
+      film_(film.data.data()),
+      shadows_(scene.lights.size()),
+      shadow_rays_(scene.lights.size()) {}
 
 void WhittedTracer::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight) {
   clear_hits(packet);
@@ -180,14 +185,18 @@ void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, co
 
 void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct) {
   const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's, about 1/512
-  for (const WhittedLight& light : scene_.lights) {
-    const int rays = aim_at_light(light, surface_, least_light, shadow_);
-    if (rays == 0) continue;
-    counts_.shadow += static_cast<std::uint64_t>(rays);
-    if (log_) log_->push_back({shadow_.rays, shadow_.active, true, Coherence::kIncoherent});
-    trace_shadows(scene_, shadow_);
-    add_light(light, surface_, packet.ray, shadow_, scene_.tachyon, direct);
+  // Three rounds, so that the processor works on one light's kernel while the roots and quotients of the one before are on
+  // their way.
+  for (std::size_t l = 0; l < scene_.lights.size(); ++l)
+    shadow_rays_[l] = aim_at_light(scene_.lights[l], surface_, least_light, shadows_[l]);
+  for (std::size_t l = 0; l < scene_.lights.size(); ++l) {
+    if (shadow_rays_[l] == 0) continue;
+    counts_.shadow += static_cast<std::uint64_t>(shadow_rays_[l]);
+    if (log_) log_->push_back({shadows_[l].rays, shadows_[l].active, true, Coherence::kIncoherent});
+    trace_shadows(scene_, shadows_[l]);
   }
+  for (std::size_t l = 0; l < scene_.lights.size(); ++l)
+    if (shadow_rays_[l] != 0) add_light(scene_.lights[l], surface_, packet.ray, shadows_[l], scene_.tachyon, direct);
 }
 
 /// Queues the rays with which paths go on, or ends the paths here.

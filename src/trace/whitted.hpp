@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "image/image.hpp"
 #include "trace/direct_light.hpp"
@@ -54,7 +55,8 @@ class WhittedTracer {
 const PointCapture* capture_ = nullptr;
   RayQueue wave_, next_;
   SurfacePacket surface_;
-  ShadowPacket shadow_;
+  std::vector<ShadowPacket> shadows_;  ///< per light
+  std::vector<int> shadow_rays_;       ///< active lanes of each
 };
 
 }  // namespace lippmann

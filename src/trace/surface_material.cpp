@@ -1,0 +1,141 @@
+#include "trace/surface_material.hpp"
+
+namespace lippmann {
+namespace {
+
+LIPPMANN_INLINE void set_lanes(Lanes& to, float value, const LaneMask& lanes) {
+  LIPPMANN_FOR_LANES(i) to[i] = lanes.lane[i] != 0 ? value : to[i];
+}
+
+LIPPMANN_INLINE void set_lanes(Lanes3& to, Vec3f value, const LaneMask& lanes) {
+  set_lanes(to.x, value.x, lanes), set_lanes(to.y, value.y, lanes), set_lanes(to.z, value.z, lanes);
+}
+
+LIPPMANN_MULTIVERSION void set_material(const WhittedMaterial& m, const LaneMask& lanes, SurfacePacket& s) {
+  set_lanes(s.color, m.color, lanes);
+  set_lanes(s.ambient, m.ambient, lanes);
+  set_lanes(s.emission, m.emission, lanes);
+  set_lanes(s.diffuse, m.diffuse, lanes);
+  set_lanes(s.highlight, m.highlight, lanes);
+  set_lanes(s.highlight_size, m.highlight_size, lanes);
+  set_lanes(s.highlight_cutoff, m.highlight_cutoff, lanes);
+  set_lanes(s.highlight_tint, m.highlight_tint, lanes);
+  set_lanes(s.mirror, m.mirror, lanes);
+  set_lanes(s.mirror_tint, m.mirror_tint, lanes);
+  set_lanes(s.opacity, m.opacity, lanes);
+  set_lanes(s.ior, m.ior, lanes);
+  s.any_highlight |= m.highlight > 0.0f;
+  s.any_mirror |= m.mirror > 0.0f;
+  s.any_see_through |= m.opacity < 1.0f || m.alpha_from_texture;
+}
+
+/// uv at the hit, and how it changes along the beam's two axes, each projected along the ray onto the facet.
+struct UvFootprint {
+  Vec2f uv, a, b;
+};
+
+/// path_length: to the hit.
+UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, const BeamFootprint& beam,
+                         float path_length) {
+  const Vec2f uv = at_hit(record.mesh->uvs, record, packet, i);
+  const UvGradient& gradient = (*record.uv_gradients)[packet.hit.primID[i]];
+  Vec3f du = gradient.du, dv = gradient.dv, n = gradient.normal;
+  if (record.placed) {
+    du = record.normal_from_mesh * du;
+    dv = record.normal_from_mesh * dv;
+    n = record.normal_from_mesh * n;
+    n *= 1.0f / (glm::length(n) + 1e-20f);
+  }
+  const Vec3f d(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
+  const float across = glm::dot(n, d);
+  // Seen edge-on a footprint grows without bound; 1/16 stops it at 16 widths.
+  const float inverse = 1.0f / std::copysign(std::max(std::abs(across), 0.0625f), across);
+  const float u_along = glm::dot(du, d) * inverse, v_along = glm::dot(dv, d) * inverse;
+  const Vec2f widths = beam.widths(path_length);
+  // An axis is moved along the ray onto the facet: axis - d (n . axis) / (n . d).
+  const auto change = [&](Vec3f axis, float width) {
+    const float slide = glm::dot(n, axis);
+    return width * Vec2f(glm::dot(du, axis) - slide * u_along, glm::dot(dv, axis) - slide * v_along);
+  };
+  return {uv, change(beam.axis_x(), widths.x), change(beam.axis_y(), widths.y)};
+}
+
+void uv_footprints(const GeometryRecord& record, const RayHitPacket& packet, const Lanes& length, const BeamFootprint& beam,
+                   const LaneMask& lanes, UvLanes& uv) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!lanes.lane[i]) continue;
+    const UvFootprint f = uv_footprint(record, packet, i, beam, length[i]);
+    uv.u[i] = f.uv.x, uv.v[i] = f.uv.y;
+    uv.a_u[i] = f.a.x, uv.a_v[i] = f.a.y, uv.b_u[i] = f.b.x, uv.b_v[i] = f.b.y;
+  }
+}
+
+LIPPMANN_INLINE void scale_lanes(const Lanes& by, float factor, const LaneMask& lanes, Lanes& to) {
+  LIPPMANN_FOR_LANES(i) to[i] = lanes.lane[i] != 0 ? factor * by[i] : to[i];
+}
+
+LIPPMANN_MULTIVERSION void scale_texels(const TexelLanes& texels, Vec3f factor, const LaneMask& lanes, Lanes3& to) {
+  scale_lanes(texels.color.x, factor.x, lanes, to.x);
+  scale_lanes(texels.color.y, factor.y, lanes, to.y);
+  scale_lanes(texels.color.z, factor.z, lanes, to.z);
+}
+
+void apply_alpha(const WhittedMaterial& m, const Lanes& alpha, const LaneMask& lanes, SurfacePacket& s) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!lanes.lane[i]) continue;
+    s.opacity[i] *= m.alpha_cutoff > 0.0f ? (alpha[i] >= m.alpha_cutoff ? 1.0f : 0.0f) : alpha[i];
+  }
+}
+
+const DeviceTexture& texture(const DeviceScene::Impl& scene, int index) {
+  return scene.textures[static_cast<std::size_t>(index)];
+}
+
+void apply_projected(const DeviceScene::Impl& scene, const WhittedMaterial& m, const Lanes& length, const LaneMask& lanes,
+                     SurfacePacket& s) {
+  if (m.texture < 0) return;
+  const ImageProjection& projection = scene.materials.projections[static_cast<std::size_t>(m.projection)];
+  sample_projected(texture(scene, m.texture), projection, s.position, length, lanes, s.color);
+}
+
+void apply_by_uv(const DeviceScene::Impl& scene, const WhittedMaterial& m, const GeometryRecord& record,
+                 const RayHitPacket& packet, const Lanes& length, const BeamFootprint& beam, const LaneMask& lanes,
+                 SurfacePacket& s) {
+  UvLanes uv;
+  uv_footprints(record, packet, length, beam, lanes, uv);
+  TexelLanes texels;
+  if (m.texture >= 0) {
+    sample_uv(texture(scene, m.texture), uv, lanes, texels);
+    scale_texels(texels, m.color, lanes, s.color);
+    if (m.alpha_from_texture) apply_alpha(m, texels.alpha, lanes, s);
+  }
+  if (m.emission_texture >= 0) {
+    sample_uv(texture(scene, m.emission_texture), uv, lanes, texels);
+    scale_texels(texels, m.emission, lanes, s.emission);
+  }
+}
+
+void apply_vertex_colors(const GeometryRecord& record, const RayHitPacket& packet, const LaneMask& lanes, SurfacePacket& s) {
+  for (int i = 0; i < kLanes; ++i)
+    if (lanes.lane[i]) s.color.set(i, s.color.get(i) * at_hit(record.mesh->colors, record, packet, i));
+}
+
+}  // namespace
+
+void evaluate_material(const DeviceScene::Impl& scene, const WhittedMaterial& m, const GeometryRecord* record,
+                       const RayHitPacket& packet, const Lanes& path_length, const BeamFootprint& beam, const LaneMask& lanes,
+                       SurfacePacket& s) {
+  set_material(m, lanes, s);
+  const bool of_mesh = record && record->kind == GeometryKind::kMesh;
+  if (m.texture >= 0 || m.emission_texture >= 0) {
+    Lanes length;
+    LIPPMANN_FOR_LANES(i) length[i] = path_length[i] + packet.ray.tfar[i];
+    if (m.projection >= 0)
+      apply_projected(scene, m, length, lanes, s);
+    else if (of_mesh && record->uv_gradients)
+      apply_by_uv(scene, m, *record, packet, length, beam, lanes, s);
+  }
+  if (of_mesh && !record->mesh->colors.empty()) apply_vertex_colors(*record, packet, lanes, s);
+}
+
+}  // namespace lippmann

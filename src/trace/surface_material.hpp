@@ -1,0 +1,22 @@
+// Material terms of a packet of surface points, textures and vertex colours included. Private to src/trace.
+#pragma once
+
+#include "trace/surface.hpp"
+
+namespace lippmann {
+
+/// A quantity per vertex, at the point of its triangle that lane i has hit.
+template <class Value>
+Value at_hit(const std::vector<Value>& of_vertex, const GeometryRecord& record, const RayHitPacket& packet, int i) {
+  const auto& [a, b, c] = record.mesh->triangles[packet.hit.primID[i]];
+  const float u = packet.hit.u[i], v = packet.hit.v[i];
+  return (1.0f - u - v) * of_vertex[a] + u * of_vertex[b] + v * of_vertex[c];
+}
+
+/// Sets the material terms of `lanes`, which have all hit `record` (null: a plane) and are all made of `material`.
+/// path_length: to the origins of the rays in `packet`.
+void evaluate_material(const DeviceScene::Impl& scene, const WhittedMaterial& material, const GeometryRecord* record,
+                       const RayHitPacket& packet, const Lanes& path_length, const BeamFootprint& beam, const LaneMask& lanes,
+                       SurfacePacket& s);
+
+}  // namespace lippmann
