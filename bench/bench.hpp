@@ -14,11 +14,15 @@ namespace lippmann::bench {
 
 struct Report {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();  ///< one object per line of the table, all with the same keys
+  nlohmann::ordered_json details;                                 ///< what rows are made of, an object; null: nothing more
+  std::string text;       ///< for people, instead of the table of rows; empty: that table
   int passed_checks = 0;  ///< of results, made before measuring; a failed one throws Error
 };
 
 /// What a person can choose.
 struct Request {
+  int frames = 0;                                                         ///< of each animation; 0: the benchmark's own choice
+  std::string plot;                                                       ///< folder for plots; empty: none
   std::vector<std::string> scenes;                                        ///< by name; empty: all that the benchmark has
   std::string tachyon_scenes = "/usr/share/doc/tachyon/examples/scenes";  ///< the folder of Tachyon's teapot.dat and others
 };

@@ -4,6 +4,7 @@ namespace lippmann::bench {
 
 const std::vector<Benchmark>& benchmarks() {
   static const std::vector<Benchmark> all{
+      {"paper", "the tables of the paper: interpolated animations beside traced ones, pixel-tracing styles", measure_paper},
       {"png", "CPU time and size of a PNG by strategy, filter and level", measure_png},
       {"rays", "rays per second of our passes beside bare Embree, by ray order and scene", measure_rays},
       {"spheres", "rays per second against our spheres beside Embree's own sphere points", measure_spheres},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/error.hpp"
 #include "scene/builtin.hpp"
 
 namespace lippmann::bench {
@@ -37,6 +38,34 @@ std::vector<BenchScene> tachyon_scenes(const Request& request) {
     scene.params.scene = file.string();
     result.push_back(std::move(scene));
   }
+  return result;
+}
+
+std::vector<BenchAnimation> bench_animations(const Request& request, const Context& context) {
+  constexpr int kFrames = 48, kTachyonFrames = 24, kTachyonFirst = 96;  // the paper shows frames 103 to 109
+  std::vector<BenchAnimation> result;
+  std::string known;
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    const std::string name(builtin.name);
+    known += name + ", ";
+    if (!is_wanted(request, name)) continue;
+    const int all = load_scene(name, {}, context).timeline.frame_count;
+    BenchAnimation animation{name, {}, 0, std::min(request.frames > 0 ? request.frames : kFrames, all)};
+    animation.params.scene = name;
+    result.push_back(std::move(animation));
+  }
+  for (const BenchScene& scene : tachyon_scenes(request)) {
+    const std::filesystem::path path = std::filesystem::path(scene.params.scene).replace_extension(".cam");
+    if (!std::filesystem::exists(path)) continue;
+    RenderParams params = scene.params;
+    params.camera_path = path.string();
+    const int all = load_scene(params.scene, load_options(params), context).timeline.frame_count;
+    const int wanted = request.frames > 0 ? request.frames : kTachyonFrames;
+    const int first = request.frames > all - kTachyonFirst ? 0 : kTachyonFirst;
+    result.push_back({"tachyon " + scene.name, std::move(params), first, std::min(wanted, all - first)});
+  }
+  if (result.empty())
+    throw usage_error("--scene", "no such animation", known + "or one of Tachyon's: teapot, room, smallballs");
   return result;
 }
 

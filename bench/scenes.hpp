@@ -18,6 +18,17 @@ struct BenchScene {
 /// Those that the request names, built-in ones or files; all built-in ones where it names none. Throws Error.
 std::vector<BenchScene> bench_scenes(const Request& request, const Context& context);
 
+/// The frames that an animation with reuse is measured on: from a key frame of every interval up to 8.
+struct BenchAnimation {
+  std::string name;      ///< Tachyon's own are called "tachyon teapot" and so on
+  RenderParams params;   ///< as in BenchScene
+  int first = 0, count;  ///< frames; `first` is a multiple of 8
+};
+
+/// All built-in scenes, and Tachyon's own three with their camera paths where they are found: those that the request names.
+/// Throws Error.
+std::vector<BenchAnimation> bench_animations(const Request& request, const Context& context);
+
 /// Which of Tachyon's own teapot, room and smallballs (.dat) are in a folder; those of them that the request names.
 std::vector<BenchScene> tachyon_scenes(const Request& request);
 

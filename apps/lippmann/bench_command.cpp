@@ -79,13 +79,17 @@ int run(const Options& options, Context& context) {
   context.threads = options.threads;
   const bench::Report report = benchmark.run(options.request, context);
   if (!options.json) {
-    print_table(report);
+    if (report.text.empty())
+      print_table(report);
+    else
+      fmt::print("{}\n{} checks of results passed\n", report.text, report.passed_checks);
     return 0;
   }
-  const nlohmann::ordered_json result{{"bench", benchmark.name},
-                                      {"machine", describe_machine(context)},
-                                      {"rows", report.rows},
-                                      {"passed_checks", report.passed_checks}};
+  nlohmann::ordered_json result{{"bench", benchmark.name},
+                                {"machine", describe_machine(context)},
+                                {"rows", report.rows},
+                                {"passed_checks", report.passed_checks}};
+  if (!report.details.is_null()) result["details"] = report.details;
   fmt::print("{}\n", result.dump(2));
   return 0;
 }
@@ -105,6 +109,10 @@ void add_bench_command(CLI::App& root, Action& chosen) {
   command.add_option("--tachyon-scenes", options->request.tachyon_scenes, "The folder of Tachyon's own scenes")
       ->type_name("DIR")
       ->capture_default_str();
+  command.add_option("--frames", options->request.frames, "Of paper: frames of each animation; 0: 48 (24 of Tachyon's)")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--plot", options->request.plot, "Of paper: also draw plots (PNG) into this folder")->type_name("DIR");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

@@ -1,0 +1,165 @@
+// The tables of the paper that this project starts from, on the built-in scenes and on Tachyon's own.
+#include <cmath>
+
+#include "bench/benchmarks.hpp"
+#include "bench/paper_plots.hpp"
+#include "bench/paper_tables.hpp"
+#include "bench/reuse_run.hpp"
+#include "bench/timing.hpp"
+#include "render/frame.hpp"
+#include "trace/trace_pixels.hpp"
+
+namespace lippmann::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kRepetitions = 5;
+
+std::vector<RenderParams> forward_methods(const RenderParams& params) {
+  std::vector<RenderParams> methods;
+  for (const int interval : {2, 4, 8}) {
+    methods.push_back(params);
+    methods.back().reuse = Reuse::kForward;
+    methods.back().keyframes = interval;
+  }
+  return methods;
+}
+
+Json finite_or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(rounded(*value)) : Json(nullptr);
+}
+
+Json row_of(const ReuseRun& run) {
+  const double frames = static_cast<double>(run.frames.size());
+  return {{"scene", run.scene},
+          {"method", "forward"},
+          {"keyframes", run.keyframes},
+          {"frames", run.frames.size()},
+          {"traced_ms", rounded(1e3 * run.traced_seconds() / frames)},
+          {"saving_in_between", rounded(run.saving_in_between())},
+          {"saving_total", rounded(run.saving())},
+          {"psnr_db", finite_or_null(run.mean_psnr())},
+          {"moving_psnr_db", finite_or_null(run.mean_moving_psnr())},
+          {"blend_psnr_db", finite_or_null(run.mean_blend_psnr())},
+          {"ssim", rounded(run.mean_ssim())},
+          {"missed", rounded(run.missed_share())}};
+}
+
+Json errors(const ChannelErrors& e) {
+  return {{"r", rounded(e.r)}, {"g", rounded(e.g)}, {"b", rounded(e.b)}, {"mean", rounded(e.mean)}};
+}
+
+Json frames_of(const ReuseRun& run) {
+  Json frames = Json::array();
+  for (const ReuseFrame& frame : run.frames)
+    if (!frame.key)
+      frames.push_back({{"scene", run.scene},
+                        {"keyframes", run.keyframes},
+                        {"frame", frame.frame},
+                        {"mse", errors(frame.likeness.mse)},
+                        {"rmse", errors(frame.likeness.rmse)},
+                        {"psnr_db", finite_or_null(frame.likeness.psnr_db)},
+                        {"moving_psnr_db", finite_or_null(frame.moving_psnr)},
+                        {"blend_psnr_db", finite_or_null(frame.blend_psnr)},
+                        {"missed_pixels", frame.missed_pixels}});
+  return frames;
+}
+
+/// Times one frame of a scene, its first lens and all of it, in one style.
+class StyleTimer {
+ public:
+  StyleTimer(const BenchScene& scene, const ThreadPool& pool, const Context& context)
+      : stage_(scene.params, pool, context), params_(scene.params), frame_(scene.frame), pool_(pool), context_(context) {
+    const Panel& panel = stage_.placed.optics.panel;
+    const auto width = static_cast<std::uint32_t>(panel.width), lens = static_cast<std::uint32_t>(lens_width());
+    for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(panel.height); ++y)
+      for (std::uint32_t x = 0; x < lens; ++x) first_lens_.push_back(y * width + x);
+    const ResolvedScene resolved = evaluate(stage_.scene, stage_.scene.timeline.time(frame_));
+    world_from_display_ = world_from_display(stage_.array, stage_.placed.units_per_mm, resolved);
+    stage_.device.update(resolved, pool_);
+    film_ = Image(panel.width, panel.height, 3);
+  }
+
+  double lens_ms(RayOrder order) {
+    return milliseconds(order, [&](const TraceParams& trace) {
+      trace_pixels(stage_.device, stage_.placed.optics, world_from_display_, trace, first_lens_, pool_, context_, film_);
+    });
+  }
+
+  double frame_ms(RayOrder order) {
+    return milliseconds(order, [&](const TraceParams& trace) {
+      trace_frame(stage_.device, stage_.placed.optics, world_from_display_, trace, pool_, context_, film_);
+    });
+  }
+
+ private:
+  int lens_width() const { return whole_pixels_per_lens(stage_.placed.optics).x; }
+
+  template <class Fn>
+  double milliseconds(RayOrder order, const Fn& work) {
+    TraceParams trace = trace_params(params_, stage_.scene, frame_);
+    trace.order = order;
+    std::vector<double> all;
+    for (int i = 0; i < kRepetitions; ++i) all.push_back(1e3 * second_run([&] { work(trace); }));
+    return median(all);
+  }
+
+  Stage stage_;
+  RenderParams params_;
+  int frame_;
+  const ThreadPool& pool_;
+  const Context& context_;
+  std::vector<std::uint32_t> first_lens_;
+  Affine3f world_from_display_;
+  Image film_;
+};
+
+/// On one thread, which is what CPU time is taken of.
+std::vector<StyleRow> measure_styles(const Request& request, const Context& context) {
+  const ThreadPool pool(1);
+  std::vector<StyleRow> rows;
+  for (const BenchScene& scene : bench_scenes(request, context)) {
+    StyleTimer timer(scene, pool, context);
+    rows.push_back({scene.name, timer.lens_ms(RayOrder::kRows), timer.lens_ms(RayOrder::kColumns),
+                    timer.frame_ms(RayOrder::kRows), timer.frame_ms(RayOrder::kColumns), timer.frame_ms(RayOrder::kViewTiles)});
+  }
+  return rows;
+}
+
+Json styles_json(const std::vector<StyleRow>& rows) {
+  Json all = Json::array();
+  for (const StyleRow& row : rows)
+    all.push_back({{"scene", row.scene},
+                   {"horizontal_lens_ms", rounded(row.horizontal_lens_ms)},
+                   {"vertical_lens_ms", rounded(row.vertical_lens_ms)},
+                   {"horizontal_ms", rounded(row.horizontal_ms)},
+                   {"vertical_ms", rounded(row.vertical_ms)},
+                   {"view_ms", rounded(row.view_ms)}});
+  return all;
+}
+
+}  // namespace
+
+Report measure_paper(const Request& request, const Context& context) {
+  std::vector<ReuseRun> runs;
+  Report report;
+  report.details = {{"frames", Json::array()}};
+  for (const BenchAnimation& animation : bench_animations(request, context))
+    for (ReuseRun& run : run_reuse(animation, forward_methods(animation.params), context)) {
+      report.rows.push_back(row_of(run));
+      for (const Json& frame : frames_of(run)) report.details["frames"].push_back(frame);
+      for (const ReuseFrame& frame : run.frames) report.passed_checks += frame.key;
+      runs.push_back(std::move(run));
+    }
+  Request builtin = request;
+  std::erase_if(builtin.scenes, [](const std::string& name) { return !is_builtin_scene(name); });
+  std::vector<StyleRow> styles;
+  if (request.scenes.empty() || !builtin.scenes.empty()) styles = measure_styles(builtin, context);
+  report.details["styles"] = styles_json(styles);
+  report.text = table_1(runs) + '\n' + table_2(runs) + '\n' + table_3(styles);
+  if (!request.plot.empty()) plot_reuse(runs, request.plot);
+  return report;
+}
+
+}  // namespace lippmann::bench
