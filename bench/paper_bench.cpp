@@ -16,13 +16,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kRepetitions = 5;
 
-std::vector<RenderParams> forward_methods(const RenderParams& params) {
-  std::vector<RenderParams> methods;
-  for (const int interval : {2, 4, 8}) {
-    methods.push_back(params);
-    methods.back().reuse = Reuse::kForward;
-    methods.back().keyframes = interval;
-  }
+std::vector<ReuseMethod> forward_methods(RenderParams params) {
+  params.reuse = Reuse::kForward;
+  std::vector<ReuseMethod> methods;
+  for (const bool halving : {false, true})
+    for (const int interval : {2, 4, 8}) {
+      if (halving && interval == 2) continue;  // the same
+      params.halving = halving;
+      params.keyframes = interval;
+      methods.push_back({halving ? "forward, halving" : "forward", params});
+    }
   return methods;
 }
 
@@ -33,7 +36,7 @@ Json finite_or_null(const std::optional<double>& value) {
 Json row_of(const ReuseRun& run) {
   const double frames = static_cast<double>(run.frames.size());
   return {{"scene", run.scene},
-          {"method", "forward"},
+          {"method", run.method},
           {"keyframes", run.keyframes},
           {"frames", run.frames.size()},
           {"traced_ms", rounded(1e3 * run.traced_seconds() / frames)},
@@ -55,6 +58,7 @@ Json frames_of(const ReuseRun& run) {
   for (const ReuseFrame& frame : run.frames)
     if (!frame.key)
       frames.push_back({{"scene", run.scene},
+                        {"method", run.method},
                         {"keyframes", run.keyframes},
                         {"frame", frame.frame},
                         {"mse", errors(frame.likeness.mse)},

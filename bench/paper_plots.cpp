@@ -46,6 +46,7 @@ std::string saving_commands(const std::vector<ReuseRun>& runs) {
   std::string text = "$saving << EOD\n", scene;
   std::vector<int> intervals;
   for (const ReuseRun& run : runs) {
+    if (run.method != "forward") continue;
     if (run.scene != scene) text += fmt::format("{}\"{}\"", scene.empty() ? "" : "\n", run.scene);
     scene = run.scene;
     text += fmt::format(" {}", 100.0 * run.saving());
@@ -67,7 +68,8 @@ void plot_reuse(const std::vector<ReuseRun>& runs, const fs::path& folder) {
   for (std::size_t begin = 0; begin < runs.size();) {
     std::vector<const ReuseRun*> of_scene;
     const std::string& scene = runs[begin].scene;
-    for (; begin < runs.size() && runs[begin].scene == scene; ++begin) of_scene.push_back(&runs[begin]);
+    for (; begin < runs.size() && runs[begin].scene == scene; ++begin)
+      if (runs[begin].method == "forward") of_scene.push_back(&runs[begin]);
     std::string name = scene;
     std::replace(name.begin(), name.end(), ' ', '-');
     draw_with_gnuplot(folder / ("psnr_" + name + ".png"), psnr_commands(scene, of_scene));

@@ -126,7 +126,7 @@ double ReuseRun::missed_share() const {
   return missed.value_or(0.0) / static_cast<double>(pixels);
 }
 
-std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<RenderParams>& methods,
+std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
                                 const Context& context) {
   const ThreadPool pool(resolved_threads(context));
   Stage stage(animation.params, pool, context);
@@ -135,10 +135,10 @@ std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vect
   std::vector<std::unique_ptr<FrameMaker>> makers;
   std::vector<ReuseRun> runs;
   const Panel& panel = stage.placed.optics.panel;
-  for (const RenderParams& method : methods) {
-    makers.push_back(make_frame_maker(stage, method, pool, context));
+  for (const ReuseMethod& method : methods) {
+    makers.push_back(make_frame_maker(stage, method.params, pool, context));
     const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
-    runs.push_back({animation.name, key_frame_interval(method), pixels, {}});
+    runs.push_back({animation.name, method.name, key_frame_interval(method.params), pixels, {}});
   }
   render_frame(stage, animation.params, animation.first, pool, context);  // warms up
   TracedFrames traced;

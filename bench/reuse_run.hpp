@@ -25,7 +25,7 @@ struct ReuseFrame {
 };
 
 struct ReuseRun {
-  std::string scene;
+  std::string scene, method;
   int keyframes = 0;
   std::size_t pixels = 0;  ///< of a frame
   std::vector<ReuseFrame> frames;
@@ -42,9 +42,13 @@ struct ReuseRun {
   double missed_share() const;
 };
 
-/// One run per entry of `methods` (all with reuse and a key frame interval of 2, 4 or 8), in their order. Throws Error where a
-/// key frame is not the traced one to the bit.
-std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<RenderParams>& methods,
+struct ReuseMethod {
+  std::string name;
+  RenderParams params;  ///< with reuse and a key frame interval of 2, 4 or 8
+};
+
+/// One run per method, in their order. Throws Error where a key frame is not the traced one to the bit.
+std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
                                 const Context& context);
 
 }  // namespace lippmann::bench

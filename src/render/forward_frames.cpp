@@ -9,7 +9,8 @@
 namespace lippmann {
 namespace {
 
-bool has_frames_inside(int first, int last) { return last - first > 1; }
+/// Whether halving makes frames between this one and an end of the interval whose middle it is.
+bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
 
 FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, std::size_t pixels) {
   FrameReport report;
@@ -39,24 +40,25 @@ RenderedFrame ForwardFrames::make(int frame) {
   keep_only_sources_of(frame);
   RenderedFrame rendered;
   const auto copy = [&](const Source& source) {
+    const FrameClock clock(pool_);
     rendered.pictures.film = source.image.film;
     rendered.report = source.report;
+    clock.add_to(rendered.report);
   };
   if (const auto known = sources_.find(frame); known != sources_.end()) {
     copy(known->second);
   } else if (is_key_frame(frame, every_, last_frame_)) {
     copy(key(frame));
   } else {
-    const std::vector<FrameInterval> path = halving_path(frame, every_, last_frame_);
+    const std::vector<FrameInterval> path = path_to(frame);
     key(path.front().first), key(path.front().last);
     for (std::size_t i = 0; i + 1 < path.size() && !context_.cancelled; ++i)
       if (const int middle = middle_frame(path[i]); !sources_.contains(middle)) add(between(middle, path[i], true));
     if (context_.cancelled) return rendered;
-    const FrameInterval& last = path.back();
-    if (has_frames_inside(last.first, frame) || has_frames_inside(frame, last.last)) {
-      copy(add(between(frame, last, true)));
+    if (params_.halving && is_source(frame, path.back())) {
+      copy(add(between(frame, path.back(), true)));
     } else {
-      Source made = between(frame, last, false);
+      Source made = between(frame, path.back(), false);
       rendered.pictures.film = std::move(made.image.film);
       rendered.report = made.report;
     }
@@ -65,10 +67,15 @@ RenderedFrame ForwardFrames::make(int frame) {
   return rendered;
 }
 
+std::vector<FrameInterval> ForwardFrames::path_to(int frame) const {
+  if (params_.halving) return halving_path(frame, every_, last_frame_);
+  return {key_interval(frame, every_, last_frame_)};
+}
+
 void ForwardFrames::keep_only_sources_of(int frame) {
   std::set<int> needed{frame};
   if (!is_key_frame(frame, every_, last_frame_))
-    for (const FrameInterval& interval : halving_path(frame, every_, last_frame_)) {
+    for (const FrameInterval& interval : path_to(frame)) {
       needed.insert(interval.first);
       needed.insert(interval.last);
     }
@@ -104,7 +111,7 @@ ForwardFrames::Source ForwardFrames::traced(int frame) {
       trace_frame(stage_.device, stage_.placed.optics, image.moment.world_from_display,
                   trace_params(params_, stage_.scene, frame), pool_, context_, image.film, nullptr, &image.points);
   maker_.prepare(image, pool_);
-  clock.stop(source.report);
+  clock.add_to(source.report);
   return source;
 }
 
@@ -124,7 +131,7 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
   const Panel& panel = stage_.placed.optics.panel;
   const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
   source.report = in_between_report(frame, counts, rays, pixels);
-  clock.stop(source.report);
+  clock.add_to(source.report);
   return source;
 }
 
@@ -137,7 +144,7 @@ std::vector<FrameReport> ForwardFrames::sources() const {
 double ForwardFrames::bytes_kept_per_pixel(const RenderParams& params) {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   // Two keys, one made frame per halving, and the keys of two splats.
-  const int images = 2 + halving_depth(key_frame_interval(params));
+  const int images = 2 + (params.halving ? halving_depth(key_frame_interval(params)) : 0);
   return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t);
 }
 

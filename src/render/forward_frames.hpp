@@ -1,5 +1,6 @@
-// The paper's interpolated animation: key frames are traced, the frames between them made from their points by halving
-// (reuse/frame_plan.hpp). Of the frames that others are made from, only those on the way to the frame under way are kept.
+// The paper's interpolated animation: key frames are traced, the frames between them made from their points; straight from the
+// two keys, or by halving (reuse/frame_plan.hpp). Of the frames that others are made from, only those on the way to the frame
+// under way are kept.
 #pragma once
 
 #include <map>
@@ -29,6 +30,8 @@ class ForwardFrames final : public FrameMaker {
   Moment moment_at(int frame) const;
   Source traced(int frame);
   Source between(int frame, const FrameInterval& interval, bool as_source);
+  /// The intervals to go through until the frame, which is no key, is made from the ends of the last one.
+  std::vector<FrameInterval> path_to(int frame) const;
   void keep_only_sources_of(int frame);
   const Source& key(int frame);
   const Source& add(Source source);

@@ -33,7 +33,7 @@ RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, 
   rendered.report.rays =
       trace_frame(stage.device, stage.placed.optics, world_from_array, trace_params(params, stage.scene, frame), pool, context,
                   rendered.pictures.film, params.aov.empty() ? nullptr : &rendered.pictures.aovs);
-  clock.stop(rendered.report);
+  clock.add_to(rendered.report);
   return rendered;
 }
 

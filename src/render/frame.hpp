@@ -38,9 +38,9 @@ struct RenderedFrame {
 class FrameClock {
  public:
   explicit FrameClock(const ThreadPool& pool) : pool_(pool), cpu_start_(pool.cpu_seconds()) {}
-  void stop(FrameReport& report) const {
-    report.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    report.cpu_seconds = pool_.cpu_seconds() - cpu_start_;
+  void add_to(FrameReport& report) const {
+    report.seconds += std::chrono::duration<double>(Clock::now() - start_).count();
+    report.cpu_seconds += pool_.cpu_seconds() - cpu_start_;
   }
 
  private:

@@ -70,6 +70,7 @@ struct RenderParams {
   std::optional<int> keyframes;  ///< every K-th frame is a key frame; none: kDefaultKeyframes
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
+  bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only
   bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, to be looked at
   DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black
 

@@ -12,6 +12,7 @@ std::string forward_only_flag(const RenderParams& params) {
   const RenderParams defaults;
   if (params.splat != defaults.splat) return "--splat";
   if (params.fill != defaults.fill) return "--fill";
+  if (params.halving) return "--halving";
   if (params.no_z_buffer) return "--no-z-buffer";
   if (params.debug != defaults.debug) return "--debug";
   return "";

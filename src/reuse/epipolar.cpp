@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kContrast = 0.1f;   // of a picture's range; smaller steps are not worth the search
+constexpr float kContrast = 0.15f;  // of a picture's range; smaller steps are not worth the search
 constexpr int kViews = 3;           // to either side
 constexpr float kViewCost = 0.03f;  // lenses that a view further away counts as
 constexpr float kExact = 1e-3f;     // lenses; a landing so near to the centre is taken as it is

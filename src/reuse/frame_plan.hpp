@@ -1,9 +1,10 @@
 // Which frames of an animation are traced, and which two each of the others is made from.
 //
 // Key frames are every K-th frame from frame 0, and the last. The plan depends on the animation alone, not on which of its
-// frames are asked for, so that a part of it rendered later is the same. Frames between two keys are made by halving (the
-// paper's recursive interpolation): the frame in the middle of the interval first (the earlier one of two), from the interval's
-// ends; then the middles of both halves, from their own ends, and so on: a made frame is a source like a traced one.
+// frames are asked for, so that a part of it rendered later is the same. Frames between two keys are made straight from
+// both, or by halving (the paper's recursive interpolation): the frame in the middle of the interval first (the earlier one of
+// two), from the interval's ends; then the middles of both halves, from their own ends, and so on: a made frame is a source
+// like a traced one.
 #pragma once
 
 #include <vector>

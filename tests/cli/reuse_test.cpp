@@ -63,13 +63,14 @@ TEST(Reuse, any_thread_count_gives_the_same_bytes) {
 
 TEST(Reuse, frames_of_a_part_are_those_of_the_whole_and_count_their_sources) {
   const TempDir dir;
-  for (const Words& how : {Words{"--fill", "interpolate"}, Words{"--fill", "retrace"}}) {
+  // Frame 3 comes from 0 and 4, frame 5 from 4 and 8; by halving from 2 and 4, and from 4 and 6.
+  const std::vector<std::pair<Words, int>> ways{{{"--fill", "interpolate"}, 2}, {{"--fill", "retrace", "--halving"}, 4}};
+  for (const auto& [how, sources] : ways) {
     const Files whole = rendered(dir, interpolated("0-8", "whole", how), "whole");
     const Json report = report_of(dir, interpolated("3-5", "part", how));
     for (const auto& [name, bytes] : files_in(dir / "part", ".png")) EXPECT_EQ(bytes, whole.at(name)) << name << how[1];
     EXPECT_EQ(report["frames"].size(), 3u);
-    // Frame 3 comes from 2 and 4, 2 from 0 and 4; frame 5 from 4 and 6, 6 from 4 and 8.
-    EXPECT_EQ(report["totals"]["source_frames"], 4);
+    EXPECT_EQ(report["totals"]["source_frames"], sources);
     EXPECT_GE(report["totals"]["rays"]["primary"], 3 * 128 * 128);
     std::filesystem::remove_all(dir / "whole");
     std::filesystem::remove_all(dir / "part");
@@ -78,9 +79,9 @@ TEST(Reuse, frames_of_a_part_are_those_of_the_whole_and_count_their_sources) {
 
 TEST(Reuse, frames_that_are_missing_are_made_again_to_the_same_bytes_on_resume) {
   const TempDir dir;
-  const Files whole = rendered(dir, interpolated("0-9", "a", {"--fill", "retrace"}), "a");
+  const Files whole = rendered(dir, interpolated("0-9", "a", {"--fill", "retrace", "--halving"}), "a");
   for (const char* lost : {"3", "4", "9"}) std::filesystem::remove(dir / "a" / ("frame_000" + std::string(lost) + ".png"));
-  const RunResult resumed = run_tool(dir, interpolated("0-9", "a", {"--fill", "retrace", "--resume"}));
+  const RunResult resumed = run_tool(dir, interpolated("0-9", "a", {"--fill", "retrace", "--halving", "--resume"}));
   EXPECT_EQ(lines_of(resumed.err), 3u) << resumed.err;
   EXPECT_EQ(files_in(dir / "a", ".png"), whole);
 }
@@ -120,6 +121,15 @@ TEST(Reuse, pictures_for_looking_at_differ_from_the_good_one) {
     EXPECT_TRUE(rendered(dir, turned_gears(how[0], kSixteen + how), how[0]) != good) << how[0];
 }
 
+TEST(Reuse, halving_makes_the_middle_frame_as_without_and_others_from_it) {
+  const TempDir dir;
+  const Files keys_only = rendered(dir, interpolated("0-4", "keys"), "keys");
+  const Files halved = rendered(dir, interpolated("0-4", "halved", {"--halving"}), "halved");
+  EXPECT_TRUE(halved.at("frame_0002.png") == keys_only.at("frame_0002.png"));
+  EXPECT_FALSE(halved.at("frame_0001.png") == keys_only.at("frame_0001.png"));
+  EXPECT_FALSE(halved.at("frame_0003.png") == keys_only.at("frame_0003.png"));
+}
+
 TEST(Reuse, summary_says_what_was_missed_and_why) {
   const TempDir dir;
   const RunResult result = run_tool(dir, interpolated("0-4", "a"));
@@ -151,6 +161,7 @@ TEST(Reuse, combinations_that_mean_nothing_are_refused_before_anything_is_writte
       {{"--fill", "retrace"}, "--fill"},
       {{"--no-z-buffer"}, "--no-z-buffer"},
       {{"--debug", "missed"}, "--debug"},
+      {{"--halving"}, "--halving"},
       {{"--keyframes", "4"}, "--keyframes"},
       {{"--reuse", "forward", "--keyframes", "1"}, "--keyframes"},
       {{"--reuse", "backward"}, "--reuse"},

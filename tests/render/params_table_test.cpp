@@ -26,7 +26,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"aov", {"depth", "id"}},    {"video", {"a.mp4", "b.mkv"}}, {"threads", {"3"}},
     {"resume", {"true"}},        {"reuse", {"forward"}},        {"keyframes", {"4"}},
     {"splat", {"lens"}},         {"fill", {"retrace"}},         {"no-z-buffer", {"true"}},
-    {"debug", {"missed"}},
+    {"debug", {"missed"}},       {"halving", {"true"}},
 };
 
 const ParamInfo& param(std::string_view name) {

@@ -1,0 +1,60 @@
+// The paper's tables, on a few frames of one scene: which figures there are, and that they agree with each other.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+TEST(BenchPaper, json_has_a_row_per_method_and_the_frames_that_it_sums_up) {
+  const TempDir dir;
+  const RunResult result =
+      run_tool(dir, {"bench", "paper", "--scene", "primitives", "--frames", "4", "--tachyon-scenes", "nowhere", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json report = Json::parse(result.out);
+  EXPECT_EQ(report["passed_checks"], 2 + 1 + 1 + 1 + 1);  // key frames of the five runs
+  ASSERT_EQ(report["rows"].size(), 5u);
+  for (const Json& row : report["rows"]) {
+    double psnr = 0.0;
+    int frames = 0;
+    for (const Json& frame : report["details"]["frames"]) {
+      if (frame["method"] != row["method"] || frame["keyframes"] != row["keyframes"]) continue;
+      const Json& mse = frame["mse"];
+      EXPECT_NEAR((mse["r"].get<double>() + mse["g"].get<double>() + mse["b"].get<double>()) / 3, mse["mean"], 1e-3);
+      EXPECT_NEAR(10 * std::log10(255 * 255 / mse["mean"].get<double>()), frame["psnr_db"], 1e-2);
+      psnr += frame["psnr_db"].get<double>();
+      ++frames;
+    }
+    EXPECT_EQ(frames, row["keyframes"] == 2 ? 2 : 3);
+    EXPECT_NEAR(psnr / frames, row["psnr_db"], 1e-3);
+    EXPECT_LT(row["moving_psnr_db"], row["psnr_db"]);
+    EXPECT_LT(row["saving_total"], row["saving_in_between"]);
+  }
+  EXPECT_EQ(report["details"]["styles"].size(), 1u);
+}
+
+TEST(BenchPaper, text_sets_the_papers_figures_beside_ours_and_plots_are_drawn) {
+  const TempDir dir;
+  const RunResult result = run_tool(
+      dir, {"bench", "paper", "--scene", "primitives", "--frames", "2", "--tachyon-scenes", "nowhere", "--plot", "plots"});
+  if (result.err.find("gnuplot-nox") != std::string::npos) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("mean squared errors"));
+  EXPECT_THAT(result.out, HasSubstr("67 %"));  // what table 2 has saved: 1 - 333 / 1024
+  EXPECT_GT(bytes_of(dir / "plots/psnr_primitives.png").size(), 1000u);
+  EXPECT_GT(bytes_of(dir / "plots/saving.png").size(), 1000u);
+}
+
+TEST(BenchPaper, unknown_scene_is_refused_with_the_known_ones) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {"bench", "paper", "--scene", "nothing"}), 2, "gears");
+}
+
+}  // namespace
+}  // namespace lippmann::test
