@@ -86,25 +86,27 @@ void RayQueue::append(const SurfacePacket& surface, const RayHitPacket& packet, 
   if (size_ + Branches::kCount > capacity_) grow();
   for (int first = 0; first < count; first += kLanes) {
     const auto at = [&](std::size_t f) { return field(f) + size_ + first; };
-    copy_branches(
-        surface, packet, bundle, branches, entry + first,
-        {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), pixel_.data() + size_ + first});
+    copy_branches(surface, packet, bundle, branches, entry + first,
+                  {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), pixel_.get() + size_ + first});
   }
   size_ += static_cast<std::size_t>(count);
 }
 
 void RayQueue::load(std::size_t first, RayHitPacket& packet, Bundle& bundle, LaneMask& active) const {
   const auto lanes = static_cast<int>(std::min<std::size_t>(kLanes, size_ - first));
-  fill_packet(field(0) + first, capacity_, pixel_.data() + first, lanes, packet, bundle, active);
+  fill_packet(field(0) + first, capacity_, pixel_.get() + first, lanes, packet, bundle, active);
 }
 
-/// Twice the room, at least that of a batch; always with that of a whole append behind the last ray.
+/// Twice the room, at least that of a batch; always with that of a whole append behind the last ray. Not cleared: what lies
+/// behind the last ray is read into inactive lanes only.
 void RayQueue::grow() {
   const std::size_t capacity = std::max<std::size_t>(2 * capacity_, 2048);
-  std::vector<float> values(kFields * capacity, 0.0f);
-  for (std::size_t f = 0; f < kFields; ++f) std::copy_n(field(f), size_, values.data() + f * capacity);
+  auto values = std::make_unique_for_overwrite<float[]>(kFields * capacity);
+  auto pixel = std::make_unique_for_overwrite<std::uint32_t[]>(capacity);
+  for (std::size_t f = 0; f < kFields; ++f) std::copy_n(field(f), size_, values.get() + f * capacity);
+  std::copy_n(pixel_.get(), size_, pixel.get());
   values_.swap(values);
-  pixel_.resize(capacity);
+  pixel_.swap(pixel);
   capacity_ = capacity;
 }
 

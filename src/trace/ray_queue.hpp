@@ -2,7 +2,7 @@
 // full packets. Private to src/trace.
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "trace/surface.hpp"
 
@@ -40,13 +40,12 @@ class RayQueue {
  private:
   static constexpr std::size_t kFields = 11;
 
-  float* field(std::size_t index) { return values_.data() + index * capacity_; }
-  const float* field(std::size_t index) const { return values_.data() + index * capacity_; }
+  float* field(std::size_t index) const { return values_.get() + index * capacity_; }
   void grow();
 
   std::size_t size_ = 0, capacity_ = 0;
-  std::vector<float> values_;  ///< kFields arrays of capacity_: origin, direction, weight, path length, tnear
-  std::vector<std::uint32_t> pixel_;
+  std::unique_ptr<float[]> values_;  ///< kFields arrays of capacity_: origin, direction, weight, path length, tnear
+  std::unique_ptr<std::uint32_t[]> pixel_;
 };
 
 }  // namespace lippmann
