@@ -53,7 +53,7 @@ std::string saving_commands(const std::vector<ReuseRun>& runs) {
     if (std::find(intervals.begin(), intervals.end(), run.keyframes) == intervals.end()) intervals.push_back(run.keyframes);
   }
   text +=
-      "\nEOD\nset style data histograms\nset style fill solid 0.8\nset boxwidth 0.9\nset yrange [0:100]\nset grid y\n"
+      "\nEOD\nset style data histograms\nset style fill solid 0.8\nset boxwidth 0.9\nset yrange [*:100]\nset grid y\n"
       "set ylabel 'CPU time saved over the whole animation, %'\nset xtics rotate by -20\nset key outside below\nplot ";
   for (std::size_t i = 0; i < intervals.size(); ++i)
     text += fmt::format("{}$saving using {}{} title 'every {}. frame traced'", i > 0 ? ", " : "", i + 2,

@@ -126,8 +126,9 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
     rays = trace_pixels(stage_.device, stage_.placed.optics, moment.world_from_display,
                         trace_params(params_, stage_.scene, frame), pixels, pool_, context_, film, points);
   };
-  const InBetweenCounts counts =
-      maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, as_source, trace, pool_, source.image);
+  const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
+  const InBetweenCounts counts = maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, position,
+                                             as_source, trace, pool_, source.image);
   const Panel& panel = stage_.placed.optics.panel;
   const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
   source.report = in_between_report(frame, counts, rays, pixels);

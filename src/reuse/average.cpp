@@ -46,7 +46,7 @@ void resample(const SplatSource& source, const SplatBuffer& other, const Epipola
   sampler.colors(source.image, source.motion, {uncertain.sources.get(), uncertain.count}, colors.data());
   for (std::size_t i = 0; i < uncertain.count; ++i) {
     const std::size_t pixel = uncertain.pixels[i];
-    const float share = other.keys[pixel] != 0 ? 0.5f : 1.0f;
+    const float share = other.keys[pixel] != 0 ? source.weight : 1.0f;
     float* out = film.data.data() + 3 * pixel;
     const float* old = source.image.film.data.data() + 3 * static_cast<std::size_t>(uncertain.sources[i]);
     for (std::size_t c = 0; c < 3; ++c) out[c] += share * (colors[3 * i + c] - old[c]);
@@ -58,6 +58,7 @@ void average_strip(const SplatSource& previous, const SplatSource& following, st
                    std::vector<std::uint32_t>& missed) {
   const float *film_a = previous.image.film.data.data(), *film_b = following.image.film.data.data();
   const std::uint64_t *keys_a = previous.landed.keys.data(), *keys_b = following.landed.keys.data();
+  const float weight_b = following.weight;
   float* out = film.data.data() + 3 * first;
   for (std::size_t p = first; p < end; ++p, out += 3) {
     const std::uint64_t key_a = keys_a[p], key_b = keys_b[p];
@@ -69,7 +70,7 @@ void average_strip(const SplatSource& previous, const SplatSource& following, st
     const float *from_a = film_a + 3 * static_cast<std::size_t>(SplatBuffer::source(key_a)),
                 *from_b = film_b + 3 * static_cast<std::size_t>(SplatBuffer::source(key_b));
     const float *color_a = key_a != 0 ? from_a : from_b, *color_b = key_b != 0 ? from_b : from_a;
-    for (int c = 0; c < 3; ++c) out[c] = 0.5f * (color_a[c] + color_b[c]);
+    for (int c = 0; c < 3; ++c) out[c] = color_a[c] + weight_b * (color_b[c] - color_a[c]);  // of equals: the same bits
   }
 }
 

@@ -1,7 +1,9 @@
-// The colours of an in-between frame: the mean of what has landed from the previous and the following frame.
+// The colours of an in-between frame: the weighted mean of what has landed from the previous and the following frame.
 //
 // After the paper's interpolation: R, G, B are the mean of the two points' where both frames have one that lands on the pixel,
 // the one point's where only one has, and the pixel is missed (status -1) where none has.
+// We deviate: the nearer frame in time weighs more (in_between.cpp says how much); half way, as always in the paper's
+// recursion, that is the mean.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +22,7 @@ struct SplatSource {
   const PointImage& image;
   const Motion& motion;
   const SplatBuffer& landed;
+  float weight = 0.5f;  ///< of its colour beside the other's; both add up to 1
 };
 
 /// Fills `film` (of the panel's size; missed pixels black) and `missed` (ascending pixel indices). With a sampler, whose

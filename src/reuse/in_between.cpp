@@ -1,6 +1,13 @@
 #include "reuse/in_between.hpp"
 
 namespace lippmann {
+namespace {
+
+/// How far the weights of the two frames go from equal ones (0) to nearness in time (1). Nearness lets light and shadow change
+/// evenly; equal weights even out what either frame's samples miss. In between, both are better off than at either end.
+constexpr float kNearness = 0.7f;
+
+}  // namespace
 
 InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const ForwardParams& params)
     : params_(params),
@@ -17,13 +24,15 @@ void InBetweenMaker::prepare(PointImage& frame, const ThreadPool& pool) const {
   if (sampler_) sampler_->find_contrast(frame, pool);
 }
 
-InBetweenCounts InBetweenMaker::make(const PointImage& previous, const PointImage& following, bool as_source,
+InBetweenCounts InBetweenMaker::make(const PointImage& previous, const PointImage& following, float position, bool as_source,
                                      const TracePixels& trace, const ThreadPool& pool, PointImage& frame) {
   const Motion from_previous = motion_between(groups_, previous.moment, frame.moment);
   const Motion from_following = motion_between(groups_, following.moment, frame.moment);
   splatter_.splat(previous, from_previous, pool, landed_previous_);
   splatter_.splat(following, from_following, pool, landed_following_);
-  const SplatSource a{previous, from_previous, landed_previous_}, b{following, from_following, landed_following_};
+  const float weight = 0.5f + kNearness * (position - 0.5f);
+  const SplatSource a{previous, from_previous, landed_previous_, 1.0f - weight};
+  const SplatSource b{following, from_following, landed_following_, weight};
   if (frame.film.width != panel_.width || frame.film.height != panel_.height || frame.film.channels != 3)
     frame.film = Image(panel_.width, panel_.height, 3);  // else every pixel of it is written over
   average(a, b, sampler_ ? &*sampler_ : nullptr, pool, frame.film, missed_);

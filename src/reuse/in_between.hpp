@@ -48,9 +48,10 @@ class InBetweenMaker {
   /// Completes a frame that was traced (film, points, moment) so that others can be made from it.
   void prepare(PointImage& frame, const ThreadPool& pool) const;
 
-  /// Makes the frame at frame.moment: its film and, where wanted, all that makes it a source in turn.
-  InBetweenCounts make(const PointImage& previous, const PointImage& following, bool as_source, const TracePixels& trace,
-                       const ThreadPool& pool, PointImage& frame);
+  /// Makes the frame at frame.moment, which is `position` of the way from the previous to the following frame (0 ... 1): its
+  /// film and, where wanted, all that makes it a source in turn.
+  InBetweenCounts make(const PointImage& previous, const PointImage& following, float position, bool as_source,
+                       const TracePixels& trace, const ThreadPool& pool, PointImage& frame);
 
  private:
   ForwardParams params_;

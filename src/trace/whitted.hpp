@@ -52,7 +52,7 @@ class WhittedTracer {
   float* film_;
   RayCounts counts_;
   RayLog* log_ = nullptr;
-const PointCapture* capture_ = nullptr;
+  const PointCapture* capture_ = nullptr;
   RayQueue wave_, next_;
   SurfacePacket surface_;
   std::vector<ShadowPacket> shadows_;  ///< per light

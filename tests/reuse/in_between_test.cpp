@@ -40,7 +40,7 @@ class Animation {
       device_.update(frame.moment.resolved, pool_);
       trace_pixels(device_, optics_, frame.moment.world_from_display, trace_params(), pixels, pool_, context_, film, points);
     };
-    counts = maker_.make(previous, following, true, trace, pool_, frame);
+    counts = maker_.make(previous, following, static_cast<float>(time), true, trace, pool_, frame);
     return frame;
   }
 
@@ -140,14 +140,19 @@ TEST(InBetween, display_that_moves_aside_misses_the_columns_that_neither_frame_c
   EXPECT_EQ(animation.counts.causes.newly_visible, 0u);
 }
 
-TEST(InBetween, colours_are_the_mean_of_both_frames) {
+TEST(InBetween, colours_are_the_mean_of_both_frames_weighted_by_their_nearness) {
   SmallScene s;
   s.add(square(200, 0), s.material(matte(Vec3f(1.0f))));
   s.point_light({0, 0, 50}).node = s.moving_node({0, 0, 50}, {40, 0, 50});
   Animation animation(s.scene, view32(), {});
-  const PointImage a = animation.traced(0.0), b = animation.traced(1.0), frame = animation.made(a, b, 0.5);
-  for (std::size_t k = 0; k < frame.film.data.size(); ++k)
-    ASSERT_EQ(frame.film.data[k], 0.5f * (a.film.data[k] + b.film.data[k]));
+  const PointImage a = animation.traced(0.0), b = animation.traced(1.0);
+  for (const float time : {0.25f, 0.5f}) {
+    const PointImage frame = animation.made(a, b, time);
+    // 0.7 of the way from equal weights to the nearness in time.
+    const float weight = time == 0.5f ? 0.5f : 0.325f;
+    for (std::size_t k = 0; k < frame.film.data.size(); ++k)
+      ASSERT_FLOAT_EQ(frame.film.data[k], (1 - weight) * a.film.data[k] + weight * b.film.data[k]);
+  }
   EXPECT_NE(a.film.data, b.film.data);
 }
 
