@@ -102,7 +102,7 @@ class StyleTimer {
 
   template <class Fn>
   double milliseconds(RayOrder order, const Fn& work) {
-    TraceParams trace = trace_params(params_, stage_.scene, frame_);
+    TraceParams trace = trace_params(params_, stage_.scene);
     trace.order = order;
     std::vector<double> all;
     for (int i = 0; i < kRepetitions; ++i) all.push_back(1e3 * second_run([&] { work(trace); }));

@@ -20,14 +20,12 @@ namespace lippmann::bench {
 namespace {
 
 constexpr int kRepetitions = 7;
-constexpr int kBatchPackets = 64;
-
 void shade_strip(const PacketSource& source, int strip, WhittedTracer& tracer) {
   RayHitPacket packet;
   LaneMask active;
   alignas(64) std::uint32_t pixel[kLanes];
-  for (int first = 0; first < source.packets_per_strip(); first += kBatchPackets) {
-    for (int p = first; p < std::min(first + kBatchPackets, source.packets_per_strip()); ++p)
+  for (int first = 0; first < source.packets_per_strip(); first += kPacketsPerBlock) {
+    for (int p = first; p < std::min(first + kPacketsPerBlock, source.packets_per_strip()); ++p)
       if (source.fill(strip, p, 0, packet.ray, active, pixel) > 0) tracer.primary(packet, active, pixel, 1.0f);
     tracer.finish_batch();
   }

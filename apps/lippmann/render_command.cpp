@@ -31,10 +31,12 @@ std::string describe_optics(const Optics& optics) {
   return fmt::format("{}x{} pixels", optics.panel.width, optics.panel.height);
 }
 
-std::string frame_line(const FrameReport& frame) {
-  if (frame.kind == "in-between")
+std::string frame_line(const FrameReport& frame, Reuse reuse) {
+  if (frame.kind == "in-between" && reuse == Reuse::kForward)
     return fmt::format("frame {}: {:.3f} s, between key frames, {} pixels missed", frame.frame, frame.seconds,
                        frame.missed_pixels);
+  if (frame.kind == "in-between")
+    return fmt::format("frame {}: {:.3f} s, {} pixels as in the key frame", frame.frame, frame.seconds, frame.reused_pixels);
   return fmt::format("frame {}: {:.3f} s, {:.2f} million rays", frame.frame, frame.seconds,
                      static_cast<double>(frame.rays.total()) * 1e-6);
 }
@@ -43,8 +45,17 @@ bool has_lenses(const RenderParams& params) {
   return params.optics == OpticsKind::kLenticular || params.optics == OpticsKind::kMicrolens;
 }
 
-/// How much was traced and how much made from that.
-std::string describe_reuse(const RenderReport& report) {
+/// How much of frames that are the same bits as traced ones was copied.
+std::string describe_exact_reuse(const RenderReport& report) {
+  double reused = 0.0;
+  for (const FrameReport& frame : report.frames) reused += static_cast<double>(frame.reused_pixels);
+  const double pixels = static_cast<double>(report.optics.panel.width) * report.optics.panel.height;
+  return fmt::format("{:.1f} % of all pixels copied from key frames, provably unchanged",
+                     100.0 * reused / (pixels * static_cast<double>(report.frames.size())));
+}
+
+/// How much was traced and how much interpolated from that.
+std::string describe_forward_reuse(const RenderReport& report) {
   std::uint64_t keys = report.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
   for (const FrameReport& frame : report.frames) {
     keys += frame.kind == "key";
@@ -77,7 +88,8 @@ void print_summary(const RenderReport& report, const fs::path& folder, int kept)
     line("pictures", path(report.frames.front()) + (frames > 1 ? " ... " + path(report.frames.back()) : ""));
     for (const std::string& video : report.params.video)
       if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
-    if (report.params.reuse != Reuse::kNone) line("reuse", describe_reuse(report));
+    if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
+    if (report.params.reuse == Reuse::kExact && frames > 1) line("reuse", describe_exact_reuse(report));
     if (has_lenses(report.params)) line("one view", "lippmann render with --optics single shows what one eye sees");
   }
   line("figures", (folder / "report.json").string());
@@ -97,7 +109,7 @@ int run(const Options& options, Context& context) {
     kept = plan.kept;
     progress.emplace(plan.frames.last - plan.frames.first + 1 - plan.kept, Progress::stderr_is_terminal());
   };
-  observer.traced = [&](const FrameReport& frame) { progress->step(frame_line(frame)); };
+  observer.traced = [&](const FrameReport& frame) { progress->step(frame_line(frame, params.reuse)); };
   const RenderReport report = render_animation(params, context, observer);
   progress.reset();
   if (options.json)

@@ -93,23 +93,16 @@ const ForwardFrames::Source& ForwardFrames::add(Source source) {
   return sources_[frame] = std::move(source);
 }
 
-Moment ForwardFrames::moment_at(int frame) const {
-  Moment moment{evaluate(stage_.scene, stage_.scene.timeline.time(frame)), {}};
-  moment.world_from_display = world_from_display(stage_.array, stage_.placed.units_per_mm, moment.resolved);
-  return moment;
-}
-
 ForwardFrames::Source ForwardFrames::traced(int frame) {
   const FrameClock clock(pool_);
   Source source;
   PointImage& image = source.image;
-  image.moment = moment_at(frame);
+  image.moment = stage_.moment_at(frame);
   stage_.device.update(image.moment.resolved, pool_);
   source.report.frame = frame;
   source.report.kind = "key";
-  source.report.rays =
-      trace_frame(stage_.device, stage_.placed.optics, image.moment.world_from_display,
-                  trace_params(params_, stage_.scene, frame), pool_, context_, image.film, nullptr, &image.points);
+  source.report.rays = trace_frame(stage_.device, stage_.placed.optics, image.moment.world_from_display,
+                                   trace_params(params_, stage_.scene), pool_, context_, image.film, nullptr, &image.points);
   maker_.prepare(image, pool_);
   clock.add_to(source.report);
   return source;
@@ -118,13 +111,13 @@ ForwardFrames::Source ForwardFrames::traced(int frame) {
 ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& interval, bool as_source) {
   const FrameClock clock(pool_);
   Source source;
-  source.image.moment = moment_at(frame);
+  source.image.moment = stage_.moment_at(frame);
   const Moment& moment = source.image.moment;
   RayCounts rays;
   const TracePixels trace = [&](std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points) {
     stage_.device.update(moment.resolved, pool_);
-    rays = trace_pixels(stage_.device, stage_.placed.optics, moment.world_from_display,
-                        trace_params(params_, stage_.scene, frame), pixels, pool_, context_, film, points);
+    rays = trace_pixels(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(params_, stage_.scene),
+                        pixels, pool_, context_, film, points);
   };
   const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
   const InBetweenCounts counts = maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, position,

@@ -27,7 +27,6 @@ class ForwardFrames final : public FrameMaker {
     FrameReport report;
   };
 
-  Moment moment_at(int frame) const;
   Source traced(int frame);
   Source between(int frame, const FrameInterval& interval, bool as_source);
   /// The intervals to go through until the frame, which is no key, is made from the ends of the last one.

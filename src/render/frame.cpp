@@ -4,13 +4,12 @@
 
 namespace lippmann {
 
-TraceParams trace_params(const RenderParams& params, const Scene& scene, int frame) {
+TraceParams trace_params(const RenderParams& params, const Scene& scene) {
   TraceParams trace;
   trace.order = params.order;
   trace.spp = params.spp;
   trace.max_depth = params.max_depth > 0 ? params.max_depth : scene.max_depth;
   trace.seed = params.seed;
-  trace.frame = frame;
   return trace;
 }
 
@@ -20,19 +19,24 @@ Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& 
       placed(make_optics(params, scene, array)),
       device(scene, pool) {}
 
-RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool,
-                           const Context& context) {
+Moment Stage::moment_at(int frame) const {
+  Moment moment{evaluate(scene, scene.timeline.time(frame)), {}};
+  moment.world_from_display = world_from_display(array, placed.units_per_mm, moment.resolved);
+  return moment;
+}
+
+RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context,
+                           TouchedBlocks* touched) {
   const FrameClock clock(pool);
-  const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(frame));
-  stage.device.update(resolved, pool);
-  const Affine3f world_from_array = world_from_display(stage.array, stage.placed.units_per_mm, resolved);
+  const Moment moment = stage.moment_at(frame);
+  stage.device.update(moment.resolved, pool);
 
   RenderedFrame rendered;
   rendered.pictures.aovs = wanted_aovs(params);
   rendered.report.frame = frame;
   rendered.report.rays =
-      trace_frame(stage.device, stage.placed.optics, world_from_array, trace_params(params, stage.scene, frame), pool, context,
-                  rendered.pictures.film, params.aov.empty() ? nullptr : &rendered.pictures.aovs);
+      trace_frame(stage.device, stage.placed.optics, moment.world_from_display, trace_params(params, stage.scene), pool,
+                  context, rendered.pictures.film, params.aov.empty() ? nullptr : &rendered.pictures.aovs, nullptr, touched);
   clock.add_to(rendered.report);
   return rendered;
 }

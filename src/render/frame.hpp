@@ -10,6 +10,7 @@
 #include "render/make_optics.hpp"
 #include "render/params.hpp"
 #include "render/report.hpp"
+#include "reuse/point_image.hpp"
 #include "scene/load.hpp"
 #include "trace/device_scene.hpp"
 
@@ -26,6 +27,9 @@ struct Stage {
   Stage(const RenderParams& params, const ThreadPool& pool, const Context& context);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
+
+  /// Where everything is in a frame.
+  Moment moment_at(int frame) const;
 };
 
 /// A frame as traced, and what that took. The codes are not made yet.
@@ -51,9 +55,11 @@ class FrameClock {
 };
 
 /// How the parameters have a frame traced.
-TraceParams trace_params(const RenderParams& params, const Scene& scene, int frame);
+TraceParams trace_params(const RenderParams& params, const Scene& scene);
 
-/// Moves the device scene to the frame's time and traces it. Unfinished when context.cancelled is set meanwhile.
-RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context);
+/// Moves the device scene to the frame's time and traces it; `touched` as for trace_frame. Unfinished when context.cancelled is
+/// set meanwhile.
+RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context,
+                           TouchedBlocks* touched = nullptr);
 
 }  // namespace lippmann

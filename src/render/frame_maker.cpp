@@ -1,5 +1,6 @@
 #include "render/frame_maker.hpp"
 
+#include "render/exact_frames.hpp"
 #include "render/forward_frames.hpp"
 
 namespace lippmann {
@@ -24,11 +25,14 @@ class TracedFrames final : public FrameMaker {
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
                                              const Context& context) {
   if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
+  // Extra layers are of every pixel of every frame: with them nothing is left to reuse.
+  if (params.reuse == Reuse::kExact && params.aov.empty()) return std::make_unique<ExactFrames>(stage, params, pool, context);
   return std::make_unique<TracedFrames>(stage, params, pool, context);
 }
 
 double bytes_kept_per_pixel(const RenderParams& params) {
-  return params.reuse == Reuse::kForward ? ForwardFrames::bytes_kept_per_pixel(params) : 0.0;
+  if (params.reuse == Reuse::kForward) return ForwardFrames::bytes_kept_per_pixel(params);
+  return params.reuse == Reuse::kExact ? ExactFrames::bytes_kept_per_pixel() : 0.0;
 }
 
 }  // namespace lippmann

@@ -19,6 +19,7 @@ enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
 enum class Integrator { kWhitted };
 enum class Reuse {
   kNone,     ///< every frame is traced
+  kExact,    ///< pixels that provably stay as they are are copied from key frames: the same bits as kNone
   kForward,  ///< the paper's: frames between key frames are interpolated from these frames' points
 };
 enum class DebugPicture { kNone, kMissed };
@@ -66,8 +67,8 @@ struct RenderParams {
   std::uint32_t seed = 0;
 
   // Reuse between frames
-  Reuse reuse = Reuse::kNone;
-  std::optional<int> keyframes;  ///< every K-th frame is a key frame; none: kDefaultKeyframes
+  Reuse reuse = Reuse::kExact;
+  std::optional<int> keyframes;  ///< a key frame every K frames; none: exact chooses, forward takes kDefaultKeyframes
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens"
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 1> kIntegratorNames{"whitted"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
-constexpr std::array<std::string_view, 2> kReuseNames{"none", "forward"};
+constexpr std::array<std::string_view, 3> kReuseNames{"none", "exact", "forward"};
 constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
 constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
@@ -232,9 +232,12 @@ std::vector<ParamInfo> reuse_rows() {
       [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string("auto"); }};
   return {
       row(ParamKind::kText, &P::reuse, choice<Reuse>(kReuseNames),
-          {"reuse", "Reuse", "NAME", "Between frames: none, or forward (the frames between key frames are interpolated)"}),
+          {"reuse", "Reuse", "NAME",
+           "Between frames: exact (what provably stays as it is is copied: the same pictures as none), none, or forward (the "
+           "frames between key frames are interpolated)"}),
       row(ParamKind::kText, &P::keyframes, keyframes,
-          {"keyframes", "Reuse", "K|auto", "Every K-th frame is a key frame, which is traced; auto: 8"}),
+          {"keyframes", "Reuse", "K|auto",
+           "A key frame, which is traced whole, every K frames; auto: exact chooses, forward takes 8"}),
       row(ParamKind::kText, &P::splat, choice<SplatMode>(kSplatNames),
           {"splat", "Reuse", "WHERE", "Forward: points stay below their lens (the paper's) or in their directional view"}),
       row(ParamKind::kText, &P::fill, choice<MissedFill>(kFillNames),

@@ -25,7 +25,7 @@ void check_reuse(const RenderParams& params) {
   if (params.reuse != Reuse::kForward && !stray.empty())
     throw usage_error(stray, "means nothing without interpolated frames", "it together with --reuse forward");
   if (params.reuse == Reuse::kNone && params.keyframes)
-    throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse forward");
+    throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse exact or forward");
   if (params.reuse == Reuse::kForward && !params.aov.empty())
     throw usage_error("--aov", "interpolated frames have no extra layers", "--reuse none with it");
   if (params.debug == DebugPicture::kMissed && params.fill == MissedFill::kRetrace)

@@ -42,7 +42,7 @@ LIPPMANN_MULTIVERSION void set_range(float depth, Vec3f forward, RayPacket& rays
 Vec2f SubPixel::position(std::uint32_t pixel, int sample) const {
   if (samples == 1) return Vec2f(0.5f);
   const auto s = static_cast<std::uint32_t>(sample);
-  const std::uint32_t shift_x = hash(seed, frame, pixel, 0u), shift_y = hash(seed, frame, pixel, 1u);
+  const std::uint32_t shift_x = hash(seed, pixel, 0u), shift_y = hash(seed, pixel, 1u);
   // Both coordinates as 32-bit fractions, so that the shift wraps by itself.
   const auto x = static_cast<std::uint32_t>((static_cast<std::uint64_t>(s) << 32) / static_cast<std::uint32_t>(samples));
   // Not the last 1/256: rounded to float after the pixel's own coordinate (up to 65,535) it would be the next pixel's, or

@@ -9,9 +9,9 @@
 namespace lippmann {
 
 /// Where in its pixel sample s of n lies, each in [0, 1): the centre for n = 1; else the s-th of n points of a Hammersley set,
-/// shifted (modulo 1) by a hash of seed, frame and pixel, so that neighbours are decorrelated and each pixel is evenly covered.
+/// shifted (modulo 1) by a hash of seed and pixel, so that neighbours are decorrelated and each pixel is evenly covered.
 struct SubPixel {
-  std::uint32_t seed = 0, frame = 0;
+  std::uint32_t seed = 0;
   int samples = 1;
 
   Vec2f position(std::uint32_t pixel, int sample) const;

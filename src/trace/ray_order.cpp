@@ -30,6 +30,14 @@ void append_view_tiles(std::vector<StripPixel>& out, Vec2i n, int width, int hei
           append_down(out, x, std::min(width, x + kTile * n.x), n.x, y, std::min(height, y + kTile * n.y), n.y);
 }
 
+/// Groups of neighbouring lenses one after the other, so that what is traced soon after one another is near one another; within
+/// a group view by view.
+void append_lens_groups(std::vector<StripPixel>& out, int n, int width, int height) {
+  const int group = n * std::max(1, kPacketsPerBlock / n);
+  for (int x0 = 0; x0 < width; x0 += group)
+    for (int u = 0; u < n; ++u) append_down(out, x0 + u, std::min(width, x0 + group), n, 0, height, 1);
+}
+
 int strip_height(const Optics& optics, Vec2i n) {
   // Two-dimensional lenses: four lens rows, so that view tiles are 4 x 4.
   if (std::holds_alternative<MicrolensArray>(optics.model) && n.y > 0) return 4 * n.y;
@@ -54,7 +62,7 @@ StripOrder make_strip_order(const Optics& optics, RayOrder order) {
       break;
     case RayOrder::kViewTiles:
       if (one_dimensional && n.x > 0) {
-        for (int u = 0; u < n.x; ++u) append_down(strip.pixels, u, width, n.x, 0, strip.strip_height, 1);
+        append_lens_groups(strip.pixels, n.x, width, strip.strip_height);
       } else if (one_dimensional) {
         append_down(strip.pixels, 0, width, 1, 0, strip.strip_height, 1);
       } else {

@@ -14,6 +14,10 @@
 
 namespace lippmann {
 
+/// Packets of a block: they are shaded before their mirror rays are traced, all of them together. Enough to fill the next
+/// wave's packets; few enough to stay in cache and to be near one another in the picture (touched_blocks.hpp).
+inline constexpr int kPacketsPerBlock = 16;
+
 struct StripPixel {
   std::uint16_t x, y;  ///< y from the strip's top
 };

@@ -1,6 +1,7 @@
 #include "trace/trace_frame.hpp"
 
 #include <optional>
+#include <span>
 
 #include "core/error.hpp"
 #include "trace/packet_source.hpp"
@@ -10,26 +11,87 @@
 namespace lippmann {
 namespace {
 
-// Packets shaded before their mirror rays are traced: enough to fill the next wave's packets, few enough to stay in cache.
-constexpr int kBatchPackets = 64;
+/// What tracing a frame needs, whichever blocks of it are traced.
+class FrameTracer {
+ public:
+  FrameTracer(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, const TraceParams& params,
+              Image& film)
+      : scene_(scene.impl()),
+        params_(params),
+        beam_(optics, world_from_display),
+        source_(optics, world_from_display, params.order, SubPixel{params.seed, params.spp}),
+        film_(film) {}
 
-RayCounts trace_strip(const PacketSource& source, const DeviceScene::Impl& scene, const BeamFootprint& beam,
-                      const TraceParams& params, int strip, Image& film, const PointCapture* capture) {
-  WhittedTracer tracer(scene, beam, params.max_depth, film);
-  tracer.capture_to(capture);
-  const float weight = 1.0f / static_cast<float>(params.spp);
-  RayHitPacket packet;
-  LaneMask active;
-  alignas(64) std::uint32_t pixel[kLanes];
-  for (int first = 0; first < source.packets_per_strip(); first += kBatchPackets) {
-    const int end = std::min(first + kBatchPackets, source.packets_per_strip());
-    for (int sample = 0; sample < params.spp; ++sample) {
-      for (int p = first; p < end; ++p)
-        if (source.fill(strip, p, sample, packet.ray, active, pixel) > 0) tracer.primary(packet, active, pixel, weight);
+  void capture_to(const PointCapture* capture) { capture_ = capture; }
+  void probe_with(const TouchProbe* probe, TouchedBlocks* touched) { probe_ = probe, touched_ = touched; }
+
+  std::size_t strips() const { return static_cast<std::size_t>(source_.strips()); }
+  std::size_t blocks_per_strip() const {
+    return static_cast<std::size_t>((source_.packets_per_strip() + kPacketsPerBlock - 1) / kPacketsPerBlock);
+  }
+
+  /// Traces the blocks of a strip that are in `wanted`, by block of the frame; all of them where it is empty.
+  RayCounts trace_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
+    WhittedTracer tracer(scene_, beam_, params_.max_depth, film_);
+    tracer.capture_to(capture_);
+    std::optional<BlockProbe> probe;
+    if (probe_) tracer.tell(&probe.emplace(*probe_));
+    for (std::size_t b = 0; b < blocks_per_strip(); ++b) {
+      const std::size_t block = strip * blocks_per_strip() + b;
+      if (!wanted.empty() && !wanted[block]) continue;
+      const std::uint64_t rays_before = tracer.counts().total();
+      trace_block(static_cast<int>(strip), static_cast<int>(b), tracer);
+      if (!probe) continue;
+      touched_->lowest_horizon[block] = probe->take();
+      touched_->rays[block] = static_cast<std::uint32_t>(tracer.counts().total() - rays_before);
+    }
+    return tracer.counts();
+  }
+
+ private:
+  void trace_block(int strip, int block, WhittedTracer& tracer) const {
+    const float weight = 1.0f / static_cast<float>(params_.spp);
+    RayHitPacket packet;
+    LaneMask active;
+    alignas(64) std::uint32_t pixel[kLanes];
+    const int first = block * kPacketsPerBlock, end = std::min(first + kPacketsPerBlock, source_.packets_per_strip());
+    for (int sample = 0; sample < params_.spp; ++sample) {
+      for (int p = first; p < end; ++p) {
+        if (source_.fill(strip, p, sample, packet.ray, active, pixel) == 0) continue;
+        if (sample == 0) clear_pixels(active, pixel);
+        tracer.primary(packet, active, pixel, weight);
+      }
       tracer.finish_batch();
     }
   }
-  return tracer.counts();
+
+  void clear_pixels(const LaneMask& active, const std::uint32_t* pixel) const {
+    for (int i = 0; i < kLanes; ++i)
+      if (active.lane[i]) std::fill_n(film_.data.begin() + 3 * static_cast<std::ptrdiff_t>(pixel[i]), 3, 0.0f);
+  }
+
+  const DeviceScene::Impl& scene_;
+  const TraceParams& params_;
+  BeamFootprint beam_;
+  PacketSource source_;
+  Image& film_;
+  const PointCapture* capture_ = nullptr;
+  const TouchProbe* probe_ = nullptr;
+  TouchedBlocks* touched_ = nullptr;
+};
+
+RayCounts trace_strips(const FrameTracer& tracer, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
+                       const Context& context) {
+  std::vector<RayCounts> counts(tracer.strips());
+  pool.for_each(counts.size(), [&](std::size_t strip) {
+    if (!context.cancelled) counts[strip] = tracer.trace_strip(strip, wanted);
+  });
+  RayCounts total;
+  for (const RayCounts& c : counts) {
+    total.primary += c.primary, total.shadow += c.shadow;
+    total.reflection += c.reflection, total.indirect += c.indirect;
+  }
+  return total;
 }
 
 void allocate(Image& image, bool wanted, const Panel& panel, int channels, float value) {
@@ -98,32 +160,37 @@ void capture_points(const DeviceScene& scene, const Optics& optics, const Affine
 
 RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
                       const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film, FrameAovs* aovs,
-                      PrimaryPoints* points) {
+                      PrimaryPoints* points, TouchedBlocks* touched) {
+  const std::size_t pixels = static_cast<std::size_t>(optics.panel.width) * static_cast<std::size_t>(optics.panel.height);
   film.width = optics.panel.width, film.height = optics.panel.height, film.channels = 3;
-  film.data.assign(3 * static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height), 0.0f);
-  const BeamFootprint beam(optics, world_from_display);
-  const SubPixel sub_pixel{params.seed, static_cast<std::uint32_t>(params.frame), params.spp};
-  const PacketSource source(optics, world_from_display, params.order, sub_pixel);
+  film.data.resize(3 * pixels);
+  FrameTracer tracer(scene, optics, world_from_display, params, film);
   std::optional<PointCapture> capture;
   if (points) {
-    points->resize(static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
+    points->resize(pixels);
     capture.emplace(scene.impl(), inverse(world_from_display), *points);
   }
-  const PointCapture* along = params.spp == 1 && capture ? &*capture : nullptr;
-  std::vector<RayCounts> counts(static_cast<std::size_t>(source.strips()));
-  pool.for_each(counts.size(), [&](std::size_t strip) {
-    if (context.cancelled) return;
-    counts[strip] = trace_strip(source, scene.impl(), beam, params, static_cast<int>(strip), film, along);
-  });
+  const bool along = capture && params.spp == 1;
+  if (along) tracer.capture_to(&*capture);
+  std::optional<TouchProbe> probe;
+  if (touched) {
+    probe.emplace(scene.impl().device.get(), scene.impl().native_width, touched->boxes);
+    const std::size_t blocks = tracer.strips() * tracer.blocks_per_strip();
+    touched->lowest_horizon.assign(blocks, TouchedBlocks::kNever);
+    touched->rays.assign(blocks, 0);
+    tracer.probe_with(&*probe, touched);
+  }
+  const RayCounts counts = trace_strips(tracer, {}, pool, context);
   if (capture && !along) capture_points(scene, optics, world_from_display, params.order, pool, *capture);
   if (aovs && (aovs->depth || aovs->normal || aovs->object_id || aovs->position))
     fill_aovs(scene, optics, world_from_display, params.order, pool, *aovs);
-  RayCounts total;
-  for (const RayCounts& c : counts) {
-    total.primary += c.primary, total.shadow += c.shadow;
-    total.reflection += c.reflection, total.indirect += c.indirect;
-  }
-  return total;
+  return counts;
+}
+
+RayCounts trace_blocks(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
+                       const TraceParams& params, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
+                       const Context& context, Image& film) {
+  return trace_strips(FrameTracer(scene, optics, world_from_display, params, film), wanted, pool, context);
 }
 
 }  // namespace lippmann

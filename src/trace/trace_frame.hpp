@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "core/context.hpp"
 #include "core/math.hpp"
@@ -10,6 +11,7 @@
 #include "optics/optics.hpp"
 #include "trace/device_scene.hpp"
 #include "trace/primary_points.hpp"
+#include "trace/touched_blocks.hpp"
 
 namespace lippmann {
 
@@ -22,10 +24,10 @@ enum class RayOrder {
 
 struct TraceParams {
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 1;             ///< samples per pixel; above 1 stratified over the pixel's area
-  int max_depth = 6;       ///< path vertices: 1 = no mirrors
-  std::uint32_t seed = 0;  ///< of the sub-pixel positions
-  int frame = 0;           ///< enters the random hash
+  int spp = 1;        ///< samples per pixel; above 1 stratified over the pixel's area
+  int max_depth = 6;  ///< path vertices: 1 = no mirrors
+  std::uint32_t seed =
+      0;  ///< of the sub-pixel positions, which are the same in every frame: what stands still must not flicker
 };
 
 struct RayCounts {
@@ -43,10 +45,16 @@ struct FrameAovs {
 };
 
 /// Fills `film` (3 channels, linear, the panel's size) with the frame, and where given `points` with the first hits behind the
-/// pixels' centres (free at one sample per pixel, else a pass of its own). The same bits for any number of threads.
-/// Returns early, film unfinished, when context.cancelled is set.
+/// pixels' centres (free at one sample per pixel, else a pass of its own) and in `touched` the blocks whose rays meet its
+/// boxes. The same bits for any number of threads. Returns early, film unfinished, when context.cancelled is set.
 RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
                       const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film,
-                      FrameAovs* aovs = nullptr, PrimaryPoints* points = nullptr);
+                      FrameAovs* aovs = nullptr, PrimaryPoints* points = nullptr, TouchedBlocks* touched = nullptr);
+
+/// Traces the blocks of a frame for which `wanted` (by block, as in TouchedBlocks) is not 0, to the same bits as trace_frame;
+/// `film` has the panel's size, and what lies in other blocks stays as it is.
+RayCounts trace_blocks(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
+                       const TraceParams& params, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
+                       const Context& context, Image& film);
 
 }  // namespace lippmann

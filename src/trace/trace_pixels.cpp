@@ -13,9 +13,6 @@ namespace {
 
 using Pixels = std::span<const std::uint32_t>;
 
-// As in trace_frame: packets shaded before their mirror rays are traced.
-constexpr std::size_t kBatchPackets = 64;
-
 /// The position in the ray order of every pixel of a full strip, by y * width + x.
 std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   std::vector<std::uint32_t> ranks(order.pixels.size());
@@ -93,9 +90,9 @@ void trace_strip(const PixelPackets& packets, Pixels pixels, const SubPixel& sub
   LaneMask active;
   alignas(64) std::uint32_t pixel[kLanes];
   const std::size_t count = packets_in(pixels);
-  for (std::size_t first = 0; first < count; first += kBatchPackets)
+  for (std::size_t first = 0; first < count; first += kPacketsPerBlock)
     for (int sample = 0; sample < sub_pixel.samples; ++sample) {
-      for (std::size_t p = first; p < std::min(count, first + kBatchPackets); ++p) {
+      for (std::size_t p = first; p < std::min(count, first + kPacketsPerBlock); ++p) {
         packets.fill(packet_of(pixels, p), sub_pixel, sample, packet.ray, active, pixel);
         tracer.primary(packet, active, pixel, weight);
       }
@@ -133,7 +130,7 @@ RayCounts trace_pixels(const DeviceScene& scene, const Optics& optics, const Aff
   const OrderedPixels ordered = in_ray_order(pixels, optics, params.order);
   const PixelPackets packets(optics, world_from_display);
   const BeamFootprint beam(optics, world_from_display);
-  const SubPixel sub_pixel{params.seed, static_cast<std::uint32_t>(params.frame), params.spp};
+  const SubPixel sub_pixel{params.seed, params.spp};
   std::optional<PointCapture> capture;
   if (points) capture.emplace(scene.impl(), inverse(world_from_display), *points);
   const bool along = capture && params.spp == 1;

@@ -140,6 +140,7 @@ void WhittedTracer::primary(RayHitPacket& packet, const LaneMask& active, const 
   if (log_) log_->push_back({packet.ray, active, false, Coherence::kCoherent});
   intersect_scene(scene_, active, packet, Coherence::kCoherent);
   if (capture_) capture_->store(packet, active, pixel);
+  if (probe_) probe_->add(packet.ray, active);
   Bundle bundle;
   for (int i = 0; i < kLanes; ++i) {
     bundle.weight.x[i] = bundle.weight.y[i] = bundle.weight.z[i] = weight;
@@ -162,6 +163,7 @@ void WhittedTracer::finish_batch() {
       clear_hits(packet);
       if (log_) log_->push_back({packet.ray, active, false, Coherence::kIncoherent});
       intersect_scene(scene_, active, packet, Coherence::kIncoherent);
+      if (probe_) probe_->add(packet.ray, active);
       shade(packet, active, bundle, depth);
     }
   }
@@ -193,6 +195,7 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
     if (shadow_rays_[l] == 0) continue;
     counts_.shadow += static_cast<std::uint64_t>(shadow_rays_[l]);
     if (log_) log_->push_back({shadows_[l].rays, shadows_[l].active, true, Coherence::kIncoherent});
+    if (probe_) probe_->add(shadows_[l].rays, shadows_[l].active);
     trace_shadows(scene_, shadows_[l]);
   }
   for (std::size_t l = 0; l < scene_.lights.size(); ++l)

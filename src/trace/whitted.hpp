@@ -15,6 +15,7 @@
 #include "trace/ray_log.hpp"
 #include "trace/ray_queue.hpp"
 #include "trace/surface.hpp"
+#include "trace/touch_probe.hpp"
 #include "trace/trace_frame.hpp"
 
 namespace lippmann {
@@ -39,6 +40,9 @@ class WhittedTracer {
   /// From now on keeps the first hits of primary packets.
   void capture_to(const PointCapture* capture) { capture_ = capture; }
 
+  /// From now on tells `probe` of every ray.
+  void tell(BlockProbe* probe) { probe_ = probe; }
+
  private:
   void shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth);
   void gather_light(const RayHitPacket& packet, DirectLight& direct);
@@ -53,6 +57,7 @@ class WhittedTracer {
   RayCounts counts_;
   RayLog* log_ = nullptr;
   const PointCapture* capture_ = nullptr;
+  BlockProbe* probe_ = nullptr;
   RayQueue wave_, next_;
   SurfacePacket surface_;
   std::vector<ShadowPacket> shadows_;  ///< per light

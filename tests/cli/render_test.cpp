@@ -48,7 +48,7 @@ TEST(Render, stderr_that_is_a_terminal_gets_a_bar_with_the_time_left) {
 
 TEST(Render, json_is_the_report_and_nothing_else) {
   const TempDir dir;
-  const RunResult result = run_tool(dir, small_teapot("3-4", "out") + Words{"--json"});
+  const RunResult result = run_tool(dir, small_teapot("3-4", "out") + Words{"--reuse", "none", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json report = Json::parse(result.out);
   EXPECT_EQ(report, Json::parse(bytes_of(dir / "out/report.json")));

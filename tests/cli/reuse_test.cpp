@@ -154,6 +154,35 @@ TEST(Reuse, every_kind_of_optics_is_interpolated) {
   }
 }
 
+TEST(Reuse, exact_frames_are_those_that_are_traced_whatever_the_keys) {
+  const TempDir dir;
+  const Files traced = rendered(dir, small_teapot("3-12", "traced") + Words{"--reuse", "none"}, "traced");
+  EXPECT_EQ(rendered(dir, small_teapot("3-12", "auto"), "auto"), traced);
+  const Json report =
+      report_of(dir, small_teapot("3-12", "keys") + Words{"--reuse", "exact", "--keyframes", "4", "--threads", "3"});
+  EXPECT_EQ(files_in(dir / "keys", ".png"), traced);
+  for (std::size_t i = 0; i < 10; ++i) {
+    const Json& frame = report["frames"][i];
+    EXPECT_EQ(frame["kind"], i % 4 == 0 ? "key" : "in-between");
+    EXPECT_EQ(frame["reused_pixels"].get<int>() + frame["rays"]["primary"].get<int>(), 128 * 128);
+  }
+}
+
+TEST(Reuse, exact_frames_with_many_samples_are_those_that_are_traced) {
+  const TempDir dir;
+  const Words samples{"--spp", "4", "--lens-pixels", "7.3"};
+  const Files traced = rendered(dir, small_teapot("0-3", "traced") + samples + Words{"--reuse", "none"}, "traced");
+  EXPECT_EQ(rendered(dir, small_teapot("0-3", "exact") + samples + Words{"--keyframes", "4"}, "exact"), traced);
+}
+
+TEST(Reuse, extra_layers_with_exact_reuse_are_of_every_frame) {
+  const TempDir dir;
+  const Words layers{"--format", "exr", "--aov", "depth"};
+  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "exact") + layers).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "none") + layers + Words{"--reuse", "none"}).exit_code, 0);
+  EXPECT_EQ(files_in(dir / "exact", ".exr"), files_in(dir / "none", ".exr"));
+}
+
 TEST(Reuse, combinations_that_mean_nothing_are_refused_before_anything_is_written) {
   const TempDir dir;
   const std::vector<std::pair<Words, std::string>> cases{
@@ -162,7 +191,7 @@ TEST(Reuse, combinations_that_mean_nothing_are_refused_before_anything_is_writte
       {{"--no-z-buffer"}, "--no-z-buffer"},
       {{"--debug", "missed"}, "--debug"},
       {{"--halving"}, "--halving"},
-      {{"--keyframes", "4"}, "--keyframes"},
+      {{"--reuse", "none", "--keyframes", "4"}, "--keyframes"},
       {{"--reuse", "forward", "--keyframes", "1"}, "--keyframes"},
       {{"--reuse", "backward"}, "--reuse"},
       {{"--reuse", "forward", "--aov", "depth"}, "--aov"},

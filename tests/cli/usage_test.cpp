@@ -45,7 +45,7 @@ TEST(Tool, no_command_or_an_unknown_one_is_wrong_usage) {
 TEST(Tool, unknown_flag_is_wrong_usage_and_suggests_the_nearest) {
   const TempDir dir;
   expect_refusal(run_tool(dir, {"render", "teapot", "--lense", "3"}), 2, "did you mean '--lenses'?");
-  expect_refusal(run_tool(dir, {"render", "teapot", "--reuse", "exact"}), 2, "--reuse");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--reuse", "exactly"}), 2, "--reuse");
 }
 
 TEST(Tool, flag_given_twice_or_without_a_value_is_wrong_usage) {

@@ -107,7 +107,7 @@ TEST(PacketSource, fill_gives_the_rays_of_the_optics) {
 }
 
 TEST(SubPixel, samples_of_a_pixel_fill_every_stratum) {
-  const SubPixel sub{3, 5, 16};
+  const SubPixel sub{3, 16};
   std::set<int> columns, rows;
   for (int s = 0; s < 16; ++s) {
     const Vec2f p = sub.position(1234, s);
@@ -121,10 +121,10 @@ TEST(SubPixel, samples_of_a_pixel_fill_every_stratum) {
   EXPECT_EQ(rows.size(), 16u);
 }
 
-TEST(SubPixel, different_pixels_and_frames_get_different_positions) {
-  EXPECT_NE(SubPixel({0, 0, 4}).position(1, 0), SubPixel({0, 0, 4}).position(2, 0));
-  EXPECT_NE(SubPixel({0, 0, 4}).position(1, 0), SubPixel({0, 1, 4}).position(1, 0));
-  EXPECT_EQ(SubPixel({0, 0, 1}).position(1, 0), Vec2f(0.5f));
+TEST(SubPixel, different_pixels_and_seeds_get_different_positions) {
+  EXPECT_NE(SubPixel({0, 4}).position(1, 0), SubPixel({0, 4}).position(2, 0));
+  EXPECT_NE(SubPixel({0, 4}).position(1, 0), SubPixel({1, 4}).position(1, 0));
+  EXPECT_EQ(SubPixel({0, 1}).position(1, 0), Vec2f(0.5f));
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ class TracePixels : public testing::Test {
 TEST_F(TracePixels, given_pixels_get_the_frames_bits_and_all_others_stay) {
   for (const int spp : {1, 3})
     for (const RayOrder order : {RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles}) {
-      params_.spp = spp, params_.order = order, params_.frame = 7;
+      params_.spp = spp, params_.order = order;
       const Traced truth = whole();
       Image film(64, 50, 3);
       std::fill(film.data.begin(), film.data.end(), -5.0f);

@@ -1,0 +1,39 @@
+// Boxes around everything that moves during some frames of an animation, in world space.
+//
+// Meshes are bounded part by part, and every part by the box it sweeps: a turning object leaves free what it does not pass.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "scene/timeline.hpp"
+#include "trace/touched_blocks.hpp"
+
+namespace lippmann {
+
+class SweptBoxes {
+ public:
+  /// display_node: what the lens array moves with; -1: nothing. The scene must outlive this.
+  SweptBoxes(const Scene& scene, int display_node);
+
+  /// Boxes that hold all that moves between the first frame and the others of each horizon, at all of these frames; horizon h:
+  /// frames first ... first + horizons[h] - 1, as far as last_frame. horizons ascend, from 2. A box holds for its horizon and
+  /// all later ones. From where on something changes that no box can bound (the display, a light, an infinite plane), a box
+  /// without end.
+  std::vector<HorizonBox> around(int first, std::span<const int> horizons, int last_frame) const;
+
+ private:
+  struct MovingInstance {
+    int node = -1;
+    std::vector<Bounds3f> parts;  ///< local to the node
+  };
+
+  bool all_changes(const ResolvedScene& from, const ResolvedScene& to) const;
+
+  const Scene& scene_;
+  std::vector<int> decisive_nodes_;  ///< of the display, lights and infinite planes
+  std::vector<MovingInstance> instances_;
+};
+
+}  // namespace lippmann

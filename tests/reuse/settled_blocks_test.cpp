@@ -1,0 +1,127 @@
+#include "reuse/settled_blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::SmallScene;
+constexpr int kLast = 1000;  // frame of the animation
+
+SettledBlocks planner(std::optional<int> every = {}) {
+  static const Scene nothing;
+  return {nothing, -1, every};
+}
+
+/// Blocks of one ray each: horizons are 2, 4, 8, 16, 32, 64 frames.
+TouchedBlocks blocks_with(const std::vector<std::uint8_t>& lowest_horizon) {
+  return {{}, lowest_horizon, std::vector<std::uint32_t>(lowest_horizon.size(), 1)};
+}
+
+TEST(SettledBlocks, what_is_met_within_a_horizon_is_traced_in_its_frames_and_later_ones) {
+  const TouchedBlocks blocks = blocks_with({0, 1, 2, TouchedBlocks::kNever});
+  const SettledBlocks settled = planner();
+  EXPECT_EQ(settled.unsettled(blocks, 1), (std::vector<std::uint8_t>{1, 0, 0, 0}));
+  EXPECT_EQ(settled.unsettled(blocks, 2), (std::vector<std::uint8_t>{1, 1, 0, 0}));
+  EXPECT_EQ(settled.unsettled(blocks, 3), (std::vector<std::uint8_t>{1, 1, 0, 0}));
+  EXPECT_EQ(settled.unsettled(blocks, 4), (std::vector<std::uint8_t>{1, 1, 1, 0}));
+  EXPECT_EQ(settled.unsettled(blocks, 63), (std::vector<std::uint8_t>{1, 1, 1, 0}));
+}
+
+TEST(SettledBlocks, span_is_long_where_nothing_moves_and_one_where_everything_does) {
+  EXPECT_EQ(planner().choose_span(blocks_with({255, 255}), 0, kLast), 64);
+  EXPECT_EQ(planner().choose_span(blocks_with({255, 255}), 0, 9), 10);
+  EXPECT_EQ(planner().choose_span(blocks_with({0, 0}), 0, kLast), 1);
+}
+
+TEST(SettledBlocks, span_ends_where_most_blocks_are_no_longer_settled) {
+  EXPECT_EQ(planner().choose_span(blocks_with({3, 3, 3, 3, 3, 3, 3, 255}), 0, kLast), 8);
+}
+
+TEST(SettledBlocks, blocks_count_by_their_rays) {
+  TouchedBlocks blocks = blocks_with({3, 255});
+  blocks.rays = {90, 10};
+  EXPECT_EQ(planner().choose_span(blocks, 0, kLast), 8);
+  blocks.rays = {10, 90};
+  EXPECT_EQ(planner().choose_span(blocks, 0, kLast), 64);
+}
+
+TEST(SettledBlocks, said_interval_is_kept) {
+  EXPECT_EQ(planner(5).choose_span(blocks_with({0, 0}), 0, kLast), 5);
+  EXPECT_EQ(planner(100).choose_span(blocks_with({0, 0}), 0, kLast), 100);
+  EXPECT_EQ(planner(5).choose_span(blocks_with({0, 0}), 0, 2), 3);
+}
+
+/// A few shapes of every kind at random places, a third of them moving at random; mirrors and glass among them; two lights.
+SmallScene random_scene(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto number = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(random); };
+  const auto place = [&] { return Vec3f(number(-2, 2), number(-2, 2), number(-3, 3)); };
+  SmallScene s;
+  s.scene.max_depth = 3;
+  s.scene.timeline.frames_per_second = 10.0;
+  s.scene.timeline.frame_count = 6;
+  PhongSurface glass = test::matte(Vec3f(0.8f));
+  glass.opacity = 0.4f;
+  const int materials[] = {s.material(test::matte({0.9f, 0.3f, 0.2f})), s.material(test::mirror(0.7f)), s.material(glass)};
+  for (int i = 0; i < 9; ++i) {
+    const int node = i % 3 == 0 ? s.moving_node(place(), place()) : s.node({Mat3f(1.0f), place()});
+    const int material = materials[random() % 3];
+    const float size = number(0.1f, 0.5f);
+    switch (random() % 4) {
+      case 0:
+        s.add(Spheres{{Vec3f(0.0f), size}}, material, node);
+        break;
+      case 1:
+        s.add(Boxes{{Vec3f(-size), Vec3f(size)}}, material, node);
+        break;
+      case 2:
+        s.add(Cylinders{{{0, -size, 0}, {0, size, 0}, size}}, material, node);
+        break;
+      default:
+        s.add(test::square(size, 0), material, node);
+    }
+  }
+  s.add(test::square(20, -4), materials[0]);
+  s.point_light({number(-5, 5), 6, 8});
+  s.point_light({number(-5, 5), -3, 6}, Vec3f(0.4f));
+  return s;
+}
+
+TEST(SettledBlocks, settled_blocks_of_random_scenes_are_bit_for_bit_as_traced_and_some_are_settled) {
+  const ThreadPool pool(2);
+  const Context context;
+  Optics optics;
+  optics.panel = {96, 96, 4.0f / 96};
+  optics.model = LenticularSheet{6.0f * 4.0f / 96, 0.5f, 0.0f, 0.0f, 10.0f, 0.0f};
+  std::size_t settled_blocks = 0;
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    const SmallScene s = random_scene(seed);
+    const SettledBlocks settled(s.scene, -1, 6);
+    DeviceScene device(s.scene, pool);
+    TraceParams params;
+    params.max_depth = s.scene.max_depth;
+    TouchedBlocks blocks;
+    blocks.boxes = settled.boxes(0, 5);
+    Image key;
+    device.update(evaluate(s.scene, 0.0), pool);
+    trace_frame(device, optics, {}, params, pool, context, key, nullptr, nullptr, &blocks);
+    for (int frame = 1; frame < 6; ++frame) {
+      device.update(evaluate(s.scene, s.scene.timeline.time(frame)), pool);
+      Image traced, made = key;
+      trace_frame(device, optics, {}, params, pool, context, traced);
+      const std::vector<std::uint8_t> wanted = settled.unsettled(blocks, frame);
+      trace_blocks(device, optics, {}, params, wanted, pool, context, made);
+      settled_blocks += static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), 0));
+      ASSERT_EQ(made.data, traced.data) << "scene " << seed << ", frame " << frame;
+    }
+  }
+  EXPECT_GT(settled_blocks, 100u);
+}
+
+}  // namespace
+}  // namespace lippmann

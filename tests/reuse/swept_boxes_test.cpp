@@ -1,0 +1,108 @@
+#include "reuse/swept_boxes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::SmallScene;
+
+// One frame a second, so that frame f is time f; nodes of moving_node() move from frame 0 to frame 1, then rest.
+constexpr int kHorizons[] = {2, 4};
+
+SmallScene one_frame_a_second() {
+  SmallScene s;
+  s.scene.timeline.frames_per_second = 1.0;
+  s.scene.timeline.frame_count = 10;
+  s.material(test::glowing(Vec3f(1.0f)));
+  return s;
+}
+
+bool inside(const std::vector<HorizonBox>& boxes, Vec3f p, int horizon) {
+  for (const HorizonBox& box : boxes)
+    if (box.horizon <= horizon && glm::all(glm::lessThanEqual(box.bounds.lower, p)) &&
+        glm::all(glm::lessThanEqual(p, box.bounds.upper)))
+      return true;
+  return false;
+}
+
+TEST(SweptBoxes, nothing_is_around_what_rests) {
+  SmallScene s = one_frame_a_second();
+  s.add(test::square(1, 0), 0);
+  s.add(test::square(1, 0), 0, s.moving_node({0, 0, 0}, {5, 0, 0}));
+  EXPECT_TRUE(SweptBoxes(s.scene, -1).around(1, kHorizons, 9).empty());
+}
+
+TEST(SweptBoxes, what_moves_is_held_where_it_begins_and_where_it_ends) {
+  SmallScene s = one_frame_a_second();
+  s.add(Spheres{{{0, 0, 0}, 1.0f}}, 0, s.moving_node({0, 0, 0}, {5, 0, 0}));
+  const std::vector<HorizonBox> boxes = SweptBoxes(s.scene, -1).around(0, kHorizons, 9);
+  ASSERT_EQ(boxes.size(), 1u) << "the later horizon adds nothing";
+  EXPECT_EQ(boxes[0].horizon, 0);
+  EXPECT_EQ(boxes[0].bounds.lower, Vec3f(-1, -1, -1));
+  EXPECT_EQ(boxes[0].bounds.upper, Vec3f(6, 1, 1));
+}
+
+TEST(SweptBoxes, what_moves_later_belongs_to_a_later_horizon) {
+  SmallScene s = one_frame_a_second();
+  const int node = s.moving_node({0, 0, 0}, {5, 0, 0});
+  s.scene.timeline.animations[0].translation.times = {2.0, 3.0};
+  s.add(Spheres{{{0, 0, 0}, 1.0f}}, 0, node);
+  const std::vector<HorizonBox> boxes = SweptBoxes(s.scene, -1).around(0, kHorizons, 9);
+  EXPECT_FALSE(inside(boxes, {0, 0, 0}, 0));
+  EXPECT_TRUE(inside(boxes, {0, 0, 0}, 1));
+  EXPECT_TRUE(inside(boxes, {5, 0, 0}, 1));
+}
+
+TEST(SweptBoxes, frames_after_the_last_do_not_count) {
+  SmallScene s = one_frame_a_second();
+  const int node = s.moving_node({0, 0, 0}, {5, 0, 0});
+  s.scene.timeline.animations[0].translation.times = {2.0, 3.0};
+  s.add(Spheres{{{0, 0, 0}, 1.0f}}, 0, node);
+  EXPECT_TRUE(SweptBoxes(s.scene, -1).around(0, kHorizons, 2).empty());
+}
+
+TEST(SweptBoxes, every_vertex_of_a_turning_mesh_is_held_in_every_frame_but_not_the_hole_in_its_middle) {
+  SmallScene s = one_frame_a_second();
+  Mesh ring;  // 600 thin triangles around z, 10 from the middle
+  for (int i = 0; i < 600; ++i) {
+    const float a = 2.0f * kPi * static_cast<float>(i) / 600.0f;
+    for (const Vec3f offset : {Vec3f(0, 0, 0), Vec3f(0.1f, 0, 0), Vec3f(0, 0.1f, 0.1f)})
+      ring.positions.push_back(Vec3f(10.0f * std::cos(a), 10.0f * std::sin(a), 0) + offset);
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    ring.triangles.push_back({first, first + 1, first + 2});
+  }
+  const int node = s.moving_node({0, 0, 0}, {0, 0, 0});
+  NodeAnimation& animation = s.scene.timeline.animations[0];
+  animation.translation = {};
+  animation.rotation.times = {0.0, 4.0};
+  animation.rotation.values = {Quatf(1, 0, 0, 0), glm::angleAxis(radians(40.0f), Vec3f(0, 0, 1))};
+  s.add(ring, 0, node);
+  const std::vector<HorizonBox> boxes = SweptBoxes(s.scene, -1).around(0, kHorizons, 9);
+  for (int frame = 0; frame < 4; ++frame) {
+    const Affine3f place = evaluate(s.scene, frame).of(node);
+    for (const Vec3f& p : ring.positions) ASSERT_TRUE(inside(boxes, transform_point(place, p), frame < 2 ? 0 : 1));
+  }
+  EXPECT_FALSE(inside(boxes, {0, 0, 0}, 1));
+}
+
+TEST(SweptBoxes, moving_display_light_or_plane_is_around_everything_from_when_it_moves) {
+  enum class What { kDisplay, kLight, kPlane };
+  for (const What what : {What::kDisplay, What::kLight, What::kPlane}) {
+    SmallScene s = one_frame_a_second();
+    const int node = s.moving_node({0, 0, 0}, {5, 0, 0});
+    s.scene.timeline.animations[0].translation.times = {2.0, 3.0};
+    if (what == What::kLight) s.point_light({0, 0, 5}).node = node;
+    if (what == What::kPlane) s.add(Planes{{}}, 0, node);
+    const SweptBoxes swept(s.scene, what == What::kDisplay ? node : -1);
+    const std::vector<HorizonBox> boxes = swept.around(0, kHorizons, 9);
+    EXPECT_FALSE(inside(boxes, {1e6f, 0, 0}, 0));
+    EXPECT_TRUE(inside(boxes, {1e6f, 0, 0}, 1));
+    EXPECT_TRUE(inside(swept.around(2, kHorizons, 9), {1e6f, 0, 0}, 0));
+  }
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,155 @@
+// Blocks of a frame: traced alone they are as in the frame, and they know which boxes their rays meet.
+#include <gtest/gtest.h>
+
+#include "optics/optics.hpp"
+#include "trace/ray_order.hpp"
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+/// Mirrors, glass, shadows of two lights, a mesh that moves: rays of every kind, from all over the view of single_view().
+Scene busy_scene() {
+  SmallScene s;
+  s.scene.max_depth = 4;
+  PhongSurface glass = matte({0.9f, 1.0f, 0.9f});
+  glass.opacity = 0.3f, glass.ior = 1.4f;
+  s.add(square(3, -2), s.material(mirror(0.6f)));
+  s.add(Spheres{{{0.7f, 0.4f, 0.5f}, 0.6f}, {{-0.9f, -0.6f, 0.0f}, 0.5f}}, s.material(glass));
+  s.add(square(0.5f, 1), s.material(matte({1.0f, 0.5f, 0.2f})), s.moving_node({-1, 1, 0}, {1, -1, 0}));
+  s.point_light({3, 4, 8});
+  s.point_light({-4, 1, 6}, {0.3f, 0.3f, 0.6f});
+  return s.scene;
+}
+
+struct Traced {
+  Image film;
+  TouchedBlocks touched;
+};
+
+class TraceBlocks : public testing::TestWithParam<RayOrder> {
+ protected:
+  TraceBlocks() : device_(scene_, pool_) {
+    device_.update(evaluate(scene_, 0.4), pool_);
+    params_.order = GetParam();
+    params_.max_depth = scene_.max_depth;
+    params_.spp = 2;
+  }
+
+  Traced frame(const std::vector<HorizonBox>& boxes) {
+    Traced traced;
+    traced.touched.boxes = boxes;
+    trace_frame(device_, optics_, {}, params_, pool_, context_, traced.film, nullptr, nullptr, &traced.touched);
+    return traced;
+  }
+
+  Scene scene_ = busy_scene();
+  Optics optics_ = single_view(70);
+  ThreadPool pool_{2};
+  Context context_;
+  DeviceScene device_;
+  TraceParams params_;
+};
+
+TEST_P(TraceBlocks, any_of_them_traced_alone_are_as_in_the_frame) {
+  const Traced whole = frame({});
+  const std::size_t blocks = whole.touched.lowest_horizon.size();
+  ASSERT_GT(blocks, 10u);
+  for (const std::size_t every : {2u, 3u}) {
+    Image film = whole.film;
+    std::fill(film.data.begin(), film.data.end(), -1.0f);
+    std::vector<std::uint8_t> wanted(blocks, 0);
+    for (std::size_t b = 0; b < blocks; b += every) wanted[b] = 1;
+    const RayCounts counts = trace_blocks(device_, optics_, {}, params_, wanted, pool_, context_, film);
+    std::size_t traced = 0;
+    for (std::size_t i = 0; i < film.data.size(); ++i) {
+      if (film.data[i] == -1.0f) continue;
+      ++traced;
+      ASSERT_EQ(film.data[i], whole.film.data[i]);
+    }
+    EXPECT_EQ(2 * traced, 3 * counts.primary) << "two samples each, three channels";
+    EXPECT_GT(traced, 0u);
+    EXPECT_LT(traced, film.data.size());
+  }
+}
+
+TEST_P(TraceBlocks, rays_of_all_blocks_are_those_of_the_frame) {
+  const Traced whole = frame({});
+  std::uint64_t rays = 0;
+  for (const std::uint32_t n : whole.touched.rays) rays += n;
+  Image film;
+  EXPECT_EQ(rays, trace_frame(device_, optics_, {}, params_, pool_, context_, film).total());
+  EXPECT_EQ(film.data, whole.film.data);
+}
+
+TEST_P(TraceBlocks, box_around_everything_is_met_by_all_and_box_away_from_all_rays_by_none) {
+  const Bounds3f around{Vec3f(-50), Vec3f(50)}, away{Vec3f(500), Vec3f(501)}, endless{Vec3f(-kInfinity), Vec3f(kInfinity)};
+  const auto expect_all = [&](const std::vector<HorizonBox>& boxes, std::uint8_t expected) {
+    const TouchedBlocks touched = frame(boxes).touched;
+    for (std::size_t b = 0; b < touched.rays.size(); ++b)
+      if (touched.rays[b] > 0) {  // the last strip has blocks without pixels
+        EXPECT_EQ(touched.lowest_horizon[b], expected) << "block " << b;
+      }
+  };
+  expect_all({{away, 0}, {around, 3}}, 3);
+  expect_all({{away, 0}}, TouchedBlocks::kNever);
+  expect_all({{around, 5}, {endless, 2}}, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders, TraceBlocks, testing::Values(RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles),
+                         [](const auto& order) {
+                           return std::string(order.param == RayOrder::kViewTiles ? "view_tiles" : to_string(order.param));
+                         });
+
+/// A view of 64 x 64 pixels of one square that fills it, in blocks of 16 x 16 pixels (rows of tiles 4 x 4), and one box.
+std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
+  const ThreadPool pool(1);
+  const Context context;
+  DeviceScene device(s.scene, pool);
+  device.update(evaluate(s.scene, 0.0), pool);
+  TraceParams params;
+  params.order = RayOrder::kRows;
+  params.max_depth = s.scene.max_depth;
+  TouchedBlocks touched;
+  touched.boxes = {{box, 1}};
+  Image film;
+  trace_frame(device, single_view(64), {}, params, pool, context, film, nullptr, nullptr, &touched);
+  return touched.lowest_horizon;
+}
+
+/// In rows order a block is 4 rows of 64 pixels: block b shows 2 - b / 4 > y > 2 - (b + 1) / 4 in the plane z = 0.
+void expect_met(const std::vector<std::uint8_t>& lowest_horizon, const std::set<std::size_t>& expected) {
+  ASSERT_EQ(lowest_horizon.size(), 16u);
+  for (std::size_t b = 0; b < 16; ++b)
+    EXPECT_EQ(lowest_horizon[b], expected.contains(b) ? 1 : TouchedBlocks::kNever) << "block " << b;
+}
+
+TEST(TouchProbe, primary_rays_meet_what_lies_before_their_hit_only) {
+  SmallScene s;
+  s.add(square(3, 0), s.material(glowing(Vec3f(1.0f))));
+  expect_met(blocks_that_meet(s, {{0.1f, 0.3f, 0.0f}, {0.2f, 0.45f, 0.01f}}), {6});
+  expect_met(blocks_that_meet(s, {{0.1f, 0.3f, -0.3f}, {0.2f, 0.45f, -0.2f}}), {});
+}
+
+TEST(TouchProbe, shadow_rays_meet_what_lies_between_their_surface_and_the_light) {
+  SmallScene s;
+  s.add(square(3, 0), s.material(matte(Vec3f(1.0f))));
+  s.point_light({0, 40, 4});
+  // Seen from above the picture's upper edge at y = 2: rays to the light pass y = 22 at z = 2, those to the view do not.
+  expect_met(blocks_that_meet(s, {{-50, 20, 1}, {50, 24, 3}}), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
+  expect_met(blocks_that_meet(s, {{-50, 41, 1}, {50, 44, 3}}), {});
+}
+
+TEST(TouchProbe, mirror_rays_meet_what_they_show) {
+  SmallScene s;
+  s.scene.max_depth = 2;
+  s.add(square(3, 0), s.material(mirror(0.5f)));
+  s.add(square(3, 30), s.material(glowing(Vec3f(1.0f))));  // behind the viewer, who is at z = 10
+  // Mirror rays run from y in the plane to 3 y at z = 20, three times as far from the eye's image at z = -10.
+  expect_met(blocks_that_meet(s, {{-9, 3 * 0.3f, 19.99f}, {9, 3 * 0.45f, 20.0f}}), {6});
+}
+
+}  // namespace
+}  // namespace lippmann
