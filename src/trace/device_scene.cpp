@@ -47,6 +47,24 @@ EmbreeScene make_scene(RTCDevice device, RTCSceneFlags flags) {
   return scene;
 }
 
+/// Turns normals as the inverse transpose does, up to their length, and keeps them on the outer side; also where a node
+/// flattens its shape, which leaves no inverse. Columns: cross products of the others.
+Mat3f outward_normals(const Mat3f& m) {
+  const Mat3f cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  return glm::determinant(m) < 0.0f ? -cofactors : cofactors;
+}
+
+Vec3f normalized_or(Vec3f v, Vec3f otherwise) {
+  const float length = glm::length(v);
+  return length > 0.0f ? v / length : otherwise;
+}
+
+/// Whether a node scales its shape to nothing, or flattens it: rays cannot be taken into its space.
+bool is_singular(const Mat3f& m) {
+  const float volume = std::abs(glm::determinant(m));
+  return !(volume > 1e-12f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
+}
+
 /// Assigns record ids while it attaches geometries.
 class SceneBuilder {
  public:
@@ -120,8 +138,10 @@ class SceneBuilder {
   void add_flattened(const Mesh& mesh, std::uint32_t index, const Affine3f& place) {
     auto world = std::make_unique<Mesh>(mesh);
     for (Vec3f& p : world->positions) p = transform_point(place, p);
-    const Mat3f normal_matrix = glm::transpose(glm::inverse(place.linear));
-    for (Vec3f& n : world->normals) n = glm::normalize(normal_matrix * n);
+    const Mat3f normal_matrix = outward_normals(place.linear);
+    for (Vec3f& n : world->normals) n = normalized_or(normal_matrix * n, n);
+    if (glm::determinant(place.linear) < 0.0f)  // mirrored: the order of corners tells the outer side, as the normals do
+      for (auto& triangle : world->triangles) std::swap(triangle[1], triangle[2]);
     const EmbreeGeometry geometry = make_triangles(*world, index);
     const auto id = static_cast<unsigned>(impl_.records.size());
     rtcAttachGeometryByID(impl_.fixed.get(), geometry.get(), id);
@@ -230,8 +250,14 @@ class SceneBuilder {
 };
 
 void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh) {
+  if (is_singular(world_from_mesh.linear)) {  // animations hide things so
+    rtcDisableGeometry(geometry);
+    rtcCommitGeometry(geometry);
+    return;
+  }
   record.world_from_mesh = world_from_mesh;
   record.normal_from_mesh = glm::transpose(glm::inverse(world_from_mesh.linear));
+  rtcEnableGeometry(geometry);
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &world_from_mesh);
   rtcCommitGeometry(geometry);
 }

@@ -6,7 +6,10 @@ namespace {
 template <class Primitive>
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
   const auto& table = *static_cast<const PrimitiveTable<Primitive>*>(args->geometryUserPtr);
-  const Bounds3f b = bounds(table.primitives[args->primID]);
+  Bounds3f b = bounds(table.primitives[args->primID]);
+  const Vec3f size = b.size();
+  const float extent = size.x + size.y + size.z;
+  if (!(extent > 0.0f && std::isfinite(extent))) b = {};  // scaled to nothing: met by no ray
   // One part in 10^6 wider: a ray that grazes the exact surface must not miss the rounded box.
   const Vec3f pad = 1e-6f * glm::max(glm::abs(b.lower), glm::abs(b.upper));
   args->bounds_o->lower_x = b.lower.x - pad.x, args->bounds_o->upper_x = b.upper.x + pad.x;

@@ -141,6 +141,55 @@ TEST(Whitted, rays_along_the_edge_that_triangles_share_meet_one_of_them) {
   EXPECT_EQ(holes, 0);
 }
 
+/// A right-angled triangle in the plane z = 0 that covers the quarter x > 0, y > 0 of the view, lit squarely; its normals are
+/// given, or left to the facet.
+Picture picture_of_corner(const Affine3f& place, bool smooth, bool moving) {
+  SmallScene s;
+  Mesh corner;
+  corner.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}};
+  if (smooth) corner.normals.assign(3, Vec3f(0, 0, 1));
+  corner.triangles = {{0, 1, 2}};
+  const int parent = moving ? s.moving_node({0, 0, 0}, {0, 0, 1}) : -1;
+  s.scene.nodes.push_back({"", parent, {}, place});
+  s.add(corner, s.material(matte(Vec3f(0.5f))), static_cast<int>(s.scene.nodes.size()) - 1);
+  s.point_light({0, 0, 1e4f});
+  return trace(s.scene, single_view(kSize));
+}
+
+TEST(Whitted, mirrored_node_shows_its_mesh_turned_over_and_lit_from_the_same_side) {
+  const Affine3f mirrored{Mat3f(Vec3f(-1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1)), Vec3f(0.0f)};
+  for (const bool smooth : {false, true})
+    for (const bool moving : {false, true}) {
+      const Picture p = picture_of_corner(mirrored, smooth, moving);
+      expect_color(p.at(kMiddle - 5, kMiddle - 5), Vec3f(0.5f), 1e-4f);
+      expect_color(p.at(kMiddle + 5, kMiddle - 5), Vec3f(0.0f), 0.0f);
+      EXPECT_GT(p.aovs.normal_image.pixel(kMiddle - 5, kMiddle - 5)[2], 0.999f);
+    }
+}
+
+TEST(Whitted, node_scaled_to_nothing_shows_nothing) {
+  for (const Vec3f scale : {Vec3f(0.0f), Vec3f(1, 1, 0), Vec3f(0, 1, 1)})
+    for (const bool smooth : {false, true})
+      for (const bool moving : {false, true}) {
+        const Affine3f flat{Mat3f(Vec3f(scale.x, 0, 0), Vec3f(0, scale.y, 0), Vec3f(0, 0, scale.z)), Vec3f(0.0f)};
+        const Picture p = picture_of_corner(flat, smooth, moving);
+        for (const float value : p.film.data) ASSERT_TRUE(value == 0.0f || std::abs(value - 0.5f) < 1e-4f) << value;
+      }
+}
+
+TEST(Whitted, analytic_shapes_scaled_to_nothing_show_nothing) {
+  const Shape shapes[] = {Spheres{{Vec3f(0.0f), 1.0f}}, Boxes{{}}, Cylinders{{}}, Rings{{}}};
+  for (const Shape& shape : shapes)
+    for (const bool moving : {false, true}) {
+      SmallScene s;
+      s.add(shape, s.material(glowing(Vec3f(1.0f))),
+            moving ? s.moving_node({0, 0, 0}, {0, 0, 1}) : s.node({Mat3f(0.0f), Vec3f(0.1f)}));
+      if (moving) s.scene.timeline.animations[0].scale = {{0.0}, {Vec3f(0.0f)}};
+      const Picture p = trace(s.scene, single_view(kSize));
+      for (const float value : p.film.data) ASSERT_EQ(value, 0.0f) << shape.index();
+    }
+}
+
 TEST(Whitted, mirror_shows_what_lies_behind_the_viewer) {
   SmallScene s;
   s.scene.max_depth = 2;
