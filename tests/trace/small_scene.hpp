@@ -1,6 +1,8 @@
 // Scenes of a few shapes, and pictures of them a few pixels wide, for tests of tracing.
 #pragma once
 
+#include <random>
+
 #include "trace/trace_frame.hpp"
 
 namespace lippmann::test {
@@ -82,6 +84,38 @@ inline Mesh square(float half, float z) {
   m.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   m.triangles = {{0, 3, 2}, {0, 2, 1}};
   return m;
+}
+
+/// Matte, mirroring and glass spheres at places that follow from the seed, on a long box, under one light: rays of every kind.
+/// Materials 0, 1 and 2, in this order.
+inline SmallScene busy_scene(unsigned seed) {
+  SmallScene s;
+  s.scene.max_depth = 4;
+  PhongSurface shiny = matte(Vec3f(0.5f));
+  shiny.mirror = 0.3f;
+  PhongSurface glass = matte(Vec3f(0.1f));
+  glass.opacity = 0.3f;
+  glass.ior = 1.4f;
+  const int materials[] = {s.material(matte({0.3f, 0.6f, 0.9f})), s.material(shiny), s.material(glass)};
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(-1.5f, 1.5f);
+  for (int i = 0; i < 12; ++i) s.add(Spheres{{{uniform(random), uniform(random), uniform(random)}, 0.35f}}, materials[i % 3]);
+  s.add(Boxes{{{-1.8f, -1.8f, -1.5f}, {1.8f, -1.6f, 1.5f}}}, materials[0]);
+  s.point_light({3, 4, 8});
+  return s;
+}
+
+/// 8 lenses of 8 pixels, 50 rows, of the same square as single_view shows.
+inline Optics lenticular_view() {
+  Optics optics;
+  optics.panel = {64, 50, 4.0f / 64};
+  LenticularSheet sheet;
+  sheet.lens_pitch_mm = 0.5f;
+  sheet.gap_mm = 1.0f;
+  sheet.offset_mm = 0.25f;
+  optics.model = sheet;
+  optics.z_front_mm = 10.0f;
+  return optics;
 }
 
 /// A single view from (0, 0, 10) of the square +-2 around the origin, `size` pixels wide.

@@ -10,20 +10,6 @@ namespace {
 
 using namespace test;
 
-/// Mirrors, glass, shadows of two lights, a mesh that moves: rays of every kind, from all over the view of single_view().
-Scene busy_scene() {
-  SmallScene s;
-  s.scene.max_depth = 4;
-  PhongSurface glass = matte({0.9f, 1.0f, 0.9f});
-  glass.opacity = 0.3f, glass.ior = 1.4f;
-  s.add(square(3, -2), s.material(mirror(0.6f)));
-  s.add(Spheres{{{0.7f, 0.4f, 0.5f}, 0.6f}, {{-0.9f, -0.6f, 0.0f}, 0.5f}}, s.material(glass));
-  s.add(square(0.5f, 1), s.material(matte({1.0f, 0.5f, 0.2f})), s.moving_node({-1, 1, 0}, {1, -1, 0}));
-  s.point_light({3, 4, 8});
-  s.point_light({-4, 1, 6}, {0.3f, 0.3f, 0.6f});
-  return s.scene;
-}
-
 struct Traced {
   Image film;
   TouchedBlocks touched;
@@ -45,7 +31,7 @@ class TraceBlocks : public testing::TestWithParam<RayOrder> {
     return traced;
   }
 
-  Scene scene_ = busy_scene();
+  Scene scene_ = busy_scene(11).scene;
   Optics optics_ = single_view(70);
   ThreadPool pool_{2};
   Context context_;

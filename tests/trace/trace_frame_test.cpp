@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "trace/small_scene.hpp"
 
 namespace lippmann {
@@ -13,59 +11,31 @@ namespace {
 using namespace test;
 
 /// Spheres, boxes and a floor, mirrors and glass among them.
-SmallScene busy_scene() {
-  SmallScene s;
-  s.scene.max_depth = 4;
-  s.scene.background.horizon = s.scene.background.zenith = {0.2f, 0.3f, 0.5f};
-  PhongSurface shiny = matte({0.8f, 0.4f, 0.2f});
-  shiny.mirror = 0.3f;
-  shiny.highlight_kind = Highlight::kPlastic;
-  shiny.highlight = 0.5f;
-  shiny.highlight_size = 30.0f;
-  PhongSurface glass = matte(Vec3f(0.1f));
-  glass.opacity = 0.3f;
-  glass.ior = 1.4f;
-  const int materials[] = {s.material(matte({0.3f, 0.6f, 0.9f})), s.material(shiny), s.material(glass)};
-  std::mt19937 random(3);
-  std::uniform_real_distribution<float> uniform(-1.5f, 1.5f);
-  for (int i = 0; i < 12; ++i) s.add(Spheres{{{uniform(random), uniform(random), uniform(random)}, 0.35f}}, materials[i % 3]);
-  s.add(Boxes{{{-1.8f, -1.8f, -1.5f}, {1.8f, -1.6f, 1.5f}}}, materials[0]);
-  s.add(square(3, -2), materials[1]);
-  s.point_light({3, 4, 8});
+SmallScene scene_with_all_rays() {
+  SmallScene s = busy_scene(3);
+  s.add(square(3, -2), 1);
   s.point_light({-3, 4, 8}, Vec3f(0.4f));
   return s;
 }
 
-Optics lenticular() {
-  Optics optics;
-  optics.panel = {64, 50, 4.0f / 64};
-  LenticularSheet sheet;
-  sheet.lens_pitch_mm = 0.5f;
-  sheet.gap_mm = 1.0f;
-  sheet.offset_mm = 0.25f;
-  optics.model = sheet;
-  optics.z_front_mm = 10.0f;
-  return optics;
-}
-
 TEST(TraceFrame, any_number_of_threads_gives_the_same_bits) {
-  const SmallScene s = busy_scene();
-  const Picture one = trace(s.scene, lenticular(), {}, 1);
+  const SmallScene s = scene_with_all_rays();
+  const Picture one = trace(s.scene, lenticular_view(), {}, 1);
   for (const int threads : {2, 4}) {
-    const Picture many = trace(s.scene, lenticular(), {}, threads);
+    const Picture many = trace(s.scene, lenticular_view(), {}, threads);
     EXPECT_EQ(one.film.data, many.film.data);
     EXPECT_EQ(one.counts.total(), many.counts.total());
   }
 }
 
 TEST(TraceFrame, every_ray_order_gives_the_same_picture) {
-  const SmallScene s = busy_scene();
+  const SmallScene s = scene_with_all_rays();
   TraceParams params;
   params.order = RayOrder::kRows;
-  const Picture rows = trace(s.scene, lenticular(), params);
+  const Picture rows = trace(s.scene, lenticular_view(), params);
   for (const RayOrder order : {RayOrder::kColumns, RayOrder::kViewTiles}) {
     params.order = order;
-    EXPECT_EQ(rows.film.data, trace(s.scene, lenticular(), params).film.data) << static_cast<int>(order);
+    EXPECT_EQ(rows.film.data, trace(s.scene, lenticular_view(), params).film.data) << static_cast<int>(order);
   }
 }
 
@@ -87,8 +57,8 @@ TEST(TraceFrame, moving_objects_look_as_fixed_ones_in_the_same_place) {
     s.point_light({3, 4, 8});
     return s;
   };
-  const Picture fixed = trace(build(false).scene, lenticular());
-  const Picture moved = trace(build(true).scene, lenticular(), {}, 1, 0.5);
+  const Picture fixed = trace(build(false).scene, lenticular_view());
+  const Picture moved = trace(build(true).scene, lenticular_view(), {}, 1, 0.5);
   double squares = 0;
   for (std::size_t i = 0; i < fixed.film.data.size(); ++i) {
     const double d = fixed.film.data[i] - moved.film.data[i];
@@ -96,7 +66,7 @@ TEST(TraceFrame, moving_objects_look_as_fixed_ones_in_the_same_place) {
   }
   // Rounding of the transform may move an edge across a pixel's centre: at most a few of the 3,200 pixels.
   EXPECT_LT(squares / static_cast<double>(fixed.film.data.size()), 1e-4);
-  EXPECT_NE(trace(build(true).scene, lenticular(), {}, 1, 0.0).film.data, moved.film.data);
+  EXPECT_NE(trace(build(true).scene, lenticular_view(), {}, 1, 0.0).film.data, moved.film.data);
 }
 
 TEST(TraceFrame, shared_mesh_as_embree_instance_looks_as_flattened) {
@@ -140,7 +110,7 @@ TEST(TraceFrame, more_samples_average_an_edge_by_its_coverage) {
   EXPECT_EQ(p.at(20, 5).x, 0.0f);
   EXPECT_EQ(p.film.data, trace(s.scene, single_view(33), params).film.data) << "repeats bit for bit";
   params.seed = 1;
-  EXPECT_NE(p.film.data, trace(busy_scene().scene, single_view(33), params).film.data);
+  EXPECT_NE(p.film.data, trace(scene_with_all_rays().scene, single_view(33), params).film.data);
 }
 
 TEST(TraceFrame, uneven_panel_is_filled_to_its_last_pixel) {
@@ -152,13 +122,13 @@ TEST(TraceFrame, uneven_panel_is_filled_to_its_last_pixel) {
 }
 
 TEST(TraceFrame, cancelled_before_it_starts_traces_nothing) {
-  const SmallScene s = busy_scene();
+  const SmallScene s = scene_with_all_rays();
   const ThreadPool pool(1);
   Context context;
   context.cancelled = true;
   DeviceScene device(s.scene, pool);
   Image film;
-  EXPECT_EQ(trace_frame(device, lenticular(), Affine3f{}, {}, pool, context, film).total(), 0u);
+  EXPECT_EQ(trace_frame(device, lenticular_view(), Affine3f{}, {}, pool, context, film).total(), 0u);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "trace/small_scene.hpp"
 
 namespace lippmann {
@@ -12,36 +10,12 @@ namespace {
 
 using namespace test;
 
-/// Mirrors, glass, several shapes, and a light that is seen.
+/// With a light that is seen, before a sky.
 SmallScene scene_of_everything() {
-  SmallScene s;
-  s.scene.max_depth = 4;
+  SmallScene s = busy_scene(7);
   s.scene.background.horizon = {0.2f, 0.3f, 0.5f};
-  PhongSurface shiny = matte({0.8f, 0.4f, 0.2f});
-  shiny.mirror = 0.3f;
-  PhongSurface glass = matte(Vec3f(0.1f));
-  glass.opacity = 0.3f;
-  glass.ior = 1.4f;
-  const int materials[] = {s.material(shiny), s.material(matte({0.3f, 0.6f, 0.9f})), s.material(glass)};
-  std::mt19937 random(7);
-  std::uniform_real_distribution<float> uniform(-1.5f, 1.5f);
-  for (int i = 0; i < 12; ++i) s.add(Spheres{{{uniform(random), uniform(random), uniform(random)}, 0.35f}}, materials[i % 3]);
-  s.add(Boxes{{{-1.8f, -1.8f, -1.5f}, {1.8f, -1.6f, 1.5f}}}, materials[1]);
-  s.point_light({3, 4, 8});
   s.point_light({-1.0f, 1.2f, 1.8f}).visible_radius = 0.3f;
   return s;
-}
-
-Optics lenticular() {
-  Optics optics;
-  optics.panel = {64, 50, 4.0f / 64};
-  LenticularSheet sheet;
-  sheet.lens_pitch_mm = 0.5f;
-  sheet.gap_mm = 1.0f;
-  sheet.offset_mm = 0.25f;
-  optics.model = sheet;
-  optics.z_front_mm = 10.0f;
-  return optics;
 }
 
 struct Traced {
@@ -74,7 +48,7 @@ class TracePixels : public testing::Test {
   }
 
   SmallScene s_;
-  Optics optics_ = lenticular();
+  Optics optics_ = lenticular_view();
   ThreadPool pool_;
   Context context_;
   DeviceScene device_;
