@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
   Action chosen;
   add_render_command(root, chosen);
   add_compare_command(root, chosen);
+  add_convert_command(root, chosen);
   add_info_command(root, chosen);
   add_scenes_command(root, chosen);
   add_bench_command(root, chosen);

@@ -128,6 +128,11 @@ Image read_channels(const fs::path& path, std::span<const std::string> names) {
   return chosen;
 }
 
+SampleKind sample_kind(const fs::path& path) {
+  const OIIO::TypeDesc format = open_picture(path)->spec().format;
+  return format == OIIO::TypeUInt8 ? SampleKind::kByte : format == OIIO::TypeUInt16 ? SampleKind::kWord : SampleKind::kFloat;
+}
+
 Image8 read_image8(const fs::path& path) {
   const std::unique_ptr<OIIO::ImageInput> input = open_picture(path);
   const OIIO::ImageSpec& spec = input->spec();

@@ -23,6 +23,10 @@ Image read_channels(const std::filesystem::path& path, std::span<const std::stri
 /// The channels' names in the order of read_image.
 std::vector<std::string> channel_names(const std::filesystem::path& path);
 
+/// What a file's samples are: 8 bits, 16 bits, anything else.
+enum class SampleKind { kByte, kWord, kFloat };
+SampleKind sample_kind(const std::filesystem::path& path);
+
 /// The 8-bit codes: as stored; of 16-bit files round(255 code / 65535); of float files sRGB-encoded (image/encode.hpp).
 /// Of more than 3 channels the first three, of fewer the first one three times.
 Image8 read_image8(const std::filesystem::path& path);

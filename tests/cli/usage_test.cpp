@@ -16,7 +16,8 @@ TEST(Tool, help_lists_the_commands_and_exits_with_0) {
   const RunResult result = run_tool(dir, {"--help"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* command : {"render", "info", "scenes", "compare", "bench"}) EXPECT_THAT(result.out, HasSubstr(command));
+  for (const char* command : {"render", "info", "scenes", "compare", "convert", "bench"})
+    EXPECT_THAT(result.out, HasSubstr(command));
 }
 
 TEST(Tool, render_help_names_every_parameter) {
@@ -46,6 +47,20 @@ TEST(Tool, unknown_flag_is_wrong_usage_and_suggests_the_nearest) {
   const TempDir dir;
   expect_refusal(run_tool(dir, {"render", "teapot", "--lense", "3"}), 2, "did you mean '--lenses'?");
   expect_refusal(run_tool(dir, {"render", "teapot", "--reuse", "exactly"}), 2, "--reuse");
+}
+
+TEST(Tool, convert_says_what_it_made_and_refuses_what_is_no_grid) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "r")).exit_code, 0);
+  const Words convert{"convert", "r/frame_0000.png", "q.png", "--from", "integral", "--to", "quilt"};
+  const RunResult made = run_tool(dir, convert + Words{"--views", "8x1", "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Json report = Json::parse(made.out);
+  EXPECT_EQ(report["view_size"], Json::parse("[16, 128]"));
+  EXPECT_TRUE(std::filesystem::exists(dir / report["files"][0].get<std::string>()));
+  for (const char* grid : {"8", "8x", "x1", "0x1", "8x1x2", "-8x1", "99999x1"})
+    expect_refusal(run_tool(dir, convert + Words{"--views", grid}), 2, "--views");
+  expect_refusal(run_tool(dir, convert), 2, "--views");
 }
 
 TEST(Tool, flag_given_twice_or_without_a_value_is_wrong_usage) {

@@ -1,0 +1,85 @@
+// `lippmann convert IN OUT`: integral images, quilts and single views into one another.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "apps/lippmann/commands.hpp"
+#include "core/error.hpp"
+#include "layout/convert.hpp"
+
+namespace lippmann::app {
+namespace {
+
+struct Options {
+  std::string in, out, from, to, views, quilt;
+  double aspect = 0.0;
+  bool json = false;
+};
+
+LayoutKind kind_of(const std::string& word) {
+  if (word == "integral") return LayoutKind::kIntegral;
+  return word == "quilt" ? LayoutKind::kQuilt : LayoutKind::kStack;
+}
+
+/// Digits, x, digits; both from 1 to 1024.
+std::optional<ViewGrid> read_grid(const std::string& text, const std::string& flag) {
+  if (text.empty()) return std::nullopt;
+  ViewGrid grid;
+  const char* end = text.data() + text.size();
+  const auto columns = std::from_chars(text.data(), end, grid.columns);
+  const bool split = columns.ec == std::errc() && columns.ptr != end && *columns.ptr == 'x';
+  const auto rows = split ? std::from_chars(columns.ptr + 1, end, grid.rows) : columns;
+  const auto in_range = [](int n) { return n >= 1 && n <= 1024; };
+  if (!split || rows.ec != std::errc() || rows.ptr != end || !in_range(grid.columns) || !in_range(grid.rows))
+    throw usage_error(flag, "'" + text + "' is no grid", "CxR, such as 8x6, each from 1 to 1024");
+  return grid;
+}
+
+int run(const Options& options) {
+  ConvertParams params{
+      kind_of(options.from), kind_of(options.to), read_grid(options.views, "--views"), read_grid(options.quilt, "--quilt"), {}};
+  if (options.aspect > 0.0) params.aspect = options.aspect;
+  const Converted converted = convert(options.in, options.out, params);
+  if (options.json) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const auto& path : converted.written) files.push_back(path.string());
+    const nlohmann::ordered_json result{{"views", {converted.views.columns, converted.views.rows}},
+                                        {"view_size", {converted.view_size.x, converted.view_size.y}},
+                                        {"files", files}};
+    fmt::print("{}\n", result.dump(2));
+    return 0;
+  }
+  fmt::print("{}x{} views of {}x{} pixels: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
+             converted.view_size.y, converted.written.front().string(),
+             converted.written.size() > 1 ? " ... " + converted.written.back().string() : "");
+  return 0;
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *root.add_subcommand("convert", "Turn integral images, quilts and single views into one another, exactly");
+  const CLI::IsMember layouts({"integral", "quilt", "views"});
+  command.add_option("IN", options->in, "A picture, a folder of frame_*.png, or with --from views a folder of view_*.png")
+      ->required();
+  command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
+      ->required();
+  command.add_option("--from", options->from, "What IN is: integral, quilt or views")->required()->check(layouts);
+  command.add_option("--to", options->to, "What OUT is to be")->required()->check(layouts);
+  command.add_option("--views", options->views, "Views across and up; of an integral image: pixels below each lens")
+      ->type_name("CxR");
+  command.add_option("--quilt", options->quilt, "Tiles of the quilt; default: as its name says, or as square as can be")
+      ->type_name("CxR");
+  command.add_option("--aspect", options->aspect, "Width / height of the display, for the name of a quilt")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--json", options->json, "Print the result as JSON");
+  command.callback([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,59 @@
+#include "image/picture_file.hpp"
+
+#include <array>
+
+#include "core/error.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
+#include "image/read_image.hpp"
+
+namespace lippmann {
+namespace {
+
+Image first_three(const Image& image) {
+  if (image.channels == 3) return image;
+  Image rgb(image.width, image.height, 3);
+  const int step = image.channels >= 3 ? 1 : 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) rgb.pixel(x, y)[c] = image.pixel(x, y)[c * step];
+  return rgb;
+}
+
+Image16 to_image16(const Image& image) {
+  Image16 codes{image.width, image.height, {}};
+  codes.rgb.reserve(image.data.size());
+  for (const float value : image.data) codes.rgb.push_back(static_cast<std::uint16_t>(value * 65535.0f + 0.5f));
+  return codes;
+}
+
+}  // namespace
+
+Picture read_picture(const std::filesystem::path& path) {
+  switch (sample_kind(path)) {
+    case SampleKind::kByte:
+      return read_image8(path);
+    case SampleKind::kWord:
+      return to_image16(first_three(read_image(path)));
+    case SampleKind::kFloat:
+      break;
+  }
+  return first_three(read_image(path));
+}
+
+void check_picture_ending(const std::filesystem::path& path, const Picture& picture) {
+  const char* ending = std::holds_alternative<Image>(picture) ? ".exr" : ".png";
+  if (path.extension() != ending)
+    throw Error(path.string(), "its ending does not suit samples that are to stay as they are",
+                std::string(ending) + (std::holds_alternative<Image>(picture) ? " for float samples" : " for 8 or 16 bits"));
+}
+
+void write_picture(const std::filesystem::path& path, const Picture& picture) {
+  check_picture_ending(path, picture);
+  if (const auto* bytes = std::get_if<Image8>(&picture)) return write_png(path, *bytes);
+  if (const auto* words = std::get_if<Image16>(&picture)) return write_png(path, *words);
+  const std::array<ExrLayer, 1> layers{film_layer(std::get<Image>(picture), ExrSample::kFloat)};
+  write_exr(path, layers);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,24 @@
+// What a quilt's file name says: name_qs{columns}x{rows}a{aspect}.ending, as Looking Glass's programs read and write it.
+//
+// aspect: width / height of the display, not of a tile. Other tools also add z{zoom} and f{focus}; they are read past.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "layout/view_layout.hpp"
+
+namespace lippmann {
+
+struct QuiltName {
+  ViewGrid tiles;
+  double aspect = 1.0;
+};
+
+/// None if the name says nothing. Throws Error where it says something impossible (no tiles, no aspect).
+std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path);
+
+/// The path with that in its name, before the ending, in place of what it said before.
+std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt);
+
+}  // namespace lippmann

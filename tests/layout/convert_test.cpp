@@ -1,0 +1,136 @@
+#include "layout/convert.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "core/error.hpp"
+#include "image/exr.hpp"
+#include "image/picture_file.hpp"
+#include "image/png.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TempDir;
+using testing::HasSubstr;
+
+/// Every sample another code, as far as 8 bits go.
+Image8 picture8(int width, int height) {
+  Image8 image{width, height, {}};
+  for (int i = 0; i < 3 * width * height; ++i) image.rgb.push_back(static_cast<unsigned char>(i * 7 + i / 256));
+  return image;
+}
+
+Image16 picture16(int width, int height) {
+  Image16 image{width, height, {}};
+  for (int i = 0; i < 3 * width * height; ++i) image.rgb.push_back(static_cast<std::uint16_t>(i * 257 + 13));
+  return image;
+}
+
+Image8 read8(const fs::path& path) { return std::get<Image8>(read_picture(path)); }
+
+ConvertParams params(LayoutKind from, LayoutKind to, std::optional<ViewGrid> views = {}, std::optional<ViewGrid> tiles = {}) {
+  return {from, to, views, tiles, {}};
+}
+constexpr auto kIntegral = LayoutKind::kIntegral, kQuilt = LayoutKind::kQuilt, kViews = LayoutKind::kStack;
+
+TEST(Convert, integral_image_to_views_to_quilt_and_back_is_the_same_to_the_bit) {
+  const TempDir dir;
+  const Image8 original = picture8(8 * 4, 6);
+  write_png(dir / "in.png", original);
+  const Converted views = convert(dir / "in.png", dir / "views", params(kIntegral, kViews, ViewGrid{8, 1}));
+  EXPECT_EQ(views.written.size(), 8u);
+  EXPECT_EQ(views.view_size, Vec2i(4, 6));
+  const Converted quilt = convert(dir / "views", dir / "q.png", params(kViews, kQuilt, {}, ViewGrid{4, 2}));
+  EXPECT_EQ(quilt.written.front().filename(), "q_qs4x2a0.666667.png");
+  convert(quilt.written.front(), dir / "back.png", params(kQuilt, kIntegral));
+  EXPECT_EQ(read8(dir / "back.png").rgb, original.rgb);
+}
+
+TEST(Convert, two_dimensional_views_keep_their_grid) {
+  const TempDir dir;
+  const Image8 original = picture8(3 * 4, 2 * 5);
+  write_png(dir / "in.png", original);
+  const Converted quilt = convert(dir / "in.png", dir / "q.png", params(kIntegral, kQuilt, ViewGrid{3, 2}));
+  EXPECT_THAT(quilt.written.front().filename().string(), HasSubstr("_qs3x2a1.2."));
+  convert(quilt.written.front(), dir / "back.png", params(kQuilt, kIntegral, ViewGrid{3, 2}));
+  EXPECT_EQ(read8(dir / "back.png").rgb, original.rgb);
+}
+
+TEST(Convert, sixteen_bits_and_floats_stay_as_they_are) {
+  const TempDir dir;
+  const Image16 words = picture16(6, 2);
+  write_png(dir / "w.png", words);
+  convert(dir / "w.png", dir / "w", params(kIntegral, kViews, ViewGrid{3, 1}));
+  convert(dir / "w", dir / "w2.png", params(kViews, kIntegral));
+  EXPECT_EQ(std::get<Image16>(read_picture(dir / "w2.png")).rgb, words.rgb);
+
+  Image floats(6, 2, 3);
+  for (std::size_t i = 0; i < floats.data.size(); ++i) floats.data[i] = 0.001f * static_cast<float>(i * i) + 1e-7f;
+  const std::vector<ExrLayer> layers{film_layer(floats, ExrSample::kFloat)};
+  write_exr(dir / "f.exr", layers);
+  convert(dir / "f.exr", dir / "f", params(kIntegral, kViews, ViewGrid{2, 1}));
+  convert(dir / "f", dir / "f2.exr", params(kViews, kIntegral));
+  EXPECT_EQ(std::get<Image>(read_picture(dir / "f2.exr")).data, floats.data);
+}
+
+TEST(Convert, every_frame_of_a_folder_is_converted) {
+  const TempDir dir;
+  fs::create_directories(dir / "in");
+  write_png(dir / "in/frame_0000.png", picture8(4, 2));
+  write_png(dir / "in/frame_0001.png", picture8(4, 2));
+  std::ofstream(dir / "in/report.json") << "{}";
+  EXPECT_EQ(convert(dir / "in", dir / "views", params(kIntegral, kViews, ViewGrid{2, 1})).written.size(), 4u);
+  EXPECT_TRUE(fs::exists(dir / "views/frame_0001/view_001.png"));
+  convert(dir / "in", dir / "quilts", params(kIntegral, kQuilt, ViewGrid{2, 1}));
+  EXPECT_TRUE(fs::exists(dir / "quilts/frame_0001_qs2x1a2.png"));
+}
+
+void expect_refusal(const fs::path& in, const fs::path& out, const ConvertParams& how, const std::string& where,
+                    const std::string& problem) {
+  try {
+    convert(in, out, how);
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.where(), HasSubstr(where));
+    EXPECT_THAT(error.problem(), HasSubstr(problem));
+  }
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(Convert, what_cannot_be_is_refused) {
+  const TempDir dir;
+  write_png(dir / "in.png", picture8(10, 4));
+  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt), "--views", "does not say");
+  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{3, 1}), "in.png", "10x4");
+  expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral), "--quilt", "does not say");
+  expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral, ViewGrid{3, 1}, ViewGrid{2, 2}), "--views",
+                 "not as many");
+  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}, ViewGrid{3, 1}), "--quilt",
+                 "not as many");
+  expect_refusal(dir / "in.png", dir / "o.exr", params(kIntegral, kIntegral, ViewGrid{2, 1}), "o.exr", "ending");
+  expect_refusal(dir / "missing.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}), "missing.png", "");
+  expect_refusal(dir / "none", dir / "o.png", params(kViews, kQuilt), "none", "cannot be listed");
+}
+
+TEST(Convert, missing_and_unequal_views_are_refused) {
+  const TempDir dir;
+  for (const char* folder : {"gap", "size", "kind", "twice"}) {
+    fs::create_directories(dir / folder);
+    write_png(dir / folder / "view_000.png", picture8(2, 2));
+  }
+  write_png(dir / "gap/view_002.png", picture8(2, 2));
+  write_png(dir / "size/view_001.png", picture8(2, 3));
+  write_png(dir / "kind/view_001.png", picture16(2, 2));
+  write_png(dir / "twice/view_0.png", picture8(2, 2));
+  expect_refusal(dir / "gap", dir / "o.png", params(kViews, kQuilt), "gap", "missing");
+  expect_refusal(dir / "size", dir / "o.png", params(kViews, kQuilt), "view_001.png", "not of the size");
+  expect_refusal(dir / "kind", dir / "o.png", params(kViews, kQuilt), "view_001.png", "not of the size and kind");
+  expect_refusal(dir / "twice", dir / "o.png", params(kViews, kQuilt), "twice", "two pictures for view 0");
+}
+
+}  // namespace
+}  // namespace lippmann

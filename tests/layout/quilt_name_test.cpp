@@ -1,0 +1,41 @@
+#include "layout/quilt_name.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+TEST(QuiltName, says_tiles_and_aspect) {
+  const auto name = parse_quilt_name("a/room_qs8x6a0.75.png");
+  ASSERT_TRUE(name);
+  EXPECT_EQ(name->tiles, (ViewGrid{8, 6}));
+  EXPECT_EQ(name->aspect, 0.75);
+}
+
+TEST(QuiltName, zoom_and_focus_of_other_tools_are_read_past) {
+  const auto name = parse_quilt_name("x_qs5x9a1.77778z1.2f-0.3.jpg");
+  ASSERT_TRUE(name);
+  EXPECT_EQ(name->tiles, (ViewGrid{5, 9}));
+  EXPECT_EQ(name->aspect, 1.77778);
+}
+
+TEST(QuiltName, other_names_say_nothing) {
+  for (const char* path : {"room.png", "qs8x6.png", "room_qs8x6.png", "room_qs8x6a0.75_v2.png"})
+    EXPECT_FALSE(parse_quilt_name(path)) << path;
+}
+
+TEST(QuiltName, impossible_quilts_are_refused) {
+  for (const char* path : {"a_qs0x6a0.75.png", "a_qs8x0a1.png", "a_qs8x6a0.png"})
+    EXPECT_THROW(parse_quilt_name(path), Error) << path;
+}
+
+TEST(QuiltName, is_put_before_the_ending_and_replaced) {
+  const QuiltName name{{11, 6}, 0.5625};
+  EXPECT_EQ(with_quilt_name("out/b.png", name), "out/b_qs11x6a0.5625.png");
+  EXPECT_EQ(with_quilt_name("out/b_qs8x6a0.75.png", name), "out/b_qs11x6a0.5625.png");
+}
+
+}  // namespace
+}  // namespace lippmann
