@@ -115,6 +115,20 @@ void measure_depth(FittedArray& array, const Scene& scene, const ResolvedScene& 
   array.depth_back = std::min(bounds.lower.z, array.viewing_distance);
 }
 
+/// Refuses arrays in whose space floats no longer tell the corners of small things apart, or overflow.
+void check_extent(const FittedArray& array, const ResolvedScene& resolved) {
+  constexpr float kSmallest = 1e-9f, kLargest = 1e15f;
+  const Affine3f world_from_node = resolved.of(array.node);
+  const float height = array.plane_height * uniform_scale(world_from_node);
+  if (!(height >= kSmallest && height <= kLargest))
+    throw Error("scene", fmt::format("the lens array fitted to it would be {:.4g} units high", std::abs(height)),
+                fmt::format("scenes of {:g} to {:g} units", kSmallest, kLargest));
+  const float away = glm::length(transform_point(world_from_node, array.node_from_plane.translation));
+  if (!(away <= kLargest))
+    throw Error("scene", fmt::format("the lens array would be {:.4g} units away from the origin", std::abs(away)),
+                fmt::format("at most {:g}", kLargest));
+}
+
 FittedArray place(const Scene& scene, const ResolvedScene& resolved, float aspect) {
   if (scene.display) return as_placed(*scene.display);
   if (scene.cameras.empty()) return without_camera(scene, aspect);
@@ -128,6 +142,7 @@ FittedArray place(const Scene& scene, const ResolvedScene& resolved, float aspec
 FittedArray fit_array(const Scene& scene, float aspect) {
   const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
   FittedArray array = place(scene, resolved, aspect);
+  check_extent(array, resolved);
   measure_depth(array, scene, resolved);
   return array;
 }

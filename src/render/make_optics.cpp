@@ -1,6 +1,9 @@
 #include "render/make_optics.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <variant>
 
 #include "core/error.hpp"
 #include "render/panel_size.hpp"
@@ -88,6 +91,24 @@ float viewing_distance_mm(const RenderParams& params, float fitted_mm, float win
   return kViewerHeights * window_height_mm;
 }
 
+/// From close to, lenses must lie closer than the cells behind them: below a pixel's width they hold no picture.
+void require_lenses_of_a_pixel(float lens_pitch_mm, float gap_mm, float viewing_distance_mm, const Panel& panel) {
+  if (!(lens_pitch_mm < 0.999f * panel.pixel_pitch_mm)) return;  // 0.999: rounding, as in validate
+  throw usage_error(
+      "--viewing-distance",
+      fmt::format("a viewer {:.4g} mm before lenses {:.4g} mm before the pixels: the lenses would lie closer than "
+                  "pixels",
+                  viewing_distance_mm, gap_mm),
+      "a longer distance, a wider --view-angle or more --lens-pixels");
+}
+
+void check_lens(const OpticsModel& model, const Panel& panel) {
+  if (const auto* sheet = std::get_if<LenticularSheet>(&model))
+    require_lenses_of_a_pixel(sheet->lens_pitch_mm, sheet->gap_mm, sheet->viewing_distance_mm, panel);
+  if (const auto* array = std::get_if<MicrolensArray>(&model))
+    require_lenses_of_a_pixel(array->lens_pitch_mm, array->gap_mm, array->viewing_distance_mm, panel);
+}
+
 }  // namespace
 
 PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array) {
@@ -101,6 +122,7 @@ PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const F
   const float fitted_mm = array.viewing_distance / placed.units_per_mm;
   optics.z_front_mm = fitted_mm;
   optics.model = make_model(params, optics.panel, size, scene, viewing_distance_mm(params, fitted_mm, window_height_mm));
+  check_lens(optics.model, optics.panel);
   validate(optics);
   return placed;
 }

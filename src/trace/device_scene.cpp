@@ -1,5 +1,6 @@
 #include "trace/device_scene.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "core/error.hpp"
@@ -11,6 +12,9 @@ namespace {
 // A fixed mesh shown more than once is flattened all the same while the copies stay below this; above, Embree instances share
 // it.
 constexpr std::size_t kFlattenTriangles = 200'000;
+
+/// Rays are followed at least so far, in sizes of the scene, whatever instances magnify them.
+constexpr float kLeastReach = 1000.0f;
 
 void check(RTCDevice device, const char* doing) {
   const RTCError code = rtcGetDeviceError(device);
@@ -63,6 +67,14 @@ Vec3f normalized_or(Vec3f v, Vec3f otherwise) {
 bool is_singular(const Mat3f& m) {
   const float volume = std::abs(glm::determinant(m));
   return !(volume > 1e-12f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
+}
+
+/// The coordinates up to which rays stay within kEmbreeReach when they are taken into a node's space.
+float reach_of(const Affine3f& mesh_from_world) {
+  const Mat3f& m = mesh_from_world.linear;
+  const Vec3f sums = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]), moved = glm::abs(mesh_from_world.translation);
+  const float factor = std::max({1.0f, sums.x, sums.y, sums.z}), offset = std::max({moved.x, moved.y, moved.z});
+  return std::max(0.0f, (kEmbreeReach - offset) / factor);  // 0 for what is not a number
 }
 
 /// Assigns record ids while it attaches geometries.
@@ -213,7 +225,7 @@ class SceneBuilder {
       }
   }
 
-  static void place_record(GeometryRecord& record, RTCGeometry geometry, const Affine3f& place);
+  void place_record(GeometryRecord& record, RTCGeometry geometry, const Affine3f& place) const;
 
   void push_record(const GeometryRecord& record, EmbreeGeometry geometry) {
     impl_.records.push_back(record);
@@ -249,8 +261,11 @@ class SceneBuilder {
   std::map<int, int> uses_;
 };
 
-void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh) {
-  if (is_singular(world_from_mesh.linear)) {  // animations hide things so
+/// least_reach: what would shorten the reach of rays below it is hidden, too: it is scaled to as good as nothing.
+void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh, float least_reach) {
+  record.reach = reach_of(inverse(world_from_mesh));
+  if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide things so
+    record.reach = kEmbreeReach;
     rtcDisableGeometry(geometry);
     rtcCommitGeometry(geometry);
     return;
@@ -263,8 +278,14 @@ void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_f
 }
 static_assert(sizeof(Affine3f) == 12 * sizeof(float), "handed to Embree as 3 x 4 floats, column by column");
 
-void SceneBuilder::place_record(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh) {
-  place(record, geometry, world_from_mesh);
+void SceneBuilder::place_record(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh) const {
+  place(record, geometry, world_from_mesh, kLeastReach * impl_.size);
+}
+
+float least_reach_of(const std::vector<GeometryRecord>& records) {
+  float reach = kEmbreeReach;
+  for (const GeometryRecord& record : records) reach = std::min(reach, record.reach);
+  return reach;
 }
 
 /// Re-derives the world primitives of one table, in the order in which the builder added them.
@@ -294,10 +315,15 @@ void move_planes(DeviceScene::Impl& impl, const ResolvedScene& resolved) {
 
 // How far secondary rays start from their surface. Tachyon's scenes: 1e-4 as measured against it. Others: relative to their
 // size, some ten times the rounding error of a hit point.
-float choose_t_near(const Scene& scene, const ResolvedScene& resolved) {
+float choose_t_near(const Scene& scene, const Bounds3f& b) {
   if (scene.encoding == Encoding::kTachyonTruncate) return 1e-4f;
-  const Bounds3f b = finite_bounds(scene, resolved);
   return b.empty() ? 1e-4f : 1e-5f * glm::length(b.size());
+}
+
+float largest_coordinate(const Bounds3f& b) {
+  if (b.empty()) return 1.0f;
+  const Vec3f corner = glm::max(glm::abs(b.lower), glm::abs(b.upper));
+  return std::max({corner.x, corner.y, corner.z});
 }
 
 }  // namespace
@@ -316,13 +342,16 @@ DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool) : impl_(std
   impl.lights = make_lights(scene, resolved);
   impl.any_visible_light = std::any_of(impl.lights.begin(), impl.lights.end(),
                                        [](const WhittedLight& light) { return light.visible_radius > 0.0f; });
-  impl.secondary_t_near = choose_t_near(scene, resolved);
+  const Bounds3f bounds = finite_bounds(scene, resolved);
+  impl.secondary_t_near = choose_t_near(scene, bounds);
+  impl.size = largest_coordinate(bounds);
   // Embree runs its builders on the calling arena's oneTBB threads; asking it for more would start its own.
   const std::string config = "threads=" + std::to_string(pool.threads()) + ",set_affinity=0";
   impl.device = EmbreeDevice(rtcNewDevice(config.c_str()));
   if (!impl.device) throw Error("Embree", "no device could be made on this processor", "x86-64 with SSE2, or ARM64");
   impl.native_width = native_packet_width(impl.device.get());
   pool.run([&] { SceneBuilder(impl, resolved).build(); });
+  impl.reach = least_reach_of(impl.records);
 }
 
 DeviceScene::~DeviceScene() = default;
@@ -335,8 +364,9 @@ void DeviceScene::update(const ResolvedScene& resolved, const ThreadPool& pool) 
   for (const int id : impl.moving_records) {
     GeometryRecord& record = impl.records[static_cast<std::size_t>(id)];
     place(record, impl.placed_geometries[static_cast<std::size_t>(id)].get(),
-          resolved.of(impl.scene->instances[record.instance].node));
+          resolved.of(impl.scene->instances[record.instance].node), kLeastReach * impl.size);
   }
+  impl.reach = least_reach_of(impl.records);
   move_primitives<Sphere>(impl.moving_tables.spheres, impl.moving_tables.sphere_geometry, impl, resolved);
   move_primitives<Cylinder>(impl.moving_tables.cylinders, impl.moving_tables.cylinder_geometry, impl, resolved);
   move_primitives<Ring>(impl.moving_tables.rings, impl.moving_tables.ring_geometry, impl, resolved);

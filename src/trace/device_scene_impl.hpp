@@ -38,7 +38,8 @@ struct GeometryRecord {
   const std::vector<UvGradient>* uv_gradients = nullptr;  ///< per triangle, where the mesh has uvs
   const void* primitives = nullptr;                       ///< PrimitiveTable of the kind
   const std::vector<std::uint32_t>* instance_of_primitive = nullptr;
-  bool one_material = true;  ///< shared by all that has this record
+  bool one_material = true;    ///< shared by all that has this record
+  float reach = kEmbreeReach;  ///< of rays that stay within kEmbreeReach when they are taken into mesh space, where placed
   Affine3f world_from_mesh;
   Mat3f normal_from_mesh{1.0f};  ///< inverse transpose of the linear part
 };
@@ -62,6 +63,8 @@ struct DeviceScene::Impl {
   const Scene* scene = nullptr;
   EmbreeDevice device;
   int native_width = 16;
+  float reach = kEmbreeReach;  ///< of rays: the least of all records
+  float size = 1.0f;           ///< the largest coordinate of what is there at the first frame, planes left out
 
   EmbreeScene fixed, moving;
   bool has_fixed = false, has_moving = false;

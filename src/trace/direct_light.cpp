@@ -129,6 +129,7 @@ LIPPMANN_MULTIVERSION int aim_at_light(const WhittedLight& light, const SurfaceP
 }
 
 void trace_shadows(const DeviceScene::Impl& scene, ShadowPacket& shadow) {
+  shadow.active = sound_lanes(shadow.rays, scene.reach, shadow.active);  // the others get no light
   LaneMask lit = shadow.active;
   if (!scene.planes.empty() && !cross_planes(scene.planes.data(), scene.planes.size(), shadow, lit)) return;
   if (scene.has_fixed) occluded(scene.fixed.get(), scene.native_width, lit, shadow.rays, shadow.context);

@@ -1,5 +1,6 @@
 #include "trace/embree_shim.hpp"
 
+#include <cmath>
 #include <cstring>
 
 namespace lippmann {
@@ -55,6 +56,19 @@ int native_packet_width(RTCDevice device) {
   if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) return 16;
   if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)) return 8;
   return 4;
+}
+
+LIPPMANN_MULTIVERSION LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active) {
+  LaneMask sound;
+  LIPPMANN_FOR_LANES(i) {
+    const bool origin =
+        (std::abs(rays.org_x[i]) <= reach) & (std::abs(rays.org_y[i]) <= reach) & (std::abs(rays.org_z[i]) <= reach);
+    const bool direction =
+        (std::abs(rays.dir_x[i]) <= reach) & (std::abs(rays.dir_y[i]) <= reach) & (std::abs(rays.dir_z[i]) <= reach);
+    const bool range = (rays.tnear[i] >= 0.0f) & (rays.tnear[i] <= kInfinity) & (std::abs(rays.tfar[i]) <= kInfinity);
+    sound.lane[i] = origin & direction & range ? active.lane[i] : 0;
+  }
+  return sound;
 }
 
 void intersect(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Coherence coherence) {

@@ -64,10 +64,19 @@ struct ShadowContext {
   alignas(64) float transmittance[kLanes];
 };
 
-/// Traces the active lanes; tfar and the hit of a lane change where something nearer than its tfar is met.
+/// Coordinates of rays up to which Embree computes; builds of it that check, as Debian's, end the process at larger ones and at
+/// what is not a number.
+inline constexpr float kEmbreeReach = 1e18f;
+
+/// The active lanes whose rays are numbers, and whose coordinates lie within `reach`: less than kEmbreeReach where instances
+/// magnify them. What is left out meets nothing. Scenes and optics are checked when they are loaded, but products of sound
+/// numbers may still overflow on a ray's way.
+LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active);
+
+/// Traces the active lanes, all of them sound; tfar and the hit of a lane change where something nearer than its tfar is met.
 void intersect(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Coherence coherence);
 
-/// Sets tfar of an active lane to -inf where something lies between tnear and tfar.
+/// Sets tfar of an active lane, all of them sound, to -inf where something lies between tnear and tfar.
 /// `context.transmittance` must hold 1 for fresh lanes; it shrinks by each see-through surface passed.
 void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacket& packet, ShadowContext& context);
 

@@ -1,9 +1,16 @@
 #include "trace/ray_queue.hpp"
 
+#include <fmt/format.h>
+
 #include <cstring>
+
+#include "core/error.hpp"
 
 namespace lippmann {
 namespace {
+
+/// Of one wave: some 200 MB. Depths at which pictures still change stay far below.
+constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
 /// The arrays of the queue from some ray on.
 struct QueueView {
@@ -101,6 +108,9 @@ void RayQueue::load(std::size_t first, RayHitPacket& packet, Bundle& bundle, Lan
 /// behind the last ray is read into inactive lanes only.
 void RayQueue::grow() {
   const std::size_t capacity = std::max<std::size_t>(2 * capacity_, 2048);
+  if (capacity > kMostRays)
+    throw Error("scene", fmt::format("mirrors that let light through split paths into more than {} rays at once", kMostRays),
+                "a smaller --max-depth: each vertex of a path may double its rays");
   auto values = std::make_unique_for_overwrite<float[]>(kFields * capacity);
   auto pixel = std::make_unique_for_overwrite<std::uint32_t[]>(capacity);
   for (std::size_t f = 0; f < kFields; ++f) std::copy_n(field(f), size_, values.get() + f * capacity);

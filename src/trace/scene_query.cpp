@@ -53,8 +53,9 @@ LIPPMANN_MULTIVERSION void clear_hits(RayHitPacket& packet) {
 
 void intersect_scene(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet, Coherence coherence) {
   if (!scene.planes.empty()) meet_planes(scene.planes.data(), scene.planes.size(), active, packet);
-  if (scene.has_fixed) intersect(scene.fixed.get(), scene.native_width, active, packet, coherence);
-  if (scene.has_moving) intersect(scene.moving.get(), scene.native_width, active, packet, coherence);
+  const LaneMask sound = sound_lanes(packet.ray, scene.reach, active);
+  if (scene.has_fixed) intersect(scene.fixed.get(), scene.native_width, sound, packet, coherence);
+  if (scene.has_moving) intersect(scene.moving.get(), scene.native_width, sound, packet, coherence);
   if (scene.any_visible_light) meet_lights(scene.lights.data(), scene.lights.size(), active, packet);
 }
 

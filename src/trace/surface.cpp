@@ -1,5 +1,7 @@
 #include "trace/surface.hpp"
 
+#include <limits>
+
 #include "trace/surface_material.hpp"
 
 namespace lippmann {
@@ -46,10 +48,14 @@ LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, L
   return first;
 }
 
+/// Of normals: the least that is not rounded to fewer digits. Facets' normals are as long as twice their area, and areas of
+/// small triangles in large units have squares far below 1.
+constexpr float kLeastSquare = std::numeric_limits<float>::min();
+
 /// Makes a normal unit length and turns it to the side of the facet that the ray came from.
 LIPPMANN_INLINE void face_ray(const RayPacket& rays, const LaneMask& lanes, int i, Vec3f facet, Vec3f n, SurfacePacket& s) {
   const bool behind = facet.x * rays.dir_x[i] + facet.y * rays.dir_y[i] + facet.z * rays.dir_z[i] > 0.0f;
-  const float scale = (behind ? -1.0f : 1.0f) / std::sqrt(std::max(n.x * n.x + n.y * n.y + n.z * n.z, 1e-30f));
+  const float scale = (behind ? -1.0f : 1.0f) / std::sqrt(std::max(n.x * n.x + n.y * n.y + n.z * n.z, kLeastSquare));
   const bool wanted = lanes.lane[i] != 0;
   const int entering = behind ? 0 : -1;
   s.entering.lane[i] = wanted ? entering : s.entering.lane[i];

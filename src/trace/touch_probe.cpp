@@ -83,7 +83,7 @@ std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& activ
     packet.id[i] = static_cast<unsigned>(i);
     context.transmittance[i] = everything_;
   }
-  occluded(scene_.get(), native_width_, active, packet, context);
+  occluded(scene_.get(), native_width_, sound_lanes(packet, kEmbreeReach, active), packet, context);
   float lowest = everything_;
   for (int i = 0; i < kLanes; ++i) lowest = std::min(lowest, active.lane[i] ? context.transmittance[i] : lowest);
   return static_cast<std::uint8_t>(lowest);

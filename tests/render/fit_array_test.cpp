@@ -255,6 +255,23 @@ std::string budget_for(float half_depth) {
   return depth_budget_sentence(array, scene_units_per_mm(array, 64.0f), {.panel = {}, .model = LenticularSheet{}});
 }
 
+TEST(FitArray, scenes_too_large_or_too_far_for_floats_are_refused_as_scenes) {
+  Scene wide, distant;
+  add_box(wide, Vec3f(-1e30f), Vec3f(1e30f));
+  add_box(distant, Vec3f(-1), Vec3f(1));
+  add_camera(distant, at({0, 1e20f, 0})).focus_distance = 2.0f;
+  Scene small = distant;
+  small.nodes.back().local = {Vec3f(0.0f), Quatf(1, 0, 0, 0), Vec3f(1e-11f)};
+  for (const Scene* scene : {&wide, &distant, &small}) {
+    try {
+      fit_array(*scene);
+      FAIL() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("scene: the lens array"));
+    }
+  }
+}
+
 TEST(DepthBudget, scene_within_it_is_said_to_be) {
   EXPECT_EQ(budget_for(1.5f),
             "The scene reaches from -15.0 mm to +15.0 mm, within the depth budget of 16.0 mm on either side.");

@@ -68,6 +68,20 @@ TEST(MakeOptics, pixels_of_a_slanted_sheet_count_along_the_rows) {
   EXPECT_NEAR(std::get<LenticularSheet>(optics.model).lens_pitch_mm, 8.0f * optics.panel.pixel_pitch_mm * 0.5f, 1e-6f);
 }
 
+TEST(MakeOptics, viewer_too_close_for_lenses_of_a_pixel_is_refused_by_the_name_of_the_flag) {
+  for (const OpticsKind kind : {OpticsKind::kLenticular, OpticsKind::kMicrolens}) {
+    RenderParams params;
+    params.optics = kind;
+    params.viewing_distance_mm = 0.1f;  // lenses of 8 pixels, 2 mm before them: 1 / 21 of a cell
+    try {
+      make_optics(params, Scene{}, placed_array());
+      FAIL() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("--viewing-distance")) << error.what();
+    }
+  }
+}
+
 TEST(MakeOptics, infinite_viewer_is_refused_where_there_are_no_lenses) {
   RenderParams params;
   params.optics = OpticsKind::kSingle;

@@ -136,7 +136,8 @@ struct Picture {
   }
 };
 
-inline Picture trace(const Scene& scene, const Optics& optics, TraceParams params = {}, int threads = 1, double time = 0.0) {
+inline Picture trace(const Scene& scene, const Optics& optics, TraceParams params = {}, int threads = 1, double time = 0.0,
+                     const Affine3f& world_from_display = {}) {
   const ThreadPool pool(threads);
   const Context context;
   DeviceScene device(scene, pool);
@@ -144,7 +145,7 @@ inline Picture trace(const Scene& scene, const Optics& optics, TraceParams param
   params.max_depth = scene.max_depth;
   Picture picture;
   picture.aovs.depth = picture.aovs.normal = picture.aovs.object_id = picture.aovs.position = true;
-  picture.counts = trace_frame(device, optics, Affine3f{}, params, pool, context, picture.film, &picture.aovs);
+  picture.counts = trace_frame(device, optics, world_from_display, params, pool, context, picture.film, &picture.aovs);
   return picture;
 }
 

@@ -1,6 +1,7 @@
 // Shading against values worked out by hand. The view is from (0, 0, 10) at the square +-2; its central rays run along -z.
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "trace/small_scene.hpp"
 
 namespace lippmann {
@@ -188,6 +189,61 @@ TEST(Whitted, analytic_shapes_scaled_to_nothing_show_nothing) {
       const Picture p = trace(s.scene, single_view(kSize));
       for (const float value : p.film.data) ASSERT_EQ(value, 0.0f) << shape.index();
     }
+}
+
+TEST(Whitted, node_squeezed_to_almost_nothing_shows_nothing_and_the_rest_stays) {
+  SmallScene s;
+  Mesh corner;
+  corner.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}};
+  corner.triangles = {{0, 1, 2}};
+  const int moving = s.moving_node({0, 0, 0}, {0, 0, 1});
+  const Affine3f squeezed{Mat3f(Vec3f(1e-30f, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1)), Vec3f(0.0f)};
+  s.scene.nodes.push_back({"", moving, {}, squeezed});
+  s.add(corner, s.material(glowing(Vec3f(1.0f))), static_cast<int>(s.scene.nodes.size()) - 1);
+  s.add(Spheres{{Vec3f(0.0f), 0.1f}}, s.material(glowing(Vec3f(0.5f))));
+  const Picture p = trace(s.scene, single_view(kSize));
+  expect_color(p.at(kMiddle, kMiddle), Vec3f(0.5f), 0.0f);
+  expect_color(p.at(kMiddle + 9, kMiddle - 9), Vec3f(0.0f), 0.0f);
+}
+
+TEST(Whitted, rays_that_overflow_meet_nothing) {
+  SmallScene s;
+  s.add(Spheres{{Vec3f(0.0f), 1.0f}}, s.material(matte(Vec3f(0.5f))));
+  s.point_light({1e30f, 0, 0});
+  const Affine3f far_away{Mat3f(1.0f), Vec3f(1e30f, 0, 0)};
+  s.add(Spheres{{Vec3f(0.0f), 1.0f}}, s.material(matte(Vec3f(0.5f))), s.node(far_away));
+  for (const float scale : {1.0f, 1e19f, 1e30f}) {
+    const Picture p = trace(s.scene, single_view(kSize), {}, 1, 0.0, {Mat3f(scale), Vec3f(0.0f)});
+    for (const float value : p.film.data) ASSERT_TRUE(value >= 0.0f && value <= 0.5f) << value << " at " << scale;
+  }
+}
+
+TEST(Whitted, facets_far_smaller_than_a_unit_are_lit_as_large_ones) {
+  for (const float size : {1.0f, 1e-9f}) {
+    SmallScene s;
+    Mesh corner;
+    corner.positions = {{0, 0, 0}, {9 * size, 0, 0}, {0, 9 * size, 0}};
+    corner.triangles = {{0, 1, 2}};
+    s.add(corner, s.material(matte(Vec3f(0.5f))));
+    s.point_light({0, 0, 1e4f});
+    const Picture p = trace(s.scene, single_view(kSize), {}, 1, 0.0, {Mat3f(size), Vec3f(0.0f)});
+    expect_color(p.at(kMiddle + 5, kMiddle - 5), Vec3f(0.5f), 1e-4f);
+  }
+}
+
+TEST(Whitted, paths_that_split_without_end_are_an_error_that_names_max_depth) {
+  SmallScene s;
+  PhongSurface half_mirror;
+  half_mirror.mirror = half_mirror.opacity = 0.5f;
+  s.add(Spheres{{Vec3f(0.0f), 50.0f}}, s.material(half_mirror));
+  s.add(Spheres{{Vec3f(0.0f), 60.0f}}, s.material(half_mirror));
+  s.scene.max_depth = 1000;
+  try {
+    trace(s.scene, single_view(kSize));
+    FAIL() << "2^1000 rays were traced";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("--max-depth"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Whitted, mirror_shows_what_lies_behind_the_viewer) {
