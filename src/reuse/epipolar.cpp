@@ -36,28 +36,39 @@ struct alignas(64) Ids {
 struct Side {
   Floats cost;   ///< lenses from the place, and what the view's distance adds
   Floats extra;  ///< the latter
-  Ints pixel;
+  Floats column;
 };
 
-LIPPMANN_INLINE void take_if(bool better, float cost, float extra, std::int32_t pixel, Side& side, int i) {
-  const float old_cost = side.cost.v[i], old_extra = side.extra.v[i];
-  const std::int32_t old_pixel = side.pixel.v[i];
+LIPPMANN_INLINE void take_if(bool better, float cost, float extra, float column, Side& side, int i) {
+  const float old_cost = side.cost.v[i], old_extra = side.extra.v[i], old_column = side.column.v[i];
   side.cost.v[i] = better ? cost : old_cost;
   side.extra.v[i] = better ? extra : old_extra;
-  side.pixel.v[i] = better ? pixel : old_pixel;
+  side.column.v[i] = better ? column : old_column;
+}
+
+/// The best sample of other views on one side.
+struct Candidate {
+  Floats cost, column;
+};
+
+LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
+  const float old_cost = best.cost.v[i], old_column = best.column.v[i];
+  best.cost.v[i] = cost < old_cost ? cost : old_cost;
+  best.column.v[i] = cost < old_cost ? column : old_column;
 }
 
 /// The state of a search for kPointLanes colours; each step fills what the next one needs.
 struct Search {
-  Ints source, row_begin, column;  ///< pixels: the sample, its row's first
-  Ints beside, behind;             ///< its neighbour; that of the two which is behind
+  Ints source, row_begin;  ///< pixels: the sample, its row's first
+  Floats row, column;      ///< of the sample
+  Floats beside, behind;   ///< columns of its neighbour, and of that of the two which is behind
   Ids object, object_beside, layer;
-  Floats row_place, row_slope;     ///< as in GridLine
-  Floats view, slope, place, off;  ///< place: sought, in samples of the view; off: of the landing from the sample's centre
-  Floats depth;                    ///< of the layer, mm
-  Floats per_view;                 ///< how far its points shift from view to view, samples
-  Side left, right;                ///< of the own view, later of all
-  Side other_left, other_right;    ///< of other views
+  Floats view, place, off;  ///< place: sought, in samples of the view; off: of the landing from the sample's centre
+  Floats slope;             ///< of the view
+  Floats depth;             ///< of the layer, mm
+  Floats per_view;          ///< how far its points shift from view to view, samples
+  Side left, right;         ///< of the own view, later of all
+  Candidate other_left, other_right;
 };
 
 /// The two pixels that a colour lies between.
@@ -120,24 +131,48 @@ void EpipolarSampler::find_contrast(PointImage& image, const ThreadPool& pool) c
 
 namespace {
 
+/// The lines of a GridLanding in closed form, lens by lens and view by view.
+struct SampleAxis {
+  float per_lens, per_pixel;  ///< pixels per lens; its inverse
+  float place, pitch;         ///< of lens 0 and from lens to lens, mm
+  float slope, slope_per_px;  ///< of view 0 and from view to view
+};
+
+struct Sample {
+  float lens, view, place, slope;
+};
+
+LIPPMANN_INLINE Sample sample_at(const SampleAxis& axis, float pixel) {
+  const float lens = std::floor((pixel + 0.5f) * axis.per_pixel), view = pixel - axis.per_lens * lens;
+  return {lens, view, axis.place + lens * axis.pitch, axis.slope + view * axis.slope_per_px};
+}
+
+/// `place` and `slope` by pixel.
+template <class Place, class Slope>
+SampleAxis sample_axis(const GridScale& scale, int pixels, const Place& place, const Slope& slope) {
+  const int step = static_cast<int>(scale.step);
+  return {scale.step, 1.0f / scale.step,
+          place(0),   pixels > step ? place(step) - place(0) : 0.0f,
+          slope(0),   step > 1 ? (slope(step - 1) - slope(0)) / static_cast<float>(step - 1) : 0.0f};
+}
+
 /// What the steps need of the grid of samples.
 struct Constants {
-  float samples_per_mm, shift, vergence;
-  float pixels_per_lens, lenses_per_pixel, slope_per_px, width;
-  const float *place, *slope;  ///< by column
-  const GridLine* lines;       ///< by row
+  float samples_per_mm, shift, vergence, width;
+  SampleAxis columns, rows;
 
   explicit Constants(const GridLanding& grid)
       : samples_per_mm(grid.c.across.samples_per_mm),
         shift(grid.c.across.shift),
         vergence(grid.c.vergence),
-        pixels_per_lens(grid.c.across.step),
-        lenses_per_pixel(1.0f / grid.c.across.step),
-        slope_per_px(grid.c.across.step > 1.0f ? grid.slope[1] - grid.slope[0] : 0.0f),
         width(static_cast<float>(grid.width)),
-        place(grid.place.data()),
-        slope(grid.slope.data()),
-        lines(grid.lines.data()) {}
+        columns(sample_axis(
+            grid.c.across, grid.width, [&](int i) { return grid.place[static_cast<std::size_t>(i)]; },
+            [&](int i) { return grid.slope[static_cast<std::size_t>(i)]; })),
+        rows(sample_axis(
+            grid.c.down, static_cast<int>(grid.lines.size()),
+            [&](int j) { return grid.lines[static_cast<std::size_t>(j)].place; },
+            [&](int j) { return grid.lines[static_cast<std::size_t>(j)].slope; })) {}
 };
 
 /// Where a point is seen by a view, in its samples: the centre of sample k is at k + 0.5.
@@ -145,21 +180,44 @@ LIPPMANN_INLINE float coordinate(const Constants& c, float x, float z, float slo
   return (x + slope * z) / (1.0f - z * c.vergence) * c.samples_per_mm + c.shift;
 }
 
+/// Rows and columns of the sources.
+LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Search& s) {
+  const std::int32_t width = static_cast<std::int32_t>(c.width);
+  const double rows_per_pixel = 1.0 / static_cast<double>(c.width);
+  for (int i = 0; i < kPointLanes; ++i) {
+    const std::int32_t source = static_cast<std::int32_t>(sources[i]);
+    // Never nearer to a whole number than half a pixel: exact.
+    const std::int32_t row = static_cast<std::int32_t>((static_cast<double>(source) + 0.5) * rows_per_pixel);
+    s.source.v[i] = source;
+    s.row_begin.v[i] = row * width;
+    s.row.v[i] = static_cast<float>(row), s.column.v[i] = static_cast<float>(source - row * width);
+    s.other_left.cost.v[i] = s.other_right.cost.v[i] = kFar;
+    s.other_left.column.v[i] = s.other_right.column.v[i] = s.column.v[i];
+  }
+}
+
+/// What is known of the pixels of the rows at these columns.
+LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin, const Floats& column, Floats& z, Ids& object) {
+  Ints pixel;
+  for (int i = 0; i < kPointLanes; ++i) pixel.v[i] = row_begin.v[i] + static_cast<std::int32_t>(column.v[i]);
+  gather(points.z.data(), pixel.v, z.v);
+  gather(points.object.data(), pixel.v, object.v);
+}
+
 /// 1. How far off its sample's centre a point has landed; the view's own sample on the other side of the place.
 LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& points, const Motion& motion, Search& s) {
   const Constants c = constants;
   Positions p;
   StillLanes still;
-  Floats place;
-  gather(points.z.data(), s.source.v, s.depth.v);
-  gather(points.object.data(), s.source.v, s.object.v);
-  gather(c.place, s.column.v, place.v);
-  gather(c.slope, s.column.v, s.slope.v);
+  Floats lens;
+  look_up(points, s.row_begin, s.column, s.depth, s.object);
   for (int i = 0; i < kPointLanes; ++i) {
     const float z = s.depth.v[i];
-    p.x[i] = position_on_line(place.v[i], s.slope.v[i], c.vergence, z);
-    p.y[i] = -position_on_line(s.row_place.v[i], s.row_slope.v[i], c.vergence, z);
+    const Sample across = sample_at(c.columns, s.column.v[i]), down = sample_at(c.rows, s.row.v[i]);
+    p.x[i] = position_on_line(across.place, across.slope, c.vergence, z);
+    p.y[i] = -position_on_line(down.place, down.slope, c.vergence, z);
     p.z[i] = z;
+    lens.v[i] = across.lens, s.view.v[i] = across.view, s.slope.v[i] = across.slope;
   }
   if (motion.uniform())
     move_alike(motion.groups[0], p, still);
@@ -168,13 +226,11 @@ LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& poi
   for (int i = 0; i < kPointLanes; ++i) {
     const float landed = coordinate(c, p.x[i], p.z[i], s.slope.v[i]);
     const float off = landed - std::floor(landed) - 0.5f;
-    const float column = static_cast<float>(s.column.v[i]), lens = std::floor((column + 0.5f) * c.lenses_per_pixel);
-    const float column_beside = column + (off > 0.0f ? -c.pixels_per_lens : c.pixels_per_lens);
-    const bool is_there = (column_beside >= 0.0f) & (column_beside < c.width);
-    s.view.v[i] = column - c.pixels_per_lens * lens;
+    const float column = s.column.v[i], beside = column + (off > 0.0f ? -c.columns.per_lens : c.columns.per_lens);
+    const bool is_there = (beside >= 0.0f) & (beside < c.width);
     s.off.v[i] = off;
-    s.place.v[i] = lens + 0.5f - off;
-    s.beside.v[i] = s.row_begin.v[i] + static_cast<std::int32_t>(is_there ? column_beside : column);
+    s.place.v[i] = lens.v[i] + 0.5f - off;
+    s.beside.v[i] = is_there ? beside : column;
   }
 }
 
@@ -182,25 +238,24 @@ LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& poi
 LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoints& points, Search& s) {
   const Constants c = constants;
   Floats z_beside;
-  gather(points.z.data(), s.beside.v, z_beside.v);
-  gather(points.object.data(), s.beside.v, s.object_beside.v);
+  look_up(points, s.row_begin, s.beside, z_beside, s.object_beside);
   for (int i = 0; i < kPointLanes; ++i) {
     const std::uint32_t object = s.object.v[i], object_beside = s.object_beside.v[i];
-    const std::int32_t source = s.source.v[i], beside = s.beside.v[i];
+    const float column = s.column.v[i], beside = s.beside.v[i];
     const float off = s.off.v[i], own = depth_or_behind_all(s.depth.v[i], object);
     const float other = depth_or_behind_all(z_beside.v[i], object_beside);
     const bool other_in_front = other > own;
     const float z = other_in_front ? other : own;
     s.depth.v[i] = z;
-    s.per_view.v[i] = c.slope_per_px * z / (1.0f - z * c.vergence) * c.samples_per_mm;
+    s.per_view.v[i] = c.columns.slope_per_px * z / (1.0f - z * c.vergence) * c.samples_per_mm;
     s.layer.v[i] = other_in_front ? object_beside : object;
-    s.behind.v[i] = other_in_front ? source : beside;
-    const float missing = (beside == source) | (object_beside == kMissedObject) ? kFar : 0.0f;
+    s.behind.v[i] = other_in_front ? column : beside;
+    const float missing = (beside == column) | (object_beside == kMissedObject) ? kFar : 0.0f;
     const bool own_left = off <= 0.0f;
     s.left.cost.v[i] = own_left ? -off : 1.0f - off + missing;
     s.right.cost.v[i] = own_left ? 1.0f + off + missing : off;
-    s.left.pixel.v[i] = own_left ? source : beside;
-    s.right.pixel.v[i] = own_left ? beside : source;
+    s.left.column.v[i] = own_left ? column : beside;
+    s.right.column.v[i] = own_left ? beside : column;
     s.left.extra.v[i] = s.right.extra.v[i] = 0.0f;
   }
 }
@@ -211,37 +266,28 @@ LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& 
   const float extra = std::abs(step) * kViewCost;
   for (int i = 0; i < kPointLanes; ++i) {
     const float view = s.view.v[i] + step;
-    const bool has_layer = s.layer.v[i] < kMissedObject;
-    const bool is_view = (view >= 0.0f) & (view < c.pixels_per_lens) & has_layer;
-    const float t = s.place.v[i] + step * s.per_view.v[i];
-    const float k = std::floor(t), f = t - k - 0.5f;
-    const float to_left = f >= 0.0f ? f : 1.0f + f, to_right = 1.0f - to_left;
-    const float column = (f >= 0.0f ? k : k - 1.0f) * c.pixels_per_lens + view, next = column + c.pixels_per_lens;
-    const bool left_is_there = is_view & (column >= 0.0f) & (column < c.width);
-    const bool right_is_there = is_view & (next >= 0.0f) & (next < c.width);
-    const std::int32_t left = s.row_begin.v[i] + static_cast<std::int32_t>(left_is_there ? column : 0.0f);
-    const std::int32_t right = s.row_begin.v[i] + static_cast<std::int32_t>(right_is_there ? next : 0.0f);
-    take_if(left_is_there & (to_left + extra < s.other_left.cost.v[i]), to_left + extra, extra, left, s.other_left, i);
-    take_if(right_is_there & (to_right + extra < s.other_right.cost.v[i]), to_right + extra, extra, right, s.other_right, i);
+    const bool is_view = (view >= 0.0f) & (view < c.columns.per_lens) & (s.layer.v[i] < kMissedObject);
+    const float t = s.place.v[i] + step * s.per_view.v[i] - 0.5f;
+    const float lens = std::floor(t), to_left = t - lens;
+    const float left = lens * c.columns.per_lens + view, right = left + c.columns.per_lens;
+    offer(is_view & (left >= 0.0f) & (left < c.width) ? to_left + extra : kFar, left, s.other_left, i);
+    offer(is_view & (right >= 0.0f) & (right < c.width) ? 1.0f - to_left + extra : kFar, right, s.other_right, i);
   }
 }
 
 /// 3. Looks at what the best sample of other views on one side (-1 left, 1 right) shows; takes it where it tells more than the
 /// own view's samples.
-LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& points, const Side& best, float side, Search& s) {
+LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& points, const Candidate& best, float side,
+                             Search& s) {
   const Constants c = constants;
-  Floats z, place, slope;
+  Floats z;
   Ids id;
-  Ints column;
-  for (int i = 0; i < kPointLanes; ++i) column.v[i] = best.pixel.v[i] - s.row_begin.v[i];
-  gather(c.place, column.v, place.v);
-  gather(c.slope, column.v, slope.v);
-  gather(points.z.data(), best.pixel.v, z.v);
-  gather(points.object.data(), best.pixel.v, id.v);
+  look_up(points, s.row_begin, best.column, z, id);
   for (int i = 0; i < kPointLanes; ++i) {
-    const std::int32_t pixel_there = best.pixel.v[i], pixel_behind = s.behind.v[i];
-    const float cost_there = best.cost.v[i], extra = best.extra.v[i];
-    const float x = position_on_line(place.v[i], slope.v[i], c.vergence, z.v[i]);
+    const float column_there = best.column.v[i], column_behind = s.behind.v[i], cost_there = best.cost.v[i];
+    const Sample there = sample_at(c.columns, column_there);
+    const float extra = std::abs(there.view - s.view.v[i]) * kViewCost;
+    const float x = position_on_line(there.place, there.slope, c.vergence, z.v[i]);
     const float r = coordinate(c, x, z.v[i], s.slope.v[i]) - s.place.v[i];
     // Selections of numbers, one condition each: that is what the compiler turns into vector instructions.
     float as_end = s.object.v[i] != s.object_beside.v[i] ? cost_there : kFar;
@@ -251,9 +297,9 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
     const bool on_layer = id.v[i] == s.layer.v[i];
     const float seen = on_layer ? as_layer : as_end, cost = cost_there < kFar ? seen : kFar, where = on_layer ? r : side;
     const float left_cost = where <= 0.0f ? cost : kFar, right_cost = where <= 0.0f ? kFar : cost;
-    const std::int32_t pixel = on_layer ? pixel_there : pixel_behind;
-    take_if(left_cost < s.left.cost.v[i], left_cost, extra, pixel, s.left, i);
-    take_if(right_cost < s.right.cost.v[i], right_cost, extra, pixel, s.right, i);
+    const float column = on_layer ? column_there : column_behind;
+    take_if(left_cost < s.left.cost.v[i], left_cost, extra, column, s.left, i);
+    take_if(right_cost < s.right.cost.v[i], right_cost, extra, column, s.right, i);
   }
 }
 
@@ -262,10 +308,10 @@ LIPPMANN_INLINE void weigh(const Search& s, Samples& out) {
   for (int i = 0; i < kPointLanes; ++i) {
     const bool exact = (std::abs(s.off.v[i]) < kExact) | (s.object.v[i] >= kMissedObject);
     const float left_cost = s.left.cost.v[i], right_cost = s.right.cost.v[i];
-    const std::int32_t source = s.source.v[i], left = s.left.pixel.v[i], right = s.right.pixel.v[i];
-    const std::int32_t some_left = left_cost < kFar ? left : right, some_right = right_cost < kFar ? right : left;
-    out.left.v[i] = exact ? source : some_left;
-    out.right.v[i] = exact ? source : some_right;
+    const float own = s.column.v[i], left = s.left.column.v[i], right = s.right.column.v[i];
+    const float some_left = left_cost < kFar ? left : right, some_right = right_cost < kFar ? right : left;
+    out.left.v[i] = s.row_begin.v[i] + static_cast<std::int32_t>(exact ? own : some_left);
+    out.right.v[i] = s.row_begin.v[i] + static_cast<std::int32_t>(exact ? own : some_right);
     const float to_left = left_cost - s.left.extra.v[i], to_right = right_cost - s.right.extra.v[i];
     out.left_weight.v[i] = exact ? 1.0f : to_right / (to_left + to_right);
   }
@@ -274,16 +320,7 @@ LIPPMANN_INLINE void weigh(const Search& s, Samples& out) {
 LIPPMANN_MULTIVERSION void find_samples(const Constants& c, const PrimaryPoints& points, const Motion& motion,
                                         const std::uint32_t* sources, Samples& out) {
   Search s;
-  for (int i = 0; i < kPointLanes; ++i) {
-    s.source.v[i] = static_cast<std::int32_t>(sources[i]);
-    const std::uint32_t width = static_cast<std::uint32_t>(c.width), row = sources[i] / width;
-    s.row_begin.v[i] = static_cast<std::int32_t>(row * width);
-    s.column.v[i] = static_cast<std::int32_t>(sources[i] - row * width);
-    s.row_place.v[i] = c.lines[row].place, s.row_slope.v[i] = c.lines[row].slope;
-    s.other_left.cost.v[i] = s.other_right.cost.v[i] = kFar;
-    s.other_left.extra.v[i] = s.other_right.extra.v[i] = 0.0f;
-    s.other_left.pixel.v[i] = s.other_right.pixel.v[i] = s.source.v[i];
-  }
+  start(c, sources, s);
   locate(c, points, motion, s);
   choose_layer(c, points, s);
   for (int step = 1; step <= kViews; ++step) {
