@@ -151,7 +151,9 @@ std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vect
     for (std::size_t m = 0; m < methods.size(); ++m)
       for (int frame = first; frame < std::min(first + kTurn, end); ++frame) {
         const FrameInterval keys = key_interval(frame, runs[m].keyframes, last_of_all);
-        runs[m].frames.push_back(compare(makers[m]->make(frame), traced, keys, encoding));
+        RenderedFrame made = makers[m]->make(frame);
+        runs[m].frames.push_back(compare(made, traced, keys, encoding));
+        makers[m]->recycle(std::move(made.pictures.film));
       }
     traced.erase(traced.begin(), traced.lower_bound(first + kTurn));
   }

@@ -127,8 +127,10 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   RenderReport report{params.scene, stage.placed.optics, params, {}, {}};
   report.threads = pool.threads();
   const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
-  FrameSink sink({params, folder, stage.scene.encoding, fps, pool.threads()}, finished);
   const auto maker = make_frame_maker(stage, params, pool, context);
+  FrameSink sink(
+      {params, folder, stage.scene.encoding, fps, pool.threads(), [&](Image film) { maker->recycle(std::move(film)); }},
+      finished);
   if (observer.planned) observer.planned(plan);
   report.setup_seconds = setup.seconds();
 

@@ -111,6 +111,7 @@ ForwardFrames::Source ForwardFrames::traced(int frame) {
 ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& interval, bool as_source) {
   const FrameClock clock(pool_);
   Source source;
+  source.image.film = spare_films_.take();
   source.image.moment = stage_.moment_at(frame);
   const Moment& moment = source.image.moment;
   RayCounts rays;

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <map>
+#include <utility>
 #include <vector>
 
+#include "image/spare_images.hpp"
 #include "render/frame_maker.hpp"
 #include "reuse/frame_plan.hpp"
 #include "reuse/in_between.hpp"
@@ -17,6 +19,7 @@ class ForwardFrames final : public FrameMaker {
   ForwardFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
 
   RenderedFrame make(int frame) override;
+  void recycle(Image film) override { spare_films_.give(std::move(film)); }
   std::vector<FrameReport> sources() const override;
 
   static double bytes_kept_per_pixel(const RenderParams& params);
@@ -41,6 +44,7 @@ class ForwardFrames final : public FrameMaker {
   const Context& context_;
   int every_, last_frame_;
   InBetweenMaker maker_;
+  SpareImages spare_films_;
   std::map<int, Source> sources_;             ///< by frame
   std::map<int, FrameReport> not_asked_for_;  ///< rendered as sources only, by frame
 };

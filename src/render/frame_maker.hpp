@@ -17,6 +17,9 @@ class FrameMaker {
   /// meanwhile.
   virtual RenderedFrame make(int frame) = 0;
 
+  /// Takes back the film of a frame that it made and that nobody needs any more: memory for the next. Thread-safe.
+  virtual void recycle(Image) {}
+
   /// What was rendered besides the frames asked for so far, because these are made from it; ascending.
   virtual std::vector<FrameReport> sources() const { return {}; }
 };

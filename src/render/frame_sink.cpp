@@ -58,6 +58,7 @@ struct FrameSink::Impl {
     FramePictures& pictures = rendered.pictures;
     if (needs_codes(settings.params)) pictures.codes = to_codes(pictures.film, settings.encoding);
     write_frame_files(settings.folder, rendered.report.frame, settings.params, settings.encoding, pictures);
+    if (settings.done_with) settings.done_with(std::move(pictures.film));
     pictures.film = {};
     pictures.aovs = {};
   }

@@ -19,7 +19,8 @@ class FrameSink {
     std::filesystem::path folder;
     Encoding encoding = Encoding::kSrgb;
     double frames_per_second = 25.0;
-    int threads = 1;  ///< that render; a share as many again write
+    int threads = 1;                            ///< that render; a share as many again write
+    std::function<void(Image)> done_with = {};  ///< is given the film of every written frame, on any thread; may be empty
   };
 
   /// `finished` outlives the sink and is not changed by others meanwhile. Throws Error for videos that cannot be begun.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "optics/random_optics.hpp"
@@ -22,6 +23,7 @@ class Animation {
 
   std::function<Affine3f(double)> display = [](double) { return Affine3f{}; };
   InBetweenCounts counts;
+  Image memory;  ///< what the films of made frames hold before
 
   PointImage traced(double time) {
     PointImage frame;
@@ -35,6 +37,7 @@ class Animation {
 
   PointImage made(const PointImage& previous, const PointImage& following, double time) {
     PointImage frame;
+    frame.film = memory;
     frame.moment = moment(time);
     const TracePixels trace = [&](std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points) {
       device_.update(frame.moment.resolved, pool_);
@@ -116,6 +119,17 @@ TEST(InBetween, moving_square_leaves_exactly_the_pixels_missed_that_both_frames_
   EXPECT_EQ(animation.counts.missed, 64u);
   EXPECT_EQ(animation.counts.causes.newly_visible, 64u);
   EXPECT_EQ(animation.counts.causes.not_covered, 0u);
+}
+
+TEST(InBetween, film_that_held_another_picture_is_written_over) {
+  const SmallScene s = square_that_leaves_and_returns(10.0f);
+  for (const MissedFill fill : {MissedFill::kBlack, MissedFill::kInterpolate, MissedFill::kRetrace}) {
+    Animation animation(s.scene, view32(), with_fill(fill));
+    const Image film = animation.middle().film;
+    animation.memory = Image(32, 32, 3);
+    for (float& value : animation.memory.data) value = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(animation.middle().film.data, film.data);
+  }
 }
 
 TEST(InBetween, square_beside_its_hole_does_not_bleed_into_it) {

@@ -1,0 +1,35 @@
+// Pictures whose memory is used again: fresh memory costs a page fault every 4 KiB, and zeros that are written over.
+#pragma once
+
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "image/image.hpp"
+
+namespace lippmann {
+
+/// Thread-safe.
+class SpareImages {
+ public:
+  /// One that was given, with what it held; an empty one where there is none.
+  Image take() {
+    const std::lock_guard lock(mutex_);
+    if (images_.empty()) return {};
+    Image image = std::move(images_.back());
+    images_.pop_back();
+    return image;
+  }
+
+  void give(Image image) {
+    constexpr std::size_t kMost = 2;
+    const std::lock_guard lock(mutex_);
+    if (images_.size() < kMost) images_.push_back(std::move(image));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Image> images_;
+};
+
+}  // namespace lippmann
