@@ -1,76 +1,117 @@
 #include "reuse/average.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
+#include <span>
+
+#include "core/multiversion.hpp"
 
 namespace lippmann {
 namespace {
 
 constexpr std::size_t kStripPixels = 8192;  // worked on at a time
 
-/// Pixels of a strip whose colours are to be taken from between a frame's samples.
-struct Uncertain {
-  std::unique_ptr<std::uint32_t[]> sources, pixels;
-  std::size_t count = 0;
+constexpr std::size_t kBlock = 64;  // pixels; loops of this fixed length turn into vector instructions
 
-  explicit Uncertain(std::size_t most)
-      : sources(std::make_unique_for_overwrite<std::uint32_t[]>(most)),
-        pixels(std::make_unique_for_overwrite<std::uint32_t[]>(most)) {}
+/// a + weight_b (b - a), of equals the same bits, for `count` floats: 3, or 4 where the next one may be read and written too.
+template <std::size_t count>
+LIPPMANN_INLINE void mix(const float* color_a, const float* color_b, float weight_b, float* out) {
+  float a[count], b[count], mixed[count];
+  std::memcpy(a, color_a, sizeof(a)), std::memcpy(b, color_b, sizeof(b));
+  for (std::size_t c = 0; c < count; ++c) mixed[c] = a[c] + weight_b * (b[c] - a[c]);
+  std::memcpy(out, mixed, sizeof(mixed));
+}
+
+struct Landed {
+  const std::uint64_t* keys;
+  const float* film;
+
+  explicit Landed(const SplatSource& source) : keys(source.landed.keys.data()), film(source.image.film.data.data()) {}
+  const float* color(std::uint64_t key) const { return film + 3 * std::size_t{SplatBuffer::source(key)}; }
 };
 
-/// Most stretches of a frame have none, and are left quickly; in the others, without a branch, which no processor could
-/// predict.
-void find_uncertain(const SplatBuffer& landed, std::size_t first, std::size_t end, Uncertain& uncertain) {
-  constexpr std::size_t kStretch = 16;
-  std::size_t count = 0;
-  for (std::size_t begin = first; begin < end; begin += kStretch) {
-    const std::size_t stop = std::min(end, begin + kStretch);
-    std::uint64_t settled = ~std::uint64_t{0};
-    for (std::size_t p = begin; p < stop; ++p) settled &= landed.keys[p];
-    if (!SplatBuffer::color_changes(settled)) continue;
-    for (std::size_t p = begin; p < stop; ++p) {
-      const std::uint64_t key = landed.keys[p];
-      uncertain.sources[count] = SplatBuffer::source(key), uncertain.pixels[count] = static_cast<std::uint32_t>(p);
-      count += SplatBuffer::color_changes(key) & (key != 0) ? 1 : 0;
+/// Mixes the colours of all pixels first ... end as the points have them, without a branch, which no processor could predict.
+/// Lists those that this does not do justice to, ascending: where not both points are there, or a colour changes; and some more
+/// at the end. Returns how many; `special` has room for all.
+LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, float weight_b, std::size_t first,
+                                              std::size_t end, Image& film, std::uint32_t* special) {
+  const std::uint64_t *keys_a = a.keys, *keys_b = b.keys;
+  const float *film_a = a.film, *film_b = b.film;
+  const auto last = static_cast<std::uint32_t>(film.data.size() / 3 - 1);  // has no next one to read; kNoSource is above
+  std::size_t count = 0, p = first;
+  for (; p + kBlock < end; p += kBlock) {
+    alignas(64) std::uint32_t source_a[kBlock], source_b[kBlock], is_special[kBlock];
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const std::uint64_t key_a = keys_a[p + i], key_b = keys_b[p + i];
+      const std::uint32_t at_a = SplatBuffer::source(key_a), at_b = SplatBuffer::source(key_b);
+      const std::uint32_t nearest_last = at_a > at_b ? at_a : at_b;
+      const std::uint32_t changes = static_cast<std::uint32_t>(key_a | key_b) & 1u;
+      is_special[i] = nearest_last >= last ? 1u : changes;
+      source_a[i] = at_a < last ? at_a : 0u, source_b[i] = at_b < last ? at_b : 0u;
+    }
+    for (std::size_t i = 0; i < kBlock; ++i) {  // all under way at once
+      __builtin_prefetch(film_a + 3 * std::size_t{source_a[i]});
+      __builtin_prefetch(film_b + 3 * std::size_t{source_b[i]});
+    }
+    float* out = film.data.data() + 3 * p;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      mix<4>(film_a + 3 * std::size_t{source_a[i]}, film_b + 3 * std::size_t{source_b[i]}, weight_b, out + 3 * i);
+      special[count] = static_cast<std::uint32_t>(p + i);
+      count += is_special[i];
     }
   }
-  uncertain.count = count;
+  for (; p < end; ++p) special[count++] = static_cast<std::uint32_t>(p);
+  return count;
 }
 
-/// Replaces the colours of one frame's points, as they are, by those between them.
-void resample(const SplatSource& source, const SplatBuffer& other, const EpipolarSampler& sampler, std::size_t first,
-              std::size_t end, Image& film) {
-  Uncertain uncertain(end - first + 1);
-  find_uncertain(source.landed, first, end, uncertain);
-  std::vector<float> colors(3 * uncertain.count);
-  sampler.colors(source.image, source.motion, {uncertain.sources.get(), uncertain.count}, colors.data());
-  for (std::size_t i = 0; i < uncertain.count; ++i) {
-    const std::size_t pixel = uncertain.pixels[i];
-    const float share = other.keys[pixel] != 0 ? source.weight : 1.0f;
-    float* out = film.data.data() + 3 * pixel;
-    const float* old = source.image.film.data.data() + 3 * static_cast<std::size_t>(uncertain.sources[i]);
-    for (std::size_t c = 0; c < 3; ++c) out[c] += share * (colors[3 * i + c] - old[c]);
+/// The colours that one frame's points have between its samples, of those pixels where they change.
+class ColorsBetween {
+ public:
+  ColorsBetween(const SplatSource& source, const EpipolarSampler* sampler, std::span<const std::uint32_t> pixels) {
+    if (!sampler) return;
+    const std::uint64_t* keys = source.landed.keys.data();
+    const auto sources = std::make_unique_for_overwrite<std::uint32_t[]>(pixels.size() + 1);
+    std::size_t count = 0;
+    for (const std::uint32_t pixel : pixels) {
+      sources[count] = SplatBuffer::source(keys[pixel]);
+      count += SplatBuffer::color_changes(keys[pixel]) ? 1 : 0;
+    }
+    colors_ = std::make_unique_for_overwrite<float[]>(3 * count);
+    sampler->colors(source.image, source.motion, {sources.get(), count}, colors_.get());
+    next_ = colors_.get();
   }
-}
 
-/// Colours of pixels first ... end as the points have them; appends the missed ones.
-void average_strip(const SplatSource& previous, const SplatSource& following, std::size_t first, std::size_t end, Image& film,
-                   std::vector<std::uint32_t>& missed) {
-  const float *film_a = previous.image.film.data.data(), *film_b = following.image.film.data.data();
-  const std::uint64_t *keys_a = previous.landed.keys.data(), *keys_b = following.landed.keys.data();
-  const float weight_b = following.weight;
-  float* out = film.data.data() + 3 * first;
-  for (std::size_t p = first; p < end; ++p, out += 3) {
-    const std::uint64_t key_a = keys_a[p], key_b = keys_b[p];
-    if ((key_a | key_b) == 0) {
+  /// Asked for each of the pixels, in their order.
+  const float* next_or(std::uint64_t key, const float* plain) {
+    const bool changes = next_ && SplatBuffer::color_changes(key);
+    const float* color = changes ? next_ : plain;
+    next_ += changes ? 3 : 0;
+    return color;
+  }
+
+ private:
+  std::unique_ptr<float[]> colors_;  ///< three each
+  const float* next_ = nullptr;
+};
+
+/// Colours of pixels first ... end; appends the missed ones.
+void average_strip(const SplatSource& previous, const SplatSource& following, const EpipolarSampler* sampler, std::size_t first,
+                   std::size_t end, Image& film, std::vector<std::uint32_t>& missed) {
+  const Landed a(previous), b(following);
+  const auto list = std::make_unique_for_overwrite<std::uint32_t[]>(end - first + 1);
+  const std::span special(list.get(), mix_plainly(a, b, following.weight, first, end, film, list.get()));
+  ColorsBetween between_a(previous, sampler, special), between_b(following, sampler, special);
+  for (const std::uint32_t pixel : special) {
+    const std::uint64_t key_a = a.keys[pixel], key_b = b.keys[pixel];
+    float* out = film.data.data() + 3 * std::size_t{pixel};
+    const float *color_a = between_a.next_or(key_a, a.color(key_a)), *color_b = between_b.next_or(key_b, b.color(key_b));
+    if ((key_a | key_b) != 0) {
+      mix<3>(key_a != 0 ? color_a : color_b, key_b != 0 ? color_b : color_a, following.weight, out);
+    } else {
       out[0] = out[1] = out[2] = 0.0f;
-      missed.push_back(static_cast<std::uint32_t>(p));
-      continue;
+      missed.push_back(pixel);
     }
-    const float *from_a = film_a + 3 * static_cast<std::size_t>(SplatBuffer::source(key_a)),
-                *from_b = film_b + 3 * static_cast<std::size_t>(SplatBuffer::source(key_b));
-    const float *color_a = key_a != 0 ? from_a : from_b, *color_b = key_b != 0 ? from_b : from_a;
-    for (int c = 0; c < 3; ++c) out[c] = color_a[c] + weight_b * (color_b[c] - color_a[c]);  // of equals: the same bits
   }
 }
 
@@ -84,7 +125,7 @@ MovedPoint moved_point(const SplatSource& source, std::size_t pixel) {
   const std::uint64_t key = source.landed.keys[pixel];
   if (key == 0) return {};
   const std::uint32_t object = source.image.points.object[SplatBuffer::source(key)];
-  return {object == kNoObject ? -kInfinity : source.landed.depth(key), object};
+  return {SplatBuffer::depth(key), object};
 }
 
 MovedPoint merged(const MovedPoint& a, const MovedPoint& b) {
@@ -107,10 +148,7 @@ void average(const SplatSource& previous, const SplatSource& following, const Ep
   const std::size_t pixels = previous.landed.keys.size();
   std::vector<std::vector<std::uint32_t>> missed_in((pixels + kStripPixels - 1) / kStripPixels);
   for_each_strip(pool, pixels, [&](std::size_t s, std::size_t first, std::size_t end) {
-    average_strip(previous, following, first, end, film, missed_in[s]);
-    if (!sampler) return;
-    resample(previous, following.landed, *sampler, first, end, film);
-    resample(following, previous.landed, *sampler, first, end, film);
+    average_strip(previous, following, sampler, first, end, film, missed_in[s]);
   });
   missed.clear();
   for (const auto& of_strip : missed_in) missed.insert(missed.end(), of_strip.begin(), of_strip.end());

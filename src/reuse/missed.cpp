@@ -14,27 +14,22 @@ namespace {
 /// Neighbours this much farther apart in depth (of 1 mm + the depth) are different layers.
 constexpr float kSameLayer = 0.1f;
 
-/// What is known to be at a pixel.
+/// What is known to be at a pixel, of the one of the two sources that knows of something nearer to the viewer.
 struct Seen {
   std::uint32_t pixel;
   float z;  ///< -inf for background
-  std::uint32_t object;
+  const SplatSource* by;
+
+  std::uint32_t object() const { return by->image.points.object[SplatBuffer::source(by->landed.keys[pixel])]; }
 };
 
-Seen seen_by(const SplatSource& source, std::uint32_t pixel) {
-  const std::uint64_t key = source.landed.keys[pixel];
-  const std::uint32_t object = source.image.points.object[SplatBuffer::source(key)];
-  return {pixel, object == kNoObject ? -kInfinity : SplatBuffer::depth(key), object};
-}
-
-/// The nearer to the viewer of what the two sources know; none where neither does.
+/// None where neither source knows.
 std::optional<Seen> seen_at(const SplatPair& pair, std::uint32_t pixel) {
-  const bool previous = pair.previous.landed.keys[pixel] != 0, following = pair.following.landed.keys[pixel] != 0;
-  if (!previous && !following) return std::nullopt;
-  if (!following) return seen_by(pair.previous, pixel);
-  if (!previous) return seen_by(pair.following, pixel);
-  const Seen a = seen_by(pair.previous, pixel), b = seen_by(pair.following, pixel);
-  return b.z > a.z ? b : a;
+  const std::uint64_t previous = pair.previous.landed.keys[pixel], following = pair.following.landed.keys[pixel];
+  if ((previous | following) == 0) return std::nullopt;
+  const bool following_nearer = following >> 32 > previous >> 32;
+  return Seen{pixel, SplatBuffer::depth(following_nearer ? following : previous),
+              following_nearer ? &pair.following : &pair.previous};
 }
 
 struct Neighbour {
@@ -67,9 +62,10 @@ bool is_covered(const SplatPair& pair, const Splatter& splatter, std::uint32_t p
   const auto &left = around[0], &right = around[1];
   if (!left && !right) return false;
   const Seen& behind = !right || (left && left->seen.z < right->seen.z) ? left->seen : right->seen;
-  if (behind.object == kNoObject) return true;
-  return splatter.landing(pixel, behind.z, behind.object, pair.back_to_previous).has_value() ||
-         splatter.landing(pixel, behind.z, behind.object, pair.back_to_following).has_value();
+  const std::uint32_t object = behind.object();
+  if (object == kNoObject) return true;
+  return splatter.landing(pixel, behind.z, object, pair.back_to_previous).has_value() ||
+         splatter.landing(pixel, behind.z, object, pair.back_to_following).has_value();
 }
 
 Vec3f color_at(const Image& film, std::size_t pixel) {

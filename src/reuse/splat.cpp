@@ -12,11 +12,11 @@ namespace lippmann {
 namespace {
 
 constexpr int kBlock = 64;           // pixels projected at a time
-constexpr int kRowsPerStrip = 32;    // of the panel; a strip of sources, and the strip of targets that a thread writes
+constexpr int kRowsPerStrip = 64;    // of the panel; a strip of sources, and the strip of targets that a thread writes
 constexpr float kNearEnough = 0.1f;  // steps from a sample's centre within which its colour is good enough
 constexpr int kLeftBit = 1;          // of PointImage::contrast
 static_assert(kRightDiffers == 1 && kLeftDiffers == 1 << kLeftBit);
-constexpr std::uint32_t kBackgroundOrder = 1;
+constexpr std::uint32_t kBackgroundOrder = SplatBuffer::kBackgroundOrder;
 constexpr float kBackgroundBelow = std::numeric_limits<float>::lowest();
 
 /// Where a block of points lands; -1: nowhere.
@@ -99,7 +99,7 @@ LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const
     const std::uint32_t changes = at.off_x > 0.0f ? contrast[i] >> kLeftBit & 1u : contrast[i] & 1u;
     const std::uint32_t worth = std::abs(at.off_x) < kNearEnough ? 0u : changes;
     const std::uint32_t flag = still.lane[i] != 0 ? 0u : worth;
-    source[i] = ~(2u * static_cast<std::uint32_t>(stays) + flag);
+    source[i] = ~(2u * static_cast<std::uint32_t>(stays) + 1u) | flag;
   }
   std::memcpy(block.target + first, target, sizeof(target));
   std::memcpy(block.order + first, order, sizeof(order));

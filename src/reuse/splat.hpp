@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,17 +28,20 @@ enum class SplatMode {
 inline constexpr std::uint32_t kNoSource = 0x7fffffffu;
 
 /// What has landed on each pixel, as one number whose maximum wins. Upper half: depth (0: nothing, 1: background, else z at the
-/// new moment, so mapped that larger is nearer to the viewer). Lower half, inverted: the source pixel, and in the lowest bit
+/// new moment, so mapped that larger is nearer to the viewer). Lower half: the source pixel, inverted, and in the lowest bit
 /// whether the colour changes beside it, on the side where the pixel's own place is (PointImage::contrast).
 struct SplatBuffer {
+  static constexpr std::uint32_t kBackgroundOrder = 1;
+
   std::vector<std::uint64_t> keys;  ///< one per pixel
 
   /// The pixel of the point image that is seen at a pixel; kNoSource: none.
   static std::uint32_t source(std::uint64_t key) { return ~static_cast<std::uint32_t>(key) >> 1; }
-  static bool color_changes(std::uint64_t key) { return (~key & 1) != 0; }
-  /// z at the new moment of a point, not of background.
+  static bool color_changes(std::uint64_t key) { return (key & 1) != 0; }
+  /// z at the new moment; -inf of background.
   static float depth(std::uint64_t key) {
     const auto order = static_cast<std::uint32_t>(key >> 32);
+    if (order == kBackgroundOrder) return -std::numeric_limits<float>::infinity();
     return std::bit_cast<float>(order & 0x80000000u ? order & 0x7fffffffu : ~order);
   }
 };
