@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -78,6 +79,7 @@ int run(int argc, char** argv) {
 }  // namespace lippmann::app
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error of writing like a full disk, with its message
   try {
     return lippmann::app::run(argc, argv);
   } catch (const lippmann::Error& error) {

@@ -5,7 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -48,12 +52,33 @@ class FileDescriptor {
   int value_;
 };
 
+constexpr std::string_view kMark = ".tmp-";
+
+/// Of `.STEM.tmp-PID.EXT`: where the mark begins and PID; nothing for other names.
+struct TemporaryName {
+  std::size_t mark;
+  pid_t process;
+};
+
+std::optional<TemporaryName> parse_temporary(std::string_view name) {
+  const std::size_t mark = name.rfind(kMark);
+  if (!name.starts_with('.') || mark == std::string_view::npos || mark < 2) return std::nullopt;
+  const std::string_view rest = name.substr(mark + kMark.size());
+  pid_t process = 0;
+  const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), process);
+  const bool whole = end == rest.data() + rest.size() || *end == '.';
+  if (problem != std::errc{} || !whole || process <= 0) return std::nullopt;
+  return TemporaryName{mark, process};
+}
+
+bool is_gone(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
+
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   check_destination(path_);
   temporary_path_ =
-      path_.parent_path() / fmt::format(".{}.tmp-{}{}", path_.stem().string(), getpid(), path_.extension().string());
+      path_.parent_path() / fmt::format(".{}{}{}{}", path_.stem().string(), kMark, getpid(), path_.extension().string());
   unlink(temporary_path_.c_str());  // left by a crashed process that had this one's number
 }
 
@@ -78,6 +103,18 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
   }
   if (const int code = descriptor.close(); code != 0) throw system_failure(path, "cannot be written", code);
   file.commit();
+}
+
+void remove_stale_temporaries(const fs::path& folder, const fs::path& file) {
+  std::error_code problem;
+  fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, problem);
+  for (; !problem && entry != fs::directory_iterator(); entry.increment(problem)) {
+    const std::string name = entry->path().filename().string();
+    const std::optional<TemporaryName> temporary = parse_temporary(name);
+    if (!temporary || !is_gone(temporary->process)) continue;
+    const bool of_file = name.substr(1, temporary->mark - 1) == file.stem() && entry->path().extension() == file.extension();
+    if (file.empty() || of_file) unlink(entry->path().c_str());
+  }
 }
 
 }  // namespace lippmann

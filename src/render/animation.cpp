@@ -116,8 +116,10 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   for (const std::string& video : params.video) {
     make_folder(fs::path(video).parent_path());
     check_video_path(video);
+    remove_stale_temporaries(fs::path(video).parent_path(), fs::path(video).filename());
   }
   make_folder(folder);
+  remove_stale_temporaries(folder);
   write_job(folder / "job.toml", params);
   fs::remove(folder / "report.json");  // it would speak of another render
   FinishedFrames finished(folder, job_fingerprint(params, stage.scene), params.format);

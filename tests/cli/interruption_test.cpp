@@ -40,6 +40,17 @@ TEST(Interruption, killed_render_resumes_to_the_same_pictures_and_video) {
   EXPECT_EQ(Json::parse(resumed.out)["frames"].size(), 10u);
 }
 
+TEST(Interruption, files_left_half_written_by_a_killed_render_are_cleared_away_by_the_next_one) {
+  const TempDir dir;
+  const int ended = 1 << 30;  // beyond every process id of Linux
+  std::filesystem::create_directory(dir / "a");
+  for (const char* name : {"a/.frame_0001.tmp-", ".film.tmp-"})
+    std::ofstream(dir / (name + std::to_string(ended) + ".mkv")) << "half";
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "a") + Words{"--video", "film.mkv"}).exit_code, 0);
+  EXPECT_EQ(temporaries_in(dir / "a"), Words());
+  EXPECT_EQ(temporaries_in(dir.path()), Words());
+}
+
 TEST(Interruption, resume_of_a_finished_render_traces_nothing) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0-2", "a")).exit_code, 0);

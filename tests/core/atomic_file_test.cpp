@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "support/error_message.hpp"
@@ -88,6 +91,43 @@ TEST(WriteFileAtomically, disk_full_names_the_file_and_leaves_nothing) {
   }
   EXPECT_TRUE(fs::is_empty(dir.path()));
 }
+
+/// The id of a process that has ended and been waited for.
+pid_t ended_process() {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  return child;
+}
+
+TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
+  const TempDir dir;
+  const std::string ended = std::to_string(ended_process()), alive = std::to_string(getpid());
+  const std::vector<std::string> stale{".frame_0003.tmp-" + ended + ".png", "..journal.tmp-" + ended + ".jsonl"},
+      others{".frame_0004.tmp-" + alive + ".png",
+             "frame_0005.tmp-" + ended + ".png",
+             ".frame_0006.tmp-" + ended + "x.png",
+             ".frame_0007.tmp-.png",
+             ".tmp-" + ended + ".png",
+             "frame_0001.png"};
+  for (const auto* names : {&stale, &others})
+    for (const std::string& name : *names) std::ofstream(dir.path() / name) << "half";
+  remove_stale_temporaries(dir.path());
+  for (const std::string& name : stale) EXPECT_FALSE(fs::exists(dir.path() / name)) << name;
+  for (const std::string& name : others) EXPECT_TRUE(fs::exists(dir.path() / name)) << name;
+}
+
+TEST(StaleTemporaries, of_one_file_are_removed_alone) {
+  const TempDir dir;
+  const std::string ended = std::to_string(ended_process());
+  for (const char* stem : {"a", "b"})
+    std::ofstream(dir.path() / ("." + std::string(stem) + ".tmp-" + ended + ".mp4")) << "half";
+  remove_stale_temporaries(dir.path(), "a.mp4");
+  EXPECT_FALSE(fs::exists(dir.path() / (".a.tmp-" + ended + ".mp4")));
+  EXPECT_TRUE(fs::exists(dir.path() / (".b.tmp-" + ended + ".mp4")));
+}
+
+TEST(StaleTemporaries, folder_that_is_not_there_is_left_alone) { EXPECT_NO_THROW(remove_stale_temporaries("/no/such/folder")); }
 
 }  // namespace
 }  // namespace lippmann

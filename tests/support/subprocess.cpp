@@ -27,7 +27,6 @@ std::array<int, 2> make_pipe() {
   if (options.file_size_limit > 0) {
     const rlimit limit{options.file_size_limit, options.file_size_limit};
     setrlimit(RLIMIT_FSIZE, &limit);
-    std::signal(SIGXFSZ, SIG_IGN);
   }
   if (!options.working_folder.empty() && chdir(options.working_folder.c_str()) != 0) _exit(127);
   dup2(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
