@@ -57,7 +57,7 @@ double blend_psnr(const Image8& a, const Image8& b, const Image8& reference) {
 ReuseFrame compare(const RenderedFrame& made, const TracedFrames& traced, const FrameInterval& keys, Encoding encoding) {
   ReuseFrame result;
   result.frame = made.report.frame;
-  result.key = made.report.kind == "key";
+  result.key = made.report.kind != "in-between";
   result.seconds = made.report.cpu_seconds;
   result.missed_pixels = made.report.missed_pixels;
   const TracedFrame& truth = traced.at(result.frame);
@@ -65,7 +65,7 @@ ReuseFrame compare(const RenderedFrame& made, const TracedFrames& traced, const 
   const Image8 codes = to_codes(made.pictures.film, encoding);
   result.likeness = measure_difference(truth.codes, codes);
   if (result.key) {
-    if (!result.likeness.identical) throw Error("bench", "a key frame differs from the traced one");
+    if (!result.likeness.identical) throw Error("bench", "a frame traced as a whole differs from the traced one");
     return result;
   }
   const Image8 &before = traced.at(keys.first).codes, &after = traced.at(keys.last).codes;
@@ -107,6 +107,13 @@ double ReuseRun::saving_in_between() const {
 
 std::optional<double> ReuseRun::mean_psnr() const {
   return mean_of_in_betweens(frames, [](const ReuseFrame& f) { return f.likeness.psnr_db; });
+}
+
+std::optional<double> ReuseRun::min_psnr() const {
+  double least = kInfinity;
+  for (const ReuseFrame& frame : frames)
+    if (!frame.key) least = std::min(least, frame.likeness.psnr_db);
+  return std::isfinite(least) ? std::optional(least) : std::nullopt;
 }
 
 std::optional<double> ReuseRun::mean_moving_psnr() const {

@@ -16,7 +16,7 @@ namespace lippmann::bench {
 
 struct ReuseFrame {
   int frame = 0;
-  bool key = false;
+  bool key = false;  ///< traced as a whole
   double traced_seconds = 0.0, seconds = 0.0;
   PictureMetrics likeness;            ///< to the traced frame
   std::optional<double> moving_psnr;  ///< dB, over the pixels that differ between the two key frames; none: there are none
@@ -36,6 +36,7 @@ struct ReuseRun {
   double saving_in_between() const;
   /// Means over in-between frames; PSNR over those that differ at all. None where there are no such frames.
   std::optional<double> mean_psnr() const;
+  std::optional<double> min_psnr() const;  ///< likewise
   std::optional<double> mean_moving_psnr() const;
   std::optional<double> mean_blend_psnr() const;
   double mean_ssim() const;
@@ -44,10 +45,10 @@ struct ReuseRun {
 
 struct ReuseMethod {
   std::string name;
-  RenderParams params;  ///< with reuse and a key frame interval of 2, 4 or 8
+  RenderParams params;  ///< with reuse; forward: a key frame interval of 2, 4 or 8, or none
 };
 
-/// One run per method, in their order. Throws Error where a key frame is not the traced one to the bit.
+/// One run per method, in their order. Throws Error where a frame traced as a whole is not the traced one to the bit.
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
                                 const Context& context);
 

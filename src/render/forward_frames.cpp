@@ -12,19 +12,6 @@ namespace {
 /// Whether halving makes frames between this one and an end of the interval whose middle it is.
 bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
 
-FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, std::size_t pixels) {
-  FrameReport report;
-  report.frame = frame;
-  report.kind = "in-between";
-  report.rays = rays;
-  report.missed_pixels = counts.missed;
-  report.newly_visible_pixels = counts.causes.newly_visible;
-  report.not_covered_pixels = counts.causes.not_covered;
-  report.retraced_pixels = counts.retraced;
-  report.reused_pixels = pixels - counts.missed;
-  return report;
-}
-
 }  // namespace
 
 ForwardFrames::ForwardFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
@@ -84,28 +71,13 @@ void ForwardFrames::keep_only_sources_of(int frame) {
 
 const ForwardFrames::Source& ForwardFrames::key(int frame) {
   const auto known = sources_.find(frame);
-  return known != sources_.end() ? known->second : add(traced(frame));
+  return known != sources_.end() ? known->second : add(trace_source(stage_, params_, frame, maker_, pool_, context_));
 }
 
 const ForwardFrames::Source& ForwardFrames::add(Source source) {
   const int frame = source.report.frame;
   not_asked_for_[frame] = source.report;
   return sources_[frame] = std::move(source);
-}
-
-ForwardFrames::Source ForwardFrames::traced(int frame) {
-  const FrameClock clock(pool_);
-  Source source;
-  PointImage& image = source.image;
-  image.moment = stage_.moment_at(frame);
-  stage_.device.update(image.moment.resolved, pool_);
-  source.report.frame = frame;
-  source.report.kind = "key";
-  source.report.rays = trace_frame(stage_.device, stage_.placed.optics, image.moment.world_from_display,
-                                   trace_params(params_, stage_.scene), pool_, context_, image.film, nullptr, &image.points);
-  maker_.prepare(image, pool_);
-  clock.add_to(source.report);
-  return source;
 }
 
 ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& interval, bool as_source) {
@@ -123,9 +95,7 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
   const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
   const InBetweenCounts counts = maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, position,
                                              as_source, trace, pool_, source.image);
-  const Panel& panel = stage_.placed.optics.panel;
-  const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
-  source.report = in_between_report(frame, counts, rays, pixels);
+  source.report = in_between_report(frame, counts, rays, stage_.placed.optics.panel);
   clock.add_to(source.report);
   return source;
 }

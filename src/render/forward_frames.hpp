@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/spare_images.hpp"
+#include "render/forward_source.hpp"
 #include "render/frame_maker.hpp"
 #include "reuse/frame_plan.hpp"
 #include "reuse/in_between.hpp"
@@ -25,12 +26,8 @@ class ForwardFrames final : public FrameMaker {
   static double bytes_kept_per_pixel(const RenderParams& params);
 
  private:
-  struct Source {
-    PointImage image;
-    FrameReport report;
-  };
+  using Source = ForwardSource;
 
-  Source traced(int frame);
   Source between(int frame, const FrameInterval& interval, bool as_source);
   /// The intervals to go through until the frame, which is no key, is made from the ends of the last one.
   std::vector<FrameInterval> path_to(int frame) const;

@@ -1,6 +1,7 @@
 #include "render/frame_maker.hpp"
 
 #include "render/exact_frames.hpp"
+#include "render/floored_frames.hpp"
 #include "render/forward_frames.hpp"
 
 namespace lippmann {
@@ -24,6 +25,8 @@ class TracedFrames final : public FrameMaker {
 
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
                                              const Context& context) {
+  if (params.reuse == Reuse::kForward && params.min_psnr_db)
+    return std::make_unique<FlooredFrames>(stage, params, pool, context);
   if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
   // Extra layers are of every pixel of every frame: with them nothing is left to reuse.
   if (params.reuse == Reuse::kExact && params.aov.empty()) return std::make_unique<ExactFrames>(stage, params, pool, context);
@@ -31,6 +34,7 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
 }
 
 double bytes_kept_per_pixel(const RenderParams& params) {
+  if (params.reuse == Reuse::kForward && params.min_psnr_db) return FlooredFrames::bytes_kept_per_pixel();
   if (params.reuse == Reuse::kForward) return ForwardFrames::bytes_kept_per_pixel(params);
   return params.reuse == Reuse::kExact ? ExactFrames::bytes_kept_per_pixel() : 0.0;
 }

@@ -68,7 +68,8 @@ struct RenderParams {
 
   // Reuse between frames
   Reuse reuse = Reuse::kExact;
-  std::optional<int> keyframes;  ///< a key frame every K frames; none: exact chooses, forward takes kDefaultKeyframes
+  std::optional<int> keyframes;       ///< a key frame every K frames; none: exact chooses, forward takes kDefaultKeyframes
+  std::optional<double> min_psnr_db;  ///< of every frame, 8-bit codes; none: forward's errors are not bounded
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only

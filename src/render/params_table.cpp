@@ -230,6 +230,11 @@ std::vector<ParamInfo> reuse_rows() {
         return static_cast<int>(read_integer(value, 2, kMaxKeyframes, where));
       },
       [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string("auto"); }};
+  const Codec<std::optional<double>> min_psnr{
+      [](std::string_view value, const std::string& where) -> std::optional<double> {
+        return read_number(value, kLeastPsnr, kMostPsnr, where);
+      },
+      [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   return {
       row(ParamKind::kText, &P::reuse, choice<Reuse>(kReuseNames),
           {"reuse", "Reuse", "NAME",
@@ -237,7 +242,12 @@ std::vector<ParamInfo> reuse_rows() {
            "frames between key frames are interpolated)"}),
       row(ParamKind::kText, &P::keyframes, keyframes,
           {"keyframes", "Reuse", "K|auto",
-           "A key frame, which is traced whole, every K frames; auto: exact chooses, forward takes 8"}),
+           "A key frame, which is traced whole, every K frames; auto: exact and forward with --min-psnr choose, else forward "
+           "takes 8"}),
+      row(ParamKind::kNumber, &P::min_psnr_db, min_psnr,
+          {"min-psnr", "Reuse", "DB",
+           "Forward: pixels are traced wherever a frame's PSNR would otherwise fall below this, and key frames chosen to "
+           "suit"}),
       row(ParamKind::kText, &P::splat, choice<SplatMode>(kSplatNames),
           {"splat", "Reuse", "WHERE", "Forward: points stay below their lens (the paper's) or in their directional view"}),
       row(ParamKind::kText, &P::fill, choice<MissedFill>(kFillNames),

@@ -16,6 +16,12 @@ Json rays_json(const RayCounts& rays) {
 /// JSON has no infinity: null says it.
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+std::optional<double> number_or_none(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(json.get<double>());
+}
+
 Json model_json(const LenticularSheet& sheet) {
   return {{"kind", "lenticular"},
           {"lens_pitch_mm", sheet.lens_pitch_mm},
@@ -67,10 +73,7 @@ Json totals_json(const RenderReport& report) {
     for (const FrameReport& frame : *frames) {
       seconds += frame.seconds;
       cpu_seconds += frame.cpu_seconds;
-      rays.primary += frame.rays.primary;
-      rays.shadow += frame.rays.shadow;
-      rays.reflection += frame.rays.reflection;
-      rays.indirect += frame.rays.indirect;
+      add(frame.rays, rays);
     }
   return {{"seconds", seconds},
           {"cpu_seconds", cpu_seconds},
@@ -106,7 +109,8 @@ Json to_json(const FrameReport& frame) {
           {"not_covered_pixels", frame.not_covered_pixels},
           {"retraced_pixels", frame.retraced_pixels},
           {"reused_pixels", frame.reused_pixels},
-          {"estimated_psnr_db", frame.estimated_psnr_db ? Json(*frame.estimated_psnr_db) : Json(nullptr)}};
+          {"estimated_psnr_db", number_or_null(frame.estimated_psnr_db)},
+          {"psnr_at_least_db", number_or_null(frame.psnr_at_least_db)}};
 }
 
 Json to_json(const RenderReport& report) {
@@ -134,7 +138,8 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   json.at("not_covered_pixels").get_to(frame.not_covered_pixels);
   json.at("retraced_pixels").get_to(frame.retraced_pixels);
   json.at("reused_pixels").get_to(frame.reused_pixels);
-  if (const Json& psnr = json.at("estimated_psnr_db"); !psnr.is_null()) frame.estimated_psnr_db = psnr.get<double>();
+  frame.estimated_psnr_db = number_or_none(json.at("estimated_psnr_db"));
+  frame.psnr_at_least_db = number_or_none(json.at("psnr_at_least_db"));
   return frame;
 } catch (const nlohmann::json::exception&) {
   return std::nullopt;

@@ -24,7 +24,8 @@ struct FrameReport {
   std::uint64_t newly_visible_pixels = 0, not_covered_pixels = 0;
   std::uint64_t retraced_pixels = 0;
   std::uint64_t reused_pixels = 0;
-  std::optional<double> estimated_psnr_db;  ///< none: exact
+  std::optional<double> estimated_psnr_db;  ///< from held-out pixels; none: exact, or not estimated
+  std::optional<double> psnr_at_least_db;   ///< at 95 % confidence, from the same; likewise
 };
 
 struct RenderReport {

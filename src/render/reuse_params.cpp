@@ -18,6 +18,16 @@ std::string forward_only_flag(const RenderParams& params) {
   return "";
 }
 
+/// The first flag that would take from a frame what its floor promises; empty if there is none.
+std::string flag_against_floor(const RenderParams& params) {
+  const RenderParams defaults;
+  if (params.fill != defaults.fill) return "--fill";
+  if (params.halving) return "--halving";
+  if (params.no_z_buffer) return "--no-z-buffer";
+  if (params.debug != defaults.debug) return "--debug";
+  return "";
+}
+
 }  // namespace
 
 void check_reuse(const RenderParams& params) {
@@ -28,6 +38,10 @@ void check_reuse(const RenderParams& params) {
     throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse exact or forward");
   if (params.reuse == Reuse::kForward && !params.aov.empty())
     throw usage_error("--aov", "interpolated frames have no extra layers", "--reuse none with it");
+  if (params.reuse == Reuse::kNone && params.min_psnr_db)
+    throw usage_error("--min-psnr", "means nothing where every frame is traced", "it together with --reuse forward");
+  if (const std::string against = flag_against_floor(params); params.min_psnr_db && !against.empty())
+    throw usage_error(against, "cannot be together with --min-psnr, which traces what is missed or doubted", "one of the two");
   if (params.debug == DebugPicture::kMissed && params.fill == MissedFill::kRetrace)
     throw usage_error("--fill", "retraced pixels would not be seen: --debug missed leaves them black", "one of the two");
 }
@@ -36,6 +50,8 @@ ForwardParams forward_params(const RenderParams& params) {
   ForwardParams forward;
   forward.splat = {params.splat, !params.no_z_buffer};
   forward.fill = params.debug == DebugPicture::kMissed ? MissedFill::kBlack : params.fill;
+  if (params.min_psnr_db) forward.floor = FloorParams{*params.min_psnr_db, params.seed};
+  forward.order = params.order;
   return forward;
 }
 

@@ -7,11 +7,12 @@ namespace lippmann {
 
 inline constexpr int kDefaultKeyframes = 8;
 inline constexpr int kMaxKeyframes = 4096;
+inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;  ///< floors that can be asked for
 
 /// Throws a usage Error for parameters of reuse that contradict each other, or that mean nothing in the mode asked for.
 void check_reuse(const RenderParams& params);
 
-/// Every how many frames one is traced; reuse only.
+/// Every how many frames one is traced, or at least is, where it is chosen; reuse only.
 inline int key_frame_interval(const RenderParams& params) { return params.keyframes.value_or(kDefaultKeyframes); }
 
 ForwardParams forward_params(const RenderParams& params);

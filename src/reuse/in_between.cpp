@@ -1,5 +1,7 @@
 #include "reuse/in_between.hpp"
 
+#include <algorithm>
+
 namespace lippmann {
 namespace {
 
@@ -7,17 +9,43 @@ namespace {
 /// evenly; equal weights even out what either frame's samples miss. In between, both are better off than at either end.
 constexpr float kNearness = 0.7f;
 
+/// Of the following frame.
+float weight_at(float position) { return 0.5f + kNearness * (position - 0.5f); }
+
+bool has_size(const Image& film, const Panel& panel) {
+  return film.width == panel.width && film.height == panel.height && film.channels == 3;
+}
+
+/// Of equals: the same bits.
+void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& pool, Image& film) {
+  constexpr std::size_t kPiece = std::size_t{1} << 15;
+  const std::size_t values = film.data.size();
+  pool.for_each((values + kPiece - 1) / kPiece, [&](std::size_t piece) {
+    const std::size_t end = std::min(values, (piece + 1) * kPiece);
+    for (std::size_t k = piece * kPiece; k < end; ++k) film.data[k] = a.data[k] + weight_b * (b.data[k] - a.data[k]);
+  });
+}
+
 }  // namespace
 
 InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const ForwardParams& params)
     : params_(params),
       panel_(optics.panel),
+      encoding_(scene.encoding),
       groups_(make_motion_groups(scene)),
       splatter_(optics, params.splat),
       steps_(optics, params.splat.mode) {
   const bool by_view = params.splat.mode == SplatMode::kView;
   if (params.sampling == SplatSampling::kEpipolar && by_view && EpipolarSampler::suits(optics))
     sampler_.emplace(optics, scene.encoding);
+  if (!params.floor) return;
+  doubter_.emplace(optics, scene.encoding);
+  patches_.emplace(optics, params.order);
+}
+
+Image& InBetweenMaker::film_of(PointImage& frame) const {
+  if (!has_size(frame.film, panel_)) frame.film = Image(panel_.width, panel_.height, 3);  // else every pixel is written over
+  return frame.film;
 }
 
 void InBetweenMaker::prepare(PointImage& frame, const ThreadPool& pool) const {
@@ -30,12 +58,10 @@ InBetweenCounts InBetweenMaker::make(const PointImage& previous, const PointImag
   const Motion from_following = motion_between(groups_, following.moment, frame.moment);
   splatter_.splat(previous, from_previous, pool, landed_previous_);
   splatter_.splat(following, from_following, pool, landed_following_);
-  const float weight = 0.5f + kNearness * (position - 0.5f);
+  const float weight = weight_at(position);
   const SplatSource a{previous, from_previous, landed_previous_, 1.0f - weight};
   const SplatSource b{following, from_following, landed_following_, weight};
-  if (frame.film.width != panel_.width || frame.film.height != panel_.height || frame.film.channels != 3)
-    frame.film = Image(panel_.width, panel_.height, 3);  // else every pixel of it is written over
-  average(a, b, sampler_ ? &*sampler_ : nullptr, pool, frame.film, missed_);
+  average(a, b, sampler_ ? &*sampler_ : nullptr, pool, film_of(frame), missed_);
   if (as_source) average_points(a, b, pool, frame.points);
 
   InBetweenCounts counts;
@@ -53,6 +79,33 @@ InBetweenCounts InBetweenMaker::make(const PointImage& previous, const PointImag
   }
   if (as_source) prepare(frame, pool);
   return counts;
+}
+
+FloorOutcome InBetweenMaker::make_to_floor(const PointImage& previous, const PointImage& following, float position, int number,
+                                           const TracePackets& trace, const ThreadPool& pool, PointImage& frame,
+                                           InBetweenCounts& counts) {
+  const Motion from_previous = motion_between(groups_, previous.moment, frame.moment);
+  const Motion from_following = motion_between(groups_, following.moment, frame.moment);
+  splatter_.splat(previous, from_previous, pool, landed_previous_);
+  splatter_.splat(following, from_following, pool, landed_following_);
+  for (Image* alone : {&from_previous_, &from_following_})
+    if (!has_size(*alone, panel_)) *alone = Image(panel_.width, panel_.height, 3);
+  const EpipolarSampler* sampler = sampler_ ? &*sampler_ : nullptr;
+  const SplatSource a{previous, from_previous, landed_previous_, 1.0f}, b{following, from_following, landed_following_, 1.0f};
+  average(a, {following, from_following, landed_following_, 0.0f}, sampler, pool, from_previous_, missed_);
+  average({previous, from_previous, landed_previous_, 0.0f}, b, sampler, pool, from_following_, missed_);
+  blend(from_previous_, from_following_, weight_at(position), pool, film_of(frame));
+
+  counts.missed = missed_.size();
+  if (!missed_.empty()) {
+    const Motion to_previous = motion_between(groups_, frame.moment, previous.moment);
+    const Motion to_following = motion_between(groups_, frame.moment, following.moment);
+    counts.causes = resolve_missed({a, b, to_previous, to_following}, splatter_, steps_, missed_, pool, &frame.film);
+  }
+  doubter_->estimate({from_previous_, landed_previous_}, {from_following_, landed_following_}, frame.film, pool, doubt_);
+  const FloorOutcome outcome = hold_floor(*params_.floor, doubt_, *patches_, number, encoding_, trace, pool, frame.film);
+  counts.retraced = outcome.retraced;
+  return outcome;
 }
 
 }  // namespace lippmann

@@ -4,12 +4,14 @@
 // ray-traced animation frames by reprojection", IEEE Computer Graphics and Applications 15(3), 1995 (retrace).
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <span>
+#include <vector>
 
+#include "reuse/doubt.hpp"
 #include "reuse/epipolar.hpp"
 #include "reuse/missed.hpp"
+#include "reuse/quality_floor.hpp"
+#include "reuse/retrace.hpp"
 
 namespace lippmann {
 
@@ -28,6 +30,8 @@ struct ForwardParams {
   SplatParams splat;
   SplatSampling sampling = SplatSampling::kEpipolar;
   MissedFill fill = MissedFill::kInterpolate;
+  std::optional<FloorParams> floor;       ///< for make_to_floor()
+  RayOrder order = RayOrder::kViewTiles;  ///< in which pixels are traced; with a floor only
 };
 
 struct InBetweenCounts {
@@ -35,9 +39,6 @@ struct InBetweenCounts {
   MissedCauses causes;
   std::uint64_t retraced = 0;
 };
-
-/// Traces the given pixels (ascending) of the frame under way into its film and, where not null, its points.
-using TracePixels = std::function<void(std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points)>;
 
 /// Keeps its working memory from frame to frame: one per animation, used by one caller at a time.
 class InBetweenMaker {
@@ -53,15 +54,27 @@ class InBetweenMaker {
   InBetweenCounts make(const PointImage& previous, const PointImage& following, float position, bool as_source,
                        const TracePixels& trace, const ThreadPool& pool, PointImage& frame);
 
+  /// Makes the film of the frame so that its PSNR keeps to params.floor, or finds that it is better traced as a whole: then
+  /// film is of no use. `number` is the frame's in its animation.
+  FloorOutcome make_to_floor(const PointImage& previous, const PointImage& following, float position, int number,
+                             const TracePackets& trace, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
+
  private:
+  Image& film_of(PointImage& frame) const;
+
   ForwardParams params_;
   Panel panel_;
+  Encoding encoding_;
   MotionGroups groups_;
   Splatter splatter_;
   ViewSteps steps_;
   std::optional<EpipolarSampler> sampler_;
   SplatBuffer landed_previous_, landed_following_;
   std::vector<std::uint32_t> missed_;
+  std::optional<DoubtEstimator> doubter_;
+  std::optional<Patches> patches_;
+  Image from_previous_, from_following_;  ///< predictions of one key frame alone
+  std::vector<std::uint8_t> doubt_;
 };
 
 }  // namespace lippmann

@@ -1,11 +1,15 @@
 #include "trace/trace_frame.hpp"
 
+#include <array>
+#include <numeric>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/error.hpp"
 #include "trace/packet_source.hpp"
 #include "trace/scene_query.hpp"
+#include "trace/trace_packets.hpp"
 #include "trace/whitted.hpp"
 
 namespace lippmann {
@@ -48,15 +52,35 @@ class FrameTracer {
     return tracer.counts();
   }
 
+  /// Traces the packets of a strip that are in `wanted`, by packet of the frame; as many together as a block has.
+  RayCounts trace_packets_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
+    WhittedTracer tracer(scene_, beam_, params_.max_depth, film_);
+    std::vector<int> packets;
+    const int count = source_.packets_per_strip();
+    for (int p = 0; p < count; ++p) {
+      if (wanted[strip * static_cast<std::size_t>(count) + static_cast<std::size_t>(p)]) packets.push_back(p);
+      if (packets.size() < (p + 1 < count ? kPacketsPerBlock : 1)) continue;
+      trace_together(static_cast<int>(strip), packets, tracer);
+      packets.clear();
+    }
+    return tracer.counts();
+  }
+
  private:
   void trace_block(int strip, int block, WhittedTracer& tracer) const {
+    std::array<int, kPacketsPerBlock> packets;
+    std::iota(packets.begin(), packets.end(), block * kPacketsPerBlock);
+    const int count = std::min(kPacketsPerBlock, source_.packets_per_strip() - packets.front());
+    trace_together(strip, {packets.data(), static_cast<std::size_t>(count)}, tracer);
+  }
+
+  void trace_together(int strip, std::span<const int> packets, WhittedTracer& tracer) const {
     const float weight = 1.0f / static_cast<float>(params_.spp);
     RayHitPacket packet;
     LaneMask active;
     alignas(64) std::uint32_t pixel[kLanes];
-    const int first = block * kPacketsPerBlock, end = std::min(first + kPacketsPerBlock, source_.packets_per_strip());
     for (int sample = 0; sample < params_.spp; ++sample) {
-      for (int p = first; p < end; ++p) {
+      for (const int p : packets) {
         if (source_.fill(strip, p, sample, packet.ray, active, pixel) == 0) continue;
         if (sample == 0) clear_pixels(active, pixel);
         tracer.primary(packet, active, pixel, weight);
@@ -80,17 +104,15 @@ class FrameTracer {
   TouchedBlocks* touched_ = nullptr;
 };
 
-RayCounts trace_strips(const FrameTracer& tracer, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
-                       const Context& context) {
-  std::vector<RayCounts> counts(tracer.strips());
-  pool.for_each(counts.size(), [&](std::size_t strip) {
-    if (!context.cancelled) counts[strip] = tracer.trace_strip(strip, wanted);
+/// trace(strip) for every strip.
+template <class Fn>
+RayCounts trace_strips(std::size_t strips, const ThreadPool& pool, const Context& context, const Fn& trace) {
+  std::vector<RayCounts> counts(strips);
+  pool.for_each(strips, [&](std::size_t strip) {
+    if (!context.cancelled) counts[strip] = trace(strip);
   });
   RayCounts total;
-  for (const RayCounts& c : counts) {
-    total.primary += c.primary, total.shadow += c.shadow;
-    total.reflection += c.reflection, total.indirect += c.indirect;
-  }
+  for (const RayCounts& c : counts) add(c, total);
   return total;
 }
 
@@ -180,7 +202,8 @@ RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affi
     touched->rays.assign(blocks, 0);
     tracer.probe_with(&*probe, touched);
   }
-  const RayCounts counts = trace_strips(tracer, {}, pool, context);
+  const RayCounts counts =
+      trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_strip(s, {}); });
   if (capture && !along) capture_points(scene, optics, world_from_display, params.order, pool, *capture);
   if (aovs && (aovs->depth || aovs->normal || aovs->object_id || aovs->position))
     fill_aovs(scene, optics, world_from_display, params.order, pool, *aovs);
@@ -190,7 +213,15 @@ RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affi
 RayCounts trace_blocks(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
                        const TraceParams& params, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
                        const Context& context, Image& film) {
-  return trace_strips(FrameTracer(scene, optics, world_from_display, params, film), wanted, pool, context);
+  const FrameTracer tracer(scene, optics, world_from_display, params, film);
+  return trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_strip(s, wanted); });
+}
+
+RayCounts trace_packets(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
+                        const TraceParams& params, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
+                        const Context& context, Image& film) {
+  const FrameTracer tracer(scene, optics, world_from_display, params, film);
+  return trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_packets_of_strip(s, wanted); });
 }
 
 }  // namespace lippmann

@@ -35,6 +35,11 @@ struct RayCounts {
   std::uint64_t total() const { return primary + shadow + reflection + indirect; }
 };
 
+inline void add(const RayCounts& more, RayCounts& counts) {
+  counts.primary += more.primary, counts.shadow += more.shadow;
+  counts.reflection += more.reflection, counts.indirect += more.indirect;
+}
+
 /// What the first hit of a pixel's centre ray (sample 0) was. Allocated to the panel's size where wanted, else empty.
 struct FrameAovs {
   bool depth = false, normal = false, object_id = false, position = false;  ///< which to fill

@@ -25,8 +25,8 @@ const std::map<std::string_view, Values> kOtherValues{
     {"output", {"some/folder"}}, {"format", {"exr"}},           {"exr-pixels", {"float"}},
     {"aov", {"depth", "id"}},    {"video", {"a.mp4", "b.mkv"}}, {"threads", {"3"}},
     {"resume", {"true"}},        {"reuse", {"forward"}},        {"keyframes", {"4"}},
-    {"splat", {"lens"}},         {"fill", {"retrace"}},         {"no-z-buffer", {"true"}},
-    {"debug", {"missed"}},       {"halving", {"true"}},
+    {"min-psnr", {"45.5"}},      {"splat", {"lens"}},           {"fill", {"retrace"}},
+    {"no-z-buffer", {"true"}},   {"debug", {"missed"}},         {"halving", {"true"}},
 };
 
 const ParamInfo& param(std::string_view name) {

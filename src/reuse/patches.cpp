@@ -1,0 +1,37 @@
+#include "reuse/patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trace/ray_order.hpp"
+
+namespace lippmann {
+
+Patches::Patches(const Optics& optics, RayOrder order) : begin_{0} {
+  const StripOrder strip = make_strip_order(optics, order);
+  const int width = optics.panel.width, height = optics.panel.height;
+  pixels_.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int top = 0; top < height; top += strip.strip_height)
+    for (std::size_t i = 0; i < strip.pixels.size(); ++i) {
+      const StripPixel& pixel = strip.pixels[i];
+      const bool ends_patch = (i + 1) % kPatchPixels == 0 || i + 1 == strip.pixels.size();
+      if (top + pixel.y < height) pixels_.push_back(static_cast<std::uint32_t>((top + pixel.y) * width + pixel.x));
+      if (ends_patch) begin_.push_back(pixels_.size());
+    }
+}
+
+void Patches::root_mean_squares(std::span<const std::uint8_t> of_pixels, const ThreadPool& pool,
+                                std::vector<std::uint8_t>& of_patches) const {
+  constexpr std::size_t kPiece = 512;
+  of_patches.resize(count());
+  pool.for_each((count() + kPiece - 1) / kPiece, [&](std::size_t piece) {
+    for (std::size_t patch = piece * kPiece; patch < std::min(count(), (piece + 1) * kPiece); ++patch) {
+      std::uint32_t sum = 0;
+      for (const std::uint32_t p : pixels(patch)) sum += std::uint32_t{of_pixels[p]} * of_pixels[p];
+      const float mean = static_cast<float>(sum) / static_cast<float>(std::max<std::size_t>(1, pixels(patch).size()));
+      of_patches[patch] = static_cast<std::uint8_t>(std::lround(std::sqrt(mean)));
+    }
+  });
+}
+
+}  // namespace lippmann

@@ -1,0 +1,142 @@
+// Interpolated animations that keep to a PSNR: that they do, and that nothing but what is asked for changes their bytes.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using Json = nlohmann::json;
+using Files = std::map<std::string, std::string>;
+
+Words floored(const std::string& scene, const std::string& frames, const std::string& folder, const Words& more = {}) {
+  return Words{"render", scene, "--lenses", "16", "--frames", frames, "--output", folder, "--reuse", "forward"} + more;
+}
+
+Files rendered(const TempDir& dir, const Words& arguments, const std::string& folder) {
+  const RunResult result = run_tool(dir, arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return files_in(dir / folder, ".png");
+}
+
+Json report_of(const TempDir& dir, const Words& arguments) {
+  const RunResult result = run_tool(dir, arguments + Words{"--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return Json::parse(result.out);
+}
+
+TEST(Floor, is_kept_by_nineteen_frames_of_twenty_over_all_scenes) {
+  const TempDir dir;
+  int frames = 0, kept = 0, predicted = 0;
+  for (const std::string scene : {"teapot", "room", "small-balls", "primitives", "tree", "gears"}) {
+    ASSERT_EQ(run_tool(dir, {"render", scene, "--lenses", "16", "--frames", "0-8", "--output", scene, "--reuse", "none"}).exit_code,
+              0);
+    for (const std::string floor : {"40", "50"}) {
+      const std::string folder = scene + floor;
+      const Json report = report_of(dir, floored(scene, "0-8", folder, {"--min-psnr", floor}));
+      const Json likeness = Json::parse(run_tool(dir, {"compare", scene, folder, "--json"}).out);
+      for (std::size_t i = 0; i < 9; ++i) {
+        const Json &psnr = likeness["frames"][i]["psnr_db"], &figures = report["frames"][i];
+        ++frames;
+        kept += psnr.is_null() || psnr.get<double>() >= std::stod(floor);
+        if (figures["kind"] == "in-between") {
+          ++predicted;
+          EXPECT_GE(figures["psnr_at_least_db"].get<double>(), std::stod(floor));
+          EXPECT_GE(figures["estimated_psnr_db"], figures["psnr_at_least_db"]);
+        } else {
+          EXPECT_TRUE(psnr.is_null()) << scene << floor << " frame " << i;
+          EXPECT_TRUE(figures["estimated_psnr_db"].is_null());
+        }
+      }
+    }
+  }
+  EXPECT_EQ(frames, 108);
+  EXPECT_GE(kept, 103);  // 95 %
+  EXPECT_GT(predicted, 20);  // else nothing has been tested
+}
+
+TEST(Floor, any_thread_count_gives_the_same_bytes) {
+  const TempDir dir;
+  const Files one = rendered(dir, floored("gears", "0-8", "one", {"--min-psnr", "45", "--threads", "1"}), "one");
+  EXPECT_EQ(one.size(), 9u);
+  EXPECT_EQ(rendered(dir, floored("gears", "0-8", "two", {"--min-psnr", "45", "--threads", "2"}), "two"), one);
+  EXPECT_EQ(rendered(dir, floored("gears", "0-8", "four", {"--min-psnr", "45", "--threads", "4"}), "four"), one);
+}
+
+TEST(Floor, frames_of_a_part_and_those_made_again_are_those_of_the_whole) {
+  const TempDir dir;
+  for (const char* floor : {"35", "50"}) {  // few and many intervals that are halved
+    const Words wanted{"--min-psnr", floor};
+    const std::string whole_folder = std::string("whole") + floor, part_folder = std::string("part") + floor;
+    const Files whole = rendered(dir, floored("gears", "0-9", whole_folder, wanted), whole_folder);
+    for (const char* part : {"1-2", "5-6", "7-7"})
+      for (const auto& [name, bytes] : rendered(dir, floored("gears", part, part_folder + part, wanted), part_folder + part))
+        EXPECT_EQ(bytes, whole.at(name)) << name << " of " << part;
+    for (const char* lost : {"3", "4", "9"})
+      std::filesystem::remove(dir / whole_folder / ("frame_000" + std::string(lost) + ".png"));
+    const RunResult resumed = run_tool(dir, floored("gears", "0-9", whole_folder, wanted + Words{"--resume"}));
+    EXPECT_EQ(lines_of(resumed.err), 3u) << resumed.err;
+    EXPECT_EQ(files_in(dir / whole_folder, ".png"), whole);
+  }
+}
+
+TEST(Floor, keys_asked_for_stay_and_pixels_are_either_traced_or_reused) {
+  const TempDir dir;
+  const Json report = report_of(dir, floored("teapot", "0-4", "a", {"--min-psnr", "30", "--keyframes", "2"}));
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Json& frame = report["frames"][i];
+    EXPECT_EQ(frame["kind"], i % 2 == 0 ? "key" : "in-between");
+    if (i % 2 == 0) continue;
+    EXPECT_EQ(frame["retraced_pixels"], frame["rays"]["primary"]);
+    EXPECT_EQ(frame["retraced_pixels"].get<int>() + frame["reused_pixels"].get<int>(), 128 * 128);
+  }
+}
+
+TEST(Floor, every_kind_of_optics_keeps_it) {
+  const TempDir dir;
+  const std::vector<Words> kinds{{"--optics", "microlens"},
+                                 {"--optics", "multiview", "--views", "4x2", "--size", "128x128"},
+                                 {"--optics", "single", "--size", "96x64"},
+                                 {"--slant", "9", "--lens-pixels", "7.5"}};
+  for (const Words& kind : kinds) {
+    const Words size = kind[1] == "multiview" || kind[1] == "single" ? Words{} : Words{"--lenses", "12"};
+    const auto render = [&](const std::string& folder, const Words& how) {
+      return run_tool(dir, Words{"render", "teapot", "--frames", "0-2", "--output", folder} + size + kind + how);
+    };
+    ASSERT_EQ(render("traced", {"--reuse", "none"}).exit_code, 0);
+    const RunResult made = render("made", {"--reuse", "forward", "--keyframes", "2", "--min-psnr", "35"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Json psnr = Json::parse(run_tool(dir, {"compare", "traced", "made", "--json"}).out)["frames"][1]["psnr_db"];
+    EXPECT_TRUE(psnr.is_null() || psnr.get<double>() >= 35.0) << kind[1] << ' ' << psnr;
+    std::filesystem::remove_all(dir / "traced");
+    std::filesystem::remove_all(dir / "made");
+  }
+}
+
+TEST(Floor, exact_reuse_keeps_any) {
+  const TempDir dir;
+  const Files traced = rendered(dir, small_teapot("0-1", "traced") + Words{"--reuse", "none"}, "traced");
+  EXPECT_EQ(rendered(dir, small_teapot("0-1", "exact") + Words{"--reuse", "exact", "--min-psnr", "50"}, "exact"), traced);
+}
+
+TEST(Floor, combinations_that_mean_nothing_are_refused) {
+  const TempDir dir;
+  const std::vector<std::pair<Words, std::string>> cases{
+      {{"--reuse", "none", "--min-psnr", "50"}, "--min-psnr"},
+      {{"--reuse", "forward", "--min-psnr", "5"}, "--min-psnr"},
+      {{"--reuse", "forward", "--min-psnr", "nan"}, "--min-psnr"},
+      {{"--reuse", "forward", "--min-psnr", "50", "--halving"}, "--halving"},
+      {{"--reuse", "forward", "--min-psnr", "50", "--debug", "missed"}, "--debug"},
+      {{"--reuse", "forward", "--min-psnr", "50", "--fill", "retrace"}, "--fill"},
+      {{"--reuse", "forward", "--min-psnr", "50", "--no-z-buffer"}, "--no-z-buffer"},
+  };
+  for (const auto& [flags, part] : cases) {
+    expect_refusal(run_tool(dir, small_teapot("0-1", "out") + flags), 2, part);
+    EXPECT_FALSE(std::filesystem::exists(dir / "out"));
+  }
+}
+
+}  // namespace
+}  // namespace lippmann::test

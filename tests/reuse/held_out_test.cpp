@@ -1,0 +1,108 @@
+#include "reuse/held_out.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace lippmann {
+namespace {
+
+TEST(HeldOut, levels_follow_doubt) {
+  EXPECT_EQ(level_of(0), 0);
+  EXPECT_EQ(level_of(6), 6);
+  EXPECT_EQ(level_of(7), 7);
+  EXPECT_EQ(level_of(8), 7);
+  EXPECT_EQ(level_of(9), 8);
+  EXPECT_EQ(level_of(255), kDoubtLevels - 1);
+  for (int doubt = 1; doubt < 256; ++doubt)
+    EXPECT_GE(level_of(static_cast<std::uint8_t>(doubt)), level_of(static_cast<std::uint8_t>(doubt - 1)));
+}
+
+TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
+  // Two levels that alternate; 8 patches per sample.
+  std::vector<std::uint8_t> doubt(12000);
+  for (std::size_t p = 0; p < doubt.size(); ++p) doubt[p] = p % 2 ? 30 : 0;
+  ASSERT_EQ(patches_per_sample(doubt.size()), 8u);
+  const HeldOut held_out = hold_out(doubt, 1, 2);
+  ASSERT_EQ(held_out.patches.size(), 12000u / 8);
+  std::array<std::size_t, 2> drawn{};
+  for (std::size_t i = 0; i < held_out.patches.size(); ++i) {
+    const std::uint32_t patch = held_out.patches[i], odd = patch % 2;
+    EXPECT_EQ(held_out.levels[i], level_of(doubt[patch]));
+    EXPECT_EQ(patch / 16, drawn[odd]++);  // runs of 8 of a level are 16 patches long here
+  }
+  EXPECT_EQ(held_out.population[0], 6000u);
+  EXPECT_EQ(held_out.population[static_cast<std::size_t>(level_of(30))], 6000u);
+}
+
+TEST(HeldOut, other_frames_and_seeds_draw_other_patches) {
+  const std::vector<std::uint8_t> doubt(12000, 5);
+  const HeldOut first = hold_out(doubt, 1, 2);
+  EXPECT_EQ(hold_out(doubt, 1, 2).patches, first.patches);
+  EXPECT_NE(hold_out(doubt, 1, 3).patches, first.patches);
+  EXPECT_NE(hold_out(doubt, 2, 2).patches, first.patches);
+}
+
+/// 100 patches of level 0 of which 4 were drawn, 50 of level 2 of which 2 were drawn.
+HeldOut drawn_by_hand() {
+  HeldOut held_out{};
+  held_out.population[0] = 100, held_out.population[2] = 50;
+  held_out.patches = {1, 2, 3, 4, 5, 6};
+  held_out.levels = {0, 0, 0, 0, 2, 2};
+  return held_out;
+}
+
+TEST(HeldOut, errors_are_weighted_by_what_their_level_leaves_untraced) {
+  const auto errors = estimate_errors(drawn_by_hand(), std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0});
+  // Level 0: 96 untraced patches of 150, mean 5/4. Level 2: 48 of 150, mean 300.
+  EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
+  EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
+  EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
+  // Level 0 alone: w = 96/600, squared deviations 25 - 4 (5/4)^2 = 18.75, a sample not drawn that errs by 12 codes.
+  const double w = 0.16, not_drawn = w * 144.0;
+  EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 1.645 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
+  // Both: what was not drawn errs as much as the worst that was.
+  const double both = w * 400.0;
+  EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 1.645 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
+}
+
+TEST(HeldOut, level_without_a_sample_errs_by_its_doubt) {
+  HeldOut held_out = drawn_by_hand();
+  held_out.population[3] = 50;
+  const auto errors = estimate_errors(held_out, std::vector<double>(6, 0.0));
+  EXPECT_EQ(errors[2].mse, 0.0);
+  EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);  // doubt 3
+}
+
+TEST(HeldOut, trust_ends_at_the_first_level_whose_bound_fails) {
+  std::array<ErrorEstimate, kDoubtLevels> errors;
+  for (std::size_t h = 0; h < errors.size(); ++h) errors[h].bound = 1.0;
+  EXPECT_EQ(trusted_levels(errors, 1.0), kDoubtLevels);
+  errors[5].bound = 1.1;
+  EXPECT_EQ(trusted_levels(errors, 1.0), 5);
+  EXPECT_EQ(trusted_levels(errors, 0.9), 0);
+}
+
+TEST(HeldOut, bound_holds_in_nineteen_of_twenty_samples_of_heavy_tailed_errors) {
+  // Squared errors of 16,000 patches, log-normal over four decades; one level, so that only the bound is tested.
+  constexpr int kTrials = 400;
+  const std::vector<std::uint8_t> doubt(16000, 5);
+  std::mt19937 random(3);
+  std::lognormal_distribution<double> error(-2.0, 2.0);
+  std::vector<double> errors(doubt.size());
+  for (double& e : errors) e = error(random);
+  int held = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const HeldOut held_out = hold_out(doubt, 7, trial);
+    double truth = 0.0;
+    for (const double e : errors) truth += e;
+    std::vector<double> drawn;
+    for (const std::uint32_t patch : held_out.patches) drawn.push_back(errors[patch]), truth -= errors[patch];
+    held += estimate_errors(held_out, drawn)[5].bound >= truth / static_cast<double>(errors.size());
+  }
+  EXPECT_GE(held, kTrials * 95 / 100);
+}
+
+}  // namespace
+}  // namespace lippmann
