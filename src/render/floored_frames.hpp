@@ -4,9 +4,9 @@
 // Without an interval between keys asked for, it follows from what turns out to be worth predicting, by halving: every
 // kDefaultKeyframes-th frame is a key; of the frames between two keys the middle one is tried first. If it holds with little
 // enough traced, the others are made from the same two keys. If not, it is traced as a whole, becomes a key itself, and both
-// halves are tried in the same way. If next to nothing of it could be trusted, as at a cut, the frames between these keys are all
-// traced. What is tried first depends on the animation alone, and what comes of it as well, so that any part of an animation
-// has the same bytes as in the whole; nothing depends on how long anything takes.
+// halves are tried in the same way. If next to nothing of it could be trusted, as at a cut, the frames between these keys are
+// all traced. What is tried first depends on the animation alone, and what comes of it as well, so that any part of an
+// animation has the same bytes as in the whole; nothing depends on how long anything takes.
 #pragma once
 
 #include <map>

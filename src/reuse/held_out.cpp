@@ -23,7 +23,8 @@ constexpr std::array<std::uint8_t, 256> kLevels = [] {
 /// Where in its run the next sample of a level lies.
 class Runs {
  public:
-  Runs(std::uint32_t length, std::uint32_t seed, int frame) : length_(length), seed_(hash(seed, static_cast<std::uint32_t>(frame))) {
+  Runs(std::uint32_t length, std::uint32_t seed, int frame)
+      : length_(length), seed_(hash(seed, static_cast<std::uint32_t>(frame))) {
     for (std::uint32_t level = 0; level < kDoubtLevels; ++level) begin(level);
   }
 

@@ -1,9 +1,9 @@
 // Held-out patches: a sample of an in-between frame's predictions that is traced to learn how wrong the others are.
 //
-// Patches (patches.hpp) are sorted into levels by their doubt (doubt.hpp), and every level is sampled by itself: of each run of R
-// consecutive patches of a level one, at a place hashed from seed, frame, level and run. So every patch has the chance 1/R, and
-// samples are spread evenly over levels and picture (stratified sampling of clusters: W. G. Cochran, "Sampling Techniques", 3rd
-// ed., 1977, chapters 5 and 9).
+// Patches (patches.hpp) are sorted into levels by their doubt (doubt.hpp), and every level is sampled by itself: of each run of
+// R consecutive patches of a level one, at a place hashed from seed, frame, level and run. So every patch has the chance 1/R,
+// and samples are spread evenly over levels and picture (stratified sampling of clusters: W. G. Cochran, "Sampling Techniques",
+// 3rd ed., 1977, chapters 5 and 9).
 //
 // With N patches in the frame, N_h in level h, e_hi the mean squared errors of its n_h samples (over pixels and R, G, B, in
 // 8-bit display codes) and m_h their mean, the mean squared error that levels 0 ... H leave in the frame, everything else and
@@ -12,11 +12,11 @@
 // and bounded from above, at 95 % confidence, by
 //   U = M + w e + 1.645 sqrt(sum_h w_h^2 sum_i (e_hi - m_h)^2 + (w e)^2),   w the largest w_h.
 // The second term is a sample that was not drawn: errors are few and heavy-tailed, and what is not among n samples may still
-// happen once in n + 1. It errs as much as the worst that was drawn, and by no less than kUnseenError. If k of the samples err by
-// the same amount and the others not at all, U puts k at 2.6, 4.3, 5.8, 7.3 for k = 0, 1, 2, 3, where the exact 95 % limits of a
-// Poisson count are 3.0, 4.7, 6.3, 7.8. It is a bound for errors like those that samples can find: what is wrong in a few pixels
-// of a frame, by a hundred codes, and nowhere else, has to stay below kUnseenError.
-// A level of which no sample was drawn is taken to err by its doubt.
+// happen once in n + 1. It errs as much as the worst that was drawn, and by no less than kUnseenError. If k of the samples err
+// by the same amount and the others not at all, U puts k at 2.6, 4.3, 5.8, 7.3 for k = 0, 1, 2, 3, where the exact 95 % limits
+// of a Poisson count are 3.0, 4.7, 6.3, 7.8. It is a bound for errors like those that samples can find: what is wrong in a few
+// pixels of a frame, by a hundred codes, and nowhere else, has to stay below kUnseenError. A level of which no sample was drawn
+// is taken to err by its doubt.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ namespace lippmann {
 /// Levels of doubt: 0, 1, 2, 3, then about the square root of 2 wide.
 inline constexpr int kDoubtLevels = 24;
 /// The largest doubt of each level.
-inline constexpr std::array<std::uint8_t, kDoubtLevels> kLevelEnd{0,  1,  2,  3,  4,  5,  6,  8,  10,  12,  14,  17,
+inline constexpr std::array<std::uint8_t, kDoubtLevels> kLevelEnd{0,  1,  2,  3,  4,  5,  6,  8,  10, 12,  14,  17,
                                                                   20, 24, 28, 34, 40, 48, 57, 68, 81, 114, 161, 255};
 
 int level_of(std::uint8_t doubt);
@@ -38,8 +38,8 @@ inline constexpr double kUnseenError = 12.0;  ///< root mean square over a patch
 
 /// The sample of one frame.
 struct HeldOut {
-  std::vector<std::uint32_t> patches;                 ///< ascending
-  std::vector<std::uint8_t> levels;                   ///< of those patches
+  std::vector<std::uint32_t> patches;                  ///< ascending
+  std::vector<std::uint8_t> levels;                    ///< of those patches
   std::array<std::uint64_t, kDoubtLevels> population;  ///< patches of the frame by level
 };
 

@@ -10,8 +10,8 @@
 
 #include <span>
 
-#include "image/encoding.hpp"
 #include "core/parallel.hpp"
+#include "image/encoding.hpp"
 #include "reuse/held_out.hpp"
 #include "reuse/patches.hpp"
 #include "reuse/retrace.hpp"
@@ -28,10 +28,10 @@ struct FloorParams {
 inline constexpr double kMostRetraced = 0.5;
 
 struct FloorOutcome {
-  bool holds = false;          ///< false: the frame is to be traced as a whole
+  bool holds = false;           ///< false: the frame is to be traced as a whole
   double share_to_trace = 1.0;  ///< of the frame's patches, held-out ones aside; decides the former
-  std::uint64_t retraced = 0;  ///< pixels traced here, held-out ones among them
-  ErrorEstimate error;         ///< of the finished frame; where it holds
+  std::uint64_t retraced = 0;   ///< pixels traced here, held-out ones among them
+  ErrorEstimate error;          ///< of the finished frame; where it holds
 };
 
 /// `film` is the prediction, then the finished frame. `doubt` is of its pixels.

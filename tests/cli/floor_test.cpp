@@ -31,8 +31,9 @@ TEST(Floor, is_kept_by_nineteen_frames_of_twenty_over_all_scenes) {
   const TempDir dir;
   int frames = 0, kept = 0, predicted = 0;
   for (const std::string scene : {"teapot", "room", "small-balls", "primitives", "tree", "gears"}) {
-    ASSERT_EQ(run_tool(dir, {"render", scene, "--lenses", "16", "--frames", "0-8", "--output", scene, "--reuse", "none"}).exit_code,
-              0);
+    ASSERT_EQ(
+        run_tool(dir, {"render", scene, "--lenses", "16", "--frames", "0-8", "--output", scene, "--reuse", "none"}).exit_code,
+        0);
     for (const std::string floor : {"40", "50"}) {
       const std::string folder = scene + floor;
       const Json report = report_of(dir, floored(scene, "0-8", folder, {"--min-psnr", floor}));
@@ -53,7 +54,7 @@ TEST(Floor, is_kept_by_nineteen_frames_of_twenty_over_all_scenes) {
     }
   }
   EXPECT_EQ(frames, 108);
-  EXPECT_GE(kept, 103);  // 95 %
+  EXPECT_GE(kept, 103);      // 95 %
   EXPECT_GT(predicted, 20);  // else nothing has been tested
 }
 

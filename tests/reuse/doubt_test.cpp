@@ -34,9 +34,7 @@ struct Case {
   }
 };
 
-TEST(Doubt, keys_that_agree_on_a_flat_picture_leave_none) {
-  EXPECT_EQ(Case().doubt(), std::vector<std::uint8_t>(kPixels, 0));
-}
+TEST(Doubt, keys_that_agree_on_a_flat_picture_leave_none) { EXPECT_EQ(Case().doubt(), std::vector<std::uint8_t>(kPixels, 0)); }
 
 TEST(Doubt, disagreement_counts_whole_in_its_pixel_and_half_around_and_beside) {
   Case c;
