@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-constexpr double kNormal95 = 1.645;  // one-sided
+constexpr double kNormal99 = 2.326;  // one-sided; why not that of 95 %: see the header
 
 constexpr std::array<std::uint8_t, 256> kLevels = [] {
   std::array<std::uint8_t, 256> levels{};
@@ -101,7 +101,7 @@ std::array<ErrorEstimate, kDoubtLevels> estimate_errors(const HeldOut& held_out,
       mse += population / patches * kLevelEnd[h] * kLevelEnd[h];
     }
     const double not_drawn = weight * unseen;
-    errors[h] = {mse, mse + not_drawn + kNormal95 * std::sqrt(variance + not_drawn * not_drawn)};
+    errors[h] = {mse, mse + not_drawn + kNormal99 * std::sqrt(variance + not_drawn * not_drawn)};
   }
   return errors;
 }

@@ -10,13 +10,14 @@
 // the samples themselves being traced, is estimated by
 //   M = sum_h w_h sum_i e_hi,   w_h = (N_h - n_h) / (N n_h),
 // and bounded from above, at 95 % confidence, by
-//   U = M + w e + 1.645 sqrt(sum_h w_h^2 sum_i (e_hi - m_h)^2 + (w e)^2),   w the largest w_h.
+//   U = M + w e + 2.326 sqrt(sum_h w_h^2 sum_i (e_hi - m_h)^2 + (w e)^2),   w the largest w_h.
 // The second term is a sample that was not drawn: errors are few and heavy-tailed, and what is not among n samples may still
 // happen once in n + 1. It errs as much as the worst that was drawn, and by no less than kUnseenError. If k of the samples err
-// by the same amount and the others not at all, U puts k at 2.6, 4.3, 5.8, 7.3 for k = 0, 1, 2, 3, where the exact 95 % limits
-// of a Poisson count are 3.0, 4.7, 6.3, 7.8. It is a bound for errors like those that samples can find: what is wrong in a few
-// pixels of a frame, by a hundred codes, and nowhere else, has to stay below kUnseenError. A level of which no sample was drawn
-// is taken to err by its doubt.
+// by the same amount and the others not at all, U puts k at 3.3, 5.3, 7.0, 8.7 for k = 0, 1, 2, 3, where the exact 95 % limits
+// of a Poisson count are 3.0, 4.7, 6.3, 7.8: few errors are not normally distributed, so that the normal quantile of 95
+// %, 1.645, would fall short of them, and that of 99 % is taken. It is a bound for errors like those that samples can find:
+// what is wrong in a few pixels of a frame, by a hundred codes, and nowhere else, has to stay below kUnseenError. A level of
+// which no sample was drawn is taken to err by its doubt.
 #pragma once
 
 #include <array>

@@ -27,35 +27,37 @@ Json report_of(const TempDir& dir, const Words& arguments) {
   return Json::parse(result.out);
 }
 
-TEST(Floor, is_kept_by_nineteen_frames_of_twenty_over_all_scenes) {
+/// Of the frames that are predicted: those that are traced as a whole keep any floor.
+TEST(Floor, is_kept_by_nineteen_predicted_frames_of_twenty_over_all_scenes) {
   const TempDir dir;
-  int frames = 0, kept = 0, predicted = 0;
+  int predicted = 0, kept = 0;
   for (const std::string scene : {"teapot", "room", "small-balls", "primitives", "tree", "gears"}) {
-    ASSERT_EQ(
-        run_tool(dir, {"render", scene, "--lenses", "16", "--frames", "0-8", "--output", scene, "--reuse", "none"}).exit_code,
-        0);
-    for (const std::string floor : {"40", "50"}) {
+    const auto render = [&](const std::string& folder, const Words& how) {
+      return report_of(dir, Words{"render", scene, "--lenses", "32", "--frames", "40-48", "--output", folder} + how);
+    };
+    render(scene, {"--reuse", "none"});
+    for (const std::string floor : {"35", "42"}) {
       const std::string folder = scene + floor;
-      const Json report = report_of(dir, floored(scene, "0-8", folder, {"--min-psnr", floor}));
+      const Json report = render(folder, {"--reuse", "forward", "--min-psnr", floor});
       const Json likeness = Json::parse(run_tool(dir, {"compare", scene, folder, "--json"}).out);
       for (std::size_t i = 0; i < 9; ++i) {
         const Json &psnr = likeness["frames"][i]["psnr_db"], &figures = report["frames"][i];
-        ++frames;
-        kept += psnr.is_null() || psnr.get<double>() >= std::stod(floor);
-        if (figures["kind"] == "in-between") {
-          ++predicted;
-          EXPECT_GE(figures["psnr_at_least_db"].get<double>(), std::stod(floor));
-          EXPECT_GE(figures["estimated_psnr_db"], figures["psnr_at_least_db"]);
-        } else {
+        if (figures["kind"] != "in-between") {
           EXPECT_TRUE(psnr.is_null()) << scene << floor << " frame " << i;
           EXPECT_TRUE(figures["estimated_psnr_db"].is_null());
+          continue;
         }
+        ++predicted;
+        kept += psnr.is_null() || psnr.get<double>() >= std::stod(floor);
+        EXPECT_GE(figures["psnr_at_least_db"].get<double>(), std::stod(floor));
+        EXPECT_GE(figures["estimated_psnr_db"], figures["psnr_at_least_db"]);
       }
     }
   }
-  EXPECT_EQ(frames, 108);
-  EXPECT_GE(kept, 103);      // 95 %
-  EXPECT_GT(predicted, 20);  // else nothing has been tested
+  EXPECT_GT(predicted, 50);  // else nothing has been tested
+  EXPECT_GE(100 * kept, 95 * predicted) << kept << " of " << predicted;
+  RecordProperty("predicted", predicted);
+  RecordProperty("kept", kept);
 }
 
 TEST(Floor, any_thread_count_gives_the_same_bytes) {

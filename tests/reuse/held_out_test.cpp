@@ -61,10 +61,10 @@ TEST(HeldOut, errors_are_weighted_by_what_their_level_leaves_untraced) {
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
   // Level 0 alone: w = 96/600, squared deviations 25 - 4 (5/4)^2 = 18.75, a sample not drawn that errs by 12 codes.
   const double w = 0.16, not_drawn = w * 144.0;
-  EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 1.645 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
+  EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
   // Both: what was not drawn errs as much as the worst that was.
   const double both = w * 400.0;
-  EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 1.645 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
+  EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 2.326 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
 }
 
 TEST(HeldOut, level_without_a_sample_errs_by_its_doubt) {
