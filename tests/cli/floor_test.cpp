@@ -9,22 +9,9 @@ namespace lippmann::test {
 namespace {
 
 using Json = nlohmann::json;
-using Files = std::map<std::string, std::string>;
 
 Words floored(const std::string& scene, const std::string& frames, const std::string& folder, const Words& more = {}) {
   return Words{"render", scene, "--lenses", "16", "--frames", frames, "--output", folder, "--reuse", "forward"} + more;
-}
-
-Files rendered(const TempDir& dir, const Words& arguments, const std::string& folder) {
-  const RunResult result = run_tool(dir, arguments);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  return files_in(dir / folder, ".png");
-}
-
-Json report_of(const TempDir& dir, const Words& arguments) {
-  const RunResult result = run_tool(dir, arguments + Words{"--json"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  return Json::parse(result.out);
 }
 
 /// Of the frames that are predicted: those that are traced as a whole keep any floor.

@@ -11,22 +11,9 @@ namespace {
 
 using testing::HasSubstr;
 using Json = nlohmann::json;
-using Files = std::map<std::string, std::string>;
 
 Words interpolated(const std::string& frames, const std::string& folder, const Words& more = {}) {
   return small_teapot(frames, folder) + Words{"--reuse", "forward", "--keyframes", "4"} + more;
-}
-
-Files rendered(const TempDir& dir, const Words& arguments, const std::string& folder) {
-  const RunResult result = run_tool(dir, arguments);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  return files_in(dir / folder, ".png");
-}
-
-Json report_of(const TempDir& dir, const Words& arguments) {
-  const RunResult result = run_tool(dir, arguments + Words{"--json"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  return Json::parse(result.out);
 }
 
 TEST(Reuse, key_frames_are_the_traced_ones_and_the_others_are_made_between_them) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -42,12 +43,28 @@ inline std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Names and contents of the files in a folder that end so.
-inline std::map<std::string, std::string> files_in(const std::filesystem::path& folder, const std::string& ending) {
-  std::map<std::string, std::string> files;
+using Files = std::map<std::string, std::string>;  ///< contents by name
+
+/// The files in a folder that end so.
+inline Files files_in(const std::filesystem::path& folder, const std::string& ending) {
+  Files files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ending) files[entry.path().filename().string()] = bytes_of(entry.path());
   return files;
+}
+
+/// Runs the tool, which must not fail; the pictures that are then in the folder.
+inline Files rendered(const TempDir& dir, const Words& arguments, const std::string& folder) {
+  const RunResult result = run_tool(dir, arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return files_in(dir / folder, ".png");
+}
+
+/// The same with --json: what it printed.
+inline nlohmann::json report_of(const TempDir& dir, const Words& arguments) {
+  const RunResult result = run_tool(dir, arguments + Words{"--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return nlohmann::json::parse(result.out);
 }
 
 inline std::size_t lines_of(const std::string& text) {

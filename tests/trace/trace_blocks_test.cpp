@@ -4,6 +4,7 @@
 #include "optics/optics.hpp"
 #include "trace/ray_order.hpp"
 #include "trace/small_scene.hpp"
+#include "trace/trace_packets.hpp"
 
 namespace lippmann {
 namespace {
@@ -84,12 +85,32 @@ TEST_P(TraceBlocks, box_around_everything_is_met_by_all_and_box_away_from_all_ra
   expect_all({{around, 5}, {endless, 2}}, 2);
 }
 
+TEST_P(TraceBlocks, packets_traced_alone_are_as_in_the_frame) {
+  const Traced whole = frame({});
+  const StripOrder order = make_strip_order(optics_, GetParam());
+  const std::size_t per_strip = (order.pixels.size() + 15) / 16;
+  const auto strips = static_cast<std::size_t>((70 + order.strip_height - 1) / order.strip_height);
+  std::vector<std::uint8_t> wanted(per_strip * strips, 0);
+  for (std::size_t p = 0; p < wanted.size(); p += 3) wanted[p] = 1;
+  Image film = whole.film;
+  std::fill(film.data.begin(), film.data.end(), -1.0f);
+  trace_packets(device_, optics_, {}, params_, wanted, pool_, context_, film);
+  for (std::size_t strip = 0; strip < strips; ++strip)
+    for (std::size_t i = 0; i < order.pixels.size(); ++i) {
+      const std::size_t y = strip * static_cast<std::size_t>(order.strip_height) + order.pixels[i].y;
+      if (y >= 70) continue;
+      const std::size_t at = 3 * (y * 70 + order.pixels[i].x);
+      const bool is_wanted = wanted[strip * per_strip + i / 16] != 0;
+      for (std::size_t c = at; c < at + 3; ++c) ASSERT_EQ(film.data[c], is_wanted ? whole.film.data[c] : -1.0f);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Orders, TraceBlocks, testing::Values(RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles),
                          [](const auto& order) {
                            return std::string(order.param == RayOrder::kViewTiles ? "view_tiles" : to_string(order.param));
                          });
 
-/// A view of 64 x 64 pixels of one square that fills it, in blocks of 16 x 16 pixels (rows of tiles 4 x 4), and one box.
+/// Of a view of 64 x 64 pixels, in blocks of 4 rows: which have to do with one box (1, else kNever).
 std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
   const ThreadPool pool(1);
   const Context context;
