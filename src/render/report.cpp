@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "optics/optics_json.hpp"
 #include "render/params_table.hpp"
 
 namespace lippmann {
@@ -13,43 +14,11 @@ Json rays_json(const RayCounts& rays) {
   return {{"primary", rays.primary}, {"shadow", rays.shadow}, {"reflection", rays.reflection}, {"indirect", rays.indirect}};
 }
 
-/// JSON has no infinity: null says it.
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 std::optional<double> number_or_none(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
-
-Json model_json(const LenticularSheet& sheet) {
-  return {{"kind", "lenticular"},
-          {"lens_pitch_mm", sheet.lens_pitch_mm},
-          {"gap_mm", sheet.gap_mm},
-          {"slant_deg", degrees(sheet.slant)},
-          {"offset_mm", sheet.offset_mm},
-          {"viewing_distance_mm", finite_or_null(sheet.viewing_distance_mm)},
-          {"eye_height_mm", sheet.eye_height_mm}};
-}
-
-Json model_json(const MicrolensArray& array) {
-  return {{"kind", "microlens"},
-          {"packing", array.packing == LensPacking::kSquare ? "square" : "hexagonal"},
-          {"lens_pitch_mm", array.lens_pitch_mm},
-          {"gap_mm", array.gap_mm},
-          {"offset_mm", {array.offset_mm.x, array.offset_mm.y}},
-          {"viewing_distance_mm", finite_or_null(array.viewing_distance_mm)}};
-}
-
-Json model_json(const MultiView& views) {
-  return {{"kind", "multiview"},
-          {"columns", views.columns},
-          {"rows", views.rows},
-          {"view_cone_deg", degrees(views.view_cone)},
-          {"distance_mm", views.distance_mm}};
-}
-
-Json model_json(const SingleView& view) { return {{"kind", "single"}, {"distance_mm", view.distance_mm}}; }
 
 Json setting_json(const ParamInfo& info, const RenderParams& params) {
   const std::vector<std::string> values = info.get(params);
@@ -87,16 +56,6 @@ Json totals_json(const RenderReport& report) {
 }
 
 }  // namespace
-
-Json optics_json(const Optics& optics) {
-  Json json = std::visit([](const auto& model) { return model_json(model); }, optics.model);
-  json["width"] = optics.panel.width;
-  json["height"] = optics.panel.height;
-  json["pixel_pitch_mm"] = optics.panel.pixel_pitch_mm;
-  json["viewing_zone_deg"] = degrees(viewing_zone(optics));
-  json["depth_budget_mm"] = finite_or_null(depth_budget_mm(optics));
-  return json;
-}
 
 Json to_json(const FrameReport& frame) {
   return {{"frame", frame.frame},

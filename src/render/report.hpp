@@ -41,7 +41,6 @@ struct RenderReport {
   bool interrupted = false;  ///< stopped before the last frame; what is listed is whole
 };
 
-nlohmann::ordered_json optics_json(const Optics& optics);
 nlohmann::ordered_json to_json(const FrameReport& frame);
 nlohmann::ordered_json to_json(const RenderReport& report);
 

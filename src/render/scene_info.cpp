@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "optics/optics_json.hpp"
 #include "render/make_optics.hpp"
 #include "render/panel_size.hpp"
 #include "render/report.hpp"

@@ -1,0 +1,183 @@
+#include "optics/optics_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/printable.hpp"
+
+namespace lippmann {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// ---- Writing ------------------------------------------------------------------------------------------------------------
+
+/// JSON has no infinity: null says it.
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json model_json(const LenticularSheet& sheet) {
+  return {{"kind", "lenticular"},
+          {"lens_pitch_mm", sheet.lens_pitch_mm},
+          {"gap_mm", sheet.gap_mm},
+          {"slant_deg", degrees(sheet.slant)},
+          {"offset_mm", sheet.offset_mm},
+          {"viewing_distance_mm", finite_or_null(sheet.viewing_distance_mm)},
+          {"eye_height_mm", sheet.eye_height_mm}};
+}
+
+Json model_json(const MicrolensArray& array) {
+  return {{"kind", "microlens"},
+          {"packing", array.packing == LensPacking::kSquare ? "square" : "hexagonal"},
+          {"lens_pitch_mm", array.lens_pitch_mm},
+          {"gap_mm", array.gap_mm},
+          {"offset_mm", {array.offset_mm.x, array.offset_mm.y}},
+          {"viewing_distance_mm", finite_or_null(array.viewing_distance_mm)}};
+}
+
+Json model_json(const MultiView& views) {
+  return {{"kind", "multiview"},
+          {"columns", views.columns},
+          {"rows", views.rows},
+          {"view_cone_deg", degrees(views.view_cone)},
+          {"cone_ends_included", views.cone_ends_included},
+          {"distance_mm", views.distance_mm}};
+}
+
+Json model_json(const SingleView& view) {
+  return {
+      {"kind", "single"}, {"distance_mm", view.distance_mm}, {"pixel_offset_px", {view.pixel_offset.x, view.pixel_offset.y}}};
+}
+
+// ---- Reading ------------------------------------------------------------------------------------------------------------
+
+/// The members of one JSON object; every complaint names the file and the key.
+class Members {
+ public:
+  Members(const Json& json, const std::string& where) : json_(json), where_(where) {
+    if (!json.is_object()) throw Error(where, "\"optics\" is not an object");
+  }
+
+  [[noreturn]] void reject(std::string_view key, const std::string& problem, const std::string& accepted) const {
+    throw Error(where_, "\"" + std::string(key) + "\" of \"optics\" " + problem, accepted);
+  }
+
+  const Json& value(std::string_view key) const {
+    const auto found = json_.find(std::string(key));
+    if (found == json_.end()) reject(key, "is missing", "the report.json that the render wrote");
+    return *found;
+  }
+
+  bool has(std::string_view key) const { return json_.contains(std::string(key)); }
+
+  float number(std::string_view key, const Json& json) const {
+    if (!json.is_number()) reject(key, "is not a number", "a number");
+    const double value = json.get<double>();
+    if (!(std::abs(value) <= 1e30)) reject(key, "is no length or angle", "a number within 1e30");
+    return static_cast<float>(value);
+  }
+
+  float number(std::string_view key) const { return number(key, value(key)); }
+  float number_or(std::string_view key, float otherwise) const { return has(key) ? number(key) : otherwise; }
+
+  float number_or_infinity(std::string_view key) const { return value(key).is_null() ? kInfinity : number(key); }
+
+  int count(std::string_view key) const {
+    const Json& json = value(key);
+    if (!json.is_number_integer()) reject(key, "is not a whole number", "a whole number");
+    const double exact = json.get<double>();
+    if (!(exact >= 1.0 && exact <= 1e9)) reject(key, "is no count", "a whole number above 0");
+    return json.get<int>();
+  }
+
+  bool flag_or(std::string_view key, bool otherwise) const {
+    if (!has(key)) return otherwise;
+    if (!value(key).is_boolean()) reject(key, "is neither true nor false", "true or false");
+    return value(key).get<bool>();
+  }
+
+  std::string word(std::string_view key) const {
+    if (!value(key).is_string()) reject(key, "is not text", "text");
+    return value(key).get<std::string>();
+  }
+
+  Vec2f pair_or(std::string_view key, Vec2f otherwise) const {
+    if (!has(key)) return otherwise;
+    const Json& json = value(key);
+    if (!json.is_array() || json.size() != 2) reject(key, "is not a pair", "two numbers [x, y]");
+    return {number(key, json[0]), number(key, json[1])};
+  }
+
+ private:
+  const Json& json_;
+  const std::string& where_;
+};
+
+LenticularSheet lenticular_from(const Members& json) {
+  LenticularSheet sheet;
+  sheet.lens_pitch_mm = json.number("lens_pitch_mm");
+  sheet.gap_mm = json.number("gap_mm");
+  sheet.slant = radians(json.number("slant_deg"));
+  sheet.offset_mm = json.number_or("offset_mm", sheet.offset_mm);
+  sheet.viewing_distance_mm = json.number_or_infinity("viewing_distance_mm");
+  sheet.eye_height_mm = json.number_or("eye_height_mm", 0.0f);
+  return sheet;
+}
+
+MicrolensArray microlens_from(const Members& json) {
+  MicrolensArray array;
+  const std::string packing = json.word("packing");
+  if (packing != "square" && packing != "hexagonal")
+    json.reject("packing", "is " + shown(packing), "\"square\" or \"hexagonal\"");
+  array.packing = packing == "square" ? LensPacking::kSquare : LensPacking::kHexagonal;
+  array.lens_pitch_mm = json.number("lens_pitch_mm");
+  array.gap_mm = json.number("gap_mm");
+  array.offset_mm = json.pair_or("offset_mm", array.offset_mm);
+  array.viewing_distance_mm = json.number_or_infinity("viewing_distance_mm");
+  return array;
+}
+
+MultiView multi_view_from(const Members& json) {
+  return {json.count("columns"), json.count("rows"), radians(json.number("view_cone_deg")),
+          json.flag_or("cone_ends_included", false), json.number("distance_mm")};
+}
+
+OpticsModel model_from(const Members& json) {
+  const std::string kind = json.word("kind");
+  if (kind == "lenticular") return lenticular_from(json);
+  if (kind == "microlens") return microlens_from(json);
+  if (kind == "multiview") return multi_view_from(json);
+  if (kind == "single") return SingleView{json.number("distance_mm"), json.pair_or("pixel_offset_px", Vec2f(0.0f))};
+  json.reject("kind", "is " + shown(kind), "lenticular, microlens, multiview or single");
+}
+
+}  // namespace
+
+Json optics_json(const Optics& optics) {
+  Json json = std::visit([](const auto& model) { return model_json(model); }, optics.model);
+  json["width"] = optics.panel.width;
+  json["height"] = optics.panel.height;
+  json["pixel_pitch_mm"] = optics.panel.pixel_pitch_mm;
+  json["z_front_mm"] = finite_or_null(optics.z_front_mm);
+  json["viewing_zone_deg"] = degrees(viewing_zone(optics));
+  json["depth_budget_mm"] = finite_or_null(depth_budget_mm(optics));
+  return json;
+}
+
+Optics optics_from_json(const Json& json, const std::string& where) {
+  const Members members(json, where);
+  Optics optics;
+  optics.panel = {members.count("width"), members.count("height"), members.number("pixel_pitch_mm")};
+  optics.model = model_from(members);
+  if (members.has("z_front_mm")) optics.z_front_mm = members.number_or_infinity("z_front_mm");
+  try {
+    validate(optics);
+  } catch (const Error& error) {
+    throw Error(where, "the optics make no rays: " + error.where() + " " + error.problem(), error.accepted());
+  }
+  return optics;
+}
+
+}  // namespace lippmann

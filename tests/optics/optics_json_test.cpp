@@ -1,0 +1,75 @@
+#include "optics/optics_json.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "random_optics.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+std::string message_for(const Json& json) {
+  return test::error_message([&] { optics_from_json(json, "report.json"); });
+}
+
+Json some_optics() { return optics_json(Optics{}); }
+
+TEST(OpticsJson, every_model_written_and_read_gives_the_same_rays) {
+  test::OpticsSampler random(11);
+  for (int i = 0; i < 200; ++i) {
+    Optics optics = random.any(i);
+    const Json json = optics_json(optics);
+    const Optics back = optics_from_json(Json::parse(json.dump()), "report.json");
+    // Angles go through degrees: one rounding of a float each way, 1e-7 of the slope, which the panel's size magnifies.
+    const Vec2f pixel(0.3f * static_cast<float>(optics.panel.width), 0.7f * static_cast<float>(optics.panel.height));
+    const Ray a = ray_of_pixel(optics, pixel), b = ray_of_pixel(back, pixel);
+    EXPECT_NEAR(a.direction.x, b.direction.x, 1e-5f) << json.dump();
+    EXPECT_NEAR(a.direction.y, b.direction.y, 1e-5f) << json.dump();
+    EXPECT_NEAR(a.origin.x, b.origin.x, 1e-5f * (1.0f + std::abs(a.origin.z))) << json.dump();
+    EXPECT_EQ(optics.z_front_mm, back.z_front_mm);
+  }
+}
+
+TEST(OpticsJson, infinite_distances_come_back) {
+  const Optics back = optics_from_json(some_optics(), "report.json");
+  EXPECT_EQ(std::get<LenticularSheet>(back.model).viewing_distance_mm, kInfinity);
+}
+
+TEST(OpticsJson, hostile_json_gives_one_error_that_names_file_and_key) {
+  EXPECT_THAT(message_for("lenticular"), HasSubstr("report.json"));
+  EXPECT_THAT(message_for(nullptr), HasSubstr("not an object"));
+  for (const auto& [key, value, part] : std::vector<std::tuple<const char*, Json, const char*>>{
+           {"kind", "lenticuler", "'lenticuler'"},
+           {"kind", 7, "\"kind\""},
+           {"width", -3, "\"width\""},
+           {"width", 1e300, "\"width\""},
+           {"width", 123456789012345678, "\"width\""},
+           {"width", 100000, "panel.width"},
+           {"gap_mm", "2", "\"gap_mm\""},
+           {"gap_mm", 0.0, "gap_mm"},
+           {"gap_mm", nullptr, "\"gap_mm\""},
+           {"lens_pitch_mm", 1e300, "\"lens_pitch_mm\""},
+           {"viewing_distance_mm", Json::array(), "\"viewing_distance_mm\""},
+       }) {
+    Json json = some_optics();
+    json[key] = value;
+    EXPECT_THAT(message_for(json), HasSubstr(part)) << key << " " << value;
+    EXPECT_THAT(message_for(json), HasSubstr("report.json")) << key << " " << value;
+  }
+}
+
+TEST(OpticsJson, missing_keys_are_named) {
+  for (const char* key : {"kind", "width", "height", "pixel_pitch_mm", "lens_pitch_mm", "gap_mm", "viewing_distance_mm"}) {
+    Json json = some_optics();
+    json.erase(key);
+    EXPECT_THAT(message_for(json), HasSubstr(std::string(key) + "\" of")) << key;
+  }
+}
+
+}  // namespace
+}  // namespace lippmann
