@@ -1,4 +1,4 @@
-// `lippmann convert IN OUT`: integral images, quilts and single views into one another.
+// `lippmann convert IN OUT`: light fields of one format into another.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -15,15 +15,11 @@ namespace lippmann::app {
 namespace {
 
 struct Options {
-  std::string in, out, from, to, views, quilt;
+  std::string in, out, from, to, views, quilt, crop, keep;
   double aspect = 0.0;
+  int bits = 0;
   bool json = false;
 };
-
-LayoutKind kind_of(const std::string& word) {
-  if (word == "integral") return LayoutKind::kIntegral;
-  return word == "quilt" ? LayoutKind::kQuilt : LayoutKind::kStack;
-}
 
 /// Digits, x, digits; both from 1 to 1024.
 std::optional<ViewGrid> read_grid(const std::string& text, const std::string& flag) {
@@ -39,11 +35,20 @@ std::optional<ViewGrid> read_grid(const std::string& text, const std::string& fl
   return grid;
 }
 
+ConvertParams params_of(const Options& options) {
+  ConvertParams params;
+  params.from = options.from, params.to = options.to;
+  params.options.views = read_grid(options.views, "--views");
+  params.options.tiles = read_grid(options.quilt, "--quilt");
+  if (options.aspect > 0.0) params.options.aspect = options.aspect;
+  if (options.bits > 0) params.options.bits = options.bits;
+  if (!options.crop.empty()) params.crop = read_crop(options.crop, "--crop");
+  if (!options.keep.empty()) params.keep = read_kept_views(options.keep, "--keep");
+  return params;
+}
+
 int run(const Options& options) {
-  ConvertParams params{
-      kind_of(options.from), kind_of(options.to), read_grid(options.views, "--views"), read_grid(options.quilt, "--quilt"), {}};
-  if (options.aspect > 0.0) params.aspect = options.aspect;
-  const Converted converted = convert(options.in, options.out, params);
+  const Converted converted = convert(options.in, options.out, params_of(options));
   if (options.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : converted.written) files.push_back(path.string());
@@ -59,26 +64,37 @@ int run(const Options& options) {
   return 0;
 }
 
+std::string formats_help() {
+  std::string text = "Formats:\n";
+  for (const LightFieldFormat& format : light_field_formats()) text += fmt::format("  {:<10}  {}\n", format.name, format.is);
+  return text + "See docs/layouts.md for each, with an example.";
+}
+
 }  // namespace
 
 void add_convert_command(CLI::App& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App& command =
-      *root.add_subcommand("convert", "Turn integral images, quilts and single views into one another, exactly");
-  const CLI::IsMember layouts({"integral", "quilt", "views"});
-  command.add_option("IN", options->in, "A picture, a folder of frame_*.png, or with --from views a folder of view_*.png")
-      ->required();
+  CLI::App& command = *root.add_subcommand("convert", "Turn light fields of one format into another, exactly");
+  command.add_option("IN", options->in, "A picture or folder of the format; or a folder of many, frame_0000...")->required();
   command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
       ->required();
-  command.add_option("--from", options->from, "What IN is: integral, quilt or views")->required()->check(layouts);
-  command.add_option("--to", options->to, "What OUT is to be")->required()->check(layouts);
+  command.add_option("--from", options->from, "What IN is, see below")->required()->type_name("FORMAT");
+  command.add_option("--to", options->to, "What OUT is to be")->required()->type_name("FORMAT");
   command.add_option("--views", options->views, "Views across and up; of an integral image: pixels below each lens")
       ->type_name("CxR");
   command.add_option("--quilt", options->quilt, "Tiles of the quilt; default: as its name says, or as square as can be")
       ->type_name("CxR");
   command.add_option("--aspect", options->aspect, "Width / height of the display, for the name of a quilt")
       ->check(CLI::PositiveNumber);
+  command
+      .add_option("--keep", options->keep,
+                  "Only these columns (from the left) and rows (from the lowest) of views, each N, A-B, A-B:STEP or all: "
+                  "0-47:2, 2-6x2-6, allx4")
+      ->type_name("COLUMNS[xROWS]");
+  command.add_option("--crop", options->crop, "Only this window of every view, from its top left corner")->type_name("WxH+X+Y");
+  command.add_option("--bits", options->bits, "Of the codes of PPM files; default: as read")->check(CLI::Range(8, 16));
   command.add_flag("--json", options->json, "Print the result as JSON");
+  command.footer(formats_help());
   command.callback([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
 }
 

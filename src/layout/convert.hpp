@@ -1,20 +1,22 @@
-// Turns pictures that hold the views of a light field into one another: integral images, quilts, one picture per view. Pixels
-// are moved, never changed, so that every way and back is exact.
+// Turns light fields of one format into another. Pixels are moved, never changed, so that ways and back are exact wherever
+// both formats hold the same samples.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "layout/view_layout.hpp"
+#include "layout/formats.hpp"
+#include "layout/subset.hpp"
 
 namespace lippmann {
 
 struct ConvertParams {
-  LayoutKind from = LayoutKind::kIntegral, to = LayoutKind::kStack;  ///< kStack: a folder of view_000.png ...
-  std::optional<ViewGrid> views;  ///< needed for integral images; else as many as there are, in one row
-  std::optional<ViewGrid> tiles;  ///< of a quilt; none: as its name says, or as square as can be
-  std::optional<double> aspect;   ///< of the display, for a quilt's name; none: as the source's, or the picture's
+  std::string from = "integral", to = "views";  ///< names of formats
+  FormatOptions options;
+  std::optional<Crop> crop;       ///< of every view
+  std::optional<KeptViews> keep;  ///< of the views; before they are cropped
 };
 
 struct Converted {
@@ -23,8 +25,9 @@ struct Converted {
   Vec2i view_size{0, 0};
 };
 
-/// A picture, or a folder of frame_*.png of which each is converted (into frames, or folders of views), or the folder of views.
-/// A quilt is written under its proper name (quilt_name.hpp). Throws Error naming the file or flag.
+/// `in`: a light field of that format, or a folder of frame_* (pictures or folders of views), of which each is converted, into
+/// pictures or folders of the same names. A picture without an ending gets the one that suits its samples. A quilt is written
+/// under its proper name (quilt_name.hpp). Throws Error naming the file or flag.
 Converted convert(const std::filesystem::path& in, const std::filesystem::path& out, const ConvertParams& params);
 
 }  // namespace lippmann

@@ -15,6 +15,10 @@ Vec2i place(const ViewLayout& layout, Vec2i size, Vec2i picture, int view, int x
       const int column = view % grid.columns, row = view / grid.columns;
       return {x * grid.columns + (grid.columns - 1 - column), y * grid.rows + row};
     }
+    case LayoutKind::kEslf: {
+      const ViewGrid& grid = layout.grid;
+      return {x * grid.columns + view % grid.columns, y * grid.rows + (grid.rows - 1 - view / grid.columns)};
+    }
     case LayoutKind::kQuilt: {
       const int column = view % layout.tiles.columns, row = view / layout.tiles.columns;
       return {column * size.x + x, picture.y - (row + 1) * size.y + y};
@@ -30,6 +34,7 @@ Vec2i place(const ViewLayout& layout, Vec2i size, Vec2i picture, int view, int x
 Vec2i picture_size(const ViewLayout& layout, Vec2i size) {
   switch (layout.kind) {
     case LayoutKind::kIntegral:
+    case LayoutKind::kEslf:
       return {size.x * layout.grid.columns, size.y * layout.grid.rows};
     case LayoutKind::kQuilt:
       return {size.x * layout.tiles.columns, size.y * layout.tiles.rows};
@@ -44,7 +49,8 @@ Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& wher
   const Vec2i size = picture / parts;
   const bool fills = size * parts == picture || layout.kind == LayoutKind::kQuilt;
   if (size.x > 0 && size.y > 0 && fills) return size;
-  const char* what = layout.kind == LayoutKind::kIntegral ? "pixels below each lens" : "views";
+  const char* what =
+      layout.kind == LayoutKind::kIntegral || layout.kind == LayoutKind::kEslf ? "pixels below each lens" : "views";
   throw Error(where, fmt::format("{}x{} pixels cannot be divided into {}x{} {}", picture.x, picture.y, parts.x, parts.y, what),
               "--views or --quilt as the picture was made");
 }

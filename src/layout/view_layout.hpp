@@ -9,6 +9,8 @@
 //             topmost.
 //   quilt     views side by side: view 0 at the bottom left, then to the right, then upwards; the last at the top right
 //             (Looking Glass).
+//   eslf      (a plenoptic camera's picture, Lytro's) as integral, but not turned round: what is seen from the left is the
+//             leftmost, what is seen from above the topmost.
 //   stack     views one below the other, view 0 on top: as they are stored one by one.
 #pragma once
 
@@ -26,7 +28,7 @@ struct ViewGrid {
   bool operator==(const ViewGrid&) const = default;
 };
 
-enum class LayoutKind { kIntegral, kQuilt, kStack };
+enum class LayoutKind { kIntegral, kQuilt, kStack, kEslf };
 
 struct ViewLayout {
   LayoutKind kind = LayoutKind::kStack;

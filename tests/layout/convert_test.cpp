@@ -32,10 +32,13 @@ Image16 picture16(int width, int height) {
 
 Image8 read8(const fs::path& path) { return std::get<Image8>(read_picture(path)); }
 
-ConvertParams params(LayoutKind from, LayoutKind to, std::optional<ViewGrid> views = {}, std::optional<ViewGrid> tiles = {}) {
-  return {from, to, views, tiles, {}};
+ConvertParams params(const char* from, const char* to, std::optional<ViewGrid> views = {}, std::optional<ViewGrid> tiles = {}) {
+  ConvertParams params;
+  params.from = from, params.to = to;
+  params.options.views = views, params.options.tiles = tiles;
+  return params;
 }
-constexpr auto kIntegral = LayoutKind::kIntegral, kQuilt = LayoutKind::kQuilt, kViews = LayoutKind::kStack;
+constexpr const char *kIntegral = "integral", *kQuilt = "quilt", *kViews = "views";
 
 TEST(Convert, integral_image_to_views_to_quilt_and_back_is_the_same_to_the_bit) {
   const TempDir dir;

@@ -1,0 +1,39 @@
+// Reads and writes what OpenImageIO does not keep: PPM with codes of 10, 12 or any other number of bits, and PFM (floats).
+//
+//   PPM  "P6\n<width> <height>\n<highest code>\n", then 3 codes per pixel, rows from the top; 2 bytes each, high byte first,
+//   where
+//        the highest code is above 255.  P5 (grey) is read as three equal codes.
+//   PFM  "Pf\n<width> <height>\n<scale>\n" (PF: 3 channels), then floats, rows from the BOTTOM; little-endian where scale < 0.
+//        Values are multiplied by |scale| when read; written with scale -1.
+// Both bound what a header may claim by what the file holds. All throw Error naming `where`.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "image/image.hpp"
+
+namespace lippmann {
+
+struct PpmCodes {
+  Image16 codes;      ///< as stored, 0 ... highest
+  int highest = 255;  ///< 1 ... 65535
+};
+
+PpmCodes parse_ppm(std::span<const std::byte> file, const std::string& where);
+Image parse_pfm(std::span<const std::byte> file, const std::string& where);
+
+PpmCodes read_ppm(const std::filesystem::path& path);
+Image read_pfm(const std::filesystem::path& path);
+
+/// The bytes of the file. Of PFM: 1 or 3 channels.
+std::vector<std::byte> encode_ppm(const PpmCodes& picture);
+std::vector<std::byte> encode_pfm(const Image& image);
+
+void write_ppm(const std::filesystem::path& path, const PpmCodes& picture);
+void write_pfm(const std::filesystem::path& path, const Image& image);
+
+}  // namespace lippmann

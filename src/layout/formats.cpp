@@ -1,0 +1,29 @@
+#include "layout/formats.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/suggest.hpp"
+
+namespace lippmann {
+
+const std::vector<LightFieldFormat>& light_field_formats() {
+  static const std::vector<LightFieldFormat> all{integral_format(), quilt_format(),      views_format(), hci_format(),
+                                                 stanford_format(), jpeg_pleno_format(), eslf_format()};
+  return all;
+}
+
+const LightFieldFormat& find_format(const std::string& name, const std::string& flag) {
+  std::string known;
+  std::vector<std::string_view> names;
+  for (const LightFieldFormat& format : light_field_formats()) {
+    if (format.name == name) return format;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", format.name);
+    names.push_back(format.name);
+  }
+  const std::string nearest = nearest_name(name, names);
+  throw usage_error(flag, fmt::format("'{}' is no format{}", name, nearest.empty() ? "" : ", did you mean '" + nearest + "'?"),
+                    known);
+}
+
+}  // namespace lippmann

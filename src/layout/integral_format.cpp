@@ -1,0 +1,46 @@
+// What lies behind a lens array, and the plenoptic camera's variant of it, whose elements are not turned round.
+#include "core/error.hpp"
+#include "layout/formats.hpp"
+#include "layout/packed_views.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+ViewGrid said_views(const fs::path& path, const FormatOptions& options) {
+  if (options.views) return *options.views;
+  throw usage_error("--views", path.string() + " does not say how many pixels lie below its lenses", "CxR, such as 8x1");
+}
+
+template <LayoutKind kind>
+LightField read(const fs::path& path, const FormatOptions& options) {
+  return read_packed(path, {kind, said_views(path, options), {}});
+}
+
+template <LayoutKind kind>
+std::vector<fs::path> write(const LightField& field, const fs::path& path, const FormatOptions&) {
+  return write_packed(field, {kind, field.grid, {}}, path);
+}
+
+}  // namespace
+
+LightFieldFormat integral_format() {
+  return {"integral",
+          "what lies behind a lens array; --views: pixels below each lens",
+          false,
+          false,
+          read<LayoutKind::kIntegral>,
+          write<LayoutKind::kIntegral>};
+}
+
+LightFieldFormat eslf_format() {
+  return {"eslf",
+          "plenoptic camera: view (u, v) from the top left is every N-th pixel from (u, v); --views 14x14 and the like",
+          false,
+          false,
+          read<LayoutKind::kEslf>,
+          write<LayoutKind::kEslf>};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,83 @@
+// JPEG Pleno's folders: {row:03}_{column:03}.ppm, from the top left, codes of 8 to 16 bits.
+//
+// Codes of b bits, other than 8, become 16-bit codes round(65535 c / (2^b - 1)) and come back from them exactly.
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "core/error.hpp"
+#include "image/netpbm.hpp"
+#include "layout/formats.hpp"
+#include "layout/view_files.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint16_t rescaled(std::uint16_t code, int from_highest, int to_highest) {
+  const auto from = static_cast<std::uint32_t>(from_highest);
+  return static_cast<std::uint16_t>((code * static_cast<std::uint32_t>(to_highest) + from / 2) / from);
+}
+
+LightField read(const fs::path& folder, const FormatOptions&) {
+  static const std::regex name("([0-9]{1,4})_([0-9]{1,4})\\.ppm");
+  const std::vector<NumberedFile> files = numbered_files(folder, name, "000_000.ppm, 000_001.ppm, ...");
+  const ViewGrid grid = complete_grid(folder, files);
+  std::vector<fs::path> by_view(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i)
+    by_view[static_cast<std::size_t>(from_top_left(grid, static_cast<int>(i)))] = files[i].path;
+  int highest = 0;
+  const auto read_one = [&](const fs::path& path) -> Picture {
+    PpmCodes ppm = read_ppm(path);
+    if (highest == 0) highest = ppm.highest;
+    if (ppm.highest != highest)
+      throw Error(path.string(), fmt::format("its highest code is {}", ppm.highest),
+                  fmt::format("{} as in the others", highest));
+    Image16& codes = ppm.codes;
+    if (highest == 255) return Image8{codes.width, codes.height, {codes.rgb.begin(), codes.rgb.end()}};
+    for (std::uint16_t& code : codes.rgb) code = rescaled(code, highest, 65535);
+    return std::move(codes);
+  };
+  LightField field = read_view_files(by_view, grid, read_one);
+  field.bits = std::bit_width(static_cast<unsigned>(highest));
+  return field;
+}
+
+PpmCodes codes_of(const Picture& picture, int bits) {
+  PpmCodes ppm{{}, (1 << bits) - 1};
+  const auto rescale = [&](const auto& image, int highest) {
+    ppm.codes = {image.width, image.height, {image.rgb.begin(), image.rgb.end()}};
+    if (highest != ppm.highest)
+      for (std::uint16_t& code : ppm.codes.rgb) code = rescaled(code, highest, ppm.highest);
+  };
+  if (const auto* bytes = std::get_if<Image8>(&picture))
+    rescale(*bytes, 255);
+  else
+    rescale(std::get<Image16>(picture), 65535);
+  return ppm;
+}
+
+std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions& options) {
+  if (std::holds_alternative<Image>(field.stack))
+    throw Error(folder.string(), "PPM holds codes, and the samples are floats", "pictures of 8 or 16 bits");
+  const int own_bits = std::holds_alternative<Image8>(field.stack) ? 8 : 16;
+  const int bits = options.bits.value_or(field.bits > 0 ? field.bits : own_bits);
+  make_folder(folder);
+  std::vector<fs::path> written;
+  for (int i = 0; i < field.grid.count(); ++i) {
+    const int view = from_top_left(field.grid, i);
+    written.push_back(folder / fmt::format("{:03}_{:03}.ppm", i / field.grid.columns, i % field.grid.columns));
+    write_ppm(written.back(), codes_of(view_of(field, view), bits));
+  }
+  return written;
+}
+
+}  // namespace
+
+LightFieldFormat jpeg_pleno_format() {
+  return {"jpeg-pleno", "JPEG Pleno's folder: {row}_{column}.ppm, from the top left; --bits of its codes", true, false, read,
+          write};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,90 @@
+#include "layout/light_field.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace lippmann {
+namespace {
+
+template <class T>
+auto& samples_of(T& image) {
+  if constexpr (std::is_same_v<std::remove_const_t<T>, Image>)
+    return image.data;
+  else
+    return image.rgb;
+}
+
+template <class T>
+void move_samples(const T& from, const std::vector<std::uint32_t>& from_pixel, T& to,
+                  const std::vector<std::uint32_t>& to_pixel, std::ptrdiff_t channels) {
+  const std::size_t count = std::max(from_pixel.size(), to_pixel.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t s = from_pixel.empty() ? i : from_pixel[i], t = to_pixel.empty() ? i : to_pixel[i];
+    std::copy_n(samples_of(from).begin() + channels * static_cast<std::ptrdiff_t>(s), channels,
+                samples_of(to).begin() + channels * static_cast<std::ptrdiff_t>(t));
+  }
+}
+
+/// The pixels of a stack that are a view's, in its order.
+std::vector<std::uint32_t> pixels_of(const LightField& field, int view) {
+  const auto size = static_cast<std::uint32_t>(field.view_size.x) * static_cast<std::uint32_t>(field.view_size.y);
+  std::vector<std::uint32_t> pixels(size);
+  for (std::uint32_t i = 0; i < size; ++i) pixels[i] = static_cast<std::uint32_t>(view) * size + i;
+  return pixels;
+}
+
+}  // namespace
+
+Vec2i size_of(const Picture& picture) {
+  return std::visit([](const auto& image) { return Vec2i(image.width, image.height); }, picture);
+}
+
+Picture blank(const Picture& like, Vec2i size) {
+  return std::visit(
+      [&](const auto& image) {
+        auto copy = std::remove_cvref_t<decltype(image)>();
+        copy.width = size.x, copy.height = size.y;
+        samples_of(copy).resize(3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+        return Picture(std::move(copy));
+      },
+      like);
+}
+
+void move_pixels(const Picture& from, const std::vector<std::uint32_t>& from_pixel, Picture& to,
+                 const std::vector<std::uint32_t>& to_pixel) {
+  assert(from.index() == to.index());
+  std::visit(
+      [&](const auto& source) {
+        move_samples(source, from_pixel, std::get<std::remove_cvref_t<decltype(source)>>(to), to_pixel, 3);
+      },
+      from);
+}
+
+void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel, Image& to,
+                 const std::vector<std::uint32_t>& to_pixel) {
+  assert(from.channels == to.channels);
+  move_samples(from, from_pixel, to, to_pixel, from.channels);
+}
+
+Picture view_of(const LightField& field, int view) {
+  Picture picture = blank(field.stack, field.view_size);
+  move_pixels(field.stack, pixels_of(field, view), picture, {});
+  return picture;
+}
+
+Image depth_of(const LightField& field, int view) {
+  Image depth(field.view_size.x, field.view_size.y, 1);
+  move_pixels(*field.depth, pixels_of(field, view), depth, {});
+  return depth;
+}
+
+void set_view(LightField& field, int view, const Picture& picture) {
+  move_pixels(picture, {}, field.stack, pixels_of(field, view));
+}
+
+void set_depth(LightField& field, int view, const Image& depth) {
+  move_pixels(depth, {}, *field.depth, pixels_of(field, view));
+}
+
+}  // namespace lippmann

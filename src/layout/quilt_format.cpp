@@ -1,0 +1,93 @@
+// Views side by side in one picture, as Looking Glass's programs read and write them: its name and its side file say how.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "layout/formats.hpp"
+#include "layout/packed_views.hpp"
+#include "layout/quilt_name.hpp"
+#include "layout/quilt_side_file.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What flags, name and side file say together; a flag goes over both, which must agree.
+struct Quilt {
+  ViewGrid tiles;
+  int views = 0;
+  bool inverted = false;
+  std::optional<double> aspect;
+};
+
+Quilt described(const fs::path& path, const FormatOptions& options) {
+  const std::optional<QuiltName> name = parse_quilt_name(path);
+  if (options.tiles) return {*options.tiles, options.tiles->count(), false, name ? std::optional(name->aspect) : std::nullopt};
+  const std::optional<QuiltSideFile> side = read_quilt_side_file(path);
+  if (!name && !side)
+    throw usage_error("--quilt", "the name of " + path.string() + " does not say how many tiles it has", "CxR, such as 8x6");
+  if (name && side && name->tiles != side->quilt.tiles)
+    throw Error(path.string(),
+                fmt::format("its name speaks of {}x{} tiles, its side file of {}x{}", name->tiles.columns, name->tiles.rows,
+                            side->quilt.tiles.columns, side->quilt.tiles.rows),
+                "--quilt with the right one");
+  if (side) return {side->quilt.tiles, side->views, side->inverted, side->quilt.aspect};
+  return {name->tiles, name->tiles.count(), false, name->aspect};
+}
+
+/// The first view last.
+void turn_round(LightField& field) {
+  const LightField from = field;
+  for (int view = 0; view < field.grid.count(); ++view) set_view(field, view, view_of(from, field.grid.count() - 1 - view));
+}
+
+LightField read(const fs::path& path, const FormatOptions& options) {
+  const Quilt quilt = described(path, options);
+  const ViewGrid grid = options.views.value_or(ViewGrid{quilt.views, 1});
+  if (grid.count() != quilt.views)
+    throw usage_error("--views", fmt::format("{}x{} views are not as many as {}x{} tiles", grid.columns, grid.rows,
+                                             quilt.tiles.columns, quilt.tiles.rows));
+  LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles});
+  if (quilt.inverted) turn_round(field);
+  field.tiles = quilt.tiles;
+  field.aspect = quilt.aspect.value_or(static_cast<double>(field.view_size.x) / field.view_size.y);
+  return field;
+}
+
+/// The factor of `count` nearest above its root: 8 x 6 of 48.
+ViewGrid squarest(int count) {
+  int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+  while (count % columns != 0) ++columns;
+  return {columns, count / columns};
+}
+
+ViewGrid tiles_for(const LightField& field, const FormatOptions& options) {
+  const int count = field.grid.count();
+  if (options.tiles && options.tiles->count() != count)
+    throw usage_error(
+        "--quilt", fmt::format("{}x{} tiles are not as many as {} views", options.tiles->columns, options.tiles->rows, count));
+  if (options.tiles) return *options.tiles;
+  if (field.tiles && field.tiles->count() == count) return *field.tiles;
+  return field.grid.rows > 1 ? field.grid : squarest(count);
+}
+
+std::vector<fs::path> write(const LightField& field, const fs::path& path, const FormatOptions& options) {
+  const QuiltName quilt{tiles_for(field, options), options.aspect.value_or(field.aspect)};
+  const fs::path named = with_quilt_name(path, quilt);
+  std::vector<fs::path> written = write_packed(field, {LayoutKind::kQuilt, field.grid, quilt.tiles}, named);
+  write_quilt_side_file(named, {quilt, field.grid.count(), false});
+  written.push_back(quilt_side_path(named));
+  return written;
+}
+
+}  // namespace
+
+LightFieldFormat quilt_format() {
+  return {"quilt", "views side by side, the first at the bottom left (Looking Glass); --quilt: tiles", false, false, read,
+          write};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,24 @@
+// The JSON file beside a quilt, <image>.json, that says what its name says and a little more.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "layout/quilt_name.hpp"
+
+namespace lippmann {
+
+struct QuiltSideFile {
+  QuiltName quilt;
+  int views = 0;          ///< in the first tiles; not more than there are tiles
+  bool inverted = false;  ///< view 0 is the rightmost
+};
+
+std::filesystem::path quilt_side_path(const std::filesystem::path& image);
+
+/// None if there is no such file, or it does not speak of a quilt. Throws Error where it says something impossible.
+std::optional<QuiltSideFile> read_quilt_side_file(const std::filesystem::path& image);
+
+void write_quilt_side_file(const std::filesystem::path& image, const QuiltSideFile& side);
+
+}  // namespace lippmann

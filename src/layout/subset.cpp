@@ -1,0 +1,106 @@
+#include "layout/subset.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <regex>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+int number(const std::ssub_match& digits) {
+  int value = 0;
+  std::from_chars(&*digits.first, &*digits.first + digits.length(), value);
+  return value;
+}
+
+/// Of an axis of `count` views.
+std::vector<int> members(const ViewRange& range, int count, const char* axis, const std::string& flag) {
+  const int last = range.last < 0 ? count - 1 : range.last;
+  if (range.first > last || last >= count)
+    throw usage_error(flag, fmt::format("{} {} to {} of {}", axis, range.first, last, count),
+                      fmt::format("0 to {}", count - 1));
+  std::vector<int> all;
+  for (int i = range.first; i <= last; i += range.step) all.push_back(i);
+  return all;
+}
+
+/// The same light field with room for other views and sizes.
+LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
+  LightField other;
+  other.grid = grid, other.view_size = view_size;
+  other.aspect = field.aspect, other.tiles = field.tiles, other.bits = field.bits, other.cameras = field.cameras;
+  other.stack = blank(field.stack, stack_size(other));
+  if (field.depth) other.depth = Image(view_size.x, view_size.y * grid.count(), 1);
+  return other;
+}
+
+}  // namespace
+
+Crop read_crop(const std::string& text, const std::string& flag) {
+  static const std::regex pattern("([0-9]{1,6})x([0-9]{1,6})\\+([0-9]{1,6})\\+([0-9]{1,6})");
+  std::smatch found;
+  if (!std::regex_match(text, found, pattern))
+    throw usage_error(flag, "'" + text + "' is no window", "WxH+X+Y in pixels, such as 512x512+64+0");
+  return {{number(found[1]), number(found[2])}, {number(found[3]), number(found[4])}};
+}
+
+KeptViews read_kept_views(const std::string& text, const std::string& flag) {
+  static const std::string range = "(?:all|([0-9]{1,6})(?:-([0-9]{1,6})(?::([1-9][0-9]{0,5}))?)?)";
+  static const std::regex pattern(range + "(?:x" + range + ")?");
+  std::smatch found;
+  if (!std::regex_match(text, found, pattern))
+    throw usage_error(flag, "'" + text + "' names no views", "COLUMNS or COLUMNSxROWS, each N, A-B, A-B:STEP or all");
+  const auto read = [&](std::size_t group) {
+    ViewRange kept;
+    if (!found[group].matched) return kept;
+    kept.first = kept.last = number(found[group]);
+    if (found[group + 1].matched) kept.last = number(found[group + 1]);
+    if (found[group + 2].matched) kept.step = number(found[group + 2]);
+    return kept;
+  };
+  return {read(1), read(4)};
+}
+
+void crop(LightField& field, const Crop& window, const std::string& flag) {
+  const Vec2i end = window.offset + window.size;
+  if (window.size.x < 1 || window.size.y < 1 || end.x > field.view_size.x || end.y > field.view_size.y)
+    throw usage_error(flag, fmt::format("{}x{}+{}+{} does not lie in views of {}x{} pixels", window.size.x, window.size.y,
+                                        window.offset.x, window.offset.y, field.view_size.x, field.view_size.y));
+  LightField cropped = like(field, field.grid, window.size);
+  std::vector<std::uint32_t> from;
+  for (int view = 0; view < field.grid.count(); ++view)
+    for (int y = 0; y < window.size.y; ++y)
+      for (int x = 0; x < window.size.x; ++x) {
+        const auto row = static_cast<std::uint32_t>(view * field.view_size.y + window.offset.y + y);
+        from.push_back(row * static_cast<std::uint32_t>(field.view_size.x) + static_cast<std::uint32_t>(window.offset.x + x));
+      }
+  move_pixels(field.stack, from, cropped.stack, {});
+  if (field.depth) move_pixels(*field.depth, from, *cropped.depth, {});
+  if (cropped.cameras) cropped.cameras->centre_px -= Vec2d(window.offset);
+  cropped.aspect *=
+      static_cast<double>(window.size.x) * field.view_size.y / (static_cast<double>(window.size.y) * field.view_size.x);
+  field = std::move(cropped);
+}
+
+void keep(LightField& field, const KeptViews& kept, const std::string& flag) {
+  const std::vector<int> columns = members(kept.columns, field.grid.columns, "columns", flag);
+  const std::vector<int> rows = members(kept.rows, field.grid.rows, "rows", flag);
+  LightField fewer = like(field, {static_cast<int>(columns.size()), static_cast<int>(rows.size())}, field.view_size);
+  if (fewer.cameras) fewer.cameras->eyes_mm.clear();
+  int view = 0;
+  for (const int row : rows)
+    for (const int column : columns) {
+      const int source = row * field.grid.columns + column;
+      set_view(fewer, view, view_of(field, source));
+      if (field.depth) set_depth(fewer, view, depth_of(field, source));
+      if (field.cameras) fewer.cameras->eyes_mm.push_back(field.cameras->eyes_mm[static_cast<std::size_t>(source)]);
+      ++view;
+    }
+  field = std::move(fewer);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,98 @@
+#include "layout/view_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace fs = std::filesystem;
+
+std::vector<NumberedFile> numbered_files(const fs::path& folder, const std::regex& pattern, const std::string& accepted) {
+  std::vector<NumberedFile> files;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+    const std::string name = entry.path().filename().string();
+    std::smatch found;
+    if (!std::regex_match(name, found, pattern)) continue;
+    NumberedFile file{{}, entry.path()};
+    for (std::size_t group = 1; group < found.size(); ++group) {
+      int number = -1;
+      std::from_chars(&*found[group].first, &*found[group].first + found[group].length(), number);
+      file.numbers.push_back(number);
+    }
+    files.push_back(std::move(file));
+  }
+  if (problem) throw Error(folder.string(), "it cannot be listed (" + problem.message() + ")", "a folder of " + accepted);
+  if (files.empty()) throw Error(folder.string(), "there are no views in it", accepted);
+  std::sort(files.begin(), files.end(), [](const NumberedFile& a, const NumberedFile& b) {
+    return std::tie(a.numbers, a.path) < std::tie(b.numbers, b.path);
+  });
+  for (std::size_t i = 1; i < files.size(); ++i)
+    if (files[i].numbers == files[i - 1].numbers)
+      throw Error(folder.string(), fmt::format("it has two pictures for view {}: {} and {}", files[i].numbers.front(),
+                                               files[i - 1].path.filename().string(), files[i].path.filename().string()));
+  return files;
+}
+
+ViewGrid complete_grid(const fs::path& folder, const std::vector<NumberedFile>& files) {
+  std::set<int> rows, columns;
+  std::set<std::vector<int>> found;
+  for (const NumberedFile& file : files) {
+    rows.insert(file.numbers[0]), columns.insert(file.numbers[1]);
+    found.insert(file.numbers);
+  }
+  const int first_row = *rows.begin(), first_column = *columns.begin(), last_row = *rows.rbegin(),
+            last_column = *columns.rbegin();
+  for (int row = first_row; row <= last_row; ++row)
+    for (int column = first_column; column <= last_column; ++column)
+      if (!found.contains({row, column}))
+        throw Error(folder.string(), fmt::format("the view of row {}, column {} is missing", row, column),
+                    fmt::format("all of rows {} to {}, columns {} to {}", first_row, last_row, first_column, last_column));
+  return {last_column - first_column + 1, last_row - first_row + 1};
+}
+
+LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
+                           const std::function<Picture(const fs::path&)>& read) {
+  LightField field;
+  field.grid = grid;
+  for (int view = 0; view < grid.count(); ++view) {
+    const fs::path& path = by_view[static_cast<std::size_t>(view)];
+    const Picture picture = read(path);
+    if (view == 0) {
+      field.view_size = size_of(picture);
+      field.aspect = static_cast<double>(field.view_size.x) / field.view_size.y;
+      field.stack = blank(picture, stack_size(field));
+    }
+    if (size_of(picture) != field.view_size || picture.index() != field.stack.index())
+      throw Error(
+          path.string(), "it is not of the size and kind of the other views",
+          fmt::format("{}x{} pixels as in {}", field.view_size.x, field.view_size.y, by_view.front().filename().string()));
+    set_view(field, view, picture);
+  }
+  return field;
+}
+
+const char* exact_ending(const Picture& picture) { return std::holds_alternative<Image>(picture) ? "exr" : "png"; }
+
+void make_folder(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")");
+}
+
+std::vector<fs::path> write_view_files(const LightField& field, const fs::path& folder,
+                                       const std::function<std::string(int view)>& name) {
+  make_folder(folder);
+  std::vector<fs::path> written;
+  for (int view = 0; view < field.grid.count(); ++view) {
+    written.push_back(folder / name(view));
+    write_picture(written.back(), view_of(field, view));
+  }
+  return written;
+}
+
+}  // namespace lippmann

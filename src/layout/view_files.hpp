@@ -1,0 +1,43 @@
+// Folders that hold a picture for each view: finding them by their names, reading and writing them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "layout/light_field.hpp"
+
+namespace lippmann {
+
+/// The files of a folder whose names match, by the numbers that the pattern's first groups capture (1 or 2 of them), ascending.
+struct NumberedFile {
+  std::vector<int> numbers;
+  std::filesystem::path path;
+};
+
+/// Throws Error naming the folder if it cannot be listed, has no such files (`accepted` says what they are called) or two with
+/// the same numbers.
+std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const std::regex& pattern,
+                                         const std::string& accepted);
+
+/// Of files with rows and columns, which may begin at any number: how many there are, if none is missing between the first
+/// and the last. Throws Error naming the folder and one that is missing.
+ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<NumberedFile>& files);
+
+/// Throws Error naming the first file whose size or kind of samples is not that of the first. by_view: grid.count() of them.
+LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
+                           const std::function<Picture(const std::filesystem::path&)>& read = read_picture);
+
+/// PNG for codes, EXR for floats: "png" or "exr".
+const char* exact_ending(const Picture& picture);
+
+/// Throws Error if it cannot be made.
+void make_folder(const std::filesystem::path& folder);
+
+/// One file per view into the folder, which is made. name(view), with its ending. In the order of views.
+std::vector<std::filesystem::path> write_view_files(const LightField& field, const std::filesystem::path& folder,
+                                                    const std::function<std::string(int view)>& name);
+
+}  // namespace lippmann

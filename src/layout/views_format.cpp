@@ -1,0 +1,40 @@
+// A folder of view_000.png, view_001.png, ...: view 0 from the left and below, as layout/view_layout.hpp numbers them.
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "layout/formats.hpp"
+#include "layout/view_files.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+LightField read(const fs::path& folder, const FormatOptions& options) {
+  static const std::regex name("view_([0-9]{1,6})\\.[^.]+");
+  const std::vector<NumberedFile> files = numbered_files(folder, name, "view_000.png, view_001.png, ...");
+  const int first = files.front().numbers[0], count = static_cast<int>(files.size());
+  if (first > 1 || files.back().numbers[0] != first + count - 1)
+    throw Error(folder.string(), "views are missing", fmt::format("all from 0 to {}", files.back().numbers[0]));
+  const ViewGrid grid = options.views.value_or(ViewGrid{count, 1});
+  if (grid.count() != count)
+    throw usage_error(
+        "--views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
+  std::vector<fs::path> by_view;
+  for (const NumberedFile& file : files) by_view.push_back(file.path);
+  return read_view_files(by_view, grid);
+}
+
+std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions&) {
+  const char* ending = exact_ending(field.stack);
+  return write_view_files(field, folder, [&](int view) { return fmt::format("view_{:03}.{}", view, ending); });
+}
+
+}  // namespace
+
+LightFieldFormat views_format() {
+  return {"views", "a folder of view_000.png, ...; from left to right, then upwards; --views: across and up", true, false, read,
+          write};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,207 @@
+// Every format brings back what was written, alone and by way of every other; and each puts views where its convention says.
+#include "layout/formats.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "core/error.hpp"
+#include "image/netpbm.hpp"
+#include "image/png.hpp"
+#include "layout/convert.hpp"
+#include "light_fields.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::error_message;
+using test::numbered_field;
+using test::same_samples;
+using test::TempDir;
+using testing::AllOf;
+using testing::HasSubstr;
+
+const LightFieldFormat& format(const std::string& name) { return find_format(name, "--from"); }
+
+/// A view of one colour per view: red is its column, green its row.
+LightField coloured_field(ViewGrid grid) {
+  LightField field = numbered_field(grid, {2, 2});
+  for (int view = 0; view < grid.count(); ++view) {
+    Image8 flat{2, 2, std::vector<unsigned char>(12, 77)};
+    for (std::size_t i = 0; i < 12; i += 3) {
+      flat.rgb[i] = static_cast<unsigned char>(view % grid.columns);
+      flat.rgb[i + 1] = static_cast<unsigned char>(view / grid.columns);
+    }
+    set_view(field, view, flat);
+  }
+  return field;
+}
+
+Vec2i view_in(const fs::path& path) {
+  const Image8 image = std::get<Image8>(read_picture(path));
+  return {image.rgb[0], image.rgb[1]};
+}
+
+TEST(Formats, every_one_brings_back_what_was_written) {
+  for (const bool words : {false, true})
+    for (const LightFieldFormat& one : light_field_formats()) {
+      const TempDir dir;
+      const LightField field = numbered_field({3, 2}, {4, 5}, words);
+      const fs::path path = one.write(field, dir / (one.is_folder ? "field" : "field.png"), {}).front();
+      const LightField back = one.read(one.is_folder ? dir / "field" : path, {.views = ViewGrid{3, 2}});
+      EXPECT_EQ(back.grid, field.grid) << one.name;
+      EXPECT_TRUE(same_samples(back.stack, field.stack)) << one.name;
+    }
+}
+
+TEST(Formats, every_pair_is_exact_there_and_back) {
+  const LightField field = numbered_field({3, 2}, {4, 5});
+  for (const LightFieldFormat& one : light_field_formats())
+    for (const LightFieldFormat& other : light_field_formats()) {
+      const TempDir dir;
+      const auto path_of = [&](const LightFieldFormat& f, const char* stem) {
+        return dir / (std::string(stem) + (f.is_folder ? "" : f.name == "quilt" ? "_qs3x2a0.8.png" : ".png"));
+      };
+      one.write(field, path_of(one, "a"), {});
+      ConvertParams there, back;
+      there.from = back.to = one.name, there.to = back.from = other.name;
+      there.options.views = back.options.views = ViewGrid{3, 2};
+      there.options.aspect = back.options.aspect = 0.8;
+      convert(path_of(one, "a"), path_of(other, "b"), there);
+      convert(path_of(other, "b"), path_of(one, "c"), back);
+      const LightField read = one.read(path_of(one, "c"), {.views = ViewGrid{3, 2}});
+      EXPECT_TRUE(same_samples(read.stack, field.stack)) << one.name << " " << other.name;
+    }
+}
+
+TEST(Formats, folders_number_views_from_the_top_left) {
+  const TempDir dir;
+  const LightField field = coloured_field({3, 2});
+  format("hci").write(field, dir / "hci", {});
+  EXPECT_EQ(view_in(dir / "hci/input_Cam000.png"), Vec2i(0, 1));
+  EXPECT_EQ(view_in(dir / "hci/input_Cam002.png"), Vec2i(2, 1));
+  EXPECT_EQ(view_in(dir / "hci/input_Cam003.png"), Vec2i(0, 0));
+  format("stanford").write(field, dir / "stanford", {});
+  EXPECT_EQ(view_in(dir / "stanford/out_00_02_0.000000_2.000000.png"), Vec2i(2, 1));
+  EXPECT_EQ(view_in(dir / "stanford/out_01_00_1.000000_0.000000.png"), Vec2i(0, 0));
+  format("jpeg-pleno").write(field, dir / "pleno", {});
+  EXPECT_EQ(view_in(dir / "pleno/000_001.ppm"), Vec2i(1, 1));
+  EXPECT_EQ(view_in(dir / "pleno/001_002.ppm"), Vec2i(2, 0));
+}
+
+TEST(Formats, eslf_takes_every_nth_pixel_and_integral_turns_them_round) {
+  const TempDir dir;
+  const LightField field = coloured_field({3, 2});
+  format("eslf").write(field, dir / "eslf.png", {});
+  format("integral").write(field, dir / "integral.png", {});
+  const Image8 eslf = std::get<Image8>(read_picture(dir / "eslf.png"));
+  const Image8 integral = std::get<Image8>(read_picture(dir / "integral.png"));
+  for (int y = 0; y < eslf.height; ++y)
+    for (int x = 0; x < eslf.width; ++x) {
+      const std::size_t at = 3 * static_cast<std::size_t>(y * eslf.width + x);
+      EXPECT_EQ(Vec2i(eslf.rgb[at], eslf.rgb[at + 1]), Vec2i(x % 3, 1 - y % 2));
+      EXPECT_EQ(Vec2i(integral.rgb[at], integral.rgb[at + 1]), Vec2i(2 - x % 3, y % 2));
+    }
+}
+
+TEST(Formats, stanford_reads_names_with_a_further_underscore_and_tells_what_is_missing) {
+  const TempDir dir;
+  const Image8 picture = std::get<Image8>(numbered_field({1, 1}, {2, 2}).stack);
+  for (const char* name : {"out_00_00_-780.134705_-3355.331299_.png", "out_00_01_-780.1_-3300.3_.png",
+                           "out_01_00_-700.1_-3355.3_.png"})
+    write_png(dir / name, picture);
+  EXPECT_THAT(error_message([&] { format("stanford").read(dir.path(), {}); }),
+              AllOf(HasSubstr("row 1, column 1"), HasSubstr("missing")));
+  write_png(dir / "out_01_01_-700_-3300_.png", picture);
+  EXPECT_EQ(format("stanford").read(dir.path(), {}).grid, (ViewGrid{2, 2}));
+}
+
+TEST(Formats, hci_folders_are_squares_unless_said_and_miss_no_view) {
+  const TempDir dir;
+  const LightField field = numbered_field({3, 3}, {2, 2});
+  format("hci").write(field, dir / "a", {});
+  EXPECT_EQ(format("hci").read(dir / "a", {}).grid, (ViewGrid{3, 3}));
+  fs::remove(dir / "a/input_Cam008.png");
+  EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("no square"));
+  fs::remove(dir / "a/input_Cam004.png");
+  EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("views are missing"));
+}
+
+TEST(JpegPleno, ten_bit_codes_come_back_from_sixteen_bit_pictures) {
+  const TempDir dir;
+  fs::create_directories(dir / "in");
+  PpmCodes ppm{{32, 32, {}}, 1023};
+  for (int i = 0; i < 3 * 32 * 32; ++i) ppm.codes.rgb.push_back(static_cast<std::uint16_t>(i % 1024));
+  write_ppm(dir / "in/000_000.ppm", ppm);
+  ConvertParams to_views;
+  to_views.from = "jpeg-pleno", to_views.to = "views";
+  convert(dir / "in", dir / "views", to_views);
+  const Image16 png = std::get<Image16>(read_picture(dir / "views/view_000.png"));
+  EXPECT_EQ(png.rgb[1023], 65535) << "the highest code is white in both";
+  ConvertParams back;
+  back.from = "views", back.to = "jpeg-pleno", back.options.bits = 10;
+  convert(dir / "views", dir / "back", back);
+  EXPECT_EQ(read_ppm(dir / "back/000_000.ppm").codes.rgb, ppm.codes.rgb);
+  EXPECT_EQ(read_ppm(dir / "back/000_000.ppm").highest, 1023);
+}
+
+TEST(Quilt, side_file_says_what_the_name_does_not) {
+  const TempDir dir;
+  const LightField field = coloured_field({5, 1});
+  LightField six = coloured_field({6, 1});
+  const fs::path written = format("quilt").write(six, dir / "q.png", {.tiles = ViewGrid{3, 2}, .aspect = 0.75}).front();
+  EXPECT_TRUE(fs::exists(dir / "q_qs3x2a0.75.png.json"));
+  fs::rename(written, dir / "plain.png");
+  std::ofstream(dir / "plain.png.json")
+      << R"({"mediaType":"image","quilt_settings":{"viewX":3,"viewY":2,"viewTotal":5,"aspect":0.75,"invertViews":false}})";
+  const LightField back = format("quilt").read(dir / "plain.png", {});
+  EXPECT_EQ(back.grid, (ViewGrid{5, 1}));
+  EXPECT_EQ(back.aspect, 0.75);
+  EXPECT_TRUE(same_samples(back.stack, field.stack));
+}
+
+TEST(Quilt, inverted_views_are_turned_round) {
+  const TempDir dir;
+  const fs::path written = format("quilt").write(coloured_field({4, 1}), dir / "q.png", {.tiles = ViewGrid{2, 2}}).front();
+  std::ofstream(written.string() + ".json")
+      << R"({"quilt_settings":{"viewX":2,"viewY":2,"viewTotal":4,"aspect":1,"invertViews":true}})";
+  const LightField back = format("quilt").read(written, {});
+  for (int view = 0; view < 4; ++view) EXPECT_EQ(std::get<Image8>(view_of(back, view)).rgb[0], 3 - view);
+}
+
+TEST(Quilt, name_and_side_file_that_disagree_are_refused) {
+  const TempDir dir;
+  const fs::path written = format("quilt").write(coloured_field({6, 1}), dir / "q.png", {.tiles = ViewGrid{3, 2}}).front();
+  const auto refusal = [&](const char* json) {
+    std::ofstream(written.string() + ".json") << json;
+    return error_message([&] { format("quilt").read(written, {}); });
+  };
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":2,"viewY":3}})"), AllOf(HasSubstr("3x2"), HasSubstr("2x3")));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":0,"viewY":3}})"), HasSubstr("without tiles"));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":3,"viewY":2,"viewTotal":7}})"), HasSubstr("7 views"));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":"a"}})"), HasSubstr("wrong kind"));
+  EXPECT_THAT(refusal("{"), HasSubstr("not JSON"));
+}
+
+TEST(Quilt, padding_at_the_right_and_top_is_left_out) {
+  const TempDir dir;
+  Image8 picture{7, 5, std::vector<unsigned char>(3 * 7 * 5)};
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 7; ++x) picture.rgb[3 * static_cast<std::size_t>(y * 7 + x)] = static_cast<unsigned char>(10 * y + x);
+  write_png(dir / "other_qs2x2a1.png", picture);
+  const LightField field = format("quilt").read(dir / "other_qs2x2a1.png", {});
+  EXPECT_EQ(field.view_size, Vec2i(3, 2));
+  EXPECT_EQ(std::get<Image8>(view_of(field, 0)).rgb[0], 30) << "bottom left tile: its top row is row 3";
+  EXPECT_EQ(std::get<Image8>(view_of(field, 3)).rgb[0], 13) << "top right tile: row 1, column 3";
+}
+
+TEST(FindFormat, unknown_name_suggests_the_nearest) {
+  EXPECT_THAT(error_message([] { find_format("stamford", "--to"); }),
+              AllOf(HasSubstr("--to"), HasSubstr("did you mean 'stanford'"), HasSubstr("jpeg-pleno")));
+}
+
+}  // namespace
+}  // namespace lippmann
