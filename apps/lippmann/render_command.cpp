@@ -72,7 +72,7 @@ std::string describe_forward_reuse(const RenderReport& report) {
 }
 
 /// What was made, where it is, and how to look at it.
-void print_summary(const RenderReport& report, const fs::path& folder, int kept) {
+void print_summary(const RenderReport& report, const fs::path& folder, const FrameNames& names, int kept) {
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
   for (const auto* some : {&report.frames, &report.sources})
@@ -82,11 +82,9 @@ void print_summary(const RenderReport& report, const fs::path& folder, int kept)
              kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
   const auto line = [](std::string_view name, const std::string& value) { fmt::print("  {:<9} {}\n", name, value); };
   if (frames > 0) {
-    const auto path = [&](const FrameReport& frame) {
-      return picture_path(folder, frame.frame, report.params.format).string();
-    };
+    const auto path = [&](const FrameReport& frame) { return (folder / frame_name(names, frame.frame)).string(); };
     line("pictures", path(report.frames.front()) + (frames > 1 ? " ... " + path(report.frames.back()) : ""));
-    for (const std::string& video : report.params.video)
+    for (const std::string& video : report.videos)
       if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
     if (report.params.reuse == Reuse::kExact && frames > 1) line("reuse", describe_exact_reuse(report));
@@ -102,10 +100,12 @@ int run(const Options& options, Context& context) {
   if (!options.dump_job.empty()) write_job(options.dump_job, params);
   std::optional<Progress> progress;
   fs::path folder;
+  FrameNames names;
   int kept = 0;
   RenderObserver observer;
   observer.planned = [&](const RenderPlan& plan) {
     folder = plan.folder;
+    names = plan.names;
     kept = plan.kept;
     progress.emplace(plan.frames.last - plan.frames.first + 1 - plan.kept, Progress::stderr_is_terminal());
   };
@@ -115,7 +115,7 @@ int run(const Options& options, Context& context) {
   if (options.json)
     fmt::print("{}\n", to_json(report).dump(2));
   else
-    print_summary(report, folder, kept);
+    print_summary(report, folder, names, kept);
   return 0;
 }
 

@@ -57,13 +57,6 @@ LightField read(const fs::path& path, const FormatOptions& options) {
   return field;
 }
 
-/// The factor of `count` nearest above its root: 8 x 6 of 48.
-ViewGrid squarest(int count) {
-  int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
-  while (count % columns != 0) ++columns;
-  return {columns, count / columns};
-}
-
 ViewGrid tiles_for(const LightField& field, const FormatOptions& options) {
   const int count = field.grid.count();
   if (options.tiles && options.tiles->count() != count)
@@ -71,7 +64,7 @@ ViewGrid tiles_for(const LightField& field, const FormatOptions& options) {
         "--quilt", fmt::format("{}x{} tiles are not as many as {} views", options.tiles->columns, options.tiles->rows, count));
   if (options.tiles) return *options.tiles;
   if (field.tiles && field.tiles->count() == count) return *field.tiles;
-  return field.grid.rows > 1 ? field.grid : squarest(count);
+  return field.grid.rows > 1 ? field.grid : squarest_tiles(count);
 }
 
 std::vector<fs::path> write(const LightField& field, const fs::path& path, const FormatOptions& options) {

@@ -35,10 +35,13 @@ std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path) {
   return name;
 }
 
+std::string quilt_ending(const QuiltName& quilt) {
+  return fmt::format("_qs{}x{}a{:.6g}", quilt.tiles.columns, quilt.tiles.rows, quilt.aspect);
+}
+
 std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt) {
   const std::string bare = std::regex_replace(path.stem().string(), pattern(), "");
-  return path.parent_path() / fmt::format("{}_qs{}x{}a{:.6g}{}", bare, quilt.tiles.columns, quilt.tiles.rows, quilt.aspect,
-                                          path.extension().string());
+  return path.parent_path() / (bare + quilt_ending(quilt) + path.extension().string());
 }
 
 }  // namespace lippmann

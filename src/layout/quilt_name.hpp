@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "layout/view_layout.hpp"
 
@@ -17,6 +18,9 @@ struct QuiltName {
 
 /// None if the name says nothing. Throws Error where it says something impossible (no tiles, no aspect).
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path);
+
+/// What stands at the end of a name: _qs8x6a0.75.
+std::string quilt_ending(const QuiltName& quilt);
 
 /// The path with that in its name, before the ending, in place of what it said before.
 std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt);

@@ -2,18 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/error.hpp"
 
 namespace lippmann {
 namespace {
 
-/// Where pixel (x, y) of a view is in the picture.
-Vec2i place(const ViewLayout& layout, Vec2i size, Vec2i picture, int view, int x, int y) {
+/// Of a view's top left pixel, and the steps to its neighbours.
+struct Corner {
+  Vec2i at, step;
+};
+
+Corner corner_of_view(const ViewLayout& layout, Vec2i size, Vec2i picture, int view) {
   switch (layout.kind) {
     case LayoutKind::kIntegral: {
       const ViewGrid& grid = layout.grid;
-      const int column = view % grid.columns, row = view / grid.columns;
-      return {x * grid.columns + (grid.columns - 1 - column), y * grid.rows + row};
+      return {{grid.columns - 1 - view % grid.columns, view / grid.columns}, {grid.columns, grid.rows}};
     }
     case LayoutKind::kEslf: {
       const ViewGrid& grid = layout.grid;
@@ -21,12 +26,12 @@ Vec2i place(const ViewLayout& layout, Vec2i size, Vec2i picture, int view, int x
     }
     case LayoutKind::kQuilt: {
       const int column = view % layout.tiles.columns, row = view / layout.tiles.columns;
-      return {column * size.x + x, picture.y - (row + 1) * size.y + y};
+      return {{column * size.x, picture.y - (row + 1) * size.y}, {1, 1}};
     }
     case LayoutKind::kStack:
       break;
   }
-  return {x, view * size.y + y};
+  return {{0, view * size.y}, {1, 1}};
 }
 
 }  // namespace
@@ -55,17 +60,28 @@ Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& wher
               "--views or --quilt as the picture was made");
 }
 
+ViewPlace place_of_view(const ViewLayout& layout, Vec2i size, Vec2i picture, int view) {
+  const Corner corner = corner_of_view(layout, size, picture, view);
+  const std::ptrdiff_t row = picture.x;
+  return {corner.at.y * row + corner.at.x, corner.step.x, corner.step.y * row};
+}
+
+ViewGrid squarest_tiles(int views) {
+  int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(views))));
+  while (views % columns != 0) ++columns;
+  return {columns, views / columns};
+}
+
 std::vector<std::uint32_t> pixels_of_views(const ViewLayout& layout, Vec2i size, Vec2i picture) {
   std::vector<std::uint32_t> pixels;
   pixels.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                  static_cast<std::size_t>(layout.grid.count()));
-  for (int view = 0; view < layout.grid.count(); ++view)
+  for (int view = 0; view < layout.grid.count(); ++view) {
+    const ViewPlace place = place_of_view(layout, size, picture, view);
     for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) {
-        const Vec2i at = place(layout, size, picture, view, x, y);
-        pixels.push_back(static_cast<std::uint32_t>(at.y) * static_cast<std::uint32_t>(picture.x) +
-                         static_cast<std::uint32_t>(at.x));
-      }
+      for (int x = 0; x < size.x; ++x)
+        pixels.push_back(static_cast<std::uint32_t>(place.first + x * place.across + y * place.down));
+  }
   return pixels;
 }
 

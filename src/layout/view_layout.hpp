@@ -14,6 +14,7 @@
 //   stack     views one below the other, view 0 on top: as they are stored one by one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -43,6 +44,16 @@ Vec2i picture_size(const ViewLayout& layout, Vec2i view_size);
 /// quilt: there tiles are floor(width / columns) x floor(height / rows) pixels, and what is left over at the right and at the
 /// top is padding.
 Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& where);
+
+/// Where the pixels of one view lie: pixel (x, y) of it at `first` + x `across` + y `down`, row-major in the picture.
+struct ViewPlace {
+  std::ptrdiff_t first, across, down;
+};
+
+ViewPlace place_of_view(const ViewLayout& layout, Vec2i view_size, Vec2i picture, int view);
+
+/// As many tiles as views, as square as can be, wider rather than higher: 8 x 6 for 48.
+ViewGrid squarest_tiles(int views);
 
 /// Entry i is the pixel (row-major index) of the picture that shows pixel i of the stack.
 std::vector<std::uint32_t> pixels_of_views(const ViewLayout& layout, Vec2i view_size, Vec2i picture);

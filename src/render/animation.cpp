@@ -46,10 +46,11 @@ FrameRange frames_to_render(const RenderParams& params, const Timeline& timeline
 }
 
 /// Refuses what cannot succeed before hours are spent on it: frames that the machine's memory does not hold.
-void require_memory(const RenderParams& params, const Panel& panel, int threads) {
+void require_memory(const RenderParams& params, const Panel& panel, bool moves_pixels, int threads) {
   constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
   const double pixels = static_cast<double>(panel.width) * panel.height;
-  const double frame = pixels * (kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size()));
+  const double films = moves_pixels ? 2.0 : 1.0;
+  const double frame = pixels * (films * kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size()));
   const double needed = frame * FrameSink::frames_in_memory(threads) + pixels * bytes_kept_per_pixel(params);
   const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   if (needed > available)
@@ -65,8 +66,8 @@ void make_folder(const fs::path& folder) {
 }
 
 /// Pictures in the folder that this render will not replace: after a take-over they are of other settings.
-void warn_of_strangers(const fs::path& folder, const RenderParams& params, FrameRange frames, const Context& context) {
-  const std::string ending = picture_path("", 0, params.format).extension().string();
+void warn_of_strangers(const fs::path& folder, const FrameNames& names, FrameRange frames, const Context& context) {
+  const std::string ending = fs::path(frame_name(names, 0)).extension().string();
   int strangers = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     int frame = 0;
@@ -110,10 +111,13 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);
-  require_memory(params, stage.placed.optics.panel, pool.threads());
+  const FrameLayout layout(params, stage.placed.optics);
+  require_memory(params, stage.placed.optics.panel, layout.moves(), pool.threads());
 
   const fs::path folder = output_folder(params);
-  for (const std::string& video : params.video) {
+  std::vector<std::string> videos;
+  for (const std::string& said : params.video) videos.push_back(layout.video_path(said).string());
+  for (const std::string& video : videos) {
     make_folder(fs::path(video).parent_path());
     check_video_path(video);
     remove_stale_temporaries(fs::path(video).parent_path(), fs::path(video).filename());
@@ -122,17 +126,21 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   remove_stale_temporaries(folder);
   write_job(folder / "job.toml", params);
   fs::remove(folder / "report.json");  // it would speak of another render
-  FinishedFrames finished(folder, job_fingerprint(params, stage.scene), params.format);
-  if (finished.took_over()) warn_of_strangers(folder, params, frames, context);
-  const RenderPlan plan{stage, folder, frames, count_kept(params, finished, frames)};
+  FinishedFrames finished(folder, job_fingerprint(params, stage.scene), layout.names());
+  if (finished.took_over()) warn_of_strangers(folder, layout.names(), frames, context);
+  const RenderPlan plan{stage, folder, layout.names(), frames, count_kept(params, finished, frames)};
 
-  RenderReport report{params.scene, stage.placed.optics, params, {}, {}};
+  RenderReport report;
+  report.scene = params.scene;
+  report.optics = stage.placed.optics;
+  report.params = params;
   report.threads = pool.threads();
+  report.videos = videos;
   const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
   const auto maker = make_frame_maker(stage, params, pool, context);
-  FrameSink sink(
-      {params, folder, stage.scene.encoding, fps, pool.threads(), [&](Image film) { maker->recycle(std::move(film)); }},
-      finished);
+  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, pool.threads(),
+                  [&](Image film) { maker->recycle(std::move(film)); }},
+                 finished);
   if (observer.planned) observer.planned(plan);
   report.setup_seconds = setup.seconds();
 

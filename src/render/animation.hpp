@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/context.hpp"
+#include "render/frame_files.hpp"
 #include "render/params.hpp"
 #include "render/report.hpp"
 
@@ -16,6 +17,7 @@ struct Stage;
 struct RenderPlan {
   const Stage& stage;
   std::filesystem::path folder;
+  FrameNames names;
   FrameRange frames;
   int kept = 0;  ///< of these frames, finished before by the same job
 };

@@ -12,7 +12,6 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/fingerprint.hpp"
-#include "render/frame_files.hpp"
 #include "render/params_table.hpp"
 #include "scene/fingerprint.hpp"
 
@@ -21,13 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// The size of a file; 0 if there is none.
-std::uintmax_t bytes_of(const fs::path& path) {
-  std::error_code problem;
-  const std::uintmax_t bytes = fs::file_size(path, problem);
-  return problem ? 0 : bytes;
-}
 
 std::string line_of(const Json& json) { return json.dump() + '\n'; }
 
@@ -53,8 +45,8 @@ std::string job_fingerprint(const RenderParams& params, const Scene& scene) {
   return fmt::format("{:016x}", print.value());
 }
 
-FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, PictureFormat format)
-    : folder_(std::move(folder)), journal_(folder_ / ".lippmann-frames.jsonl"), format_(format) {
+FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, FrameNames names)
+    : folder_(std::move(folder)), journal_(folder_ / ".lippmann-frames.jsonl"), names_(std::move(names)) {
   std::string journal = header_line(fingerprint);
   std::ifstream old(journal_);
   std::string line;
@@ -64,7 +56,7 @@ FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, Picture
     const Json json = Json::parse(line, nullptr, false);
     const std::optional<FrameReport> frame = frame_report_from_json(json);
     if (!frame || !json.contains("picture_bytes")) continue;
-    if (json["picture_bytes"] != bytes_of(picture_path(folder_, frame->frame, format_))) continue;
+    if (json["picture_bytes"] != picture_bytes(folder_, names_, frame->frame)) continue;
     finished_[frame->frame] = *frame;
     journal += line + '\n';
   }
@@ -78,7 +70,7 @@ std::optional<FrameReport> FinishedFrames::find(int frame) const {
 }
 
 void FinishedFrames::add(const FrameReport& frame) {
-  out_ << frame_line(frame, bytes_of(picture_path(folder_, frame.frame, format_))) << std::flush;
+  out_ << frame_line(frame, picture_bytes(folder_, names_, frame.frame)) << std::flush;
   if (!out_) throw Error(journal_.string(), fmt::format("cannot be written ({})", std::strerror(errno)));
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "render/frame_files.hpp"
 #include "render/params.hpp"
 #include "render/report.hpp"
 #include "scene/scene.hpp"
@@ -22,7 +23,7 @@ class FinishedFrames {
  public:
   /// Opens the journal of `folder`, which exists. Lines of another job, torn lines, and frames whose picture is not there in
   /// the recorded size are forgotten. Throws Error if the journal cannot be written.
-  FinishedFrames(std::filesystem::path folder, std::string fingerprint, PictureFormat format);
+  FinishedFrames(std::filesystem::path folder, std::string fingerprint, FrameNames names);
 
   /// The figures of a frame that this job finished before; none if it has yet to be rendered.
   std::optional<FrameReport> find(int frame) const;
@@ -35,7 +36,7 @@ class FinishedFrames {
 
  private:
   std::filesystem::path folder_, journal_;
-  PictureFormat format_;
+  FrameNames names_;
   std::map<int, FrameReport> finished_;
   std::ofstream out_;
   bool took_over_ = false;

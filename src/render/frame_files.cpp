@@ -3,16 +3,31 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <vector>
+#include <iterator>
+#include <system_error>
 
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
 #include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
+#include "image/tiff.hpp"
 
 namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+
+const char* ending(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::kExr:
+      return "exr";
+    case PictureFormat::kTiff:
+      return "tif";
+    default:
+      return "png";
+  }
+}
 
 ExrSample exr_sample(ExrPixels pixels) { return pixels == ExrPixels::kHalf ? ExrSample::kHalf : ExrSample::kFloat; }
 
@@ -25,19 +40,94 @@ std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
   return layers;
 }
 
-void write_exr_picture(const fs::path& path, const RenderParams& params, const FramePictures& pictures) {
-  std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
-  layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(params.exr_pixels)));
-  write_exr(path, layers);
+/// One picture and its layers.
+class PictureWriter {
+ public:
+  PictureWriter(const RenderParams& params, Encoding encoding, double pixels_per_mm)
+      : params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm) {}
+
+  void write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
+    std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
+    switch (params_.format) {
+      case PictureFormat::kPng:
+        write_png(picture, pictures.codes);
+        break;
+      case PictureFormat::kPng16:
+        write_png(picture, to_codes16(pictures.film, encoding_));
+        break;
+      case PictureFormat::kTiff:
+        write_tiff(picture, pictures.codes, pixels_per_mm_);
+        break;
+      case PictureFormat::kExr:
+        layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(params_.exr_pixels)));
+        write_exr(picture, layers);
+        return;
+    }
+    if (!layers.empty()) write_exr(aov, layers);
+  }
+
+ private:
+  const RenderParams& params_;
+  Encoding encoding_;
+  double pixels_per_mm_;
+};
+
+/// Piece `i` of `count` that lie one below the other.
+template <class Sample>
+std::vector<Sample> piece_of(const std::vector<Sample>& samples, int i, int count) {
+  const auto size = static_cast<std::ptrdiff_t>(samples.size()) / count;
+  return {samples.begin() + i * size, samples.begin() + (i + 1) * size};
+}
+
+Image piece_of(const Image& image, int i, int count) {
+  Image piece;
+  piece.width = image.width, piece.height = image.height / count, piece.channels = image.channels;
+  piece.data = piece_of(image.data, i, count);
+  return piece;
+}
+
+FramePictures piece_of(const FramePictures& all, int i, int count) {
+  FramePictures piece{piece_of(all.film, i, count), all.aovs, {}};
+  piece.codes = {all.codes.width, all.codes.height / count, piece_of(all.codes.rgb, i, count)};
+  for (Image FrameAovs::*const layer :
+       {&FrameAovs::depth_image, &FrameAovs::normal_image, &FrameAovs::object_id_image, &FrameAovs::position_image})
+    piece.aovs.*layer = piece_of(all.aovs.*layer, i, count);
+  return piece;
+}
+
+void make_view_folder(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directory(folder, problem);
+  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")");
+  remove_stale_temporaries(folder);
 }
 
 }  // namespace
 
-fs::path picture_path(const fs::path& folder, int frame, PictureFormat format) {
-  return folder / fmt::format("frame_{:04}.{}", frame, format == PictureFormat::kExr ? "exr" : "png");
+std::string frame_name(const FrameNames& names, int frame) {
+  if (names.views > 0) return fmt::format("frame_{:04}", frame);
+  return fmt::format("frame_{:04}{}.{}", frame, names.quilt, ending(names.format));
 }
 
-fs::path aov_path(const fs::path& folder, int frame) { return folder / fmt::format("aov_{:04}.exr", frame); }
+std::vector<fs::path> picture_paths(const fs::path& folder, const FrameNames& names, int frame) {
+  const fs::path whole = folder / frame_name(names, frame);
+  if (names.views == 0) return {whole};
+  std::vector<fs::path> paths;
+  for (int view = 0; view < names.views; ++view)
+    paths.push_back(whole / fmt::format("view_{:03}.{}", view, ending(names.format)));
+  return paths;
+}
+
+std::uintmax_t picture_bytes(const fs::path& folder, const FrameNames& names, int frame) {
+  std::uintmax_t sum = 0;
+  for (const fs::path& path : picture_paths(folder, names, frame)) {
+    std::error_code problem;
+    const std::uintmax_t bytes = fs::file_size(path, problem);
+    if (problem) return 0;
+    sum += bytes;
+  }
+  return sum;
+}
 
 FrameAovs wanted_aovs(const RenderParams& params) {
   const auto wanted = [&](Aov aov) { return std::find(params.aov.begin(), params.aov.end(), aov) != params.aov.end(); };
@@ -49,22 +139,16 @@ FrameAovs wanted_aovs(const RenderParams& params) {
   return aovs;
 }
 
-void write_frame_files(const fs::path& folder, int frame, const RenderParams& params, Encoding encoding,
-                       const FramePictures& pictures) {
-  const fs::path path = picture_path(folder, frame, params.format);
-  switch (params.format) {
-    case PictureFormat::kPng:
-      write_png(path, pictures.codes);
-      break;
-    case PictureFormat::kPng16:
-      write_png(path, to_codes16(pictures.film, encoding));
-      break;
-    case PictureFormat::kExr:
-      write_exr_picture(path, params, pictures);
-      return;
-  }
-  if (const std::vector<ExrLayer> layers = aov_layers(pictures.aovs); !layers.empty())
-    write_exr(aov_path(folder, frame), layers);
+void write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
+                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures) {
+  const PictureWriter writer(params, encoding, pixels_per_mm);
+  const std::vector<fs::path> paths = picture_paths(folder, names, frame);
+  if (names.views == 0) return writer.write(paths.front(), folder / fmt::format("aov_{:04}.exr", frame), pictures);
+  const fs::path views = folder / frame_name(names, frame);
+  make_view_folder(views);
+  for (int view = 0; view < names.views; ++view)
+    writer.write(paths[static_cast<std::size_t>(view)], views / fmt::format("aov_{:03}.exr", view),
+                 piece_of(pictures, view, names.views));
 }
 
 }  // namespace lippmann

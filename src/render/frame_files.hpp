@@ -1,7 +1,10 @@
-// The files of one frame: names, and writing the picture with its extra layers.
+// The files of one frame: names, and writing the pictures with their extra layers.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "image/encoding.hpp"
 #include "image/image.hpp"
@@ -10,23 +13,35 @@
 
 namespace lippmann {
 
-/// DIR/frame_0000.png or .exr.
-std::filesystem::path picture_path(const std::filesystem::path& folder, int frame, PictureFormat format);
+/// What the files of a render's frames are called.
+struct FrameNames {
+  PictureFormat format = PictureFormat::kPng;
+  std::string quilt = {};  ///< the end of a quilt's name, such as _qs8x6a0.75 (layout/quilt_name.hpp); else empty
+  int views = 0;           ///< above 0: every frame is a folder of so many pictures
+};
 
-/// DIR/aov_0000.exr: where the extra layers go when the pictures are not EXR.
-std::filesystem::path aov_path(const std::filesystem::path& folder, int frame);
+/// frame_0000.png, .tif or .exr; frame_0000_qs8x6a0.75.png; of views the folder frame_0000.
+std::string frame_name(const FrameNames& names, int frame);
+
+/// DIR/frame_0000.png, or DIR/frame_0000/view_000.png and so on.
+std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& folder, const FrameNames& names, int frame);
+
+/// Bytes of all pictures of a frame; 0 if one is not there.
+std::uintmax_t picture_bytes(const std::filesystem::path& folder, const FrameNames& names, int frame);
 
 struct FramePictures {
   Image film;
   FrameAovs aovs;
-  Image8 codes;  ///< of the film: what PNG and videos hold; empty where nothing asked for them
+  Image8 codes;  ///< of the film: what 8-bit files and videos hold; empty where nothing asked for them
 };
 
 /// Which of the extra layers tracing has to fill.
 FrameAovs wanted_aovs(const RenderParams& params);
 
-/// Writes what `params` asks for, each file whole or not at all. Throws Error naming the file.
-void write_frame_files(const std::filesystem::path& folder, int frame, const RenderParams& params, Encoding encoding,
-                       const FramePictures& pictures);
+/// Writes what `params` asks for, each file whole or not at all. Views lie one below the other in `pictures`. Extra layers go
+/// into EXR pictures, else into aov_0000.exr beside the picture (aov_000.exr beside a view).
+/// `pixels_per_mm`: said by TIFF files; 0: nothing to say. Throws Error naming the file.
+void write_frame_files(const std::filesystem::path& folder, const FrameNames& names, int frame, const RenderParams& params,
+                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures);
 
 }  // namespace lippmann

@@ -10,6 +10,7 @@
 #include "core/background.hpp"
 #include "image/encode.hpp"
 #include "image/read_image.hpp"
+#include "layout/quilt_side_file.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {
@@ -36,7 +37,9 @@ class TimedWork {
 };
 
 /// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
-bool needs_codes(const RenderParams& params) { return params.format == PictureFormat::kPng || !params.video.empty(); }
+bool needs_codes(const RenderParams& params) {
+  return params.format == PictureFormat::kPng || params.format == PictureFormat::kTiff || !params.video.empty();
+}
 
 }  // namespace
 
@@ -44,7 +47,7 @@ struct FrameSink::Impl {
   Impl(const Settings& s, FinishedFrames& f)
       : settings(s), finished(f), queue(writing_threads(s.threads), queue_capacity(s.threads)) {
     const VideoOptions options{.rate = frame_rate(s.frames_per_second)};
-    for (const std::string& video : s.params.video) videos.push_back(std::make_unique<VideoWriter>(video, options));
+    for (const std::string& video : s.videos) videos.push_back(std::make_unique<VideoWriter>(video, options));
   }
 
   Settings settings;
@@ -56,9 +59,18 @@ struct FrameSink::Impl {
   void write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     FramePictures& pictures = rendered.pictures;
+    Image as_traced;
+    if (settings.layout.moves()) {
+      as_traced = std::exchange(pictures.film, settings.layout.arrange(pictures.film));
+      settings.layout.arrange(pictures.aovs);
+    }
     if (needs_codes(settings.params)) pictures.codes = to_codes(pictures.film, settings.encoding);
-    write_frame_files(settings.folder, rendered.report.frame, settings.params, settings.encoding, pictures);
-    if (settings.done_with) settings.done_with(std::move(pictures.film));
+    write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding, 0.0,
+                      pictures);
+    if (const auto& quilt = settings.layout.quilt())
+      write_quilt_side_file(picture_paths(settings.folder, settings.layout.names(), rendered.report.frame).front(),
+                            {*quilt, quilt->tiles.count()});
+    if (settings.done_with) settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(pictures.film));
     pictures.film = {};
     pictures.aovs = {};
   }
@@ -84,7 +96,7 @@ void FrameSink::add(RenderedFrame rendered) {
 void FrameSink::add_kept(int frame) {
   if (impl_->videos.empty()) return;
   const auto codes = std::make_shared<Image8>();
-  const auto path = picture_path(impl_->settings.folder, frame, impl_->settings.params.format);
+  const auto path = picture_paths(impl_->settings.folder, impl_->settings.layout.names(), frame).front();
   impl_->queue.submit([codes, path] { *codes = read_image8(path); },
                       [impl = impl_.get(), codes] { impl->add_to_videos(*codes); });
 }

@@ -4,10 +4,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "image/encoding.hpp"
 #include "render/finished_frames.hpp"
 #include "render/frame.hpp"
+#include "render/frame_layout.hpp"
 #include "render/params.hpp"
 
 namespace lippmann {
@@ -17,6 +20,8 @@ class FrameSink {
   struct Settings {
     const RenderParams& params;
     std::filesystem::path folder;
+    const FrameLayout& layout;
+    std::vector<std::string> videos = {};  ///< files
     Encoding encoding = Encoding::kSrgb;
     double frames_per_second = 25.0;
     int threads = 1;                            ///< that render; a share as many again write

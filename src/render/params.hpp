@@ -23,7 +23,10 @@ enum class Reuse {
   kForward,  ///< the paper's: frames between key frames are interpolated from these frames' points
 };
 enum class DebugPicture { kNone, kMissed };
-enum class PictureFormat { kPng, kPng16, kExr };
+enum class PictureFormat { kPng, kPng16, kTiff, kExr };
+
+/// What each frame's picture holds (layout/view_layout.hpp).
+enum class PictureLayout { kIntegral, kQuilt, kViews };
 enum class ExrPixels { kHalf, kFloat };
 enum class Aov { kDepth, kNormal, kId, kPosition };
 
@@ -77,7 +80,9 @@ struct RenderParams {
   DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black
 
   // Files
-  std::string output;  ///< folder; empty: out/<scene name>
+  std::string output;                   ///< folder; empty: out/<scene name>
+  std::optional<PictureLayout> layout;  ///< none: as the optics lie, lens by lens or tile by tile
+  Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
   std::vector<Aov> aov;            ///< extra layers beside the picture

@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, 3> kReuseNames{"none", "exact", "forward"
 constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
 constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
-constexpr std::array<std::string_view, 3> kFormatNames{"png", "png16", "exr"};
+constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
+constexpr std::array<std::string_view, 3> kLayoutNames{"integral", "quilt", "views"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 4> kAovNames{"depth", "normal", "id", "position"};
 
@@ -84,6 +85,14 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
   return {
       [&names](std::string_view value, const std::string& where) { return static_cast<E>(read_choice(value, names, where)); },
       [&names](const E& value) { return std::string(names[static_cast<std::size_t>(value)]); }};
+}
+
+/// A choice that need not be made.
+template <class E, std::size_t N>
+Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& names) {
+  const Codec<E> made = choice<E>(names);
+  return {[made](std::string_view value, const std::string& where) { return std::optional<E>(made.read(value, where)); },
+          [made](const std::optional<E>& value) { return value ? made.write(*value) : std::string(); }};
 }
 
 struct Documentation {
@@ -267,8 +276,16 @@ std::vector<ParamInfo> file_rows() {
   return {
       path(runs_only(row(ParamKind::kText, &P::output, text(),
                          {"output", "Files", "DIR", "Folder for what is made; default out/<scene name>"}))),
+      row(ParamKind::kText, &P::layout, optional_choice<PictureLayout>(kLayoutNames),
+          {"layout", "Files", "LAYOUT",
+           "What each frame's picture holds: integral (behind the lenses), quilt (views side by side) or views (a folder of "
+           "them); "
+           "default: as the optics lie"}),
+      row(ParamKind::kText, &P::quilt, full_extent(4096),
+          {"quilt", "Files", "CxR", "Tiles of --layout quilt; default: as the views lie, or as square as can be"}),
       row(ParamKind::kText, &P::format, choice<PictureFormat>(kFormatNames),
-          {"format", "Files", "FORMAT", "Of the pictures: png (8 bit), png16 or exr (linear)"}),
+          {"format", "Files", "FORMAT",
+           "Of the pictures: png (8 bit), png16, tiff (8 bit, says its resolution) or exr (linear)"}),
       row(ParamKind::kText, &P::exr_pixels, choice<ExrPixels>(kExrPixelNames),
           {"exr-pixels", "Files", "TYPE", "Samples of EXR colours: half or float"}),
       aov_row(),

@@ -38,7 +38,8 @@ struct RenderReport {
   double write_seconds = 0.0;        ///< time that files took to encode and write, summed over threads; beside rendering
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
-  bool interrupted = false;  ///< stopped before the last frame; what is listed is whole
+  std::vector<std::string> videos;  ///< files, as they are named on disk
+  bool interrupted = false;         ///< stopped before the last frame; what is listed is whole
 };
 
 nlohmann::ordered_json to_json(const FrameReport& frame);

@@ -10,10 +10,10 @@
 namespace lippmann {
 namespace {
 
-constexpr PictureFormat kPng = PictureFormat::kPng;
+const FrameNames kPng{};
 
 void make_picture(const test::TempDir& dir, int frame, const std::string& bytes = "picture") {
-  std::ofstream(picture_path(dir.path(), frame, kPng)) << bytes;
+  std::ofstream(picture_paths(dir.path(), kPng, frame).front()) << bytes;
 }
 
 FrameReport report_of(int frame) {
@@ -52,7 +52,7 @@ TEST(FinishedFrames, picture_gone_or_of_another_size_is_not_finished) {
     finished.add(report_of(1));
     finished.add(report_of(2));
   }
-  std::filesystem::remove(picture_path(dir.path(), 1, kPng));
+  std::filesystem::remove(picture_paths(dir.path(), kPng, 1).front());
   make_picture(dir, 2, "cut");
   const FinishedFrames again(dir.path(), "job", kPng);
   EXPECT_FALSE(again.find(1).has_value());

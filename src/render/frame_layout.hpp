@@ -1,0 +1,47 @@
+// What each frame's picture holds: the film as its optics lie, or its views moved to where another layout wants them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "layout/arrangement.hpp"
+#include "layout/quilt_name.hpp"
+#include "optics/optics.hpp"
+#include "render/frame_files.hpp"
+#include "render/params.hpp"
+
+namespace lippmann {
+
+class FrameLayout {
+ public:
+  /// Throws a usage Error where the optics have no views of whole pixels to be moved, or tiles do not suit them.
+  FrameLayout(const RenderParams& params, const Optics& optics);
+
+  const FrameNames& names() const { return names_; }
+
+  /// Where a video of these pictures goes: a quilt's says so in its name.
+  std::filesystem::path video_path(const std::filesystem::path& said) const;
+
+  /// Of quilts: tiles and the display's aspect.
+  const std::optional<QuiltName>& quilt() const { return quilt_; }
+
+  /// Whether film is moved at all.
+  bool moves() const { return arrangement_.has_value(); }
+
+  /// Of a view; of the whole picture where nothing is moved.
+  Vec2i picture_size() const;
+
+  /// A film, or a layer of the same size, in its new places: views one below the other where names().views > 0.
+  Image arrange(const Image& film) const;
+
+  /// Arranges the layers that there are.
+  void arrange(FrameAovs& aovs) const;
+
+ private:
+  Vec2i film_;
+  std::optional<QuiltName> quilt_;
+  FrameNames names_;
+  std::optional<Arrangement> arrangement_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,43 @@
+#include "layout/arrangement.hpp"
+
+#include <gmock/gmock.h>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::ElementsAre;
+
+Image counting(int width, int height, int channels) {
+  Image image(width, height, channels);
+  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(i);
+  return image;
+}
+
+TEST(Arrangement, integral_image_s_lenses_become_a_quilt_s_tiles) {
+  // Two lenses of 2 x 1 pixels: 0 1 | 2 3. The left eye sees the right pixels, 1 and 3: the quilt's first tile.
+  const Arrangement arrangement({LayoutKind::kIntegral, {2, 1}, {}}, {LayoutKind::kQuilt, {2, 1}, {2, 1}}, {4, 1}, "p");
+  EXPECT_THAT(arrangement.apply(counting(4, 1, 1)).data, ElementsAre(1, 3, 0, 2));
+}
+
+TEST(Arrangement, quilt_s_views_are_stacked_from_the_bottom_left_with_all_their_channels) {
+  // Two tiles above one another, 1 x 1 pixel of two channels; the lower one is view 0.
+  const Arrangement arrangement({LayoutKind::kQuilt, {2, 1}, {1, 2}}, {LayoutKind::kStack, {2, 1}, {}}, {1, 2}, "p");
+  EXPECT_EQ(arrangement.target_size(), Vec2i(1, 2));
+  EXPECT_THAT(arrangement.apply(counting(1, 2, 2)).data, ElementsAre(2, 3, 0, 1));
+}
+
+TEST(Arrangement, there_and_back_is_the_same_picture) {
+  const ViewLayout integral{LayoutKind::kIntegral, {3, 2}, {}}, quilt{LayoutKind::kQuilt, {3, 2}, {2, 3}};
+  const Arrangement there(integral, quilt, {12, 10}, "p"), back(quilt, integral, there.target_size(), "p");
+  const Image image = counting(12, 10, 3);
+  EXPECT_EQ(back.apply(there.apply(image)).data, image.data);
+}
+
+TEST(Arrangement, views_that_do_not_fill_the_picture_are_refused) {
+  EXPECT_THROW(Arrangement({LayoutKind::kIntegral, {3, 1}, {}}, {LayoutKind::kStack, {3, 1}, {}}, {8, 8}, "p"), Error);
+}
+
+}  // namespace
+}  // namespace lippmann
