@@ -22,7 +22,7 @@ Corner corner_of_view(const ViewLayout& layout, Vec2i size, Vec2i picture, int v
     }
     case LayoutKind::kEslf: {
       const ViewGrid& grid = layout.grid;
-      return {x * grid.columns + view % grid.columns, y * grid.rows + (grid.rows - 1 - view / grid.columns)};
+      return {{view % grid.columns, grid.rows - 1 - view / grid.columns}, {grid.columns, grid.rows}};
     }
     case LayoutKind::kQuilt: {
       const int column = view % layout.tiles.columns, row = view / layout.tiles.columns;
