@@ -30,6 +30,7 @@ void add_render_command(CLI::App& root, Action& chosen);
 void add_compare_command(CLI::App& root, Action& chosen);
 void add_convert_command(CLI::App& root, Action& chosen);
 void add_info_command(CLI::App& root, Action& chosen);
+void add_replay_command(CLI::App& root, Action& chosen);
 void add_scenes_command(CLI::App& root, Action& chosen);
 void add_bench_command(CLI::App& root, Action& chosen);
 

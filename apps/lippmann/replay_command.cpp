@@ -1,0 +1,110 @@
+// `lippmann replay IN`: what eyes see of a rendered light field through its lenses.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/lippmann/commands.hpp"
+#include "core/error.hpp"
+#include "replay/replay.hpp"
+
+namespace lippmann::app {
+namespace {
+
+struct Options {
+  ReplayParams params;
+  std::string in, report, folder, size, filter = "linear", format = "png", video;
+  std::vector<double> eye;
+  int threads = 0;
+  bool json = false;
+};
+
+/// WxH, or "lenses".
+void read_size(const std::string& text, ReplayParams& params) {
+  if (text.empty()) return;
+  params.one_per_lens = text == "lenses";
+  int read = 0;
+  Vec2i& size = params.view.size;
+  if (params.one_per_lens) return;
+  if (std::sscanf(text.c_str(), "%7dx%7d%n", &size.x, &size.y, &read) != 2 || read != static_cast<int>(text.size()) ||
+      size.x < 1 || size.y < 1)
+    throw usage_error("--size", "'" + text + "' is no size", "WxH in pixels, or lenses");
+}
+
+ReplayParams params_of(const Options& options) {
+  ReplayParams params = options.params;
+  params.in = options.in, params.report = options.report, params.folder = options.folder, params.video = options.video;
+  params.exr = options.format == "exr";
+  params.view.filter = options.filter == "nearest" ? SampleFilter::kNearest : SampleFilter::kLinear;
+  if (!options.eye.empty()) params.eye_mm = Vec3d(options.eye[0], options.eye[1], options.eye[2]);
+  read_size(options.size, params);
+  return params;
+}
+
+int run(const Options& options, Context& context) {
+  context.threads = options.threads;
+  const Replayed result = replay(params_of(options), context);
+  if (options.json) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const auto& path : result.written) files.push_back(path.string());
+    const nlohmann::ordered_json json{
+        {"eye_mm", {result.eye_mm.x, result.eye_mm.y, result.eye_mm.z}}, {"out_of_zone", result.out_of_zone}, {"files", files}};
+    fmt::print("{}\n", json.dump(2));
+  } else if (!result.written.empty()) {
+    fmt::print("eye at ({:.4g}, {:.4g}, {:.4g}) mm: {}{}\n", result.eye_mm.x, result.eye_mm.y, result.eye_mm.z,
+               result.written.front().string(), result.written.size() > 1 ? " ... " + result.written.back().string() : "");
+  }
+  return 0;
+}
+
+void add_eye_flags(CLI::App& command, Options& options) {
+  CLI::Option_group& group = *command.add_option_group("Eye");
+  group.add_option("--eye", options.eye, "Where the eye is, mm from the display's middle; default: where it is meant to be")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z");
+  group.add_option("--pupil", options.params.view.pupil_mm, "Diameter of the pupil, focused on the display; 0: a pinhole")
+      ->type_name("MM");
+  group
+      .add_option("--crosstalk", options.params.view.crosstalk_px,
+                  "Lenses image the panel with a Gaussian of this sigma (quilts: sigma in views)")
+      ->type_name("PIXELS");
+  group.add_option("--filter", options.filter, "Between pixels below one lens, and between views: linear or nearest")
+      ->check(CLI::IsMember({"linear", "nearest"}))
+      ->capture_default_str();
+  group.add_option("--size", options.size, "Of the pictures; 'lenses': one sample per lens; default: square pixels")
+      ->type_name("WxH");
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *root.add_subcommand("replay", "Show what an eye sees of rendered pictures through their lenses");
+  command.footer("Lengths are in millimetres of the display, whose lens plane is z = 0; see docs/replay.md.");
+  command.add_option("IN", options->in, "A rendered picture, or a folder of frames, beside its report.json")->required();
+  command.add_option("-o,--output", options->folder, "Folder for the results; default: replay, beside the pictures")
+      ->type_name("DIR");
+  add_eye_flags(command, *options);
+  command.add_option("--ipd", options->params.ipd_mm, "Two eyes so far apart: left, right, and both side by side")
+      ->type_name("MM");
+  command.add_option("--sweep", options->params.sweep, "N eyes from one end of the viewing zone to the other")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  command.add_option("--video", options->video, "Also a video (.mp4, .mkv) of the views, pairs or sweep")->type_name("FILE");
+  command.add_option("--fps", options->params.frames_per_second, "Of the video; default: as rendered")
+      ->type_name("N")
+      ->check(CLI::Range(0.01, 1000.0));
+  command.add_option("--format", options->format, "Of the pictures: png (8 bit sRGB) or exr (linear)")
+      ->check(CLI::IsMember({"png", "exr"}))
+      ->capture_default_str();
+  command.add_option("--report", options->report, "The report.json, where it is not beside the pictures")->type_name("FILE");
+  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
+  command.add_flag("--json", options->json, "Print the result as JSON");
+  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,51 @@
+// What an eye sees through a lens array that lies on a rendered picture.
+//
+// The view is what passes through the display's window in the plane z = 0 (replay/viewing.hpp), as an eye that looks at the
+// display has it before it: pixel (i, j) is a point of that plane, wherever the eye stands, so that views from different eyes
+// lie on top of one another where the scene is in that plane. Linear light. What lies beside the panel is black.
+#pragma once
+
+#include "core/parallel.hpp"
+#include "replay/rendered_panel.hpp"
+#include "replay/taps.hpp"
+#include "replay/viewer.hpp"
+
+namespace lippmann {
+
+struct EyeView {
+  Vec3d eye_mm{0.0, 0.0, 500.0};                ///< in the display frame; z > 0
+  Vec2i size{0, 0};                             ///< pixels; 0: natural_view_size (replay/viewing.hpp)
+  SampleFilter filter = SampleFilter::kLinear;  ///< between panel pixels below one lens, and views of a quilt
+  double crosstalk_px = 0.0;  ///< a lens images the panel with a Gaussian of this sigma, in panel pixels (of a quilt: views);
+                              ///< it takes the place of `filter` across the lenses. 0 ... kMaxBlurPx
+  double pupil_mm = 0.0;      ///< diameter; the eye is focused on the display. 0: a pinhole
+  int pupil_points = 64;      ///< of which views are averaged, spread evenly over the pupil (a sunflower's spiral)
+};
+
+/// Throws Error (usage) for an eye that is not in front of the display, is not finite, or sees nothing of it.
+void validate(const EyeView& view);
+
+/// `view` must be valid. The same bits for any number of threads.
+Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadPool& pool);
+
+/// What one eye, infinitely far or not, sees at points of the plane z = 0: what other pictures are made of.
+class EyeSampler {
+ public:
+  EyeSampler(const RenderedPanel& rendered, SampleFilter filter, double crosstalk_px = 0.0);
+  ~EyeSampler();
+  EyeSampler(EyeSampler&&) noexcept;
+  EyeSampler(const EyeSampler&) = delete;
+  EyeSampler& operator=(const EyeSampler&) = delete;
+
+  /// Thread-safe.
+  Vec3f color(const Viewer& viewer, Vec2d point_mm) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The share of lenses (of a quilt: of points) through which that eye sees what was made for another zone: where it flips.
+double share_out_of_zone(const Optics& optics, const Viewer& viewer);
+
+}  // namespace lippmann

@@ -1,0 +1,135 @@
+#include "replay/rendered_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "core/error.hpp"
+#include "core/printable.hpp"
+#include "image/encode.hpp"
+#include "image/picture_file.hpp"
+#include "optics/optics_json.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uintmax_t kMaxReportBytes = std::uintmax_t{256} << 20;  ///< a frame takes some 500 bytes
+
+Json read_report(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored))
+    throw Error(path.string(), "there is no such file, so that nothing says for which optics the pictures were rendered",
+                "the report.json that `lippmann render` writes beside its pictures");
+  if (fs::file_size(path, ignored) > kMaxReportBytes) throw Error(path.string(), "is too large for a report");
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) throw Error(path.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
+  if (!json.contains("optics"))
+    throw Error(path.string(), "does not say for which optics the pictures were rendered", "an object \"optics\"");
+  return json;
+}
+
+const Json* setting(const Json& report, const char* name) {
+  const auto settings = report.find("settings");
+  if (settings == report.end() || !settings->is_object() || !settings->contains(name)) return nullptr;
+  return &(*settings)[name];
+}
+
+/// Lens arrays are replayed from what lies behind them, views of them are not.
+void check_layout(const Json& report, const Optics& optics, const std::string& where) {
+  const Json* layout = setting(report, "layout");
+  if (!layout || !layout->is_string()) return;
+  const std::string word = layout->get<std::string>();
+  const bool is_quilt = std::holds_alternative<MultiView>(optics.model);
+  if (word == "views" || (word == "quilt" && !is_quilt) || (word == "integral" && is_quilt))
+    throw Error(where, "the pictures are " + shown(word) + ", not what the display itself shows",
+                "a render without --layout, or `lippmann convert` and its folder's report");
+}
+
+bool is_frame(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string(), ending = entry.path().extension().string();
+  return name.starts_with("frame_") && entry.is_regular_file() &&
+         (ending == ".png" || ending == ".exr" || ending == ".tif" || ending == ".tiff");
+}
+
+std::vector<fs::path> frames_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem))
+    if (is_frame(entry)) files.push_back(entry.path());
+  if (problem) throw Error(folder.string(), "cannot be listed: " + problem.message());
+  if (files.empty()) throw Error(folder.string(), "there are no frames in it", "frame_0000.png, frame_0001.png, ...");
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string x = a.filename().string(), y = b.filename().string();
+    return x.size() != y.size() ? x.size() < y.size() : x < y;
+  });
+  return files;
+}
+
+template <class Code>
+Image linear_from_codes(int width, int height, const std::vector<Code>& codes) {
+  constexpr std::size_t kCodes = std::size_t{1} << (8 * sizeof(Code));
+  std::vector<float> value(kCodes);
+  for (std::size_t i = 0; i < kCodes; ++i)
+    value[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / (kCodes - 1.0)));
+  Image image(width, height, 3);
+  std::transform(codes.begin(), codes.end(), image.data.begin(), [&](Code code) { return value[code]; });
+  return image;
+}
+
+Image to_linear(Picture picture) {
+  if (const auto* bytes = std::get_if<Image8>(&picture)) return linear_from_codes(bytes->width, bytes->height, bytes->rgb);
+  if (const auto* words = std::get_if<Image16>(&picture)) return linear_from_codes(words->width, words->height, words->rgb);
+  Image image = std::get<Image>(std::move(picture));
+  for (float& value : image.data)
+    if (!std::isfinite(value)) value = 0.0f;
+  return image;
+}
+
+}  // namespace
+
+RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) {
+  std::error_code ignored;
+  if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
+  RenderedFrames frames;
+  const bool folder = fs::is_directory(in, ignored);
+  frames.files = folder ? frames_in(in) : std::vector{in};
+  const fs::path report_path = report.empty() ? (folder ? in : in.parent_path()) / "report.json" : report;
+  const Json json = read_report(report_path);
+  frames.optics = optics_from_json(json["optics"], report_path.string());
+  check_layout(json, frames.optics, report_path.string());
+  if (const Json* fps = setting(json, "fps"); fps && fps->is_number())
+    if (const double rate = fps->get<double>(); rate > 0.0 && rate <= 1000.0) frames.frames_per_second = rate;
+  return frames;
+}
+
+RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index) {
+  RenderedPanel rendered{frames.optics, to_linear(read_picture(frames.files[index]))};
+  const Panel& panel = frames.optics.panel;
+  if (rendered.picture.width != panel.width || rendered.picture.height != panel.height)
+    throw Error(frames.files[index].string(),
+                fmt::format("has {}x{} pixels, but was rendered for a panel of {}x{}, says its report", rendered.picture.width,
+                            rendered.picture.height, panel.width, panel.height),
+                "the pictures as the render wrote them");
+  return rendered;
+}
+
+std::string frame_label(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  if (!stem.starts_with("frame_")) return stem;
+  std::size_t end = 6;
+  while (end < stem.size() && std::isdigit(static_cast<unsigned char>(stem[end]))) ++end;
+  return end > 6 ? stem.substr(6, end - 6) : stem;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,39 @@
+// `lippmann replay`: from a rendered picture or a folder of frames to what eyes see of it, and other pictures computed from it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/context.hpp"
+#include "replay/eye_view.hpp"
+
+namespace lippmann {
+
+struct ReplayParams {
+  std::filesystem::path in;           ///< a picture, or a folder of frames (replay/rendered_frames.hpp)
+  std::filesystem::path report = {};  ///< empty: report.json beside the pictures
+  std::filesystem::path folder = {};  ///< for the results; empty: "replay" beside the pictures
+  bool exr = false;                   ///< linear floats instead of PNG
+
+  std::optional<Vec3d> eye_mm = {};  ///< none: where the display is meant to be seen from
+  EyeView view = {};                 ///< of which the eye is set from eye_mm
+  bool one_per_lens = false;         ///< a sample for each lens (row, view's pixel), whatever shape that gives the picture
+
+  // What to make; where nothing of this is asked for, the eye's view of every frame: eye_0000.png.
+  std::optional<double> ipd_mm = {};             ///< two eyes so far apart: left_, right_ and, side by side, pair_0000.png
+  int sweep = 0;                                 ///< so many eyes from left to right through the zone: sweep_0000.png
+  std::filesystem::path video = {};              ///< .mp4 or .mkv of the views, pairs or sweep
+  std::optional<double> frames_per_second = {};  ///< none: as the report says
+};
+
+struct Replayed {
+  std::vector<std::filesystem::path> written;
+  Vec3d eye_mm{0.0};
+  double out_of_zone = 0.0;  ///< the share of lenses that show that eye a neighbour's picture
+};
+
+/// Throws Error naming the flag or file. Stops between frames when context.cancelled is set.
+Replayed replay(const ReplayParams& params, const Context& context);
+
+}  // namespace lippmann

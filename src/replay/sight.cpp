@@ -1,0 +1,86 @@
+#include "replay/sight.hpp"
+
+#include <cmath>
+
+namespace lippmann {
+namespace {
+
+/// Where on an axis the panel is met by a line of that slope through the centre of lens `lens` (any number; hexagonal rows have
+/// halves): the inverse of lens_ray.
+double panel_px(const LensAxis<double>& axis, double lens, double slope) {
+  const double lens_mm = axis.lens0_mm + lens * axis.pitch_mm;
+  const double offset = -(slope + (lens_mm - axis.eye_mm) * axis.vergence) / axis.slope_per_px;
+  return axis.start_px + (lens + 0.5) * axis.cell_px + offset;
+}
+
+}  // namespace
+
+PanelPoint LenticularSight::seen_from(const Viewer& viewer, Vec2d point_mm) const {
+  const Vec2d across(c_.cosine, c_.sine), along(-c_.sine, c_.cosine);
+  const double lens = lens_at(c_.axis, glm::dot(point_mm, across));
+  const double eta = glm::dot(point_mm, along);
+  const double xi = c_.axis.lens0_mm + lens * c_.axis.pitch_mm;
+  const Vec2d slope = viewer.slope_at(xi * across + eta * along);
+  const double s = panel_px(c_.axis, lens, glm::dot(slope, across));
+  const double xi_panel = xi - c_.gap_mm * glm::dot(slope, across), eta_panel = eta - c_.gap_mm * glm::dot(slope, along);
+  const double py = c_.half_height_px - (xi_panel * c_.sine + eta_panel * c_.cosine) / c_.pixel_pitch_mm;
+  return {{(s + py * c_.sine) * c_.inverse_cosine, py}, {lens, 0.0}};
+}
+
+PanelPoint MicrolensSight::seen_from(const Viewer& viewer, Vec2d point_mm) const {
+  const double x = point_mm.x, down = -point_mm.y;
+  Vec2d lens(lens_at(c_.columns, x), lens_at(c_.rows, down));
+  if (hexagonal_) {
+    const HexagonalCell<double> nearest =
+        nearest_hexagon((x - c_.columns.lens0_mm) / c_.columns.pitch_mm, (down - c_.rows.lens0_mm) / c_.rows.pitch_mm);
+    lens = {nearest.column, nearest.row};
+  }
+  const Vec2d centre(c_.columns.lens0_mm + lens.x * c_.columns.pitch_mm, -(c_.rows.lens0_mm + lens.y * c_.rows.pitch_mm));
+  const Vec2d slope = viewer.slope_at(centre);
+  return {{panel_px(c_.columns, lens.x, slope.x), panel_px(c_.rows, lens.y, -slope.y)}, lens};
+}
+
+CellOf MicrolensSight::cell(Vec2d pixel) const {
+  if (!hexagonal_) return {cell_of(c_.columns, pixel.x), cell_of(c_.rows, pixel.y)};
+  const HexagonalCell<double> cell = hexagon_at(c_, pixel.x, pixel.y);
+  return {cell.column, cell.row};
+}
+
+QuiltSight::QuiltSight(const Panel& panel, const MultiView& views)
+    : columns_(views.columns),
+      rows_(views.rows),
+      panel_height_(panel.height),
+      tile_(panel.width / views.columns, panel.height / views.rows),
+      centre_px_(0.5 * Vec2d(tile_)),
+      pixel_pitch_(panel.pixel_pitch_mm),
+      distance_(views.distance_mm) {
+  const double count = columns_ * rows_, cone = views.view_cone;
+  const bool ends = views.cone_ends_included;
+  angle_step_ = count > 1 ? cone / (ends ? count - 1 : count) : 0.0;
+  first_angle_ = -0.5 * angle_step_ * (count - 1);
+}
+
+QuiltSight::QuiltSight(const Panel& panel, const SingleView& view)
+    : panel_height_(panel.height),
+      tile_(panel.width, panel.height),
+      centre_px_(0.5 * Vec2d(tile_) - Vec2d(view.pixel_offset)),
+      pixel_pitch_(panel.pixel_pitch_mm),
+      distance_(view.distance_mm) {}
+
+QuiltPoint QuiltSight::seen_from(const Viewer& viewer, Vec2d point_mm) const {
+  QuiltPoint seen;
+  seen.pixel = centre_px_ + Vec2d(point_mm.x, -point_mm.y) / pixel_pitch_;
+  if (angle_step_ == 0.0) return seen;
+  const double x_at_views = point_mm.x + distance_ * viewer.slope_at(point_mm).x;
+  const double view = (std::atan(x_at_views / distance_) - first_angle_) / angle_step_, count = views();
+  const double zone = std::floor((view + 0.5) / count);
+  seen.view = view - count * zone;
+  seen.in_zone = zone == 0.0;
+  return seen;
+}
+
+Vec2i QuiltSight::tile_origin(int view) const {
+  return {view % columns_ * tile_.x, panel_height_ - (view / columns_ + 1) * tile_.y};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,212 @@
+#include "replay/eye_view.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "recorded.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::linear_psnr, test::record, test::seen_directly, test::waves;
+using testing::HasSubstr;
+
+Image view_from(const RenderedPanel& panel, Vec3d eye_mm, Vec2i size, SampleFilter filter = SampleFilter::kLinear) {
+  const ThreadPool pool(1);
+  EyeView view;
+  view.eye_mm = eye_mm, view.size = size, view.filter = filter;
+  return eye_view(panel, view, pool);
+}
+
+/// At lens resolution; the rim is left out, where an eye from the side sees past the panel's edge.
+double psnr_of_plane(const Optics& optics, Vec3d eye_mm, double z) {
+  const RenderedPanel panel = record(optics, z, waves);
+  const Vec2i size = lens_grid(optics);
+  return linear_psnr(view_from(panel, eye_mm, size), seen_directly(optics, size, eye_mm, z, waves), 3);
+}
+
+// In the plane z = 0 all pixels below a lens show the same point: what is left is float rounding, and between rows of a sheet
+// linear interpolation of a wave of 0.7 rad/mm at 9 rows per mm, (0.7/9)^2/8 = 8e-4 at most, 62 dB.
+TEST(EyeView, plane_of_lenses_equals_direct_view_from_any_eye_in_the_zone) {
+  // A sheet shows rows as they are, for eyes at one height and distance: elsewhere they lie a little higher or lower.
+  for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 0, 100), Vec3d(-17, 0, 100)})
+    EXPECT_GE(psnr_of_plane(test::sheet(100.0f), eye, 0.0), 60.0) << eye.x;
+  for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 4, 100), Vec3d(-17, -8, 100), Vec3d(3, 2, 140)}) {
+    EXPECT_GE(psnr_of_plane(test::lenslets(100.0f), eye, 0.0), 60.0) << eye.x;
+    EXPECT_GE(psnr_of_plane(test::quilt(), eye, 0.0), 60.0) << eye.x;
+  }
+  for (const Vec3d eye : {Vec3d(0, 0, 1e5), Vec3d(2e4, 10, 1e5)}) {
+    EXPECT_GE(psnr_of_plane(test::sheet(), eye, 0.0), 60.0) << eye.x;
+    EXPECT_GE(psnr_of_plane(test::lenslets(), eye, 0.0), 60.0) << eye.x;
+  }
+}
+
+TEST(EyeView, plane_of_slanted_and_hexagonal_lenses_equals_direct_view_at_lens_centres) {
+  const Vec3d eye(9, 0, 100);
+  for (const Optics& optics : {test::sheet(100.0f, 0.3f), test::lenslets(100.0f, LensPacking::kHexagonal)}) {
+    const RenderedPanel panel = record(optics, 0.0, waves);
+    const ThreadPool pool(1);
+    const EyeSampler sampler(panel, SampleFilter::kLinear);
+    for (int k = -8; k <= 8; ++k) {
+      // Lens centres: of the sheet where xi = (k + 1/2) pitch, on a line y = 1.3; of the hexagons in the row of lens (0, 0).
+      const auto* s = std::get_if<LenticularSheet>(&optics.model);
+      const float pitch = s ? s->lens_pitch_mm : std::get<MicrolensArray>(optics.model).lens_pitch_mm;
+      const Vec2d at =
+          s ? Vec2d(((k + 0.5) * pitch - 1.3 * std::sin(0.3)) / std::cos(0.3), 1.3) : Vec2d((k + 0.5) * pitch, 0.5 * pitch);
+      const Vec3f seen = sampler.color(viewer_at(eye), at), direct = waves(at);
+      EXPECT_NEAR(seen.x, direct.x, 2e-3f) << k;  // as above: (0.95/9)^2/8 = 1.4e-3 between pixels of a slanted sheet
+      EXPECT_NEAR(seen.y, direct.y, 2e-3f) << k;
+    }
+  }
+}
+
+// Off the plane, a lens's pixel spreads over |z| m / g; waves of 1 rad/mm blur by about that, squared, over 8.
+TEST(EyeView, error_grows_with_depth_and_stays_within_the_magnified_pixel) {
+  const Vec3d eye(6, 0, 100);
+  for (const Optics& optics : {test::sheet(100.0f), test::lenslets(100.0f)}) {
+    const double near = psnr_of_plane(optics, eye, -2.0), mid = psnr_of_plane(optics, eye, -6.0),
+                 far = psnr_of_plane(optics, eye, -14.0);
+    EXPECT_GT(near, mid);
+    EXPECT_GT(mid, far);
+    EXPECT_GT(near, 45.0);  // 2 mm x (1/7) / 2 = 0.14 mm: 0.14^2 / 8 = 2.5e-3, 52 dB at worst
+    EXPECT_GT(psnr_of_plane(optics, eye, 6.0), 30.0);
+  }
+}
+
+/// Every pixel below lens k has the colour k + 1; between -20 and 20 lenses.
+RenderedPanel numbered_lenses(const Optics& optics) {
+  return record(optics, 0.0, [](Vec2d p) { return Vec3f(std::floor(p.x) + 0.5); });
+}
+
+TEST(EyeView, beyond_the_zone_the_neighbour_lens_pixels_are_seen) {
+  // g = 2, lens 1 mm: an eye infinitely far in the direction (0.2, 0) sees below lens l the point l - 0.4: its own cell; in
+  // (0.3, 0) the point l - 0.6: in the cell of lens l - 1, and 0.4 right of that cell's centre.
+  const RenderedPanel panel = numbered_lenses(test::sheet());
+  const EyeSampler sampler(panel, SampleFilter::kLinear);
+  const Vec2d at(3.5, 0.0);
+  EXPECT_EQ(sampler.color({{0.2, 0.0}, 0.0}, at).x, 3.5f);
+  EXPECT_EQ(sampler.color({{0.3, 0.0}, 0.0}, at).x, 2.5f);
+  EXPECT_EQ(sampler.color({{-0.3, 0.0}, 0.0}, at).x, 4.5f);
+  EXPECT_EQ(share_out_of_zone(panel.optics, {{0.2, 0.0}, 0.0}), 0.0);
+  EXPECT_EQ(share_out_of_zone(panel.optics, {{0.3, 0.0}, 0.0}), 1.0);
+}
+
+TEST(EyeView, design_viewer_and_all_of_the_zone_see_no_lens_flipped) {
+  for (const Optics& optics : {test::sheet(100.0f), test::lenslets(100.0f), test::quilt(), test::sheet(100.0f, 0.3f)}) {
+    for (const double share : {0.01, 0.3, 0.5, 0.99})
+      EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, share)), 0.0) << share;
+    EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, 1.02)), 1.0);
+    EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, -0.02)), 1.0);
+  }
+}
+
+TEST(EyeView, ith_eye_of_the_zone_sees_exactly_the_ith_pixels_from_the_right) {
+  // Nine pixels below every lens, each column its own colour.
+  Optics optics = test::sheet(100.0f);
+  RenderedPanel panel{optics, Image(360, 120, 3)};
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 360; ++x) panel.picture.pixel(x, y)[0] = static_cast<float>(x % 9);
+  for (const SampleFilter filter : {SampleFilter::kNearest, SampleFilter::kLinear}) {
+    const EyeSampler sampler(panel, filter);
+    for (int i = 0; i < 9; ++i)
+      EXPECT_NEAR(sampler.color(viewer_in_zone(optics, (i + 0.5) / 9), {2.3, 1.0}).x, 8 - i, 1e-4) << i;
+  }
+}
+
+TEST(EyeView, linear_filter_never_mixes_two_lenses) {
+  // At the very edge of a cell, half a pixel from its neighbour: the colour is the cell's own.
+  const RenderedPanel panel = numbered_lenses(test::sheet());
+  const EyeSampler sampler(panel, SampleFilter::kLinear);
+  EXPECT_EQ(sampler.color({{0.2499, 0.0}, 0.0}, {3.5, 0.0}).x, 3.5f);
+  EXPECT_EQ(sampler.color({{-0.2499, 0.0}, 0.0}, {3.5, 0.0}).x, 3.5f);
+}
+
+TEST(EyeView, eye_between_two_views_of_a_quilt_sees_the_nearer_or_both) {
+  const Optics optics = test::quilt();
+  RenderedPanel panel{optics, Image(180, 120, 3)};
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 180; ++x) panel.picture.pixel(x, y)[0] = static_cast<float>((2 - y / 40) * 3 + x / 60);  // the view
+  const Viewer eye = viewer_in_zone(optics, (4.3 + 0.5) / 9);
+  EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(eye, {0, 0}).x, 4.0f, 1e-5);
+  EXPECT_NEAR(EyeSampler(panel, SampleFilter::kLinear).color(eye, {0, 0}).x, 4.3f, 1e-3);
+  const Viewer beyond = viewer_in_zone(optics, 1.0 + 0.5 / 9);  // view 0 again
+  EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(beyond, {0, 0}).x, 0.0f, 1e-5);
+}
+
+TEST(EyeView, single_view_is_flat_and_the_same_from_everywhere) {
+  Optics optics;
+  optics.panel = {30, 20, 0.5f};
+  optics.model = SingleView{80.0f, {0.25f, -0.5f}};
+  const RenderedPanel panel = record(optics, 0.0, waves);
+  for (const Vec3d eye : {Vec3d(0, 0, 80), Vec3d(30, 20, 50)})
+    EXPECT_GE(linear_psnr(view_from(panel, eye, {30, 20}), panel.picture), 120.0);
+}
+
+TEST(EyeView, crosstalk_is_a_gaussian_over_pixels_below_the_lens) {
+  // One bright column below every lens: nine eyes see exp-like weights that sum to 1 and whose second moment is the Gaussian's
+  // plus that of the pixel itself, 1/12.
+  const Optics optics = test::sheet(100.0f);
+  RenderedPanel panel{optics, Image(360, 120, 3)};
+  for (int y = 0; y < 120; ++y) panel.picture.pixel(9 * 20 + 4, y)[0] = 1.0f;
+  const double sigma = 0.8;
+  const EyeSampler sampler(panel, SampleFilter::kLinear, sigma);
+  double sum = 0.0, moment = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    const double seen = sampler.color(viewer_in_zone(optics, (i + 0.5) / 9), {0.5, 0.0}).x;
+    sum += seen, moment += seen * (i - 4) * (i - 4);
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-3);
+  EXPECT_NEAR(moment, sigma * sigma + 1.0 / 12, 5e-3);
+}
+
+TEST(EyeView, pupil_averages_the_eyes_within_it) {
+  // A plane behind: a pupil of 30 mm at 100 mm sees 2.5 mm behind the display a blur of 0.75 mm, which smooths; the mean of a
+  // picture stays.
+  const RenderedPanel panel = record(test::sheet(100.0f), -2.5, waves);
+  const ThreadPool pool(1);
+  EyeView view;
+  view.eye_mm = {0, 0, 100}, view.size = {40, 120}, view.filter = SampleFilter::kLinear;
+  const Image sharp = eye_view(panel, view, pool);
+  view.pupil_mm = 1e-3;
+  EXPECT_GE(linear_psnr(eye_view(panel, view, pool), sharp), 60.0);
+  view.pupil_mm = 30.0;
+  const Image blurred = eye_view(panel, view, pool);
+  double sharp_contrast = 0.0, blurred_contrast = 0.0;
+  for (int x = 10; x < 30; ++x) {
+    sharp_contrast += std::abs(sharp.pixel(x, 60)[0] - 0.5f);
+    blurred_contrast += std::abs(blurred.pixel(x, 60)[0] - 0.5f);
+  }
+  // A wave of k = 0.95 rad/mm over a disc of radius r = 0.375 mm: 2 J1(kr)/(kr) = 1 - (kr)^2/8 = 0.984.
+  EXPECT_NEAR(blurred_contrast / sharp_contrast, 0.984, 0.01);
+}
+
+TEST(EyeView, threads_do_not_change_a_bit) {
+  const RenderedPanel panel = record(test::lenslets(100.0f), 3.0, waves);
+  EyeView view;
+  view.eye_mm = {2, 1, 90}, view.pupil_mm = 4, view.pupil_points = 7, view.crosstalk_px = 0.5;
+  const ThreadPool one(1), three(3);
+  EXPECT_EQ(eye_view(panel, view, one).data, eye_view(panel, view, three).data);
+}
+
+TEST(EyeView, coarse_pictures_average_all_lenses) {
+  const RenderedPanel panel = numbered_lenses(test::sheet());
+  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // lenses 0.5 ... 19.5
+}
+
+TEST(EyeView, eyes_that_see_nothing_are_refused) {
+  const auto message = [](Vec3d eye) {
+    EyeView view;
+    view.eye_mm = eye;
+    return test::error_message([&] { validate(view); });
+  };
+  EXPECT_THAT(message({0, 0, 0}), HasSubstr("not in front of the display"));
+  EXPECT_THAT(message({0, 0, -5}), HasSubstr("not in front of the display"));
+  EXPECT_THAT(message({0, std::nan(""), 100}), HasSubstr("no place"));
+  EXPECT_THAT(message({0, 0, INFINITY}), HasSubstr("no place"));
+  EXPECT_EQ(message({0, 0, 100}), "(no Error)");
+}
+
+}  // namespace
+}  // namespace lippmann
