@@ -5,7 +5,11 @@
 namespace lippmann {
 
 Arrangement::Arrangement(const ViewLayout& from, const ViewLayout& to, Vec2i picture, const std::string& where)
-    : from_(from), to_(to), from_size_(picture), view_(lippmann::view_size(from, picture, where)), to_size_(picture_size(to, view_)) {}
+    : from_(from),
+      to_(to),
+      from_size_(picture),
+      view_(lippmann::view_size(from, picture, where)),
+      to_size_(picture_size(to, view_)) {}
 
 Image Arrangement::apply(const Image& picture) const {
   Image arranged(to_size_.x, to_size_.y, picture.channels);

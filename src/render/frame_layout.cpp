@@ -35,7 +35,8 @@ ViewLayout wanted_layout(const RenderParams& params, const ViewLayout& film) {
     if (film.kind == LayoutKind::kQuilt) tiles = film.tiles;
   }
   if (tiles.count() != grid.count())
-    throw usage_error("--quilt", fmt::format("{}x{} tiles are not as many as {} views", tiles.columns, tiles.rows, grid.count()),
+    throw usage_error("--quilt",
+                      fmt::format("{}x{} tiles are not as many as {} views", tiles.columns, tiles.rows, grid.count()),
                       "as many tiles as the optics have views");
   return {LayoutKind::kQuilt, grid, tiles};
 }
@@ -58,7 +59,8 @@ FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics) : fil
   if (params.quilt.x > 0 && params.layout != PictureLayout::kQuilt)
     throw usage_error("--quilt", "means nothing without a quilt", "it together with --layout quilt");
   if (!params.layout) return;
-  const bool lenses = std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
+  const bool lenses =
+      std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
   if (params.layout == PictureLayout::kIntegral && lenses) return;
   const ViewLayout film = film_layout(optics), wanted = wanted_layout(params, film);
   if (wanted.kind == LayoutKind::kQuilt) {

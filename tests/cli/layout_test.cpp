@@ -10,8 +10,8 @@ using testing::HasSubstr;
 
 /// Two frames through 8 lenses of 4 x 4 pixels: 16 views of 8 x 8.
 Words small_array(const std::string& folder) {
-  return {"render", "teapot",   "--optics", "microlens",   "--lenses", "8",
-          "--lens-pixels", "4", "--frames", "3-4", "--output", folder};
+  return {"render",        "teapot", "--optics", "microlens", "--lenses", "8",
+          "--lens-pixels", "4",      "--frames", "3-4",       "--output", folder};
 }
 
 TEST(Layout, views_are_those_that_convert_cuts_from_the_integral_image) {
@@ -31,8 +31,8 @@ TEST(Layout, quilt_is_that_of_convert_and_says_its_tiles_in_its_name) {
   rendered(dir, small_array("whole"), "whole");
   const Files quilts = rendered(dir, small_array("quilts") + Words{"--layout", "quilt", "--quilt", "8x2"}, "quilts");
   ASSERT_TRUE(quilts.contains("frame_0003_qs8x2a1.png"));
-  ASSERT_EQ(run_tool(dir, {"convert", "whole/frame_0003.png", "one.png", "--from", "integral", "--views", "4x4", "--to", "quilt",
-                           "--quilt", "8x2"})
+  ASSERT_EQ(run_tool(dir, {"convert", "whole/frame_0003.png", "one.png", "--from", "integral", "--views", "4x4", "--to",
+                           "quilt", "--quilt", "8x2"})
                 .exit_code,
             0);
   EXPECT_EQ(quilts.at("frame_0003_qs8x2a1.png"), bytes_of(dir / "one_qs8x2a1.png"));
@@ -50,7 +50,8 @@ TEST(Layout, views_of_a_quilt_are_its_tiles) {
   const Words quilt{"render", "teapot", "--optics", "multiview", "--views", "2x2", "--size", "32x48", "--frames", "3"};
   rendered(dir, quilt + Words{"-o", "q", "--layout", "quilt"}, "q");
   rendered(dir, quilt + Words{"-o", "v", "--layout", "views"}, "v");
-  ASSERT_EQ(run_tool(dir, {"convert", "q/frame_0003_qs2x2a0.666667.png", "c", "--from", "quilt", "--to", "views"}).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, {"convert", "q/frame_0003_qs2x2a0.666667.png", "c", "--from", "quilt", "--to", "views"}).exit_code,
+            0);
   EXPECT_EQ(files_in(dir / "v/frame_0003", ".png"), files_in(dir / "c", ".png"));
 }
 

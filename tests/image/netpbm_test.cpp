@@ -21,10 +21,11 @@ std::vector<std::byte> bytes(const std::string& text) {
 }
 
 /// "Pf 2 2": bottom row 3, 4; top row 1, 2; 1.0f is 3f800000, 2.0f 40000000, 3.0f 40400000, 4.0f 40800000.
-const std::string kPfm("Pf\n2 2\n-1\n"
-                       "\x00\x00\x40\x40\x00\x00\x80\x40"
-                       "\x00\x00\x80\x3f\x00\x00\x00\x40",
-                       26);
+const std::string kPfm(
+    "Pf\n2 2\n-1\n"
+    "\x00\x00\x40\x40\x00\x00\x80\x40"
+    "\x00\x00\x80\x3f\x00\x00\x00\x40",
+    26);
 
 TEST(Pfm, bottom_row_is_first_and_floats_are_little_endian) {
   Image image(2, 2, 1);
@@ -62,7 +63,8 @@ TEST(Netpbm, what_headers_claim_is_not_believed) {
   const auto ppm = [](const std::string& text) { return error_message([&] { parse_ppm(bytes(text), "a.ppm"); }); };
   const auto pfm = [](const std::string& text) { return error_message([&] { parse_pfm(bytes(text), "a.pfm"); }); };
   for (const char* text : {"", "P3 1 1 255 1 1 1", "PNG"}) EXPECT_THAT(ppm(text), HasSubstr("is not a PPM"));
-  for (const char* text : {"P6", "P6 a 1 255\n", "P6 99999999999 1 255\n", "P6 1 1.5 255\nabc"}) EXPECT_THAT(ppm(text), HasSubstr("its header has no"));
+  for (const char* text : {"P6", "P6 a 1 255\n", "P6 99999999999 1 255\n", "P6 1 1.5 255\nabc"})
+    EXPECT_THAT(ppm(text), HasSubstr("its header has no"));
   for (const char* text : {"P6 0 1 255\n", "P6 -1 1 255\n", "P6 65537 1 255\n", "P6 65536 65536 255\n"})
     EXPECT_THAT(ppm(text), HasSubstr("a picture of"));
   EXPECT_THAT(ppm("P6 1 1 70000\nabc"), HasSubstr("highest code is 70000"));

@@ -110,8 +110,8 @@ TEST(Formats, eslf_takes_every_nth_pixel_and_integral_turns_them_round) {
 TEST(Formats, stanford_reads_names_with_a_further_underscore_and_tells_what_is_missing) {
   const TempDir dir;
   const Image8 picture = std::get<Image8>(numbered_field({1, 1}, {2, 2}).stack);
-  for (const char* name : {"out_00_00_-780.134705_-3355.331299_.png", "out_00_01_-780.1_-3300.3_.png",
-                           "out_01_00_-700.1_-3355.3_.png"})
+  for (const char* name :
+       {"out_00_00_-780.134705_-3355.331299_.png", "out_00_01_-780.1_-3300.3_.png", "out_01_00_-700.1_-3355.3_.png"})
     write_png(dir / name, picture);
   EXPECT_THAT(error_message([&] { format("stanford").read(dir.path(), {}); }),
               AllOf(HasSubstr("row 1, column 1"), HasSubstr("missing")));

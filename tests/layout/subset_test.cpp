@@ -60,7 +60,8 @@ TEST(Crop, window_of_every_view_is_kept_and_the_middle_moves_with_it) {
       for (int x = 0; x < 2; ++x) {
         const std::size_t to = static_cast<std::size_t>(2 * y + x), from = static_cast<std::size_t>(5 * (y + 1) + x + 1);
         EXPECT_EQ(depth_of(field, view).data[to], depth_of(all, view).data[from]);
-        EXPECT_EQ(std::get<Image8>(view_of(field, view)).rgb[3 * to + 2], std::get<Image8>(view_of(all, view)).rgb[3 * from + 2]);
+        EXPECT_EQ(std::get<Image8>(view_of(field, view)).rgb[3 * to + 2],
+                  std::get<Image8>(view_of(all, view)).rgb[3 * from + 2]);
       }
 }
 
@@ -78,8 +79,10 @@ TEST(Subset, what_lies_outside_or_makes_no_sense_is_refused) {
     EXPECT_THAT(error_message([&] { read_kept_views(text, "--keep"); }), HasSubstr("names no views")) << text;
   for (const char* text : {"", "4x4", "4x4+1", "4x-4+0+0", "4x4+0+0x"})
     EXPECT_THAT(error_message([&] { read_crop(text, "--crop"); }), HasSubstr("is no window")) << text;
-  EXPECT_THAT(error_message([&] { keep(field, read_kept_views("0-3", "--keep"), "--keep"); }), HasSubstr("columns 0 to 3 of 3"));
-  EXPECT_THAT(error_message([&] { keep(field, read_kept_views("allx2-1", "--keep"), "--keep"); }), HasSubstr("rows 2 to 1 of 2"));
+  EXPECT_THAT(error_message([&] { keep(field, read_kept_views("0-3", "--keep"), "--keep"); }),
+              HasSubstr("columns 0 to 3 of 3"));
+  EXPECT_THAT(error_message([&] { keep(field, read_kept_views("allx2-1", "--keep"), "--keep"); }),
+              HasSubstr("rows 2 to 1 of 2"));
   EXPECT_THAT(error_message([&] { crop(field, read_crop("4x4+1+0", "--crop"), "--crop"); }), HasSubstr("does not lie in"));
   EXPECT_THAT(error_message([&] { crop(field, read_crop("0x4+0+0", "--crop"), "--crop"); }), HasSubstr("does not lie in"));
 }
