@@ -20,6 +20,17 @@ float lens_zone(float pitch_mm, float gap_mm, float viewing_distance_mm) {
   return 2.0f * std::atan(cell_mm / (2.0f * gap_mm));
 }
 
+/// What lies below one lens of a slanted panel, along a row.
+struct SlantedLens {
+  float pitch_mm;
+  float slope_step;  ///< dx/dz from one sub-pixel to the next
+};
+
+SlantedLens slanted_lens(const Panel& panel, const SlantedPanel& slanted) {
+  const auto sub_pixels = static_cast<float>(panel.width / slanted.periods);
+  return {sub_pixels * panel.pixel_pitch_mm, 2.0f * std::tan(0.5f * slanted.view_cone) / sub_pixels};
+}
+
 }  // namespace
 
 float resolved_z_front_mm(const Optics& optics) {
@@ -33,7 +44,8 @@ float resolved_z_front_mm(const Optics& optics) {
   return std::visit(Overloaded{[&](const LenticularSheet& s) { return of_lenses(s.viewing_distance_mm); },
                                [&](const MicrolensArray& a) { return of_lenses(a.viewing_distance_mm); },
                                [&](const MultiView& v) { return std::min(chosen, v.distance_mm); },
-                               [&](const SingleView& v) { return std::min(chosen, v.distance_mm); }},
+                               [&](const SingleView& v) { return std::min(chosen, v.distance_mm); },
+                               [&](const SlantedPanel& p) { return std::min(chosen, p.distance_mm); }},
                     optics.model);
 }
 
@@ -59,7 +71,8 @@ Vec2i whole_pixels_per_lens(const Optics& optics) {
                                  const Vec2i n(c.columns.whole_pixels, c.rows.whole_pixels);
                                  return n.x > 0 && n.y > 0 ? n : Vec2i(0);
                                },
-                               [](const MultiView&) { return Vec2i(1); }, [](const SingleView&) { return Vec2i(1); }},
+                               [](const MultiView&) { return Vec2i(1); }, [](const SingleView&) { return Vec2i(1); },
+                               [](const SlantedPanel&) { return Vec2i(0); }},
                     optics.model);
 }
 
@@ -78,7 +91,12 @@ Vec2f sample_footprint_mm(const Optics& optics, float z_mm) {
                                  return Vec2f(of_lens(a, a.lens_pitch_mm), of_lens(a, a.lens_pitch_mm * rows));
                                },
                                [&](const MultiView& v) { return Vec2f(m * std::abs(1.0f - z_mm / v.distance_mm)); },
-                               [&](const SingleView& v) { return Vec2f(m * std::abs(1.0f - z_mm / v.distance_mm)); }},
+                               [&](const SingleView& v) { return Vec2f(m * std::abs(1.0f - z_mm / v.distance_mm)); },
+                               [&](const SlantedPanel& p) {
+                                 const SlantedLens lens = slanted_lens(optics.panel, p);
+                                 const float pixel = 3.0f * m * std::abs(1.0f - z_mm / p.distance_mm);
+                                 return Vec2f(std::max(pixel, std::abs(z_mm) * lens.slope_step), pixel);
+                               }},
                     optics.model);
 }
 
@@ -86,7 +104,8 @@ float viewing_zone(const Optics& optics) {
   return std::visit(
       Overloaded{[](const LenticularSheet& s) { return lens_zone(s.lens_pitch_mm, s.gap_mm, s.viewing_distance_mm); },
                  [](const MicrolensArray& a) { return lens_zone(a.lens_pitch_mm, a.gap_mm, a.viewing_distance_mm); },
-                 [](const MultiView& v) { return v.view_cone; }, [](const SingleView&) { return 0.0f; }},
+                 [](const MultiView& v) { return v.view_cone; }, [](const SingleView&) { return 0.0f; },
+                 [](const SlantedPanel& p) { return p.view_cone; }},
       optics.model);
 }
 
@@ -94,8 +113,21 @@ float depth_budget_mm(const Optics& optics) {
   const float m = optics.panel.pixel_pitch_mm;
   return std::visit(Overloaded{[&](const LenticularSheet& s) { return s.lens_pitch_mm * s.gap_mm / m; },
                                [&](const MicrolensArray& a) { return a.lens_pitch_mm * a.gap_mm / m; },
-                               [](const MultiView&) { return kInfinity; }, [](const SingleView&) { return kInfinity; }},
+                               [](const MultiView&) { return kInfinity; }, [](const SingleView&) { return kInfinity; },
+                               [&](const SlantedPanel& p) {
+                                 const SlantedLens lens = slanted_lens(optics.panel, p);
+                                 return lens.pitch_mm / lens.slope_step;
+                               }},
                     optics.model);
+}
+
+Vec2f window_size_mm(const Optics& optics) {
+  const Panel& panel = optics.panel;
+  Vec2f size = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
+  if (const auto* views = std::get_if<MultiView>(&optics.model))
+    size = Vec2f(panel.width / views->columns, panel.height / views->rows) * panel.pixel_pitch_mm;
+  if (std::holds_alternative<SlantedPanel>(optics.model)) size.y *= 3.0f;
+  return size;
 }
 
 }  // namespace lippmann

@@ -9,6 +9,7 @@
 // space in front of the array and behind it, the picture is orthoscopic and occlusion right across z = 0.
 #pragma once
 
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace lippmann {
 
 struct Panel {
   int width = 512, height = 512;  ///< pixels
-  float pixel_pitch_mm = 0.125f;  ///< square pixels; 0.125 makes an 8-pixel lens 1 mm wide
+  float pixel_pitch_mm = 0.125f;  ///< square pixels; 0.125 makes an 8-pixel lens 1 mm wide. See SlantedPanel for its own
 };
 
 /// Cylindrical lenses; horizontal parallax only. Across-lens coordinate: xi = x cos(slant) + y sin(slant).
@@ -60,7 +61,28 @@ struct SingleView {
   Vec2f pixel_offset{0.0f};  ///< sample points are shifted by this many pixels (x right, y down)
 };
 
-using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView>;
+/// Where the sub-pixels of each panel pixel lie, in panel pixels from the pixel's centre, x right, y up: [row from the bottom,
+/// modulo 4][column modulo 2][red, green, blue]. Panels that arrange them otherwise than in stripes repeat within that.
+using SubPixelOffsets = std::array<std::array<std::array<Vec2f, 3>, 2>, 4>;
+
+/// Stripes, as on most panels: a third of a pixel apart, red on the left (or blue).
+SubPixelOffsets striped_sub_pixels(bool blue_first = false);
+
+/// A panel below slanted lenses that was calibrated: its own frame, every sub-pixel with its own ray (slanted_panel.hpp has the
+/// formula). Of a panel of W x H square pixels, panel.width is 3 W and panel.pixel_pitch_mm a third of a pixel, panel.height is
+/// H and rows are three pitches high: film pixel (3 i + c, j) is the sub-pixel of colour c of panel pixel (i, j).
+/// Phases: double, as the last one of thousands of lenses has to be as right as the first.
+struct SlantedPanel {
+  double periods = 244.041;  ///< P: lenses across the panel, along a row
+  double tilt = -0.190476;   ///< T: the panel's widths that a lens shifts over the panel's height
+  double center = 0.447;     ///< phase where a sub-pixel itself lies: of a striped panel, the calibration's less P / 3 W
+  bool inverted = true;      ///< v = 1 - fract(phase), else fract(phase)
+  float view_cone = radians(40.0f);  ///< full angle that v from 0 to 1 spreads over
+  float distance_mm = 500.0f;        ///< of the viewer
+  SubPixelOffsets sub_pixels = striped_sub_pixels();
+};
+
+using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView, SlantedPanel>;
 
 /// One complete set of rays. For MultiView, panel.pixel_pitch_mm is the pitch within a view in the plane z = 0.
 struct Optics {
@@ -88,7 +110,7 @@ void validate(const Optics& optics);
 // ---- Contract 1: the ray of a pixel ---------------------------------------------------------------------------------
 
 /// Where rays start, z_front_mm resolved: as given where it is finite; else at the viewing distance, and 4 panel diagonals in
-/// front of a lens array that is viewed from infinity. Multi-view and single-view rays start at their eye at the farthest.
+/// front of a lens array that is viewed from infinity. Rays of views and of slanted panels start at their eye at the farthest.
 float resolved_z_front_mm(const Optics& optics);
 
 /// The ray of a point of the panel in continuous pixel coordinates (pixel (i, j) at its centre: i + 0.5, j + 0.5).
@@ -100,7 +122,8 @@ void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pix
 // ---- Contract 2: all pixels that see a point ------------------------------------------------------------------------
 
 /// Appends, in ascending lens (view) order, the continuous pixel coordinates from which a ray runs exactly through `point_mm`:
-/// one per lens whose cell holds the image of the point, one per view for multi-view. Points are clipped to the panel.
+/// one per lens whose cell holds the image of the point, one per view for multi-view, one per lens (as a rule) for a slanted
+/// panel, from left to right. Points are clipped to the panel.
 /// At z = 0 every pixel below the lens that holds the point sees it; then all of that cell's pixel centres are given (below a
 /// cylindrical lens: those in the panel row that runs through the point). A quilt's padding and rays' ends see nothing.
 void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pixels);
@@ -109,17 +132,22 @@ void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pix
 
 /// Pixels per lens across and down where both are whole and aligned with the pixel grid ((N, 1) for a lenticular sheet), so
 /// that pixel (i, j) has lens (i / N.x, j / N.y) and directional view (i mod N.x, j mod N.y); (0, 0) where no such structure
-/// exists. A multi-view panel and a single view give (1, 1).
+/// exists, as on a slanted panel. A multi-view panel and a single view give (1, 1).
 Vec2i whole_pixels_per_lens(const Optics& optics);
 
 /// The width that one pixel's sampling represents at depth z (mm), across and along the array: what textures are filtered to.
-/// max(lens pitch, |z| m / g) where a lens has power, the panel's own spacing (scaled by perspective) where it has none.
+/// max(lens pitch, |z| m / g) where a lens has power, the panel's own spacing (scaled by perspective) where it has none. Of a
+/// slanted panel: a pixel, which neighbouring lenses resolve together though one does not, or what a sub-pixel magnifies to.
 Vec2f sample_footprint_mm(const Optics& optics, float z_mm);
 
-/// Viewing zone, full angle: 2 atan(cell / 2 gap) across; the cone for multi-view; 0 for a single view.
+/// Viewing zone, full angle: 2 atan(cell / 2 gap) across; the cone for multi-view and slanted panels; 0 for a single view.
 float viewing_zone(const Optics& optics);
 
-/// Beyond |z| = this a panel pixel is wider than the lens pitch: p g / m; inf for single and multi-view.
+/// Beyond |z| = this a panel pixel is wider than the lens pitch: p g / m; inf for single and multi-view. A slanted panel of N
+/// sub-pixels below a lens of pitch p sends them into N directions, 2 tan(cone / 2) / N apart: p N / (2 tan(cone / 2)).
 float depth_budget_mm(const Optics& optics);
+
+/// Width and height of what is seen of the plane z = 0: the panel, or one view of a quilt.
+Vec2f window_size_mm(const Optics& optics);
 
 }  // namespace lippmann

@@ -51,6 +51,33 @@ Json model_json(const SingleView& view) {
       {"kind", "single"}, {"distance_mm", view.distance_mm}, {"pixel_offset_px", {view.pixel_offset.x, view.pixel_offset.y}}};
 }
 
+/// Rows from the bottom, columns, colours.
+Json sub_pixels_json(const SubPixelOffsets& offsets) {
+  Json rows = Json::array();
+  for (const auto& row : offsets) {
+    Json columns = Json::array();
+    for (const auto& column : row) {
+      Json colors = Json::array();
+      for (const Vec2f offset : column) colors.push_back({offset.x, offset.y});
+      columns.push_back(std::move(colors));
+    }
+    rows.push_back(std::move(columns));
+  }
+  return rows;
+}
+
+Json model_json(const SlantedPanel& slanted) {
+  Json json{{"kind", "slanted"},
+            {"periods", slanted.periods},
+            {"tilt", slanted.tilt},
+            {"center", slanted.center},
+            {"inverted", slanted.inverted},
+            {"view_cone_deg", degrees(slanted.view_cone)},
+            {"distance_mm", slanted.distance_mm}};
+  if (slanted.sub_pixels != striped_sub_pixels()) json["sub_pixel_offsets_px"] = sub_pixels_json(slanted.sub_pixels);
+  return json;
+}
+
 // ---- Reading ------------------------------------------------------------------------------------------------------------
 
 /// The members of one JSON object; every complaint names the file and the key.
@@ -72,12 +99,15 @@ class Members {
 
   bool has(std::string_view key) const { return json_.contains(std::string(key)); }
 
-  float number(std::string_view key, const Json& json) const {
+  double exact(std::string_view key, const Json& json) const {
     if (!json.is_number()) reject(key, "is not a number", "a number");
     const double value = json.get<double>();
     if (!(std::abs(value) <= 1e30)) reject(key, "is no length or angle", "a number within 1e30");
-    return static_cast<float>(value);
+    return value;
   }
+  double exact(std::string_view key) const { return exact(key, value(key)); }
+
+  float number(std::string_view key, const Json& json) const { return static_cast<float>(exact(key, json)); }
 
   float number(std::string_view key) const { return number(key, value(key)); }
   float number_or(std::string_view key, float otherwise) const { return has(key) ? number(key) : otherwise; }
@@ -103,9 +133,9 @@ class Members {
     return value(key).get<std::string>();
   }
 
-  Vec2f pair_or(std::string_view key, Vec2f otherwise) const {
-    if (!has(key)) return otherwise;
-    const Json& json = value(key);
+  Vec2f pair_or(std::string_view key, Vec2f otherwise) const { return has(key) ? pair(key, value(key)) : otherwise; }
+
+  Vec2f pair(std::string_view key, const Json& json) const {
     if (!json.is_array() || json.size() != 2) reject(key, "is not a pair", "two numbers [x, y]");
     return {number(key, json[0]), number(key, json[1])};
   }
@@ -144,13 +174,39 @@ MultiView multi_view_from(const Members& json) {
           json.flag_or("cone_ends_included", false), json.number("distance_mm")};
 }
 
+/// A list of so many elements.
+template <class List>
+void read_list(const Members& members, const Json& json, List& list, const auto& read_element) {
+  if (!json.is_array() || json.size() != list.size())
+    members.reject("sub_pixel_offsets_px", "is not what it should be",
+                   "4 rows of 2 columns of 3 colours of [x, y], panel pixels from the pixel's centre");
+  for (std::size_t i = 0; i < list.size(); ++i) read_element(json[i], list[i]);
+}
+
+SlantedPanel slanted_from(const Members& json) {
+  SlantedPanel slanted;
+  slanted.periods = json.exact("periods"), slanted.tilt = json.exact("tilt"), slanted.center = json.exact("center");
+  slanted.inverted = json.flag_or("inverted", true);
+  slanted.view_cone = radians(json.number("view_cone_deg"));
+  slanted.distance_mm = json.number("distance_mm");
+  constexpr std::string_view kOffsets = "sub_pixel_offsets_px";
+  if (json.has(kOffsets))
+    read_list(json, json.value(kOffsets), slanted.sub_pixels, [&](const Json& row, auto& columns) {
+      read_list(json, row, columns, [&](const Json& column, auto& colors) {
+        read_list(json, column, colors, [&](const Json& offset, Vec2f& to) { to = json.pair(kOffsets, offset); });
+      });
+    });
+  return slanted;
+}
+
 OpticsModel model_from(const Members& json) {
   const std::string kind = json.word("kind");
   if (kind == "lenticular") return lenticular_from(json);
   if (kind == "microlens") return microlens_from(json);
   if (kind == "multiview") return multi_view_from(json);
   if (kind == "single") return SingleView{json.number("distance_mm"), json.pair_or("pixel_offset_px", Vec2f(0.0f))};
-  json.reject("kind", "is " + shown(kind), "lenticular, microlens, multiview or single");
+  if (kind == "slanted") return slanted_from(json);
+  json.reject("kind", "is " + shown(kind), "lenticular, microlens, multiview, single or slanted");
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ RayGenerator::RayGenerator(const Optics& optics, const Affine3f& world_from_disp
       model_ = HexagonalMicrolensRays{constants};
   } else if (const auto* views = std::get_if<MultiView>(&optics.model)) {
     model_ = make_multi_view(panel, *views, z_front);
+  } else if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) {
+    model_ = make_slanted_panel(panel, *slanted, z_front);
   } else {
     model_ = make_single_view(panel, std::get<SingleView>(optics.model), z_front);
   }

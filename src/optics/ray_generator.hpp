@@ -8,6 +8,7 @@
 #include "optics/multi_view.hpp"
 #include "optics/optics.hpp"
 #include "optics/single_view.hpp"
+#include "optics/slanted_panel.hpp"
 
 namespace lippmann {
 
@@ -33,7 +34,8 @@ class RayGenerator {
   float depth() const { return depth_; }
 
  private:
-  std::variant<LenticularRays, SquareMicrolensRays, HexagonalMicrolensRays, MultiViewRays, SingleViewRays> model_;
+  std::variant<LenticularRays, SquareMicrolensRays, HexagonalMicrolensRays, MultiViewRays, SingleViewRays, SlantedPanelRays>
+      model_;
   RayFrame frame_;
   float depth_;
 };

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kMaxSide = 1 << 16;  ///< floats place a sample to 1/256 pixel up to here
 constexpr std::int64_t kMaxPixels = std::int64_t(1) << 31;
+constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;       ///< phases keep 1e-7 of a lens even so
+constexpr double kMaxOffset = 4;                        ///< pixels, of sub-pixels from their pixel's centre
 constexpr float kMinLength = 1e-6f, kMaxLength = 1e9f;  ///< mm; squares and quotients stay within floats
 
 [[noreturn]] void reject(const char* field, const std::string& problem, const std::string& accepted) {
@@ -85,6 +87,27 @@ void check_model(const Panel&, const SingleView& view) {
   for (const float offset : {view.pixel_offset.x, view.pixel_offset.y})
     if (!(std::abs(offset) <= kMaxSide))
       reject("singleview.pixel_offset", fmt::format("is {} pixels", offset), fmt::format("at most {} pixels", kMaxSide));
+}
+
+void check_number(const char* field, double value, double low, double high) {
+  if (!(value >= low && value <= high))
+    reject(field, fmt::format("is {}", value), fmt::format("a number from {} to {}", low, high));
+}
+
+void check_model(const Panel& panel, const SlantedPanel& slanted) {
+  if (panel.width % 3 != 0)
+    reject("panel.width", fmt::format("is {}, which is no whole number of pixels of three sub-pixels", panel.width),
+           "3 sub-pixels for each pixel of a slanted panel");
+  check_number("slanted.periods", slanted.periods, 1e-3, panel.width);  // a lens is as wide as a sub-pixel at least
+  check_number("slanted.tilt", slanted.tilt, -kMaxTilt, kMaxTilt);
+  check_number("slanted.center", slanted.center, -kMaxPhase, kMaxPhase);
+  if (!(slanted.view_cone >= 0.0f && slanted.view_cone <= radians(179.0f)))
+    reject("slanted.view_cone", fmt::format("is {} degrees", degrees(slanted.view_cone)), "an angle from 0 to 179 degrees");
+  check_length("slanted.distance_mm", slanted.distance_mm);
+  for (const auto& row : slanted.sub_pixels)
+    for (const auto& column : row)
+      for (const Vec2f offset : column)
+        for (const float value : {offset.x, offset.y}) check_number("slanted.sub_pixels", value, -kMaxOffset, kMaxOffset);
 }
 
 void check_depths(const Optics& optics) {

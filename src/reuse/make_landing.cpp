@@ -1,5 +1,6 @@
 #include "reuse/make_landing.hpp"
 
+#include "core/error.hpp"
 #include "optics/multi_view.hpp"
 #include "optics/single_view.hpp"
 #include "reuse/move_points.hpp"
@@ -136,6 +137,11 @@ AnyLanding landing(const Panel& panel, const MicrolensArray& array, SplatMode mo
 
 AnyLanding landing(const Panel& panel, const MultiView& views, SplatMode) { return views_grid(panel, views); }
 AnyLanding landing(const Panel& panel, const SingleView& view, SplatMode) { return single_grid(panel, view); }
+
+AnyLanding landing(const Panel&, const SlantedPanel&, SplatMode) {
+  throw usage_error("--reuse", "forward does not interpolate a slanted panel's own frames, in which no two rows share a view",
+                    "--reuse exact or none, or a quilt, which forward can interpolate");
+}
 
 }  // namespace
 

@@ -22,7 +22,7 @@ Json some_optics() { return optics_json(Optics{}); }
 TEST(OpticsJson, every_model_written_and_read_gives_the_same_rays) {
   test::OpticsSampler random(11);
   for (int i = 0; i < 200; ++i) {
-    Optics optics = random.any(i);
+    Optics optics = random.every(i);
     const Json json = optics_json(optics);
     const Optics back = optics_from_json(Json::parse(json.dump()), "report.json");
     // Angles go through degrees: one rounding of a float each way, 1e-7 of the slope, which the panel's size magnifies.
@@ -60,6 +60,18 @@ TEST(OpticsJson, hostile_json_gives_one_error_that_names_file_and_key) {
     json[key] = value;
     EXPECT_THAT(message_for(json), HasSubstr(part)) << key << " " << value;
     EXPECT_THAT(message_for(json), HasSubstr("report.json")) << key << " " << value;
+  }
+}
+
+TEST(OpticsJson, sub_pixels_of_a_slanted_panel_are_checked) {
+  SlantedPanel slanted;
+  slanted.sub_pixels[2][1][0].x = 0.25f;
+  const Json good = optics_json({.panel = {513, 512, 0.05f}, .model = slanted});
+  EXPECT_EQ(std::get<SlantedPanel>(optics_from_json(good, "report.json").model).sub_pixels, slanted.sub_pixels);
+  for (const Json& bad : {Json(3), Json::array(), Json{1, 2, 3, 4}, Json{{1, 2}, {1, 2}, {1, 2}, {1, 2}}}) {
+    Json json = good;
+    json["sub_pixel_offsets_px"] = bad;
+    EXPECT_THAT(message_for(json), HasSubstr("sub_pixel_offsets_px")) << bad;
   }
 }
 

@@ -71,6 +71,25 @@ TEST(Derived, default_sheet_has_28_degrees_and_16_mm) {
   EXPECT_EQ(viewing_zone(with(MultiView{.view_cone = 0.5f})), 0.5f);
 }
 
+TEST(Derived, slanted_panel_of_20_sub_pixels_a_lens) {
+  // Lenses 20 x 0.1 = 2 mm wide, 20 directions in a cone of 2 atan(1/2): 1 / 20 apart. 2 mm / (1/20) = 40 mm. At 20 mm a
+  // sub-pixel is 1 mm wide, at 4 mm less than a pixel of 0.3 mm; the viewer at 500 mm sees that shrink in perspective.
+  const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {600, 100, 0.1f});
+  EXPECT_NEAR(depth_budget_mm(panel), 40.0f, 1e-4f);
+  EXPECT_EQ(viewing_zone(panel), 2.0f * std::atan(0.5f));
+  EXPECT_EQ(whole_pixels_per_lens(panel), Vec2i(0, 0));
+  EXPECT_NEAR(sample_footprint_mm(panel, -20.0f).x, 1.0f, 1e-6f);
+  EXPECT_NEAR(sample_footprint_mm(panel, -20.0f).y, 0.3f * 1.04f, 1e-6f);
+  EXPECT_NEAR(sample_footprint_mm(panel, 4.0f).x, 0.3f * 0.992f, 1e-6f);
+  EXPECT_EQ(resolved_z_front_mm(panel), 500.0f);
+}
+
+TEST(Window, is_the_panel_or_one_view_of_a_quilt) {
+  EXPECT_EQ(window_size_mm(with(LenticularSheet{}, {300, 200, 0.5f})), Vec2f(150.0f, 100.0f));
+  EXPECT_EQ(window_size_mm(with(MultiView{.columns = 7, .rows = 3}, {300, 200, 0.5f})), Vec2f(21.0f, 33.0f));
+  EXPECT_EQ(window_size_mm(with(SlantedPanel{}, {300, 200, 0.5f})), Vec2f(150.0f, 300.0f));
+}
+
 TEST(Footprint, is_the_lens_up_to_the_depth_budget_and_the_magnified_pixel_beyond) {
   const Optics sheet = with(LenticularSheet{});
   EXPECT_EQ(sample_footprint_mm(sheet, 0.0f), Vec2f(1.0f, 0.125f));
@@ -129,6 +148,14 @@ Optics with_depths(float front, float back) {
   return optics;
 }
 
+constexpr Panel kSlantedPanel{513, 512, 0.05f};
+
+Optics with_sub_pixel(Vec2f offset) {
+  SlantedPanel slanted;
+  slanted.sub_pixels[3][1][2] = offset;
+  return with(slanted, kSlantedPanel);
+}
+
 void PrintTo(const BadCase& c, std::ostream* out) { *out << c.name; }
 
 class BadOptics : public testing::TestWithParam<BadCase> {};
@@ -173,6 +200,16 @@ const BadCase kBadCases[] = {
     {"zero_distance", "multiview.distance_mm", with(MultiView{.distance_mm = 0.0f})},
     {"infinite_distance", "singleview.distance_mm", with(SingleView{.distance_mm = kInfinity})},
     {"nan_pixel_offset", "singleview.pixel_offset", with(SingleView{.pixel_offset = {kNaN, 0.0f}})},
+    {"slanted_panel_of_512_sub_pixels", "panel.width", with(SlantedPanel{})},
+    {"no_lenses", "slanted.periods", with(SlantedPanel{.periods = 0.0}, kSlantedPanel)},
+    {"nan_lenses", "slanted.periods", with(SlantedPanel{.periods = kNaN}, kSlantedPanel)},
+    {"lenses_below_a_sub_pixel", "slanted.periods", with(SlantedPanel{.periods = 514.0}, kSlantedPanel)},
+    {"infinite_tilt", "slanted.tilt", with(SlantedPanel{.tilt = kInfinity}, kSlantedPanel)},
+    {"nan_center", "slanted.center", with(SlantedPanel{.center = kNaN}, kSlantedPanel)},
+    {"slanted_cone_of_180_degrees", "slanted.view_cone", with(SlantedPanel{.view_cone = kPi}, kSlantedPanel)},
+    {"slanted_zero_distance", "slanted.distance_mm", with(SlantedPanel{.distance_mm = 0.0f}, kSlantedPanel)},
+    {"nan_sub_pixel", "slanted.sub_pixels", with_sub_pixel({0.0f, kNaN})},
+    {"sub_pixel_far_away", "slanted.sub_pixels", with_sub_pixel({5.0f, 0.0f})},
     {"nan_z_front", "z_front_mm", with_depths(kNaN, kInfinity)},
     {"nan_z_back", "z_back_mm", with_depths(kInfinity, kNaN)},
     {"rays_without_length", "z_back_mm", with_depths(-20.0f, 10.0f)},
@@ -188,6 +225,7 @@ TEST(ValidateOptics, defaults_of_every_model_are_accepted) {
   EXPECT_NO_THROW(validate(with(MicrolensArray{.packing = LensPacking::kHexagonal})));
   EXPECT_NO_THROW(validate(with(MultiView{})));
   EXPECT_NO_THROW(validate(with(SingleView{})));
+  EXPECT_NO_THROW(validate(with(SlantedPanel{}, kSlantedPanel)));
 }
 
 TEST(ValidateOptics, one_pixel_and_lenses_of_one_pixel_are_accepted) {

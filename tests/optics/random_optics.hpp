@@ -56,7 +56,25 @@ class OpticsSampler {
     return o;
   }
 
-  /// One of the models, by number.
+  /// Of 2 to 20 sub-pixels below a lens, in stripes or anyhow within their pixel.
+  Optics slanted_panel() {
+    Optics o{.panel = panel(), .model = {}};
+    o.panel.width -= o.panel.width % 3;
+    SlantedPanel s;
+    s.periods = o.panel.width / uniform(2.0f, 20.0f);
+    s.tilt = uniform(-1.0f, 1.0f), s.center = uniform(-3.0f, 3.0f);
+    s.inverted = coin();
+    s.view_cone = uniform(0.3f, 1.5f), s.distance_mm = uniform(200.0f, 1000.0f);
+    s.sub_pixels = striped_sub_pixels(coin());
+    if (coin())  // each sub-pixel within a third of the pixel of its own, as they may not overlap
+      for (auto& row : s.sub_pixels)
+        for (auto& column : row)
+          for (Vec2f& offset : column) offset += Vec2f(uniform(-0.02f, 0.02f), uniform(-0.3f, 0.3f));
+    o.model = s;
+    return o;
+  }
+
+  /// One of the models that all parts know, by number.
   Optics any(int which) {
     switch (which % 6) {
       case 0:
@@ -74,6 +92,10 @@ class OpticsSampler {
     }
   }
 
+  /// One of all models, by number.
+  Optics every(int which) { return which % kKinds == 6 ? slanted_panel() : any(which % kKinds); }
+  static constexpr int kKinds = 7;
+
  private:
   /// 2 to 20 pixels per lens, whole in half of the cases.
   float lens_pitch(const Panel& p, float gap, float viewing_distance) {
@@ -85,8 +107,25 @@ class OpticsSampler {
 };
 
 inline const char* model_name(const Optics& o) {
-  constexpr const char* kNames[] = {"lenticular", "microlens", "multi-view", "single view"};
+  constexpr const char* kNames[] = {"lenticular", "microlens", "multi-view", "single view", "slanted panel"};
   return kNames[o.model.index()];
+}
+
+/// Test names of the kinds.
+inline const char* name_of_kind(int kind) {
+  constexpr const char* kNames[] = {"lenticular", "slanted",     "square_microlens", "hexagonal_microlens",
+                                    "multi_view", "single_view", "slanted_panel"};
+  return kNames[kind];
+}
+
+/// The depth that goes with an array's lenses: their gap; of a slanted panel some times the depth at which one of its lenses
+/// shows the same point all over.
+inline float gap_of(const Optics& optics) {
+  if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) return s->gap_mm;
+  if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) return a->gap_mm;
+  if (const auto* p = std::get_if<SlantedPanel>(&optics.model))
+    return 3.0f * optics.panel.pixel_pitch_mm * static_cast<float>(optics.panel.width / p->periods) / p->view_cone;
+  return 8.0f * optics.panel.pixel_pitch_mm;
 }
 
 /// The point of a ray at depth z.

@@ -1,0 +1,138 @@
+// The inverse: all sub-pixels that see a point (X, Y, Z). With M = D / (D - Z), the line from an eye at e through the point
+// crosses z = 0 at x = X M + e (1 - M). Below lens k, at phase k + f, x = (k + f - phase at x = 0) p for the lens pitch p, and
+// e = D tan(cone (v - 1/2)), v = 1 - f or f: f solves
+//   G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - phase at x = 0) p,   a = +-(1 - M) D, + where v = 1 - f.
+// G is monotone but for points in front at about the depth where one lens shows the same point all over (Z cone = p); there it
+// turns at cos^2(cone (f - 1/2)) = -a cone / p, twice. Each monotone piece holds one solution per lens at most.
+#include "optics/slanted_panel.hpp"
+
+#include <algorithm>
+
+namespace lippmann {
+namespace {
+
+/// G of the comment above.
+class LensEquation {
+ public:
+  LensEquation(double pitch_mm, double a, double cone) : pitch_(pitch_mm), a_(a), cone_(cone) {}
+
+  double value(double f) const { return pitch_ * f + a_ * std::tan(cone_ * (f - 0.5)); }
+
+  /// The ends of the monotone pieces of [0, 1], ascending.
+  std::vector<double> ends() const {
+    const double cos2 = -a_ * cone_ / pitch_;
+    std::vector<double> ends{0.0};
+    if (cos2 > 0.0 && cos2 < 1.0) {
+      const double turn = std::acos(std::sqrt(cos2)) / cone_;
+      if (turn > 0.0 && turn < 0.5) ends.insert(ends.end(), {0.5 - turn, 0.5 + turn});
+    }
+    ends.push_back(1.0);
+    return ends;
+  }
+
+  /// f in [low, high], between which G is monotone and takes `wanted`: Newton's steps, halving where they leave.
+  double solve(double wanted, double low, double high) const {
+    const bool rising = value(high) >= value(low);
+    double f = 0.5 * (low + high);
+    for (int step = 0; step < 64 && high - low > 1e-15; ++step) {
+      const double over = value(f) - wanted;
+      if (over == 0.0) return f;
+      ((over > 0.0) == rising ? high : low) = f;
+      const double cosine = std::cos(cone_ * (f - 0.5));
+      const double next = f - over / (pitch_ + a_ * cone_ / (cosine * cosine));
+      if (std::abs(next - f) < 1e-15) return f;
+      f = next > low && next < high ? next : 0.5 * (low + high);
+    }
+    return f;
+  }
+
+ private:
+  double pitch_, a_, cone_;
+};
+
+/// A point of the plane z = 0 in panel pixels, from the left and from the bottom: all sub-pixels that it lies on.
+void append_sub_pixels(const Panel& panel, const SlantedPanel& slanted, double x, double y, std::vector<Vec2f>& pixels) {
+  const int width = panel.width / 3, height = panel.height;
+  for (int up = 0; up < 4; ++up)
+    for (int column = 0; column < 2; ++column)
+      for (int color = 0; color < 3; ++color) {
+        const Vec2f offset =
+            slanted.sub_pixels[static_cast<std::size_t>(up)][static_cast<std::size_t>(column)][static_cast<std::size_t>(color)];
+        // Film pixels from the left and rows from the bottom, if this is the sub-pixel.
+        const double from_left = x - offset.x - 0.5, from_bottom = y - offset.y;
+        const double i = std::floor(from_left + 0.5), j = std::floor(from_bottom);
+        if (!(i >= 0.0 && i < width && j >= 0.0 && j < height)) continue;
+        if ((static_cast<int>(i) & 1) != column || (static_cast<int>(j) & 3) != up) continue;
+        const double in_sub_pixel = 3.0 * (from_left - i) + 0.5;
+        if (in_sub_pixel >= 0.0 && in_sub_pixel < 1.0)
+          pixels.emplace_back(3.0 * i + color + in_sub_pixel, height - from_bottom);
+      }
+}
+
+}  // namespace
+
+SubPixelOffsets striped_sub_pixels(bool blue_first) {
+  const float third = blue_first ? -1.0f / 3.0f : 1.0f / 3.0f;
+  SubPixelOffsets offsets;
+  for (auto& row : offsets)
+    for (auto& column : row) column = {Vec2f(-third, 0.0f), Vec2f(0.0f), Vec2f(third, 0.0f)};
+  return offsets;
+}
+
+SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slanted, float z_front_mm) {
+  const int width = panel.width / 3;
+  SlantedPanelRays c{};
+  c.lenses_per_px = slanted.periods / width;
+  c.lenses_per_row = slanted.tilt * slanted.periods / panel.height;
+  c.phase_at_corner = -slanted.center;
+  c.phase_sign = slanted.inverted ? -1.0f : 1.0f;
+  c.half_cone = 0.5f * slanted.view_cone;
+  c.width_px = static_cast<float>(width), c.height_px = static_cast<float>(panel.height);
+  c.pixel_mm = 3.0f * panel.pixel_pitch_mm;
+  c.distance_mm = slanted.distance_mm, c.inverse_distance = 1.0f / slanted.distance_mm;
+  c.front_from_eye_mm = z_front_mm - slanted.distance_mm;
+  int at = 0;
+  for (const auto& row : slanted.sub_pixels)
+    for (const auto& column : row)
+      for (const Vec2f offset : column) c.offset_x[at] = offset.x, c.offset_y[at] = offset.y, ++at;
+  return c;
+}
+
+LIPPMANN_MULTIVERSION
+void write_block(const SlantedPanelRays& c, const RayFrame& frame, const float* px, const float* py, const RayArrays& rays) {
+  write_ray_block(frame, px, py, rays, [&c](float x, float y) LIPPMANN_INLINE_LAMBDA { return crossing(c, x, y); });
+}
+
+void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_mm, std::vector<Vec2f>& pixels) {
+  const double distance = slanted.distance_mm, from_eye = distance - point_mm.z;
+  if (!(from_eye > 0.0)) return;
+  const double magnification = distance / from_eye, pixel_mm = 3.0 * panel.pixel_pitch_mm;
+  const double width_mm = panel.width * static_cast<double>(panel.pixel_pitch_mm);
+  const double up = 0.5 * panel.height + point_mm.y * magnification / pixel_mm;
+  constexpr double kReach = 4.0;  // pixels by which a sub-pixel may lie beyond its pixel: see validate
+  if (!(up >= -kReach && up <= panel.height + kReach)) return;
+  const double pitch = width_mm / slanted.periods, x_mm = point_mm.x * magnification;
+  const double phase_at_middle = slanted.periods * (0.5 + slanted.tilt * up / panel.height) - slanted.center;
+  const double a = (slanted.inverted ? 1.0 : -1.0) * (1.0 - magnification) * distance;
+  const LensEquation equation(pitch, a, slanted.view_cone);
+  const std::vector<double> ends = equation.ends();
+  std::vector<double> values;
+  for (const double end : ends) values.push_back(equation.value(end));
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  // Lenses that may show the point, among those above the panel.
+  const double offset = phase_at_middle + x_mm / pitch, half_panel = 0.5 * slanted.periods + kReach * pixel_mm / pitch;
+  const double first = std::max(std::floor(offset - *most / pitch), std::floor(phase_at_middle - half_panel));
+  const double last = std::min(std::ceil(offset - *least / pitch), std::floor(phase_at_middle + half_panel));
+  for (double k = first; k <= last; ++k) {
+    const double wanted = x_mm - (k - phase_at_middle) * pitch;
+    for (std::size_t piece = 0; piece + 1 < ends.size(); ++piece) {
+      const double low = std::min(values[piece], values[piece + 1]), high = std::max(values[piece], values[piece + 1]);
+      if (!(wanted >= low && wanted <= high)) continue;
+      const double f = equation.solve(wanted, ends[piece], ends[piece + 1]);
+      const double x = (k + f - phase_at_middle) * pitch;
+      append_sub_pixels(panel, slanted, x / pixel_mm + 0.5 * (panel.width / 3), up, pixels);
+    }
+  }
+}
+
+}  // namespace lippmann

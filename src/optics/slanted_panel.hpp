@@ -1,0 +1,57 @@
+// Rays of a calibrated slanted panel, frame for its own sub-pixels: each has one ray, of the direction in which the lens above
+// it sends its light. No views are rendered and none are picked: as sharp as the panel can be.
+//
+// A sub-pixel at position (x, y), from 0 to 1 across the panel and up it, lies at the phase z = (x + y T) P - center below the
+// lenses: v = 1 - fract(z) (or fract(z)) of the view cone. Its ray crosses the plane z = 0 at that same position and comes from
+// the eye at (distance tan(cone (v - 1/2)), 0, distance). Phases are worked out in double: there are up to thousands of lenses.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "optics/crossing.hpp"
+#include "optics/multi_view.hpp"
+#include "optics/optics.hpp"
+
+namespace lippmann {
+
+struct SlantedPanelRays {
+  double lenses_per_px, lenses_per_row;  ///< phase per panel pixel to the right, and per row up
+  double phase_at_corner;                ///< at the panel's bottom left corner
+  float phase_sign;                      ///< -1 where v = 1 - fract(z)
+  float half_cone;                       ///< half the view cone: tangent_of_double takes half angles
+  float width_px, height_px;             ///< panel pixels
+  float pixel_mm;                        ///< of a panel pixel, as wide as it is high
+  float distance_mm, inverse_distance;
+  float front_from_eye_mm;  ///< z_front - distance, <= 0
+  /// Positions of sub-pixels, panel pixels from their pixel's centre: of red, green and blue in the columns 2n and 2n + 1 of
+  /// the rows 4n ... 4n + 3 from the bottom.
+  float offset_x[24], offset_y[24];
+};
+
+SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slanted, float z_front_mm);
+
+LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py) {
+  // Which sub-pixel: colour, column and row from the bottom; then where in it.
+  const float sub_pixel = std::floor(px), column = std::floor((sub_pixel + 0.5f) * (1.0f / 3.0f)), row = std::floor(py);
+  const float color = sub_pixel - 3.0f * column;
+  const float up = c.height_px - 1.0f - row;
+  const int cell = (static_cast<int>(up) & 3) * 2 + (static_cast<int>(column) & 1);
+  const int at = cell * 3 + static_cast<int>(color);
+  const float in_x = 0.5f + c.offset_x[at] + (px - sub_pixel - 0.5f) * (1.0f / 3.0f);
+  const float in_y = 1.0f - (py - row) + c.offset_y[at];
+  const double phase = (static_cast<double>(column) + static_cast<double>(in_x)) * c.lenses_per_px +
+                       (static_cast<double>(up) + static_cast<double>(in_y)) * c.lenses_per_row + c.phase_at_corner;
+  const float from_middle = c.phase_sign * (static_cast<float>(phase - std::floor(phase)) - 0.5f);
+  const float eye_x = c.distance_mm * tangent_of_double(c.half_cone * from_middle);
+  const float x = (column - 0.5f * c.width_px + in_x) * c.pixel_mm, y = (up - 0.5f * c.height_px + in_y) * c.pixel_mm;
+  const float slope_x = (eye_x - x) * c.inverse_distance, slope_y = -y * c.inverse_distance;
+  return {eye_x + c.front_from_eye_mm * slope_x, c.front_from_eye_mm * slope_y, slope_x, slope_y};
+}
+
+void write_block(const SlantedPanelRays& constants, const RayFrame& frame, const float* px, const float* py,
+                 const RayArrays& rays);
+
+void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_mm, std::vector<Vec2f>& pixels);
+
+}  // namespace lippmann
