@@ -6,7 +6,9 @@
 #include <optional>
 #include <sstream>
 
+#include "core/error.hpp"
 #include "optics/random_optics.hpp"
+#include "reuse/make_landing.hpp"
 #include "reuse/point_images.hpp"
 #include "reuse/splat.hpp"
 
@@ -267,6 +269,17 @@ TEST(Landing, point_that_does_not_move_stays_in_its_pixel) {
 }
 
 /// The whole splat: for every pixel the nearest of all points that land on it, found one point at a time.
+TEST(Landing, slanted_panels_own_frame_is_refused_with_what_would_be_accepted) {
+  try {
+    make_landing({.panel = {600, 100, 0.1f}, .model = SlantedPanel{.periods = 60.0}}, SplatMode::kView);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "--reuse");
+    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+    EXPECT_FALSE(error.accepted().empty());
+  }
+}
+
 TEST(Landing, splat_of_a_whole_panel_agrees_with_one_point_at_a_time_for_any_number_of_threads) {
   OpticsSampler random(4);
   for (int k = 0; k < 24; ++k) {

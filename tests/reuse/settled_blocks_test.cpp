@@ -92,12 +92,17 @@ SmallScene random_scene(std::uint32_t seed) {
   return s;
 }
 
-TEST(SettledBlocks, settled_blocks_of_random_scenes_are_bit_for_bit_as_traced_and_some_are_settled) {
+Optics lenticular_sheet() {
+  return {.panel = {96, 96, 4.0f / 96}, .model = LenticularSheet{6.0f * 4.0f / 96, 0.5f, 0.0f, 0.0f, 10.0f, 0.0f}};
+}
+
+Optics slanted_panel() {
+  return {.panel = {144, 48, 4.0f / 144}, .model = SlantedPanel{.periods = 11.3, .view_cone = 0.5f, .distance_mm = 10.0f}};
+}
+
+void expect_settled_blocks_as_traced(const Optics& optics) {
   const ThreadPool pool(2);
   const Context context;
-  Optics optics;
-  optics.panel = {96, 96, 4.0f / 96};
-  optics.model = LenticularSheet{6.0f * 4.0f / 96, 0.5f, 0.0f, 0.0f, 10.0f, 0.0f};
   std::size_t settled_blocks = 0;
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     const SmallScene s = random_scene(seed);
@@ -121,6 +126,14 @@ TEST(SettledBlocks, settled_blocks_of_random_scenes_are_bit_for_bit_as_traced_an
     }
   }
   EXPECT_GT(settled_blocks, 100u);
+}
+
+TEST(SettledBlocks, settled_blocks_of_random_scenes_are_bit_for_bit_as_traced_and_some_are_settled) {
+  expect_settled_blocks_as_traced(lenticular_sheet());
+}
+
+TEST(SettledBlocks, settled_blocks_of_a_slanted_panel_are_bit_for_bit_as_traced_and_some_are_settled) {
+  expect_settled_blocks_as_traced(slanted_panel());
 }
 
 }  // namespace

@@ -25,6 +25,11 @@ std::vector<Optics> optics_of_odd_sizes() {
   o.panel = {35, 21, 0.2f};
   o.model = SingleView{};
   all.push_back(o);
+  o.panel = {51, 27, 0.1f};
+  o.model = SlantedPanel{.periods = 4.3, .tilt = 0.9};
+  all.push_back(o);
+  std::get<SlantedPanel>(o.model).tilt = -0.9;
+  all.push_back(o);
   return all;
 }
 
@@ -57,6 +62,30 @@ TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
   for (std::size_t i = 0; i < strip.pixels.size(); ++i) {
     EXPECT_EQ(strip.pixels[i].x % 8, strip.pixels[i - i % 16].x % 8);
     EXPECT_EQ(strip.pixels[i].y % 8, strip.pixels[i - i % 16].y % 8);
+  }
+}
+
+TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
+  // A lens of 10 sub-pixels that shifts by 600 * 0.25 / 100 = 1.5 of them per row: over 8 rows two lenses' worth is crossed
+  // straight down, and only what whole sub-pixels are off by and the second column (1/10 each) along the slant.
+  Optics o;
+  o.panel = {600, 100, 0.1f};
+  for (const double tilt : {0.25, -0.25}) {
+    const SlantedPanel slanted{.periods = 60.0, .tilt = tilt, .center = 0.05, .view_cone = 0.5f};
+    o.model = slanted;
+    const StripOrder strip = make_strip_order(o, RayOrder::kViewTiles);
+    int wide = 0;
+    for (std::size_t i = 0; i < strip.pixels.size(); i += 16) {
+      double low = 1e9, high = -1e9;
+      for (std::size_t lane = i; lane < i + 16; ++lane) {
+        const double x = (strip.pixels[lane].x + 0.5) / 600, y = 1.0 - (strip.pixels[lane].y + 0.5) / 100;
+        const double phase = (x + y * tilt) * 60.0;
+        low = std::min(low, phase), high = std::max(high, phase);
+      }
+      if (high - low > 0.21) ++wide;
+    }
+    // At the edge packets go round it: 16 rows shift by 24 sub-pixels, in two packets to each two columns.
+    EXPECT_LE(wide, 24);
   }
 }
 
