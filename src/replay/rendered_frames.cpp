@@ -107,6 +107,9 @@ RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) 
   const fs::path report_path = report.empty() ? (folder ? in : in.parent_path()) / "report.json" : report;
   const Json json = read_report(report_path);
   frames.optics = optics_from_json(json["optics"], report_path.string());
+  if (std::holds_alternative<SlantedPanel>(frames.optics.model))
+    throw Error(report_path.string(), "its frames are a slanted panel's own",
+                "frames of a lens array, a quilt or a single view");
   check_layout(json, frames.optics, report_path.string());
   if (const Json* fps = setting(json, "fps"); fps && fps->is_number())
     if (const double rate = fps->get<double>(); rate > 0.0 && rate <= 1000.0) frames.frames_per_second = rate;
