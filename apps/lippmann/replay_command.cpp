@@ -16,7 +16,7 @@ namespace {
 
 struct Options {
   ReplayParams params;
-  std::string in, report, folder, size, filter = "linear", format = "png", video;
+  std::string in, report, folder, size, focal_stack, filter = "linear", format = "png", video;
   std::vector<double> eye;
   int threads = 0;
   bool json = false;
@@ -34,12 +34,24 @@ void read_size(const std::string& text, ReplayParams& params) {
     throw usage_error("--size", "'" + text + "' is no size", "WxH in pixels, or lenses");
 }
 
+/// Z0:Z1:N
+std::optional<FocalStack> read_focal_stack(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  FocalStack stack;
+  int read = 0;
+  if (std::sscanf(text.c_str(), "%lf:%lf:%6d%n", &stack.first_mm, &stack.last_mm, &stack.count, &read) != 3 ||
+      read != static_cast<int>(text.size()) || stack.count < 2 || stack.count > 1000)
+    throw usage_error("--focal-stack", "'" + text + "' is no stack", "Z0:Z1:N, two depths in mm and 2 to 1000 pictures");
+  return stack;
+}
+
 ReplayParams params_of(const Options& options) {
   ReplayParams params = options.params;
   params.in = options.in, params.report = options.report, params.folder = options.folder, params.video = options.video;
   params.exr = options.format == "exr";
   params.view.filter = options.filter == "nearest" ? SampleFilter::kNearest : SampleFilter::kLinear;
   if (!options.eye.empty()) params.eye_mm = Vec3d(options.eye[0], options.eye[1], options.eye[2]);
+  params.focal_stack = read_focal_stack(options.focal_stack);
   read_size(options.size, params);
   return params;
 }
@@ -79,6 +91,19 @@ void add_eye_flags(CLI::App& command, Options& options) {
       ->type_name("WxH");
 }
 
+void add_refocus_flags(CLI::App& command, Options& options) {
+  CLI::Option_group& group = *command.add_option_group("Refocusing");
+  group.add_option("--refocus", options.params.refocus_mm, "Focused at this depth, above 0 in front of the lenses")
+      ->type_name("MM");
+  group.add_option("--focal-stack", options.focal_stack, "N pictures focused from depth Z0 to Z1")->type_name("Z0:Z1:N");
+  group.add_flag("--all-in-focus", options.params.all_in_focus,
+                 "Of a stack: every pixel where it is sharpest, and the depth at which that was");
+  group.add_option("--epi", options.params.epi_row, "The epipolar-plane image of a row, from the top of the picture")
+      ->type_name("ROW");
+  group.add_option("--epi-column", options.params.epi_column, "Likewise of a column, of displays with vertical parallax")
+      ->type_name("COLUMN");
+}
+
 }  // namespace
 
 void add_replay_command(CLI::App& root, Action& chosen) {
@@ -94,6 +119,7 @@ void add_replay_command(CLI::App& root, Action& chosen) {
   command.add_option("--sweep", options->params.sweep, "N eyes from one end of the viewing zone to the other")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
+  add_refocus_flags(command, *options);
   command.add_option("--video", options->video, "Also a video (.mp4, .mkv) of the views, pairs or sweep")->type_name("FILE");
   command.add_option("--fps", options->params.frames_per_second, "Of the video; default: as rendered")
       ->type_name("N")

@@ -6,6 +6,10 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "image/encode.hpp"
+#include "replay/all_in_focus.hpp"
+#include "replay/epipolar_image.hpp"
+#include "replay/refocus.hpp"
 #include "replay/rendered_frames.hpp"
 #include "replay/replay_files.hpp"
 #include "replay/viewing.hpp"
@@ -27,6 +31,17 @@ Image side_by_side(const Image& left, const Image& right) {
   return pair;
 }
 
+/// The nearest depth of the stack white, the farthest black, evenly in codes.
+Image depth_for_looking(const Image& depth, const FocalStack& stack) {
+  const double near = std::max(stack.first_mm, stack.last_mm), far = std::min(stack.first_mm, stack.last_mm);
+  Image grey(depth.width, depth.height, 3);
+  for (std::size_t i = 0; i < grey.data.size(); ++i) {
+    const double share = near > far ? (depth.data[i / 3] - far) / (near - far) : 0.0;
+    grey.data[i] = static_cast<float>(linear_from_srgb(std::clamp(share, 0.0, 1.0)));
+  }
+  return grey;
+}
+
 /// Everything that the pictures of one replay share.
 class Replay {
  public:
@@ -40,15 +55,18 @@ class Replay {
     validate(view_);
     if (params.one_per_lens) view_.size = lens_grid(frames_.optics);
     check_size();
-    if (params.ipd_mm && !(std::abs(*params.ipd_mm) <= 1e6))
-      throw usage_error("--ipd", fmt::format("{} mm is no distance of eyes", *params.ipd_mm));
+    check_products();
   }
 
   Replayed run() {
     ReplayFiles files(file_settings());
     for (std::size_t i = 0; i < frames_.files.size() && !context_.cancelled; ++i) {
       if (params_.ipd_mm) make_pair(i, files);
-      if (!params_.ipd_mm && params_.sweep == 0) files.add("eye_" + label(i), view_of(i, view_.eye_mm), true);
+      if (params_.refocus_mm) files.add("refocus_" + label(i), refocus(panel(i), *params_.refocus_mm, view_.size, pool_));
+      if (params_.focal_stack) make_stack(i, files);
+      if (params_.epi_row) files.add("epi_row_" + label(i), epipolar_row(panel(i), *params_.epi_row, view_.filter));
+      if (params_.epi_column) files.add("epi_column_" + label(i), epipolar_column(panel(i), *params_.epi_column, view_.filter));
+      if (!asks_for_more()) files.add("eye_" + label(i), view_of(i, view_.eye_mm), true);
     }
     for (int i = 0; i < params_.sweep && !context_.cancelled; ++i) make_sweep(i, files);
     if (!context_.cancelled) files.finish();
@@ -62,6 +80,25 @@ class Replay {
     if (size.x < 1 || size.y < 1 || size.x > kMaxSide || size.y > kMaxSide || std::int64_t{size.x} * size.y > kMaxPixels)
       throw usage_error("--size", fmt::format("{}x{} pixels", size.x, size.y),
                         fmt::format("sides from 1 to {}, at most {} pixels", kMaxSide, kMaxPixels));
+  }
+
+  /// Whether other pictures are asked for than the eye's view of every frame.
+  bool asks_for_more() const {
+    return params_.ipd_mm || params_.sweep > 0 || params_.refocus_mm || params_.focal_stack || params_.epi_row ||
+           params_.epi_column;
+  }
+
+  void check_products() const {
+    if (params_.ipd_mm && !(std::abs(*params_.ipd_mm) <= 1e6))
+      throw usage_error("--ipd", fmt::format("{} mm is no distance of eyes", *params_.ipd_mm));
+    if (params_.refocus_mm) validate_depth(frames_.optics, *params_.refocus_mm, "--refocus");
+    if (params_.focal_stack)
+      for (const double z : {params_.focal_stack->first_mm, params_.focal_stack->last_mm})
+        validate_depth(frames_.optics, z, "--focal-stack");
+    if (params_.all_in_focus && !params_.focal_stack)
+      throw usage_error("--all-in-focus", "nothing says which depths", "--focal-stack Z0:Z1:N");
+    if (!params_.video.empty() && asks_for_more() && !params_.ipd_mm && params_.sweep == 0)
+      throw usage_error("--video", "there is nothing of which a video is made", "eye views, --ipd or --sweep");
   }
 
   ReplayFiles::Settings file_settings() const {
@@ -90,6 +127,22 @@ class Replay {
     files.add("left_" + label(frame), left);
     files.add("right_" + label(frame), right);
     files.add("pair_" + label(frame), side_by_side(left, right), !params_.sweep);
+  }
+
+  void make_stack(std::size_t frame, ReplayFiles& files) {
+    const FocalStack& stack = *params_.focal_stack;
+    std::optional<AllInFocus> sharpest;
+    Image disagreement;
+    for (int i = 0; i < stack.count && !context_.cancelled; ++i) {
+      const Image picture = refocus(panel(frame), stack.depth_mm(i), view_.size, pool_, &disagreement);
+      if (!params_.all_in_focus) files.add(fmt::format("stack_{}_{:02}", label(frame), i), picture);
+      if (!sharpest) sharpest.emplace(frames_.optics, Vec2i(picture.width, picture.height));
+      sharpest->add(picture, disagreement, stack.depth_mm(i));
+    }
+    if (!params_.all_in_focus || context_.cancelled) return;
+    files.add("all_in_focus_" + label(frame), sharpest->picture());
+    files.add_depth("depth_" + label(frame), sharpest->depth());
+    files.add("depth_" + label(frame), depth_for_looking(sharpest->depth(), stack));
   }
 
   /// The i-th of equal parts of the zone, from its middle; of many frames, the animation goes on meanwhile.

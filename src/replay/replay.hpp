@@ -10,6 +10,13 @@
 
 namespace lippmann {
 
+/// Depths from first to last, mm, equally far apart, count >= 2.
+struct FocalStack {
+  double first_mm = -20.0, last_mm = 20.0;
+  int count = 21;
+  double depth_mm(int i) const { return first_mm + (last_mm - first_mm) * i / (count - 1); }
+};
+
 struct ReplayParams {
   std::filesystem::path in;           ///< a picture, or a folder of frames (replay/rendered_frames.hpp)
   std::filesystem::path report = {};  ///< empty: report.json beside the pictures
@@ -21,10 +28,14 @@ struct ReplayParams {
   bool one_per_lens = false;         ///< a sample for each lens (row, view's pixel), whatever shape that gives the picture
 
   // What to make; where nothing of this is asked for, the eye's view of every frame: eye_0000.png.
-  std::optional<double> ipd_mm = {};             ///< two eyes so far apart: left_, right_ and, side by side, pair_0000.png
-  int sweep = 0;                                 ///< so many eyes from left to right through the zone: sweep_0000.png
-  std::filesystem::path video = {};              ///< .mp4 or .mkv of the views, pairs or sweep
-  std::optional<double> frames_per_second = {};  ///< none: as the report says
+  std::optional<double> ipd_mm = {};           ///< two eyes so far apart: left_, right_ and, side by side, pair_0000.png
+  int sweep = 0;                               ///< so many eyes from left to right through the zone: sweep_0000.png
+  std::optional<double> refocus_mm = {};       ///< focused at that depth: refocus_0000.png
+  std::optional<FocalStack> focal_stack = {};  ///< at these: stack_0000_00.png
+  bool all_in_focus = false;                   ///< of a stack: all_in_focus_0000.png, depth_0000.exr and (for looking) .png
+  std::optional<int> epi_row = {}, epi_column = {};  ///< epi_row_0000.png, epi_column_0000.png
+  std::filesystem::path video = {};                  ///< .mp4 or .mkv of the views, pairs or sweep
+  std::optional<double> frames_per_second = {};      ///< none: as the report says
 };
 
 struct Replayed {

@@ -106,6 +106,17 @@ Vec2i lens_grid(const Optics& optics) {
   return {rounded(window.x / lenses->pitch), rounded(window.y / lenses->row_pitch)};
 }
 
+Vec2d sample_spacing_mm(const Optics& optics) {
+  const Vec2d by_pixel = display_window(optics).size * Vec2d(tiles_of(optics)) / Vec2d(optics.panel.width, optics.panel.height);
+  const auto lenses = lenses_of(optics);
+  if (!lenses) return by_pixel;
+  return {lenses->pitch, std::holds_alternative<LenticularSheet>(optics.model) ? by_pixel.y : lenses->row_pitch};
+}
+
+Parallax parallax_of(const Optics& optics) {
+  return {!std::holds_alternative<SingleView>(optics.model), std::holds_alternative<MicrolensArray>(optics.model)};
+}
+
 Vec2i view_counts(const Optics& optics) {
   const auto lenses = lenses_of(optics);
   if (!lenses) return {tiles_of(optics).x * tiles_of(optics).y, 1};

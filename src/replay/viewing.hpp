@@ -43,6 +43,15 @@ Vec3d default_eye_mm(const Optics& optics);
 /// Samples that the plane z = 0 has across and down: one per lens where lenses have power, one per pixel elsewhere.
 Vec2i lens_grid(const Optics& optics);
 
+/// How far apart they are, mm.
+Vec2d sample_spacing_mm(const Optics& optics);
+
+/// In which directions an eye that moves sees something new.
+struct Parallax {
+  bool across = true, along = false;
+};
+Parallax parallax_of(const Optics& optics);
+
 /// The views that can be told apart across and up: pixels below a lens (rounded up), or views.
 Vec2i view_counts(const Optics& optics);
 

@@ -44,6 +44,34 @@ TEST(Replay, sweep_is_numbered_pictures_and_a_video) {
   EXPECT_TRUE(fs::exists(dir / "sweep.mkv"));
 }
 
+TEST(Replay, refocusing_makes_what_is_asked_for_and_no_eye_view) {
+  const TempDir dir;
+  render_teapot(dir);
+  const Words asked{"replay", "out/frame_0003.png", "--refocus", "-5", "--focal-stack", "-10:10:3", "--epi", "7", "-o", "a"};
+  const Files files = rendered(dir, asked, "a");
+  EXPECT_EQ(files.size(), 5u);
+  for (const char* name : {"refocus_0003.png", "stack_0003_00.png", "stack_0003_02.png", "epi_row_0003.png"})
+    EXPECT_TRUE(files.contains(name)) << name;
+  rendered(dir, {"replay", "out/frame_0003.png", "--focal-stack", "-10:10:3", "--all-in-focus", "-o", "b"}, "b");
+  EXPECT_EQ(channel_names(dir / "b/depth_0003.exr"), std::vector<std::string>{"Z"});
+  EXPECT_TRUE(fs::exists(dir / "b/all_in_focus_0003.png"));
+}
+
+TEST(Replay, impossible_depths_and_lines_are_refused) {
+  const TempDir dir;
+  render_teapot(dir);
+  for (const Words& flags : std::vector<Words>{{"--refocus", "1e6"},
+                                               {"--refocus", "nan"},
+                                               {"--focal-stack", "1:2"},
+                                               {"--focal-stack", "1:2:1"},
+                                               {"--focal-stack", "nan:2:5"},
+                                               {"--all-in-focus"},
+                                               {"--epi", "100000"},
+                                               {"--epi-column", "3"}})
+    expect_refusal(run_tool(dir, Words{"replay", "out"} + flags), 2, flags[0]);
+  expect_refusal(run_tool(dir, {"replay", "out", "--refocus", "1", "--video", "a.mkv"}), 2, "--video");
+}
+
 TEST(Replay, eye_out_of_the_zone_is_warned_of) {
   const TempDir dir;
   render_teapot(dir);

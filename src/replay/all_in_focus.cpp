@@ -1,0 +1,50 @@
+#include "replay/all_in_focus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "replay/viewing.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr double kWindowRadius = 1.5;  ///< lenses to each side: a window of about 3 x 3 ... 4 x 4
+constexpr float kNoRays = 1e6f;        ///< stands for an infinite disagreement in sums
+
+/// Means over windows of 2 radius + 1 along one line of `count` samples `stride` apart; beyond the ends there is nothing.
+void average_windows(float* line, int count, int stride, int radius, std::vector<double>& upto) {
+  upto.assign(1, 0.0);
+  for (int i = 0; i < count; ++i) upto.push_back(upto.back() + std::min(line[i * stride], kNoRays));
+  for (int i = 0; i < count; ++i) {
+    const int first = std::max(0, i - radius), end = std::min(count, i + radius + 1);
+    const double sum = upto[static_cast<std::size_t>(end)] - upto[static_cast<std::size_t>(first)];
+    line[i * stride] = static_cast<float>(sum / (end - first));
+  }
+}
+
+}  // namespace
+
+AllInFocus::AllInFocus(const Optics& optics, Vec2i size)
+    : picture_(size.x, size.y, 3), depth_(size.x, size.y, 1), least_(size.x, size.y, 1) {
+  // Square, of the larger of the two spacings: a sheet's rows tell no depth, their neighbours do not harm.
+  const Vec2d spacing = sample_spacing_mm(optics), pixel = display_window(optics).size / Vec2d(size);
+  const Vec2d pixels = kWindowRadius * std::max(spacing.x, spacing.y) / pixel;
+  radius_ = glm::max(Vec2i(std::lround(pixels.x), std::lround(pixels.y)), Vec2i(1));
+  std::fill(least_.data.begin(), least_.data.end(), kInfinity);
+}
+
+void AllInFocus::add(const Image& refocused, const Image& disagreement, double z_mm) {
+  Image mean = disagreement;
+  std::vector<double> upto;
+  for (int y = 0; y < mean.height; ++y) average_windows(mean.pixel(0, y), mean.width, 1, radius_.x, upto);
+  for (int x = 0; x < mean.width; ++x) average_windows(mean.pixel(x, 0), mean.height, mean.width, radius_.y, upto);
+  for (std::size_t i = 0; i < mean.data.size(); ++i) {
+    if (!(mean.data[i] < least_.data[i])) continue;
+    least_.data[i] = mean.data[i];
+    depth_.data[i] = static_cast<float>(z_mm);
+    std::copy_n(&refocused.data[3 * i], 3, &picture_.data[3 * i]);
+  }
+}
+
+}  // namespace lippmann

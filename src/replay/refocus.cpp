@@ -1,0 +1,173 @@
+#include "replay/refocus.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/error.hpp"
+#include "optics/ray_generator.hpp"
+#include "replay/viewing.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr int kBandRows = 16;
+
+/// Where the rays of all pixels arrive, in continuous pixel coordinates of the refocused picture.
+struct Arrivals {
+  int width, height;
+  std::vector<float> x, y;
+  std::vector<float> lowest_y, highest_y;  ///< by panel row
+
+  Arrivals(int w, int h)
+      : width(w),
+        height(h),
+        x(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)),
+        y(x.size()),
+        lowest_y(static_cast<std::size_t>(h)),
+        highest_y(static_cast<std::size_t>(h)) {}
+};
+
+/// One row of rays at a time.
+class RayRow {
+ public:
+  explicit RayRow(int width) : px_(n(width)), py_(n(width)) {
+    for (std::vector<float>& v : v_) v.resize(n(width));
+    for (std::size_t i = 0; i < px_.size(); ++i) px_[i] = static_cast<float>(i) + 0.5f;
+  }
+  void trace(const RayGenerator& generator, int row) {
+    std::fill(py_.begin(), py_.end(), static_cast<float>(row) + 0.5f);
+    generator.rays(px_.data(), py_.data(), static_cast<int>(px_.size()),
+                   {v_[0].data(), v_[1].data(), v_[2].data(), v_[3].data(), v_[4].data(), v_[5].data()});
+  }
+  Vec3d origin(std::size_t i) const { return {v_[0][i], v_[1][i], v_[2][i]}; }
+  Vec3d direction(std::size_t i) const { return {v_[3][i], v_[4][i], v_[5][i]}; }
+
+ private:
+  static std::size_t n(int width) { return static_cast<std::size_t>(width); }
+  std::vector<float> px_, py_, v_[6];
+};
+
+Arrivals find_arrivals(const Optics& optics, double z, Vec2i size, const ThreadPool& pool) {
+  const RayGenerator generator(optics);
+  const Viewer viewer = design_viewer(optics);
+  const Window window = display_window(optics);
+  Arrivals arrivals(optics.panel.width, optics.panel.height);
+  pool.for_each(static_cast<std::size_t>(arrivals.height), [&](std::size_t row) {
+    RayRow rays(arrivals.width);
+    rays.trace(generator, static_cast<int>(row));
+    float lowest = kInfinity, highest = -kInfinity;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(arrivals.width); ++i) {
+      const Vec3d origin = rays.origin(i), direction = rays.direction(i);
+      const Vec2d slope = Vec2d(direction) / direction.z, crossing = Vec2d(origin) - slope * origin.z;
+      const Vec2d s = (crossing + (slope - viewer.slope_at_centre) * z) / (1.0 - viewer.vergence * z);
+      const Vec2f at(window.pixel_at(s, size));
+      const std::size_t pixel = row * static_cast<std::size_t>(arrivals.width) + i;
+      arrivals.x[pixel] = at.x, arrivals.y[pixel] = at.y;
+      lowest = std::min(lowest, at.y), highest = std::max(highest, at.y);
+    }
+    arrivals.lowest_y[row] = lowest, arrivals.highest_y[row] = highest;
+  });
+  return arrivals;
+}
+
+/// Rows first ... end - 1 of the sum of all pixels, spread by tents of `half_width` pixels.
+class Band {
+ public:
+  Band(Image& picture, int first, int end, Vec2f half_width, Image* squares)
+      : picture_(picture),
+        first_(first),
+        end_(end),
+        half_(half_width),
+        squares_(squares),
+        weights_(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(end - first)) {}
+
+  bool is_reached(float lowest_y, float highest_y) const {
+    return highest_y - 0.5f + half_.y > static_cast<float>(first_) && lowest_y - 0.5f - half_.y < static_cast<float>(end_ - 1);
+  }
+
+  void add(float x, float y, const float* color) {
+    const float color_square = color[0] * color[0] + color[1] * color[1] + color[2] * color[2];
+    const float u = x - 0.5f, v = y - 0.5f;
+    const int left = std::max(0, ceil_of(u - half_.x)), right = std::min(picture_.width - 1, floor_of(u + half_.x));
+    const int top = std::max(first_, ceil_of(v - half_.y)), bottom = std::min(end_ - 1, floor_of(v + half_.y));
+    for (int j = top; j <= bottom; ++j) {
+      const float row_weight = 1.0f - std::abs(static_cast<float>(j) - v) / half_.y;
+      float* pixel = picture_.pixel(left, j);
+      float* sum = &weights_[static_cast<std::size_t>(j - first_) * static_cast<std::size_t>(picture_.width)];
+      float* square = squares_ ? squares_->pixel(left, j) : nullptr;
+      for (int i = left; i <= right; ++i, pixel += 3) {
+        const float weight = row_weight * (1.0f - std::abs(static_cast<float>(i) - u) / half_.x);
+        for (int c = 0; c < 3; ++c) pixel[c] += weight * color[c];
+        sum[i] += weight;
+        if (square) *square++ += weight * color_square;
+      }
+    }
+  }
+
+  void divide_by_weights() {
+    constexpr float kLeast = 1e-4f;  ///< less than that is rounding of a weight of 0
+    float* pixel = picture_.pixel(0, first_);
+    float* square = squares_ ? squares_->pixel(0, first_) : nullptr;
+    for (const float weight : weights_) {
+      float of_mean = 0.0f;
+      for (int c = 0; c < 3; ++c, ++pixel) {
+        *pixel = weight > kLeast ? *pixel / weight : 0.0f;
+        of_mean += *pixel * *pixel;
+      }
+      if (!square) continue;
+      *square = weight > kLeast ? std::max(0.0f, *square / weight - of_mean) : kInfinity;
+      ++square;
+    }
+  }
+
+ private:
+  // Far outside, a float need not fit into an int.
+  static int floor_of(float v) { return static_cast<int>(std::floor(std::clamp(v, -1e6f, 1e6f))); }
+  static int ceil_of(float v) { return static_cast<int>(std::ceil(std::clamp(v, -1e6f, 1e6f))); }
+
+  Image& picture_;
+  int first_, end_;
+  Vec2f half_;
+  Image* squares_;  ///< sums of squares, then variances; or null
+  std::vector<float> weights_;
+};
+
+}  // namespace
+
+void validate_depth(const Optics& optics, double z_mm, const char* flag) {
+  const Viewer viewer = design_viewer(optics);
+  if (!(std::abs(z_mm) <= 1e9)) throw usage_error(flag, fmt::format("{} mm is no depth", z_mm));
+  if (!(z_mm * viewer.vergence < 0.999))
+    throw usage_error(flag,
+                      fmt::format("a plane at z = {} mm is not before the eyes of the display's viewer, at z = {:.6g} mm", z_mm,
+                                  1.0 / viewer.vergence),
+                      "a depth behind that");
+}
+
+Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement) {
+  const Optics& optics = rendered.optics;
+  if (size == Vec2i(0)) size = natural_view_size(optics);
+  const Arrivals arrivals = find_arrivals(optics, z_mm, size, pool);
+  const Vec2d pixel_mm = display_window(optics).size / Vec2d(size);
+  const Vec2f half_width(glm::max(sample_spacing_mm(optics) / pixel_mm, Vec2d(1.0)));
+  Image picture(size.x, size.y, 3);
+  if (disagreement) *disagreement = Image(size.x, size.y, 1);
+  pool.for_each(static_cast<std::size_t>((size.y + kBandRows - 1) / kBandRows), [&](std::size_t index) {
+    const int first = static_cast<int>(index) * kBandRows;
+    Band band(picture, first, std::min(first + kBandRows, size.y), half_width, disagreement);
+    for (int row = 0; row < arrivals.height; ++row) {
+      const auto r = static_cast<std::size_t>(row), begin = r * static_cast<std::size_t>(arrivals.width);
+      if (!band.is_reached(arrivals.lowest_y[r], arrivals.highest_y[r])) continue;
+      for (int x = 0; x < arrivals.width; ++x)
+        band.add(arrivals.x[begin + static_cast<std::size_t>(x)], arrivals.y[begin + static_cast<std::size_t>(x)],
+                 rendered.picture.pixel(x, row));
+    }
+    band.divide_by_weights();
+  });
+  return picture;
+}
+
+}  // namespace lippmann

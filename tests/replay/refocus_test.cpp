@@ -1,0 +1,126 @@
+#include "replay/refocus.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+
+#include "recorded.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::linear_psnr, test::record, test::seen_directly, test::waves;
+
+/// Black but for the pixels that see one point.
+RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
+  RenderedPanel panel{optics, Image(optics.panel.width, optics.panel.height, 3)};
+  std::vector<Vec2f> pixels;
+  pixels_seeing(optics, point_mm, pixels);
+  for (const Vec2f pixel : pixels) std::fill_n(panel.picture.pixel(int(pixel.x), int(pixel.y)), 3, 1.0f);
+  return panel;
+}
+
+float brightest(const Image& picture) { return *std::max_element(picture.data.begin(), picture.data.end()); }
+
+/// The depth i step, -count <= i <= count, at which the refocused picture has the highest peak.
+double depth_of_peak(const RenderedPanel& panel, double step, int count) {
+  const ThreadPool pool(1);
+  double best = 0.0, depth = 0.0;
+  for (int i = -count; i <= count; ++i) {
+    const double peak = brightest(refocus(panel, i * step, lens_grid(panel.optics), pool));
+    if (peak > best) best = peak, depth = i * step;
+  }
+  return depth;
+}
+
+// A depth step is that by which the outermost views shift by half a lens more: with N m = p, (N m / 2) dz / g = p / 2 gives
+// dz = g = 2 mm.
+constexpr double kStep = 2.0;
+
+/// 10 depths behind and 10 in front, from 2 g on: nearer, a single lens sees the point, and one ray has no depth.
+void expect_peaks_at(const std::function<RenderedPanel(Vec3f)>& recorded) {
+  for (int i = -11; i <= 11; ++i) {
+    if (std::abs(i) < 2) continue;
+    const auto z = static_cast<float>(i * kStep);
+    EXPECT_NEAR(depth_of_peak(recorded({0.37f, 0.61f, z}), kStep, 13), z, kStep) << "z = " << z;
+  }
+}
+
+TEST(Refocus, point_at_each_of_20_depths_peaks_at_its_own_through_lenticules) {
+  const Optics optics = test::sheet();
+  expect_peaks_at([&](Vec3f p) { return record_point(optics, p); });
+}
+
+TEST(Refocus, point_at_each_of_20_depths_peaks_at_its_own_through_lenslets) {
+  Optics optics = test::lenslets();
+  optics.panel.height = 70;
+  expect_peaks_at([&](Vec3f p) { return record_point(optics, p); });
+}
+
+TEST(Refocus, point_peaks_at_its_depth_for_converging_hexagonal_slanted_and_quilt) {
+  for (const Optics& optics :
+       {test::sheet(150.0f), test::lenslets(150.0f, LensPacking::kHexagonal), test::sheet(150.0f, 0.25f), test::quilt()})
+    for (const float z : {-12.0f, -6.0f, 6.0f, 12.0f})
+      EXPECT_NEAR(depth_of_peak(record_point(optics, {0.37f, 0.61f, z}), kStep, 9), z, kStep) << optics.model.index();
+}
+
+TEST(Refocus, blob_comes_back_at_its_place_as_the_design_viewer_sees_it) {
+  const Optics optics = test::lenslets(150.0f);
+  const ThreadPool pool(1);
+  const Vec2i size = lens_grid(optics);
+  const Vec3d point(3.2, -4.1, -11.0);
+  const auto blob = [&](Vec2d p) {
+    const Vec2d from = p - Vec2d(point);
+    return Vec3f(std::exp(-glm::dot(from, from) / 2.0));
+  };
+  const Image picture = refocus(record(optics, point.z, blob), point.z, size, pool);
+  const float half = 0.5f * brightest(picture);
+  Vec2d sum(0.0);
+  double weight = 0.0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const double w = std::max(0.0f, picture.pixel(x, y)[0] - half);
+      sum += w * Vec2d(x + 0.5, y + 0.5), weight += w;
+    }
+  // On the line to the viewer at 150 mm: (3.2, -4.1) / (1 + 11 / 150). Lenses and pixels of 0.8 mm sample a blob of sigma 1 mm
+  // well: its centre is good to a tenth of that.
+  const Vec2d at = display_window(optics).point_at(sum / weight, size);
+  EXPECT_NEAR(at.x, 3.2 * 150 / 161, 0.1);
+  EXPECT_NEAR(at.y, -4.1 * 150 / 161, 0.1);
+}
+
+TEST(Refocus, plane_is_sharp_at_its_own_depth_and_at_no_other) {
+  const Vec3d viewer(0, 0, 150);
+  for (const Optics& optics : {test::sheet(150.0f), test::lenslets(150.0f), test::quilt()}) {
+    const Vec3d eye = std::holds_alternative<MultiView>(optics.model) ? Vec3d(0, 0, 100) : viewer;
+    const ThreadPool pool(1);
+    const Vec2i size = lens_grid(optics);
+    const double z = -5.0;
+    const RenderedPanel panel = record(optics, z, waves);
+    const Image truth = seen_directly(optics, size, eye, z, waves);
+    // Tents of a lens, 1 mm, lose (0.95 x 1)^2 / 12 = 8 % of a wave of 0.95 rad/mm: 0.4 x 0.08 / sqrt(2) is 33 dB.
+    EXPECT_GE(linear_psnr(refocus(panel, z, size, pool), truth, 4), 30.0);
+    EXPECT_LT(linear_psnr(refocus(panel, 12.0, size, pool), truth, 4), 22.0);
+  }
+}
+
+TEST(Refocus, threads_do_not_change_a_bit) {
+  const RenderedPanel panel = record(test::lenslets(100.0f), 3.0, waves);
+  const ThreadPool one(1), three(3);
+  EXPECT_EQ(refocus(panel, 7.0, {64, 80}, one).data, refocus(panel, 7.0, {64, 80}, three).data);
+}
+
+TEST(Refocus, depths_behind_the_viewer_or_not_finite_are_refused) {
+  const auto message = [](double z) {
+    return test::error_message([&] { validate_depth(test::sheet(150.0f), z, "--refocus"); });
+  };
+  EXPECT_THAT(message(150.0), testing::HasSubstr("not before the eyes"));
+  EXPECT_THAT(message(std::nan("")), testing::HasSubstr("no depth"));
+  EXPECT_EQ(message(-1000.0), "(no Error)");
+  EXPECT_EQ(message(140.0), "(no Error)");
+}
+
+}  // namespace
+}  // namespace lippmann
