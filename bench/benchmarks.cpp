@@ -7,6 +7,8 @@ const std::vector<Benchmark>& benchmarks() {
       {"paper", "the tables of the paper: interpolated animations beside traced ones, pixel-tracing styles", measure_paper},
       {"png", "CPU time and size of a PNG by strategy, filter and level", measure_png},
       {"rays", "rays per second of our passes beside bare Embree, by ray order and scene", measure_rays},
+      {"replay", "eye views through the arrays beside direct views, by depth; whether depth is the right way round",
+       measure_replay},
       {"reuse", "what reuse between frames saves of full tracing, and how near the pictures are", measure_reuse},
       {"spheres", "rays per second against our spheres beside Embree's own sphere points", measure_spheres},
       {"tachyon", "CPU time per pixel beside the program tachyon, on its own scenes", measure_tachyon},

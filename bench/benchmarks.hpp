@@ -8,6 +8,7 @@ namespace lippmann::bench {
 Report measure_paper(const Request& request, const Context& context);
 Report measure_png(const Request& request, const Context& context);
 Report measure_rays(const Request& request, const Context& context);
+Report measure_replay(const Request& request, const Context& context);
 Report measure_reuse(const Request& request, const Context& context);
 Report measure_spheres(const Request& request, const Context& context);
 Report measure_tachyon(const Request& request, const Context& context);

@@ -1,0 +1,191 @@
+// Eye views through the arrays of the built-in room from 25 eyes inside the viewing zone, beside direct pinhole views from
+// there.
+//
+// Both have one sample per lens (of a sheet: per lens and panel row), at the lens's centre. PSNR of 8-bit codes, of all pixels
+// and by the depth of what the direct view sees, in parts of the depth budget N g: to a quarter of it, to a half, to all of it,
+// and beyond, where a pixel is wider than a lens. Each view is also held against that of an eye a fifth of the zone away:
+// depth must be the right way round, behind the display and before it; and in the same picture made pseudoscopic, the wrong.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bench/benchmarks.hpp"
+#include "bench/scenes.hpp"
+#include "bench/timing.hpp"
+#include "core/error.hpp"
+#include "image/encode.hpp"
+#include "image/metrics.hpp"
+#include "render/frame.hpp"
+#include "replay/depth_order.hpp"
+#include "replay/eye_view.hpp"
+#include "replay/rotate_elemental.hpp"
+#include "replay/viewing.hpp"
+#include "trace/trace_frame.hpp"
+
+namespace lippmann::bench {
+namespace {
+
+constexpr int kEyes = 5;               ///< in each direction, or squared in one
+constexpr double kBaseline = 1.0 / 5;  ///< of the zone
+
+using Layers = std::array<double, 4>;  ///< up to 1/4, 1/2, 1 of the depth budget; beyond
+constexpr Layers kLayerEnds{0.25, 0.5, 1.0, kInfinity};
+
+/// What an eye should see: colours and depths, of every n-th column where a lens has n.
+struct DirectView {
+  Image film, depth;
+};
+
+Image every_column(const Image& picture, int step) {
+  Image columns(picture.width / step, picture.height, picture.channels);
+  for (int y = 0; y < columns.height; ++y)
+    for (int x = 0; x < columns.width; ++x)
+      std::copy_n(picture.pixel(x * step + step / 2, y), picture.channels, columns.pixel(x, y));
+  return columns;
+}
+
+class ReplayBench {
+ public:
+  ReplayBench(const RenderParams& params, int frame, const ThreadPool& pool, const Context& context)
+      : pool_(pool), context_(context), stage_(params, pool, context), params_(params) {
+    recorded_ = {stage_.placed.optics, render_frame(stage_, params, frame, pool, context).pictures.film};
+    world_from_display_ = stage_.moment_at(frame).world_from_display;
+    grid_ = lens_grid(optics());
+    view_.size = grid_;
+    eye_z_mm_ = default_eye_mm(optics()).z;
+  }
+
+  const Optics& optics() const { return recorded_.optics; }
+
+  /// Shares of the zone, from its left and lower end.
+  Vec3d eye_at(double across, double along) const {
+    const double up = parallax_of(optics()).along ? zone_x_mm(optics(), along, eye_z_mm_) : 0.0;
+    return {zone_x_mm(optics(), across, eye_z_mm_), up, eye_z_mm_};
+  }
+
+  Image replayed(const RenderedPanel& panel, Vec3d eye_mm) const {
+    EyeView view = view_;
+    view.eye_mm = eye_mm;
+    return eye_view(panel, view, pool_);
+  }
+
+  /// Traced in square pixels; where a lens has an even number of them, its centre lies between two: samples are moved there.
+  DirectView direct(Vec3d eye_mm) const {
+    const int per_lens =
+        std::max(1, static_cast<int>(std::lround(static_cast<double>(grid_.y) / grid_.x * display_window(optics()).size.x /
+                                                 display_window(optics()).size.y)));
+    Optics pinhole = pinhole_through_window(display_window(optics()), {grid_.x * per_lens, grid_.y}, eye_mm);
+    if (per_lens % 2 == 0) std::get<SingleView>(pinhole.model).pixel_offset.x -= 0.5f;
+    const Affine3f moved{Mat3f(1.0f), Vec3f(static_cast<float>(eye_mm.x), static_cast<float>(eye_mm.y), 0.0f)};
+    Image film;
+    FrameAovs aovs;
+    aovs.depth = true;
+    trace_frame(stage_.device, pinhole, world_from_display_ * moved, trace_params(params_, stage_.scene), pool_, context_, film,
+                &aovs);
+    return {every_column(film, per_lens), every_column(aovs.depth_image, per_lens)};
+  }
+
+  DepthOrder depth_order(const RenderedPanel& panel, const DirectView& truth, Vec3d eye_mm) const {
+    const double step = zone_x_mm(optics(), 0.5 + kBaseline, eye_z_mm_);
+    const double baseline = eye_mm.x > 0.0 ? -step : step;  // towards the middle: inside the zone
+    const Image view = replayed(panel, eye_mm), other = replayed(panel, eye_mm + Vec3d(baseline, 0.0, 0.0));
+    return measure_depth_order(view, other, truth.depth, eye_z_mm_, baseline, display_window(optics()).size.x / grid_.x);
+  }
+
+  const RenderedPanel& recorded() const { return recorded_; }
+  RenderedPanel pseudoscopic() const {
+    return {optics(), apply(rotated_elemental_images(optics(), "bench replay"), recorded_.picture)};
+  }
+
+ private:
+  const ThreadPool& pool_;
+  const Context& context_;
+  Stage stage_;
+  RenderParams params_;
+  RenderedPanel recorded_;
+  Affine3f world_from_display_;
+  Vec2i grid_{0, 0};
+  EyeView view_;
+  double eye_z_mm_ = 0.0;
+};
+
+/// PSNR of codes over the pixels for which `wanted`; infinite for none.
+template <class Wanted>
+double psnr_where(const Image8& a, const Image8& b, const Wanted& wanted) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    if (!wanted(i / 3)) continue;
+    const double d = a.rgb[i] - b.rgb[i];
+    sum += d * d, ++count;
+  }
+  return count > 0 ? psnr_db(sum / static_cast<double>(count)) : kInfinity;
+}
+
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(rounded(value)) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json row_of(const std::string& name, const ReplayBench& bench, Vec3d eye, const DirectView& truth,
+                              const DepthOrder& order) {
+  const Image8 seen = to_codes(bench.replayed(bench.recorded(), eye), Encoding::kSrgb);
+  const Image8 direct = to_codes(truth.film, Encoding::kSrgb);
+  nlohmann::ordered_json row{{"optics", name}, {"eye_x_mm", rounded(eye.x)}, {"eye_y_mm", rounded(eye.y)}};
+  row["psnr_db"] = number(psnr_where(seen, direct, [](std::size_t) { return true; }));
+  const double budget = depth_budget_mm(bench.optics());
+  const std::array<const char*, 4> names{"quarter_db", "half_db", "budget_db", "beyond_db"};
+  double begin = 0.0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double first = begin * budget, last = kLayerEnds[i] * budget;
+    row[names[i]] = number(psnr_where(seen, direct, [&](std::size_t pixel) {
+      const double z = std::abs(truth.depth.data[pixel]);
+      return z >= first && z < last;
+    }));
+    begin = kLayerEnds[i];
+  }
+  row["behind_order_db"] = number(order.behind_db), row["front_order_db"] = number(order.front_db);
+  return row;
+}
+
+void check(bool holds, const std::string& what, Vec3d eye, Report& report) {
+  if (!holds)
+    throw Error("bench replay",
+                what + " from the eye at x = " + std::to_string(eye.x) + ", y = " + std::to_string(eye.y) + " mm");
+  ++report.passed_checks;
+}
+
+void measure(const std::string& name, const ReplayBench& bench, Report& report) {
+  const RenderedPanel pseudoscopic = bench.pseudoscopic();
+  const bool full = parallax_of(bench.optics()).along;
+  for (int i = 0; i < kEyes * kEyes; ++i) {
+    const double across = full ? (i % kEyes + 0.5) / kEyes : (i + 0.5) / (kEyes * kEyes);
+    const double along = full ? (i / kEyes + 0.5) / kEyes : 0.5;
+    const Vec3d eye = bench.eye_at(across, along);
+    const DirectView truth = bench.direct(eye);
+    const DepthOrder order = bench.depth_order(bench.recorded(), truth, eye);
+    check(order.behind_db > 0.0 && order.front_db > 0.0, name + ": depth is inverted", eye, report);
+    const DepthOrder inverted = bench.depth_order(pseudoscopic, truth, eye);
+    check(inverted.behind_db < 0.0 && inverted.front_db < 0.0, name + ": the measure does not tell pseudoscopic pictures", eye,
+          report);
+    report.rows.push_back(row_of(name, bench, eye, truth, order));
+  }
+}
+
+}  // namespace
+
+Report measure_replay(const Request& request, const Context& context) {
+  Report report;
+  const ThreadPool pool(resolved_threads(context));
+  for (const std::string& scene : request.scenes.empty() ? std::vector<std::string>{"room"} : request.scenes) {
+    Request one = request;
+    one.scenes = {scene};
+    BenchScene setup = bench_scenes(one, context).front();
+    measure(scene + " lenticular", ReplayBench(setup.params, setup.frame, pool, context), report);
+    setup.params.optics = OpticsKind::kMicrolens;
+    setup.params.lenses = {96, 96};
+    measure(scene + " microlens", ReplayBench(setup.params, setup.frame, pool, context), report);
+  }
+  return report;
+}
+
+}  // namespace lippmann::bench

@@ -1,0 +1,115 @@
+#include "replay/spoc.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "replay/sight.hpp"
+#include "replay/viewing.hpp"
+
+namespace lippmann {
+namespace {
+
+/// The recorded pixel that looks at a point, through the lens nearest to where the ray meets the array.
+template <class Sight>
+class RecordedPixels {
+ public:
+  RecordedPixels(const Optics& optics, const Sight& sight, double reference_mm)
+      : sight_(sight), size_(optics.panel.width, optics.panel.height), design_(design_viewer(optics)), z_(reference_mm) {}
+
+  std::uint32_t looking_at(Vec2d point_mm, Vec2d ray_meets_array_mm) const {
+    constexpr int kTries = 16;
+    const Viewer from_point = viewer_at({point_mm, z_});
+    // The lens that sees the point in the middle of its cell lies on the way to the viewer that cells converge to.
+    const Vec2d foot = (point_mm - design_.slope_at_centre * z_) / (1.0 - design_.vergence * z_);
+    for (int i = 0; i <= kTries; ++i) {
+      const Vec2d at = glm::mix(ray_meets_array_mm, foot, static_cast<double>(i) / kTries);
+      const PanelPoint seen = sight_.seen_from(from_point, at);
+      const Vec2i pixel(glm::floor(glm::clamp(seen.pixel, Vec2d(-1.0), Vec2d(size_))));
+      const bool on_panel = pixel.x >= 0 && pixel.y >= 0 && pixel.x < size_.x && pixel.y < size_.y;
+      if (on_panel && sight_.cell(seen.pixel) == seen.lens)
+        return static_cast<std::uint32_t>(pixel.y) * static_cast<std::uint32_t>(size_.x) + static_cast<std::uint32_t>(pixel.x);
+    }
+    return kNoPixel;
+  }
+
+ private:
+  Sight sight_;
+  Vec2i size_;
+  Viewer design_;
+  double z_;
+};
+
+template <class Sight>
+PixelMap map_rays(const Optics& display, const SpocParams& params, const RecordedPixels<Sight>& recorded) {
+  const Panel& panel = display.panel;
+  PixelMap map{panel.width, panel.height, {}};
+  for (int y = 0; y < panel.height; ++y)
+    for (int x = 0; x < panel.width; ++x) {
+      const Ray ray = ray_of_pixel(display, Vec2f(x, y) + 0.5f);
+      const auto at_depth = [&](double z) {
+        return Vec2d(ray.origin) + Vec2d(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
+      };
+      map.source.push_back(
+          recorded.looking_at(at_depth(params.distance_mm - params.reference_mm), at_depth(params.distance_mm)));
+    }
+  return map;
+}
+
+void check(const SpocParams& params) {
+  if (!(std::abs(params.distance_mm) <= 1e6))
+    throw usage_error("--spoc", fmt::format("{} mm is no distance", params.distance_mm));
+  if (!(params.reference_mm > 0.0 && params.reference_mm <= 1e6))
+    throw usage_error("--reference-plane", fmt::format("{} mm", params.reference_mm),
+                      "a distance before the recording array, > 0");
+}
+
+}  // namespace
+
+Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
+  if (display.pixels < 1 || display.pixels > 4096 || !(display.lens_pitch_mm > 0.0))
+    throw usage_error("--lens-pixels", fmt::format("{} pixels below lenses of {} mm", display.pixels, display.lens_pitch_mm));
+  Optics optics = recorded;
+  const Vec2d window = display_window(recorded).size;
+  const auto set_lens = [&](auto& model, double pitch_along_x, bool lenses_along) {
+    const double pixel = pitch_along_x / display.pixels;
+    const auto whole = [](double count) { return std::clamp(std::round(count), 1.0, 65536.0); };
+    const double across = whole(window.x / pitch_along_x), along = whole(window.y / pitch_along_x);
+    optics.panel.pixel_pitch_mm = static_cast<float>(pixel);
+    optics.panel.width = static_cast<int>(std::min(across * display.pixels, 1e9));
+    optics.panel.height = static_cast<int>(std::min(lenses_along ? along * display.pixels : whole(window.y / pixel), 1e9));
+    model.lens_pitch_mm = static_cast<float>(display.lens_pitch_mm), model.gap_mm = static_cast<float>(display.gap_mm);
+    model.viewing_distance_mm = kInfinity;
+    // Cell 0 begins at the panel's edge: of an even number of lenses a boundary lies in the middle, of an odd one a centre.
+    return Vec2f(std::fmod(across, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0,
+                 std::fmod(along, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0);
+  };
+  if (auto* sheet = std::get_if<LenticularSheet>(&optics.model))
+    sheet->offset_mm = set_lens(*sheet, display.lens_pitch_mm / std::cos(double{sheet->slant}), false).x;
+  else if (auto* array = std::get_if<MicrolensArray>(&optics.model))
+    array->offset_mm = set_lens(*array, display.lens_pitch_mm, true);
+  else
+    throw usage_error("--spoc", "the picture was not recorded by a lens array", "pictures of --optics lenticular or microlens");
+  try {
+    validate(optics);
+  } catch (const Error& error) {
+    throw usage_error("--spoc", "the display makes no rays: " + error.where() + " " + error.problem(), error.accepted());
+  }
+  return optics;
+}
+
+PixelMap spoc(const Optics& recorded, const Optics& display, const SpocParams& params) {
+  check(params);
+  if (const auto* sheet = std::get_if<LenticularSheet>(&recorded.model)) {
+    const LenticularSight sight(recorded.panel, *sheet);
+    return map_rays(display, params, RecordedPixels(recorded, sight, params.reference_mm));
+  }
+  const auto* array = std::get_if<MicrolensArray>(&recorded.model);
+  if (!array)
+    throw usage_error("--spoc", "the picture was not recorded by a lens array", "pictures of --optics lenticular or microlens");
+  const MicrolensSight sight(recorded.panel, *array);
+  return map_rays(display, params, RecordedPixels(recorded, sight, params.reference_mm));
+}
+
+}  // namespace lippmann
