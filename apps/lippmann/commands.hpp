@@ -32,6 +32,7 @@ void add_convert_command(CLI::App& root, Action& chosen);
 void add_info_command(CLI::App& root, Action& chosen);
 void add_replay_command(CLI::App& root, Action& chosen);
 void add_scenes_command(CLI::App& root, Action& chosen);
+void add_displays_command(CLI::App& root, Action& chosen);
 void add_bench_command(CLI::App& root, Action& chosen);
 
 }  // namespace lippmann::app

@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   add_replay_command(root, chosen);
   add_info_command(root, chosen);
   add_scenes_command(root, chosen);
+  add_displays_command(root, chosen);
   add_bench_command(root, chosen);
   try {
     root.parse(argc, argv);

@@ -1,0 +1,89 @@
+// `lippmann displays`: the displays that the tool knows, or all about one of them.
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "apps/lippmann/commands.hpp"
+#include "display/display_json.hpp"
+#include "display/load_display.hpp"
+
+namespace lippmann::app {
+namespace {
+
+struct Options {
+  std::string display;
+  bool json = false;
+};
+
+std::string quilt_text(const Display& display) {
+  if (!display.quilt) return "-";
+  const DisplayQuilt& quilt = *display.quilt;
+  return fmt::format("{}x{} of {}x{}", quilt.columns, quilt.rows, quilt.width, quilt.height);
+}
+
+void print_list(const std::vector<Display>& displays) {
+  fmt::print("{:<30} {:>11}  {:>18}  {:>5}  {:>4}  {}\n", "name", "pixels", "quilt", "views", "cone", "what it is");
+  for (const Display& d : displays)
+    fmt::print("{:<30} {:>11}  {:>18}  {:>5}  {:>4}  {}\n", d.name, fmt::format("{}x{}", d.pixels.x, d.pixels.y), quilt_text(d),
+               views_of(d), fmt::format("{:g}°", d.view_cone_deg), d.description);
+}
+
+void print_calibration(const Display& d) {
+  const Calibration& c = d.calibration;
+  fmt::print("calibration      pitch {:g}, slope {:g}, center {:g}{}{}{}{}\n", c.pitch, c.slope, c.center,
+             c.flip_image_x ? ", flipImageX" : "", c.flip_image_y ? ", flipImageY" : "", c.flip_sub_pixels ? ", flipSubp" : "",
+             c.cells.empty() ? "" : fmt::format(", {} sub-pixel cells by pattern {}", c.cells.size(), c.cell_pattern));
+  fmt::print("lenses           {:.3f} across the panel, tilt {:.6f}, {:.2f} sub-pixels below each\n", periods_of(d), tilt_of(d),
+             3.0 * d.pixels.x / periods_of(d));
+}
+
+void print_details(const Display& d) {
+  const Vec2d size = d.size_mm();
+  fmt::print("{}: {}\n", d.name, d.description);
+  fmt::print("kind             {}{}\n", to_string(d.kind),
+             d.serials.empty() ? "" : fmt::format(", serial {}", fmt::join(d.serials, ", ")));
+  fmt::print("pixels           {}x{} at {:g} dpi: {:.1f} x {:.1f} mm\n", d.pixels.x, d.pixels.y, d.dpi, size.x, size.y);
+  fmt::print("viewing          cone {:g}°, from {:.0f} mm; depth budget +-{:.1f} mm\n", d.view_cone_deg, viewing_distance_mm(d),
+             depth_budget_mm(native_optics(d)));
+  if (d.kind == DisplayKind::kSlantedPanel)
+    print_calibration(d);
+  else
+    fmt::print("lenses           {:.4f} mm wide ({:g} per inch), slant {:g}°\n", d.lenses.pitch_mm, 25.4 / d.lenses.pitch_mm,
+               d.lenses.slant_deg);
+  if (d.quilt) fmt::print("quilt            {} pixels, aspect {:g}\n", quilt_text(d), d.quilt->aspect);
+  fmt::print("views            {}\n", views_of(d));
+  if (d.kind != DisplayKind::kLenticularSheet)
+    fmt::print("video            {} up to {} pixels on a side{}\n", d.video.codec, d.video.longest_side,
+               d.video.quilts ? "" : "; quilts as pictures only");
+}
+
+int run(const Options& options) {
+  const bool one = !options.display.empty();
+  const std::vector<Display> displays = one ? std::vector{load_display(options.display)} : display_presets();
+  if (options.json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Display& display : displays) all.push_back(display_json(display));
+    fmt::print("{}\n", (one ? all.front() : all).dump(2));
+  } else if (one) {
+    print_details(displays.front());
+  } else {
+    print_list(displays);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_displays_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *root.add_subcommand("displays", "List the displays that the tool knows, or tell all about one");
+  command.add_option("DISPLAY", options->display, "A name from the list, a display's .toml, or a calibration's .json");
+  command.add_flag("--json", options->json, "Print JSON on stdout");
+  command.callback([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,24 @@
+# Writes OUTPUT, the C++ source of preset_files() (src/display/presets.hpp), from the files FOLDER/*.toml.
+file(GLOB files ${FOLDER}/*.toml)
+list(SORT files)
+set(entries "")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WLE)
+  file(READ ${file} text)
+  string(APPEND entries "    {\"${name}\", R\"toml(${text})toml\"},\n")
+endforeach()
+file(WRITE ${OUTPUT} "// Made from data/displays by cmake/embed_displays.cmake.
+#include \"display/presets.hpp\"
+
+namespace lippmann {
+namespace {
+
+constexpr PresetFile kPresets[] = {
+${entries}};
+
+}  // namespace
+
+std::span<const PresetFile> preset_files() { return kPresets; }
+
+}  // namespace lippmann
+")

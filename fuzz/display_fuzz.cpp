@@ -1,0 +1,31 @@
+// Feeds bytes to the readers of displays: a text that begins with '{' is a calibration's JSON, any other a display's TOML.
+// Whatever they are, they either throw Error or give a display whose rays validate() accepts and that can be written as JSON.
+//
+// fuzz/display_seeds SEEDS && fuzz_display -dict=fuzz/display.dict CORPUS SEEDS; or scripts/fuzz display.
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "display/display_json.hpp"
+#include "display/load_display.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  using namespace lippmann;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  Display display;
+  try {
+    display = text.starts_with('{') ? display_from_calibration(text, "visual.json") : display_from_toml(text, "display.toml");
+  } catch (const Error&) {
+    return 0;
+  }
+  try {
+    validate(native_optics(display));
+  } catch (const Error& error) {
+    std::cerr << "a display that was accepted has no rays: " << error.what() << '\n';
+    std::abort();
+  }
+  if (views_of(display) < 0 || display_json(display).dump().empty()) std::abort();
+  return 0;
+}

@@ -1,0 +1,134 @@
+#include "display/display.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace lippmann {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// Which cell a pixel has: `row` from the bottom.
+int cell_at(const Calibration& calibration, int column, int row) {
+  const bool by_columns = calibration.patterns == Calibration::Patterns::kColumns;
+  int cell = 0;
+  switch (calibration.cell_pattern) {
+    case 1:
+      cell = (column + row) % 2;
+      break;
+    case 2:
+      cell = by_columns ? column % 2 : row % 4;
+      break;
+    case 3:
+      cell = (row + 2 * (column % 2)) % 4;
+      break;
+    case 4:
+      cell = by_columns ? row % 2 : column % 2;
+      break;
+    default:
+      break;
+  }
+  return cell % static_cast<int>(calibration.cells.size());
+}
+
+SubPixelOffsets offsets_of(const Calibration& calibration) {
+  if (calibration.cells.empty()) return striped_sub_pixels(calibration.flip_image_x != calibration.flip_sub_pixels);
+  SubPixelOffsets offsets;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 2; ++column) {
+      SubPixelCell cell = calibration.cells[static_cast<std::size_t>(cell_at(calibration, column, row))];
+      if (calibration.flip_sub_pixels) std::swap(cell[0], cell[2]);
+      offsets[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = cell;
+    }
+  return offsets;
+}
+
+/// Lenses whose cells are `cell_mm` wide and converge to the viewer, over a zone of that angle.
+struct Lenses {
+  float pitch_mm, gap_mm;
+};
+
+Lenses lenses_of(const Display& display, double distance_mm) {
+  // p = pitch of the sheet itself; its cells are p (1 + g/V) wide: 2 atan(cell / 2g) = cone, thus g = p / (2 tan(cone/2) -
+  // p/V).
+  const double p = display.lenses.pitch_mm, spread = 2.0 * std::tan(0.5 * display.view_cone_deg * kDegree);
+  return {static_cast<float>(p), static_cast<float>(p / (spread - p / distance_mm))};
+}
+
+}  // namespace
+
+double viewing_distance_mm(const Display& display) {
+  return display.viewing_distance_mm.value_or(0.5 * display.size_mm().y / std::tan(7.0 * kDegree));
+}
+
+double periods_of(const Display& display) {
+  const Calibration& c = display.calibration;
+  return c.pitch * display.pixels.x / display.dpi * std::cos(std::atan(1.0 / c.slope));
+}
+
+double tilt_of(const Display& display) {
+  const Calibration& c = display.calibration;
+  const double tilt = display.pixels.y / (display.pixels.x * c.slope);
+  return c.flip_image_y ? -tilt : tilt;
+}
+
+SlantedPanel slanted_panel(const Display& display, double distance_mm) {
+  const Calibration& c = display.calibration;
+  SlantedPanel panel;
+  panel.periods = periods_of(display), panel.tilt = tilt_of(display);
+  // Stripes: the calibration's x + c s lies one sub-pixel s from where the sub-pixel itself is.
+  const double step = c.cells.empty() ? (c.flip_image_x ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
+  panel.center = c.center - panel.periods * step;
+  panel.inverted = c.inversion == Calibration::Inversion::kAlways || c.invert;
+  panel.view_cone = static_cast<float>(display.view_cone_deg * kDegree);
+  panel.distance_mm = static_cast<float>(distance_mm);
+  panel.sub_pixels = offsets_of(c);
+  return panel;
+}
+
+Optics native_optics(const Display& display) {
+  const double distance = viewing_distance_mm(display);
+  Optics optics;
+  optics.panel = {display.pixels.x, display.pixels.y, static_cast<float>(display.pixel_mm())};
+  if (display.kind == DisplayKind::kSlantedPanel) {
+    optics.panel.width *= 3, optics.panel.pixel_pitch_mm = static_cast<float>(display.pixel_mm() / 3.0);
+    optics.model = slanted_panel(display, distance);
+    return optics;
+  }
+  const Lenses lenses = lenses_of(display, distance);
+  if (display.kind == DisplayKind::kLenticularSheet) {
+    LenticularSheet sheet;
+    sheet.lens_pitch_mm = lenses.pitch_mm, sheet.gap_mm = lenses.gap_mm, sheet.offset_mm = 0.5f * lenses.pitch_mm;
+    sheet.slant = static_cast<float>(display.lenses.slant_deg * kDegree);
+    sheet.viewing_distance_mm = static_cast<float>(distance);
+    optics.model = sheet;
+  } else {
+    MicrolensArray array;
+    array.packing = display.lenses.packing;
+    array.lens_pitch_mm = lenses.pitch_mm, array.gap_mm = lenses.gap_mm, array.offset_mm = Vec2f(0.5f * lenses.pitch_mm);
+    array.viewing_distance_mm = static_cast<float>(distance);
+    optics.model = array;
+  }
+  return optics;
+}
+
+int views_of(const Display& display) {
+  if (display.quilt) return display.quilt->columns * display.quilt->rows;
+  if (display.kind == DisplayKind::kSlantedPanel) return static_cast<int>(3.0 * display.pixels.x / periods_of(display));
+  const int across = static_cast<int>(display.lenses.pitch_mm / display.pixel_mm() + 1e-6);
+  return display.kind == DisplayKind::kMicrolensArray ? across * across : across;
+}
+
+const char* to_string(DisplayKind kind) {
+  switch (kind) {
+    case DisplayKind::kLenticularSheet:
+      return "lenticular-sheet";
+    case DisplayKind::kMicrolensArray:
+      return "microlens-array";
+    case DisplayKind::kSlantedPanel:
+      break;
+  }
+  return "slanted-panel";
+}
+
+}  // namespace lippmann

@@ -1,0 +1,50 @@
+// Figures of displays, worked out by hand.
+#include "display/display.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "display/load_display.hpp"
+
+namespace lippmann {
+namespace {
+
+TEST(Display, viewer_stands_where_the_panel_spans_14_degrees) {
+  // Portrait: 2048 / 324 inches = 160.55 mm high; 80.277 / tan(7 degrees) = 653.80 mm.
+  EXPECT_NEAR(viewing_distance_mm(load_display("portrait")), 653.80, 0.01);
+  Display display;
+  display.viewing_distance_mm = 400.0;
+  EXPECT_EQ(viewing_distance_mm(display), 400.0);
+}
+
+TEST(Display, lenticular_sheet_has_its_pitch_and_converges_to_the_viewer_over_its_cone) {
+  // 60 per inch: 0.42333 mm, below 12 pixels of 1/720 inch. Cells are wider, by g / V; the zone is what the sheet says.
+  const Display display = load_display("lenticular-60lpi-720dpi");
+  const Optics optics = native_optics(display);
+  const auto& sheet = std::get<LenticularSheet>(optics.model);
+  EXPECT_NEAR(sheet.lens_pitch_mm, 0.423333, 1e-6);
+  EXPECT_NEAR(degrees(viewing_zone(optics)), 54.0, 1e-3);
+  EXPECT_NEAR(sheet.viewing_distance_mm, 101.6 / std::tan(radians(7.0f)), 1e-2);
+  EXPECT_EQ(views_of(display), 12);
+}
+
+TEST(Display, microlens_array_has_square_or_hexagonal_lenses) {
+  const auto packing = [](const char* name) {
+    return std::get<MicrolensArray>(native_optics(load_display(name)).model).packing;
+  };
+  EXPECT_EQ(packing("microlens-1mm-4k"), LensPacking::kSquare);
+  EXPECT_EQ(packing("microlens-1mm-hexagonal-4k"), LensPacking::kHexagonal);
+  // 282.4 dpi: 11.1 pixels to a lens of 1 mm.
+  EXPECT_EQ(views_of(load_display("microlens-1mm-4k")), 121);
+}
+
+TEST(Display, views_are_the_quilts_or_the_sub_pixels_below_a_lens) {
+  Display display = load_display("portrait");
+  EXPECT_EQ(views_of(display), 48);
+  display.quilt.reset();
+  EXPECT_EQ(views_of(display), 18);  // 4608 / 244.04 = 18.88
+}
+
+}  // namespace
+}  // namespace lippmann

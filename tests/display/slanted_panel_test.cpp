@@ -1,0 +1,153 @@
+// The optics of calibrated panels against the interlacing formula, worked out by hand and written down once more.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "display/load_display.hpp"
+
+namespace lippmann {
+namespace {
+
+/// v of a sub-pixel, by the eye that its ray comes from.
+double view_of(const Optics& optics, int i, int j, int color) {
+  const auto& slanted = std::get<SlantedPanel>(optics.model);
+  const Ray ray = ray_of_pixel(optics, {3 * i + color + 0.5f, j + 0.5f});
+  const double to_eye = (slanted.distance_mm - ray.origin.z) / ray.direction.z;
+  return 0.5 + std::atan((ray.origin.x + to_eye * ray.direction.x) / slanted.distance_mm) / slanted.view_cone;
+}
+
+/// The eye, up to 400 mm from the middle in floats, is good to 3e-5 mm of about 800 mm that the cone spreads over.
+constexpr double kView = 1e-6;
+
+TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
+  // 52 * 1536 / 324 cos(atan(-1/7)) = 246.5185 * 0.989949 = 244.0409; 2048 / (1536 * -7) = -0.1904762.
+  const Display portrait = load_display("looking-glass-portrait");
+  EXPECT_NEAR(periods_of(portrait), 244.041, 5e-4);
+  EXPECT_NEAR(tilt_of(portrait), -0.190476, 5e-7);
+}
+
+TEST(SlantedDisplay, portrait_sub_pixel_table_by_hand) {
+  // x = (i + 1/2) / 1536, y = 1 - (j + 1/2) / 2048, z = (x + c / 4608 - 0.19047619 y) 244.0408826 - 0.5, v = 1 - fract(z):
+  //   i     j     c   x           y           z           v
+  //   0     0     0   0.00032552  0.99975586  -46.893189  0.893189
+  //   0     0     1                           -46.840228  0.840228
+  //   0     0     2                           -46.787268  0.787268
+  //   1535  0     2   0.99967448  0.99975586  197.094734  0.905266
+  //   767   1023  1   0.49967448  0.50024414   98.240624  0.759376
+  //   100   2047  0   0.06542969  0.00024414   15.456170  0.543830
+  //   1535  2047  2   0.99967448  0.00024414  243.556014  0.443986
+  const Optics optics = native_optics(load_display("portrait"));
+  EXPECT_EQ(optics.panel.width, 4608);
+  EXPECT_EQ(optics.panel.height, 2048);
+  EXPECT_NEAR(optics.panel.pixel_pitch_mm, 25.4 / 324 / 3, 1e-8);
+  const struct {
+    int i, j, color;
+    double v;
+  } table[] = {{0, 0, 0, 0.893189},      {0, 0, 1, 0.840228},      {0, 0, 2, 0.787268},      {1535, 0, 2, 0.905266},
+               {767, 1023, 1, 0.759376}, {100, 2047, 0, 0.543830}, {1535, 2047, 2, 0.443986}};
+  for (const auto& [i, j, color, v] : table)
+    EXPECT_NEAR(view_of(optics, i, j, color), v, kView) << i << " " << j << " " << color;
+}
+
+TEST(SlantedDisplay, third_generation_sub_pixel_table_by_hand) {
+  // 3840 x 2160: P = 600.5274503, T = -0.08152174. Even columns: red (-0.31, 0.25), green (0.28, 0.25), blue (0, -0.25); odd
+  // ones with the other signs of y. z = (x + ox / 3840 + (y + oy / 2160) T) P - 0.5:
+  //   0    0    r  -49.420662  v 0.420662     2000 1000 b  286.078698  v 0.921302
+  //   1    0    r  -49.252943  v 0.252943     2001 1000 b  286.223753  v 0.776247
+  //   0    0    g  -49.328394  v 0.328394     3839 2159 g  599.987379  v 0.012621
+  //   1    0    b  -49.215795  v 0.215795
+  const Optics optics = native_optics(load_display("looking-glass-16-landscape"));
+  const struct {
+    int i, j, color;
+    double v;
+  } table[] = {{0, 0, 0, 0.420662},       {1, 0, 0, 0.252943},       {0, 0, 1, 0.328394},      {1, 0, 2, 0.215795},
+               {2000, 1000, 2, 0.921302}, {2001, 1000, 2, 0.776247}, {3839, 2159, 1, 0.012621}};
+  for (const auto& [i, j, color, v] : table)
+    EXPECT_NEAR(view_of(optics, i, j, color), v, kView) << i << " " << j << " " << color;
+}
+
+/// The formula of Calibration as it stands there.
+double formula(const Display& d, int i, int j, int color, int cell) {
+  const Calibration& c = d.calibration;
+  const double w = d.pixels.x, h = d.pixels.y;
+  const double p = c.pitch * w / d.dpi * std::cos(std::atan(1.0 / c.slope));
+  const double t = h / (w * c.slope) * (c.flip_image_y ? -1 : 1), s = (c.flip_image_x ? -1 : 1) / (3 * w);
+  double x = (i + 0.5) / w, y = 1 - (j + 0.5) / h;
+  const int k = c.flip_sub_pixels ? 2 - color : color;
+  if (c.cells.empty())
+    x += k * s;
+  else
+    x += c.cells[cell][k].x / w, y += c.cells[cell][k].y / h;
+  const double z = (x + y * t) * p - c.center;
+  const bool inverted = c.inversion == Calibration::Inversion::kAlways || c.invert;
+  return inverted ? 1 - (z - std::floor(z)) : z - std::floor(z);
+}
+
+Display small_display() {
+  Display d;
+  d.pixels = {60, 41};
+  d.dpi = 100.0;
+  d.calibration.pitch = 16.3, d.calibration.slope = -5.3, d.calibration.center = 0.37;
+  return d;
+}
+
+void expect_formula(const Display& d, int (*cell)(int column, int row_from_bottom)) {
+  const Optics optics = native_optics(d);
+  for (int j = 0; j < d.pixels.y; ++j)
+    for (int i = 0; i < d.pixels.x; ++i)
+      for (int color = 0; color < 3; ++color) {
+        const double v = formula(d, i, j, color, cell(i, d.pixels.y - 1 - j));
+        if (std::min(v, 1 - v) < 1e-5) continue;  // on the edge of a lens either side will do
+        EXPECT_NEAR(view_of(optics, i, j, color), v, 2 * kView) << i << " " << j << " " << color;
+      }
+}
+
+int first_cell(int, int) { return 0; }
+
+TEST(SlantedDisplay, every_flip_is_that_of_the_formula) {
+  for (int flags = 0; flags < 16; ++flags) {
+    Display d = small_display();
+    d.calibration.flip_image_x = flags & 1, d.calibration.flip_image_y = flags & 2, d.calibration.flip_sub_pixels = flags & 4;
+    if (flags & 8) d.calibration.invert = false, d.calibration.inversion = Calibration::Inversion::kIfFlagged;
+    SCOPED_TRACE(flags);
+    expect_formula(d, first_cell);
+  }
+}
+
+TEST(SlantedDisplay, views_are_inverted_whatever_the_flag_says_unless_it_is_asked) {
+  Display d = small_display();
+  d.calibration.invert = false;
+  expect_formula(d, first_cell);
+  EXPECT_TRUE(slanted_panel(d, 500.0).inverted);
+}
+
+TEST(SlantedDisplay, every_pattern_of_cells_is_that_of_the_formula) {
+  Display d = small_display();
+  for (int cell = 0; cell < 4; ++cell)
+    d.calibration.cells.push_back({Vec2f(-0.3f, 0.01f * cell), Vec2f(0.02f * cell, 0.2f), Vec2f(0.3f, -0.1f * cell)});
+  int (*by_columns[])(int, int) = {first_cell, [](int i, int j) { return (i + j) % 2; }, [](int i, int) { return i % 2; },
+                                   [](int i, int j) { return (j + 2 * (i % 2)) % 4; }, [](int, int j) { return j % 2; }};
+  for (int pattern = 0; pattern <= 4; ++pattern) {
+    SCOPED_TRACE(pattern);
+    d.calibration.cell_pattern = pattern;
+    expect_formula(d, by_columns[pattern]);
+  }
+  d.calibration.patterns = Calibration::Patterns::kRows;
+  d.calibration.cell_pattern = 2;
+  expect_formula(d, [](int, int j) { return j % 4; });
+  d.calibration.cell_pattern = 4;
+  expect_formula(d, [](int i, int) { return i % 2; });
+  d.calibration.flip_sub_pixels = true;
+  expect_formula(d, [](int i, int) { return i % 2; });
+}
+
+TEST(SlantedDisplay, fewer_cells_than_the_pattern_has_are_repeated) {
+  Display d = small_display();
+  d.calibration.cells = {{Vec2f(-0.3f, 0.1f), Vec2f(0.0f), Vec2f(0.3f, 0.0f)},
+                         {Vec2f(-0.2f, 0.0f), Vec2f(0.1f), Vec2f(0.3f, 0.2f)}};
+  d.calibration.cell_pattern = 3;
+  expect_formula(d, [](int i, int j) { return (j + 2 * (i % 2)) % 4 % 2; });
+}
+
+}  // namespace
+}  // namespace lippmann
