@@ -8,6 +8,7 @@
 #include <string>
 
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/orthoscopic_flags.hpp"
 #include "core/error.hpp"
 #include "layout/convert.hpp"
 
@@ -19,6 +20,7 @@ struct Options {
   double aspect = 0.0;
   int bits = 0;
   bool json = false;
+  OrthoscopicFlags orthoscopic;
 };
 
 /// Digits, x, digits; both from 1 to 1024.
@@ -47,7 +49,11 @@ ConvertParams params_of(const Options& options) {
   return params;
 }
 
-int run(const Options& options) {
+int run(const Options& options, const Context& context) {
+  if (options.orthoscopic.are_given())
+    return run_orthoscopic(options.orthoscopic, options.in, options.out, options.json, context);
+  if (options.from.empty()) throw usage_error("--from", "is required", "a format, see --help");
+  if (options.to.empty()) throw usage_error("--to", "is required", "a format, see --help");
   const Converted converted = convert(options.in, options.out, params_of(options));
   if (options.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
@@ -78,8 +84,9 @@ void add_convert_command(CLI::App& root, Action& chosen) {
   command.add_option("IN", options->in, "A picture or folder of the format; or a folder of many, frame_0000...")->required();
   command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
       ->required();
-  command.add_option("--from", options->from, "What IN is, see below")->required()->type_name("FORMAT");
-  command.add_option("--to", options->to, "What OUT is to be")->required()->type_name("FORMAT");
+  command.add_option("--from", options->from, "What IN is, see below")->type_name("FORMAT");
+  command.add_option("--to", options->to, "What OUT is to be; required but for --rotate-elemental and --spoc")
+      ->type_name("FORMAT");
   command.add_option("--views", options->views, "Views across and up; of an integral image: pixels below each lens")
       ->type_name("CxR");
   command.add_option("--quilt", options->quilt, "Tiles of the quilt; default: as its name says, or as square as can be")
@@ -93,9 +100,10 @@ void add_convert_command(CLI::App& root, Action& chosen) {
       ->type_name("COLUMNS[xROWS]");
   command.add_option("--crop", options->crop, "Only this window of every view, from its top left corner")->type_name("WxH+X+Y");
   command.add_option("--bits", options->bits, "Of the codes of PPM files; default: as read")->check(CLI::Range(8, 16));
+  add_orthoscopic_flags(command, options->orthoscopic);
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.footer(formats_help());
-  command.callback([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
+  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 
 }  // namespace lippmann::app

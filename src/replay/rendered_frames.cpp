@@ -116,15 +116,20 @@ RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) 
   return frames;
 }
 
-RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index) {
-  RenderedPanel rendered{frames.optics, to_linear(read_picture(frames.files[index]))};
+Picture read_panel_picture(const RenderedFrames& frames, const fs::path& file) {
+  Picture picture = read_picture(file);
   const Panel& panel = frames.optics.panel;
-  if (rendered.picture.width != panel.width || rendered.picture.height != panel.height)
-    throw Error(frames.files[index].string(),
-                fmt::format("has {}x{} pixels, but was rendered for a panel of {}x{}, says its report", rendered.picture.width,
-                            rendered.picture.height, panel.width, panel.height),
+  const Vec2i size = std::visit([](const auto& image) { return Vec2i(image.width, image.height); }, picture);
+  if (size != Vec2i(panel.width, panel.height))
+    throw Error(file.string(),
+                fmt::format("has {}x{} pixels, but was rendered for a panel of {}x{}, says its report", size.x, size.y,
+                            panel.width, panel.height),
                 "the pictures as the render wrote them");
-  return rendered;
+  return picture;
+}
+
+RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index) {
+  return {frames.optics, to_linear(read_panel_picture(frames, frames.files[index]))};
 }
 
 std::string frame_label(const fs::path& file) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "image/picture_file.hpp"
 #include "replay/rendered_panel.hpp"
 
 namespace lippmann {
@@ -20,8 +21,12 @@ struct RenderedFrames {
 /// what lies behind a lens array (views, or a quilt of them).
 RenderedFrames find_rendered_frames(const std::filesystem::path& in, const std::filesystem::path& report = {});
 
-/// Integer samples are sRGB codes, float samples linear; what is not finite becomes 0. Throws Error naming the file, also where
-/// its size is not that of the optics' panel.
+/// The picture of one of the files, with its samples. Throws Error naming the file, also where its size is not that of the
+/// optics' panel.
+Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::path& file);
+
+/// Integer samples are sRGB codes, float samples linear; what is not finite becomes 0. Throws
+/// likewise.
 RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index);
 
 /// What a frame is called in names of files made from it: its number, or a picture's whole name.

@@ -72,6 +72,31 @@ TEST(Replay, impossible_depths_and_lines_are_refused) {
   expect_refusal(run_tool(dir, {"replay", "out", "--refocus", "1", "--video", "a.mkv"}), 2, "--video");
 }
 
+TEST(Replay, rotated_elemental_images_come_back_to_the_bit_and_can_be_replayed) {
+  const TempDir dir;
+  render_teapot(dir);
+  rendered(dir, {"convert", "out", "turned", "--rotate-elemental"}, "turned");
+  const Files files = rendered(dir, {"convert", "turned", "back", "--rotate-elemental"}, "back");
+  EXPECT_EQ(read_image8(dir / "back/frame_0003.png").rgb, read_image8(dir / "out/frame_0003.png").rgb);
+  EXPECT_NE(read_image8(dir / "turned/frame_0003.png").rgb, read_image8(dir / "out/frame_0003.png").rgb);
+  EXPECT_EQ(rendered(dir, {"replay", "turned", "-o", "eye"}, "eye").size(), 2u);
+}
+
+TEST(Replay, smart_conversion_makes_pictures_for_the_displays_own_lenses) {
+  const TempDir dir;
+  render_teapot(dir);
+  rendered(dir, {"convert", "out", "smart", "--spoc", "8", "--lens-pixels", "12", "--gap", "3"}, "smart");
+  const nlohmann::json optics = nlohmann::json::parse(bytes_of(dir / "smart/report.json"))["optics"];
+  EXPECT_EQ(optics["gap_mm"], 3.0);
+  EXPECT_EQ(read_image8(dir / "smart/frame_0003.png").width, optics["width"]);
+  EXPECT_EQ(rendered(dir, {"replay", "smart", "--eye", "0,0,4000", "-o", "eye"}, "eye").size(), 2u);
+  expect_refusal(run_tool(dir, {"convert", "out", "a", "--spoc", "8", "--gap", "-1"}), 2, "--spoc");
+  expect_refusal(run_tool(dir, {"convert", "out", "a", "--spoc", "nan"}), 2, "--spoc");
+  expect_refusal(run_tool(dir, {"convert", "out", "a", "--spoc", "8", "--reference-plane", "-1"}), 2, "--reference-plane");
+  expect_refusal(run_tool(dir, {"convert", "out", "out", "--rotate-elemental"}), 2, "another folder");
+  expect_refusal(run_tool(dir, {"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}), 2, "--spoc");
+}
+
 TEST(Replay, eye_out_of_the_zone_is_warned_of) {
   const TempDir dir;
   render_teapot(dir);

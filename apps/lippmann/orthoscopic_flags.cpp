@@ -1,0 +1,53 @@
+#include "apps/lippmann/orthoscopic_flags.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "replay/orthoscopic.hpp"
+
+namespace lippmann::app {
+
+void add_orthoscopic_flags(CLI::App& command, OrthoscopicFlags& flags) {
+  CLI::Option_group& group =
+      *command.add_option_group("Depth turned round", "Of pictures beside their report.json; OUT is a folder");
+  group.add_flag("--rotate-elemental", flags.rotate_elemental,
+                 "Rotate every elemental image by 180 degrees: depth z becomes -z");
+  group
+      .add_option(
+          "--spoc", flags.spoc_mm,
+          "Smart conversion to orthoscopic: what stood this far before the recording array comes into the display's plane")
+      ->type_name("MM");
+  group.add_option("--reference-plane", flags.reference_mm, "Of --spoc: where the scene stays best; default: that distance")
+      ->type_name("MM");
+  group.add_option("--lens-pitch", flags.lens_pitch_mm, "Of --spoc: the display's lenses; default: as recorded")
+      ->type_name("MM");
+  group.add_option("--gap", flags.gap_mm, "Of --spoc: from the display's lenses to its pixels; default: as recorded")
+      ->type_name("MM");
+  group
+      .add_option("--lens-pixels", flags.lens_pixels,
+                  "Of --spoc: pixels below each of the display's lenses; default: as recorded")
+      ->type_name("N");
+}
+
+int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, bool json,
+                    const Context& context) {
+  if (flags.rotate_elemental && flags.spoc_mm)
+    throw usage_error("--spoc", "is another conversion than --rotate-elemental", "one of the two");
+  OrthoscopicParams params{in, out};
+  if (flags.spoc_mm) params.spoc = SpocParams{*flags.spoc_mm, flags.reference_mm.value_or(*flags.spoc_mm)};
+  params.lens_pitch_mm = flags.lens_pitch_mm, params.gap_mm = flags.gap_mm, params.lens_pixels = flags.lens_pixels;
+  const auto written = convert_to_orthoscopic(params, context);
+  if (json) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const auto& path : written) files.push_back(path.string());
+    fmt::print("{}\n", nlohmann::ordered_json{{"files", files}}.dump(2));
+  } else if (!written.empty()) {
+    fmt::print("{} ... {}\n", written.front().string(), written.back().string());
+  }
+  return 0;
+}
+
+}  // namespace lippmann::app

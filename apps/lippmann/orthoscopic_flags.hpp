@@ -1,0 +1,29 @@
+// The flags of `lippmann convert` that turn depth round, and what they run.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/context.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace lippmann::app {
+
+struct OrthoscopicFlags {
+  bool rotate_elemental = false;
+  std::optional<double> spoc_mm, reference_mm, lens_pitch_mm, gap_mm;
+  std::optional<int> lens_pixels;
+
+  bool are_given() const { return rotate_elemental || spoc_mm; }
+};
+
+void add_orthoscopic_flags(CLI::App& command, OrthoscopicFlags& flags);
+
+/// Where flags are given: converts, and prints what was written.
+int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, bool json,
+                    const Context& context);
+
+}  // namespace lippmann::app
