@@ -5,18 +5,30 @@
 
 #include "image/metrics.hpp"
 #include "render/reuse_params.hpp"
+#include "reuse/tracing_costs.hpp"
 #include "trace/trace_packets.hpp"
 
 namespace lippmann {
 namespace {
 
-/// From here on the frames around are not tried: nearer keys would hardly make up for it.
-constexpr double kHopelessShare = 0.75;
+/// In one of so many intervals it is found out whether predicting pays in all of them.
+constexpr int kSegmentIntervals = 8;
+/// Where a prediction costs more than this share of a traced frame it is not even tried: what is left to trace takes the rest.
+constexpr double kMostPredictionCost = 1.0 / 3.0;
+/// The least saving of a whole interval, its key counted, for which frames are predicted: costs are known to a third only.
+constexpr double kLeastSaving = 0.05;
+/// What keys twice as near take from the cost of what is to trace, in traced frames: seldom more.
+constexpr double kHalvingGains = 0.1;
 
 void add_spent(const FrameReport& spent, FrameReport& report) {
   report.seconds += spent.seconds;
   report.cpu_seconds += spent.cpu_seconds;
   add(spent.rays, report.rays);
+}
+
+/// How far a frame is from the first to the last, 0 ... 1.
+float position(int frame, const FrameInterval& interval) {
+  return static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
 }
 
 /// An error of 0 among the held-out pixels is no proof that there is none.
@@ -34,56 +46,81 @@ FlooredFrames::FlooredFrames(Stage& stage, const RenderParams& params, const Thr
       maker_(stage.scene, stage.placed.optics, forward_params(params)) {}
 
 RenderedFrame FlooredFrames::make(int frame) {
-  forget_before(is_key_frame(frame, every_, last_frame_) ? frame : key_interval(frame, every_, last_frame_).first);
   std::erase_if(films_, [&](const auto& film) { return film.first < frame; });
   if (!films_.contains(frame) && !keys_.contains(frame)) render(frame);
   return context_.cancelled ? RenderedFrame{} : take(frame);
 }
 
 void FlooredFrames::render(int frame) {
-  if (is_key_frame(frame, every_, last_frame_)) {
+  const Segment& segment = segment_of(frame);
+  if (context_.cancelled || films_.contains(frame) || keys_.contains(frame)) return;
+  if (segment.length == 0) {
+    forget_before(frame);
+    trace(frame);
+  } else if (is_key_frame(frame, segment.length, last_frame_)) {
+    forget_before(frame);
     key(frame);
-    return;
+  } else {
+    render_between(frame, key_interval(frame, segment.length, last_frame_), segment.evidence);
   }
-  FrameInterval interval = key_interval(frame, every_, last_frame_);
-  while (!params_.keyframes) {
-    const Verdict verdict = verdict_on_middle(interval);
-    const int middle = middle_frame(interval);
-    if (context_.cancelled || middle == frame) return;
-    if (verdict == Verdict::kHolds) break;
-    if (verdict == Verdict::kHopeless) {
-      trace(frame, {});
-      return;
-    }
-    interval = frame < middle ? FrameInterval{interval.first, middle} : FrameInterval{middle, interval.last};
-  }
+}
+
+void FlooredFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
   forget_before(interval.first);
-  predict_or_trace(frame, interval);
-}
-
-FlooredFrames::Verdict FlooredFrames::verdict_on_middle(const FrameInterval& interval) {
-  const int middle = middle_frame(interval);
-  const auto known = verdicts_.find(middle);
-  return known != verdicts_.end() ? known->second : verdicts_[middle] = try_middle(interval);
-}
-
-FlooredFrames::Verdict FlooredFrames::try_middle(const FrameInterval& interval) {
-  const int middle = middle_frame(interval);
-  Attempt attempt = predict(middle, interval);
-  if (attempt.holds) {
-    not_asked_for_[middle] = attempt.frame.report;
-    films_[middle] = std::move(attempt.frame);
-    return Verdict::kHolds;
-  }
-  const bool hopeless = attempt.share_to_trace >= kHopelessShare, last = interval.last - interval.first == 2;
-  if (hopeless || last)
-    trace(middle, attempt.frame.report);
+  const bool holds = middle_holds(interval, learned);
+  if (context_.cancelled || films_.contains(frame)) return;  // it is the middle one
+  if (holds)
+    predict_or_trace(frame, interval, learned);
   else
-    key(middle, attempt.frame.report);
-  return hopeless ? Verdict::kHopeless : Verdict::kSplits;
+    trace(frame);
 }
 
-FlooredFrames::Attempt FlooredFrames::predict(int frame, const FrameInterval& interval) {
+const FlooredFrames::Segment& FlooredFrames::segment_of(int frame) {
+  const int first = frame - frame % (kSegmentIntervals * every_);
+  const auto known = segments_.find(first);
+  return known != segments_.end() ? known->second : segments_[first] = try_segment(first);
+}
+
+FlooredFrames::Segment FlooredFrames::try_segment(int first) {
+  const Panel& panel = stage_.placed.optics.panel;
+  const std::uint64_t pixels = static_cast<std::uint64_t>(panel.width) * static_cast<std::uint64_t>(panel.height);
+  if (last_frame_ - first < 2) return {};
+  key(first);
+  const double prediction = prediction_cost(stage_.scene, keys_.at(first).report.rays, pixels);
+  if (prediction > kMostPredictionCost) return {};
+  for (int length = every_; length > 1 && !context_.cancelled; length /= 2) {
+    const FrameInterval interval{first, std::min(first + length, last_frame_)};
+    const FloorLesson lesson = learn(interval);
+    const auto saving = [&](int frames, double cost) { return (1.0 - prediction - cost) * (frames - 1) / frames; };
+    if (saving(length, lesson.cost) >= kLeastSaving) return {length, lesson.evidence};
+    const bool may_halve = !params_.keyframes && interval.last - first == length;
+    if (!may_halve || saving(length / 2, lesson.cost - kHalvingGains) < kLeastSaving) break;
+  }
+  return {};
+}
+
+FloorLesson FlooredFrames::learn(const FrameInterval& interval) {
+  const int middle = middle_frame(interval);
+  const PointImage &previous = key(interval.first), &following = key(interval.last), &traced = key(middle);
+  if (context_.cancelled) return {};
+  const FrameClock clock(pool_);
+  FloorLesson lesson = maker_.learn_floor(previous, following, position(middle, interval), middle, traced, pool_);
+  FrameReport& report = keys_.at(middle).report;
+  clock.add_to(report);
+  report.kind = "full";
+  not_asked_for_[middle] = report;
+  return lesson;
+}
+
+bool FlooredFrames::middle_holds(const FrameInterval& interval, const Evidence& learned) {
+  const int middle = middle_frame(interval);
+  if (keys_.contains(middle)) return true;  // learned from
+  if (const auto known = middle_holds_.find(middle); known != middle_holds_.end()) return known->second;
+  const bool holds = predict_or_trace(middle, interval, learned);
+  return middle_holds_[middle] = holds;
+}
+
+bool FlooredFrames::predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned) {
   const PointImage &previous = key(interval.first), &following = key(interval.last);
   const FrameClock clock(pool_);
   PointImage image;
@@ -97,27 +134,24 @@ FlooredFrames::Attempt FlooredFrames::predict(int frame, const FrameInterval& in
                       wanted, pool_, context_, film),
         rays);
   };
-  const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
   InBetweenCounts counts;
-  const FloorOutcome outcome = maker_.make_to_floor(previous, following, position, frame, trace, pool_, image, counts);
-  Attempt attempt{{}, outcome.share_to_trace, outcome.holds};
-  FrameReport& report = attempt.frame.report;
-  report = in_between_report(frame, counts, rays, stage_.placed.optics.panel);
+  const FloorOutcome outcome =
+      maker_.make_to_floor(previous, following, position(frame, interval), frame, learned, trace, pool_, image, counts);
+  FrameReport report = in_between_report(frame, counts, rays, stage_.placed.optics.panel);
   if (outcome.holds) {
     report.estimated_psnr_db = estimated_psnr(outcome.error);
     report.psnr_at_least_db = psnr_db(outcome.error.bound);
-    attempt.frame.pictures.film = std::move(image.film);
   }
   clock.add_to(report);
-  return attempt;
-}
-
-void FlooredFrames::predict_or_trace(int frame, const FrameInterval& interval) {
-  Attempt attempt = predict(frame, interval);
-  if (!attempt.holds)
-    trace(frame, attempt.frame.report);
-  else
-    films_[frame] = std::move(attempt.frame);
+  if (outcome.holds) {
+    RenderedFrame& made = films_[frame];
+    made.pictures.film = std::move(image.film);
+    made.report = report;
+    not_asked_for_[frame] = report;
+  } else if (!context_.cancelled) {
+    this->trace(frame, report);
+  }
+  return outcome.holds;
 }
 
 void FlooredFrames::trace(int frame, const FrameReport& spent) {
@@ -126,11 +160,10 @@ void FlooredFrames::trace(int frame, const FrameReport& spent) {
   not_asked_for_[frame] = rendered.report;
 }
 
-const PointImage& FlooredFrames::key(int frame, const FrameReport& spent) {
+const PointImage& FlooredFrames::key(int frame) {
   const auto known = keys_.find(frame);
   if (known != keys_.end()) return known->second.image;
   ForwardSource& source = keys_[frame] = trace_source(stage_, params_, frame, maker_, pool_, context_);
-  add_spent(spent, source.report);
   not_asked_for_[frame] = source.report;
   return source.image;
 }

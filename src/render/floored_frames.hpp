@@ -1,12 +1,15 @@
 // Interpolated frames that keep to a PSNR (--reuse forward --min-psnr): key frames are traced, the others predicted from them
 // and traced where they are doubted (reuse/quality_floor.hpp).
 //
-// Without an interval between keys asked for, it follows from what turns out to be worth predicting, by halving: every
-// kDefaultKeyframes-th frame is a key; of the frames between two keys the middle one is tried first. If it holds with little
-// enough traced, the others are made from the same two keys. If not, it is traced as a whole, becomes a key itself, and both
-// halves are tried in the same way. If next to nothing of it could be trusted, as at a cut, the frames between these keys are
-// all traced. What is tried first depends on the animation alone, and what comes of it as well, so that any part of an
-// animation has the same bytes as in the whole; nothing depends on how long anything takes.
+// Whether that pays is told from counts (reuse/tracing_costs.hpp), never from a clock. An animation is cut into segments of
+// kSegmentIntervals intervals, each of kDefaultKeyframes frames or as many as were asked for. In the first interval of a
+// segment the middle frame is predicted, traced as a whole and compared: its errors tell what doubt means in the segment, and
+// what the other frames will cost. If that pays, all of the segment has such intervals; if not, intervals half as long are
+// tried, unless a length was asked for. If nothing pays, all frames of the segment are traced, at no further cost. In every
+// interval the middle frame is made first; where it has to be traced as a whole after all, so have the others.
+//
+// What is tried first depends on the animation alone, and what comes of it as well, so that any part of an animation has the
+// same bytes as in the whole.
 #pragma once
 
 #include <map>
@@ -30,24 +33,25 @@ class FlooredFrames final : public FrameMaker {
   static double bytes_kept_per_pixel();
 
  private:
-  /// What came of the middle frame of an interval.
-  enum class Verdict { kHolds, kSplits, kHopeless };
-
-  struct Attempt {
-    RenderedFrame frame;
-    double share_to_trace = 1.0;
-    bool holds = false;
+  struct Segment {
+    int length = 0;     ///< frames from key to key; 0: all are traced
+    Evidence evidence;  ///< what doubt means in it
   };
 
   /// Renders a frame, and whatever it depends on, into films_ or keys_.
   void render(int frame);
-  Verdict verdict_on_middle(const FrameInterval& interval);
-  Verdict try_middle(const FrameInterval& interval);
-  Attempt predict(int frame, const FrameInterval& interval);
-  /// Predicted, or where that does not hold, traced.
-  void predict_or_trace(int frame, const FrameInterval& interval);
-  void trace(int frame, const FrameReport& spent);
-  const PointImage& key(int frame, const FrameReport& spent = {});
+  void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
+  /// Of a frame. Tries the segment where that has not been done.
+  const Segment& segment_of(int frame);
+  Segment try_segment(int first);
+  /// Traces the middle frame of an interval, which has such keys around it, and compares it with its prediction.
+  FloorLesson learn(const FrameInterval& interval);
+  /// Whether the frame in the middle of an interval, which is made first, was worth predicting.
+  bool middle_holds(const FrameInterval& interval, const Evidence& learned);
+  /// False: the frame had to be traced.
+  bool predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned);
+  void trace(int frame, const FrameReport& spent = {});
+  const PointImage& key(int frame);
   void forget_before(int frame);
   RenderedFrame take(int frame);
 
@@ -59,7 +63,8 @@ class FlooredFrames final : public FrameMaker {
   InBetweenMaker maker_;
   std::map<int, ForwardSource> keys_;         ///< by frame
   std::map<int, RenderedFrame> films_;        ///< likewise: made, not taken yet
-  std::map<int, Verdict> verdicts_;           ///< by middle frame
+  std::map<int, Segment> segments_;           ///< by first frame
+  std::map<int, bool> middle_holds_;          ///< by middle frame
   std::map<int, FrameReport> not_asked_for_;  ///< rendered because others depend on them, by frame
 };
 

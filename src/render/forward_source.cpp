@@ -1,6 +1,7 @@
 #include "render/forward_source.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace lippmann {
 
@@ -13,8 +14,11 @@ ForwardSource trace_source(Stage& stage, const RenderParams& params, int frame, 
   stage.device.update(image.moment.resolved, pool);
   source.report.frame = frame;
   source.report.kind = "key";
-  source.report.rays = trace_frame(stage.device, stage.placed.optics, image.moment.world_from_display,
-                                   trace_params(params, stage.scene), pool, context, image.film, nullptr, &image.points);
+  TouchedBlocks blocks;
+  source.report.rays =
+      trace_frame(stage.device, stage.placed.optics, image.moment.world_from_display, trace_params(params, stage.scene), pool,
+                  context, image.film, nullptr, &image.points, params.min_psnr_db ? &blocks : nullptr);
+  image.rays = std::move(blocks.rays);
   maker.prepare(image, pool);
   clock.add_to(source.report);
   return source;

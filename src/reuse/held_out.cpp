@@ -47,24 +47,16 @@ class Runs {
   std::array<Run, kDoubtLevels> runs_;
 };
 
-/// Sums over the samples of one level.
-struct Sums {
-  double count = 0.0, sum = 0.0, squares = 0.0, largest = 0.0;
-
-  void add(double error) {
-    count += 1.0, sum += error, squares += error * error;
-    largest = std::max(largest, error);
-  }
-  double mean() const { return sum / count; }
-  double squared_deviations() const { return std::max(0.0, squares - sum * mean()); }
-};
+double squared_deviations(const Evidence::Level& level) {
+  return std::max(0.0, level.squares - level.sum * level.sum / level.count);
+}
 
 }  // namespace
 
 int level_of(std::uint8_t doubt) { return kLevels[doubt]; }
 
 std::uint32_t patches_per_sample(std::size_t patches) {
-  constexpr std::size_t kLeast = 4, kMost = 32, kSamples = 1500;
+  constexpr std::size_t kLeast = 4, kMost = 64, kSamples = 400;
   return static_cast<std::uint32_t>(std::clamp(patches / kSamples, kLeast, kMost));
 }
 
@@ -75,30 +67,51 @@ HeldOut hold_out(std::span<const std::uint8_t> doubt, std::uint32_t seed, int fr
     const std::uint8_t level = kLevels[doubt[p]];
     ++held_out.population[level];
     if (!runs.draw(level)) continue;
+    ++held_out.drawn[level];
     held_out.patches.push_back(static_cast<std::uint32_t>(p));
     held_out.levels.push_back(level);
   }
   return held_out;
 }
 
-std::array<ErrorEstimate, kDoubtLevels> estimate_errors(const HeldOut& held_out, std::span<const double> squared_errors) {
-  std::array<Sums, kDoubtLevels> sums;
-  for (std::size_t i = 0; i < squared_errors.size(); ++i) sums[held_out.levels[i]].add(squared_errors[i]);
+void Evidence::add(const HeldOut& held_out, std::span<const double> squared_errors) {
+  for (std::size_t i = 0; i < squared_errors.size(); ++i) {
+    Level& level = levels[held_out.levels[i]];
+    const double error = squared_errors[i];
+    level.count += 1.0, level.sum += error, level.squares += error * error;
+    level.largest = std::max(level.largest, error);
+  }
+}
+
+void Evidence::add(const Evidence& other) {
+  for (std::size_t h = 0; h < levels.size(); ++h) {
+    levels[h].count += other.levels[h].count, levels[h].sum += other.levels[h].sum;
+    levels[h].squares += other.levels[h].squares;
+    levels[h].largest = std::max(levels[h].largest, other.levels[h].largest);
+  }
+}
+
+void Evidence::weigh(double weight) {
+  for (Level& level : levels) level.count *= weight, level.sum *= weight, level.squares *= weight;
+}
+
+std::array<ErrorEstimate, kDoubtLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence) {
   double patches = 0.0;
   for (const std::uint64_t population : held_out.population) patches += static_cast<double>(population);
 
   std::array<ErrorEstimate, kDoubtLevels> errors;
   double mse = 0.0, variance = 0.0, weight = 0.0, unseen = kUnseenError * kUnseenError;
   for (std::size_t h = 0; h < errors.size(); ++h) {
-    const double population = static_cast<double>(held_out.population[h]);
-    if (sums[h].count > 0.0) {
-      const double of_sample = (population - sums[h].count) / (patches * sums[h].count);
-      mse += of_sample * sums[h].sum;
-      variance += of_sample * of_sample * sums[h].squared_deviations();
+    const Evidence::Level& known = evidence.levels[h];
+    const double untraced = static_cast<double>(held_out.population[h] - held_out.drawn[h]);
+    if (known.count > 0.0) {
+      const double of_sample = untraced / (patches * known.count);
+      mse += of_sample * known.sum;
+      variance += of_sample * of_sample * squared_deviations(known);
       weight = std::max(weight, of_sample);
-      unseen = std::max(unseen, sums[h].largest);
+      unseen = std::max(unseen, known.largest);
     } else {
-      mse += population / patches * kLevelEnd[h] * kLevelEnd[h];
+      mse += untraced / patches * kLevelEnd[h] * kLevelEnd[h];
     }
     const double not_drawn = weight * unseen;
     errors[h] = {mse, mse + not_drawn + kNormal99 * std::sqrt(variance + not_drawn * not_drawn)};

@@ -5,10 +5,10 @@
 // and samples are spread evenly over levels and picture (stratified sampling of clusters: W. G. Cochran, "Sampling Techniques",
 // 3rd ed., 1977, chapters 5 and 9).
 //
-// With N patches in the frame, N_h in level h, e_hi the mean squared errors of its n_h samples (over pixels and R, G, B, in
-// 8-bit display codes) and m_h their mean, the mean squared error that levels 0 ... H leave in the frame, everything else and
-// the samples themselves being traced, is estimated by
-//   M = sum_h w_h sum_i e_hi,   w_h = (N_h - n_h) / (N n_h),
+// With N patches in the frame, N_h in level h, n_h of them drawn, e_hi the mean squared errors of the samples known of that
+// level (over pixels and R, G, B, in 8-bit display codes), k_h how many and m_h their mean, the mean squared error that levels
+// 0 ... H leave in the frame, everything else and the samples themselves being traced, is estimated by
+//   M = sum_h w_h sum_i e_hi,   w_h = (N_h - n_h) / (N k_h),
 // and bounded from above, at 95 % confidence, by
 //   U = M + w e + 2.326 sqrt(sum_h w_h^2 sum_i (e_hi - m_h)^2 + (w e)^2),   w the largest w_h.
 // The second term is a sample that was not drawn: errors are few and heavy-tailed, and what is not among n samples may still
@@ -17,7 +17,10 @@
 // of a Poisson count are 3.0, 4.7, 6.3, 7.8: few errors are not normally distributed, so that the normal quantile of 95
 // %, 1.645, would fall short of them, and that of 99 % is taken. It is a bound for errors like those that samples can find:
 // what is wrong in a few pixels of a frame, by a hundred codes, and nowhere else, has to stay below kUnseenError. A level of
-// which no sample was drawn is taken to err by its doubt.
+// which no sample is known is taken to err by its doubt.
+//
+// The samples known are the frame's own and, by kLearnedWeight, all patches of a frame near by that was predicted and traced as
+// a whole: what a level of doubt errs by is taken to be the same in both. Then few of the frame's own are needed.
 #pragma once
 
 #include <array>
@@ -42,13 +45,33 @@ struct HeldOut {
   std::vector<std::uint32_t> patches;                  ///< ascending
   std::vector<std::uint8_t> levels;                    ///< of those patches
   std::array<std::uint64_t, kDoubtLevels> population;  ///< patches of the frame by level
+  std::array<std::uint64_t, kDoubtLevels> drawn;       ///< how many of them are in the sample
 };
 
-/// R for frames of that many patches: such that there are about 1500 samples, within 4 ... 32.
+/// R for frames of that many patches: such that there are about 400 samples, within 4 ... 64.
 std::uint32_t patches_per_sample(std::size_t patches);
 
 /// `doubt` of patches.
 HeldOut hold_out(std::span<const std::uint8_t> doubt, std::uint32_t seed, int frame);
+
+/// What a patch of the frame that was learned from counts as, in samples: its patches have their errors in common, with their
+/// neighbours', and other frames will differ from it.
+inline constexpr double kLearnedWeight = 0.5;
+
+/// What samples have shown.
+struct Evidence {
+  /// Sums over the samples of one level; of their mean squared errors, in codes.
+  struct Level {
+    double count = 0.0, sum = 0.0, squares = 0.0, largest = 0.0;
+  };
+  std::array<Level, kDoubtLevels> levels;
+
+  /// `squared_errors`: one per held-out patch.
+  void add(const HeldOut& held_out, std::span<const double> squared_errors);
+  void add(const Evidence& other);
+  /// As if each sample had been drawn `weight` times.
+  void weigh(double weight);
+};
 
 /// Mean squared errors in codes.
 struct ErrorEstimate {
@@ -56,8 +79,8 @@ struct ErrorEstimate {
   double bound = 0.0;  ///< U
 };
 
-/// Entry h: what levels 0 ... h leave in the frame. `squared_errors`: one per held-out patch.
-std::array<ErrorEstimate, kDoubtLevels> estimate_errors(const HeldOut& held_out, std::span<const double> squared_errors);
+/// Entry h: what levels 0 ... h leave in the frame that `held_out` is of. `evidence`: of that sample, and maybe others.
+std::array<ErrorEstimate, kDoubtLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence);
 
 /// How many levels, from the lowest on, can be trusted so that the frame's error stays at or below `mse`: every one of their
 /// bounds does. Levels are thus tested in a fixed order until one fails, so that trusting too many has a chance of 5 %, however

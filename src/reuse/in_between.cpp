@@ -81,9 +81,8 @@ InBetweenCounts InBetweenMaker::make(const PointImage& previous, const PointImag
   return counts;
 }
 
-FloorOutcome InBetweenMaker::make_to_floor(const PointImage& previous, const PointImage& following, float position, int number,
-                                           const TracePackets& trace, const ThreadPool& pool, PointImage& frame,
-                                           InBetweenCounts& counts) {
+void InBetweenMaker::predict(const PointImage& previous, const PointImage& following, float position, const ThreadPool& pool,
+                             PointImage& frame, InBetweenCounts& counts) {
   const Motion from_previous = motion_between(groups_, previous.moment, frame.moment);
   const Motion from_following = motion_between(groups_, following.moment, frame.moment);
   splatter_.splat(previous, from_previous, pool, landed_previous_);
@@ -103,7 +102,26 @@ FloorOutcome InBetweenMaker::make_to_floor(const PointImage& previous, const Poi
     counts.causes = resolve_missed({a, b, to_previous, to_following}, splatter_, steps_, missed_, pool, &frame.film);
   }
   doubter_->estimate({from_previous_, landed_previous_}, {from_following_, landed_following_}, frame.film, pool, doubt_);
-  const FloorOutcome outcome = hold_floor(*params_.floor, doubt_, *patches_, number, encoding_, trace, pool, frame.film);
+}
+
+FloorLesson InBetweenMaker::learn_floor(const PointImage& previous, const PointImage& following, float position, int number,
+                                        const PointImage& traced, const ThreadPool& pool) {
+  PointImage predicted;
+  predicted.moment = traced.moment;
+  InBetweenCounts counts;
+  predict(previous, following, position, pool, predicted, counts);
+  const std::vector<float> costs = patches_->costs(previous.rays);
+  return lippmann::learn_floor(*params_.floor, {number, doubt_, costs}, *patches_, encoding_, predicted.film, traced.film,
+                               pool);
+}
+
+FloorOutcome InBetweenMaker::make_to_floor(const PointImage& previous, const PointImage& following, float position, int number,
+                                           const Evidence& learned, const TracePackets& trace, const ThreadPool& pool,
+                                           PointImage& frame, InBetweenCounts& counts) {
+  predict(previous, following, position, pool, frame, counts);
+  const std::vector<float> costs = patches_->costs(previous.rays);
+  const FloorOutcome outcome =
+      hold_floor(*params_.floor, {number, doubt_, costs}, learned, *patches_, encoding_, trace, pool, frame.film);
   counts.retraced = outcome.retraced;
   return outcome;
 }

@@ -54,13 +54,22 @@ class InBetweenMaker {
   InBetweenCounts make(const PointImage& previous, const PointImage& following, float position, bool as_source,
                        const TracePixels& trace, const ThreadPool& pool, PointImage& frame);
 
+  /// Predicts the film of a frame that is known, and tells what that teaches about others between the same two. `number` is the
+  /// frame's in its animation; rays of the previous frame are counted.
+  FloorLesson learn_floor(const PointImage& previous, const PointImage& following, float position, int number,
+                          const PointImage& traced, const ThreadPool& pool);
+
   /// Makes the film of the frame so that its PSNR keeps to params.floor, or finds that it is better traced as a whole: then
-  /// film is of no use. `number` is the frame's in its animation.
+  /// film is of no use.
   FloorOutcome make_to_floor(const PointImage& previous, const PointImage& following, float position, int number,
-                             const TracePackets& trace, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
+                             const Evidence& learned, const TracePackets& trace, const ThreadPool& pool, PointImage& frame,
+                             InBetweenCounts& counts);
 
  private:
   Image& film_of(PointImage& frame) const;
+  /// Fills frame.film and doubt_.
+  void predict(const PointImage& previous, const PointImage& following, float position, const ThreadPool& pool,
+               PointImage& frame, InBetweenCounts& counts);
 
   ForwardParams params_;
   Panel panel_;

@@ -10,6 +10,7 @@ namespace lippmann {
 Patches::Patches(const Optics& optics, RayOrder order) : begin_{0} {
   const StripOrder strip = make_strip_order(optics, order);
   const int width = optics.panel.width, height = optics.panel.height;
+  per_strip_ = (strip.pixels.size() + kPatchPixels - 1) / kPatchPixels;
   pixels_.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int top = 0; top < height; top += strip.strip_height)
     for (std::size_t i = 0; i < strip.pixels.size(); ++i) {
@@ -32,6 +33,22 @@ void Patches::root_mean_squares(std::span<const std::uint8_t> of_pixels, const T
       of_patches[patch] = static_cast<std::uint8_t>(std::lround(std::sqrt(mean)));
     }
   });
+}
+
+std::vector<float> Patches::costs(std::span<const std::uint32_t> rays_of_blocks) const {
+  const std::size_t blocks_per_strip = (per_strip_ + kPacketsPerBlock - 1) / kPacketsPerBlock;
+  std::vector<float> costs(count());
+  double sum = 0.0;
+  for (std::size_t patch = 0; patch < count(); ++patch) {
+    const std::size_t strip = patch / per_strip_, in_strip = patch % per_strip_, block = in_strip / kPacketsPerBlock;
+    const std::size_t patches = std::min<std::size_t>(kPacketsPerBlock, per_strip_ - block * kPacketsPerBlock);
+    const std::uint32_t rays = rays_of_blocks[strip * blocks_per_strip + block];
+    costs[patch] = static_cast<float>(rays) / static_cast<float>(patches);
+    sum += costs[patch];
+  }
+  const auto per_mean = static_cast<float>(static_cast<double>(count()) / sum);  // every pixel has a ray: not 0
+  for (float& cost : costs) cost *= per_mean;
+  return costs;
 }
 
 }  // namespace lippmann

@@ -32,7 +32,12 @@ class Patches {
   void root_mean_squares(std::span<const std::uint8_t> of_pixels, const ThreadPool& pool,
                          std::vector<std::uint8_t>& of_patches) const;
 
+  /// What each patch may cost to trace, in mean patches, by the rays that blocks of patches took in another frame
+  /// (TouchedBlocks::rays).
+  std::vector<float> costs(std::span<const std::uint32_t> rays_of_blocks) const;
+
  private:
+  std::size_t per_strip_ = 0;          ///< patches
   std::vector<std::uint32_t> pixels_;  ///< patch by patch
   std::vector<std::size_t> begin_;     ///< of each patch in pixels_, and the end of the last
 };

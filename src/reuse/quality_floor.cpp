@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "image/encode.hpp"
+#include "reuse/tracing_costs.hpp"
 
 namespace lippmann {
 namespace {
@@ -21,21 +21,16 @@ std::vector<unsigned char> codes_of(const Image& film, const Patches& patches, I
   return to_codes(picked, encoding).rgb;
 }
 
-/// Traces held-out patches; the squared errors of their predictions. A patch's is that of its pixels all together, by the mean
-/// number of pixels of a patch, so that the mean over all patches is the mean over all pixels.
-std::vector<double> trace_held_out(const Patches& patches, Indices held_out, Encoding encoding, const TracePackets& trace,
-                                   Image& film) {
-  const std::vector<unsigned char> predicted = codes_of(film, patches, held_out, encoding);
-  std::vector<std::uint8_t> wanted(patches.count());
-  for (const std::uint32_t patch : held_out) wanted[patch] = 1;
-  trace(wanted, film);
-  const std::vector<unsigned char> traced = codes_of(film, patches, held_out, encoding);
+/// The squared errors of some patches, given their codes. A patch's is that of its pixels all together, by the mean number of
+/// pixels of a patch, so that the mean over all patches is the mean over all pixels.
+std::vector<double> errors_of(const Patches& patches, Indices wanted, const std::vector<unsigned char>& predicted,
+                              const std::vector<unsigned char>& traced) {
   const double mean_values = 3.0 * static_cast<double>(patches.pixel_count()) / static_cast<double>(patches.count());
-  std::vector<double> errors(held_out.size());
+  std::vector<double> errors(wanted.size());
   std::size_t k = 0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     double sum = 0.0;
-    for (const std::size_t end = k + 3 * patches.pixels(held_out[i]).size(); k < end; ++k) {
+    for (const std::size_t end = k + 3 * patches.pixels(wanted[i]).size(); k < end; ++k) {
       const double difference = predicted[k] - traced[k];
       sum += difference * difference;
     }
@@ -44,18 +39,22 @@ std::vector<double> trace_held_out(const Patches& patches, Indices held_out, Enc
   return errors;
 }
 
-double share_from(const HeldOut& held_out, std::size_t patches, int level) {
-  const auto sum = std::accumulate(held_out.population.begin() + level, held_out.population.end(), std::uint64_t{0});
-  return static_cast<double>(sum) / static_cast<double>(patches);
+double share_of_rays(std::span<const float> costs, std::span<const std::uint8_t> wanted) {
+  double sum = 0.0;
+  for (std::size_t p = 0; p < wanted.size(); ++p) sum += wanted[p] ? static_cast<double>(costs[p]) : 0.0;
+  return sum / static_cast<double>(costs.size());
 }
 
 /// By patch: of level `level` or above, and not held out.
-std::vector<std::uint8_t> doubted(std::span<const std::uint8_t> doubt, int level, Indices held_out) {
+std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t> doubt, Indices held_out) {
   std::vector<std::uint8_t> wanted(doubt.size());
   for (std::size_t p = 0; p < doubt.size(); ++p) wanted[p] = level_of(doubt[p]) >= level;
   for (const std::uint32_t patch : held_out) wanted[patch] = 0;
   return wanted;
 }
+
+/// The floor's mean squared error.
+double most_error(const FloorParams& params) { return 255.0 * 255.0 * std::pow(10.0, -0.1 * params.min_psnr_db); }
 
 std::uint64_t pixels_in(const Patches& patches, std::span<const std::uint8_t> wanted) {
   std::uint64_t pixels = 0;
@@ -65,20 +64,48 @@ std::uint64_t pixels_in(const Patches& patches, std::span<const std::uint8_t> wa
 
 }  // namespace
 
-FloorOutcome hold_floor(const FloorParams& params, std::span<const std::uint8_t> doubt, const Patches& patches, int frame,
-                        Encoding encoding, const TracePackets& trace, const ThreadPool& pool, Image& film) {
-  std::vector<std::uint8_t> of_patches;
-  patches.root_mean_squares(doubt, pool, of_patches);
-  const HeldOut held_out = hold_out(of_patches, params.seed, frame);
-  const std::vector<double> squared_errors = trace_held_out(patches, held_out.patches, encoding, trace, film);
-  const auto errors = estimate_errors(held_out, squared_errors);
-  const int trusted = trusted_levels(errors, 255.0 * 255.0 * std::pow(10.0, -0.1 * params.min_psnr_db));
+FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Patches& patches, Encoding encoding,
+                        const Image& predicted, const Image& traced, const ThreadPool& pool) {
+  std::vector<std::uint8_t> doubt;
+  patches.root_mean_squares(frame.doubt, pool, doubt);
+  const HeldOut held_out = hold_out(doubt, params.seed, frame.number);
+  HeldOut all = held_out;
+  all.patches.resize(patches.count()), all.levels.resize(patches.count());
+  for (std::uint32_t p = 0; p < all.patches.size(); ++p) {
+    all.patches[p] = p;
+    all.levels[p] = static_cast<std::uint8_t>(level_of(doubt[p]));
+  }
+  FloorLesson lesson;
+  lesson.evidence.add(all, errors_of(patches, all.patches, codes_of(predicted, patches, all.patches, encoding),
+                                     codes_of(traced, patches, all.patches, encoding)));
+  lesson.evidence.weigh(kLearnedWeight);
+  const int trusted = trusted_levels(estimate_errors(held_out, lesson.evidence), most_error(params));
+  std::vector<std::uint8_t> wanted = of_levels_from(trusted, doubt, {});
+  for (const std::uint32_t patch : held_out.patches) wanted[patch] = 1;
+  lesson.cost = partial_tracing_cost(share_of_rays(frame.costs, wanted));
+  return lesson;
+}
 
+FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned, const Patches& patches,
+                        Encoding encoding, const TracePackets& trace, const ThreadPool& pool, Image& film) {
+  std::vector<std::uint8_t> doubt;
+  patches.root_mean_squares(frame.doubt, pool, doubt);
+  const HeldOut held_out = hold_out(doubt, params.seed, frame.number);
+  std::vector<std::uint8_t> wanted(patches.count());
+  for (const std::uint32_t patch : held_out.patches) wanted[patch] = 1;
+  const std::vector<unsigned char> predicted = codes_of(film, patches, held_out.patches, encoding);
+  trace(wanted, film);
   FloorOutcome outcome;
-  for (const std::uint32_t patch : held_out.patches) outcome.retraced += patches.pixels(patch).size();
-  outcome.share_to_trace = share_from(held_out, patches.count(), trusted);
-  if (trusted == 0 || outcome.share_to_trace > kMostRetraced) return outcome;
-  const std::vector<std::uint8_t> rest = doubted(of_patches, trusted, held_out.patches);
+  outcome.retraced = pixels_in(patches, wanted);
+  Evidence evidence;
+  evidence.add(held_out, errors_of(patches, held_out.patches, predicted, codes_of(film, patches, held_out.patches, encoding)));
+  const auto by_sample = estimate_errors(held_out, evidence);
+  evidence.add(learned);
+  auto errors = estimate_errors(held_out, evidence);
+  for (std::size_t h = 0; h < errors.size(); ++h) errors[h].bound = std::max(errors[h].bound, by_sample[h].mse);
+  const int trusted = trusted_levels(errors, most_error(params));
+  const std::vector<std::uint8_t> rest = of_levels_from(trusted, doubt, held_out.patches);
+  if (trusted == 0 || partial_tracing_cost(share_of_rays(frame.costs, rest)) > kMostCost) return outcome;
   trace(rest, film);
   outcome.retraced += pixels_in(patches, rest);
   outcome.error = errors[static_cast<std::size_t>(trusted - 1)];

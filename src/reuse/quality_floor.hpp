@@ -1,11 +1,12 @@
 // Traces of a predicted frame what has to be traced for its PSNR to stay at or above a floor.
 //
-//   1. Held-out patches of every level of doubt are traced; their errors bound, with 95 % confidence, what each level leaves in
-//      the frame (held_out.hpp).
-//   2. The most levels, from the lowest on, that keep the bound within the floor's mean squared error are trusted; all other
-//      patches are traced.
-//   3. Where that would be most of the frame, nothing more is: the frame is better traced as a whole.
-// Which patches are traced depends on the prediction, the seed and the frame's number alone.
+//   1. What patches of each level of doubt err by is known from a frame near by that was predicted and traced as a whole
+//      (learn_floor), and from held-out patches of this frame, which are traced. Both together bound with 95 % confidence what
+//      each level leaves in the frame (held_out.hpp).
+//   2. The most levels, from the lowest on, that keep the bound within the floor's mean squared error, and whose errors by this
+//      frame's own sample do so too, are trusted; all other patches are traced.
+//   3. Where that would cost about as much as all of the frame, nothing more is: it is better traced as a whole.
+// Which patches are traced depends on the predictions, the keys' rays, the seed and the frame's number alone.
 #pragma once
 
 #include <span>
@@ -23,19 +24,33 @@ struct FloorParams {
   std::uint32_t seed = 0;    ///< of the choice of held-out patches
 };
 
-/// Frames of which a larger share would have to be traced are not made from others: what is doubted is dearer to trace than
-/// other pixels (edges, mirrors), and projection has its price.
-inline constexpr double kMostRetraced = 0.5;
+/// Frames whose other patches would cost more than this, in traced frames (tracing_costs.hpp), are not made from others.
+inline constexpr double kMostCost = 0.9;
 
-struct FloorOutcome {
-  bool holds = false;           ///< false: the frame is to be traced as a whole
-  double share_to_trace = 1.0;  ///< of the frame's patches, held-out ones aside; decides the former
-  std::uint64_t retraced = 0;   ///< pixels traced here, held-out ones among them
-  ErrorEstimate error;          ///< of the finished frame; where it holds
+/// What is known of a predicted frame.
+struct PredictedFrame {
+  int number = 0;                       ///< in the animation
+  std::span<const std::uint8_t> doubt;  ///< of pixels
+  std::span<const float> costs;         ///< of patches (Patches::costs)
 };
 
-/// `film` is the prediction, then the finished frame. `doubt` is of its pixels.
-FloorOutcome hold_floor(const FloorParams& params, std::span<const std::uint8_t> doubt, const Patches& patches, int frame,
+/// What a frame that was predicted and traced as a whole tells about others.
+struct FloorLesson {
+  Evidence evidence;
+  double cost = 1.0;  ///< of what would have to be traced of frames like it, held-out patches among them; in traced frames
+};
+
+FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Patches& patches, Encoding encoding,
+                        const Image& predicted, const Image& traced, const ThreadPool& pool);
+
+struct FloorOutcome {
+  bool holds = false;          ///< false: the frame is to be traced as a whole
+  std::uint64_t retraced = 0;  ///< pixels traced here, held-out ones among them
+  ErrorEstimate error;         ///< of the finished frame; where it holds
+};
+
+/// `film` is the prediction, then the finished frame. `learned` is of a frame predicted over no shorter a time.
+FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned, const Patches& patches,
                         Encoding encoding, const TracePackets& trace, const ThreadPool& pool, Image& film);
 
 }  // namespace lippmann

@@ -20,20 +20,22 @@ TEST(HeldOut, levels_follow_doubt) {
 }
 
 TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
-  // Two levels that alternate; 8 patches per sample.
+  // Two levels that alternate; 30 patches per sample.
   std::vector<std::uint8_t> doubt(12000);
   for (std::size_t p = 0; p < doubt.size(); ++p) doubt[p] = p % 2 ? 30 : 0;
-  ASSERT_EQ(patches_per_sample(doubt.size()), 8u);
+  ASSERT_EQ(patches_per_sample(doubt.size()), 30u);
   const HeldOut held_out = hold_out(doubt, 1, 2);
-  ASSERT_EQ(held_out.patches.size(), 12000u / 8);
+  ASSERT_EQ(held_out.patches.size(), 12000u / 30);
   std::array<std::size_t, 2> drawn{};
   for (std::size_t i = 0; i < held_out.patches.size(); ++i) {
     const std::uint32_t patch = held_out.patches[i], odd = patch % 2;
     EXPECT_EQ(held_out.levels[i], level_of(doubt[patch]));
-    EXPECT_EQ(patch / 16, drawn[odd]++);  // runs of 8 of a level are 16 patches long here
+    EXPECT_EQ(patch / 60, drawn[odd]++);  // runs of 30 of a level are 60 patches long here
   }
   EXPECT_EQ(held_out.population[0], 6000u);
   EXPECT_EQ(held_out.population[static_cast<std::size_t>(level_of(30))], 6000u);
+  EXPECT_EQ(held_out.drawn[0], drawn[0]);
+  EXPECT_EQ(held_out.drawn[static_cast<std::size_t>(level_of(30))], drawn[1]);
 }
 
 TEST(HeldOut, other_frames_and_seeds_draw_other_patches) {
@@ -48,13 +50,21 @@ TEST(HeldOut, other_frames_and_seeds_draw_other_patches) {
 HeldOut drawn_by_hand() {
   HeldOut held_out{};
   held_out.population[0] = 100, held_out.population[2] = 50;
+  held_out.drawn[0] = 4, held_out.drawn[2] = 2;
   held_out.patches = {1, 2, 3, 4, 5, 6};
   held_out.levels = {0, 0, 0, 0, 2, 2};
   return held_out;
 }
 
+Evidence evidence_of(const HeldOut& held_out, std::span<const double> squared_errors) {
+  Evidence evidence;
+  evidence.add(held_out, squared_errors);
+  return evidence;
+}
+
 TEST(HeldOut, errors_are_weighted_by_what_their_level_leaves_untraced) {
-  const auto errors = estimate_errors(drawn_by_hand(), std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0});
+  const HeldOut held_out = drawn_by_hand();
+  const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0}));
   // Level 0: 96 untraced patches of 150, mean 5/4. Level 2: 48 of 150, mean 300.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
@@ -67,10 +77,25 @@ TEST(HeldOut, errors_are_weighted_by_what_their_level_leaves_untraced) {
   EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 2.326 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
 }
 
+TEST(HeldOut, what_another_frame_has_shown_counts_like_samples_of_this_one) {
+  const HeldOut held_out = drawn_by_hand();
+  Evidence evidence = evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 4.0, 0.0, 0.0}), learned;
+  learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // 36 patches, 18 of which err by 2
+  evidence.add(learned);
+  const auto errors = estimate_errors(held_out, evidence);
+  // Level 0: 96 untraced patches of 150, 40 samples with a sum of 40 and squares of 88.
+  EXPECT_NEAR(errors[0].mse, 96.0 / 150.0, 1e-12);
+  const double w = 96.0 / (150.0 * 40.0), not_drawn = w * 144.0;
+  EXPECT_NEAR(errors[0].bound, 0.64 + not_drawn + 2.326 * std::sqrt(w * w * 48.0 + not_drawn * not_drawn), 1e-9);
+  evidence.weigh(0.5);
+  EXPECT_NEAR(estimate_errors(held_out, evidence)[0].mse, errors[0].mse, 1e-12);
+  EXPECT_GT(estimate_errors(held_out, evidence)[0].bound, errors[0].bound);
+}
+
 TEST(HeldOut, level_without_a_sample_errs_by_its_doubt) {
   HeldOut held_out = drawn_by_hand();
   held_out.population[3] = 50;
-  const auto errors = estimate_errors(held_out, std::vector<double>(6, 0.0));
+  const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>(6, 0.0)));
   EXPECT_EQ(errors[2].mse, 0.0);
   EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);  // doubt 3
 }
@@ -99,7 +124,7 @@ TEST(HeldOut, bound_holds_in_nineteen_of_twenty_samples_of_heavy_tailed_errors) 
     for (const double e : errors) truth += e;
     std::vector<double> drawn;
     for (const std::uint32_t patch : held_out.patches) drawn.push_back(errors[patch]), truth -= errors[patch];
-    held += estimate_errors(held_out, drawn)[5].bound >= truth / static_cast<double>(errors.size());
+    held += estimate_errors(held_out, evidence_of(held_out, drawn))[5].bound >= truth / static_cast<double>(errors.size());
   }
   EXPECT_GE(held, kTrials * 95 / 100);
 }
