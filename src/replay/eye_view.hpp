@@ -6,9 +6,7 @@
 #pragma once
 
 #include "core/parallel.hpp"
-#include "replay/rendered_panel.hpp"
-#include "replay/taps.hpp"
-#include "replay/viewer.hpp"
+#include "replay/eye_sampler.hpp"
 
 namespace lippmann {
 
@@ -27,25 +25,5 @@ void validate(const EyeView& view);
 
 /// `view` must be valid. The same bits for any number of threads.
 Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadPool& pool);
-
-/// What one eye, infinitely far or not, sees at points of the plane z = 0: what other pictures are made of.
-class EyeSampler {
- public:
-  EyeSampler(const RenderedPanel& rendered, SampleFilter filter, double crosstalk_px = 0.0);
-  ~EyeSampler();
-  EyeSampler(EyeSampler&&) noexcept;
-  EyeSampler(const EyeSampler&) = delete;
-  EyeSampler& operator=(const EyeSampler&) = delete;
-
-  /// Thread-safe.
-  Vec3f color(const Viewer& viewer, Vec2d point_mm) const;
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
-
-/// The share of lenses (of a quilt: of points) through which that eye sees what was made for another zone: where it flips.
-double share_out_of_zone(const Optics& optics, const Viewer& viewer);
 
 }  // namespace lippmann

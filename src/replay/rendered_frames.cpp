@@ -107,9 +107,6 @@ RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) 
   const fs::path report_path = report.empty() ? (folder ? in : in.parent_path()) / "report.json" : report;
   const Json json = read_report(report_path);
   frames.optics = optics_from_json(json["optics"], report_path.string());
-  if (std::holds_alternative<SlantedPanel>(frames.optics.model))
-    throw Error(report_path.string(), "its frames are a slanted panel's own",
-                "frames of a lens array, a quilt or a single view");
   check_layout(json, frames.optics, report_path.string());
   if (const Json* fps = setting(json, "fps"); fps && fps->is_number())
     if (const double rate = fps->get<double>(); rate > 0.0 && rate <= 1000.0) frames.frames_per_second = rate;
@@ -118,12 +115,12 @@ RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) 
 
 Picture read_panel_picture(const RenderedFrames& frames, const fs::path& file) {
   Picture picture = read_picture(file);
-  const Panel& panel = frames.optics.panel;
+  const Vec2i panel = picture_size(frames.optics);
   const Vec2i size = std::visit([](const auto& image) { return Vec2i(image.width, image.height); }, picture);
-  if (size != Vec2i(panel.width, panel.height))
+  if (size != panel)
     throw Error(file.string(),
-                fmt::format("has {}x{} pixels, but was rendered for a panel of {}x{}, says its report", size.x, size.y,
-                            panel.width, panel.height),
+                fmt::format("has {}x{} pixels, but was rendered for a panel of {}x{}, says its report", size.x, size.y, panel.x,
+                            panel.y),
                 "the pictures as the render wrote them");
   return picture;
 }

@@ -8,7 +8,13 @@ namespace lippmann {
 
 struct RenderedPanel {
   Optics optics;
-  Image picture;  ///< 3 channels, linear; the panel's size
+  Image picture;  ///< 3 channels, linear; of picture_size(optics)
 };
+
+/// The pixels of the picture that a panel shows: its own; of a slanted panel, each of three sub-pixels.
+inline Vec2i picture_size(const Optics& optics) {
+  const int per_pixel = std::holds_alternative<SlantedPanel>(optics.model) ? 3 : 1;
+  return {optics.panel.width / per_pixel, optics.panel.height};
+}
 
 }  // namespace lippmann

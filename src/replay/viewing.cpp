@@ -37,12 +37,14 @@ Vec2i tiles_of(const Optics& optics) {
 
 double distance_of_views(const Optics& optics) {
   if (const auto* views = std::get_if<MultiView>(&optics.model)) return views->distance_mm;
+  if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) return slanted->distance_mm;
   return std::get<SingleView>(optics.model).distance_mm;
 }
 
 /// How much of its slope per mm of z an eye has that far through the zone, seen from the middle of the display.
 double zone_slope(const Optics& optics, double share) {
   if (const auto lenses = lenses_of(optics)) return (share - 0.5) * lenses->cell / lenses->gap;
+  if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) return std::tan(slanted->view_cone * (share - 0.5));
   const auto* views = std::get_if<MultiView>(&optics.model);
   if (!views) return 0.0;
   const int count = views->columns * views->rows;
@@ -64,7 +66,7 @@ Window display_window(const Optics& optics) {
   }
   if (const auto* view = std::get_if<SingleView>(&optics.model))
     return {Vec2d(view->pixel_offset.x, -view->pixel_offset.y) * m, panel};
-  return {{0.0, 0.0}, panel};
+  return {{0.0, 0.0}, Vec2d(window_size_mm(optics))};
 }
 
 Viewer design_viewer(const Optics& optics) {
@@ -98,6 +100,7 @@ Vec3d default_eye_mm(const Optics& optics) {
 }
 
 Vec2i lens_grid(const Optics& optics) {
+  if (std::holds_alternative<SlantedPanel>(optics.model)) return {optics.panel.width / 3, optics.panel.height};
   const Vec2i pixels = Vec2i(optics.panel.width, optics.panel.height) / tiles_of(optics);
   const Vec2d window = display_window(optics).size;
   const auto lenses = lenses_of(optics);
@@ -109,6 +112,7 @@ Vec2i lens_grid(const Optics& optics) {
 Vec2d sample_spacing_mm(const Optics& optics) {
   const Vec2d by_pixel = display_window(optics).size * Vec2d(tiles_of(optics)) / Vec2d(optics.panel.width, optics.panel.height);
   const auto lenses = lenses_of(optics);
+  if (std::holds_alternative<SlantedPanel>(optics.model)) return Vec2d(3.0 * optics.panel.pixel_pitch_mm);
   if (!lenses) return by_pixel;
   return {lenses->pitch, std::holds_alternative<LenticularSheet>(optics.model) ? by_pixel.y : lenses->row_pitch};
 }
@@ -118,6 +122,8 @@ Parallax parallax_of(const Optics& optics) {
 }
 
 Vec2i view_counts(const Optics& optics) {
+  if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model))
+    return {std::max(1, static_cast<int>(std::ceil(optics.panel.width / std::abs(slanted->periods) - 0.01))), 1};
   const auto lenses = lenses_of(optics);
   if (!lenses) return {tiles_of(optics).x * tiles_of(optics).y, 1};
   const auto pixels = [&](double cell) { return static_cast<int>(std::ceil(cell / optics.panel.pixel_pitch_mm - 0.01)); };

@@ -1,0 +1,212 @@
+#include "replay/eye_sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "replay/sight.hpp"
+#include "replay/slanted_sight.hpp"
+#include "replay/viewing.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr double kPanelEdgePx = 1e-3;  ///< so far outside, a point is still of the panel: rounding
+
+struct Quality {
+  SampleFilter filter;
+  double crosstalk_px;
+};
+
+/// Sums pixels by weight; `wanted(x, y)` says which of them count.
+template <class Wanted>
+Vec3f weighted_mean(const Image& picture, const Taps& columns, const Taps& rows, const Wanted& wanted) {
+  Vec3d sum(0.0);
+  double weights = 0.0;
+  for (const Tap& row : rows)
+    for (const Tap& column : columns) {
+      const double weight = row.weight * column.weight;
+      if (weight <= 0.0 || !wanted(column.index, row.index)) continue;
+      const float* p = picture.pixel(column.index, row.index);
+      sum += weight * Vec3d(p[0], p[1], p[2]);
+      weights += weight;
+    }
+  return weights > 0.0 ? Vec3f(sum / weights) : Vec3f(0.0f);
+}
+
+/// A sheet or a microlens array.
+template <class Sight>
+class LensSampler {
+ public:
+  LensSampler(const Sight& sight, const RenderedPanel& rendered, const Quality& quality)
+      : sight_(sight), picture_(rendered.picture), quality_(quality) {}
+
+  Vec3f color(const Viewer& viewer, Vec2d point_mm) const {
+    Vec2d q = sight_.seen_from(viewer, point_mm).pixel;
+    const Vec2d size(picture_.width, picture_.height);
+    for (int axis = 0; axis < 2; ++axis) {
+      if (!(q[axis] >= -kPanelEdgePx && q[axis] <= size[axis] + kPanelEdgePx)) return Vec3f(0.0f);
+      q[axis] = std::clamp(q[axis], 0.0, std::nextafter(size[axis], 0.0));
+    }
+    const Taps columns = taps(q.x, sight_.pixel_across().x), rows = taps(q.y, sight_.pixel_across().y);
+    const auto on_panel = [&](int x, int y) { return x >= 0 && y >= 0 && x < picture_.width && y < picture_.height; };
+    if (quality_.crosstalk_px > 0.0 || quality_.filter == SampleFilter::kNearest)
+      return weighted_mean(picture_, columns, rows, on_panel);
+    const CellOf cell = sight_.cell(q);
+    const Vec3f mean = weighted_mean(picture_, columns, rows, [&](int x, int y) {
+      return on_panel(x, y) && sight_.cell({x + 0.5, y + 0.5}) == cell;
+    });
+    return mean;
+  }
+
+  bool in_zone(const Viewer& viewer, Vec2d point_mm) const {
+    const PanelPoint seen = sight_.seen_from(viewer, point_mm);
+    return sight_.cell(seen.pixel) == seen.lens;
+  }
+
+ private:
+  Taps taps(double position, double pixel_across) const {
+    if (quality_.crosstalk_px > 0.0 && pixel_across > 0.0)
+      return gaussian_taps(position, std::min(quality_.crosstalk_px / pixel_across, kMaxBlurPx));
+    return taps_at(position, quality_.filter);
+  }
+
+  Sight sight_;
+  const Image& picture_;
+  Quality quality_;
+};
+
+/// A quilt, or a single view.
+class QuiltSampler {
+ public:
+  QuiltSampler(const QuiltSight& sight, const RenderedPanel& rendered, const Quality& quality)
+      : sight_(sight), picture_(rendered.picture), quality_(quality) {}
+
+  Vec3f color(const Viewer& viewer, Vec2d point_mm) const {
+    const QuiltPoint seen = sight_.seen_from(viewer, point_mm);
+    const Vec2d tile(sight_.tile_size());
+    for (int axis = 0; axis < 2; ++axis)
+      if (!(seen.pixel[axis] >= -kPanelEdgePx && seen.pixel[axis] <= tile[axis] + kPanelEdgePx)) return Vec3f(0.0f);
+    const Taps columns = taps_at(seen.pixel.x, quality_.filter), rows = taps_at(seen.pixel.y, quality_.filter);
+    const double view = seen.view + 0.5;  // views as pixels: view v covers v ... v + 1
+    const Taps views =
+        quality_.crosstalk_px > 0.0 ? gaussian_taps(view, quality_.crosstalk_px) : taps_at(view, quality_.filter);
+    Vec3f sum(0.0f);
+    double weights = 0.0;
+    for (const Tap& tap : views) {
+      if (tap.weight <= 0.0 || tap.index < 0 || tap.index >= sight_.views()) continue;
+      sum += static_cast<float>(tap.weight) * in_tile(tap.index, columns, rows);
+      weights += tap.weight;
+    }
+    return weights > 0.0 ? sum / static_cast<float>(weights) : Vec3f(0.0f);
+  }
+
+  bool in_zone(const Viewer& viewer, Vec2d point_mm) const { return sight_.seen_from(viewer, point_mm).in_zone; }
+
+ private:
+  Vec3f in_tile(int view, Taps columns, Taps rows) const {
+    const Vec2i origin = sight_.tile_origin(view), size = sight_.tile_size();
+    const auto shift = [](Taps& taps, int by) {
+      for (int i = 0; i < taps.count; ++i) taps.tap[static_cast<std::size_t>(i)].index += by;
+    };
+    shift(columns, origin.x), shift(rows, origin.y);
+    return weighted_mean(picture_, columns, rows, [&](int x, int y) {
+      return x >= origin.x && y >= origin.y && x < origin.x + size.x && y < origin.y + size.y;
+    });
+  }
+
+  QuiltSight sight_;
+  const Image& picture_;
+  Quality quality_;
+};
+
+/// A slanted panel: every colour from its own place.
+class SlantedSampler {
+ public:
+  SlantedSampler(const SlantedSight& sight, const RenderedPanel& rendered, const Quality& quality)
+      : sight_(sight), picture_(rendered.picture), quality_(quality) {}
+
+  Vec3f color(const Viewer& viewer, Vec2d point_mm) const {
+    const Vec2d at = sight_.pixel_at(point_mm), size(sight_.size());
+    for (int axis = 0; axis < 2; ++axis)
+      if (!(at[axis] >= -kPanelEdgePx && at[axis] <= size[axis] + kPanelEdgePx)) return Vec3f(0.0f);
+    Vec3f sum(0.0f);
+    float weights = 0.0f;
+    for (const Tap& row : taps_at(at.y, quality_.filter)) {
+      if (row.weight <= 0.0 || row.index < 0 || row.index >= sight_.size().y) continue;
+      const SlantedPoint seen = sight_.seen_from(viewer, point_mm, row.index);
+      for (int c = 0; c < 3; ++c) sum[c] += static_cast<float>(row.weight) * in_row(seen, row.index, c, at.x);
+      weights += static_cast<float>(row.weight);
+    }
+    return weights > 0.0f ? sum / weights : sum;
+  }
+
+  bool in_zone(const Viewer& viewer, Vec2d point_mm) const { return sight_.seen_from(viewer, point_mm, 0).in_zone; }
+
+ private:
+  /// Between the sub-pixels of one colour below one lens; where none of these is near, the nearest.
+  float in_row(const SlantedPoint& seen, int row, int c, double near_column) const {
+    const double column = sight_.column_of(seen, c, row, near_column);
+    const bool blurred = quality_.crosstalk_px > 0.0;
+    const Taps taps = blurred ? gaussian_taps(column, quality_.crosstalk_px) : taps_at(column, quality_.filter);
+    float sum = 0.0f, weights = 0.0f;
+    for (const Tap& tap : taps) {
+      if (tap.weight <= 0.0 || tap.index < 0 || tap.index >= picture_.width) continue;
+      if (!blurred && sight_.lens_of(tap.index, row, c) != seen.lens) continue;
+      sum += static_cast<float>(tap.weight) * picture_.pixel(tap.index, row)[c];
+      weights += static_cast<float>(tap.weight);
+    }
+    if (weights > 0.0f) return sum / weights;
+    return picture_.pixel(std::clamp(static_cast<int>(std::floor(column)), 0, picture_.width - 1), row)[c];
+  }
+
+  SlantedSight sight_;
+  const Image& picture_;
+  Quality quality_;
+};
+
+using Sampler = std::variant<SlantedSampler, LensSampler<LenticularSight>, LensSampler<MicrolensSight>, QuiltSampler>;
+
+Sampler make_sampler(const RenderedPanel& rendered, const Quality& quality) {
+  const Panel& panel = rendered.optics.panel;
+  if (const auto* sheet = std::get_if<LenticularSheet>(&rendered.optics.model))
+    return LensSampler<LenticularSight>({panel, *sheet}, rendered, quality);
+  if (const auto* array = std::get_if<MicrolensArray>(&rendered.optics.model))
+    return LensSampler<MicrolensSight>({panel, *array}, rendered, quality);
+  if (const auto* slanted = std::get_if<SlantedPanel>(&rendered.optics.model))
+    return SlantedSampler({panel, *slanted}, rendered, quality);
+  if (const auto* views = std::get_if<MultiView>(&rendered.optics.model))
+    return QuiltSampler({panel, *views}, rendered, quality);
+  return QuiltSampler({panel, std::get<SingleView>(rendered.optics.model)}, rendered, quality);
+}
+
+}  // namespace
+
+struct EyeSampler::Impl {
+  Sampler sampler;
+};
+
+EyeSampler::EyeSampler(const RenderedPanel& rendered, SampleFilter filter, double crosstalk_px)
+    : impl_(std::make_unique<Impl>(Impl{make_sampler(rendered, {filter, crosstalk_px})})) {}
+EyeSampler::~EyeSampler() = default;
+EyeSampler::EyeSampler(EyeSampler&&) noexcept = default;
+
+Vec3f EyeSampler::color(const Viewer& viewer, Vec2d point_mm) const {
+  return std::visit([&](const auto& sampler) { return sampler.color(viewer, point_mm); }, impl_->sampler);
+}
+
+double share_out_of_zone(const Optics& optics, const Viewer& viewer) {
+  const RenderedPanel nothing{optics, {}};
+  const Sampler sampler = make_sampler(nothing, {SampleFilter::kNearest, 0.0});
+  const Window window = display_window(optics);
+  const Vec2i grid = glm::min(lens_grid(optics), Vec2i(256));
+  int outside = 0;
+  for (int y = 0; y < grid.y; ++y)
+    for (int x = 0; x < grid.x; ++x) {
+      const Vec2d point = window.point_at({x + 0.5, y + 0.5}, grid);
+      outside += std::visit([&](const auto& s) { return s.in_zone(viewer, point); }, sampler) ? 0 : 1;
+    }
+  return static_cast<double>(outside) / (static_cast<double>(grid.x) * grid.y);
+}
+
+}  // namespace lippmann
