@@ -10,14 +10,15 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "core/error.hpp"
+#include "display/load_display.hpp"
 #include "layout/convert.hpp"
 
 namespace lippmann::app {
 namespace {
 
 struct Options {
-  std::string in, out, from, to, views, quilt, crop, keep;
-  double aspect = 0.0;
+  std::string in, out, from, to, views, quilt, crop, keep, display, filter;
+  double aspect = 0.0, sigma = 0.0;
   int bits = 0;
   bool json = false;
   OrthoscopicFlags orthoscopic;
@@ -37,6 +38,11 @@ std::optional<ViewGrid> read_grid(const std::string& text, const std::string& fl
   return grid;
 }
 
+ViewFilter read_filter(const std::string& word) {
+  if (word == "linear") return ViewFilter::kLinear;
+  return word == "gaussian" ? ViewFilter::kGaussian : ViewFilter::kNearest;
+}
+
 ConvertParams params_of(const Options& options) {
   ConvertParams params;
   params.from = options.from, params.to = options.to;
@@ -44,6 +50,9 @@ ConvertParams params_of(const Options& options) {
   params.options.tiles = read_grid(options.quilt, "--quilt");
   if (options.aspect > 0.0) params.options.aspect = options.aspect;
   if (options.bits > 0) params.options.bits = options.bits;
+  if (!options.display.empty()) params.options.display = load_display(options.display);
+  if (!options.filter.empty()) params.options.filter = read_filter(options.filter);
+  if (options.sigma > 0.0) params.options.sigma_views = options.sigma;
   if (!options.crop.empty()) params.crop = read_crop(options.crop, "--crop");
   if (!options.keep.empty()) params.keep = read_kept_views(options.keep, "--keep");
   return params;
@@ -100,6 +109,11 @@ void add_convert_command(CLI::App& root, Action& chosen) {
       ->type_name("COLUMNS[xROWS]");
   command.add_option("--crop", options->crop, "Only this window of every view, from its top left corner")->type_name("WxH+X+Y");
   command.add_option("--bits", options->bits, "Of the codes of PPM files; default: as read")->check(CLI::Range(8, 16));
+  command.add_option("--display", options->display,
+                     "Whose frame native is: a name that 'displays' lists, a calibration .json, a .toml of your own");
+  command.add_option("--filter", options->filter, "Of views, for --to native: nearest (default), linear or gaussian")
+      ->check(CLI::IsMember({"nearest", "linear", "gaussian"}));
+  command.add_option("--sigma", options->sigma, "Of --filter gaussian, in views; default 0.5")->check(CLI::Range(0.1, 10.0));
   add_orthoscopic_flags(command, options->orthoscopic);
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.footer(formats_help());

@@ -9,16 +9,21 @@
 #include <string_view>
 #include <vector>
 
+#include "display/display.hpp"
+#include "layout/interlace.hpp"
 #include "layout/light_field.hpp"
 
 namespace lippmann {
 
 /// What is said about a format beside its name; each uses what concerns it.
 struct FormatOptions {
-  std::optional<ViewGrid> views = {};  ///< how many views across and up: needed where neither names nor side files say it
-  std::optional<ViewGrid> tiles = {};  ///< of a quilt; none: as its name says, or as square as can be
-  std::optional<double> aspect = {};   ///< of the display, for a quilt's name; none: as the source's, or the picture's
-  std::optional<int> bits = {};        ///< of the codes of PPM files, 1 ... 16; none: as the source's
+  std::optional<ViewGrid> views = {};     ///< how many views across and up: needed where neither names nor side files say it
+  std::optional<ViewGrid> tiles = {};     ///< of a quilt; none: as its name says, or as square as can be
+  std::optional<double> aspect = {};      ///< of the display, for a quilt's name; none: as the source's, or the picture's
+  std::optional<int> bits = {};           ///< of the codes of PPM files, 1 ... 16; none: as the source's
+  std::optional<Display> display = {};    ///< whose own frame a native picture is
+  std::optional<ViewFilter> filter = {};  ///< of views when native frames are made; none: the nearest
+  std::optional<double> sigma_views = {};
 };
 
 /// Paths are those of one light field, of one moment: a picture or a folder.
@@ -41,6 +46,7 @@ LightFieldFormat hci_format();
 LightFieldFormat stanford_format();
 LightFieldFormat jpeg_pleno_format();
 LightFieldFormat eslf_format();
+LightFieldFormat native_format();
 
 /// All of them, in the order of --help.
 const std::vector<LightFieldFormat>& light_field_formats();

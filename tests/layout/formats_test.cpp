@@ -45,9 +45,16 @@ Vec2i view_in(const fs::path& path) {
   return {image.rgb[0], image.rgb[1]};
 }
 
+/// All but the panel's own frame, which holds a part of each view: see interlace_test.cpp.
+std::vector<LightFieldFormat> exact_formats() {
+  std::vector<LightFieldFormat> formats = light_field_formats();
+  std::erase_if(formats, [](const LightFieldFormat& format) { return format.name == "native"; });
+  return formats;
+}
+
 TEST(Formats, every_one_brings_back_what_was_written) {
   for (const bool words : {false, true})
-    for (const LightFieldFormat& one : light_field_formats()) {
+    for (const LightFieldFormat& one : exact_formats()) {
       const TempDir dir;
       const LightField field = numbered_field({3, 2}, {4, 5}, words);
       const fs::path path = one.write(field, dir / (one.is_folder ? "field" : "field.png"), {}).front();
@@ -59,8 +66,8 @@ TEST(Formats, every_one_brings_back_what_was_written) {
 
 TEST(Formats, every_pair_is_exact_there_and_back) {
   const LightField field = numbered_field({3, 2}, {4, 5});
-  for (const LightFieldFormat& one : light_field_formats())
-    for (const LightFieldFormat& other : light_field_formats()) {
+  for (const LightFieldFormat& one : exact_formats())
+    for (const LightFieldFormat& other : exact_formats()) {
       const TempDir dir;
       const auto path_of = [&](const LightFieldFormat& f, const char* stem) {
         return dir / (std::string(stem) + (f.is_folder ? "" : f.name == "quilt" ? "_qs3x2a0.8.png" : ".png"));

@@ -1,0 +1,51 @@
+// The frame of a calibrated slanted panel, for a display that is said: made of views, and taken apart into them.
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "core/error.hpp"
+#include "layout/formats.hpp"
+#include "layout/interlace.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+ThreadPool all_threads() { return ThreadPool(std::max(1, static_cast<int>(std::thread::hardware_concurrency()))); }
+
+const Display& said_display(const FormatOptions& options) {
+  if (options.display) return *options.display;
+  throw usage_error("--display", "a panel's own frame is made for one display",
+                    "a name that 'lippmann displays' lists, or a file");
+}
+
+/// As many views as are said, else those of the display's quilt, of its tiles' size.
+LightField read(const fs::path& path, const FormatOptions& options) {
+  const Display& display = said_display(options);
+  const DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
+  const int count = options.views ? options.views->count() : quilt.columns * quilt.rows;
+  const Vec2i size(quilt.width / quilt.columns, quilt.height / quilt.rows);
+  constexpr std::int64_t kMaxSamples = std::int64_t{1} << 31;
+  if (options.views && options.views->rows != 1) throw usage_error("--views", "a panel's views are side by side", "Nx1");
+  if (std::int64_t{3} * count * size.x * size.y > kMaxSamples)
+    throw usage_error("--views", fmt::format("{} views of {}x{} pixels are too many", count, size.x, size.y), "fewer");
+  LightField field = deinterlace(read_picture(path), display, count, size, path.string(), all_threads());
+  if (count == quilt.columns * quilt.rows) field.tiles = ViewGrid{quilt.columns, quilt.rows}, field.aspect = quilt.aspect;
+  return field;
+}
+
+std::vector<fs::path> write(const LightField& field, const fs::path& path, const FormatOptions& options) {
+  const InterlaceParams params{options.filter.value_or(ViewFilter::kNearest), options.sigma_views.value_or(0.5)};
+  write_picture(path, interlace(field, said_display(options), params, all_threads()));
+  return {path};
+}
+
+}  // namespace
+
+LightFieldFormat native_format() {
+  return {"native", "the frame of a slanted panel, each sub-pixel of its own view; --display: which panel", false, false, read,
+          write};
+}
+
+}  // namespace lippmann

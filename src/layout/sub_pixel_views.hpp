@@ -1,0 +1,49 @@
+// Which view each sub-pixel of a slanted panel belongs to, row by row. Private to this part.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "display/display.hpp"
+
+namespace lippmann {
+
+/// Of one row of the panel: v = view(i, color).
+struct SubPixelRow {
+  std::array<std::array<double, 3>, 2> phase;  ///< at i = 0, for even and odd pixels
+  double phase_per_pixel;
+  bool inverted;
+
+  double view(int i, int color) const {
+    const double z = phase[static_cast<std::size_t>(i & 1)][static_cast<std::size_t>(color)] + i * phase_per_pixel;
+    const double in_lens = z - std::floor(z);
+    return inverted ? 1.0 - in_lens : in_lens;
+  }
+};
+
+/// j: from the top.
+inline SubPixelRow sub_pixel_row(const SlantedPanel& panel, Vec2i pixels, int j) {
+  SubPixelRow row{{}, panel.periods / pixels.x, panel.inverted};
+  const int up = pixels.y - 1 - j;
+  for (std::size_t parity = 0; parity < 2; ++parity)
+    for (std::size_t color = 0; color < 3; ++color) {
+      const Vec2f offset = panel.sub_pixels[static_cast<std::size_t>(up & 3)][parity][color];
+      const double x = (0.5 + static_cast<double>(offset.x)) / pixels.x;
+      const double y = (up + 0.5 + static_cast<double>(offset.y)) / pixels.y;
+      row.phase[parity][color] = (x + y * panel.tilt) * panel.periods - panel.center;
+    }
+  return row;
+}
+
+/// The view that v is nearest to, of so many.
+inline int nearest_view(double v, int count) {
+  const int view = static_cast<int>(v * count);
+  return view < count ? view : count - 1;
+}
+
+/// Which of `size` samples the middle of pixel i of so many lies in.
+inline int sample_at(int i, int pixels, int size) {
+  return static_cast<int>((2 * static_cast<std::int64_t>(i) + 1) * size / (2 * static_cast<std::int64_t>(pixels)));
+}
+
+}  // namespace lippmann

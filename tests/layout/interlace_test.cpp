@@ -1,0 +1,178 @@
+// Frames of slanted panels from views, and views from such frames.
+#include "layout/interlace.hpp"
+
+#include <gmock/gmock.h>
+
+#include "display/load_display.hpp"
+#include "layout/convert.hpp"
+#include "light_fields.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+const ThreadPool& threads() {
+  static const ThreadPool pool(2);
+  return pool;
+}
+
+/// 60 x 41 pixels, 11.4 sub-pixels to a lens.
+Display small_display() {
+  Display display;
+  display.name = "small";
+  display.pixels = {60, 41};
+  display.dpi = 100.0;
+  display.calibration.pitch = 26.8, display.calibration.slope = -5.3, display.calibration.center = 0.37;
+  return display;
+}
+
+TEST(Interlace, quilt_gives_the_right_tile_and_pixel_at_positions_worked_out_by_hand) {
+  // A quilt of 8 x 6 tiles of 21 x 28 pixels, each pixel with its own code, for the Portrait's 1536 x 2048 pixels. Their v is
+  // worked out in tests/display/slanted_panel_test.cpp; view = floor(48 v); it lies in tile column view mod 8 and row view / 8
+  // from the bottom; in it pixel (i + 1/2) 21 / 1536, (j + 1/2) 28 / 2048.
+  //   panel            v         view  tile, from the top  in the tile  in the quilt
+  //   (0, 0) red       0.893189  42    (2, 0)              (0, 0)       (42, 0)
+  //   (0, 0) blue      0.787268  37    (5, 1)              (0, 0)       (105, 28)
+  //   (1535, 0) blue   0.905266  43    (3, 0)              (20, 0)      (83, 0)
+  //   (767, 1023) green 0.759376 36    (4, 1)              (10, 13)     (94, 41)
+  //   (100, 2047) red  0.543830  26    (2, 2)              (1, 27)      (43, 83)
+  //   (1535, 2047) blue 0.443986 21    (5, 3)              (20, 27)     (125, 111)
+  const test::TempDir dir;
+  Image16 quilt{168, 168, {}};
+  for (int i = 0; i < 168 * 168; ++i)
+    for (int color = 0; color < 3; ++color) quilt.rgb.push_back(static_cast<std::uint16_t>(i));
+  write_picture(dir / "codes_qs8x6a0.75.png", quilt);
+  ConvertParams params{.from = "quilt", .to = "native", .options = {}, .crop = {}, .keep = {}};
+  params.options.display = load_display("portrait");
+  convert(dir / "codes_qs8x6a0.75.png", dir / "panel.png", params);
+  const auto frame = std::get<Image16>(read_picture(dir / "panel.png"));
+  ASSERT_EQ(Vec2i(frame.width, frame.height), Vec2i(1536, 2048));
+  const auto code = [&](int i, int j, int color) { return frame.rgb[static_cast<std::size_t>(3 * (j * 1536 + i) + color)]; };
+  EXPECT_EQ(code(0, 0, 0), 0 * 168 + 42);
+  EXPECT_EQ(code(0, 0, 2), 28 * 168 + 105);
+  EXPECT_EQ(code(1535, 0, 2), 0 * 168 + 83);
+  EXPECT_EQ(code(767, 1023, 1), 41 * 168 + 94);
+  EXPECT_EQ(code(100, 2047, 0), 83 * 168 + 43);
+  EXPECT_EQ(code(1535, 2047, 2), 111 * 168 + 125);
+}
+
+TEST(Interlace, nearest_views_come_back_as_they_were_where_the_panel_holds_them_all) {
+  // 2 views of 10 x 8 samples: each has 6 x 5 pixels, and 18 sub-pixels in a row are more than a lens.
+  for (const bool words : {false, true}) {
+    const LightField field = test::numbered_field({2, 1}, {10, 8}, words);
+    const Picture frame = interlace(field, small_display(), {}, threads());
+    EXPECT_TRUE(test::same_samples(deinterlace(frame, small_display(), 2, {10, 8}, "frame", threads()).stack, field.stack));
+  }
+}
+
+TEST(Interlace, frame_taken_apart_and_made_again_is_the_same) {
+  // 11 views: most samples of the views lie below no sub-pixel of theirs, yet what is in the frame comes back to its place.
+  const LightField field = test::numbered_field({11, 1}, {31, 29});
+  for (const Vec2i size : {Vec2i(31, 29), Vec2i(60, 41), Vec2i(90, 77)}) {
+    const LightField same = test::numbered_field({11, 1}, size);
+    const Picture frame = interlace(size.x == 31 ? field : same, small_display(), {}, threads());
+    const LightField apart = deinterlace(frame, small_display(), 11, size, "frame", threads());
+    EXPECT_TRUE(test::same_samples(interlace(apart, small_display(), {}, threads()), frame)) << size.x;
+  }
+}
+
+/// View k is all k * 1000.
+LightField steps(int count, Vec2i size) {
+  LightField field = test::numbered_field({count, 1}, size, true);
+  auto& rgb = std::get<Image16>(field.stack).rgb;
+  const std::size_t per_view = rgb.size() / static_cast<std::size_t>(count);
+  for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<std::uint16_t>(i / per_view * 1000);
+  return field;
+}
+
+TEST(Interlace, linear_filter_gives_the_views_place_between_its_neighbours) {
+  // The Portrait's sub-pixels of the table above, 48 views of which view k is k * 1000: v 48 - 1/2.
+  //   0.893189 -> 42.37307;  0.759376 -> 35.95005;  0.443986 -> 20.81133
+  const auto frame =
+      std::get<Image16>(interlace(steps(48, {3, 4}), load_display("portrait"), {ViewFilter::kLinear, 0.5}, threads()));
+  const auto code = [&](int i, int j, int color) { return frame.rgb[static_cast<std::size_t>(3 * (j * 1536 + i) + color)]; };
+  EXPECT_NEAR(code(0, 0, 0), 42373, 1);
+  EXPECT_NEAR(code(767, 1023, 1), 35950, 1);
+  EXPECT_NEAR(code(1535, 2047, 2), 20811, 1);
+}
+
+TEST(Interlace, gaussian_filter_weighs_views_by_their_distance) {
+  // v 48 - 1/2 = 42.37307, sigma 1/2 view: views 41 ... 44 are within 3 sigma and a half, at -1.37307, -0.37307, 0.62693 and
+  // 1.62693: weights exp(-2 d^2) = 0.023037, 0.757022, 0.455626, 0.005023, together 1.240708; their mean place is
+  // 41 + (0.757022 + 2 * 0.455626 + 3 * 0.005023) / 1.240708 = 42.35676.
+  const auto frame =
+      std::get<Image16>(interlace(steps(48, {3, 4}), load_display("portrait"), {ViewFilter::kGaussian, 0.5}, threads()));
+  EXPECT_NEAR(frame.rgb[0], 42357, 2);
+}
+
+TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
+  // One view of 2 x 1 samples, 0 and 6000, on 60 pixels: a quarter of the width is the middle of the first sample. Pixel 22, at
+  // 22.5, is 7.5 pixels beyond it of the 30 to the next: 1500.
+  LightField field = test::numbered_field({1, 1}, {2, 1}, true);
+  std::get<Image16>(field.stack).rgb = {0, 0, 0, 6000, 6000, 6000};
+  const auto frame = std::get<Image16>(interlace(field, small_display(), {ViewFilter::kLinear, 0.5}, threads()));
+  EXPECT_EQ(frame.rgb[3 * 22], 1500);
+  EXPECT_EQ(frame.rgb[3 * 3], 0);
+  EXPECT_EQ(frame.rgb[3 * 57], 6000);
+}
+
+TEST(Interlace, native_rays_and_interlaced_views_agree_on_the_view) {
+  // The eye of a sub-pixel's ray lies within the share of the cone that its view has.
+  const Display display = load_display("looking-glass-16-portrait");
+  const Optics optics = native_optics(display);
+  const auto& panel = std::get<SlantedPanel>(optics.model);
+  const auto frame = std::get<Image16>(interlace(steps(48, {3, 4}), display, {}, threads()));
+  for (int j = 0; j < display.pixels.y; j += 97)
+    for (int i = 0; i < display.pixels.x; i += 31)
+      for (int color = 0; color < 3; ++color) {
+        const Ray ray = ray_of_pixel(optics, {3 * i + color + 0.5f, j + 0.5f});
+        const double eye = ray.origin.x + (panel.distance_mm - ray.origin.z) / ray.direction.z * ray.direction.x;
+        const double v = 48 * (0.5 + std::atan(eye / panel.distance_mm) / panel.view_cone);
+        const double view = frame.rgb[static_cast<std::size_t>(3 * (j * display.pixels.x + i) + color)] / 1000.0;
+        EXPECT_GE(v, view - 1e-4);  // 2e-6 of the cone, by the floats that the eye is worked out in
+        EXPECT_LE(v, view + 1 + 1e-4);
+      }
+}
+
+TEST(Interlace, any_number_of_threads_gives_the_same) {
+  const LightField field = test::numbered_field({11, 1}, {31, 29});
+  const ThreadPool one(1), five(5);
+  for (const ViewFilter filter : {ViewFilter::kNearest, ViewFilter::kLinear, ViewFilter::kGaussian}) {
+    const Picture frame = interlace(field, small_display(), {filter, 0.5}, one);
+    EXPECT_TRUE(test::same_samples(frame, interlace(field, small_display(), {filter, 0.5}, five)));
+    EXPECT_TRUE(test::same_samples(deinterlace(frame, small_display(), 11, {31, 29}, "frame", one).stack,
+                                   deinterlace(frame, small_display(), 11, {31, 29}, "frame", five).stack));
+  }
+}
+
+TEST(FoldSubPixels, each_pixel_has_the_red_of_its_red_sub_pixel_and_so_on) {
+  Image film(6, 2, 3);
+  for (std::size_t i = 0; i < film.data.size(); ++i) film.data[i] = static_cast<float>(i);
+  const Image frame = fold_sub_pixels(film, threads());
+  EXPECT_EQ(Vec2i(frame.width, frame.height), Vec2i(2, 2));
+  // Film pixel (3 i + c, j), channel c: 18 j + 3 (3 i + c) + c.
+  EXPECT_EQ(frame.data, (std::vector<float>{0, 4, 8, 9, 13, 17, 18, 22, 26, 27, 31, 35}));
+}
+
+TEST(BadInterlacing, says_what_would_be_accepted) {
+  const LightField row = test::numbered_field({4, 1}, {3, 2}), grid = test::numbered_field({2, 2}, {3, 2});
+  const Display sheet = load_display("lenticular-60lpi-720dpi");
+  EXPECT_THAT(test::error_message([&] { interlace(row, sheet, {}, threads()); }), HasSubstr("a slanted panel"));
+  EXPECT_THAT(test::error_message([&] {
+                deinterlace(row.stack, sheet, 4, {3, 2}, "a.png", threads());
+              }),
+              HasSubstr("a slanted panel"));
+  EXPECT_THAT(test::error_message([&] { interlace(grid, small_display(), {}, threads()); }), HasSubstr("2x2"));
+  EXPECT_THAT(test::error_message([&] {
+                deinterlace(row.stack, small_display(), 4, {3, 2}, "a.png", threads());
+              }),
+              HasSubstr("60x41"));
+  const ConvertParams no_display{.from = "native", .to = "views", .options = {}, .crop = {}, .keep = {}};
+  EXPECT_THAT(test::error_message([&] { convert("frame.png", "views", no_display); }), HasSubstr("--display"));
+}
+
+}  // namespace
+}  // namespace lippmann
