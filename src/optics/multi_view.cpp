@@ -10,12 +10,23 @@ struct EyeAngles {
 
 EyeAngles eye_angles(const MultiView& views) {
   const int count = views.columns * views.rows;
-  const double cone = views.view_cone;
+  const double cone = views.baseline_mm > 0.0f ? 0.0 : views.view_cone;
   if (!views.cone_ends_included) return {cone * (0.5 / count - 0.5), cone / count};
   return count > 1 ? EyeAngles{-0.5 * cone, cone / (count - 1)} : EyeAngles{0.0, 0.0};
 }
 
+/// Of one axis of a camera grid: from its middle to its first eye.
+double first_eye(double baseline_mm, int count) { return -0.5 * baseline_mm * (count - 1); }
+
 }  // namespace
+
+EyeMm eye_of_view(const MultiView& views, int view) {
+  const EyeAngles angles = eye_angles(views);
+  const double baseline = views.baseline_mm;
+  return {views.distance_mm * std::tan(angles.first + view * angles.step) + first_eye(baseline, views.columns) +
+              view % views.columns * baseline,
+          first_eye(baseline, views.rows) + view / views.columns * baseline};
+}
 
 MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float z_front_mm) {
   const int tile_width = panel.width / views.columns, tile_height = panel.height / views.rows;
@@ -27,6 +38,8 @@ MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float 
   c.padding_top_px = static_cast<float>(panel.height - views.rows * tile_height);
   c.pixel_pitch_mm = panel.pixel_pitch_mm;
   c.first_half_angle = static_cast<float>(0.5 * angles.first), c.half_angle_step = static_cast<float>(0.5 * angles.step);
+  c.first_eye_mm = Vec2f(first_eye(views.baseline_mm, views.columns), first_eye(views.baseline_mm, views.rows));
+  c.baseline_mm = views.baseline_mm;
   c.distance_mm = views.distance_mm, c.inverse_distance = 1.0f / views.distance_mm;
   c.front_from_eye_mm = z_front_mm - views.distance_mm;
   return c;
@@ -42,13 +55,11 @@ void pixels_seeing(const Panel& panel, const MultiView& views, Vec3f point_mm, s
   if (!(from_eye > 0.0)) return;
   const double magnification = distance / from_eye, m = panel.pixel_pitch_mm;
   const int width = panel.width / views.columns, height = panel.height / views.rows;
-  const double y = 0.5 * height - point_mm.y * magnification / m;
-  if (!(y >= 0.0 && y < height)) return;
-  const EyeAngles angles = eye_angles(views);
   for (int v = 0; v < views.columns * views.rows; ++v) {
-    const double eye = distance * std::tan(angles.first + v * angles.step);
-    const double x = 0.5 * width + (eye + (point_mm.x - eye) * magnification) / m;
-    if (!(x >= 0.0 && x < width)) continue;
+    const EyeMm eye = eye_of_view(views, v);
+    const double x = 0.5 * width + (eye.x + (point_mm.x - eye.x) * magnification) / m;
+    const double y = 0.5 * height - (eye.y + (point_mm.y - eye.y) * magnification) / m;
+    if (!(x >= 0.0 && x < width && y >= 0.0 && y < height)) continue;
     pixels.emplace_back(v % views.columns * width + x, panel.height - (v / views.columns + 1) * height + y);
   }
 }

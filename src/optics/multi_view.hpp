@@ -2,7 +2,8 @@
 //
 // Tiles are floor(width / columns) x floor(height / rows) pixels, anchored at the bottom left; what is left over at the top and
 // at the right is padding, whose pixels continue the view next to them and see no point. View v lies at column v mod columns,
-// row floor(v / columns) from the bottom; its eye is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance).
+// row floor(v / columns) from the bottom; its eye is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance), or in a camera
+// grid at (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance).
 #pragma once
 
 #include <vector>
@@ -18,9 +19,17 @@ struct MultiViewRays {
   float padding_top_px;
   float pixel_pitch_mm;
   float first_half_angle, half_angle_step;  ///< of the eyes: half the angle of view 0, and from view to view
+  Vec2f first_eye_mm;                       ///< of a camera grid, which has no angles: of the lower left eye, and
+  float baseline_mm;                        ///< from eye to eye; else both are 0
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
 };
+
+/// Where the eye of a view stands, in the plane z = distance.
+struct EyeMm {
+  double x, y;
+};
+EyeMm eye_of_view(const MultiView& views, int view);
 
 MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float z_front_mm);
 
@@ -49,9 +58,12 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
   const float x = (px - column * c.tile_width_px - 0.5f * c.tile_width_px) * c.pixel_pitch_mm;
   const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_pitch_mm;
   const float view = (c.rows - 1.0f - row) * c.columns + column;
-  const float eye_x = c.distance_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
-  const float slope_x = (eye_x - x) * c.inverse_distance, slope_y = -y * c.inverse_distance;
-  return {eye_x + c.front_from_eye_mm * slope_x, c.front_from_eye_mm * slope_y, slope_x, slope_y};
+  // Of the two terms one is 0: no branch, no gather.
+  const float on_cone = c.distance_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
+  const float eye_x = on_cone + (c.first_eye_mm.x + column * c.baseline_mm);
+  const float eye_y = c.first_eye_mm.y + (c.rows - 1.0f - row) * c.baseline_mm;
+  const float slope_x = (eye_x - x) * c.inverse_distance, slope_y = (eye_y - y) * c.inverse_distance;
+  return {eye_x + c.front_from_eye_mm * slope_x, eye_y + c.front_from_eye_mm * slope_y, slope_x, slope_y};
 }
 
 void write_block(const MultiViewRays& constants, const RayFrame& frame, const float* px, const float* py,

@@ -33,6 +33,13 @@ SlantedLens slanted_lens(const Panel& panel, const SlantedPanel& slanted) {
   return {sub_pixels * panel.pixel_pitch_mm, 2.0f * std::tan(0.5f * slanted.view_cone) / sub_pixels};
 }
 
+/// Of a camera grid: of as many baselines as there are eyes, of the longer side.
+float views_zone(const MultiView& views) {
+  if (!(views.baseline_mm > 0.0f)) return views.view_cone;
+  const auto eyes = static_cast<float>(std::max(views.columns, views.rows));
+  return 2.0f * std::atan(0.5f * eyes * views.baseline_mm / views.distance_mm);
+}
+
 }  // namespace
 
 float resolved_z_front_mm(const Optics& optics) {
@@ -106,7 +113,7 @@ float viewing_zone(const Optics& optics) {
   return std::visit(
       Overloaded{[](const LenticularSheet& s) { return lens_zone(s.lens_pitch_mm, s.gap_mm, s.viewing_distance_mm); },
                  [](const MicrolensArray& a) { return lens_zone(a.lens_pitch_mm, a.gap_mm, a.viewing_distance_mm); },
-                 [](const MultiView& v) { return v.view_cone; }, [](const SingleView&) { return 0.0f; },
+                 [](const MultiView& v) { return views_zone(v); }, [](const SingleView&) { return 0.0f; },
                  [](const SlantedPanel& p) { return p.view_cone; }},
       optics.model);
 }

@@ -47,12 +47,15 @@ struct MicrolensArray {
 
 /// A grid of views (a quilt), every view an off-axis (sheared) pinhole through the same rectangle of z = 0. View 0 is the
 /// leftmost and bottom left tile, the last one top right; view v: angle cone ((v + 1/2)/N - 1/2), eye at (distance tan(angle),
-/// 0, distance).
+/// 0, distance). With a baseline the eyes stand in a camera grid instead, as data sets of vision research have them: columns
+/// and rows baseline apart in the plane z = distance, the middle of the grid on the axis; views as before, column 0 at the left
+/// and row 0 at the bottom.
 struct MultiView {
   int columns = 8, rows = 6;         ///< tiles; the panel holds columns x rows of them, each of the same size
   float view_cone = radians(40.0f);  ///< full angle that the N views spread over
   bool cone_ends_included = false;   ///< v / (N - 1) instead of (v + 1/2) / N, as some tools do
   float distance_mm = 500.0f;        ///< of the viewer
+  float baseline_mm = 0.0f;          ///< above 0: of a camera grid; the cone has no meaning then
 };
 
 /// One pinhole at (0, 0, distance) through the rectangle of the panel in z = 0.

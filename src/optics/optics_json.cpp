@@ -38,12 +38,14 @@ Json model_json(const MicrolensArray& array) {
 }
 
 Json model_json(const MultiView& views) {
-  return {{"kind", "multiview"},
-          {"columns", views.columns},
-          {"rows", views.rows},
-          {"view_cone_deg", degrees(views.view_cone)},
-          {"cone_ends_included", views.cone_ends_included},
-          {"distance_mm", views.distance_mm}};
+  Json json{{"kind", "multiview"}, {"columns", views.columns}, {"rows", views.rows}, {"distance_mm", views.distance_mm}};
+  if (views.baseline_mm > 0.0f) {
+    json["baseline_mm"] = views.baseline_mm;
+  } else {
+    json["view_cone_deg"] = degrees(views.view_cone);
+    json["cone_ends_included"] = views.cone_ends_included;
+  }
+  return json;
 }
 
 Json model_json(const SingleView& view) {
@@ -170,8 +172,16 @@ MicrolensArray microlens_from(const Members& json) {
 }
 
 MultiView multi_view_from(const Members& json) {
-  return {json.count("columns"), json.count("rows"), radians(json.number("view_cone_deg")),
-          json.flag_or("cone_ends_included", false), json.number("distance_mm")};
+  MultiView views;
+  views.columns = json.count("columns"), views.rows = json.count("rows");
+  views.distance_mm = json.number("distance_mm");
+  if (json.has("baseline_mm")) {
+    views.baseline_mm = json.number("baseline_mm");
+    return views;
+  }
+  views.view_cone = radians(json.number("view_cone_deg"));
+  views.cone_ends_included = json.flag_or("cone_ends_included", false);
+  return views;
 }
 
 /// A list of so many elements.

@@ -80,6 +80,7 @@ void check_model(const Panel& panel, const MultiView& views) {
   if (!(views.view_cone >= 0.0f && views.view_cone <= radians(179.0f)))
     reject("multiview.view_cone", fmt::format("is {} degrees", degrees(views.view_cone)), "an angle from 0 to 179 degrees");
   check_length("multiview.distance_mm", views.distance_mm);
+  if (views.baseline_mm != 0.0f) check_length("multiview.baseline_mm", views.baseline_mm);
 }
 
 void check_model(const Panel&, const SingleView& view) {

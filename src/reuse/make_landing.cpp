@@ -85,14 +85,16 @@ GridLanding views_grid(const Panel& panel, const MultiView& views) {
       const int column = std::min(i / tile_width, views.columns - 1), first = column * tile_width;
       const int last = column == views.columns - 1 ? panel.width - 1 : first + tile_width - 1;
       const int view = (views.rows - 1 - row) * views.columns + column;
-      const float eye = tangent_of_double(c.first_half_angle + static_cast<float>(view) * c.half_angle_step);  // times distance
-      set_column(grid, row, i, plain_line(grid.c.across, -eye, i, first, first, last));
+      const float on_cone = tangent_of_double(c.first_half_angle + static_cast<float>(view) * c.half_angle_step);
+      const float in_grid = (c.first_eye_mm.x + static_cast<float>(column) * c.baseline_mm) * c.inverse_distance;
+      set_column(grid, row, i, plain_line(grid.c.across, -(on_cone + in_grid), i, first, first, last));
     }
   for (int j = 0; j < panel.height; ++j) {
     const int row = std::max(0, j - padding) / tile_height, first = padding + row * tile_height;
     grid.set_of_row[static_cast<std::size_t>(j)] = row;
+    const float eye = c.first_eye_mm.y + static_cast<float>(views.rows - 1 - row) * c.baseline_mm;  // up; lines count down
     grid.lines[static_cast<std::size_t>(j)] =
-        plain_line(grid.c.down, 0.0, j, first, row == 0 ? 0 : first, first + tile_height - 1);
+        plain_line(grid.c.down, eye * c.inverse_distance, j, first, row == 0 ? 0 : first, first + tile_height - 1);
   }
   return grid;
 }

@@ -229,6 +229,32 @@ TEST(MultiView, views_run_from_the_bottom_left_tile_to_the_top_right_one_and_fro
   }
 }
 
+TEST(MultiView, camera_grid_has_its_eyes_a_baseline_apart_across_and_up) {
+  // 3 x 2 tiles of 30 x 20 pixels, baseline 12 mm: columns at -12, 0, 12 mm, rows at -6 (below) and 6 mm.
+  MultiView views{.columns = 3, .rows = 2, .distance_mm = 300.0f};
+  views.baseline_mm = 12.0f;
+  const Optics grid{.panel = {90, 40, 1.0f}, .model = views}, single{.panel = {30, 20, 1.0f}, .model = SingleView{300.0f}};
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 2; ++row) {
+      const Vec2f pixel(7.5f, 3.5f);
+      const Ray ray = ray_of_pixel(grid, pixel + Vec2f(30 * column, 20 * (1 - row)));
+      expect_near(ray.origin, {12.0f * (column - 1), 12.0f * row - 6.0f, 300}, kPositionMm);
+      expect_near(at_depth(ray, 0.0f), at_depth(ray_of_pixel(single, pixel), 0.0f), kPositionMm);
+    }
+}
+
+TEST(MultiView, camera_grid_of_one_row_and_two_columns_is_a_cone_of_two_views) {
+  MultiView grid{.columns = 2, .rows = 1, .distance_mm = 300.0f};
+  grid.baseline_mm = 2.0f * 300.0f * std::tan(radians(15.0f));
+  const MultiView cone{2, 1, radians(60.0f), false, 300.0f};
+  for (const Vec2f pixel : {Vec2f(0.5f, 0.5f), Vec2f(29.5f, 3.5f), Vec2f(41.0f, 19.5f)}) {
+    const Ray a = ray_of_pixel({.panel = {60, 20, 1.0f}, .model = grid}, pixel);
+    const Ray b = ray_of_pixel({.panel = {60, 20, 1.0f}, .model = cone}, pixel);
+    expect_near(a.origin, b.origin, kPositionMm);
+    expect_near(at_depth(a, -100.0f), at_depth(b, -100.0f), kPositionMm);
+  }
+}
+
 TEST(MultiView, odd_sizes_leave_padding_at_the_top_and_right) {
   // 4 x 3 tiles in 43 x 32 pixels: tiles of 10 x 10, 3 columns of padding at the right, 2 rows at the top.
   const Optics quilt{.panel = {43, 32, 1.0f}, .model = MultiView{4, 3, radians(40.0f), false, 500.0f}};

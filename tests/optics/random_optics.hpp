@@ -46,7 +46,9 @@ class OpticsSampler {
 
   Optics multi_view() {
     Optics o{.panel = panel(), .model = {}};
-    o.model = MultiView{integer(1, 6), integer(1, 5), uniform(0.0f, 1.2f), coin(), uniform(200.0f, 1000.0f)};
+    MultiView views{integer(1, 6), integer(1, 5), uniform(0.0f, 1.2f), coin(), uniform(200.0f, 1000.0f)};
+    if (views.rows % 2 == 0) views.baseline_mm = 0.5f + 50.0f * views.view_cone;  // a camera grid
+    o.model = views;
     return o;
   }
 
