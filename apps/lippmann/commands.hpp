@@ -29,6 +29,7 @@ using Action = std::function<int(Context& context)>;
 void add_render_command(CLI::App& root, Action& chosen);
 void add_compare_command(CLI::App& root, Action& chosen);
 void add_convert_command(CLI::App& root, Action& chosen);
+void add_encode_command(CLI::App& root, Action& chosen);
 void add_info_command(CLI::App& root, Action& chosen);
 void add_replay_command(CLI::App& root, Action& chosen);
 void add_scenes_command(CLI::App& root, Action& chosen);

@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   add_render_command(root, chosen);
   add_compare_command(root, chosen);
   add_convert_command(root, chosen);
+  add_encode_command(root, chosen);
   add_replay_command(root, chosen);
   add_info_command(root, chosen);
   add_scenes_command(root, chosen);

@@ -119,7 +119,8 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   for (const std::string& said : params.video) videos.push_back(layout.video_path(said).string());
   for (const std::string& video : videos) {
     make_folder(fs::path(video).parent_path());
-    check_video_path(video);
+    const Panel& panel = stage.placed.optics.panel;
+    check_video_path(video, video_options(params, video, 25.0), panel.width, panel.height);
     remove_stale_temporaries(fs::path(video).parent_path(), fs::path(video).filename());
   }
   make_folder(folder);

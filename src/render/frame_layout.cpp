@@ -11,7 +11,7 @@ namespace {
 ViewLayout film_layout(const Optics& optics) {
   if (const auto* views = std::get_if<MultiView>(&optics.model)) {
     const ViewGrid tiles{views->columns, views->rows};
-    return {LayoutKind::kQuilt, {tiles.count(), 1}, tiles};
+    return {LayoutKind::kQuilt, views->baseline_mm > 0.0f ? tiles : ViewGrid{tiles.count(), 1}, tiles};
   }
   const Vec2i n = whole_pixels_per_lens(optics);
   if (n.x > 0) return {LayoutKind::kIntegral, {n.x, n.y}, {}};

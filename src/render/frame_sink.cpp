@@ -11,7 +11,6 @@
 #include "image/encode.hpp"
 #include "image/read_image.hpp"
 #include "layout/quilt_side_file.hpp"
-#include "video/video_writer.hpp"
 
 namespace lippmann {
 namespace {
@@ -43,11 +42,17 @@ bool needs_codes(const RenderParams& params) {
 
 }  // namespace
 
+VideoOptions video_options(const RenderParams& params, const std::string& file, double frames_per_second) {
+  VideoOptions options{.rate = frame_rate(frames_per_second), .codec = params.video_codec, .crf = params.crf};
+  if (!params.video_codec && std::filesystem::path(file).extension() == ".mkv") options.crf.reset();  // it loses nothing
+  return options;
+}
+
 struct FrameSink::Impl {
   Impl(const Settings& s, FinishedFrames& f)
       : settings(s), finished(f), queue(writing_threads(s.threads), queue_capacity(s.threads)) {
-    const VideoOptions options{.rate = frame_rate(s.frames_per_second)};
-    for (const std::string& video : s.videos) videos.push_back(std::make_unique<VideoWriter>(video, options));
+    for (const std::string& video : s.videos)
+      videos.push_back(std::make_unique<VideoWriter>(video, video_options(s.params, video, s.frames_per_second)));
   }
 
   Settings settings;

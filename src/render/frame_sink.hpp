@@ -12,8 +12,12 @@
 #include "render/frame.hpp"
 #include "render/frame_layout.hpp"
 #include "render/params.hpp"
+#include "video/video_writer.hpp"
 
 namespace lippmann {
+
+/// How a video of this render is to be encoded.
+VideoOptions video_options(const RenderParams& params, const std::string& file, double frames_per_second);
 
 class FrameSink {
  public:

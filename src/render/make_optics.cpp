@@ -68,7 +68,11 @@ OpticsModel make_model(const RenderParams& params, const Panel& panel, const Pan
       return microlens_array(params, panel, size.lens_pixels, distance_mm);
     case OpticsKind::kMultiview: {
       const Extent<int> views = quilt_views(params);
-      return MultiView{views.x, views.y, radians(params.view_angle_deg), false, distance_mm};
+      MultiView model{views.x, views.y, radians(params.view_angle_deg), false, distance_mm};
+      if (params.camera_grid)
+        model.baseline_mm =
+            2.0f * distance_mm * std::tan(0.5f * model.view_cone) / static_cast<float>(std::max(views.x, views.y));
+      return model;
     }
     case OpticsKind::kSingle:
       break;

@@ -2,7 +2,8 @@
 //
 // Lenses are 1 mm wide on the panel; all that matters is proportion: the panel is scaled to the fitted plane. Of a lens cell
 // c = pixels x pitch wide and a viewing zone of full angle a, the gap is g = c / (2 tan(a/2)); cells that converge to a viewer
-// at distance V belong to lenses of pitch p = c / (1 + g/V).
+// at distance V belong to lenses of pitch p = c / (1 + g/V). Of a camera grid the viewing zone is divided among the N eyes of
+// its longer side: they stand 2 V tan(a/2) / N apart.
 #pragma once
 
 #include "optics/optics.hpp"

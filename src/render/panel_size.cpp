@@ -98,6 +98,7 @@ void refuse_what_has_no_meaning(const RenderParams& params) {
   refuse(params.packing != LensPacking::kSquare && !microlens, "--packing", "with --optics microlens");
   refuse(params.lenses.x > 0 && !lenticular && !microlens, "--lenses", "with --optics lenticular or microlens");
   refuse(params.lens_pixels.x > 0.0f && !lenticular && !microlens, "--lens-pixels", "with --optics lenticular or microlens");
+  refuse(params.camera_grid && params.optics != OpticsKind::kMultiview, "--camera-grid", "with --optics multiview");
   refuse(params.views.x > 0 && params.optics != OpticsKind::kMultiview, "--views", "with --optics multiview");
 }
 

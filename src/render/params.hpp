@@ -12,6 +12,7 @@
 #include "reuse/in_between.hpp"
 #include "scene/load.hpp"
 #include "trace/trace_frame.hpp"
+#include "video/video_codec.hpp"
 
 namespace lippmann {
 
@@ -58,6 +59,7 @@ struct RenderParams {
   Extent<float> lens_pixels;                   ///< pixels below a lens, not necessarily whole; 0: 8
   Extent<int> size;                            ///< the whole panel in pixels; 0: lenses x lens-pixels
   Extent<int> views;                           ///< multi-view: columns and rows of the quilt; 0: 8x6
+  bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
   float view_angle_deg = 28.0f;                ///< viewing zone, full angle; sets the gap
   std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
   float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
@@ -85,8 +87,10 @@ struct RenderParams {
   Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
-  std::vector<Aov> aov;            ///< extra layers beside the picture
-  std::vector<std::string> video;  ///< files; the ending says which kind
+  std::vector<Aov> aov;                   ///< extra layers beside the picture
+  std::vector<std::string> video;         ///< files; the ending says which kind
+  std::optional<VideoCodec> video_codec;  ///< of all of them; none: by ending and size
+  std::optional<int> crf;                 ///< of all that lose anything; none: the codec's own
 
   // Running
   int threads = 0;      ///< 0: one per processor

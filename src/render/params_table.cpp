@@ -167,7 +167,7 @@ ParamInfo video_row() {
   ParamInfo info{"video",
                  "Files",
                  "FILE",
-                 "Also write a video: .mp4 (H.264) or .mkv (FFV1, lossless); may be given several times",
+                 "Also write a video: .mp4, .mov, .webm or .mkv (lossless); may be given several times",
                  ParamKind::kList,
                  false,
                  true,
@@ -206,6 +206,9 @@ std::vector<ParamInfo> optics_rows() {
           {"size", "Optics", "WxH", "The whole picture in pixels; default: lenses times lens-pixels"}),
       row(ParamKind::kText, &P::views, full_extent(4096),
           {"views", "Optics", "CxR", "Multiview: columns and rows of views in the quilt; default 8x6"}),
+      row(ParamKind::kFlag, &P::camera_grid, flag(),
+          {"camera-grid", "Optics", "",
+           "Multiview: a grid of parallel cameras at equal distances, across and up, as in data sets of vision research"}),
       row(ParamKind::kNumber, &P::view_angle_deg, number<float>(0.1, 170.0),
           {"view-angle", "Optics", "DEG", "Viewing zone, full angle; sets the gap between lenses and panel"}),
       row(ParamKind::kText, &P::viewing_distance_mm, distance,
@@ -273,6 +276,16 @@ std::vector<ParamInfo> reuse_rows() {
 
 std::vector<ParamInfo> file_rows() {
   using P = RenderParams;
+  const Codec<std::optional<VideoCodec>> video_codec{
+      [](std::string_view value, const std::string& where) -> std::optional<VideoCodec> {
+        return static_cast<VideoCodec>(read_choice(value, kVideoCodecNames, where));
+      },
+      [](const std::optional<VideoCodec>& value) { return value ? std::string(name_of(*value)) : std::string(); }};
+  const Codec<std::optional<int>> crf{
+      [](std::string_view value, const std::string& where) -> std::optional<int> {
+        return static_cast<int>(read_integer(value, 0, 63, where));
+      },
+      [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   return {
       path(runs_only(row(ParamKind::kText, &P::output, text(),
                          {"output", "Files", "DIR", "Folder for what is made; default out/<scene name>"}))),
@@ -290,6 +303,13 @@ std::vector<ParamInfo> file_rows() {
           {"exr-pixels", "Files", "TYPE", "Samples of EXR colours: half or float"}),
       aov_row(),
       video_row(),
+      runs_only(row(ParamKind::kText, &P::video_codec, video_codec,
+                    {"video-codec", "Files", "NAME",
+                     "Of videos: h264, hevc, vp9, av1 or ffv1; default: .mp4 h264, above 4096 pixels a side hevc; .webm vp9; "
+                     ".mkv ffv1"})),
+      runs_only(
+          row(ParamKind::kText, &P::crf, crf,
+              {"crf", "Files", "N", "Quality of videos, 0 (best) to 51 (h264, hevc) or 63; default 18, hevc 20, else 24"})),
   };
 }
 

@@ -1,16 +1,19 @@
-// Writes frames as a video file: .mp4 (H.264, for watching) or .mkv (FFV1, lossless).
+// Writes frames as a video file, for watching (H.264, HEVC, VP9, AV1) or to keep every code (FFV1).
 //
-//   .mp4  H.264 by libx264, yuv420p, BT.709 limited range, tagged so; index in front. A side of odd length gets its last column
-//   or
-//         row twice. Colour has half the resolution of brightness: neighbouring views of an integral image share it.
-//   .mkv  FFV1 version 3, RGB: every code comes back.
+//   .mp4, .mov  H.264, HEVC (.mp4: VP9, AV1 too); index in front
+//   .webm       VP9, AV1
+//   .mkv        FFV1 version 3, RGB: every code comes back; the others too
+// All but FFV1: yuv420p, BT.709 limited range, tagged so. A side of odd length gets its last column or row twice. Colour has
+// half the resolution of brightness: neighbouring views of an integral image share it.
 // Equal frames and options give equal bytes: no dates, no version strings that change from run to run.
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "image/image.hpp"
+#include "video/video_codec.hpp"
 
 namespace lippmann {
 
@@ -24,12 +27,13 @@ FrameRate frame_rate(double frames_per_second);
 
 struct VideoOptions {
   FrameRate rate{};
-  int crf = 18;     ///< H.264 only: constant rate factor, 0 (lossless) ... 51; 18 is hardly told from the original
-  int threads = 1;  ///< of the encoder. H.264's bytes depend on it: never derive it from the machine
+  std::optional<VideoCodec> codec = {};  ///< none: by the file's ending and the size of frames (video_codec.hpp)
+  std::optional<int> crf = {};           ///< constant rate factor, 0 (best) ... 51 or 63; none: the codec's own
+  int threads = 1;                       ///< of the encoder. H.264's bytes depend on it: never derive it from the machine
 };
 
-/// Throws Error naming the file: for another extension, a folder that cannot be written, an encoder that this build of FFmpeg
-/// lacks, frames that differ in size, a full disk. After an Error only destruction makes sense.
+/// Throws Error naming the file: for what choose_codec() refuses, a folder that cannot be written, frames that differ in size,
+/// a full disk. After an Error only destruction makes sense.
 class VideoWriter {
  public:
   explicit VideoWriter(const std::filesystem::path& path, const VideoOptions& options = {});
@@ -49,7 +53,8 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Throws what the constructor of VideoWriter throws for a file of this name, without writing: for checks before a long render.
-void check_video_path(const std::filesystem::path& path);
+/// Throws what a VideoWriter throws for a file of this name and frames of that size (0: not known), without writing: for checks
+/// before a long render.
+void check_video_path(const std::filesystem::path& path, const VideoOptions& options = {}, int width = 0, int height = 0);
 
 }  // namespace lippmann

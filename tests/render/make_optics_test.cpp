@@ -45,6 +45,19 @@ TEST(MakeOptics, one_view_of_a_quilt_fills_the_fitted_plane) {
   EXPECT_FLOAT_EQ(std::get<MultiView>(placed.optics.model).distance_mm * placed.units_per_mm, 24.0f);
 }
 
+TEST(MakeOptics, camera_grid_divides_the_viewing_zone_among_the_longer_sides_eyes) {
+  RenderParams params;
+  params.optics = OpticsKind::kMultiview;
+  params.views = {9, 5};
+  params.size = {900, 500};
+  params.camera_grid = true;
+  params.view_angle_deg = 30.0f;
+  const Optics optics = make_optics(params, Scene{}, placed_array()).optics;
+  const auto& views = std::get<MultiView>(optics.model);
+  EXPECT_FLOAT_EQ(views.baseline_mm, 2.0f * views.distance_mm * std::tan(radians(15.0f)) / 9.0f);
+  EXPECT_NEAR(degrees(viewing_zone(optics)), 30.0f, 1e-4f);
+}
+
 TEST(MakeOptics, whole_cells_stay_aligned_with_pixels_for_odd_counts_and_near_viewers) {
   for (const int lenses : {1, 7, 64})
     for (const float distance : {50.0f, 192.0f, kInfinity}) {

@@ -51,6 +51,9 @@ const std::map<std::string_view, Values> kOtherValues{
     {"halving", {"true"}},
     {"layout", {"views"}},
     {"quilt", {"4x2"}},
+    {"camera-grid", {"true"}},
+    {"video-codec", {"hevc"}},
+    {"crf", {"30"}},
 };
 
 const ParamInfo& param(std::string_view name) {

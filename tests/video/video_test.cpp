@@ -90,6 +90,95 @@ TEST(Video, h264_keeps_a_smooth_picture_above_40_db_in_order) {
   }
 }
 
+struct CodecFile {
+  const char* file;
+  VideoCodec codec;
+  const char* probed;
+};
+const std::vector<CodecFile> kLossyFiles{{"a.mp4", VideoCodec::kH264, "h264"}, {"a.mov", VideoCodec::kH264, "h264"},
+                                         {"b.mp4", VideoCodec::kHevc, "hevc"}, {"b.mov", VideoCodec::kHevc, "hevc"},
+                                         {"c.webm", VideoCodec::kVp9, "vp9"},  {"c.mkv", VideoCodec::kVp9, "vp9"},
+                                         {"d.webm", VideoCodec::kAv1, "av1"},  {"d.mp4", VideoCodec::kAv1, "av1"}};
+
+/// Debian's FFmpeg has every encoder; others may lack some.
+bool has_encoder(VideoCodec codec) {
+  try {
+    choose_codec("a.mkv", codec, 0, 0);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+TEST(Video, every_codec_keeps_a_smooth_picture_above_38_db_in_order_in_each_of_its_files) {
+  const TempDir dir;
+  std::vector<Image8> frames;
+  for (int i = 0; i < 9; ++i) frames.push_back(smooth_codes(130, 95, 0.2 * i));  // odd: padded to 96 rows
+  for (const CodecFile& file : kLossyFiles) {
+    if (!has_encoder(file.codec)) continue;
+    write_video(dir / file.file, frames, {.codec = file.codec});
+    const std::vector<Image8> read = read_video(dir / file.file);
+    ASSERT_EQ(read.size(), frames.size()) << file.file;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      ASSERT_EQ(read[i].height, 96);
+      Image8 shown{130, 95, {read[i].rgb.begin(), read[i].rgb.end() - 3 * 130}};
+      EXPECT_GT(measure_difference(frames[i], shown).psnr_db, 38.0) << file.file << " " << i;
+      if (i == 0) continue;
+      EXPECT_LT(measure_difference(frames[i - 1], shown).psnr_db, 35.0) << "tells neighbours apart";
+    }
+  }
+}
+
+TEST(Video, every_codec_gives_equal_bytes_for_equal_frames) {
+  const TempDir dir;
+  const std::vector<Image8> frames = smooth_frames(6, 96, 64);
+  for (const CodecFile& file : kLossyFiles) {
+    if (!has_encoder(file.codec)) continue;
+    for (const int threads : {1, 4}) {
+      write_video(dir / file.file, frames, {.codec = file.codec, .threads = threads});
+      const std::string first = file_bytes(dir / file.file);
+      write_video(dir / file.file, frames, {.codec = file.codec, .threads = threads});
+      EXPECT_EQ(file_bytes(dir / file.file), first) << file.file << " " << threads;
+    }
+  }
+}
+
+TEST(Video, files_say_their_codec_and_colours) {
+  if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
+  const TempDir dir;
+  for (const CodecFile& file : kLossyFiles) {
+    if (!has_encoder(file.codec)) continue;
+    write_video(dir / file.file, smooth_frames(3, 96, 64), {.codec = file.codec});
+    const std::string found = probe(dir / file.file, "stream=codec_name,pix_fmt,color_range,color_space,codec_tag_string");
+    EXPECT_THAT(found, AllOf(HasSubstr(std::string("codec_name=") + file.probed), HasSubstr("pix_fmt=yuv420p"),
+                             HasSubstr("color_range=tv"), HasSubstr("color_space=bt709")))
+        << file.file;
+    if (file.codec == VideoCodec::kHevc) {
+      EXPECT_THAT(found, HasSubstr("codec_tag_string=hvc1"));
+    }
+  }
+}
+
+TEST(ChooseCodec, ending_and_size_decide_where_nobody_says) {
+  EXPECT_EQ(choose_codec("a.mp4", {}, 4096, 4096), VideoCodec::kH264);
+  EXPECT_EQ(choose_codec("a.mp4", {}, 4098, 16), VideoCodec::kHevc);
+  EXPECT_EQ(choose_codec("a.mov", {}, 16, 5999), VideoCodec::kHevc);
+  EXPECT_EQ(choose_codec("a.webm", {}, 8192, 8192), VideoCodec::kVp9);
+  EXPECT_EQ(choose_codec("a.mkv", {}, 16384, 16384), VideoCodec::kFfv1);
+}
+
+TEST(ChooseCodec, what_a_file_or_codec_does_not_hold_is_refused_with_what_would) {
+  const auto refusal = [](const char* file, std::optional<VideoCodec> codec, int side) {
+    return error_message([&] { choose_codec(file, codec, side, 16); });
+  };
+  EXPECT_THAT(refusal("a.mp4", VideoCodec::kH264, 4098),
+              AllOf(HasSubstr("4096"), HasSubstr("4098"), HasSubstr("hevc, vp9, av1")));
+  EXPECT_THAT(refusal("a.mp4", {}, 8194), AllOf(HasSubstr("8192"), HasSubstr("vp9, av1")));
+  EXPECT_THAT(refusal("a.mov", {}, 8194), HasSubstr("smaller frames"));
+  EXPECT_THAT(refusal("a.mp4", VideoCodec::kFfv1, 16), AllOf(HasSubstr("do not hold ffv1"), HasSubstr("h264, hevc, vp9, av1")));
+  EXPECT_THAT(refusal("a.webm", VideoCodec::kH264, 16), HasSubstr("vp9, av1"));
+}
+
 TEST(Video, h264_colours_of_flat_fields_come_back) {
   const TempDir dir;
   std::vector<Image8> frames;
@@ -241,6 +330,8 @@ TEST(VideoWriter, options_that_make_no_sense_are_errors) {
   const TempDir dir;
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.rate = {0, 1}}); }), HasSubstr("frames per second"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.crf = 52}); }), HasSubstr("0 to 51"));
+  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.webm", {.crf = 64}); }), HasSubstr("0 to 63"));
+  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mkv", {.crf = 5}); }), HasSubstr("loses nothing"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4").finish(); }), HasSubstr("without frames"));
 }
 

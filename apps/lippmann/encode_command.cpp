@@ -1,0 +1,79 @@
+// `lippmann encode FROM OUT`: a video of finished frames.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/progress.hpp"
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "render/param_text.hpp"
+#include "video/encode_frames.hpp"
+
+namespace lippmann::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Fixed: the bytes of some codecs depend on it.
+constexpr int kEncoderThreads = 4;
+
+struct Options {
+  std::string from, out, codec, range;
+  std::optional<int> crf;
+  double fps = 25.0;
+  bool json = false;
+};
+
+int run(const Options& options, Context& context) {
+  VideoOptions video{.rate = frame_rate(options.fps), .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
+  if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
+  std::optional<FrameRange> range;
+  if (!options.range.empty()) range = read_frames(options.range, "--range");
+  const std::vector<NumberedFrame> frames = find_frames(options.from, range ? std::optional(range->first) : std::nullopt,
+                                                        range ? std::optional(range->last) : std::nullopt);
+  const fs::path out = video_path(options.out, frames);
+  remove_stale_temporaries(out.parent_path().empty() ? fs::path(".") : out.parent_path(), out.filename());
+  const int count = static_cast<int>(frames.size());
+  std::optional<Progress> progress(std::in_place, count, Progress::stderr_is_terminal());
+  const bool whole = encode_frames(frames, out, video, context,
+                                   [&](const NumberedFrame& frame) { progress->step(frame.path.filename().string()); });
+  progress.reset();
+  if (!whole) return 1;
+  const auto bytes = fs::file_size(out);
+  if (options.json)
+    fmt::print("{}\n", nlohmann::ordered_json{{"file", out.string()}, {"frames", count}, {"bytes", bytes}}.dump(2));
+  else
+    fmt::print("{} frames, {:.2f} MB: {}\n", count, static_cast<double>(bytes) * 1e-6, out.string());
+  return 0;
+}
+
+}  // namespace
+
+void add_encode_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *root.add_subcommand("encode", "Make a video of finished frames");
+  command.add_option("FROM", options->from, "A folder of frame_0000.png, ..., or a pattern: dir/view_%03d.png, 'dir/*.png'")
+      ->required();
+  command
+      .add_option(
+          "OUT", options->out,
+          "The video: .mp4 (H.264; HEVC above 4096 pixels a side), .mov, .webm (VP9), .mkv (FFV1, lossless); frames that are "
+          "quilts give it their quilt's name")
+      ->required();
+  command.add_option("--codec", options->codec, "h264, hevc, vp9, av1 or ffv1; default: by OUT's ending and size")
+      ->type_name("NAME");
+  command.add_option("--crf", options->crf, "Quality, 0 (best) to 51 (h264, hevc) or 63 (vp9, av1); default 18, 20, 24, 24")
+      ->type_name("N");
+  command.add_option("--fps", options->fps, "Frames per second [25]")->check(CLI::Range(0.001, 1000.0))->type_name("N");
+  command.add_option("--range", options->range, "Only frames A to B, both included")->type_name("A-B");
+  command.add_flag("--json", options->json, "Print the result as JSON");
+  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,130 @@
+#include "video/encode_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <memory>
+#include <regex>
+
+#include "core/background.hpp"
+#include "core/error.hpp"
+#include "image/read_image.hpp"
+#include "layout/quilt_name.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files whose names differ in their number alone.
+using Series = std::map<int, fs::path>;
+
+struct Pattern {
+  fs::path folder;
+  std::regex name;  ///< groups: what comes before the number, the number, what comes after
+};
+
+std::string escaped(const std::string& text) {
+  static const std::regex special(R"([.^$|()\[\]{}*+?\\])");
+  return std::regex_replace(text, special, R"(\$&)");
+}
+
+Pattern pattern_of(const std::string& from) {
+  std::error_code ignored;
+  if (fs::is_directory(from, ignored))
+    return {from,
+            std::regex(R"((.*?)([0-9]{1,9})((?:_qs[^.]*(?:\.[0-9]+)?[^.]*)?\.(?:png|exr|jpg|jpeg|tif|tiff|ppm|bmp|tga|webp)))",
+                       std::regex::icase)};
+  static const std::regex number(R"(\*|%0?[0-9]*d)");
+  const fs::path path(from);
+  const std::string name = path.filename().string();
+  std::smatch found;
+  if (!std::regex_search(name, found, number))
+    throw Error(from, "there is no such folder, and it is no pattern",
+                "a folder, or a pattern such as frame_%04d.png or 'frame_*.png'");
+  const std::string rest = found.suffix();
+  if (std::regex_search(rest, number)) throw Error(from, "has two places for the number", "one * or %04d");
+  return {path.parent_path().empty() ? fs::path(".") : path.parent_path(),
+          std::regex(fmt::format("({})([0-9]{{1,9}})({})", escaped(found.prefix()), escaped(rest)))};
+}
+
+/// By what stands before and after the number.
+std::map<std::string, Series> series_in(const Pattern& pattern) {
+  std::map<std::string, Series> all;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(pattern.folder, problem)) {
+    const std::string name = entry.path().filename().string();
+    std::smatch found;
+    if (name.starts_with(".") || !std::regex_match(name, found, pattern.name)) continue;
+    const std::string digits = found[2];
+    int number = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const auto [at, is_new] = all[found[1].str() + "*" + found[3].str()].emplace(number, entry.path());
+    if (!is_new)
+      throw Error(pattern.folder.string(),
+                  fmt::format("has two pictures for frame {}: {} and {}", number, at->second.filename().string(), name));
+  }
+  if (problem) throw Error(pattern.folder.string(), "it cannot be listed (" + problem.message() + ")");
+  return all;
+}
+
+/// The only series; or the one whose name begins with frame_, as render names them.
+const Series& chosen_series(const std::string& from, const std::map<std::string, Series>& all) {
+  if (all.empty()) throw Error(from, "there are no frames in it", "frame_0000.png, frame_0001.png, ...");
+  if (all.size() == 1) return all.begin()->second;
+  std::vector<std::string> names, frames;
+  for (const auto& [name, series] : all) {
+    names.push_back(name);
+    if (name.starts_with("frame_")) frames.push_back(name);
+  }
+  if (frames.size() == 1) return all.at(frames.front());
+  throw Error(from,
+              fmt::format("holds several series of pictures: {}, {}{}", names[0], names[1], names.size() > 2 ? ", ..." : ""),
+              "a pattern that names one");
+}
+
+}  // namespace
+
+std::vector<NumberedFrame> find_frames(const std::string& from, std::optional<int> first, std::optional<int> last) {
+  const std::map<std::string, Series> all = series_in(pattern_of(from));
+  const Series& series = chosen_series(from, all);
+  const int begin = first.value_or(series.begin()->first), end = last.value_or(series.rbegin()->first);
+  std::vector<NumberedFrame> frames;
+  for (int number = begin; number <= end; ++number) {
+    const auto found = series.find(number);
+    if (found == series.end())
+      throw Error(from, fmt::format("frame {} is missing", number),
+                  fmt::format("all from {} to {}, or --range with those that are there", begin, end));
+    frames.push_back({number, found->second});
+  }
+  return frames;
+}
+
+fs::path video_path(const fs::path& out, const std::vector<NumberedFrame>& frames) {
+  const std::optional<QuiltName> quilt = frames.empty() ? std::nullopt : parse_quilt_name(frames.front().path);
+  return quilt && !parse_quilt_name(out) ? with_quilt_name(out, *quilt) : out;
+}
+
+bool encode_frames(const std::vector<NumberedFrame>& frames, const fs::path& out, const VideoOptions& options,
+                   const Context& context, const std::function<void(const NumberedFrame&)>& encoded) {
+  VideoWriter writer(out, options);
+  const int threads = std::clamp(resolved_threads(context), 1, 8);
+  BackgroundQueue queue(threads, threads + 1);
+  for (const NumberedFrame& frame : frames) {
+    if (context.cancelled) break;
+    const auto picture = std::make_shared<Image8>();
+    queue.submit([picture, &frame] { *picture = read_image8(frame.path); },
+                 [picture, &frame, &writer, &encoded] {
+                   writer.add_frame(*picture);
+                   if (encoded) encoded(frame);
+                 });
+  }
+  queue.finish();
+  if (context.cancelled) return false;
+  writer.finish();
+  return true;
+}
+
+}  // namespace lippmann

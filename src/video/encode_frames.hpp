@@ -1,0 +1,35 @@
+// Makes a video of finished frames: pictures in a folder, numbered in their names.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/context.hpp"
+#include "video/video_writer.hpp"
+
+namespace lippmann {
+
+struct NumberedFrame {
+  int number = 0;
+  std::filesystem::path path;
+};
+
+/// The frames that `from` names, ascending and without a gap: a folder (of frame_0000.png, ..., or of whatever one series of
+/// numbered pictures it holds, quilts' names included), or a pattern for the name of files, in which * or %04d stands for the
+/// number. `first`, `last`: only these; none: from the lowest to the highest number.
+/// Throws Error naming the folder and the first frame that is missing.
+std::vector<NumberedFrame> find_frames(const std::string& from, std::optional<int> first = {}, std::optional<int> last = {});
+
+/// `out` with the quilt's name that the frames have, unless it says one itself: room.mp4 of frame_0000_qs8x6a0.75.png, ...
+/// becomes room_qs8x6a0.75.mp4.
+std::filesystem::path video_path(const std::filesystem::path& out, const std::vector<NumberedFrame>& frames);
+
+/// Frames are read ahead on other threads. `encoded` is called after each, on one of them. Stops when the context is cancelled;
+/// the file then is not written, and false returned. Throws Error as VideoWriter and read_image8 do.
+bool encode_frames(const std::vector<NumberedFrame>& frames, const std::filesystem::path& out, const VideoOptions& options,
+                   const Context& context, const std::function<void(const NumberedFrame&)>& encoded = {});
+
+}  // namespace lippmann
