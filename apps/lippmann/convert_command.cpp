@@ -93,7 +93,8 @@ void add_convert_command(CLI::App& root, Action& chosen) {
   command.add_option("IN", options->in, "A picture or folder of the format; or a folder of many, frame_0000...")->required();
   command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
       ->required();
-  command.add_option("--from", options->from, "What IN is, see below")->type_name("FORMAT");
+  command.add_option("--from", options->from, "What IN is, see below; default: as its name or render's report.json says")
+      ->type_name("FORMAT");
   command.add_option("--to", options->to, "What OUT is to be; required but for --rotate-elemental and --spoc")
       ->type_name("FORMAT");
   command.add_option("--views", options->views, "Views across and up; of an integral image: pixels below each lens")

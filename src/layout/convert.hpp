@@ -13,7 +13,7 @@
 namespace lippmann {
 
 struct ConvertParams {
-  std::string from = "integral", to = "views";  ///< names of formats
+  std::string from, to = "views";  ///< names of formats; `from` empty: as the name of a quilt or the report beside it says
   FormatOptions options;
   std::optional<Crop> crop;       ///< of every view
   std::optional<KeptViews> keep;  ///< of the views; before they are cropped
@@ -25,6 +25,9 @@ struct Converted {
   Vec2i view_size{0, 0};
 };
 
+/// Where a report.json of `render` lies beside a picture, it says what its views are, unless the options say it; and for
+/// formats that want them, what their cameras are, and the layer of depth comes with them.
+///
 /// `in`: a light field of that format, or a folder of frame_* (pictures or folders of views), of which each is converted, into
 /// pictures or folders of the same names. A picture without an ending gets the one that suits its samples. A quilt is written
 /// under its proper name (quilt_name.hpp). Throws Error naming the file or flag.

@@ -20,6 +20,7 @@ struct FormatOptions {
   std::optional<ViewGrid> views = {};     ///< how many views across and up: needed where neither names nor side files say it
   std::optional<ViewGrid> tiles = {};     ///< of a quilt; none: as its name says, or as square as can be
   std::optional<double> aspect = {};      ///< of the display, for a quilt's name; none: as the source's, or the picture's
+  bool with_depth = false;                ///< read it from beside a rendered picture too, where it is (layout/rendered.hpp)
   std::optional<int> bits = {};           ///< of the codes of PPM files, 1 ... 16; none: as the source's
   std::optional<Display> display = {};    ///< whose own frame a native picture is
   std::optional<ViewFilter> filter = {};  ///< of views when native frames are made; none: the nearest

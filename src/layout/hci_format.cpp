@@ -1,13 +1,22 @@
-// The 4D light field benchmark's folders: input_Cam000.png ... row by row from the top left, and parameters.cfg.
+// The 4D light field benchmark's folders: input_Cam000.png ... row by row from the top left, parameters.cfg, and depth and
+// disparity of every view as PFM, gt_depth_lowres_Cam000.pfm ... (metres) and gt_disp_lowres_Cam000.pfm ... (pixels); those of
+// the view in the middle also as gt_depth_lowres.pfm and gt_disp_lowres.pfm.
+//
+// Where nothing was hit the depth is infinite, and the disparity that of infinity.
 //
 // Honauer, Johannsen, Kondermann, Goldluecke: A dataset and evaluation methodology for depth estimation on 4D light fields,
 // ACCV 2016.
 #include <fmt/format.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
+#include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "image/netpbm.hpp"
 #include "layout/formats.hpp"
+#include "layout/hci_parameters.hpp"
 #include "layout/view_files.hpp"
 
 namespace lippmann {
@@ -15,17 +24,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As said, or a square.
-ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options) {
+std::optional<HciParameters> read_parameters(const fs::path& folder) {
+  constexpr std::uintmax_t kMaxBytes = 1 << 20;
+  const fs::path path = folder / "parameters.cfg";
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  if (fs::file_size(path, ignored) > kMaxBytes) throw Error(path.string(), "is too large for parameters");
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_hci_parameters(text.str(), path.string());
+}
+
+/// As said, as parameters.cfg says, or a square.
+ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options,
+                 const std::optional<HciParameters>& parameters) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(count))));
-  if (!options.views && side * side != count)
+  ViewGrid grid = options.views.value_or(ViewGrid{side, side});
+  if (!options.views && parameters) grid = {parameters->columns, parameters->rows};
+  if (!options.views && !parameters && side * side != count)
     throw usage_error("--views", fmt::format("{} has {} views, which are no square", folder.string(), count),
                       "CxR, such as 9x1");
-  const ViewGrid grid = options.views.value_or(ViewGrid{side, side});
   if (grid.count() != count)
-    throw usage_error(
-        "--views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
+    throw Error(folder.string(), fmt::format("it holds {} views, and not {}x{}", count, grid.columns, grid.rows),
+                "--views or a parameters.cfg that agrees");
   return grid;
+}
+
+fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid, int view) {
+  return folder / fmt::format("gt_{}_lowres_Cam{:03}.pfm", kind, from_top_left(grid, view));
+}
+
+/// Of all views, or of none.
+void read_depth(const fs::path& folder, const HciParameters& parameters, LightField& field) {
+  std::error_code ignored;
+  for (int view = 0; view < field.grid.count(); ++view)
+    if (!fs::is_regular_file(per_view(folder, "depth", field.grid, view), ignored)) return;
+  field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+  for (int view = 0; view < field.grid.count(); ++view) {
+    const fs::path path = per_view(folder, "depth", field.grid, view);
+    Image depth = read_pfm(path);
+    if (Vec2i(depth.width, depth.height) != field.view_size || depth.channels != 1)
+      throw Error(path.string(), fmt::format("it has {}x{} pixels of {} channels", depth.width, depth.height, depth.channels),
+                  fmt::format("{}x{} of 1 channel, as the views", field.view_size.x, field.view_size.y));
+    for (float& z : depth.data) z = static_cast<float>(1000.0 * (parameters.focus_distance_m - static_cast<double>(z)));
+    set_depth(field, view, depth);
+  }
 }
 
 LightField read(const fs::path& folder, const FormatOptions& options) {
@@ -34,23 +78,75 @@ LightField read(const fs::path& folder, const FormatOptions& options) {
   const int count = static_cast<int>(files.size());
   if (files.front().numbers[0] != 0 || files.back().numbers[0] != count - 1)
     throw Error(folder.string(), "views are missing", fmt::format("all from 0 to {}", files.back().numbers[0]));
-  const ViewGrid grid = grid_of(folder, count, options);
+  const std::optional<HciParameters> parameters = read_parameters(folder);
+  const ViewGrid grid = grid_of(folder, count, options, parameters);
   std::vector<fs::path> by_view(files.size());
   for (int i = 0; i < count; ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, i))] = files[static_cast<std::size_t>(i)].path;
-  return read_view_files(by_view, grid);
+  LightField field = read_view_files(by_view, grid);
+  if (!parameters || grid != ViewGrid{parameters->columns, parameters->rows}) return field;
+  field.cameras = hci_cameras(*parameters);
+  read_depth(folder, *parameters, field);
+  return field;
+}
+
+struct DepthMaps {
+  Image depth_m, disparity_px;
+};
+
+DepthMaps depth_maps(const LightField& field, int view, const HciParameters& parameters) {
+  DepthMaps maps{depth_of(field, view), Image(field.view_size.x, field.view_size.y, 1)};
+  for (std::size_t i = 0; i < maps.depth_m.data.size(); ++i) {
+    const double depth_m = parameters.focus_distance_m - 1e-3 * static_cast<double>(maps.depth_m.data[i]);
+    maps.depth_m.data[i] = static_cast<float>(depth_m);
+    maps.disparity_px.data[i] = static_cast<float>(hci_disparity_px(parameters, depth_m));
+  }
+  return maps;
+}
+
+/// Also finds the range of disparities.
+void write_depth(const LightField& field, const fs::path& folder, HciParameters& parameters, std::vector<fs::path>& written) {
+  const int middle = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;  // from the top left
+  parameters.disparity_min = INFINITY, parameters.disparity_max = -INFINITY;
+  const auto put = [&](const fs::path& path, const Image& map) {
+    write_pfm(path, map);
+    written.push_back(path);
+  };
+  for (int view = 0; view < field.grid.count(); ++view) {
+    const DepthMaps maps = depth_maps(field, view, parameters);
+    for (const float d : maps.disparity_px.data) {
+      parameters.disparity_min = std::min(parameters.disparity_min, static_cast<double>(d));
+      parameters.disparity_max = std::max(parameters.disparity_max, static_cast<double>(d));
+    }
+    put(per_view(folder, "depth", field.grid, view), maps.depth_m);
+    put(per_view(folder, "disp", field.grid, view), maps.disparity_px);
+    if (from_top_left(field.grid, view) != middle) continue;
+    put(folder / "gt_depth_lowres.pfm", maps.depth_m);
+    put(folder / "gt_disp_lowres.pfm", maps.disparity_px);
+  }
 }
 
 std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions&) {
+  std::optional<HciParameters> parameters;
+  if (field.cameras) parameters = hci_parameters(field, folder.string());
   const char* ending = exact_ending(field.stack);
-  return write_view_files(field, folder,
-                          [&](int view) { return fmt::format("input_Cam{:03}.{}", from_top_left(field.grid, view), ending); });
+  std::vector<fs::path> written = write_view_files(
+      field, folder, [&](int view) { return fmt::format("input_Cam{:03}.{}", from_top_left(field.grid, view), ending); });
+  if (!parameters) return written;
+  parameters->scene = folder.filename().string();
+  if (field.depth) write_depth(field, folder, *parameters, written);
+  const std::string text = hci_parameters_text(*parameters);
+  write_file_atomically(folder / "parameters.cfg", std::as_bytes(std::span(text)));
+  written.push_back(folder / "parameters.cfg");
+  return written;
 }
 
 }  // namespace
 
 LightFieldFormat hci_format() {
-  return {"hci", "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left", true, true, read, write};
+  return {"hci", "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left; cameras, depth, disparity",
+          true,  true,
+          read,  write};
 }
 
 }  // namespace lippmann

@@ -15,7 +15,7 @@ ViewGrid said_views(const fs::path& path, const FormatOptions& options) {
 
 template <LayoutKind kind>
 LightField read(const fs::path& path, const FormatOptions& options) {
-  return read_packed(path, {kind, said_views(path, options), {}});
+  return read_packed(path, {kind, said_views(path, options), {}}, options.with_depth);
 }
 
 template <LayoutKind kind>

@@ -1,9 +1,11 @@
 #include "layout/packed_views.hpp"
 
+#include "layout/rendered.hpp"
+
 namespace lippmann {
 namespace fs = std::filesystem;
 
-LightField read_packed(const fs::path& path, const ViewLayout& layout) {
+LightField read_packed(const fs::path& path, const ViewLayout& layout, bool with_depth) {
   const Picture picture = read_picture(path);
   const Vec2i size = size_of(picture);
   LightField field;
@@ -11,14 +13,14 @@ LightField read_packed(const fs::path& path, const ViewLayout& layout) {
   field.view_size = view_size(layout, size, path.string());
   field.aspect = static_cast<double>(size.x) / size.y;
   field.stack = blank(picture, stack_size(field));
-  move_pixels(picture, pixels_of_views(layout, field.view_size, size), field.stack, {});
+  const std::vector<std::uint32_t> pixels = pixels_of_views(layout, field.view_size, size);
+  move_pixels(picture, pixels, field.stack, {});
+  if (!with_depth) return field;
+  if (const std::optional<Image> depth = rendered_depth(path); depth && Vec2i(depth->width, depth->height) == size) {
+    field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+    move_pixels(*depth, pixels, *field.depth, {});
+  }
   return field;
-}
-
-Image unpack_layer(const Image& layer, const ViewLayout& layout, Vec2i view_size) {
-  Image stack(view_size.x, view_size.y * layout.grid.count(), layer.channels);
-  move_pixels(layer, pixels_of_views(layout, view_size, {layer.width, layer.height}), stack, {});
-  return stack;
 }
 
 std::vector<fs::path> write_packed(const LightField& field, const ViewLayout& layout, const fs::path& path) {

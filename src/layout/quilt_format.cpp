@@ -41,7 +41,11 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
 /// The first view last.
 void turn_round(LightField& field) {
   const LightField from = field;
-  for (int view = 0; view < field.grid.count(); ++view) set_view(field, view, view_of(from, field.grid.count() - 1 - view));
+  for (int view = 0; view < field.grid.count(); ++view) {
+    const int source = field.grid.count() - 1 - view;
+    set_view(field, view, view_of(from, source));
+    if (field.depth) set_depth(field, view, depth_of(from, source));
+  }
 }
 
 LightField read(const fs::path& path, const FormatOptions& options) {
@@ -50,7 +54,7 @@ LightField read(const fs::path& path, const FormatOptions& options) {
   if (grid.count() != quilt.views)
     throw usage_error("--views", fmt::format("{}x{} views are not as many as {}x{} tiles", grid.columns, grid.rows,
                                              quilt.tiles.columns, quilt.tiles.rows));
-  LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles});
+  LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles}, options.with_depth);
   if (quilt.inverted) turn_round(field);
   field.tiles = quilt.tiles;
   field.aspect = quilt.aspect.value_or(static_cast<double>(field.view_size.x) / field.view_size.y);

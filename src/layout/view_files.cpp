@@ -92,6 +92,7 @@ std::vector<fs::path> write_view_files(const LightField& field, const fs::path& 
     written.push_back(folder / name(view));
     write_picture(written.back(), view_of(field, view));
   }
+  std::sort(written.begin(), written.end());
   return written;
 }
 

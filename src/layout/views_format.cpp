@@ -3,12 +3,23 @@
 
 #include "core/error.hpp"
 #include "layout/formats.hpp"
+#include "layout/rendered.hpp"
 #include "layout/view_files.hpp"
 
 namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of all views, or of none.
+void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
+  for (int view = 0; view < field.grid.count(); ++view) {
+    const std::optional<Image> depth = rendered_depth(by_view[static_cast<std::size_t>(view)]);
+    if (!depth || Vec2i(depth->width, depth->height) != field.view_size) return field.depth.reset();
+    if (view == 0) field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+    set_depth(field, view, *depth);
+  }
+}
 
 LightField read(const fs::path& folder, const FormatOptions& options) {
   static const std::regex name("view_([0-9]{1,6})\\.[^.]+");
@@ -22,7 +33,9 @@ LightField read(const fs::path& folder, const FormatOptions& options) {
         "--views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
   std::vector<fs::path> by_view;
   for (const NumberedFile& file : files) by_view.push_back(file.path);
-  return read_view_files(by_view, grid);
+  LightField field = read_view_files(by_view, grid);
+  if (options.with_depth) read_depth(by_view, field);
+  return field;
 }
 
 std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions&) {

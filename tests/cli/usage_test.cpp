@@ -16,7 +16,7 @@ TEST(Tool, help_lists_the_commands_and_exits_with_0) {
   const RunResult result = run_tool(dir, {"--help"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* command : {"render", "info", "scenes", "compare", "convert", "bench"})
+  for (const char* command : {"render", "info", "scenes", "compare", "convert", "encode", "bench"})
     EXPECT_THAT(result.out, HasSubstr(command));
 }
 
@@ -60,7 +60,10 @@ TEST(Tool, convert_says_what_it_made_and_refuses_what_is_no_grid) {
   EXPECT_TRUE(std::filesystem::exists(dir / report["files"][0].get<std::string>()));
   for (const char* grid : {"8", "8x", "x1", "0x1", "8x1x2", "-8x1", "99999x1"})
     expect_refusal(run_tool(dir, convert + Words{"--views", grid}), 2, "--views");
-  expect_refusal(run_tool(dir, convert), 2, "--views");
+  EXPECT_EQ(run_tool(dir, convert).exit_code, 0) << "the report beside it says how many views there are";
+  std::filesystem::copy(dir / "r/frame_0000.png", dir / "alone.png");
+  expect_refusal(run_tool(dir, {"convert", "alone.png", "q.png", "--from", "integral", "--to", "quilt"}), 2, "--views");
+  expect_refusal(run_tool(dir, {"convert", "alone.png", "q.png", "--to", "quilt"}), 2, "--from");
 }
 
 TEST(Tool, flag_given_twice_or_without_a_value_is_wrong_usage) {

@@ -1,0 +1,161 @@
+#include "layout/hci_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/printable.hpp"
+#include "layout/cameras.hpp"
+
+namespace lippmann {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
+  return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
+}
+
+/// Keys and values, whatever their section: no two sections have a key in common.
+class Values {
+ public:
+  Values(std::string_view text, const std::string& where) : where_(where) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      const std::string_view line = trimmed(text.substr(0, end));
+      text.remove_prefix(std::min(end + 1, text.size()));
+      const std::size_t equals = line.find('=');
+      if (line.empty() || line[0] == '[' || line[0] == '#' || line[0] == ';' || equals == std::string_view::npos) continue;
+      values_[std::string(trimmed(line.substr(0, equals)))] = trimmed(line.substr(equals + 1));
+    }
+  }
+
+  std::string text(const char* key) const {
+    const auto found = values_.find(key);
+    return found == values_.end() ? std::string() : found->second;
+  }
+
+  double number(const char* key, double lowest, double highest) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) throw Error(where_, fmt::format("has no {}", key));
+    double value = 0.0;
+    const char* end = found->second.data() + found->second.size();
+    const auto read = std::from_chars(found->second.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end || !(value >= lowest && value <= highest))
+      throw Error(where_, fmt::format("its {} is {}", key, shown(found->second)),
+                  fmt::format("a number from {} to {}", lowest, highest));
+    return value;
+  }
+
+  double number_or(const char* key, double otherwise) const {
+    return values_.contains(key) ? number(key, -1e9, 1e9) : otherwise;
+  }
+
+  int count(const char* key, int highest) const {
+    const double value = number(key, 1, highest);
+    if (value != std::floor(value)) throw Error(where_, fmt::format("its {} is {}", key, value), "a whole number");
+    return static_cast<int>(value);
+  }
+
+ private:
+  const std::string& where_;
+  std::map<std::string, std::string> values_;
+};
+
+}  // namespace
+
+HciParameters parse_hci_parameters(const std::string& text, const std::string& where) {
+  constexpr int kMaxSide = 65536, kMaxCameras = 1024;
+  constexpr double kLeast = 1e-6, kMost = 1e9;
+  const Values values(text, where);
+  HciParameters p;
+  p.focal_length_mm = values.number("focal_length_mm", kLeast, kMost);
+  p.sensor_size_mm = values.number("sensor_size_mm", kLeast, kMost);
+  p.fstop = values.number_or("fstop", p.fstop);
+  p.width = values.count("image_resolution_x_px", kMaxSide);
+  p.height = values.count("image_resolution_y_px", kMaxSide);
+  p.columns = values.count("num_cams_x", kMaxCameras);
+  p.rows = values.count("num_cams_y", kMaxCameras);
+  p.baseline_mm = values.number("baseline_mm", 0.0, kMost);
+  p.focus_distance_m = values.number("focus_distance_m", kLeast, kMost);
+  p.centre_camera_m[0] = values.number_or("center_cam_x_m", 0.0);
+  p.centre_camera_m[1] = values.number_or("center_cam_y_m", 0.0);
+  p.centre_camera_m[2] = values.number_or("center_cam_z_m", 0.0);
+  p.scene = values.text("scene");
+  p.disparity_min = values.number_or("disp_min", 0.0);
+  p.disparity_max = values.number_or("disp_max", 0.0);
+  return p;
+}
+
+std::string hci_parameters_text(const HciParameters& p) {
+  std::string text;
+  const auto line = [&](std::string_view key, const auto& value) { text += fmt::format("{} = {}\n", key, value); };
+  text += "[intrinsics]\n";
+  line("focal_length_mm", p.focal_length_mm);
+  line("image_resolution_x_px", p.width);
+  line("image_resolution_y_px", p.height);
+  line("sensor_size_mm", p.sensor_size_mm);
+  line("fstop", p.fstop);
+  text += "\n[extrinsics]\n";
+  line("num_cams_x", p.columns);
+  line("num_cams_y", p.rows);
+  line("baseline_mm", p.baseline_mm);
+  line("focus_distance_m", p.focus_distance_m);
+  for (int axis = 0; axis < 3; ++axis) line(fmt::format("center_cam_{}_m", "xyz"[axis]), p.centre_camera_m[axis]);
+  for (const char axis : {'x', 'y', 'z'}) line(fmt::format("center_cam_r{}_rad", axis), 0.0);
+  line("offset", -hci_disparity_px(p, INFINITY));
+  text += "\n[meta]\n";
+  line("scene", p.scene);
+  line("category", "synthetic");
+  line("date", "");
+  line("version", "v0");
+  line("authors", "");
+  line("contact", "");
+  line("disp_min", p.disparity_min);
+  line("disp_max", p.disparity_max);
+  line("frustum_disp_min", p.disparity_min);
+  line("frustum_disp_max", p.disparity_max);
+  line("depth_map_scale", 1.0);
+  return text;
+}
+
+double hci_disparity_px(const HciParameters& p, double depth_m) {
+  const double beta = p.baseline_mm * p.focal_length_mm * std::max(p.width, p.height), focus_mm = 1000.0 * p.focus_distance_m;
+  return (beta * focus_mm / (1000.0 * depth_m) - beta) / (focus_mm * p.sensor_size_mm);
+}
+
+HciParameters hci_parameters(const LightField& field, const std::string& where) {
+  const ViewCameras& cameras = *field.cameras;
+  const std::optional<double> baseline = common_baseline_mm(cameras, field.grid);
+  if (!baseline)
+    throw Error(where, "the views' eyes stand at distances that differ, and the format knows one baseline",
+                "views of --optics multiview --camera-grid or --optics microlens; --keep with equal steps");
+  if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)
+    throw Error(where, "pixels are not square in views of cylindrical lenses, and the format knows no others",
+                "views of --optics multiview --camera-grid or --optics microlens");
+  HciParameters p;
+  p.width = field.view_size.x, p.height = field.view_size.y;
+  p.columns = field.grid.columns, p.rows = field.grid.rows;
+  p.baseline_mm = *baseline;
+  p.focus_distance_m = 1e-3 * cameras.distance_mm;
+  p.focal_length_mm = p.sensor_size_mm * cameras.distance_mm / (cameras.pixel_mm.x * std::max(p.width, p.height));
+  Vec2d middle(0.0);
+  for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
+  const auto metres = [](double mm) { return std::abs(mm) < 1e-6 ? 0.0 : 1e-3 * mm; };  // what rounding leaves is nothing
+  p.centre_camera_m[0] = metres(middle.x), p.centre_camera_m[1] = metres(middle.y), p.centre_camera_m[2] = p.focus_distance_m;
+  return p;
+}
+
+ViewCameras hci_cameras(const HciParameters& p) {
+  const double pixel_mm = p.sensor_size_mm * 1000.0 * p.focus_distance_m / (p.focal_length_mm * std::max(p.width, p.height));
+  ViewCameras cameras{1000.0 * p.focus_distance_m, Vec2d(pixel_mm), 0.5 * Vec2d(p.width, p.height), {}};
+  for (int row = 0; row < p.rows; ++row)
+    for (int column = 0; column < p.columns; ++column)
+      cameras.eyes_mm.push_back(p.baseline_mm * (Vec2d(column, row) - 0.5 * Vec2d(p.columns - 1, p.rows - 1)));
+  return cameras;
+}
+
+}  // namespace lippmann

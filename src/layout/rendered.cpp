@@ -1,0 +1,59 @@
+#include "layout/rendered.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "core/error.hpp"
+#include "image/read_image.hpp"
+#include "optics/optics_json.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uintmax_t kMaxReportBytes = std::uintmax_t{256} << 20;  // a frame takes about 600
+
+bool has_depth(const fs::path& picture) {
+  const std::vector<std::string> names = channel_names(picture);
+  return std::find(names.begin(), names.end(), "Z") != names.end();
+}
+
+}  // namespace
+
+std::optional<Rendering> rendering_of(const fs::path& picture) {
+  const fs::path folder = picture.parent_path();
+  std::error_code ignored;
+  for (const fs::path& report : {picture / "report.json", folder / "report.json", folder.parent_path() / "report.json"}) {
+    if (!fs::is_regular_file(report, ignored)) continue;
+    if (fs::file_size(report, ignored) > kMaxReportBytes) throw Error(report.string(), "is too large for a report");
+    std::ifstream file(report);
+    const Json json = Json::parse(file, nullptr, false);
+    if (json.is_discarded() || !json.is_object()) throw Error(report.string(), "is not JSON, or not a report");
+    if (!json.contains("optics")) return std::nullopt;
+    Rendering rendering{optics_from_json(json["optics"], report.string())};
+    const Json settings = json.value("settings", Json::object());
+    if (settings.contains("layout") && settings["layout"].is_string()) rendering.layout = settings["layout"];
+    return rendering;
+  }
+  return std::nullopt;
+}
+
+std::optional<Image> rendered_depth(const fs::path& picture) {
+  static const std::array<std::string, 1> depth{"Z"};
+  if (picture.extension() == ".exr" && has_depth(picture)) return read_channels(picture, depth);
+  static const std::regex numbered("(?:frame|view)_([0-9]+).*");
+  std::smatch found;
+  const std::string name = picture.filename().string();
+  if (!std::regex_match(name, found, numbered)) return std::nullopt;
+  const fs::path layers = picture.parent_path() / ("aov_" + found[1].str() + ".exr");
+  std::error_code ignored;
+  if (!fs::is_regular_file(layers, ignored) || !has_depth(layers)) return std::nullopt;
+  return read_channels(layers, depth);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,26 @@
+// What lies beside a picture that `render` wrote: report.json, which says what its optics were, and the layer of depth.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "image/image.hpp"
+#include "optics/optics.hpp"
+
+namespace lippmann {
+
+struct Rendering {
+  Optics optics;
+  std::string layout = {};  ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
+};
+
+/// Of the report.json in the folder of the picture (or folder of views), or in that folder's own; none if there is none.
+/// Throws Error naming the report if it cannot be understood.
+std::optional<Rendering> rendering_of(const std::filesystem::path& picture);
+
+/// z in display mm, one channel, of the picture's size: of an EXR picture that has it, or of aov_0000.exr beside frame_0000...,
+/// aov_000.exr beside view_000... None if there is none. Throws Error as read_channels.
+std::optional<Image> rendered_depth(const std::filesystem::path& picture);
+
+}  // namespace lippmann
