@@ -61,7 +61,6 @@ ConvertParams params_of(const Options& options) {
 int run(const Options& options, const Context& context) {
   if (options.orthoscopic.are_given())
     return run_orthoscopic(options.orthoscopic, options.in, options.out, options.json, context);
-  if (options.from.empty()) throw usage_error("--from", "is required", "a format, see --help");
   if (options.to.empty()) throw usage_error("--to", "is required", "a format, see --help");
   const Converted converted = convert(options.in, options.out, params_of(options));
   if (options.json) {

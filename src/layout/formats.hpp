@@ -48,6 +48,7 @@ LightFieldFormat stanford_format();
 LightFieldFormat jpeg_pleno_format();
 LightFieldFormat eslf_format();
 LightFieldFormat native_format();
+LightFieldFormat miv_format();
 
 /// All of them, in the order of --help.
 const std::vector<LightFieldFormat>& light_field_formats();

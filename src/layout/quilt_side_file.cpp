@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -17,12 +19,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kMaxTiles = 9999;  ///< a side, as in names
 
-Json parse(const fs::path& path) {
+std::string text_of(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
   std::error_code problem;
   if (fs::file_size(path, problem) > kMaxBytes || problem) throw Error(path.string(), "is not the side file of a quilt");
   std::ifstream file(path);
-  return Json::parse(file, nullptr, false);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -33,8 +35,12 @@ std::optional<QuiltSideFile> read_quilt_side_file(const fs::path& image) {
   const fs::path path = quilt_side_path(image);
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return std::nullopt;
-  const Json json = parse(path);
-  if (json.is_discarded()) throw Error(path.string(), "is not JSON");
+  return parse_quilt_side_file(text_of(path), path.string());
+}
+
+std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, const std::string& where) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw Error(where, "is not JSON");
   if (!json.is_object() || !json.contains("quilt_settings")) return std::nullopt;
   QuiltSideFile side;
   try {
@@ -43,19 +49,19 @@ std::optional<QuiltSideFile> read_quilt_side_file(const fs::path& image) {
     settings.at("viewY").get_to(side.quilt.tiles.rows);
     const auto in_range = [](int n) { return n >= 1 && n <= kMaxTiles; };
     if (!in_range(side.quilt.tiles.columns) || !in_range(side.quilt.tiles.rows))
-      throw Error(path.string(), "speaks of a quilt without tiles", fmt::format("viewX and viewY from 1 to {}", kMaxTiles));
+      throw Error(where, "speaks of a quilt without tiles", fmt::format("viewX and viewY from 1 to {}", kMaxTiles));
     side.views = settings.value("viewTotal", side.quilt.tiles.count());
     side.quilt.aspect = settings.value("aspect", 1.0);
     side.inverted = settings.value("invertViews", false);
   } catch (const nlohmann::json::exception&) {
-    throw Error(path.string(), "its quilt_settings are incomplete or of the wrong kind",
+    throw Error(where, "its quilt_settings are incomplete or of the wrong kind",
                 "viewX, viewY, viewTotal, aspect, invertViews");
   }
   if (side.views < 1 || side.views > side.quilt.tiles.count())
-    throw Error(path.string(),
+    throw Error(where,
                 fmt::format("speaks of {} views in {}x{} tiles", side.views, side.quilt.tiles.columns, side.quilt.tiles.rows));
   if (!(side.quilt.aspect > 0.0) || !std::isfinite(side.quilt.aspect))
-    throw Error(path.string(), "its aspect is no ratio", "a number above 0");
+    throw Error(where, "its aspect is no ratio", "a number above 0");
   return side;
 }
 

@@ -52,11 +52,24 @@ std::vector<LightFieldFormat> exact_formats() {
   return formats;
 }
 
+/// The same with cameras, which MIV's files cannot do without.
+LightField numbered_views(bool words = false) {
+  LightField field = numbered_field({3, 2}, {4, 5}, words);
+  field.cameras = {500.0, Vec2d(0.5), Vec2d(2.0, 2.5), {}};
+  for (int view = 0; view < 6; ++view) field.cameras->eyes_mm.emplace_back(10.0 * (view % 3 - 1), 10.0 * (view / 3) - 5.0);
+  return field;
+}
+
+/// Exact ways through formats that know no cameras end at those that need them.
+bool can_follow(const LightFieldFormat& from, const LightFieldFormat& to) {
+  return to.name != "miv" || from.name == "hci" || from.name == "miv";
+}
+
 TEST(Formats, every_one_brings_back_what_was_written) {
   for (const bool words : {false, true})
     for (const LightFieldFormat& one : exact_formats()) {
       const TempDir dir;
-      const LightField field = numbered_field({3, 2}, {4, 5}, words);
+      const LightField field = numbered_views(words);
       const fs::path path = one.write(field, dir / (one.is_folder ? "field" : "field.png"), {}).front();
       const LightField back = one.read(one.is_folder ? dir / "field" : path, {.views = ViewGrid{3, 2}});
       EXPECT_EQ(back.grid, field.grid) << one.name;
@@ -65,9 +78,10 @@ TEST(Formats, every_one_brings_back_what_was_written) {
 }
 
 TEST(Formats, every_pair_is_exact_there_and_back) {
-  const LightField field = numbered_field({3, 2}, {4, 5});
+  const LightField field = numbered_views();
   for (const LightFieldFormat& one : exact_formats())
     for (const LightFieldFormat& other : exact_formats()) {
+      if (!can_follow(one, other) || !can_follow(other, one)) continue;
       const TempDir dir;
       const auto path_of = [&](const LightFieldFormat& f, const char* stem) {
         return dir / (std::string(stem) + (f.is_folder ? "" : f.name == "quilt" ? "_qs3x2a0.8.png" : ".png"));

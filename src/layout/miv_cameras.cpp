@@ -1,0 +1,149 @@
+#include "layout/miv_cameras.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/printable.hpp"
+
+namespace lippmann {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Members of one camera; every complaint names the file and the key.
+class Camera {
+ public:
+  Camera(const Json& json, const std::string& where) : json_(json), where_(where) {}
+
+  std::string text(const char* key, const char* otherwise = nullptr) const {
+    if (otherwise && !json_.contains(key)) return otherwise;
+    if (!json_.contains(key) || !json_[key].is_string()) reject(key, "a text");
+    return json_[key].get<std::string>();
+  }
+
+  void numbers(const char* key, double* to, std::size_t count, double lowest, double highest) const {
+    if (!json_.contains(key) || !json_[key].is_array() || json_[key].size() != count)
+      reject(key, fmt::format("{} numbers", count));
+    for (std::size_t i = 0; i < count; ++i) {
+      const Json& number = json_[key][i];
+      if (number.is_number()) to[i] = number.get<double>();
+      if (!number.is_number() || !(to[i] >= lowest && to[i] <= highest))
+        reject(key, fmt::format("numbers from {} to {}", lowest, highest));
+    }
+  }
+
+  [[noreturn]] void reject(const char* key, const std::string& accepted) const {
+    throw Error(where_, fmt::format("the {} of a camera is missing or makes no sense", key), accepted);
+  }
+
+ private:
+  const Json& json_;
+  const std::string& where_;
+};
+
+MivCamera camera_from(const Camera& json) {
+  constexpr double kMost = 1e9;
+  MivCamera camera;
+  camera.name = json.text("Name");
+  if (camera.name.empty() || camera.name.find_first_of("/\\") != std::string::npos || camera.name[0] == '.' ||
+      printable(camera.name) != camera.name)
+    json.reject("Name", "the name of a picture, without folder and ending");
+  if (json.text("Projection", "Perspective") != "Perspective") json.reject("Projection", "Perspective");
+  double resolution[2];
+  json.numbers("Position", camera.position_m, 3, -kMost, kMost);
+  json.numbers("Rotation", camera.rotation_deg, 3, -360.0, 360.0);
+  json.numbers("Resolution", resolution, 2, 1.0, 65536.0);
+  json.numbers("Focal", &camera.focal_px.x, 2, 1e-6, kMost);
+  json.numbers("Principle_point", &camera.principal_point_px.x, 2, -kMost, kMost);
+  double range[2];
+  json.numbers("Depth_range", range, 2, 0.0, 1e30);
+  camera.near_m = range[0], camera.far_m = range[1];
+  camera.resolution = {static_cast<int>(resolution[0]), static_cast<int>(resolution[1])};
+  return camera;
+}
+
+}  // namespace
+
+std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where) {
+  constexpr std::size_t kMaxCameras = 4096;
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object() || !json.contains("cameras") || !json["cameras"].is_array())
+    throw Error(where, "is not JSON with a list of cameras");
+  if (json["cameras"].empty() || json["cameras"].size() > kMaxCameras)
+    throw Error(where, fmt::format("has {} cameras", json["cameras"].size()), fmt::format("1 to {}", kMaxCameras));
+  std::vector<MivCamera> cameras;
+  for (const Json& camera : json["cameras"]) {
+    if (!camera.is_object()) throw Error(where, "one of its cameras is none");
+    if (camera.value("Name", Json()) == "viewport") continue;  // TMIV's own: what is to be synthesized
+    cameras.push_back(camera_from(Camera(camera, where)));
+  }
+  return cameras;
+}
+
+std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::string& content, bool depth) {
+  Json list = Json::array(), names = Json::array();
+  for (const MivCamera& c : cameras) {
+    names.push_back(c.name);
+    list.push_back({{"Name", c.name},
+                    {"Position", {c.position_m[0], c.position_m[1], c.position_m[2]}},
+                    {"Rotation", {c.rotation_deg[0], c.rotation_deg[1], c.rotation_deg[2]}},
+                    {"Depthmap", depth ? 1 : 0},
+                    {"Background", 0},
+                    {"HasInvalidDepth", depth},
+                    {"Depth_range", {c.near_m, c.far_m}},
+                    {"Resolution", {c.resolution.x, c.resolution.y}},
+                    {"Projection", "Perspective"},
+                    {"Focal", {c.focal_px.x, c.focal_px.y}},
+                    {"Principle_point", {c.principal_point_px.x, c.principal_point_px.y}},
+                    {"BitDepthColor", 8},
+                    {"BitDepthDepth", 16},
+                    {"ColorSpace", "YUV420"},
+                    {"DepthColorSpace", "YUV420"}});
+  }
+  const Json json{{"Version", "4.0"},        {"Content_name", content},    {"BoundingBox_center", {0, 0, 0}},
+                  {"lengthsInMeters", true}, {"sourceCameraNames", names}, {"cameras", list}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,
+                                   double near_m, double far_m) {
+  std::vector<MivCamera> all;
+  for (std::size_t view = 0; view < cameras.eyes_mm.size(); ++view) {
+    const Vec2d eye = cameras.eyes_mm[view], straight_ahead = eye / cameras.pixel_mm * Vec2d(1.0, -1.0);
+    MivCamera camera{names[view], {0.0, -1e-3 * eye.x, 1e-3 * eye.y}, {}, near_m, far_m, view_size, {}, {}};
+    camera.focal_px = cameras.distance_mm / cameras.pixel_mm;
+    camera.principal_point_px = cameras.centre_px + straight_ahead;
+    all.push_back(camera);
+  }
+  return all;
+}
+
+std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras) {
+  const MivCamera& first = cameras.front();
+  const auto eye_of = [](const MivCamera& c) { return 1e3 * Vec2d(-c.position_m[1], c.position_m[2]); };
+  // How far the point straight ahead moves with the eye tells the distance of the plane in which views coincide.
+  double distance = 0.0;
+  for (const MivCamera& c : cameras) {
+    const Vec2d by_mm = eye_of(c) - eye_of(first), by_px = (c.principal_point_px - first.principal_point_px) * Vec2d(1.0, -1.0);
+    for (const int axis : {0, 1})
+      if (by_px[axis] != 0.0 && distance == 0.0) distance = first.focal_px[axis] * by_mm[axis] / by_px[axis];
+  }
+  if (!(distance > 0.0) || !std::isfinite(distance)) return std::nullopt;
+  ViewCameras result{distance, distance / first.focal_px, {}, {}};
+  result.centre_px = first.principal_point_px - eye_of(first) / result.pixel_mm * Vec2d(1.0, -1.0);
+  for (const MivCamera& c : cameras) {
+    const Vec2d centre = c.principal_point_px - eye_of(c) / result.pixel_mm * Vec2d(1.0, -1.0);
+    const bool turned = c.rotation_deg[0] != 0.0 || c.rotation_deg[1] != 0.0 || c.rotation_deg[2] != 0.0;
+    if (turned || c.position_m[0] != first.position_m[0] || c.focal_px != first.focal_px ||
+        glm::distance(centre, result.centre_px) > 0.01)
+      return std::nullopt;
+    result.eyes_mm.push_back(eye_of(c));
+  }
+  return result;
+}
+
+}  // namespace lippmann

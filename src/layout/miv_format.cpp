@@ -1,0 +1,135 @@
+// MIV's and RVS's cameras beside views: a folder of pictures and cameras.json, which names them; maps of depth as 16-bit codes
+// in <name>_depth.png where they are known.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "layout/formats.hpp"
+#include "layout/miv_cameras.hpp"
+#include "layout/view_files.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kHighest = 65535.0;
+
+std::vector<MivCamera> read_cameras(const fs::path& path) {
+  constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} << 20;
+  std::error_code problem;
+  const std::uintmax_t bytes = fs::file_size(path, problem);
+  if (problem)
+    throw Error(path.string(), "cannot be read (" + problem.message() + ")", "a folder of pictures and cameras.json");
+  if (bytes > kMaxBytes) throw Error(path.string(), "is too large for cameras");
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_miv_cameras(text.str(), path.string());
+}
+
+/// In hundredths of a millimetre: rows of cameras that were calibrated are not level to the last digit.
+double height_of(const MivCamera& camera) { return std::round(1e5 * camera.position_m[2]); }
+
+/// Row by row upwards, each to the right.
+void sort_as_views(std::vector<MivCamera>& cameras) {
+  std::stable_sort(cameras.begin(), cameras.end(), [](const MivCamera& a, const MivCamera& b) {
+    return height_of(a) != height_of(b) ? height_of(a) < height_of(b) : a.position_m[1] > b.position_m[1];
+  });
+}
+
+/// As said; or as many rows as there are heights, if all hold as many views; else one row.
+ViewGrid grid_of(const std::vector<MivCamera>& cameras, const FormatOptions& options, const fs::path& folder) {
+  const int count = static_cast<int>(cameras.size());
+  int rows = 1;
+  for (std::size_t i = 1; i < cameras.size(); ++i) rows += height_of(cameras[i]) != height_of(cameras[i - 1]);
+  const ViewGrid grid = options.views.value_or(count % rows == 0 ? ViewGrid{count / rows, rows} : ViewGrid{count, 1});
+  if (grid.count() != count)
+    throw usage_error(
+        "--views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
+  return grid;
+}
+
+fs::path picture_of(const fs::path& folder, const MivCamera& camera) {
+  std::error_code ignored;
+  for (const char* ending : {".png", ".exr", ".ppm", ".tif", ".jpg"})
+    if (const fs::path path = folder / (camera.name + ending); fs::is_regular_file(path, ignored)) return path;
+  throw Error(folder.string(), fmt::format("the picture of camera {} is missing", camera.name), camera.name + ".png");
+}
+
+LightField read(const fs::path& folder, const FormatOptions& options) {
+  std::vector<MivCamera> cameras = read_cameras(folder / "cameras.json");
+  if (cameras.empty()) throw Error((folder / "cameras.json").string(), "has no cameras");
+  sort_as_views(cameras);
+  const ViewGrid grid = grid_of(cameras, options, folder);
+  std::vector<fs::path> by_view;
+  for (const MivCamera& camera : cameras) by_view.push_back(picture_of(folder, camera));
+  LightField field = read_view_files(by_view, grid);
+  field.cameras = cameras_of_miv(cameras);
+  return field;
+}
+
+struct DepthRange {
+  double near_m = 0.1, far_m = 100.0;
+};
+
+/// Of all that is hit; the far end a little beyond, so that code 0 says that nothing is there.
+DepthRange depth_range(const LightField& field) {
+  double nearest = INFINITY, farthest = 0.0;
+  for (const float z : field.depth->data) {
+    const double depth = 1e-3 * (field.cameras->distance_mm - static_cast<double>(z));
+    if (!(depth > 0.0) || !std::isfinite(depth)) continue;
+    nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
+  }
+  if (!std::isfinite(nearest)) return {};
+  return {nearest, 1.0 / std::max(1.0 / farthest - 2.0 / (kHighest * nearest), 1e-3 / farthest)};
+}
+
+Image16 depth_codes(const LightField& field, int view, const DepthRange& range) {
+  const Image depth = depth_of(field, view);
+  Image16 codes{depth.width, depth.height, {}};
+  for (const float z : depth.data) {
+    const double metres = 1e-3 * (field.cameras->distance_mm - static_cast<double>(z));
+    const double share = (1.0 / metres - 1.0 / range.far_m) / (1.0 / range.near_m - 1.0 / range.far_m);
+    const bool there = std::isfinite(metres) && metres > 0.0;
+    const auto code = static_cast<std::uint16_t>(there ? std::clamp(std::round(kHighest * share), 1.0, kHighest) : 0.0);
+    for (int c = 0; c < 3; ++c) codes.rgb.push_back(code);
+  }
+  return codes;
+}
+
+std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions&) {
+  if (!field.cameras)
+    throw Error(folder.string(), "it is not known what cameras saw these views",
+                "pictures with render's report.json beside them, or an HCI folder with parameters.cfg");
+  const auto name = [](int view) { return fmt::format("view_{:03}", view); };
+  const char* ending = exact_ending(field.stack);
+  std::vector<fs::path> written =
+      write_view_files(field, folder, [&](int view) { return fmt::format("{}.{}", name(view), ending); });
+  const DepthRange range = field.depth ? depth_range(field) : DepthRange{};
+  std::vector<std::string> names;
+  for (int view = 0; view < field.grid.count(); ++view) {
+    names.push_back(name(view));
+    if (!field.depth) continue;
+    written.push_back(folder / (name(view) + "_depth.png"));
+    write_picture(written.back(), depth_codes(field, view, range));
+  }
+  const std::string text = miv_cameras_text(miv_cameras(*field.cameras, field.view_size, names, range.near_m, range.far_m),
+                                            folder.filename().string(), field.depth.has_value());
+  write_file_atomically(folder / "cameras.json", std::as_bytes(std::span(text)));
+  written.push_back(folder / "cameras.json");
+  return written;
+}
+
+}  // namespace
+
+LightFieldFormat miv_format() {
+  return {"miv", "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth", true, true, read,
+          write};
+}
+
+}  // namespace lippmann

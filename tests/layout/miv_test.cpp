@@ -1,0 +1,107 @@
+// MIV's cameras against hand-worked figures, and what hostile files meet.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "layout/formats.hpp"
+#include "layout/miv_cameras.hpp"
+#include "light_fields.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::numbered_field;
+using test::same_samples;
+using test::TempDir;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// 2 x 1 eyes 20 mm apart, 500 mm before a plane in which pixels are 0.5 mm wide.
+LightField two_views() {
+  LightField field = numbered_field({2, 1}, {40, 30});
+  field.cameras = {500.0, Vec2d(0.5), Vec2d(20.0, 15.0), {{-10.0, 6.0}, {10.0, 6.0}}};
+  return field;
+}
+
+std::vector<MivCamera> cameras_by_hand() { return miv_cameras(*two_views().cameras, {40, 30}, {"a", "b"}, 0.25, 2.0); }
+
+TEST(MivCameras, positions_are_metres_forward_left_up_and_sensors_are_shifted) {
+  const MivCamera right = cameras_by_hand()[1];
+  EXPECT_EQ(right.position_m[0], 0.0);
+  EXPECT_DOUBLE_EQ(right.position_m[1], -0.01) << "10 mm to the right";
+  EXPECT_DOUBLE_EQ(right.position_m[2], 0.006) << "6 mm up";
+  EXPECT_EQ(right.focal_px, Vec2d(1000.0)) << "500 mm / 0.5 mm";
+  EXPECT_EQ(right.principal_point_px, Vec2d(20.0 + 20.0, 15.0 - 12.0)) << "straight ahead of the eye: 20 pixels right, 12 up";
+}
+
+TEST(MivCameras, text_brings_back_cameras) {
+  const std::string text = miv_cameras_text(cameras_by_hand(), "room", true);
+  const std::vector<MivCamera> back = parse_miv_cameras(text, "a");
+  EXPECT_EQ(miv_cameras_text(back, "room", true), text);
+  const ViewCameras cameras = cameras_of_miv(back).value(), original = *two_views().cameras;
+  EXPECT_NEAR(cameras.distance_mm, 500.0, 1e-9);
+  EXPECT_NEAR(cameras.pixel_mm.x, 0.5, 1e-12);
+  EXPECT_LT(glm::distance(cameras.centre_px, original.centre_px), 1e-9);
+  for (std::size_t view = 0; view < 2; ++view) EXPECT_LT(glm::distance(cameras.eyes_mm[view], original.eyes_mm[view]), 1e-9);
+}
+
+TEST(MivCameras, turned_or_unshifted_ones_are_no_views_of_one_rectangle) {
+  std::vector<MivCamera> turned = cameras_by_hand(), unshifted = cameras_by_hand();
+  turned[1].rotation_deg[0] = 1.0;
+  unshifted[1].principal_point_px = unshifted[0].principal_point_px;
+  EXPECT_FALSE(cameras_of_miv(turned));
+  EXPECT_FALSE(cameras_of_miv(unshifted));
+}
+
+TEST(MivFormat, depth_codes_follow_their_formula_and_0_is_nothing) {
+  const TempDir dir;
+  LightField field = two_views();
+  field.depth = Image(40, 60, 1);
+  for (std::size_t i = 0; i < field.depth->data.size(); ++i)
+    field.depth->data[i] = i % 2 == 0 ? 250.0f : -500.0f;  // 0.25 and 1 m
+  field.depth->data[3] = -INFINITY;
+  const LightFieldFormat miv = miv_format();
+  miv.write(field, dir / "m", {});
+  const LightField back = miv.read(dir / "m", {});
+  EXPECT_TRUE(same_samples(back.stack, field.stack));
+  EXPECT_EQ(back.grid, field.grid);
+  const Image16 codes = std::get<Image16>(read_picture(dir / "m/view_000_depth.png"));
+  EXPECT_EQ(codes.rgb[0], 65535) << "the nearest";
+  EXPECT_EQ(codes.rgb[3], 3) << "the farthest: 1/far = 1 - 8/65535, of 65535 codes 8/65535 / (4 - 1/far) = 2.67";
+  EXPECT_EQ(codes.rgb[9], 0);
+}
+
+TEST(MivFormat, views_without_cameras_and_missing_pictures_are_refused) {
+  const TempDir dir;
+  EXPECT_THAT(error_message([&] {
+                miv_format().write(numbered_field({2, 1}, {4, 3}), dir / "m", {});
+              }),
+              HasSubstr("not known what cameras"));
+  miv_format().write(two_views(), dir / "n", {});
+  std::filesystem::remove(dir / "n/view_001.png");
+  EXPECT_THAT(error_message([&] { miv_format().read(dir / "n", {}); }), HasSubstr("view_001 is missing"));
+  EXPECT_THAT(error_message([&] { miv_format().read(dir / "none", {}); }), HasSubstr("cameras.json"));
+}
+
+TEST(MivCameras, files_that_make_no_cameras_are_refused) {
+  const std::string good = miv_cameras_text(cameras_by_hand(), "room", true);
+  const auto refusal = [&](const std::string& part, const std::string& other) {
+    std::string text = good;
+    text.replace(text.find(part), part.size(), other);
+    return error_message([&] { parse_miv_cameras(text, "c.json"); });
+  };
+  EXPECT_THAT(error_message([] { parse_miv_cameras("{", "c.json"); }), AllOf(HasSubstr("c.json"), HasSubstr("not JSON")));
+  EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": []})", "c"); }), HasSubstr("0 cameras"));
+  EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": [1]})", "c"); }), HasSubstr("is none"));
+  EXPECT_THAT(refusal("\"Name\": \"a\"", "\"Name\": \"../a\""), HasSubstr("Name"));
+  EXPECT_THAT(refusal("Perspective", "Equirectangular"), HasSubstr("Projection"));
+  EXPECT_THAT(refusal("\"Focal\"", "\"Fokal\""), HasSubstr("Focal"));
+  EXPECT_THAT(refusal("\"Position\": [", "\"Position\": [1e300, "), HasSubstr("Position"));
+}
+
+}  // namespace
+}  // namespace lippmann
