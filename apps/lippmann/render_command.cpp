@@ -88,7 +88,8 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
       if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
     if (report.params.reuse == Reuse::kExact && frames > 1) line("reuse", describe_exact_reuse(report));
-    if (has_lenses(report.params)) line("one view", "lippmann render with --optics single shows what one eye sees");
+    if (has_lenses(report.params))
+      line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
   }
   line("figures", (folder / "report.json").string());
   line(report.interrupted ? "go on" : "again",

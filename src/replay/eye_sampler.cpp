@@ -60,8 +60,9 @@ class LensSampler {
   }
 
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const {
+    constexpr double kFarAwayPx = 1e6;  ///< whole numbers of cells beyond that need not fit into an int
     const PanelPoint seen = sight_.seen_from(viewer, point_mm);
-    return sight_.cell(seen.pixel) == seen.lens;
+    return sight_.cell(glm::clamp(seen.pixel, Vec2d(-kFarAwayPx), Vec2d(kFarAwayPx))) == seen.lens;
   }
 
  private:
@@ -146,7 +147,7 @@ class SlantedSampler {
  private:
   /// Between the sub-pixels of one colour below one lens; where none of these is near, the nearest.
   float in_row(const SlantedPoint& seen, int row, int c, double near_column) const {
-    const double column = sight_.column_of(seen, c, row, near_column);
+    const double column = std::clamp(sight_.column_of(seen, c, row, near_column), -1e6, 1e6);
     const bool blurred = quality_.crosstalk_px > 0.0;
     const Taps taps = blurred ? gaussian_taps(column, quality_.crosstalk_px) : taps_at(column, quality_.filter);
     float sum = 0.0f, weights = 0.0f;

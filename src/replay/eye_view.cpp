@@ -35,14 +35,15 @@ Vec2i samples_per_pixel(const Optics& optics, Vec2i size) {
 }  // namespace
 
 void validate(const EyeView& view) {
-  constexpr double kFarthestMm = 1e9;
+  constexpr double kFarthestMm = 1e9, kNearestMm = 1e-3;
   const Vec3d eye = view.eye_mm;
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::abs(eye[axis]) <= kFarthestMm))
       throw usage_error("--eye", fmt::format("({}, {}, {}) mm is no place", eye.x, eye.y, eye.z),
                         "X,Y,Z in mm of the display frame");
-  if (!(eye.z > 0.0))
-    throw usage_error("--eye", fmt::format("an eye at z = {} mm is not in front of the display plane z = 0", eye.z), "z > 0");
+  if (!(eye.z >= kNearestMm))
+    throw usage_error("--eye", fmt::format("an eye at z = {} mm is not in front of the display plane z = 0", eye.z),
+                      fmt::format("z of at least {} mm", kNearestMm));
   if (!(view.pupil_mm >= 0.0 && view.pupil_mm <= kFarthestMm) || view.pupil_points < 1)
     throw usage_error("--pupil", fmt::format("{} mm is no diameter", view.pupil_mm), "0 (a pinhole) or more");
   if (!(view.crosstalk_px >= 0.0 && view.crosstalk_px <= kMaxBlurPx))
