@@ -30,7 +30,7 @@ AllInFocus::AllInFocus(const Optics& optics, Vec2i size)
   // Square, of the larger of the two spacings: a sheet's rows tell no depth, their neighbours do not harm.
   const Vec2d spacing = sample_spacing_mm(optics), pixel = display_window(optics).size / Vec2d(size);
   const Vec2d pixels = kWindowRadius * std::max(spacing.x, spacing.y) / pixel;
-  radius_ = glm::max(Vec2i(std::lround(pixels.x), std::lround(pixels.y)), Vec2i(1));
+  radius_ = Vec2i(glm::clamp(glm::round(pixels), Vec2d(1.0), Vec2d(size)));
   std::fill(least_.data.begin(), least_.data.end(), kInfinity);
 }
 

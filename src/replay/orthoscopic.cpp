@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 SpocDisplay display_as_recorded(const Optics& recorded) {
   const auto of = [&](const auto& model, double cell_px) {
-    return SpocDisplay{model.lens_pitch_mm, model.gap_mm, std::max(1, static_cast<int>(std::lround(cell_px)))};
+    return SpocDisplay{model.lens_pitch_mm, model.gap_mm, static_cast<int>(std::clamp(std::round(cell_px), 1.0, 4096.0))};
   };
   const double m = recorded.panel.pixel_pitch_mm;
   if (const auto* sheet = std::get_if<LenticularSheet>(&recorded.model))

@@ -1,5 +1,6 @@
 #include "replay/viewing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -53,7 +54,9 @@ double zone_slope(const Optics& optics, double share) {
   return std::tan(views->view_cone * widening * (share - 0.5));
 }
 
-int rounded(double samples) { return std::max(1, static_cast<int>(std::lround(samples))); }
+/// A whole number of samples: at least one, and not more than a panel's side can have.
+int rounded(double samples) { return static_cast<int>(std::clamp(std::round(samples), 1.0, 65536.0)); }
+int rounded_up(double samples) { return rounded(std::ceil(samples - 0.01)); }
 
 }  // namespace
 
@@ -123,10 +126,10 @@ Parallax parallax_of(const Optics& optics) {
 
 Vec2i view_counts(const Optics& optics) {
   if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model))
-    return {std::max(1, static_cast<int>(std::ceil(optics.panel.width / std::abs(slanted->periods) - 0.01))), 1};
+    return {rounded_up(optics.panel.width / std::abs(slanted->periods)), 1};
   const auto lenses = lenses_of(optics);
   if (!lenses) return {tiles_of(optics).x * tiles_of(optics).y, 1};
-  const auto pixels = [&](double cell) { return static_cast<int>(std::ceil(cell / optics.panel.pixel_pitch_mm - 0.01)); };
+  const auto pixels = [&](double cell) { return rounded_up(cell / optics.panel.pixel_pitch_mm); };
   if (std::holds_alternative<LenticularSheet>(optics.model)) return {pixels(lenses->cell), 1};
   return {pixels(lenses->cell), pixels(lenses->cell * (lenses->row_pitch / lenses->pitch))};
 }
