@@ -1,6 +1,6 @@
 // Feeds bytes to the readers of light fields' side files and pictures that are our own. The first byte says which: 'h' HCI's
-// parameters.cfg, 'm' MIV's cameras.json, 'q' a quilt's side file, 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop. Whatever follows, it
-// either throws Error or gives what is written and read again to the same.
+// parameters.cfg, 'm' MIV's cameras.json, 'q' a quilt's side file, 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop. Whatever follows,
+// it either throws Error or gives what is written and read again to the same.
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
 #include <cmath>

@@ -89,23 +89,28 @@ class QuiltSampler {
     for (int axis = 0; axis < 2; ++axis)
       if (!(seen.pixel[axis] >= -kPanelEdgePx && seen.pixel[axis] <= tile[axis] + kPanelEdgePx)) return Vec3f(0.0f);
     const Taps columns = taps_at(seen.pixel.x, quality_.filter), rows = taps_at(seen.pixel.y, quality_.filter);
-    const double view = seen.view + 0.5;  // views as pixels: view v covers v ... v + 1
-    const Taps views =
-        quality_.crosstalk_px > 0.0 ? gaussian_taps(view, quality_.crosstalk_px) : taps_at(view, quality_.filter);
+    const auto views = [&](double view, int count) {  // as pixels: view v covers v ... v + 1
+      return quality_.crosstalk_px > 0.0 && count > 1 ? gaussian_taps(view + 0.5, quality_.crosstalk_px)
+                                                      : taps_at(view + 0.5, quality_.filter);
+    };
+    const Vec2i count = sight_.views();
     Vec3f sum(0.0f);
     double weights = 0.0;
-    for (const Tap& tap : views) {
-      if (tap.weight <= 0.0 || tap.index < 0 || tap.index >= sight_.views()) continue;
-      sum += static_cast<float>(tap.weight) * in_tile(tap.index, columns, rows);
-      weights += tap.weight;
-    }
+    for (const Tap& up : views(seen.view.y, count.y))
+      for (const Tap& across : views(seen.view.x, count.x)) {
+        const double weight = up.weight * across.weight;
+        const Vec2i view(across.index, up.index);
+        if (weight <= 0.0 || view.x < 0 || view.y < 0 || view.x >= count.x || view.y >= count.y) continue;
+        sum += static_cast<float>(weight) * in_tile(view, columns, rows);
+        weights += weight;
+      }
     return weights > 0.0 ? sum / static_cast<float>(weights) : Vec3f(0.0f);
   }
 
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const { return sight_.seen_from(viewer, point_mm).in_zone; }
 
  private:
-  Vec3f in_tile(int view, Taps columns, Taps rows) const {
+  Vec3f in_tile(Vec2i view, Taps columns, Taps rows) const {
     const Vec2i origin = sight_.tile_origin(view), size = sight_.tile_size();
     const auto shift = [](Taps& taps, int by) {
       for (int i = 0; i < taps.count; ++i) taps.tap[static_cast<std::size_t>(i)].index += by;

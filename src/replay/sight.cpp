@@ -48,13 +48,15 @@ CellOf MicrolensSight::cell(Vec2d pixel) const {
 
 QuiltSight::QuiltSight(const Panel& panel, const MultiView& views)
     : columns_(views.columns),
-      rows_(views.rows),
       panel_height_(panel.height),
       tile_(panel.width / views.columns, panel.height / views.rows),
       centre_px_(0.5 * Vec2d(tile_)),
       pixel_pitch_(panel.pixel_pitch_mm),
-      distance_(views.distance_mm) {
-  const double count = columns_ * rows_, cone = views.view_cone;
+      distance_(views.distance_mm),
+      baseline_(views.baseline_mm) {
+  views_ = baseline_ > 0.0 ? Vec2i(views.columns, views.rows) : Vec2i(views.columns * views.rows, 1);
+  if (baseline_ > 0.0) return;
+  const double count = views_.x, cone = views.view_cone;
   const bool ends = views.cone_ends_included;
   angle_step_ = count > 1 ? cone / (ends ? count - 1 : count) : 0.0;
   first_angle_ = -0.5 * angle_step_ * (count - 1);
@@ -70,17 +72,26 @@ QuiltSight::QuiltSight(const Panel& panel, const SingleView& view)
 QuiltPoint QuiltSight::seen_from(const Viewer& viewer, Vec2d point_mm) const {
   QuiltPoint seen;
   seen.pixel = centre_px_ + Vec2d(point_mm.x, -point_mm.y) / pixel_pitch_;
+  if (baseline_ > 0.0) {
+    const Vec2d at_views = point_mm + distance_ * viewer.slope_at(point_mm), last(views_ - 1);
+    seen.view = at_views / baseline_ + 0.5 * last;
+    const Vec2d nearest = glm::clamp(seen.view, Vec2d(-0.5), last + 0.5);
+    seen.in_zone = nearest == seen.view;
+    seen.view = glm::clamp(nearest, Vec2d(0.0), last);
+    return seen;
+  }
   if (angle_step_ == 0.0) return seen;
   const double x_at_views = point_mm.x + distance_ * viewer.slope_at(point_mm).x;
-  const double view = (std::atan(x_at_views / distance_) - first_angle_) / angle_step_, count = views();
+  const double view = (std::atan(x_at_views / distance_) - first_angle_) / angle_step_, count = views_.x;
   const double zone = std::floor((view + 0.5) / count);
-  seen.view = view - count * zone;
+  seen.view.x = view - count * zone;
   seen.in_zone = zone == 0.0;
   return seen;
 }
 
-Vec2i QuiltSight::tile_origin(int view) const {
-  return {view % columns_ * tile_.x, panel_height_ - (view / columns_ + 1) * tile_.y};
+Vec2i QuiltSight::tile_origin(Vec2i view) const {
+  const int tile = view.y * views_.x + view.x;
+  return {tile % columns_ * tile_.x, panel_height_ - (tile / columns_ + 1) * tile_.y};
 }
 
 }  // namespace lippmann

@@ -52,8 +52,9 @@ class MicrolensSight {
 
 /// A point of a quilt: which view, and where in its tile.
 struct QuiltPoint {
-  double view = 0.0;  ///< whole numbers are views' own eyes; wrapped into -1/2 ... N - 1/2: beyond the cone the views repeat
-  Vec2d pixel{0.0};   ///< within the tile, origin top left
+  Vec2d view{0.0};   ///< column and row of views (of a cone: view and 0), whole numbers are views' own eyes. Beyond a cone its
+                     ///< views repeat, so that this is from -1/2 to N - 1/2; beyond a camera grid there is nothing else
+  Vec2d pixel{0.0};  ///< within the tile, origin top left
   bool in_zone = true;
 };
 
@@ -64,15 +65,16 @@ class QuiltSight {
   QuiltSight(const Panel& panel, const SingleView& view);
 
   QuiltPoint seen_from(const Viewer& viewer, Vec2d point_mm) const;
-  int views() const { return columns_ * rows_; }
+  Vec2i views() const { return views_; }  ///< columns and rows of a camera grid; else all in one row
   Vec2i tile_size() const { return tile_; }
-  Vec2i tile_origin(int view) const;  ///< its top left pixel
+  Vec2i tile_origin(Vec2i view) const;  ///< its top left pixel
 
  private:
-  int columns_ = 1, rows_ = 1, panel_height_;
+  int columns_ = 1, panel_height_;  ///< of tiles
+  Vec2i views_{1, 1};
   Vec2i tile_;
   Vec2d centre_px_;  ///< of the plane z = 0, within a tile
-  double pixel_pitch_, distance_, first_angle_ = 0.0, angle_step_ = 0.0;
+  double pixel_pitch_, distance_, first_angle_ = 0.0, angle_step_ = 0.0, baseline_ = 0.0;
 };
 
 }  // namespace lippmann

@@ -36,6 +36,11 @@ Vec2i tiles_of(const Optics& optics) {
   return views ? Vec2i(views->columns, views->rows) : Vec2i(1);
 }
 
+const MultiView* camera_grid(const Optics& optics) {
+  const auto* views = std::get_if<MultiView>(&optics.model);
+  return views && views->baseline_mm > 0.0f ? views : nullptr;
+}
+
 double distance_of_views(const Optics& optics) {
   if (const auto* views = std::get_if<MultiView>(&optics.model)) return views->distance_mm;
   if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) return slanted->distance_mm;
@@ -48,6 +53,7 @@ double zone_slope(const Optics& optics, double share) {
   if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) return std::tan(slanted->view_cone * (share - 0.5));
   const auto* views = std::get_if<MultiView>(&optics.model);
   if (!views) return 0.0;
+  if (views->baseline_mm > 0.0f) return (share - 0.5) * views->columns * views->baseline_mm / views->distance_mm;
   const int count = views->columns * views->rows;
   // The ends of the cone are views' eyes where they are included: the zone then reaches half a view farther.
   const double widening = views->cone_ends_included && count > 1 ? count / (count - 1.0) : 1.0;
@@ -91,6 +97,8 @@ Viewer viewer_in_zone_vertically(const Optics& optics, double share) {
     const LensNumbers lenses = *lenses_of(optics);
     viewer.slope_at_centre.y += (share - 0.5) * lenses.cell * (lenses.row_pitch / lenses.pitch) / lenses.gap;
   }
+  if (const MultiView* grid = camera_grid(optics))
+    viewer.slope_at_centre.y += (share - 0.5) * grid->rows * grid->baseline_mm / grid->distance_mm;
   return viewer;
 }
 
@@ -121,6 +129,7 @@ Vec2d sample_spacing_mm(const Optics& optics) {
 }
 
 Parallax parallax_of(const Optics& optics) {
+  if (const MultiView* grid = camera_grid(optics)) return {grid->columns > 1, grid->rows > 1};
   return {!std::holds_alternative<SingleView>(optics.model), std::holds_alternative<MicrolensArray>(optics.model)};
 }
 
@@ -128,6 +137,7 @@ Vec2i view_counts(const Optics& optics) {
   if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model))
     return {rounded_up(optics.panel.width / std::abs(slanted->periods)), 1};
   const auto lenses = lenses_of(optics);
+  if (camera_grid(optics)) return tiles_of(optics);
   if (!lenses) return {tiles_of(optics).x * tiles_of(optics).y, 1};
   const auto pixels = [&](double cell) { return rounded_up(cell / optics.panel.pixel_pitch_mm); };
   if (std::holds_alternative<LenticularSheet>(optics.model)) return {pixels(lenses->cell), 1};

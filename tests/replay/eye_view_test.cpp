@@ -135,6 +135,24 @@ TEST(EyeView, eye_between_two_views_of_a_quilt_sees_the_nearer_or_both) {
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(beyond, {0, 0}).x, 0.0f, 1e-5);
 }
 
+TEST(EyeView, eye_before_a_camera_grid_sees_the_views_around_it_across_and_up) {
+  // 3 x 3 eyes, 8 mm apart, at 100 mm; every tile holds column + 10 row of its view.
+  Optics optics = test::quilt();
+  std::get<MultiView>(optics.model).baseline_mm = 8.0f;
+  RenderedPanel panel{optics, Image(180, 120, 3)};
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 180; ++x) panel.picture.pixel(x, y)[0] = static_cast<float>(x / 60 + 10 * (2 - y / 40));
+  const EyeSampler linear(panel, SampleFilter::kLinear), nearest(panel, SampleFilter::kNearest);
+  EXPECT_NEAR(linear.color(viewer_at({8, -8, 100}), {0, 0}).x, 2.0f, 1e-4);
+  EXPECT_NEAR(linear.color(viewer_at({4, 2, 100}), {3, 1}).x, 1.5f + 10 * 1.25f, 1e-4);
+  EXPECT_NEAR(nearest.color(viewer_at({5, 5, 100}), {0, 0}).x, 2.0f + 20.0f, 1e-4);
+  EXPECT_NEAR(linear.color(viewer_at({500, 0, 100}), {0, 0}).x, 2.0f + 10.0f, 1e-4);  // beyond: the last view
+  EXPECT_EQ(share_out_of_zone(optics, viewer_at({11, -11, 100})), 0.0);
+  EXPECT_EQ(share_out_of_zone(optics, viewer_at({13, 0, 100})), 1.0);
+  EXPECT_EQ(view_counts(optics), Vec2i(3, 3));
+  EXPECT_NEAR(viewer_in_zone_vertically(optics, 2.5 / 3).slope_at_centre.y, 0.08, 1e-9);
+}
+
 TEST(EyeView, single_view_is_flat_and_the_same_from_everywhere) {
   Optics optics;
   optics.panel = {30, 20, 0.5f};
