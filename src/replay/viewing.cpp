@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "replay/rendered_panel.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -111,8 +113,7 @@ Vec3d default_eye_mm(const Optics& optics) {
 }
 
 Vec2i lens_grid(const Optics& optics) {
-  if (std::holds_alternative<SlantedPanel>(optics.model)) return {optics.panel.width / 3, optics.panel.height};
-  const Vec2i pixels = Vec2i(optics.panel.width, optics.panel.height) / tiles_of(optics);
+  const Vec2i pixels = picture_size(optics) / tiles_of(optics);
   const Vec2d window = display_window(optics).size;
   const auto lenses = lenses_of(optics);
   if (!lenses) return pixels;
@@ -121,11 +122,10 @@ Vec2i lens_grid(const Optics& optics) {
 }
 
 Vec2d sample_spacing_mm(const Optics& optics) {
-  const Vec2d by_pixel = display_window(optics).size * Vec2d(tiles_of(optics)) / Vec2d(optics.panel.width, optics.panel.height);
   const auto lenses = lenses_of(optics);
-  if (std::holds_alternative<SlantedPanel>(optics.model)) return Vec2d(3.0 * optics.panel.pixel_pitch_mm);
-  if (!lenses) return by_pixel;
-  return {lenses->pitch, std::holds_alternative<LenticularSheet>(optics.model) ? by_pixel.y : lenses->row_pitch};
+  if (std::holds_alternative<MicrolensArray>(optics.model)) return {lenses->pitch, lenses->row_pitch};
+  const Vec2d by_pixel = display_window(optics).size / Vec2d(picture_size(optics) / tiles_of(optics));
+  return lenses ? Vec2d(lenses->pitch, by_pixel.y) : by_pixel;
 }
 
 Parallax parallax_of(const Optics& optics) {
