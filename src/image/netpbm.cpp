@@ -67,9 +67,11 @@ class Header {
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
 
   void skip_space_and_comments() {
-    for (; at_ < text_.size() && (is_space(text_[at_]) || text_[at_] == '#'); ++at_)
-      if (text_[at_] == '#')
-        while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    bool comment = false;
+    for (; at_ < text_.size(); ++at_) {
+      comment = comment ? text_[at_] != '\n' : text_[at_] == '#';
+      if (!comment && !is_space(text_[at_])) return;
+    }
   }
 
   std::string_view text_;

@@ -60,7 +60,7 @@ MivCamera camera_from(const Camera& json) {
   json.numbers("Focal", &camera.focal_px.x, 2, 1e-6, kMost);
   json.numbers("Principle_point", &camera.principal_point_px.x, 2, -kMost, kMost);
   double range[2];
-  json.numbers("Depth_range", range, 2, 0.0, 1e30);
+  json.numbers("Depth_range", range, 2, 1e-9, 1e30);
   camera.near_m = range[0], camera.far_m = range[1];
   camera.resolution = {static_cast<int>(resolution[0]), static_cast<int>(resolution[1])};
   return camera;

@@ -61,6 +61,35 @@ fs::path picture_of(const fs::path& folder, const MivCamera& camera) {
   throw Error(folder.string(), fmt::format("the picture of camera {} is missing", camera.name), camera.name + ".png");
 }
 
+/// The map beside a camera's picture in z of the display frame; none if there is none.
+std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera, double distance_mm, Vec2i size) {
+  const fs::path path = folder / (camera.name + "_depth.png");
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  const Picture picture = read_picture(path);
+  const auto* codes = std::get_if<Image16>(&picture);
+  if (codes == nullptr || size_of(picture) != size)
+    throw Error(path.string(), "it is no map of depth for its view",
+                fmt::format("{}x{} pixels of 16-bit codes", size.x, size.y));
+  Image depth(size.x, size.y, 1);
+  for (std::size_t i = 0; i < depth.data.size(); ++i) {
+    const double share = codes->rgb[3 * i] / kHighest;
+    const double metres = 1.0 / (share * (1.0 / camera.near_m - 1.0 / camera.far_m) + 1.0 / camera.far_m);
+    depth.data[i] = codes->rgb[3 * i] == 0 ? -kInfinity : static_cast<float>(distance_mm - 1e3 * metres);
+  }
+  return depth;
+}
+
+/// Of all views, or of none.
+void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, LightField& field) {
+  for (std::size_t view = 0; view < cameras.size(); ++view) {
+    const std::optional<Image> depth = read_depth(folder, cameras[view], field.cameras->distance_mm, field.view_size);
+    if (!depth) return field.depth.reset();
+    if (view == 0) field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+    set_depth(field, static_cast<int>(view), *depth);
+  }
+}
+
 LightField read(const fs::path& folder, const FormatOptions& options) {
   std::vector<MivCamera> cameras = read_cameras(folder / "cameras.json");
   if (cameras.empty()) throw Error((folder / "cameras.json").string(), "has no cameras");
@@ -70,6 +99,7 @@ LightField read(const fs::path& folder, const FormatOptions& options) {
   for (const MivCamera& camera : cameras) by_view.push_back(picture_of(folder, camera));
   LightField field = read_view_files(by_view, grid);
   field.cameras = cameras_of_miv(cameras);
+  if (field.cameras) read_depth(folder, cameras, field);
   return field;
 }
 

@@ -63,7 +63,8 @@ TEST(Netpbm, what_headers_claim_is_not_believed) {
   const auto ppm = [](const std::string& text) { return error_message([&] { parse_ppm(bytes(text), "a.ppm"); }); };
   const auto pfm = [](const std::string& text) { return error_message([&] { parse_pfm(bytes(text), "a.pfm"); }); };
   for (const char* text : {"", "P3 1 1 255 1 1 1", "PNG"}) EXPECT_THAT(ppm(text), HasSubstr("is not a PPM"));
-  for (const char* text : {"P6", "P6 a 1 255\n", "P6 99999999999 1 255\n", "P6 1 1.5 255\nabc"})
+  for (const char* text :
+       {"P6", "P6\n# a comment without an end", "P6 a 1 255\n", "P6 99999999999 1 255\n", "P6 1 1.5 255\nabc"})
     EXPECT_THAT(ppm(text), HasSubstr("its header has no"));
   for (const char* text : {"P6 0 1 255\n", "P6 -1 1 255\n", "P6 65537 1 255\n", "P6 65536 65536 255\n"})
     EXPECT_THAT(ppm(text), HasSubstr("a picture of"));

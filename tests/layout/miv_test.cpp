@@ -73,6 +73,9 @@ TEST(MivFormat, depth_codes_follow_their_formula_and_0_is_nothing) {
   EXPECT_EQ(codes.rgb[0], 65535) << "the nearest";
   EXPECT_EQ(codes.rgb[3], 3) << "the farthest: 1/far = 1 - 8/65535, of 65535 codes 8/65535 / (4 - 1/far) = 2.67";
   EXPECT_EQ(codes.rgb[9], 0);
+  // Half a code at 1 m: (1/near - 1/far) / 65535 / 2 = 23e-6 of a metre.
+  for (const std::size_t i : {0u, 1u, 2u, 1201u}) EXPECT_NEAR(back.depth->data[i], field.depth->data[i], 0.024f) << i;
+  EXPECT_EQ(back.depth->data[3], -INFINITY);
 }
 
 TEST(MivFormat, views_without_cameras_and_missing_pictures_are_refused) {

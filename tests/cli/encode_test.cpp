@@ -1,0 +1,40 @@
+// Videos of finished frames by the tool: names, what is said, what is refused.
+#include "tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+TEST(Encode, frames_of_a_quilt_become_a_video_with_its_name) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, {"render", "gears", "--optics", "multiview", "--views", "2x2", "--size", "64x64", "--frames", "0-2",
+                           "--layout", "quilt", "-o", "r"})
+                .exit_code,
+            0);
+  const nlohmann::json report = report_of(dir, {"encode", "r", "gears.webm", "--crf", "30"});
+  EXPECT_EQ(report["file"], "gears_qs2x2a1.webm");
+  EXPECT_EQ(report["frames"], 3);
+  EXPECT_TRUE(std::filesystem::exists(dir / "gears_qs2x2a1.webm"));
+  EXPECT_EQ(report_of(dir, {"encode", "r", "part.mkv", "--range", "1-2"})["frames"], 2);
+}
+
+TEST(Encode, what_cannot_be_is_refused_with_one_message) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "r")).exit_code, 0);
+  expect_refusal(run_tool(dir, {"encode", "r", "a.gif"}), 1, ".webm");
+  expect_refusal(run_tool(dir, {"encode", "r", "a.mov", "--codec", "vp9"}), 1, "do not hold vp9");
+  expect_refusal(run_tool(dir, {"encode", "r", "a.mp4", "--codec", "x264"}), 2, "h264, hevc, vp9, av1, ffv1");
+  expect_refusal(run_tool(dir, {"encode", "r", "a.mp4", "--crf", "99"}), 1, "0 to 51");
+  expect_refusal(run_tool(dir, {"encode", "r", "a.mp4", "--range", "0-3"}), 1, "frame 1 is missing");
+  expect_refusal(run_tool(dir, {"encode", "none", "a.mp4"}), 1, "none");
+  EXPECT_FALSE(std::filesystem::exists(dir / "a.mp4"));
+}
+
+TEST(Render, codec_that_a_video_does_not_hold_is_refused_before_the_first_frame) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"--video", "a.webm", "--video-codec", "h264"}), 1,
+                 "do not hold h264");
+  EXPECT_FALSE(std::filesystem::exists(dir / "r/frame_0000.png"));
+}
+
+}  // namespace
+}  // namespace lippmann::test
