@@ -78,7 +78,8 @@ void add_eye_flags(CLI::App& command, Options& options) {
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z");
-  group.add_option("--pupil", options.params.view.pupil_mm, "Diameter of the pupil, focused on the display; 0: a pinhole")
+  group.add_option("--pupil", options.params.view.pupil_mm, "Diameter of the pupil; 0: a pinhole")->type_name("MM");
+  group.add_option("--focus", options.params.view.focus_mm, "Depth that a pupil is focused on; default: the display")
       ->type_name("MM");
   group
       .add_option("--crosstalk", options.params.view.crosstalk_px,

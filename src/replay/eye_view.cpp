@@ -46,6 +46,8 @@ void validate(const EyeView& view) {
                       fmt::format("z of at least {} mm", kNearestMm));
   if (!(view.pupil_mm >= 0.0 && view.pupil_mm <= kFarthestMm) || view.pupil_points < 1)
     throw usage_error("--pupil", fmt::format("{} mm is no diameter", view.pupil_mm), "0 (a pinhole) or more");
+  if (!(std::abs(view.focus_mm) <= kFarthestMm && view.focus_mm < 0.999 * eye.z))
+    throw usage_error("--focus", fmt::format("{} mm is no depth before the eye", view.focus_mm), "a depth below the eye's z");
   if (!(view.crosstalk_px >= 0.0 && view.crosstalk_px <= kMaxBlurPx))
     throw usage_error("--crosstalk", fmt::format("{} pixels", view.crosstalk_px), fmt::format("0 to {}", kMaxBlurPx));
 }
@@ -55,10 +57,17 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
   const EyeSampler sampler(rendered, view.filter, view.crosstalk_px);
-  std::vector<Viewer> viewers;
+  // From a point d of the pupil, what the eye's middle has at s is seen at s - d z / (E_z - z): they meet at the depth of
+  // focus.
+  const double shift = -view.focus_mm / (view.eye_mm.z - view.focus_mm);
+  struct PupilPoint {
+    Viewer viewer;
+    Vec2d shift_mm;
+  };
+  std::vector<PupilPoint> pupil;
   for (const Vec2d& point : pupil_points(view.pupil_mm, view.pupil_points))
-    viewers.push_back(viewer_at(view.eye_mm + Vec3d(point, 0.0)));
-  const float weight = 1.0f / static_cast<float>(samples.x * samples.y * static_cast<int>(viewers.size()));
+    pupil.push_back({viewer_at(view.eye_mm + Vec3d(point, 0.0)), shift * point});
+  const float weight = 1.0f / static_cast<float>(samples.x * samples.y * static_cast<int>(pupil.size()));
   Image picture(size.x, size.y, 3);
   pool.for_each(static_cast<std::size_t>(size.y), [&](std::size_t row) {
     const int y = static_cast<int>(row);
@@ -67,7 +76,7 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
       for (int j = 0; j < samples.y; ++j)
         for (int i = 0; i < samples.x; ++i) {
           const Vec2d at(x + (i + 0.5) / samples.x, y + (j + 0.5) / samples.y);
-          for (const Viewer& viewer : viewers) sum += sampler.color(viewer, window.point_at(at, size));
+          for (const PupilPoint& p : pupil) sum += sampler.color(p.viewer, window.point_at(at, size) + p.shift_mm);
         }
       float* pixel = picture.pixel(x, y);
       for (int c = 0; c < 3; ++c) pixel[c] = weight * sum[c];

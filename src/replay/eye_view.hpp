@@ -16,7 +16,8 @@ struct EyeView {
   SampleFilter filter = SampleFilter::kLinear;  ///< between panel pixels below one lens, and views of a quilt
   double crosstalk_px = 0.0;  ///< a lens images the panel with a Gaussian of this sigma, in panel pixels (of a quilt: views);
                               ///< it takes the place of `filter` across the lenses. 0 ... kMaxBlurPx
-  double pupil_mm = 0.0;      ///< diameter; the eye is focused on the display. 0: a pinhole
+  double pupil_mm = 0.0;      ///< diameter. 0: a pinhole
+  double focus_mm = 0.0;      ///< the depth that the pupil is focused on, below the eye's; 0: the display
   int pupil_points = 64;      ///< of which views are averaged, spread evenly over the pupil (a sunflower's spiral)
 };
 

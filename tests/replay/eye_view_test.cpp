@@ -200,6 +200,25 @@ TEST(EyeView, pupil_averages_the_eyes_within_it) {
   EXPECT_NEAR(blurred_contrast / sharp_contrast, 0.984, 0.01);
 }
 
+TEST(EyeView, pupil_is_focused_on_the_depth_that_it_is_told) {
+  // A plane 12 mm behind, seen by a pupil of 40 mm: focused on the display it is blurred over 40 x 12 / 100 = 4.8 mm; focused
+  // on the plane, by no more than a lens, 1 mm.
+  const RenderedPanel panel = record(test::lenslets(100.0f), -12.0, waves);
+  const ThreadPool pool(1);
+  EyeView view;
+  view.eye_mm = {0, 0, 100};
+  const Image sharp = eye_view(panel, view, pool);
+  view.pupil_mm = 40.0;
+  const double on_display = linear_psnr(eye_view(panel, view, pool), sharp, 5);
+  view.focus_mm = -12.0;
+  const double on_plane = linear_psnr(eye_view(panel, view, pool), sharp, 5);
+  view.focus_mm = 8.0;
+  EXPECT_GT(on_plane, on_display + 6.0);
+  EXPECT_GT(on_display, linear_psnr(eye_view(panel, view, pool), sharp, 5));
+  view.focus_mm = 100.0;
+  EXPECT_THAT(test::error_message([&] { validate(view); }), HasSubstr("--focus"));
+}
+
 TEST(EyeView, threads_do_not_change_a_bit) {
   const RenderedPanel panel = record(test::lenslets(100.0f), 3.0, waves);
   EyeView view;
