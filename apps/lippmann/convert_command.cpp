@@ -63,6 +63,10 @@ int run(const Options& options, const Context& context) {
     return run_orthoscopic(options.orthoscopic, options.in, options.out, options.json, context);
   if (options.to.empty()) throw usage_error("--to", "is required", "a format, see --help");
   const Converted converted = convert(options.in, options.out, params_of(options));
+  if (converted.lacks_cameras)
+    context.warning("nothing says what cameras saw these views: no parameters, depth or disparity (render writes report.json)");
+  if (converted.lacks_depth && options.to != "stanford")
+    context.warning("no depth lies beside these views: no maps of depth and disparity (render --aov depth)");
   if (options.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : converted.written) files.push_back(path.string());

@@ -85,6 +85,8 @@ class Conversion {
     if (!to_.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(field.stack);
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
+    result.lacks_cameras = to_.uses_cameras && !field.cameras;
+    result.lacks_depth = to_.uses_cameras && field.cameras && !field.depth;
   }
 
   /// What a frame is called there.

@@ -102,6 +102,23 @@ TEST(Hci, depth_and_disparity_agree_with_the_parameters) {
     ASSERT_NEAR(disparity.data[i], hci_disparity_px(p, static_cast<double>(depth.data[i])), 1e-3) << i;
 }
 
+TEST(Hci, what_is_not_known_is_said) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, {"render", "teapot", "--optics", "multiview", "--camera-grid", "--views", "2x2", "--size", "64x64",
+                           "--frames", "0", "-o", "r"})
+                .exit_code,
+            0);
+  const test::RunResult no_depth = run_tool(dir, {"convert", "r/frame_0000.png", "hci", "--to", "hci"});
+  EXPECT_EQ(no_depth.exit_code, 0);
+  EXPECT_NE(no_depth.err.find("--aov depth"), std::string::npos) << no_depth.err;
+  EXPECT_TRUE(fs::exists(dir / "hci/parameters.cfg"));
+  fs::copy(dir / "r/frame_0000.png", dir / "alone.png");
+  const test::RunResult no_cameras =
+      run_tool(dir, {"convert", "alone.png", "h", "--from", "quilt", "--quilt", "2x2", "--to", "hci"});
+  EXPECT_NE(no_cameras.err.find("report.json"), std::string::npos) << no_cameras.err;
+  EXPECT_FALSE(fs::exists(dir / "h/parameters.cfg"));
+}
+
 TEST(Hci, data_set_brings_back_pictures_and_depth) {
   const TempDir dir;
   make_data_set(dir, "teapot");
