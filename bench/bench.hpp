@@ -22,6 +22,7 @@ struct Report {
 /// What a person can choose.
 struct Request {
   int frames = 0;                                                         ///< of each animation; 0: the benchmark's own choice
+  bool large = false;                                                     ///< pictures of 3840 x 2160 pixels too
   std::string plot;                                                       ///< folder for plots; empty: none
   std::vector<std::string> scenes;                                        ///< by name; empty: all that the benchmark has
   std::string tachyon_scenes = "/usr/share/doc/tachyon/examples/scenes";  ///< the folder of Tachyon's teapot.dat and others

@@ -7,6 +7,7 @@
 
 #include "bench/benchmarks.hpp"
 #include "bench/reuse_run.hpp"
+#include "bench/tachyon_animation.hpp"
 #include "bench/timing.hpp"
 
 namespace lippmann::bench {
@@ -16,37 +17,33 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kFloor = 50.0;  // dB
 
+/// Plain interpolation, whose errors have no bound, is in `lippmann bench paper`.
 std::vector<ReuseMethod> reuse_methods(RenderParams params) {
-  std::vector<ReuseMethod> methods;
-  params.reuse = Reuse::kForward;
-  for (const int interval : {2, 8}) {
-    params.keyframes = interval;
-    methods.push_back({"forward", params});
-  }
-  params.keyframes.reset();
-  params.min_psnr_db = kFloor;
-  methods.push_back({fmt::format("forward, {:.0f} dB", kFloor), params});
-  params.min_psnr_db.reset();
   params.reuse = Reuse::kExact;
-  methods.push_back({"exact", params});
-  return methods;
+  const ReuseMethod exact{"exact", params};
+  params.reuse = Reuse::kForward;
+  params.min_psnr_db = kFloor;
+  return {exact, {fmt::format("forward, {:.0f} dB", kFloor), params}};
 }
 
 Json finite_or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(rounded(*value)) : Json(nullptr);
 }
 
-/// psnr_db: of the frames that differ from the traced ones, null where none does.
-Json row_of(const ReuseRun& run, bool planned) {
+/// psnr_db: of the frames that differ from the traced ones, null where none does. tachyon_ratio: how many times as long the
+/// program tachyon takes for as many pixels.
+Json row_of(const ReuseRun& run, std::optional<double> tachyon_seconds) {
   const double frames = static_cast<double>(run.frames.size());
+  const Json ratio = tachyon_seconds ? Json(rounded(*tachyon_seconds * frames / run.seconds())) : Json(nullptr);
   return {{"scene", run.scene},
           {"method", run.method},
-          {"keyframes", planned ? Json("auto") : Json(run.keyframes)},
+          {"keyframes", "auto"},
           {"frames", run.frames.size()},
           {"whole_frames", std::count_if(run.frames.begin(), run.frames.end(), [](const ReuseFrame& f) { return f.key; })},
           {"traced_ms", rounded(1e3 * run.traced_seconds() / frames)},
           {"saving_in_between", rounded(run.saving_in_between())},
           {"saving_total", rounded(run.saving())},
+          {"tachyon_ratio", ratio},
           {"psnr_db", finite_or_null(run.mean_psnr())},
           {"min_psnr_db", finite_or_null(run.min_psnr())},
           {"moving_psnr_db", finite_or_null(run.mean_moving_psnr())},
@@ -59,11 +56,11 @@ Json row_of(const ReuseRun& run, bool planned) {
 Report measure_reuse(const Request& request, const Context& context) {
   Report report;
   for (const BenchAnimation& animation : bench_animations(request, context)) {
-    const std::vector<ReuseMethod> methods = reuse_methods(animation.params);
-    const std::vector<ReuseRun> runs = run_reuse(animation, methods, context);
-    for (std::size_t m = 0; m < runs.size(); ++m) {
-      report.rows.push_back(row_of(runs[m], !methods[m].params.keyframes.has_value()));
-      for (const ReuseFrame& frame : runs[m].frames) report.passed_checks += frame.key;
+    const std::vector<ReuseRun> runs = run_reuse(animation, reuse_methods(animation.params), context);
+    const auto tachyon_seconds = tachyon_seconds_per_frame(animation, static_cast<double>(runs.front().pixels));
+    for (const ReuseRun& run : runs) {
+      report.rows.push_back(row_of(run, tachyon_seconds));
+      for (const ReuseFrame& frame : run.frames) report.passed_checks += frame.key;
     }
   }
   return report;

@@ -48,7 +48,8 @@ struct ReuseMethod {
   RenderParams params;  ///< with reuse; forward: a key frame interval of 2, 4 or 8, or none
 };
 
-/// One run per method, in their order. Throws Error where a frame traced as a whole is not the traced one to the bit.
+/// One run per method, in their order. Throws Error where a frame traced as a whole, or made by exact reuse, is not the traced
+/// one to the bit.
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
                                 const Context& context);
 

@@ -42,7 +42,7 @@ std::vector<BenchScene> tachyon_scenes(const Request& request) {
 }
 
 std::vector<BenchAnimation> bench_animations(const Request& request, const Context& context) {
-  constexpr int kFrames = 48, kTachyonFrames = 24, kTachyonFirst = 96;  // the paper shows frames 103 to 109
+  constexpr int kFrames = 48, kTachyonFrames = 24, kTachyonFirst = 96, kLargeFrames = 17;  // the paper shows frames 103 to 109
   std::vector<BenchAnimation> result;
   std::string known;
   for (const BuiltinScene& builtin : builtin_scenes()) {
@@ -63,6 +63,13 @@ std::vector<BenchAnimation> bench_animations(const Request& request, const Conte
     const int wanted = request.frames > 0 ? request.frames : kTachyonFrames;
     const int first = request.frames > all - kTachyonFirst ? 0 : kTachyonFirst;
     result.push_back({"tachyon " + scene.name, std::move(params), first, std::min(wanted, all - first)});
+  }
+  if (request.large && is_wanted(request, "teapot")) {
+    BenchAnimation large{"teapot 3840x2160", {}, 0, request.frames > 0 ? request.frames : kLargeFrames};
+    large.params.scene = "teapot";
+    large.params.size = {3840, 2160};
+    large.params.lens_pixels = {10.0f, 10.0f};
+    result.push_back(std::move(large));
   }
   if (result.empty())
     throw usage_error("--scene", "no such animation", known + "or one of Tachyon's: teapot, room, smallballs");

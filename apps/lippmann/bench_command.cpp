@@ -109,9 +109,11 @@ void add_bench_command(CLI::App& root, Action& chosen) {
   command.add_option("--tachyon-scenes", options->request.tachyon_scenes, "The folder of Tachyon's own scenes")
       ->type_name("DIR")
       ->capture_default_str();
-  command.add_option("--frames", options->request.frames, "Of paper: frames of each animation; 0: 48 (24 of Tachyon's)")
+  command
+      .add_option("--frames", options->request.frames, "Of paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's)")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
+  command.add_flag("--large", options->request.large, "Of reuse: also the teapot at 3840x2160 pixels");
   command.add_option("--plot", options->request.plot, "Of paper: also draw plots (PNG) into this folder")->type_name("DIR");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
   command.add_flag("--json", options->json, "Print the result as JSON");
