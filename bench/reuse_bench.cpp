@@ -16,6 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kFloor = 50.0;  // dB
+constexpr int kRounds = 3;
 
 /// Plain interpolation, whose errors have no bound, is in `lippmann bench paper`.
 std::vector<ReuseMethod> reuse_methods(RenderParams params) {
@@ -56,7 +57,7 @@ Json row_of(const ReuseRun& run, std::optional<double> tachyon_seconds) {
 Report measure_reuse(const Request& request, const Context& context) {
   Report report;
   for (const BenchAnimation& animation : bench_animations(request, context)) {
-    const std::vector<ReuseRun> runs = run_reuse(animation, reuse_methods(animation.params), context);
+    const std::vector<ReuseRun> runs = run_reuse(animation, reuse_methods(animation.params), context, kRounds);
     const auto tachyon_seconds = tachyon_seconds_per_frame(animation, static_cast<double>(runs.front().pixels));
     for (const ReuseRun& run : runs) {
       report.rows.push_back(row_of(run, tachyon_seconds));

@@ -1,7 +1,8 @@
 // Renders an animation fully traced and with several kinds of reuse, and compares them frame by frame: time and likeness.
 //
 // CPU seconds of rendering alone, of all threads. Frames are rendered in turns of eight by every method, so that each finds the
-// machine as the others do. Traced means by our own fastest full tracing, the baseline of all savings.
+// machine as the others do, and where there are several rounds, of each frame and method the least counts. Traced means by our
+// own fastest full tracing, the baseline of all savings.
 #pragma once
 
 #include <map>
@@ -51,6 +52,6 @@ struct ReuseMethod {
 /// One run per method, in their order. Throws Error where a frame traced as a whole, or made by exact reuse, is not the traced
 /// one to the bit.
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
-                                const Context& context);
+                                const Context& context, int rounds = 1);
 
 }  // namespace lippmann::bench
