@@ -47,6 +47,9 @@ const Json* setting(const Json& report, const char* name) {
 
 /// Lens arrays are replayed from what lies behind them, views of them are not.
 void check_layout(const Json& report, const Optics& optics, const std::string& where) {
+  const Json* mirror = setting(report, "mirror");
+  if (mirror && mirror->is_boolean() && mirror->get<bool>())
+    throw Error(where, "the pictures are mirrored, to be printed on the back of a sheet", "a render without --mirror");
   const Json* layout = setting(report, "layout");
   if (!layout || !layout->is_string()) return;
   const std::string word = layout->get<std::string>();

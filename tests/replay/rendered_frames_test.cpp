@@ -65,6 +65,14 @@ TEST(RenderedFrames, frames_come_in_the_order_of_their_numbers_and_nothing_else_
   EXPECT_EQ(labels, (std::vector<std::string>{"0003", "9999", "10000"}));
 }
 
+TEST(RenderedFrames, pictures_mirrored_for_print_are_refused) {
+  const TempDir dir;
+  const nlohmann::ordered_json report{{"optics", optics_json(small_sheet())}, {"settings", {{"mirror", true}}}};
+  std::ofstream(dir / "report.json") << report;
+  write_png(dir / "frame_0000.png", Image8{16, 4, codes<unsigned char>(16, 4, 1)});
+  EXPECT_THAT(test::error_message([&] { find_rendered_frames(dir.path()); }), HasSubstr("mirrored"));
+}
+
 TEST(RenderedFrames, frames_of_a_slanted_panel_have_a_pixel_for_three_of_its_sub_pixels) {
   const TempDir dir;
   Optics optics;
