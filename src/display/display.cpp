@@ -112,6 +112,18 @@ Optics native_optics(const Display& display) {
   return optics;
 }
 
+std::optional<Optics> quilt_optics(const Display& display) {
+  if (!display.quilt) return std::nullopt;
+  const DisplayQuilt& quilt = *display.quilt;
+  const Vec2d size = display.size_mm();
+  const double pixel_width = size.x / (quilt.width / quilt.columns), pixel_height = size.y / (quilt.height / quilt.rows);
+  MultiView views{quilt.columns, quilt.rows};
+  views.view_cone = static_cast<float>(display.view_cone_deg * kDegree);
+  views.distance_mm = static_cast<float>(viewing_distance_mm(display));
+  views.pixel_height = static_cast<float>(pixel_height / pixel_width);
+  return Optics{.panel = {quilt.width, quilt.height, static_cast<float>(pixel_width)}, .model = views};
+}
+
 int views_of(const Display& display) {
   if (display.quilt) return display.quilt->columns * display.quilt->rows;
   if (display.kind == DisplayKind::kSlantedPanel) return static_cast<int>(3.0 * display.pixels.x / periods_of(display));

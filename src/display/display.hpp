@@ -98,6 +98,9 @@ SlantedPanel slanted_panel(const Display& display, double distance_mm);
 /// they begin at the panel's centre.) Passes validate().
 Optics native_optics(const Display& display);
 
+/// The rays of its quilt, whose tiles, stretched to the display, are what its viewer sees: MultiView. None: it has no quilt.
+std::optional<Optics> quilt_optics(const Display& display);
+
 /// What its periods P and tilt T are: see Calibration.
 double periods_of(const Display& display);
 double tilt_of(const Display& display);

@@ -144,6 +144,7 @@ Display display_from_visual(const Json& json, const std::string& where, Display 
 void check_display(const Display& display, const std::string& where) {
   try {
     validate(native_optics(display));
+    if (const std::optional<Optics> quilt = quilt_optics(display)) validate(*quilt);
   } catch (const Error& error) {
     throw Error(where, "the display's pixels have no rays: " + error.where() + " " + error.problem(), error.accepted());
   }

@@ -36,7 +36,7 @@ MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float 
   c.tile_width_px = static_cast<float>(tile_width), c.tile_height_px = static_cast<float>(tile_height);
   c.tiles_per_px_x = 1.0f / c.tile_width_px, c.tiles_per_px_y = 1.0f / c.tile_height_px;
   c.padding_top_px = static_cast<float>(panel.height - views.rows * tile_height);
-  c.pixel_pitch_mm = panel.pixel_pitch_mm;
+  c.pixel_pitch_mm = panel.pixel_pitch_mm, c.pixel_height_mm = panel.pixel_pitch_mm * views.pixel_height;
   c.first_half_angle = static_cast<float>(0.5 * angles.first), c.half_angle_step = static_cast<float>(0.5 * angles.step);
   c.first_eye_mm = Vec2f(first_eye(views.baseline_mm, views.columns), first_eye(views.baseline_mm, views.rows));
   c.baseline_mm = views.baseline_mm;
@@ -58,7 +58,7 @@ void pixels_seeing(const Panel& panel, const MultiView& views, Vec3f point_mm, s
   for (int v = 0; v < views.columns * views.rows; ++v) {
     const EyeMm eye = eye_of_view(views, v);
     const double x = 0.5 * width + (eye.x + (point_mm.x - eye.x) * magnification) / m;
-    const double y = 0.5 * height - (eye.y + (point_mm.y - eye.y) * magnification) / m;
+    const double y = 0.5 * height - (eye.y + (point_mm.y - eye.y) * magnification) / (m * views.pixel_height);
     if (!(x >= 0.0 && x < width && y >= 0.0 && y < height)) continue;
     pixels.emplace_back(v % views.columns * width + x, panel.height - (v / views.columns + 1) * height + y);
   }

@@ -17,7 +17,7 @@ struct MultiViewRays {
   float columns, rows;
   float tile_width_px, tile_height_px, tiles_per_px_x, tiles_per_px_y;
   float padding_top_px;
-  float pixel_pitch_mm;
+  float pixel_pitch_mm, pixel_height_mm;
   float first_half_angle, half_angle_step;  ///< of the eyes: half the angle of view 0, and from view to view
   Vec2f first_eye_mm;                       ///< of a camera grid, which has no angles: of the lower left eye, and
   float baseline_mm;                        ///< from eye to eye; else both are 0
@@ -56,7 +56,7 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
   const float column = tile_index(px, c.tile_width_px, c.tiles_per_px_x, c.columns);
   const float row = tile_index(down, c.tile_height_px, c.tiles_per_px_y, c.rows);
   const float x = (px - column * c.tile_width_px - 0.5f * c.tile_width_px) * c.pixel_pitch_mm;
-  const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_pitch_mm;
+  const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_height_mm;
   const float view = (c.rows - 1.0f - row) * c.columns + column;
   // Of the two terms one is 0: no branch, no gather.
   const float on_cone = c.distance_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);

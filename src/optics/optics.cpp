@@ -90,23 +90,23 @@ Vec2f sample_footprint_mm(const Optics& optics, float z_mm) {
   const auto of_lens = [&](const auto& a, float pitch) {
     return lens_footprint_mm(pitch, a.gap_mm, a.viewing_distance_mm, m, z_mm);
   };
-  return std::visit(Overloaded{[&](const LenticularSheet& s) {
-                                 const float along =
-                                     m * std::abs(1.0f - (z_mm + s.gap_mm) / (s.viewing_distance_mm + s.gap_mm));
-                                 return Vec2f(of_lens(s, s.lens_pitch_mm), along);
-                               },
-                               [&](const MicrolensArray& a) {
-                                 const float rows = a.packing == LensPacking::kHexagonal ? std::sqrt(0.75f) : 1.0f;
-                                 return Vec2f(of_lens(a, a.lens_pitch_mm), of_lens(a, a.lens_pitch_mm * rows));
-                               },
-                               [&](const MultiView& v) { return Vec2f(m * std::abs(1.0f - z_mm / v.distance_mm)); },
-                               [&](const SingleView& v) { return Vec2f(m * std::abs(1.0f - z_mm / v.distance_mm)); },
-                               [&](const SlantedPanel& p) {
-                                 const SlantedLens lens = slanted_lens(optics.panel, p);
-                                 const float pixel = 3.0f * m * std::abs(1.0f - z_mm / p.distance_mm);
-                                 return Vec2f(std::max(pixel, std::abs(z_mm) * lens.slope_step), pixel);
-                               }},
-                    optics.model);
+  return std::visit(
+      Overloaded{[&](const LenticularSheet& s) {
+                   const float along = m * std::abs(1.0f - (z_mm + s.gap_mm) / (s.viewing_distance_mm + s.gap_mm));
+                   return Vec2f(of_lens(s, s.lens_pitch_mm), along);
+                 },
+                 [&](const MicrolensArray& a) {
+                   const float rows = a.packing == LensPacking::kHexagonal ? std::sqrt(0.75f) : 1.0f;
+                   return Vec2f(of_lens(a, a.lens_pitch_mm), of_lens(a, a.lens_pitch_mm * rows));
+                 },
+                 [&](const MultiView& v) { return Vec2f(1.0f, v.pixel_height) * (m * std::abs(1.0f - z_mm / v.distance_mm)); },
+                 [&](const SingleView& v) { return Vec2f(m * std::abs(1.0f - z_mm / v.distance_mm)); },
+                 [&](const SlantedPanel& p) {
+                   const SlantedLens lens = slanted_lens(optics.panel, p);
+                   const float pixel = 3.0f * m * std::abs(1.0f - z_mm / p.distance_mm);
+                   return Vec2f(std::max(pixel, std::abs(z_mm) * lens.slope_step), pixel);
+                 }},
+      optics.model);
 }
 
 float viewing_zone(const Optics& optics) {
@@ -134,7 +134,8 @@ Vec2f window_size_mm(const Optics& optics) {
   const Panel& panel = optics.panel;
   Vec2f size = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
   if (const auto* views = std::get_if<MultiView>(&optics.model))
-    size = Vec2f(panel.width / views->columns, panel.height / views->rows) * panel.pixel_pitch_mm;
+    size = Vec2f(1.0f, views->pixel_height) * Vec2f(panel.width / views->columns, panel.height / views->rows) *
+           panel.pixel_pitch_mm;
   if (std::holds_alternative<SlantedPanel>(optics.model)) size.y *= 3.0f;
   return size;
 }

@@ -56,6 +56,7 @@ struct MultiView {
   bool cone_ends_included = false;   ///< v / (N - 1) instead of (v + 1/2) / N, as some tools do
   float distance_mm = 500.0f;        ///< of the viewer
   float baseline_mm = 0.0f;          ///< above 0: of a camera grid; the cone has no meaning then
+  float pixel_height = 1.0f;         ///< in pixel widths: tiles whose pixels, stretched to a display, are not square there
 };
 
 /// One pinhole at (0, 0, distance) through the rectangle of the panel in z = 0.

@@ -45,6 +45,7 @@ Json model_json(const MultiView& views) {
     json["view_cone_deg"] = degrees(views.view_cone);
     json["cone_ends_included"] = views.cone_ends_included;
   }
+  if (views.pixel_height != 1.0f) json["pixel_height"] = views.pixel_height;
   return json;
 }
 
@@ -175,6 +176,7 @@ MultiView multi_view_from(const Members& json) {
   MultiView views;
   views.columns = json.count("columns"), views.rows = json.count("rows");
   views.distance_mm = json.number("distance_mm");
+  views.pixel_height = json.number_or("pixel_height", 1.0f);
   if (json.has("baseline_mm")) {
     views.baseline_mm = json.number("baseline_mm");
     return views;

@@ -14,8 +14,8 @@ namespace lippmann {
 nlohmann::ordered_json optics_json(const Optics& optics);
 
 /// The inverse, of JSON from anywhere: what comes back passes validate(). What follows from the rest is not read, nor are keys
-/// that nobody knows; "offset_mm", "eye_height_mm", "cone_ends_included", "pixel_offset_px" and "z_front_mm" may be missing.
-/// Throws Error naming `where` and the key.
+/// that nobody knows; "offset_mm", "eye_height_mm", "cone_ends_included", "pixel_height", "pixel_offset_px" and "z_front_mm"
+/// may be missing. Throws Error naming `where` and the key.
 Optics optics_from_json(const nlohmann::ordered_json& json, const std::string& where);
 
 }  // namespace lippmann

@@ -48,6 +48,11 @@ void check_lens(const char* field, float lens_pitch_mm, const Panel& panel) {
            fmt::format("at least the pixel pitch, {} mm", panel.pixel_pitch_mm));
 }
 
+void check_number(const char* field, double value, double low, double high) {
+  if (!(value >= low && value <= high))
+    reject(field, fmt::format("is {}", value), fmt::format("a number from {} to {}", low, high));
+}
+
 void check_panel(const Panel& panel) {
   check_count("panel.width", panel.width, kMaxSide);
   check_count("panel.height", panel.height, kMaxSide);
@@ -81,6 +86,7 @@ void check_model(const Panel& panel, const MultiView& views) {
     reject("multiview.view_cone", fmt::format("is {} degrees", degrees(views.view_cone)), "an angle from 0 to 179 degrees");
   check_length("multiview.distance_mm", views.distance_mm);
   if (views.baseline_mm != 0.0f) check_length("multiview.baseline_mm", views.baseline_mm);
+  check_number("multiview.pixel_height", views.pixel_height, 0.01, 100);
 }
 
 void check_model(const Panel&, const SingleView& view) {
@@ -88,11 +94,6 @@ void check_model(const Panel&, const SingleView& view) {
   for (const float offset : {view.pixel_offset.x, view.pixel_offset.y})
     if (!(std::abs(offset) <= kMaxSide))
       reject("singleview.pixel_offset", fmt::format("is {} pixels", offset), fmt::format("at most {} pixels", kMaxSide));
-}
-
-void check_number(const char* field, double value, double low, double high) {
-  if (!(value >= low && value <= high))
-    reject(field, fmt::format("is {}", value), fmt::format("a number from {} to {}", low, high));
 }
 
 void check_model(const Panel& panel, const SlantedPanel& slanted) {

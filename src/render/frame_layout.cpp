@@ -47,9 +47,8 @@ bool same_places(const ViewLayout& a, const ViewLayout& b) {
 
 /// Width / height of what is seen of the display plane.
 double display_aspect(const Optics& optics) {
-  const auto* views = std::get_if<MultiView>(&optics.model);
-  const int columns = views ? views->columns : 1, rows = views ? views->rows : 1;
-  return static_cast<double>(optics.panel.width / columns) / (optics.panel.height / rows);
+  const Vec2f window = window_size_mm(optics);
+  return static_cast<double>(window.x) / window.y;
 }
 
 }  // namespace

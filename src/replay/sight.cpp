@@ -51,7 +51,7 @@ QuiltSight::QuiltSight(const Panel& panel, const MultiView& views)
       panel_height_(panel.height),
       tile_(panel.width / views.columns, panel.height / views.rows),
       centre_px_(0.5 * Vec2d(tile_)),
-      pixel_pitch_(panel.pixel_pitch_mm),
+      pixel_mm_(Vec2d(1.0, views.pixel_height) * double(panel.pixel_pitch_mm)),
       distance_(views.distance_mm),
       baseline_(views.baseline_mm) {
   views_ = baseline_ > 0.0 ? Vec2i(views.columns, views.rows) : Vec2i(views.columns * views.rows, 1);
@@ -66,12 +66,12 @@ QuiltSight::QuiltSight(const Panel& panel, const SingleView& view)
     : panel_height_(panel.height),
       tile_(panel.width, panel.height),
       centre_px_(0.5 * Vec2d(tile_) - Vec2d(view.pixel_offset)),
-      pixel_pitch_(panel.pixel_pitch_mm),
+      pixel_mm_(panel.pixel_pitch_mm),
       distance_(view.distance_mm) {}
 
 QuiltPoint QuiltSight::seen_from(const Viewer& viewer, Vec2d point_mm) const {
   QuiltPoint seen;
-  seen.pixel = centre_px_ + Vec2d(point_mm.x, -point_mm.y) / pixel_pitch_;
+  seen.pixel = centre_px_ + Vec2d(point_mm.x, -point_mm.y) / pixel_mm_;
   if (baseline_ > 0.0) {
     const Vec2d at_views = point_mm + distance_ * viewer.slope_at(point_mm), last(views_ - 1);
     seen.view = at_views / baseline_ + 0.5 * last;

@@ -74,7 +74,8 @@ class QuiltSight {
   Vec2i views_{1, 1};
   Vec2i tile_;
   Vec2d centre_px_;  ///< of the plane z = 0, within a tile
-  double pixel_pitch_, distance_, first_angle_ = 0.0, angle_step_ = 0.0, baseline_ = 0.0;
+  Vec2d pixel_mm_;
+  double distance_, first_angle_ = 0.0, angle_step_ = 0.0, baseline_ = 0.0;
 };
 
 }  // namespace lippmann

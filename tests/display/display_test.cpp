@@ -39,6 +39,16 @@ TEST(Display, microlens_array_has_square_or_hexagonal_lenses) {
   EXPECT_EQ(views_of(load_display("microlens-1mm-4k")), 121);
 }
 
+TEST(Display, quilts_tiles_are_stretched_to_the_display) {
+  // Go: 4092 / 11 = 372 by 4092 / 6 = 682 pixels for 74.4929 x 132.4318 mm: pixels of 0.200250 x 0.194181 mm.
+  const Optics quilt = quilt_optics(load_display("go")).value();
+  EXPECT_NEAR(quilt.panel.pixel_pitch_mm, 0.200250, 1e-6);
+  EXPECT_NEAR(std::get<MultiView>(quilt.model).pixel_height, 0.969697, 1e-6);
+  EXPECT_NEAR(window_size_mm(quilt).x, 74.4929, 1e-4);
+  EXPECT_NEAR(window_size_mm(quilt).y, 132.4318, 1e-4);
+  EXPECT_FALSE(quilt_optics(load_display("microlens-1mm-4k")).has_value());
+}
+
 TEST(Display, views_are_the_quilts_or_the_sub_pixels_below_a_lens) {
   Display display = load_display("portrait");
   EXPECT_EQ(views_of(display), 48);

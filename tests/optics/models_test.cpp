@@ -210,6 +210,14 @@ TEST(MultiView, view_is_off_axis_through_the_same_rectangle) {
   }
 }
 
+TEST(MultiView, pixels_may_be_higher_than_wide) {
+  // A tile of 10 x 10 pixels, each 1 mm wide and 1.5 mm high: its top edge is 7.5 mm above the centre.
+  const Optics quilt{.panel = {20, 20, 1.0f},
+                     .model = MultiView{.columns = 2, .rows = 2, .distance_mm = 300.0f, .pixel_height = 1.5f}};
+  expect_near(at_depth(ray_of_pixel(quilt, {10.0f, 0.0f}), 0.0f), {-5.0f, 7.5f, 0.0f}, kPositionMm);
+  expect_near(at_depth(ray_of_pixel(quilt, {14.0f, 16.0f}), 0.0f), {-1.0f, -1.5f, 0.0f}, kPositionMm);
+}
+
 TEST(MultiView, cone_ends_included_puts_the_outer_eyes_on_the_cones_edges) {
   const Optics quilt{.panel = {90, 20, 1.0f}, .model = MultiView{3, 1, radians(60.0f), true, 300.0f}};
   const float eye = 300.0f * std::tan(radians(30.0f));

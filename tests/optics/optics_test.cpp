@@ -87,6 +87,8 @@ TEST(Derived, slanted_panel_of_20_sub_pixels_a_lens) {
 TEST(Window, is_the_panel_or_one_view_of_a_quilt) {
   EXPECT_EQ(window_size_mm(with(LenticularSheet{}, {300, 200, 0.5f})), Vec2f(150.0f, 100.0f));
   EXPECT_EQ(window_size_mm(with(MultiView{.columns = 7, .rows = 3}, {300, 200, 0.5f})), Vec2f(21.0f, 33.0f));
+  EXPECT_EQ(window_size_mm(with(MultiView{.columns = 7, .rows = 3, .pixel_height = 2.0f}, {300, 200, 0.5f})),
+            Vec2f(21.0f, 66.0f));
   EXPECT_EQ(window_size_mm(with(SlantedPanel{}, {300, 200, 0.5f})), Vec2f(150.0f, 300.0f));
 }
 
@@ -199,6 +201,7 @@ const BadCase kBadCases[] = {
     {"nan_cone", "multiview.view_cone", with(MultiView{.view_cone = kNaN})},
     {"negative_baseline", "multiview.baseline_mm", with(MultiView{.baseline_mm = -1.0f})},
     {"nan_baseline", "multiview.baseline_mm", with(MultiView{.baseline_mm = kNaN})},
+    {"flat_pixels", "multiview.pixel_height", with(MultiView{.pixel_height = 0.0f})},
     {"zero_distance", "multiview.distance_mm", with(MultiView{.distance_mm = 0.0f})},
     {"infinite_distance", "singleview.distance_mm", with(SingleView{.distance_mm = kInfinity})},
     {"nan_pixel_offset", "singleview.pixel_offset", with(SingleView{.pixel_offset = {kNaN, 0.0f}})},

@@ -41,7 +41,7 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   }
   const auto* views = std::get_if<MultiView>(&optics.model);
   const float distance = views ? views->distance_mm : std::get<SingleView>(optics.model).distance_mm;
-  return Vec2f(miss.x, -miss.y) * (distance / (distance - z) / m);
+  return Vec2f(miss.x, -miss.y / (views ? views->pixel_height : 1.0f)) * (distance / (distance - z) / m);
 }
 
 bool on_panel(const Optics& optics, Vec2f p) {

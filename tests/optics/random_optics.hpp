@@ -48,6 +48,7 @@ class OpticsSampler {
     Optics o{.panel = panel(), .model = {}};
     MultiView views{integer(1, 6), integer(1, 5), uniform(0.0f, 1.2f), coin(), uniform(200.0f, 1000.0f)};
     if (views.rows % 2 == 0) views.baseline_mm = 0.5f + 50.0f * views.view_cone;  // a camera grid
+    if (views.view_cone > 0.6f) views.pixel_height = views.view_cone;
     o.model = views;
     return o;
   }

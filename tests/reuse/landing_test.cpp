@@ -168,7 +168,8 @@ Place seen_in_picture(const Optics& optics, Vec2f from, Vec3f point) {
     const double d = std::abs(at_depth(ray_of_pixel(optics, p), point.z).y - point.y);
     if (tile_at(p).y == tile_at(from).y && d < miss.y) miss.y = d, best.y = p.y;
   }
-  return std::max(miss.x, miss.y) <= 0.5 * spacing ? Place(best) : std::nullopt;
+  const double row_spacing = spacing * (views ? views->pixel_height : 1.0f);
+  return miss.x <= 0.5 * spacing && miss.y <= 0.5 * row_spacing ? Place(best) : std::nullopt;
 }
 
 Place expected_place(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point) {
