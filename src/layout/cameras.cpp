@@ -34,7 +34,8 @@ std::optional<ViewCameras> lens_cameras(const Panel& panel, const MicrolensArray
 
 RenderedViews views_of(const Panel& panel, const MultiView& model) {
   const ViewGrid tiles{model.columns, model.rows};
-  ViewCameras cameras{model.distance_mm, Vec2d(panel.pixel_pitch_mm), {}, {}};
+  const Vec2d pixel_mm = Vec2d(1.0, model.pixel_height) * double(panel.pixel_pitch_mm);
+  ViewCameras cameras{model.distance_mm, pixel_mm, {}, {}};
   cameras.centre_px = 0.5 * Vec2d(panel.width / model.columns, panel.height / model.rows);
   for (int view = 0; view < tiles.count(); ++view) {
     const EyeMm eye = eye_of_view(model, view);

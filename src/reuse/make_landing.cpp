@@ -79,7 +79,7 @@ GridLanding views_grid(const Panel& panel, const MultiView& views) {
   const int padding = panel.height - views.rows * tile_height;
   const float per_mm = 1.0f / panel.pixel_pitch_mm;
   GridLanding grid = empty_grid(panel, c.inverse_distance, views.rows);
-  grid.c.across = {per_mm, 0.5f * c.tile_width_px, 1.0f},
+  grid.c.across = {per_mm, 0.5f * c.tile_width_px, 1.0f};
   grid.c.down = {1.0f / c.pixel_height_mm, 0.5f * c.tile_height_px, 1.0f};
   for (int row = 0; row < views.rows; ++row)
     for (int i = 0; i < panel.width; ++i) {
