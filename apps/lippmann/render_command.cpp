@@ -41,8 +41,8 @@ std::string frame_line(const FrameReport& frame, Reuse reuse) {
                      static_cast<double>(frame.rays.total()) * 1e-6);
 }
 
-bool has_lenses(const RenderParams& params) {
-  return params.optics == OpticsKind::kLenticular || params.optics == OpticsKind::kMicrolens;
+bool has_lenses(const Optics& optics) {
+  return std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
 }
 
 /// How much of frames that are the same bits as traced ones was copied.
@@ -88,9 +88,11 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
       if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
     if (report.params.reuse == Reuse::kExact && frames > 1) line("reuse", describe_exact_reuse(report));
-    if (has_lenses(report.params))
+    if (has_lenses(report.optics))
       line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
   }
+  if (!report.depth.fits())
+    line("depth", depth_budget_sentence(report.depth, report.optics) + " --fit-depth shows it less deep.");
   line("figures", (folder / "report.json").string());
   line(report.interrupted ? "go on" : "again",
        "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));

@@ -141,6 +141,8 @@ Display load_display(const std::string& preset_or_path) {
   throw unknown_preset("--display", preset_or_path);
 }
 
+bool is_display_preset(const std::string& name) { return find_preset(lower(name)) != nullptr; }
+
 std::vector<Display> display_presets() {
   std::vector<Display> displays;
   for (const PresetFile& preset : preset_files()) displays.push_back(named_preset(preset));

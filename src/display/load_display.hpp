@@ -14,6 +14,9 @@ namespace lippmann {
 /// Throws Error naming the file and key, or, of an unknown name, the nearest.
 Display load_display(const std::string& preset_or_path);
 
+/// Whether it is the name of a preset, and thus no file.
+bool is_display_preset(const std::string& name);
+
 /// All presets, by name.
 std::vector<Display> display_presets();
 

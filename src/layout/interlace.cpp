@@ -149,15 +149,4 @@ Picture interlace(const LightField& field, const Display& display, const Interla
   return frame;
 }
 
-Image fold_sub_pixels(const Image& film, const ThreadPool& pool) {
-  Image frame(film.width / 3, film.height, 3);
-  pool.for_each(static_cast<std::size_t>(film.height), [&](std::size_t y) {
-    const float* from = film.pixel(0, static_cast<int>(y));
-    float* to = frame.pixel(0, static_cast<int>(y));
-    for (int i = 0; i < frame.width; ++i)
-      for (int color = 0; color < 3; ++color) to[3 * i + color] = from[(3 * i + color) * film.channels + color];
-  });
-  return frame;
-}
-
 }  // namespace lippmann

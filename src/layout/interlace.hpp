@@ -31,7 +31,4 @@ Picture interlace(const LightField& field, const Display& display, const Interla
 LightField deinterlace(const Picture& frame, const Display& display, int count, Vec2i view_size, const std::string& where,
                        const ThreadPool& pool);
 
-/// A slanted panel's film (optics/optics.hpp), 3 W x H, as W x H pixels: the red of its red sub-pixels, and so on.
-Image fold_sub_pixels(const Image& film, const ThreadPool& pool);
-
 }  // namespace lippmann

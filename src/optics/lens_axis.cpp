@@ -27,7 +27,7 @@ LensAxis<double> make_lens_axis(const LensAxisSpec& spec) {
   LensAxis<double> axis{};
   axis.lens0_mm = spec.offset_mm - spec.pitch_mm * std::round(spec.offset_mm / spec.pitch_mm);
   axis.pitch_mm = spec.pitch_mm;
-  axis.slope_per_px = spec.pixel_pitch_mm / spec.gap_mm;
+  axis.slope_per_px = spec.parallax * spec.pixel_pitch_mm / spec.gap_mm;
   axis.vergence = vergence;
   axis.eye_mm = spec.eye_mm;
   axis.cell_px = spec.pitch_mm * (1.0 + spread) / spec.pixel_pitch_mm;

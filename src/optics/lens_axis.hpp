@@ -21,7 +21,7 @@ template <class T>
 struct LensAxis {
   T start_px, cell_px, cells_per_px;  ///< cell 0 begins at start_px
   T lens0_mm, pitch_mm;
-  T slope_per_px;    ///< m / g
+  T slope_per_px;    ///< m / g, times the parallax
   T vergence;        ///< 1 / V, per mm; 0 for an infinite viewing distance
   T eye_mm;          ///< where on this axis the viewer is that the cells converge to
   int whole_pixels;  ///< pixels per lens where that is whole and pixel 0 begins a cell; else 0
@@ -37,6 +37,7 @@ struct LensAxisSpec {
   double pitch_mm, offset_mm, gap_mm, viewing_distance_mm, eye_mm, pixel_pitch_mm;
   double centre_px;  ///< panel coordinate of the panel's centre
   int size_px;       ///< of the panel along the axis; 0 where the axis is not one of the panel's
+  double parallax = 1.0;
 };
 
 /// Cells that come out whole and aligned to within 1/100 pixel over the whole panel (float parameters are no better than that)

@@ -21,7 +21,8 @@ LenticularConstants<double> make_lenticular(const Panel& panel, const Lenticular
                            .eye_mm = c.eye_y_mm * c.sine,
                            .pixel_pitch_mm = m,
                            .centre_px = 0.5 * panel.width * c.cosine - c.half_height_px * c.sine,
-                           .size_px = slant == 0.0 ? panel.width : 0});
+                           .size_px = slant == 0.0 ? panel.width : 0,
+                           .parallax = sheet.parallax});
   return c;
 }
 

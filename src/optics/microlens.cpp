@@ -16,7 +16,8 @@ MicrolensConstants<double> make_microlens(const Panel& panel, const MicrolensArr
                        .eye_mm = 0.0,
                        .pixel_pitch_mm = panel.pixel_pitch_mm,
                        .centre_px = 0.5 * panel.width,
-                       .size_px = hexagonal ? 0 : panel.width};
+                       .size_px = hexagonal ? 0 : panel.width,
+                       .parallax = array.parallax};
   LensAxisSpec rows = columns;
   rows.pitch_mm = row_pitch, rows.offset_mm = -array.offset_mm.y;
   rows.centre_px = 0.5 * panel.height;

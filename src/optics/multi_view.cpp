@@ -22,8 +22,8 @@ double first_eye(double baseline_mm, int count) { return -0.5 * baseline_mm * (c
 
 EyeMm eye_of_view(const MultiView& views, int view) {
   const EyeAngles angles = eye_angles(views);
-  const double baseline = views.baseline_mm;
-  return {views.distance_mm * std::tan(angles.first + view * angles.step) + first_eye(baseline, views.columns) +
+  const double baseline = views.parallax * views.baseline_mm, reach = views.parallax * views.distance_mm;
+  return {reach * std::tan(angles.first + view * angles.step) + first_eye(baseline, views.columns) +
               view % views.columns * baseline,
           first_eye(baseline, views.rows) + view / views.columns * baseline};
 }
@@ -38,8 +38,10 @@ MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float 
   c.padding_top_px = static_cast<float>(panel.height - views.rows * tile_height);
   c.pixel_pitch_mm = panel.pixel_pitch_mm, c.pixel_height_mm = panel.pixel_pitch_mm * views.pixel_height;
   c.first_half_angle = static_cast<float>(0.5 * angles.first), c.half_angle_step = static_cast<float>(0.5 * angles.step);
-  c.first_eye_mm = Vec2f(first_eye(views.baseline_mm, views.columns), first_eye(views.baseline_mm, views.rows));
-  c.baseline_mm = views.baseline_mm;
+  const double baseline = views.parallax * views.baseline_mm;
+  c.first_eye_mm = Vec2f(first_eye(baseline, views.columns), first_eye(baseline, views.rows));
+  c.baseline_mm = static_cast<float>(baseline);
+  c.eye_reach_mm = views.parallax * views.distance_mm;
   c.distance_mm = views.distance_mm, c.inverse_distance = 1.0f / views.distance_mm;
   c.front_from_eye_mm = z_front_mm - views.distance_mm;
   return c;

@@ -3,7 +3,7 @@
 // Tiles are floor(width / columns) x floor(height / rows) pixels, anchored at the bottom left; what is left over at the top and
 // at the right is padding, whose pixels continue the view next to them and see no point. View v lies at column v mod columns,
 // row floor(v / columns) from the bottom; its eye is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance), or in a camera
-// grid at (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance).
+// grid at (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance); x and y times the parallax.
 #pragma once
 
 #include <vector>
@@ -21,6 +21,7 @@ struct MultiViewRays {
   float first_half_angle, half_angle_step;  ///< of the eyes: half the angle of view 0, and from view to view
   Vec2f first_eye_mm;                       ///< of a camera grid, which has no angles: of the lower left eye, and
   float baseline_mm;                        ///< from eye to eye; else both are 0
+  float eye_reach_mm;                       ///< eyes are at this times the tangent of their angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
 };
@@ -59,7 +60,7 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
   const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_height_mm;
   const float view = (c.rows - 1.0f - row) * c.columns + column;
   // Of the two terms one is 0: no branch, no gather.
-  const float on_cone = c.distance_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
+  const float on_cone = c.eye_reach_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
   const float eye_x = on_cone + (c.first_eye_mm.x + column * c.baseline_mm);
   const float eye_y = c.first_eye_mm.y + (c.rows - 1.0f - row) * c.baseline_mm;
   const float slope_x = (eye_x - x) * c.inverse_distance, slope_y = (eye_y - y) * c.inverse_distance;

@@ -40,6 +40,15 @@ float views_zone(const MultiView& views) {
   return 2.0f * std::atan(0.5f * eyes * views.baseline_mm / views.distance_mm);
 }
 
+/// Where a point in front of the plane moves by one pixel between the two middle views.
+float view_budget_mm(const MultiView& views, float pixel_pitch_mm) {
+  const int steps = views.columns * views.rows - (views.cone_ends_included ? 1 : 0);
+  if (views.columns * views.rows < 2) return kInfinity;
+  const float on_cone = 2.0f * views.distance_mm * std::tan(0.5f * views.view_cone / static_cast<float>(steps));
+  const float eyes_apart = views.baseline_mm > 0.0f ? views.baseline_mm : on_cone;
+  return pixel_pitch_mm * views.distance_mm / (eyes_apart + pixel_pitch_mm);
+}
+
 }  // namespace
 
 float resolved_z_front_mm(const Optics& optics) {
@@ -88,7 +97,7 @@ Vec2i whole_pixels_per_lens(const Optics& optics) {
 Vec2f sample_footprint_mm(const Optics& optics, float z_mm) {
   const float m = optics.panel.pixel_pitch_mm;
   const auto of_lens = [&](const auto& a, float pitch) {
-    return lens_footprint_mm(pitch, a.gap_mm, a.viewing_distance_mm, m, z_mm);
+    return lens_footprint_mm(pitch, a.gap_mm / a.parallax, a.viewing_distance_mm, m, z_mm);
   };
   return std::visit(
       Overloaded{[&](const LenticularSheet& s) {
@@ -104,7 +113,7 @@ Vec2f sample_footprint_mm(const Optics& optics, float z_mm) {
                  [&](const SlantedPanel& p) {
                    const SlantedLens lens = slanted_lens(optics.panel, p);
                    const float pixel = 3.0f * m * std::abs(1.0f - z_mm / p.distance_mm);
-                   return Vec2f(std::max(pixel, std::abs(z_mm) * lens.slope_step), pixel);
+                   return Vec2f(std::max(pixel, std::abs(z_mm) * lens.slope_step * p.parallax), pixel);
                  }},
       optics.model);
 }
@@ -120,14 +129,20 @@ float viewing_zone(const Optics& optics) {
 
 float depth_budget_mm(const Optics& optics) {
   const float m = optics.panel.pixel_pitch_mm;
-  return std::visit(Overloaded{[&](const LenticularSheet& s) { return s.lens_pitch_mm * s.gap_mm / m; },
-                               [&](const MicrolensArray& a) { return a.lens_pitch_mm * a.gap_mm / m; },
-                               [](const MultiView&) { return kInfinity; }, [](const SingleView&) { return kInfinity; },
-                               [&](const SlantedPanel& p) {
-                                 const SlantedLens lens = slanted_lens(optics.panel, p);
-                                 return lens.pitch_mm / lens.slope_step;
-                               }},
-                    optics.model);
+  return std::visit(
+      Overloaded{[&](const LenticularSheet& s) { return s.lens_pitch_mm * s.gap_mm / m; },
+                 [&](const MicrolensArray& a) { return a.lens_pitch_mm * a.gap_mm / m; },
+                 [&](const MultiView& v) { return view_budget_mm(v, m); }, [](const SingleView&) { return kInfinity; },
+                 [&](const SlantedPanel& p) {
+                   const SlantedLens lens = slanted_lens(optics.panel, p);
+                   return lens.pitch_mm / lens.slope_step;
+                 }},
+      optics.model);
+}
+
+Optics with_parallax(Optics optics, float parallax) {
+  std::visit(Overloaded{[](SingleView&) {}, [&](auto& model) { model.parallax = parallax; }}, optics.model);
+  return optics;
 }
 
 Vec2f window_size_mm(const Optics& optics) {

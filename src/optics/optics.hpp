@@ -31,6 +31,7 @@ struct LenticularSheet {
   float offset_mm = 0.5f;                 ///< xi of the centre of lens 0
   float viewing_distance_mm = kInfinity;  ///< to which the cells converge; inf: straight below their lenses
   float eye_height_mm = 0.0f;             ///< y that rows converge to at a finite viewing distance
+  float parallax = 1.0f;                  ///< see with_parallax
 };
 
 enum class LensPacking { kSquare, kHexagonal };
@@ -43,6 +44,7 @@ struct MicrolensArray {
   float gap_mm = 2.0f;
   Vec2f offset_mm{0.5f, 0.5f};  ///< centre of lens (0, 0)
   float viewing_distance_mm = kInfinity;
+  float parallax = 1.0f;  ///< see with_parallax
 };
 
 /// A grid of views (a quilt), every view an off-axis (sheared) pinhole through the same rectangle of z = 0. View 0 is the
@@ -57,6 +59,7 @@ struct MultiView {
   float distance_mm = 500.0f;        ///< of the viewer
   float baseline_mm = 0.0f;          ///< above 0: of a camera grid; the cone has no meaning then
   float pixel_height = 1.0f;         ///< in pixel widths: tiles whose pixels, stretched to a display, are not square there
+  float parallax = 1.0f;             ///< see with_parallax
 };
 
 /// One pinhole at (0, 0, distance) through the rectangle of the panel in z = 0.
@@ -84,11 +87,12 @@ struct SlantedPanel {
   float view_cone = radians(40.0f);  ///< full angle that v from 0 to 1 spreads over
   float distance_mm = 500.0f;        ///< of the viewer
   SubPixelOffsets sub_pixels = striped_sub_pixels();
+  float parallax = 1.0f;  ///< see with_parallax
 };
 
 using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView, SlantedPanel>;
 
-/// One complete set of rays. For MultiView, panel.pixel_pitch_mm is the pitch within a view in the plane z = 0.
+/// One complete set of rays. For MultiView, panel.pixel_pitch_mm is the pitch within a row of a view in the plane z = 0.
 struct Optics {
   Panel panel;
   OpticsModel model;
@@ -147,9 +151,17 @@ Vec2f sample_footprint_mm(const Optics& optics, float z_mm);
 /// Viewing zone, full angle: 2 atan(cell / 2 gap) across; the cone for multi-view and slanted panels; 0 for a single view.
 float viewing_zone(const Optics& optics);
 
-/// Beyond |z| = this a panel pixel is wider than the lens pitch: p g / m; inf for single and multi-view. A slanted panel of N
-/// sub-pixels below a lens of pitch p sends them into N directions, 2 tan(cone / 2) / N apart: p N / (2 tan(cone / 2)).
+/// Beyond |z| = this a panel pixel is wider than the lens pitch: p g / m. Of multi-view: where in front of the plane the middle
+/// views are a pixel apart, m D / (e + m) with e between their eyes: beyond, views alias. inf for a single view. A slanted
+/// panel of N sub-pixels below a lens of pitch p sends them into N directions, 2 tan(cone / 2) / N apart: p N / (2 tan(cone /
+/// 2)).
 float depth_budget_mm(const Optics& optics);
+
+/// The same display, its views drawn that much nearer together (0 < parallax): a view from where the display sends its light at
+/// an angle a is that of an eye at parallax tan(a) instead of tan(a), so that the scene looks `parallax` times as deep. The
+/// plane z = 0, the view from the middle and all that the functions above say of the display stay as they are. Of a lens: its
+/// pixels' offsets from the cell's centre count so much less. No effect on a single view.
+Optics with_parallax(Optics optics, float parallax);
 
 /// Width and height of what is seen of the plane z = 0: the panel, or one view of a quilt.
 Vec2f window_size_mm(const Optics& optics);

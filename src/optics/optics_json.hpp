@@ -10,6 +10,7 @@
 
 namespace lippmann {
 
+/// Of the display as built: a parallax other than 1 is the picture's, and not written.
 /// Also says what follows from the rest: "viewing_zone_deg" and "depth_budget_mm".
 nlohmann::ordered_json optics_json(const Optics& optics);
 

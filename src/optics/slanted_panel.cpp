@@ -1,7 +1,7 @@
 // The inverse: all sub-pixels that see a point (X, Y, Z). With M = D / (D - Z), the line from an eye at e through the point
 // crosses z = 0 at x = X M + e (1 - M). Below lens k, at phase k + f, x = (k + f - phase at x = 0) p for the lens pitch p, and
-// e = D tan(cone (v - 1/2)), v = 1 - f or f: f solves
-//   G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - phase at x = 0) p,   a = +-(1 - M) D, + where v = 1 - f.
+// e = D tan(cone (v - 1/2)) times the parallax s, v = 1 - f or f: f solves
+//   G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - phase at x = 0) p,   a = +-(1 - M) D s, + where v = 1 - f.
 // G is monotone but for points in front at about the depth where one lens shows the same point all over (Z cone = p); there it
 // turns at cos^2(cone (f - 1/2)) = -a cone / p, twice. Each monotone piece holds one solution per lens at most.
 #include "optics/slanted_panel.hpp"
@@ -89,6 +89,7 @@ SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slan
   c.half_cone = 0.5f * slanted.view_cone;
   c.width_px = static_cast<float>(width), c.height_px = static_cast<float>(panel.height);
   c.pixel_mm = 3.0f * panel.pixel_pitch_mm;
+  c.eye_reach_mm = slanted.parallax * slanted.distance_mm;
   c.distance_mm = slanted.distance_mm, c.inverse_distance = 1.0f / slanted.distance_mm;
   c.front_from_eye_mm = z_front_mm - slanted.distance_mm;
   int at = 0;
@@ -113,7 +114,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   if (!(up >= -kReach && up <= panel.height + kReach)) return;
   const double pitch = width_mm / slanted.periods, x_mm = point_mm.x * magnification;
   const double phase_at_middle = slanted.periods * (0.5 + slanted.tilt * up / panel.height) - slanted.center;
-  const double a = (slanted.inverted ? 1.0 : -1.0) * (1.0 - magnification) * distance;
+  const double a = (slanted.inverted ? 1.0 : -1.0) * (1.0 - magnification) * distance * slanted.parallax;
   const LensEquation equation(pitch, a, slanted.view_cone);
   const std::vector<double> ends = equation.ends();
   std::vector<double> values;

@@ -3,7 +3,8 @@
 //
 // A sub-pixel at position (x, y), from 0 to 1 across the panel and up it, lies at the phase z = (x + y T) P - center below the
 // lenses: v = 1 - fract(z) (or fract(z)) of the view cone. Its ray crosses the plane z = 0 at that same position and comes from
-// the eye at (distance tan(cone (v - 1/2)), 0, distance). Phases are worked out in double: there are up to thousands of lenses.
+// the eye at (parallax distance tan(cone (v - 1/2)), 0, distance). Phases are worked out in double: there are up to thousands
+// of lenses.
 #pragma once
 
 #include <cmath>
@@ -22,6 +23,7 @@ struct SlantedPanelRays {
   float half_cone;                       ///< half the view cone: tangent_of_double takes half angles
   float width_px, height_px;             ///< panel pixels
   float pixel_mm;                        ///< of a panel pixel, as wide as it is high
+  float eye_reach_mm;                    ///< eyes are at this times the tangent of their angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
   /// Positions of sub-pixels, panel pixels from their pixel's centre: of red, green and blue in the columns 2n and 2n + 1 of
@@ -43,7 +45,7 @@ LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py)
   const double phase = (static_cast<double>(column) + static_cast<double>(in_x)) * c.lenses_per_px +
                        (static_cast<double>(up) + static_cast<double>(in_y)) * c.lenses_per_row + c.phase_at_corner;
   const float from_middle = c.phase_sign * (static_cast<float>(phase - std::floor(phase)) - 0.5f);
-  const float eye_x = c.distance_mm * tangent_of_double(c.half_cone * from_middle);
+  const float eye_x = c.eye_reach_mm * tangent_of_double(c.half_cone * from_middle);
   const float x = (column - 0.5f * c.width_px + in_x) * c.pixel_mm, y = (up - 0.5f * c.height_px + in_y) * c.pixel_mm;
   const float slope_x = (eye_x - x) * c.inverse_distance, slope_y = -y * c.inverse_distance;
   return {eye_x + c.front_from_eye_mm * slope_x, c.front_from_eye_mm * slope_y, slope_x, slope_y};

@@ -111,7 +111,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);
-  const FrameLayout layout(params, stage.placed.optics);
+  const FrameLayout layout(params, stage.placed.optics, stage.display.get());
   require_memory(params, stage.placed.optics.panel, layout.moves(), pool.threads());
 
   const fs::path folder = output_folder(params);
@@ -127,7 +127,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   remove_stale_temporaries(folder);
   write_job(folder / "job.toml", params);
   fs::remove(folder / "report.json");  // it would speak of another render
-  FinishedFrames finished(folder, job_fingerprint(params, stage.scene), layout.names());
+  FinishedFrames finished(folder, job_fingerprint(params, stage.scene, stage.display.get()), layout.names());
   if (finished.took_over()) warn_of_strangers(folder, layout.names(), frames, context);
   const RenderPlan plan{stage, folder, layout.names(), frames, count_kept(params, finished, frames)};
 
@@ -135,6 +135,8 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   report.scene = params.scene;
   report.optics = stage.placed.optics;
   report.params = params;
+  report.depth_scale = stage.placed.depth_scale;
+  report.depth = shown_depth(stage.array, stage.placed.units_per_mm, report.depth_scale, report.optics);
   report.threads = pool.threads();
   report.videos = videos;
   const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;

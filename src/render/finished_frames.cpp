@@ -12,6 +12,7 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/fingerprint.hpp"
+#include "display/display_json.hpp"
 #include "render/params_table.hpp"
 #include "scene/fingerprint.hpp"
 
@@ -33,7 +34,7 @@ std::string frame_line(const FrameReport& frame, std::uintmax_t bytes) {
 
 }  // namespace
 
-std::string job_fingerprint(const RenderParams& params, const Scene& scene) {
+std::string job_fingerprint(const RenderParams& params, const Scene& scene, const Display* display) {
   Fingerprint print;
   print.add(LIPPMANN_VERSION);
   for (const ParamInfo& info : params_table()) {
@@ -42,6 +43,7 @@ std::string job_fingerprint(const RenderParams& params, const Scene& scene) {
     for (const std::string& value : info.get(params)) print.add(value);
   }
   print.add(fingerprint(scene));
+  if (display) print.add(display_json(*display).dump());
   return fmt::format("{:016x}", print.value());
 }
 

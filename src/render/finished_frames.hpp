@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "display/display.hpp"
 #include "render/frame_files.hpp"
 #include "render/params.hpp"
 #include "render/report.hpp"
@@ -16,8 +17,9 @@
 
 namespace lippmann {
 
-/// Tells jobs apart by all that decides the pictures: the parameters that change them, the scene, this program's version.
-std::string job_fingerprint(const RenderParams& params, const Scene& scene);
+/// Tells jobs apart by all that decides the pictures: the parameters that change them, the scene, the display, this program's
+/// version.
+std::string job_fingerprint(const RenderParams& params, const Scene& scene, const Display* display = nullptr);
 
 class FinishedFrames {
  public:

@@ -152,16 +152,4 @@ Affine3f world_from_display(const FittedArray& array, float units_per_mm, const 
   return {plane.linear * units_per_mm, plane.translation};
 }
 
-std::string depth_budget_sentence(const FittedArray& array, float units_per_mm, const Optics& optics) {
-  const float front = array.depth_front / units_per_mm, back = array.depth_back / units_per_mm;
-  const float budget = depth_budget_mm(optics), deepest = std::max(std::abs(front), std::abs(back));
-  const std::string reach = fmt::format("The scene reaches from {:.1f} mm to {:+.1f} mm", back, front);
-  if (std::isinf(budget)) return reach + "; without lenses there is no depth budget.";
-  if (deepest <= budget) return reach + fmt::format(", within the depth budget of {:.1f} mm on either side.", budget);
-  return reach + fmt::format(
-                     ", {:.1f} mm beyond the depth budget of {:.1f} mm on either side: at {:.1f} mm a pixel is as wide as "
-                     "{:.1f} lenses.",
-                     deepest - budget, budget, deepest, deepest / budget);
-}
-
 }  // namespace lippmann

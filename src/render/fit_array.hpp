@@ -44,8 +44,4 @@ inline float scene_units_per_mm(const FittedArray& array, float height_mm) { ret
 /// Throws Error where the array's node is scaled to nothing at that moment.
 Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved);
 
-/// One sentence: from where to where the scene reaches in mm of the display frame, whether that is within the depth budget of
-/// the optics, and if not, by how much it is beyond.
-std::string depth_budget_sentence(const FittedArray& array, float units_per_mm, const Optics& optics);
-
 }  // namespace lippmann

@@ -1,6 +1,6 @@
 #include "render/frame.hpp"
 
-#include "render/panel_size.hpp"
+#include "render/display_optics.hpp"
 
 namespace lippmann {
 
@@ -14,9 +14,10 @@ TraceParams trace_params(const RenderParams& params, const Scene& scene) {
 }
 
 Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& context)
-    : scene(load_scene(params.scene, load_options(params), context)),
-      array(fit_array(scene, window_aspect(params, scene.resolution))),
-      placed(make_optics(params, scene, array)),
+    : display(wanted_display(params)),
+      scene(load_scene(params.scene, load_options(params), context)),
+      array(fit_array(scene, window_aspect(params, scene.resolution, display.get()))),
+      placed(make_optics(params, scene, array, display.get())),
       device(scene, pool) {}
 
 Moment Stage::moment_at(int frame) const {

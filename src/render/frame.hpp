@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 
 #include "core/context.hpp"
 #include "core/parallel.hpp"
@@ -18,6 +19,7 @@ namespace lippmann {
 
 /// What stays the same from frame to frame, set up once.
 struct Stage {
+  std::unique_ptr<const Display> display;  ///< none: optics of the parameters alone
   Scene scene;
   FittedArray array;
   PlacedOptics placed;

@@ -43,12 +43,12 @@ std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
 /// One picture and its layers.
 class PictureWriter {
  public:
-  PictureWriter(const RenderParams& params, Encoding encoding, double pixels_per_mm)
-      : params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm) {}
+  PictureWriter(PictureFormat format, const RenderParams& params, Encoding encoding, double pixels_per_mm)
+      : format_(format), params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm) {}
 
   void write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
     std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
-    switch (params_.format) {
+    switch (format_) {
       case PictureFormat::kPng:
         write_png(picture, pictures.codes);
         break;
@@ -67,6 +67,7 @@ class PictureWriter {
   }
 
  private:
+  PictureFormat format_;
   const RenderParams& params_;
   Encoding encoding_;
   double pixels_per_mm_;
@@ -141,7 +142,7 @@ FrameAovs wanted_aovs(const RenderParams& params) {
 
 void write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
                        Encoding encoding, double pixels_per_mm, const FramePictures& pictures) {
-  const PictureWriter writer(params, encoding, pixels_per_mm);
+  const PictureWriter writer(names.format, params, encoding, pixels_per_mm);
   const std::vector<fs::path> paths = picture_paths(folder, names, frame);
   if (names.views == 0) return writer.write(paths.front(), folder / fmt::format("aov_{:04}.exr", frame), pictures);
   const fs::path views = folder / frame_name(names, frame);

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
+#include "layout/sub_pixels.hpp"
 
 namespace lippmann {
 namespace {
@@ -19,16 +22,10 @@ ViewLayout film_layout(const Optics& optics) {
                     "--layout integral, or whole --lens-pixels without --slant or hexagonal --packing");
 }
 
-ViewLayout wanted_layout(const RenderParams& params, const ViewLayout& film) {
+ViewLayout wanted_layout(const RenderParams& params, PictureLayout layout, const ViewLayout& film) {
   const ViewGrid& grid = film.grid;
-  switch (*params.layout) {
-    case PictureLayout::kIntegral:
-      return {LayoutKind::kIntegral, grid, {}};
-    case PictureLayout::kViews:
-      return {LayoutKind::kStack, grid, {}};
-    case PictureLayout::kQuilt:
-      break;
-  }
+  if (layout == PictureLayout::kIntegral) return {LayoutKind::kIntegral, grid, {}};
+  if (layout == PictureLayout::kViews) return {LayoutKind::kStack, grid, {}};
   ViewGrid tiles{params.quilt.x, params.quilt.y};
   if (params.quilt.x == 0) {
     tiles = grid.rows > 1 ? grid : squarest_tiles(grid.count());
@@ -51,17 +48,53 @@ double display_aspect(const Optics& optics) {
   return static_cast<double>(window.x) / window.y;
 }
 
+bool has_lenses(const Optics& optics) {
+  return std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
+}
+
+/// Quilts for displays are called quilts.
+PictureLayout default_layout(const Optics& optics, const Display* display) {
+  const bool is_quilt = display && std::holds_alternative<MultiView>(optics.model);
+  return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;
+}
+
+void refuse_without(bool given, bool said, const char* flag, const char* other) {
+  if (said && !given) throw usage_error(flag, fmt::format("means nothing without {}", other), "both, or neither");
+}
+
+/// Left and right exchanged.
+Image mirrored(const Image& image) {
+  Image mirror(image.width, image.height, image.channels);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) std::copy_n(image.pixel(image.width - 1 - x, y), image.channels, mirror.pixel(x, y));
+  return mirror;
+}
+
 }  // namespace
 
-FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics) : film_(optics.panel.width, optics.panel.height) {
-  names_.format = params.format;
-  if (params.quilt.x > 0 && params.layout != PictureLayout::kQuilt)
-    throw usage_error("--quilt", "means nothing without a quilt", "it together with --layout quilt");
-  if (!params.layout) return;
-  const bool lenses =
-      std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
-  if (params.layout == PictureLayout::kIntegral && lenses) return;
-  const ViewLayout film = film_layout(optics), wanted = wanted_layout(params, film);
+FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics, const Display* display)
+    : film_(optics.panel.width, optics.panel.height), sub_pixels_(std::holds_alternative<SlantedPanel>(optics.model)) {
+  const PictureLayout layout = params.layout.value_or(default_layout(optics, display));
+  const bool is_print = layout == PictureLayout::kPrint;
+  names_.format = is_print ? PictureFormat::kTiff : params.format;
+  refuse_without(layout == PictureLayout::kQuilt, params.quilt.x > 0, "--quilt", "--layout quilt");
+  refuse_without(is_print, params.mirror, "--mirror", "--layout print");
+  refuse_without(display != nullptr, layout == PictureLayout::kNative || is_print, "--layout native or print", "--display");
+  mirrors_ = params.mirror;
+  if (display) pixels_per_mm_ = 1.0 / display->pixel_mm();
+  if (layout == PictureLayout::kNative || is_print || (layout == PictureLayout::kIntegral && has_lenses(optics))) {
+    if (!sub_pixels_ && !has_lenses(optics))
+      throw usage_error("--layout", "the display's own frame is neither a quilt nor a single view",
+                        "--layout without --optics");
+    return;
+  }
+  if (!params.layout && !display) return;
+  if (std::holds_alternative<SingleView>(optics.model) && !params.layout) return;
+  arrange_views(params, layout, optics);
+}
+
+void FrameLayout::arrange_views(const RenderParams& params, PictureLayout layout, const Optics& optics) {
+  const ViewLayout film = film_layout(optics), wanted = wanted_layout(params, layout, film);
   if (wanted.kind == LayoutKind::kQuilt) {
     quilt_ = {wanted.tiles, display_aspect(optics)};
     names_.quilt = quilt_ending(*quilt_);
@@ -74,6 +107,7 @@ FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics) : fil
 }
 
 Vec2i FrameLayout::picture_size() const {
+  if (sub_pixels_) return {film_.x / 3, film_.y};
   if (!arrangement_) return film_;
   return names_.views > 0 ? arrangement_->view_size() : arrangement_->target_size();
 }
@@ -82,12 +116,16 @@ std::filesystem::path FrameLayout::video_path(const std::filesystem::path& said)
   return quilt_ ? with_quilt_name(said, *quilt_) : said;
 }
 
-Image FrameLayout::arrange(const Image& film) const { return arrangement_ ? arrangement_->apply(film) : film; }
+Image FrameLayout::arrange(const Image& film) const {
+  if (sub_pixels_) return join_sub_pixels(film);
+  if (mirrors_) return mirrored(film);
+  return arrangement_ ? arrangement_->apply(film) : film;
+}
 
 void FrameLayout::arrange(FrameAovs& aovs) const {
   for (Image FrameAovs::*const layer :
        {&FrameAovs::depth_image, &FrameAovs::normal_image, &FrameAovs::object_id_image, &FrameAovs::position_image})
-    if (!(aovs.*layer).data.empty()) aovs.*layer = arrange(aovs.*layer);
+    if (!(aovs.*layer).data.empty()) aovs.*layer = sub_pixels_ ? middle_sub_pixels(aovs.*layer) : arrange(aovs.*layer);
 }
 
 }  // namespace lippmann

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "display/display.hpp"
 #include "layout/arrangement.hpp"
 #include "layout/quilt_name.hpp"
 #include "optics/optics.hpp"
@@ -14,8 +15,9 @@ namespace lippmann {
 
 class FrameLayout {
  public:
-  /// Throws a usage Error where the optics have no views of whole pixels to be moved, or tiles do not suit them.
-  FrameLayout(const RenderParams& params, const Optics& optics);
+  /// `display`: whose optics they are, if any. Throws a usage Error where the optics have no views of whole pixels to be moved,
+  /// or tiles do not suit them.
+  FrameLayout(const RenderParams& params, const Optics& optics, const Display* display = nullptr);
 
   const FrameNames& names() const { return names_; }
 
@@ -26,7 +28,10 @@ class FrameLayout {
   const std::optional<QuiltName>& quilt() const { return quilt_; }
 
   /// Whether film is moved at all.
-  bool moves() const { return arrangement_.has_value(); }
+  bool moves() const { return arrangement_ || sub_pixels_ || mirrors_; }
+
+  /// Of the display, where there is one; else 0.
+  double pixels_per_mm() const { return pixels_per_mm_; }
 
   /// Of a view; of the whole picture where nothing is moved.
   Vec2i picture_size() const;
@@ -38,10 +43,14 @@ class FrameLayout {
   void arrange(FrameAovs& aovs) const;
 
  private:
+  void arrange_views(const RenderParams& params, PictureLayout layout, const Optics& optics);
+
   Vec2i film_;
   std::optional<QuiltName> quilt_;
   FrameNames names_;
   std::optional<Arrangement> arrangement_;
+  bool sub_pixels_ = false, mirrors_ = false;
+  double pixels_per_mm_ = 0.0;
 };
 
 }  // namespace lippmann

@@ -36,8 +36,8 @@ class TimedWork {
 };
 
 /// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
-bool needs_codes(const RenderParams& params) {
-  return params.format == PictureFormat::kPng || params.format == PictureFormat::kTiff || !params.video.empty();
+bool needs_codes(PictureFormat format, const RenderParams& params) {
+  return format == PictureFormat::kPng || format == PictureFormat::kTiff || !params.video.empty();
 }
 
 }  // namespace
@@ -69,9 +69,10 @@ struct FrameSink::Impl {
       as_traced = std::exchange(pictures.film, settings.layout.arrange(pictures.film));
       settings.layout.arrange(pictures.aovs);
     }
-    if (needs_codes(settings.params)) pictures.codes = to_codes(pictures.film, settings.encoding);
-    write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding, 0.0,
-                      pictures);
+    if (needs_codes(settings.layout.names().format, settings.params))
+      pictures.codes = to_codes(pictures.film, settings.encoding);
+    write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
+                      settings.layout.pixels_per_mm(), pictures);
     if (const auto& quilt = settings.layout.quilt())
       write_quilt_side_file(picture_paths(settings.folder, settings.layout.names(), rendered.report.frame).front(),
                             {*quilt, quilt->tiles.count()});

@@ -11,6 +11,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "display/load_display.hpp"
 #include "render/params_table.hpp"
 
 namespace lippmann {
@@ -19,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_relative_path(const ParamInfo& info, const std::string& value) {
-  return info.is_path && !value.empty() && fs::path(value).is_relative() && !(info.name == "scene" && is_builtin_scene(value));
+  return info.is_path && !value.empty() && fs::path(value).is_relative() &&
+         !(info.name == "scene" && is_builtin_scene(value)) && !(info.name == "display" && is_display_preset(value));
 }
 
 /// A path without a trailing slash, "." for the empty one.

@@ -6,6 +6,8 @@
 #include <variant>
 
 #include "core/error.hpp"
+#include "render/depth_budget.hpp"
+#include "render/display_optics.hpp"
 #include "render/panel_size.hpp"
 
 namespace lippmann {
@@ -13,7 +15,10 @@ namespace {
 
 constexpr float kLensWidthMm = 1.0f;     ///< of a cell on the panel
 constexpr float kSingleWidthMm = 64.0f;  ///< of views without lenses: as wide as 64 lenses
+constexpr float kViewAngleDeg = 28.0f;   ///< where nobody says
 constexpr float kViewerHeights = 3.0f;   ///< where nobody says how far the viewer stands: as one does before a picture
+
+float view_angle_deg(const RenderParams& params) { return params.view_angle_deg.value_or(kViewAngleDeg); }
 
 /// The centre of the cell nearest to the panel's middle, when a cell begins at the panel's edge, `extent` wide.
 float cell_center_nearest_middle(float extent, float cell) {
@@ -35,7 +40,7 @@ LenticularSheet lenticular_sheet(const RenderParams& params, const Panel& panel,
   LenticularSheet sheet;
   sheet.slant = radians(params.slant_deg);
   const float cell = lens_pixels * panel.pixel_pitch_mm * std::cos(sheet.slant);  // lens_pixels counts along a pixel row
-  const LensGeometry lens = lens_geometry(cell, params.view_angle_deg, distance_mm);
+  const LensGeometry lens = lens_geometry(cell, view_angle_deg(params), distance_mm);
   const float width = static_cast<float>(panel.width) * panel.pixel_pitch_mm * std::cos(sheet.slant);
   sheet.lens_pitch_mm = lens.pitch_mm;
   sheet.gap_mm = lens.gap_mm;
@@ -48,7 +53,7 @@ MicrolensArray microlens_array(const RenderParams& params, const Panel& panel, f
   MicrolensArray array;
   const float cell = lens_pixels * panel.pixel_pitch_mm;
   const float row = params.packing == LensPacking::kHexagonal ? cell * std::sqrt(0.75f) : cell;
-  const LensGeometry lens = lens_geometry(cell, params.view_angle_deg, distance_mm);
+  const LensGeometry lens = lens_geometry(cell, view_angle_deg(params), distance_mm);
   const Vec2f extent = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
   array.packing = params.packing;
   array.lens_pitch_mm = lens.pitch_mm;
@@ -61,14 +66,14 @@ MicrolensArray microlens_array(const RenderParams& params, const Panel& panel, f
 
 OpticsModel make_model(const RenderParams& params, const Panel& panel, const PanelSize& size, const Scene& scene,
                        float distance_mm) {
-  switch (params.optics) {
+  switch (optics_kind(params)) {
     case OpticsKind::kLenticular:
       return lenticular_sheet(params, panel, size.lens_pixels, distance_mm);
     case OpticsKind::kMicrolens:
       return microlens_array(params, panel, size.lens_pixels, distance_mm);
     case OpticsKind::kMultiview: {
       const Extent<int> views = quilt_views(params);
-      MultiView model{views.x, views.y, radians(params.view_angle_deg), false, distance_mm};
+      MultiView model{views.x, views.y, radians(view_angle_deg(params)), false, distance_mm};
       if (params.camera_grid)
         model.baseline_mm =
             2.0f * distance_mm * std::tan(0.5f * model.view_cone) / static_cast<float>(std::max(views.x, views.y));
@@ -87,7 +92,7 @@ Panel make_panel(const PanelSize& size, int columns) {
 
 /// Where the cells converge (lens arrays) or the eyes stand (the others, which need one at a finite distance).
 float viewing_distance_mm(const RenderParams& params, float fitted_mm, float window_height_mm) {
-  const bool lenses = params.optics == OpticsKind::kLenticular || params.optics == OpticsKind::kMicrolens;
+  const bool lenses = optics_kind(params) == OpticsKind::kLenticular || optics_kind(params) == OpticsKind::kMicrolens;
   const float distance = params.viewing_distance_mm.value_or(fitted_mm);
   if (lenses || std::isfinite(distance)) return distance;
   if (params.viewing_distance_mm)
@@ -113,22 +118,43 @@ void check_lens(const OpticsModel& model, const Panel& panel) {
     require_lenses_of_a_pixel(array->lens_pitch_mm, array->gap_mm, array->viewing_distance_mm, panel);
 }
 
-}  // namespace
-
-PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array) {
+/// Without a display: as the parameters say, lenses 1 mm wide.
+Optics optics_of_params(const RenderParams& params, const Scene& scene, const FittedArray& array) {
   const PanelSize size = panel_size(params, scene.resolution);
-  const Extent<int> views = params.optics == OpticsKind::kMultiview ? quilt_views(params) : Extent<int>{1, 1};
-  PlacedOptics placed;
-  Optics& optics = placed.optics;
+  const Extent<int> views = optics_kind(params) == OpticsKind::kMultiview ? quilt_views(params) : Extent<int>{1, 1};
+  Optics optics;
   optics.panel = make_panel(size, views.x);
   const float window_height_mm = static_cast<float>(size.height / views.y) * optics.panel.pixel_pitch_mm;
-  placed.units_per_mm = scene_units_per_mm(array, window_height_mm);
-  const float fitted_mm = array.viewing_distance / placed.units_per_mm;
-  optics.z_front_mm = fitted_mm;
+  const float fitted_mm = array.viewing_distance / scene_units_per_mm(array, window_height_mm);
   optics.model = make_model(params, optics.panel, size, scene, viewing_distance_mm(params, fitted_mm, window_height_mm));
   check_lens(optics.model, optics.panel);
+  return optics;
+}
+
+}  // namespace
+
+PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array, const Display* display) {
+  PlacedOptics placed;
+  Optics& optics = placed.optics;
+  optics = display ? display_optics(params, *display) : optics_of_params(params, scene, array);
+  placed.units_per_mm = scene_units_per_mm(array, window_size_mm(optics).y);
+  optics.z_front_mm = array.viewing_distance / placed.units_per_mm;
+  if (params.fit_depth) {
+    placed.depth_scale = fitting_depth(shown_depth(array, placed.units_per_mm, 1.0f, optics));
+    optics = with_parallax(optics, placed.depth_scale);
+  }
   validate(optics);
   return placed;
+}
+
+float window_aspect(const RenderParams& params, Vec2i scene_resolution, const Display* display) {
+  if (display) {
+    const Vec2f window = window_size_mm(display_optics(params, *display));
+    return window.x / window.y;
+  }
+  const PanelSize size = panel_size(params, scene_resolution);
+  const Extent<int> views = optics_kind(params) == OpticsKind::kMultiview ? quilt_views(params) : Extent<int>{1, 1};
+  return static_cast<float>(size.width / views.x) / static_cast<float>(size.height / views.y);
 }
 
 }  // namespace lippmann

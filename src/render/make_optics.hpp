@@ -6,6 +6,7 @@
 // its longer side: they stand 2 V tan(a/2) / N apart.
 #pragma once
 
+#include "display/display.hpp"
 #include "optics/optics.hpp"
 #include "render/fit_array.hpp"
 #include "render/params.hpp"
@@ -16,10 +17,16 @@ namespace lippmann {
 struct PlacedOptics {
   Optics optics;
   float units_per_mm = 1.0f;  ///< scene units per millimetre: what world_from_display (render/fit_array.hpp) takes
+  float depth_scale = 1.0f;   ///< the parallax of the optics: below 1 the scene is shown less deep than it is
 };
 
+/// Of the display where one is given (render/display_optics.hpp), else of the parameters alone.
 /// Rays start where the fitted viewer stands, so that a camera inside a room sees the room.
 /// Throws a usage Error for parameters that contradict each other (render/panel_size.hpp) or make no rays.
-PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array);
+PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array,
+                         const Display* display = nullptr);
+
+/// Width / height of what is seen of the display plane: the panel, or one view of a quilt. Throws likewise.
+float window_aspect(const RenderParams& params, Vec2i scene_resolution, const Display* display = nullptr);
 
 }  // namespace lippmann

@@ -93,17 +93,18 @@ void refuse(bool said, const char* flag, const char* accepted) {
 
 /// What is said but would change nothing is a mistake of the caller's, not ours to overlook.
 void refuse_what_has_no_meaning(const RenderParams& params) {
-  const bool lenticular = params.optics == OpticsKind::kLenticular, microlens = params.optics == OpticsKind::kMicrolens;
+  const bool lenticular = optics_kind(params) == OpticsKind::kLenticular,
+             microlens = optics_kind(params) == OpticsKind::kMicrolens;
   refuse(params.slant_deg != 0.0f && !lenticular, "--slant", "with --optics lenticular");
   refuse(params.packing != LensPacking::kSquare && !microlens, "--packing", "with --optics microlens");
   refuse(params.lenses.x > 0 && !lenticular && !microlens, "--lenses", "with --optics lenticular or microlens");
   refuse(params.lens_pixels.x > 0.0f && !lenticular && !microlens, "--lens-pixels", "with --optics lenticular or microlens");
-  refuse(params.camera_grid && params.optics != OpticsKind::kMultiview, "--camera-grid", "with --optics multiview");
-  refuse(params.views.x > 0 && params.optics != OpticsKind::kMultiview, "--views", "with --optics multiview");
+  refuse(params.camera_grid && optics_kind(params) != OpticsKind::kMultiview, "--camera-grid", "with --optics multiview");
+  refuse(params.views.x > 0 && optics_kind(params) != OpticsKind::kMultiview, "--views", "with --optics multiview");
 }
 
 PanelSize size_of_kind(const RenderParams& params, Vec2i scene_resolution) {
-  switch (params.optics) {
+  switch (optics_kind(params)) {
     case OpticsKind::kLenticular:
       return lenticular_size(params);
     case OpticsKind::kMicrolens:
@@ -129,12 +130,6 @@ PanelSize panel_size(const RenderParams& params, Vec2i scene_resolution) {
                       fmt::format("a picture of {}x{} = {} pixels", size.width, size.height, pixels),
                       fmt::format("1 to {} pixels, at most {} a side", kMaxPixels, kMaxSide));
   return size;
-}
-
-float window_aspect(const RenderParams& params, Vec2i scene_resolution) {
-  const PanelSize size = panel_size(params, scene_resolution);
-  const Extent<int> views = params.optics == OpticsKind::kMultiview ? quilt_views(params) : Extent<int>{1, 1};
-  return static_cast<float>(size.width / views.x) / static_cast<float>(size.height / views.y);
 }
 
 }  // namespace lippmann

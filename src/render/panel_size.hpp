@@ -30,7 +30,4 @@ Extent<int> quilt_views(const RenderParams& params);
 /// Throws a usage Error naming the flags that contradict each other, and what would be accepted.
 PanelSize panel_size(const RenderParams& params, Vec2i scene_resolution);
 
-/// Width / height of what is seen of the display plane: the panel, or one view of a quilt. Throws likewise.
-float window_aspect(const RenderParams& params, Vec2i scene_resolution);
-
 }  // namespace lippmann

@@ -27,7 +27,7 @@ enum class DebugPicture { kNone, kMissed };
 enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 
 /// What each frame's picture holds (layout/view_layout.hpp).
-enum class PictureLayout { kIntegral, kQuilt, kViews };
+enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint };
 enum class ExrPixels { kHalf, kFloat };
 enum class Aov { kDepth, kNormal, kId, kPosition };
 
@@ -53,15 +53,17 @@ struct RenderParams {
   double fps = 0.0;                  ///< frames per second of the animation and of videos; 0: the scene's own
 
   // Optics
-  OpticsKind optics = OpticsKind::kLenticular;
+  std::string display;                         ///< a preset, a file of one's own or a calibration; empty: none
+  std::optional<OpticsKind> optics;            ///< none: the display's, or lenticular
   LensPacking packing = LensPacking::kSquare;  ///< microlens arrays
   Extent<int> lenses;                          ///< 0: 64 across, and as many down as fill the panel
   Extent<float> lens_pixels;                   ///< pixels below a lens, not necessarily whole; 0: 8
   Extent<int> size;                            ///< the whole panel in pixels; 0: lenses x lens-pixels
   Extent<int> views;                           ///< multi-view: columns and rows of the quilt; 0: 8x6
   bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
-  float view_angle_deg = 28.0f;                ///< viewing zone, full angle; sets the gap
+  std::optional<float> view_angle_deg;         ///< viewing zone, full angle; sets the gap; none: the display's, or 28
   std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
+  bool fit_depth = false;                      ///< depth is compressed to what the display can resolve
   float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
 
   // Rendering
@@ -84,6 +86,7 @@ struct RenderParams {
   // Files
   std::string output;                   ///< folder; empty: out/<scene name>
   std::optional<PictureLayout> layout;  ///< none: as the optics lie, lens by lens or tile by tile
+  bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
   Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
@@ -96,6 +99,9 @@ struct RenderParams {
   int threads = 0;      ///< 0: one per processor
   bool resume = false;  ///< keep the frames that the same job has finished before
 };
+
+/// What is traced: as said, or lenticular.
+inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.value_or(OpticsKind::kLenticular); }
 
 /// Whether `scene` names one of the built-in scenes, and thus no file.
 bool is_builtin_scene(const std::string& scene);

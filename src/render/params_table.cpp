@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
 constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
-constexpr std::array<std::string_view, 3> kLayoutNames{"integral", "quilt", "views"};
+constexpr std::array<std::string_view, 5> kLayoutNames{"integral", "quilt", "views", "native", "print"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 4> kAovNames{"depth", "normal", "id", "position"};
 
@@ -85,6 +85,14 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
   return {
       [&names](std::string_view value, const std::string& where) { return static_cast<E>(read_choice(value, names, where)); },
       [&names](const E& value) { return std::string(names[static_cast<std::size_t>(value)]); }};
+}
+
+/// A number that need not be said.
+template <class T>
+Codec<std::optional<T>> optional_number(double lowest, double highest) {
+  const Codec<T> said = number<T>(lowest, highest);
+  return {[said](std::string_view value, const std::string& where) { return std::optional<T>(said.read(value, where)); },
+          [said](const std::optional<T>& value) { return value ? said.write(*value) : std::string(); }};
 }
 
 /// A choice that need not be made.
@@ -194,8 +202,14 @@ std::vector<ParamInfo> optics_rows() {
   using P = RenderParams;
   const Codec<std::optional<float>> distance{read_distance, [](const std::optional<float>& v) { return write_distance(v); }};
   return {
-      row(ParamKind::kText, &P::optics, choice<OpticsKind>(kOpticsNames),
-          {"optics", "Optics", "KIND", "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view)"}),
+      path(runs_only(
+          row(ParamKind::kText, &P::display, text(),
+              {"display", "Optics", "NAME|FILE",
+               "A display (see: lippmann displays), a .toml of one's own or a calibration .json: sets what it knows"}))),
+      row(ParamKind::kText, &P::optics, optional_choice<OpticsKind>(kOpticsNames),
+          {"optics", "Optics", "KIND",
+           "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view); default: the display's, else "
+           "lenticular"}),
       row(ParamKind::kText, &P::packing, choice<LensPacking>(kPackingNames),
           {"packing", "Optics", "KIND", "Of microlenses: square or hexagonal"}),
       row(ParamKind::kText, &P::lenses, extent(1, kMaxCount),
@@ -209,12 +223,16 @@ std::vector<ParamInfo> optics_rows() {
       row(ParamKind::kFlag, &P::camera_grid, flag(),
           {"camera-grid", "Optics", "",
            "Multiview: a grid of parallel cameras at equal distances, across and up, as in data sets of vision research"}),
-      row(ParamKind::kNumber, &P::view_angle_deg, number<float>(0.1, 170.0),
-          {"view-angle", "Optics", "DEG", "Viewing zone, full angle; sets the gap between lenses and panel"}),
+      row(ParamKind::kNumber, &P::view_angle_deg, optional_number<float>(0.1, 170.0),
+          {"view-angle", "Optics", "DEG",
+           "Viewing zone, full angle; sets the gap between lenses and panel; default: the display's, else 28"}),
       row(ParamKind::kText, &P::viewing_distance_mm, distance,
-          {"viewing-distance", "Optics", "MM|inf|auto", "Where the lenses' cells converge; auto: where the camera stands"}),
+          {"viewing-distance", "Optics", "MM|inf|auto",
+           "Where the lenses' cells converge; auto: the display's, else where the camera stands"}),
       row(ParamKind::kNumber, &P::slant_deg, number<float>(-80.0, 80.0),
           {"slant", "Optics", "DEG", "Of a lenticular sheet's lenses, from the vertical"}),
+      row(ParamKind::kFlag, &P::fit_depth, flag(),
+          {"fit-depth", "Optics", "", "Show the scene less deep than it is, if it is deeper than the display can resolve"}),
   };
 }
 
@@ -291,9 +309,11 @@ std::vector<ParamInfo> file_rows() {
                          {"output", "Files", "DIR", "Folder for what is made; default out/<scene name>"}))),
       row(ParamKind::kText, &P::layout, optional_choice<PictureLayout>(kLayoutNames),
           {"layout", "Files", "LAYOUT",
-           "What each frame's picture holds: integral (behind the lenses), quilt (views side by side) or views (a folder of "
-           "them); "
-           "default: as the optics lie"}),
+           "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
+           "them), "
+           "native (the display's own frame) or print (TIFF at the display's resolution); default: as the optics lie"}),
+      row(ParamKind::kFlag, &P::mirror, flag(),
+          {"mirror", "Files", "", "Layout print: left and right exchanged, for printing on the back of the sheet"}),
       row(ParamKind::kText, &P::quilt, full_extent(4096),
           {"quilt", "Files", "CxR", "Tiles of --layout quilt; default: as the views lie, or as square as can be"}),
       row(ParamKind::kText, &P::format, choice<PictureFormat>(kFormatNames),

@@ -75,10 +75,15 @@ Json to_json(const FrameReport& frame) {
 Json to_json(const RenderReport& report) {
   Json frames = Json::array();
   for (const FrameReport& frame : report.frames) frames.push_back(to_json(frame));
-  return {{"version", LIPPMANN_VERSION},          {"scene", report.scene},
-          {"optics", optics_json(report.optics)}, {"settings", settings_json(report.params)},
-          {"interrupted", report.interrupted},    {"videos", report.videos},
-          {"frames", std::move(frames)},          {"totals", totals_json(report)}};
+  return {{"version", LIPPMANN_VERSION},
+          {"scene", report.scene},
+          {"optics", optics_json(report.optics)},
+          {"depth", depth_json(report.depth, report.depth_scale, report.optics)},
+          {"settings", settings_json(report.params)},
+          {"interrupted", report.interrupted},
+          {"videos", report.videos},
+          {"frames", std::move(frames)},
+          {"totals", totals_json(report)}};
 }
 
 std::optional<FrameReport> frame_report_from_json(const Json& json) try {

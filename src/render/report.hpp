@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "optics/optics.hpp"
+#include "render/depth_budget.hpp"
 #include "render/params.hpp"
 #include "trace/trace_frame.hpp"
 
@@ -32,6 +33,8 @@ struct RenderReport {
   std::string scene;
   Optics optics;
   RenderParams params;
+  ShownDepth depth;
+  float depth_scale = 1.0f;          ///< shown depth / true depth
   std::vector<FrameReport> frames;   ///< in ascending order; frames kept from before with the figures of then
   std::vector<FrameReport> sources;  ///< rendered only because frames are made from them; ascending
   double setup_seconds = 0.0;        ///< wall time before the first frame: loading, building

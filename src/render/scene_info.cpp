@@ -7,6 +7,8 @@
 #include <variant>
 
 #include "optics/optics_json.hpp"
+#include "render/depth_budget.hpp"
+#include "render/display_optics.hpp"
 #include "render/make_optics.hpp"
 #include "render/panel_size.hpp"
 #include "render/report.hpp"
@@ -84,10 +86,11 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   info.frames_per_second = scene.timeline.frames_per_second;
   count(scene, info);
   info.bounds = bounds_over_animation(scene);
-  info.array = fit_array(scene, window_aspect(params, scene.resolution));
-  const PlacedOptics placed = make_optics(params, scene, info.array);
+  const auto display = wanted_display(params);
+  info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()));
+  const PlacedOptics placed = make_optics(params, scene, info.array, display.get());
   info.optics = placed.optics;
-  info.units_per_mm = placed.units_per_mm;
+  info.units_per_mm = placed.units_per_mm, info.depth_scale = placed.depth_scale;
   info.array_center = world_from_display(info.array, info.units_per_mm, evaluate(scene, scene.timeline.time(0))).translation;
   return info;
 }
@@ -120,10 +123,8 @@ Json to_json(const SceneInfo& info) {
             {"viewing_distance", std::isfinite(distance) ? Json(distance) : Json(nullptr)},
             {"units_per_mm", info.units_per_mm}}},
           {"optics", optics_json(info.optics)},
-          {"depth",
-           {{"front_mm", info.array.depth_front / info.units_per_mm},
-            {"back_mm", info.array.depth_back / info.units_per_mm},
-            {"summary", depth_budget_sentence(info.array, info.units_per_mm, info.optics)}}},
+          {"depth", depth_json(shown_depth(info.array, info.units_per_mm, info.depth_scale, info.optics), info.depth_scale,
+                               info.optics)},
           {"warnings", info.warnings}};
 }
 
@@ -153,7 +154,7 @@ std::string to_text(const SceneInfo& info) {
   line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width,
                             info.optics.panel.height, info.optics.panel.pixel_pitch_mm, info.units_per_mm));
   line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));
-  line("depth", depth_budget_sentence(info.array, info.units_per_mm, info.optics));
+  line("depth", depth_budget_sentence(shown_depth(info.array, info.units_per_mm, info.depth_scale, info.optics), info.optics));
   for (const std::string& warning : info.warnings) line("warning", warning);
   return text;
 }

@@ -27,9 +27,9 @@ struct SceneInfo {
 
   FittedArray array;
   Optics optics;
-  float units_per_mm = 1.0f;
-  Vec3f array_center{0.0f};           ///< world, at the first frame
-  std::vector<std::string> warnings;  ///< complete sentences: what the importer did not take over
+  float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< of PlacedOptics
+  Vec3f array_center{0.0f};                       ///< world, at the first frame
+  std::vector<std::string> warnings;              ///< complete sentences: what the importer did not take over
 };
 
 /// Loads the scene and fits the array as a render with these params would. Throws Error.

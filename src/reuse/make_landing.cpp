@@ -86,7 +86,8 @@ GridLanding views_grid(const Panel& panel, const MultiView& views) {
       const int column = std::min(i / tile_width, views.columns - 1), first = column * tile_width;
       const int last = column == views.columns - 1 ? panel.width - 1 : first + tile_width - 1;
       const int view = (views.rows - 1 - row) * views.columns + column;
-      const float on_cone = tangent_of_double(c.first_half_angle + static_cast<float>(view) * c.half_angle_step);
+      const float on_cone =
+          views.parallax * tangent_of_double(c.first_half_angle + static_cast<float>(view) * c.half_angle_step);
       const float in_grid = (c.first_eye_mm.x + static_cast<float>(column) * c.baseline_mm) * c.inverse_distance;
       set_column(grid, row, i, plain_line(grid.c.across, -(on_cone + in_grid), i, first, first, last));
     }

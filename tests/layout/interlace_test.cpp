@@ -148,15 +148,6 @@ TEST(Interlace, any_number_of_threads_gives_the_same) {
   }
 }
 
-TEST(FoldSubPixels, each_pixel_has_the_red_of_its_red_sub_pixel_and_so_on) {
-  Image film(6, 2, 3);
-  for (std::size_t i = 0; i < film.data.size(); ++i) film.data[i] = static_cast<float>(i);
-  const Image frame = fold_sub_pixels(film, threads());
-  EXPECT_EQ(Vec2i(frame.width, frame.height), Vec2i(2, 2));
-  // Film pixel (3 i + c, j), channel c: 18 j + 3 (3 i + c) + c.
-  EXPECT_EQ(frame.data, (std::vector<float>{0, 4, 8, 9, 13, 17, 18, 22, 26, 27, 31, 35}));
-}
-
 TEST(BadInterlacing, says_what_would_be_accepted) {
   const LightField row = test::numbered_field({4, 1}, {3, 2}), grid = test::numbered_field({2, 2}, {3, 2});
   const Display sheet = load_display("lenticular-60lpi-720dpi");

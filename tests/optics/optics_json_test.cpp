@@ -22,7 +22,7 @@ Json some_optics() { return optics_json(Optics{}); }
 TEST(OpticsJson, every_model_written_and_read_gives_the_same_rays) {
   test::OpticsSampler random(11);
   for (int i = 0; i < 200; ++i) {
-    Optics optics = random.every(i);
+    const Optics optics = with_parallax(random.every(i), 1.0f);  // which is of the render, not of the display
     const Json json = optics_json(optics);
     const Optics back = optics_from_json(Json::parse(json.dump()), "report.json");
     // Angles go through degrees: one rounding of a float each way, 1e-7 of the slope, which the panel's size magnifies.

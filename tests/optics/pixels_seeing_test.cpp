@@ -23,16 +23,17 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) {
     const float dy = miss.y / (1.0f - (z + s->gap_mm) / (s->viewing_distance_mm + s->gap_mm));
     const float miss_xi = miss.x * std::cos(s->slant) + miss.y * std::sin(s->slant);
-    const float dx = (-miss_xi * s->gap_mm / z - dy * std::sin(s->slant)) / std::cos(s->slant);
+    const float dx = (-miss_xi * s->gap_mm / (s->parallax * z) - dy * std::sin(s->slant)) / std::cos(s->slant);
     return {dx / m, -dy / m};
   }
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model))
-    return {-miss.x * a->gap_mm / (z * m), miss.y * a->gap_mm / (z * m)};
+    return Vec2f(-miss.x, miss.y) * (a->gap_mm / (a->parallax * z * m));
   if (const auto* p = std::get_if<SlantedPanel>(&optics.model)) {
     // Up a row, the eye moves as well as the line; then across, with the change of x by both.
     const float shrink = 1.0f - z / p->distance_mm, pitch = optics.panel.width / static_cast<float>(p->periods) * m;
     const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;  // from x(z) = x(0) (1 - z/D) + eye z/D
-    const float turn = p->view_cone * p->distance_mm * (1.0f + std::pow(eye / p->distance_mm, 2.0f));  // d eye / dv
+    const float reach = p->parallax * p->distance_mm;
+    const float turn = p->view_cone * reach * (1.0f + std::pow(eye / reach, 2.0f));  // d eye / dv
     const float eye_per_lens = (p->inverted ? -1.0f : 1.0f) * turn * z / p->distance_mm;
     const float dy = miss.y / shrink;
     const float lenses_per_mm_up = static_cast<float>(p->periods * p->tilt) / (3.0f * m * optics.panel.height);

@@ -28,6 +28,7 @@ class OpticsSampler {
     s.offset_mm = uniform(-3.0f, 3.0f) * s.lens_pitch_mm;
     s.slant = slanted ? uniform(-0.6f, 0.6f) : 0.0f;
     s.eye_height_mm = uniform(-50.0f, 50.0f);
+    s.parallax = parallax();
     o.model = s;
     return o;
   }
@@ -40,6 +41,7 @@ class OpticsSampler {
     a.gap_mm = uniform(4.0f, 20.0f) * o.panel.pixel_pitch_mm;
     a.lens_pitch_mm = lens_pitch(o.panel, a.gap_mm, a.viewing_distance_mm);
     a.offset_mm = {uniform(-3.0f, 3.0f) * a.lens_pitch_mm, uniform(-3.0f, 3.0f) * a.lens_pitch_mm};
+    a.parallax = parallax();
     o.model = a;
     return o;
   }
@@ -49,6 +51,7 @@ class OpticsSampler {
     MultiView views{integer(1, 6), integer(1, 5), uniform(0.0f, 1.2f), coin(), uniform(200.0f, 1000.0f)};
     if (views.rows % 2 == 0) views.baseline_mm = 0.5f + 50.0f * views.view_cone;  // a camera grid
     if (views.view_cone > 0.6f) views.pixel_height = views.view_cone;
+    views.parallax = parallax();
     o.model = views;
     return o;
   }
@@ -69,6 +72,7 @@ class OpticsSampler {
     s.inverted = coin();
     s.view_cone = uniform(0.3f, 1.5f), s.distance_mm = uniform(200.0f, 1000.0f);
     s.sub_pixels = striped_sub_pixels(coin());
+    s.parallax = parallax();
     if (coin())  // each sub-pixel within a third of the pixel of its own, as they may not overlap
       for (auto& row : s.sub_pixels)
         for (auto& column : row)
@@ -100,6 +104,8 @@ class OpticsSampler {
   static constexpr int kKinds = 7;
 
  private:
+  float parallax() { return coin() ? 1.0f : uniform(0.2f, 1.0f); }
+
   /// 2 to 20 pixels per lens, whole in half of the cases.
   float lens_pitch(const Panel& p, float gap, float viewing_distance) {
     const float pixels = coin() ? static_cast<float>(integer(2, 20)) : uniform(2.0f, 20.0f);
@@ -124,10 +130,11 @@ inline const char* name_of_kind(int kind) {
 /// The depth that goes with an array's lenses: their gap; of a slanted panel some times the depth at which one of its lenses
 /// shows the same point all over.
 inline float gap_of(const Optics& optics) {
-  if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) return s->gap_mm;
-  if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) return a->gap_mm;
+  if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) return s->gap_mm / s->parallax;
+  if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) return a->gap_mm / a->parallax;
   if (const auto* p = std::get_if<SlantedPanel>(&optics.model))
-    return 3.0f * optics.panel.pixel_pitch_mm * static_cast<float>(optics.panel.width / p->periods) / p->view_cone;
+    return 3.0f * optics.panel.pixel_pitch_mm * static_cast<float>(optics.panel.width / p->periods) /
+           (p->view_cone * p->parallax);
   return 8.0f * optics.panel.pixel_pitch_mm;
 }
 

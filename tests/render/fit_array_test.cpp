@@ -244,17 +244,6 @@ TEST(FitArray, node_scaled_to_nothing_is_refused) {
   EXPECT_THROW(fit_array(scene), Error);
 }
 
-// ---- Depth budget -----------------------------------------------------------------------------------------------------
-
-/// 64 lenses of 8 pixels: 64 mm high, depth budget 16 mm.
-std::string budget_for(float half_depth) {
-  Scene scene;
-  add_box(scene, {-1, -1, -half_depth}, {1, 1, half_depth});
-  scene.display = DisplayPlacement{-1, 6.4f, 20.0f};  // 10 mm a unit
-  const FittedArray array = fit_array(scene);
-  return depth_budget_sentence(array, scene_units_per_mm(array, 64.0f), {.panel = {}, .model = LenticularSheet{}});
-}
-
 TEST(FitArray, scenes_too_large_or_too_far_for_floats_are_refused_as_scenes) {
   Scene wide, distant;
   add_box(wide, Vec3f(-1e30f), Vec3f(1e30f));
@@ -270,21 +259,6 @@ TEST(FitArray, scenes_too_large_or_too_far_for_floats_are_refused_as_scenes) {
       EXPECT_THAT(error.what(), HasSubstr("scene: the lens array"));
     }
   }
-}
-
-TEST(DepthBudget, scene_within_it_is_said_to_be) {
-  EXPECT_EQ(budget_for(1.5f),
-            "The scene reaches from -15.0 mm to +15.0 mm, within the depth budget of 16.0 mm on either side.");
-}
-
-TEST(DepthBudget, scene_beyond_it_is_told_by_how_much) {
-  EXPECT_EQ(budget_for(4.0f),
-            "The scene reaches from -40.0 mm to +40.0 mm, 24.0 mm beyond the depth budget of 16.0 mm on either "
-            "side: at 40.0 mm a pixel is as wide as 2.5 lenses.");
-}
-
-TEST(DepthBudget, views_without_lenses_have_none) {
-  EXPECT_THAT(depth_budget_sentence(FittedArray{}, 1.0f, {.panel = {}, .model = SingleView{}}), HasSubstr("no depth budget"));
 }
 
 }  // namespace

@@ -54,6 +54,9 @@ const std::map<std::string_view, Values> kOtherValues{
     {"camera-grid", {"true"}},
     {"video-codec", {"hevc"}},
     {"crf", {"30"}},
+    {"fit-depth", {"true"}},
+    {"display", {"portrait"}},
+    {"mirror", {"true"}},
 };
 
 const ParamInfo& param(std::string_view name) {

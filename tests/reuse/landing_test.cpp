@@ -121,6 +121,7 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
   const double gap = sheet ? sheet->gap_mm : std::get<MicrolensArray>(optics.model).gap_mm;
+  const double parallax = sheet ? sheet->parallax : std::get<MicrolensArray>(optics.model).parallax;
   const double vergence = (lattice.spread - 1.0) / gap, from_eye = 1.0 - point.z * vergence;
   if (from_eye <= 0.0) return std::nullopt;
   glm::dvec2 panel_mm((from.x - w / 2) * m, (h / 2 - from.y) * m), p(point.x, point.y);
@@ -130,10 +131,10 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
     p = {p.x * cosine + p.y * sine, 0.0};
   }
   const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
-  // The lens above the pixel: its cell's centre is nearest. Offset o: slope -o/g - (l - e)/V.
+  // The lens above the pixel: its cell's centre is nearest. Offset o: slope -parallax o/g - (l - e)/V.
   const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
   const glm::dvec2 o = panel_mm - cell_centre(own);
-  const glm::dvec2 through = (p + (o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
+  const glm::dvec2 through = (p + (parallax * o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
   const glm::dvec2 landed = cell_centre(nearest_lens(lattice, through)) + o;
   if (!sheet) return glm::dvec2(landed.x / m + w / 2, h / 2 - landed.y / m);
   // Along the lens: the row that shows the point, whose rays run through (y (1 + z/(V+g)...) towards the eye.
@@ -215,7 +216,7 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
   const float reach = std::min(20.0f, 0.5f * resolved_z_front_mm(optics));
   const bool lenses = whole_pixels_per_lens(optics) != Vec2i(1, 1);
   int compared = 0;
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < 250; ++k) {
     const auto pixel = static_cast<std::uint32_t>(random.integer(0, optics.panel.width * optics.panel.height - 1));
     const Vec2f from = centre_of(optics, pixel);
     const float z = random.uniform(0.1f, reach) * (random.coin() ? 1.0f : -1.0f);

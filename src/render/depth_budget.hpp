@@ -1,0 +1,34 @@
+// Whether the display can resolve the depth of a scene: between its budget in front of the plane z = 0 and behind it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "optics/optics.hpp"
+#include "render/fit_array.hpp"
+
+namespace lippmann {
+
+/// From where to where the scene's finite shapes reach in front of the viewer at frame 0, as shown.
+struct ShownDepth {
+  float front_mm = 0.0f, back_mm = 0.0f;  ///< z of the display frame
+  float budget_mm = kInfinity;            ///< depth_budget_mm (optics/optics.hpp)
+
+  float deepest_mm() const;
+  /// Up to rounding: what was scaled to fit does.
+  bool fits() const { return deepest_mm() <= 1.0001f * budget_mm; }
+};
+
+/// depth_scale: the parallax of the optics (with_parallax), shown depth / true depth.
+ShownDepth shown_depth(const FittedArray& array, float units_per_mm, float depth_scale, const Optics& optics);
+
+/// The depth scale at which it just fits; 1 where it does anyway.
+float fitting_depth(const ShownDepth& true_depth);
+
+/// "front_mm", "back_mm", "budget_mm" (null: none), "fits", "scale" (the depth scale), "summary".
+nlohmann::ordered_json depth_json(const ShownDepth& shown, float depth_scale, const Optics& optics);
+
+/// One sentence: the reach, whether it fits, and if not, by how much it is beyond and what becomes of it.
+std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics);
+
+}  // namespace lippmann

@@ -1,0 +1,128 @@
+// `render --display`: size, optics and layout come from the display.
+#include <gmock/gmock.h>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// A small slanted panel, and a sheet on a print of 2 x 1 inches.
+void write_displays(const TempDir& dir) {
+  std::ofstream(dir / "panel.toml") << R"(description = "small"
+kind = "slanted-panel"
+pixels = [48, 64]
+dpi = 324
+view_cone_deg = 40
+[calibration]
+pitch = 52.0
+slope = -7.0
+center = 0.5
+[quilt]
+tiles = [4, 2]
+size = [129, 128]
+aspect = 0.75
+)";
+  std::ofstream(dir / "sheet.toml") << R"(description = "print"
+kind = "lenticular-sheet"
+pixels = [240, 120]
+dpi = 120
+view_cone_deg = 40
+[lenses]
+lenses_per_inch = 20
+)";
+}
+
+Words teapot_on(const std::string& display, const Words& more, const std::string& folder = "out") {
+  return Words{"render", "teapot", "--frames", "3", "--display", display, "-o", folder} + more;
+}
+
+std::vector<std::string> names(const Files& files) {
+  std::vector<std::string> all;
+  for (const auto& [name, bytes] : files) all.push_back(name);
+  return all;
+}
+
+TEST(Display, slanted_panel_is_shown_a_quilt_of_its_tiles_size_and_cone) {
+  const TempDir dir;
+  write_displays(dir);
+  const auto report = report_of(dir, teapot_on("panel.toml", {}));
+  EXPECT_THAT(names(files_in(dir / "out", ".png")), testing::ElementsAre("frame_0003_qs4x2a0.75.png"));
+  EXPECT_EQ(report["optics"]["kind"], "multiview");
+  EXPECT_EQ(report["optics"]["width"], 129);
+  EXPECT_NEAR(report["optics"]["view_cone_deg"].get<double>(), 40.0, 1e-4);
+  // A tile of 32 x 64 pixels on a display of 48 x 64: its pixels are 1.5 display pixels wide, 1 high.
+  EXPECT_NEAR(report["optics"]["pixel_height"].get<double>(), 2.0 / 3.0, 1e-6);
+}
+
+TEST(Display, native_frame_has_the_panel_s_pixels) {
+  const TempDir dir;
+  write_displays(dir);
+  const auto report = report_of(dir, teapot_on("panel.toml", {"--layout", "native", "--video", "a.mkv"}));
+  EXPECT_EQ(report["optics"]["kind"], "slanted");
+  EXPECT_EQ(report["optics"]["width"], 3 * 48);
+  const RunResult compared = run_tool(dir, {"compare", "out", "a.mkv", "--json"});
+  EXPECT_EQ(compared.exit_code, 0) << compared.err;  // 48 x 64, both
+  EXPECT_TRUE(nlohmann::json::parse(compared.out)["identical"]);
+}
+
+TEST(Display, native_frames_are_reused_exactly) {
+  const TempDir dir;
+  write_displays(dir);
+  const Words frames{"render", "tree", "--frames", "3-6", "--display", "panel.toml", "--layout", "native", "-o"};
+  EXPECT_EQ(rendered(dir, frames + Words{"a", "--reuse", "exact"}, "a"),
+            rendered(dir, frames + Words{"b", "--reuse", "none"}, "b"));
+}
+
+TEST(Display, print_is_a_tiff_at_the_sheet_s_resolution_and_may_be_mirrored) {
+  const TempDir dir;
+  write_displays(dir);
+  ASSERT_EQ(run_tool(dir, teapot_on("sheet.toml", {"--layout", "print"})).exit_code, 0);
+  const std::string tiff = bytes_of(dir / "out/frame_0003.tif");
+  // XResolution, tag 282 = 0x011a, type 5, one value; the rational it points to is 120 / 1.
+  const std::string tag("\x1a\x01\x05\x00\x01\x00\x00\x00", 8);
+  const std::size_t at = tiff.find(tag);
+  ASSERT_NE(at, std::string::npos);
+  const auto word = [&](std::size_t i) {
+    std::uint32_t value = 0;
+    for (std::size_t b = 0; b < 4; ++b) value |= static_cast<std::uint32_t>(static_cast<unsigned char>(tiff[i + b])) << (8 * b);
+    return value;
+  };
+  const std::uint32_t rational = word(at + 8);
+  EXPECT_EQ(word(rational), 120u * word(rational + 4));
+
+  ASSERT_EQ(run_tool(dir, teapot_on("sheet.toml", {"--layout", "print", "--mirror"}, "mirror")).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, teapot_on("sheet.toml", {}, "plain")).exit_code, 0);
+  EXPECT_FALSE(nlohmann::json::parse(
+      run_tool(dir, {"compare", "plain/frame_0003.png", "mirror/frame_0003.tif", "--json"}).out)["identical"]);
+  EXPECT_TRUE(nlohmann::json::parse(
+      run_tool(dir, {"compare", "plain/frame_0003.png", "out/frame_0003.tif", "--json"}).out)["identical"]);
+}
+
+TEST(Display, job_and_resume_know_the_display) {
+  const TempDir dir;
+  write_displays(dir);
+  ASSERT_EQ(run_tool(dir, teapot_on("panel.toml", {})).exit_code, 0);
+  EXPECT_THAT(run_tool(dir, {"render", "out/job.toml", "--resume"}).out, HasSubstr("1 kept from before"));
+  std::ofstream(dir / "panel.toml", std::ios::app) << "[video]\ncodec = \"h264\"\nlongest_side = 4096\nquilts = true\n";
+  EXPECT_THAT(run_tool(dir, {"render", "out/job.toml", "--resume"}).out, Not(HasSubstr("kept")));
+}
+
+TEST(Display, what_it_does_not_have_is_refused) {
+  const TempDir dir;
+  write_displays(dir);
+  const auto refused = [&](const std::string& display, const Words& words, const std::string& message) {
+    expect_refusal(run_tool(dir, teapot_on(display, words)), 2, message);
+  };
+  refused("portait", {}, "did you mean 'portrait'?");
+  refused("panel.toml", {"--lenses", "20"}, "--lenses");
+  refused("panel.toml", {"--layout", "native", "--size", "99x99"}, "a calibrated panel has its own");
+  refused("sheet.toml", {"--optics", "multiview"}, "knows no quilt");
+  refused("panel.toml", {"--optics", "microlens"}, "is a slanted-panel");
+  refused("sheet.toml", {"--mirror"}, "--layout print");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--layout", "native"}), 2, "--display");
+}
+
+}  // namespace
+}  // namespace lippmann::test
