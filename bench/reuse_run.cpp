@@ -1,5 +1,7 @@
 #include "bench/reuse_run.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -66,7 +68,8 @@ ReuseFrame compare(const RenderedFrame& made, const TracedFrames& traced, const 
   const Image8 codes = to_codes(made.pictures.film, encoding);
   result.likeness = measure_difference(truth.codes, codes);
   if ((exactly || result.key) && !result.likeness.identical)
-    throw Error("bench", "a frame that should be exact differs from the traced one");
+    throw Error("bench", fmt::format("frame {} ({}{}) should be exact, but differs from the traced one: PSNR {:.2f} dB",
+                                     result.frame, made.report.kind, exactly ? ", reuse exact" : "", result.likeness.psnr_db));
   if (result.key) return result;
   const Image8 &before = traced.at(keys.first).codes, &after = traced.at(keys.last).codes;
   result.moving_psnr = psnr_where_they_differ(before, after, truth.codes, codes);

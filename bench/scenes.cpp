@@ -59,7 +59,7 @@ std::vector<BenchAnimation> bench_animations(const Request& request, const Conte
     if (!std::filesystem::exists(path)) continue;
     RenderParams params = scene.params;
     params.camera_path = path.string();
-    const int all = load_scene(params.scene, load_options(params), context).timeline.frame_count;
+    const int all = wanted_scene(params, context).timeline.frame_count;
     const int wanted = request.frames > 0 ? request.frames : kTachyonFrames;
     const int first = request.frames > all - kTachyonFirst ? 0 : kTachyonFirst;
     result.push_back({"tachyon " + scene.name, std::move(params), first, std::min(wanted, all - first)});

@@ -15,6 +15,7 @@
 #include "render/animation.hpp"
 #include "render/frame.hpp"
 #include "render/job_file.hpp"
+#include "render/single_clip.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   ParamFlags flags;
-  std::string dump_job;
+  std::string dump_job, also;
   bool json = false;
 };
 
@@ -98,9 +99,8 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
        "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));
 }
 
-int run(const Options& options, Context& context) {
-  const RenderParams params = options.flags.read();
-  if (!options.dump_job.empty()) write_job(options.dump_job, params);
+/// Renders, with progress on stderr, and says what was made.
+RenderReport render(const RenderParams& params, bool json, Context& context) {
   std::optional<Progress> progress;
   fs::path folder;
   FrameNames names;
@@ -115,10 +115,16 @@ int run(const Options& options, Context& context) {
   observer.traced = [&](const FrameReport& frame) { progress->step(frame_line(frame, params.reuse)); };
   const RenderReport report = render_animation(params, context, observer);
   progress.reset();
-  if (options.json)
-    fmt::print("{}\n", to_json(report).dump(2));
-  else
-    print_summary(report, folder, names, kept);
+  if (!json) print_summary(report, folder, names, kept);
+  return report;
+}
+
+int run(const Options& options, Context& context) {
+  const RenderParams params = options.flags.read();
+  if (!options.dump_job.empty()) write_job(options.dump_job, params);
+  const RenderReport report = render(params, options.json, context);
+  if (options.json) fmt::print("{}\n", to_json(report).dump(2));
+  if (options.also == "single" && !report.interrupted) render(single_clip(params, report.optics), options.json, context);
   return 0;
 }
 
@@ -131,6 +137,10 @@ void add_render_command(CLI::App& root, Action& chosen) {
   command.add_option("--dump-job", options->dump_job, "Also write the job that reproduces this render")
       ->type_name("FILE")
       ->group("Running");
+  command.add_option("--also", options->also, "single: then the same frames as one eye sees them, into DIR/single")
+      ->check(CLI::IsMember({"single"}))
+      ->type_name("WHAT")
+      ->group("Files");
   command.add_flag("--json", options->json, "Print the report as JSON on stdout")->group("Running");
   command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

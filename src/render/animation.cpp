@@ -20,6 +20,7 @@
 #include "render/frame_sink.hpp"
 #include "render/job_file.hpp"
 #include "render/reuse_params.hpp"
+#include "render/test_pattern.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {
@@ -108,6 +109,8 @@ void write_report(const fs::path& file, const RenderReport& report) {
 RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {
   const Stopwatch setup;
   check_reuse(params);
+  if (params.scene == kTestPattern && !params.aov.empty())
+    throw usage_error("--aov", "the test pattern has no extra layers", "a scene with it");
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);

@@ -15,7 +15,7 @@ TraceParams trace_params(const RenderParams& params, const Scene& scene) {
 
 Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& context)
     : display(wanted_display(params)),
-      scene(load_scene(params.scene, load_options(params), context)),
+      scene(wanted_scene(params, context)),
       array(fit_array(scene, window_aspect(params, scene.resolution, display.get()))),
       placed(make_optics(params, scene, array, display.get())),
       device(scene, pool) {}

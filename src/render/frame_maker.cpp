@@ -3,6 +3,7 @@
 #include "render/exact_frames.hpp"
 #include "render/floored_frames.hpp"
 #include "render/forward_frames.hpp"
+#include "render/test_pattern.hpp"
 
 namespace lippmann {
 namespace {
@@ -21,10 +22,30 @@ class TracedFrames final : public FrameMaker {
   const Context& context_;
 };
 
+/// Of the test pattern, which no ray has to be traced for.
+class PatternFrames final : public FrameMaker {
+ public:
+  PatternFrames(const Stage& stage, const ThreadPool& pool) : stage_(stage), pool_(pool) {}
+
+  RenderedFrame make(int frame) override {
+    const FrameClock clock(pool_);
+    RenderedFrame rendered;
+    rendered.report.frame = frame;
+    rendered.pictures.film = test_pattern_film(stage_.placed.optics, pool_);
+    clock.add_to(rendered.report);
+    return rendered;
+  }
+
+ private:
+  const Stage& stage_;
+  const ThreadPool& pool_;
+};
+
 }  // namespace
 
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
                                              const Context& context) {
+  if (params.scene == kTestPattern) return std::make_unique<PatternFrames>(stage, pool);
   if (params.reuse == Reuse::kForward && params.min_psnr_db)
     return std::make_unique<FlooredFrames>(stage, params, pool, context);
   if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/context.hpp"
 #include "core/math.hpp"
 #include "optics/optics.hpp"
 #include "reuse/in_between.hpp"
@@ -106,8 +107,9 @@ inline OpticsKind optics_kind(const RenderParams& params) { return params.optics
 /// Whether `scene` names one of the built-in scenes, and thus no file.
 bool is_builtin_scene(const std::string& scene);
 
-/// What the parameters say about loading the scene.
-LoadOptions load_options(const RenderParams& params);
+/// The scene that the parameters name, loaded as they say, or nothing but a display for the test pattern (test_pattern.hpp).
+/// Throws Error.
+Scene wanted_scene(const RenderParams& params, const Context& context);
 
 /// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);

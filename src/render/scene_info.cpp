@@ -80,7 +80,7 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   Context collecting;
   collecting.threads = context.threads;
   collecting.warn = [&](std::string_view text) { info.warnings.emplace_back(text); };
-  const Scene scene = load_scene(params.scene, load_options(params), collecting);
+  const Scene scene = wanted_scene(params, collecting);
   info.name = scene.name;
   info.frames = scene.timeline.frame_count;
   info.frames_per_second = scene.timeline.frames_per_second;

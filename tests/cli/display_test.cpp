@@ -100,6 +100,27 @@ TEST(Display, print_is_a_tiff_at_the_sheet_s_resolution_and_may_be_mirrored) {
       run_tool(dir, {"compare", "plain/frame_0003.png", "out/frame_0003.tif", "--json"}).out)["identical"]);
 }
 
+TEST(Display, test_pattern_is_one_quilt_without_layers) {
+  const TempDir dir;
+  write_displays(dir);
+  ASSERT_EQ(run_tool(dir, {"render", "test-pattern", "--display", "panel.toml", "-o", "out"}).exit_code, 0);
+  EXPECT_EQ(names(files_in(dir / "out", ".png")).size(), 1u);
+  expect_refusal(run_tool(dir, {"render", "test-pattern", "--aov", "depth"}), 2, "no extra layers");
+}
+
+TEST(Display, also_single_renders_the_middle_view_beside_the_pictures) {
+  const TempDir dir;
+  write_displays(dir);
+  const RunResult result = run_tool(dir, teapot_on("panel.toml", {"--also", "single", "--video", "a.mkv"}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(dir / "a_qs4x2a0.75.mkv"));
+  EXPECT_TRUE(std::filesystem::exists(dir / "a_single.mkv"));
+  ASSERT_EQ(run_tool(dir, {"render", "teapot", "--frames", "3", "--display", "panel.toml", "--optics", "single", "-o", "one"})
+                .exit_code,
+            0);
+  EXPECT_EQ(files_in(dir / "out/single", ".png"), files_in(dir / "one", ".png"));
+}
+
 TEST(Display, job_and_resume_know_the_display) {
   const TempDir dir;
   write_displays(dir);
