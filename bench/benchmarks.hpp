@@ -5,6 +5,7 @@
 
 namespace lippmann::bench {
 
+Report measure_native(const Request& request, const Context& context);
 Report measure_paper(const Request& request, const Context& context);
 Report measure_png(const Request& request, const Context& context);
 Report measure_rays(const Request& request, const Context& context);

@@ -9,8 +9,8 @@
 namespace lippmann {
 namespace {
 
-constexpr float kLine = 0.006f;        ///< half heights: half the width of a line
-constexpr float kGrid = 0.25f;         ///< from line to line
+constexpr float kLine = 0.006f;  ///< half heights: half the width of a line
+constexpr float kGrid = 0.25f;   ///< from line to line
 
 struct Band {
   float end;  ///< of the zone
@@ -67,7 +67,8 @@ Scene test_pattern_scene() {
 
 Vec3f test_pattern(Vec2f place, float aspect, float zone) {
   const Vec2f to_edge = Vec2f(aspect, 1.0f) - glm::abs(place);
-  if (std::min(to_edge.x, to_edge.y) < 4.0f * kLine || near_line(glm::length(place) - 0.8f * std::min(1.0f, aspect))) return Vec3f(1.0f);
+  if (std::min(to_edge.x, to_edge.y) < 4.0f * kLine || near_line(glm::length(place) - 0.8f * std::min(1.0f, aspect)))
+    return Vec3f(1.0f);
   const Band& band = *std::find_if(std::begin(kBands), std::end(kBands) - 1, [&](const Band& b) { return zone < b.end; });
   if (in_arrow(place, band.arrow)) return Vec3f(0.9f);
   return on_grid(place) ? 0.3f * band.color : band.color;
@@ -84,8 +85,8 @@ Image test_pattern_film(const Optics& optics, const ThreadPool& pool) {
     for (int i = 0; i < film.width; ++i) {
       const Ray ray = generator.ray({static_cast<float>(i) + 0.5f, static_cast<float>(row) + 0.5f});
       const Vec3f at_plane = ray.origin - ray.direction * (ray.origin.z / ray.direction.z);
-      const Vec3f color = test_pattern(Vec2f(at_plane.x, at_plane.y) / half.y, half.x / half.y,
-                                       place_in_zone(ray, at_plane, distance, zone));
+      const Vec3f color =
+          test_pattern(Vec2f(at_plane.x, at_plane.y) / half.y, half.x / half.y, place_in_zone(ray, at_plane, distance, zone));
       std::copy_n(&color.x, 3, film.pixel(i, static_cast<int>(row)));
     }
   });

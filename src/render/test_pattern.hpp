@@ -1,5 +1,5 @@
-// A picture that shows at a glance whether a display and its calibration belong together. It is made of rays alone: what a pixel
-// shows depends on where its ray crosses the plane of the display, and on where in the viewing zone it arrives.
+// A picture that shows at a glance whether a display and its calibration belong together. It is made of rays alone: what a
+// pixel shows depends on where its ray crosses the plane of the display, and on where in the viewing zone it arrives.
 //
 // In the plane of the display: a white frame, a grid, a circle. By direction, from the left of the zone to its right: red,
 // orange, grey, cyan, blue, red and orange with an arrow to the left, cyan and blue with one to the right. An eye in the middle

@@ -30,7 +30,8 @@ TEST(TestPattern, arrows_point_to_the_side_of_the_eye) {
 
 TEST(TestPattern, quilt_s_first_tile_is_red_and_its_last_one_blue) {
   const ThreadPool pool(2);
-  const Image film = test_pattern_film({.panel = {500, 100, 0.5f}, .model = MultiView{5, 1, radians(40.0f), false, 300.0f}}, pool);
+  const Image film =
+      test_pattern_film({.panel = {500, 100, 0.5f}, .model = MultiView{5, 1, radians(40.0f), false, 300.0f}}, pool);
   // 0.6, 0.63 half heights from the middle of a tile of 100 x 100.
   EXPECT_TRUE(is_red(pixel_of(film, 80, 18)));
   EXPECT_TRUE(is_grey(pixel_of(film, 280, 18)));
