@@ -1,5 +1,5 @@
-// The own frame of a calibrated slanted panel, every sub-pixel with its ray, beside the frame that is interlaced from a quilt of
-// 48 views, as such displays are fed: both against one interlaced from 512 views with as many pixels as the panel.
+// The own frame of a calibrated slanted panel, every sub-pixel with its ray, beside the frame that is interlaced from a quilt
+// of 48 views, as such displays are fed: both against one interlaced from 512 views with as many pixels as the panel.
 //
 // The panel is an eighth of a Looking Glass Portrait each way, with its pixels, lenses and the share of pixels that its quilt's
 // tiles have. PSNR of 8-bit codes; CPU time of rendering alone, interlacing comes on top of the quilt's.
@@ -57,8 +57,8 @@ class NativeBench {
   Image8 interlaced(const Display& display, ViewFilter filter, double& seconds) {
     const DisplayQuilt& quilt = *display.quilt;
     const ViewGrid tiles{quilt.columns, quilt.rows}, views{tiles.count(), 1};
-    const Arrangement to_stack({LayoutKind::kQuilt, views, tiles}, {LayoutKind::kStack, views, {}},
-                               {quilt.width, quilt.height}, "quilt");
+    const Arrangement to_stack({LayoutKind::kQuilt, views, tiles}, {LayoutKind::kStack, views, {}}, {quilt.width, quilt.height},
+                               "quilt");
     LightField field;
     field.stack = to_codes(to_stack.apply(render(*quilt_optics(display), seconds)), stage_.scene.encoding);
     field.grid = views;
@@ -86,7 +86,8 @@ Report measure_native(const Request& request, const Context& context) {
     double ignored = 0.0, native_seconds = 0.0, quilt_seconds = 0.0;
     const Image8 reference = bench.interlaced(reference_display, ViewFilter::kLinear, ignored);
     const double native = measure_difference(reference, bench.native(display, native_seconds)).psnr_db;
-    const double nearest = measure_difference(reference, bench.interlaced(display, ViewFilter::kNearest, quilt_seconds)).psnr_db;
+    const double nearest =
+        measure_difference(reference, bench.interlaced(display, ViewFilter::kNearest, quilt_seconds)).psnr_db;
     const double linear = measure_difference(reference, bench.interlaced(display, ViewFilter::kLinear, ignored)).psnr_db;
     const double gain = native - std::max(nearest, linear);
     if (gain < kLeastGain) throw Error("bench native", scene.name + ": the own frame is not sharper than the interlaced one");

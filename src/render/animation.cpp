@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -81,6 +82,16 @@ void warn_of_strangers(const fs::path& folder, const FrameNames& names, FrameRan
                                 folder.string(), strangers));
 }
 
+/// What the display that is rendered for will not play.
+void warn_of_videos(const Display& display, const FrameLayout& layout, const Context& context) {
+  if (layout.quilt() && !display.video.quilts)
+    context.warning(fmt::format("{} shows pictures of quilts only, no videos", display.name));
+  const Vec2i size = layout.picture_size();
+  if (std::max(size.x, size.y) > display.video.longest_side)
+    context.warning(fmt::format("{} plays videos of up to {} pixels a side, these have {}x{}: --size with less", display.name,
+                                display.video.longest_side, size.x, size.y));
+}
+
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -118,6 +129,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   require_memory(params, stage.placed.optics.panel, layout.moves(), pool.threads());
 
   const fs::path folder = output_folder(params);
+  if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
   std::vector<std::string> videos;
   for (const std::string& said : params.video) videos.push_back(layout.video_path(said).string());
   for (const std::string& video : videos) {

@@ -82,6 +82,10 @@ FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics, const
   refuse_without(display != nullptr, layout == PictureLayout::kNative || is_print, "--layout native or print", "--display");
   mirrors_ = params.mirror;
   if (display) pixels_per_mm_ = 1.0 / display->pixel_mm();
+  if (params.pseudoscopic) {
+    turn_round(optics, layout);
+    return;
+  }
   if (layout == PictureLayout::kNative || is_print || (layout == PictureLayout::kIntegral && has_lenses(optics))) {
     if (!sub_pixels_ && !has_lenses(optics))
       throw usage_error("--layout", "the display's own frame is neither a quilt nor a single view",
@@ -91,6 +95,14 @@ FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics, const
   if (!params.layout && !display) return;
   if (std::holds_alternative<SingleView>(optics.model) && !params.layout) return;
   arrange_views(params, layout, optics);
+}
+
+/// A recording array turns every elemental image by 180 degrees (docs/replay.md): a layout that is not turned round.
+void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
+  if (layout != PictureLayout::kIntegral || !has_lenses(optics))
+    throw usage_error("--pseudoscopic", "only what lies behind lenses can be turned round", "--layout integral");
+  const ViewLayout film = film_layout(optics);
+  arrangement_.emplace(film, ViewLayout{LayoutKind::kEslf, film.grid, {}}, film_, "--pseudoscopic");
 }
 
 void FrameLayout::arrange_views(const RenderParams& params, PictureLayout layout, const Optics& optics) {

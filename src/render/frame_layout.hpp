@@ -43,6 +43,7 @@ class FrameLayout {
   void arrange(FrameAovs& aovs) const;
 
  private:
+  void turn_round(const Optics& optics, PictureLayout layout);
   void arrange_views(const RenderParams& params, PictureLayout layout, const Optics& optics);
 
   Vec2i film_;

@@ -87,6 +87,7 @@ struct RenderParams {
   // Files
   std::string output;                   ///< folder; empty: out/<scene name>
   std::optional<PictureLayout> layout;  ///< none: as the optics lie, lens by lens or tile by tile
+  bool pseudoscopic = false;            ///< kIntegral: as a lens array records, depth turned round
   bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
   Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
   PictureFormat format = PictureFormat::kPng;

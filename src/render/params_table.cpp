@@ -312,6 +312,9 @@ std::vector<ParamInfo> file_rows() {
            "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
            "them), "
            "native (the display's own frame) or print (TIFF at the display's resolution); default: as the optics lie"}),
+      row(ParamKind::kFlag, &P::pseudoscopic, flag(),
+          {"pseudoscopic", "Files", "",
+           "Layout integral: as a real array of lenses records it, every elemental image turned round, depth inverted"}),
       row(ParamKind::kFlag, &P::mirror, flag(),
           {"mirror", "Files", "", "Layout print: left and right exchanged, for printing on the back of the sheet"}),
       row(ParamKind::kText, &P::quilt, full_extent(4096),

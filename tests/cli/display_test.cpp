@@ -121,6 +121,16 @@ TEST(Display, also_single_renders_the_middle_view_beside_the_pictures) {
   EXPECT_EQ(files_in(dir / "out/single", ".png"), files_in(dir / "one", ".png"));
 }
 
+TEST(Display, what_it_does_not_play_is_warned_of) {
+  const TempDir dir;
+  write_displays(dir);
+  std::ofstream(dir / "panel.toml", std::ios::app) << "[video]\ncodec = \"h264\"\nlongest_side = 100\nquilts = false\n";
+  const RunResult result = run_tool(dir, teapot_on("panel.toml", {"--video", "a.mkv"}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("pictures of quilts only"));
+  EXPECT_THAT(result.err, HasSubstr("up to 100 pixels a side"));
+}
+
 TEST(Display, job_and_resume_know_the_display) {
   const TempDir dir;
   write_displays(dir);

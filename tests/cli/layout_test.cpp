@@ -55,6 +55,14 @@ TEST(Layout, views_of_a_quilt_are_its_tiles) {
   EXPECT_EQ(files_in(dir / "v/frame_0003", ".png"), files_in(dir / "c", ".png"));
 }
 
+TEST(Layout, pseudoscopic_pictures_are_the_others_with_every_elemental_image_turned_round) {
+  const TempDir dir;
+  rendered(dir, small_array("plain"), "plain");
+  const Files recorded = rendered(dir, small_array("recorded") + Words{"--pseudoscopic"}, "recorded");
+  ASSERT_EQ(run_tool(dir, {"convert", "plain", "turned", "--rotate-elemental"}).exit_code, 0);
+  EXPECT_EQ(recorded, files_in(dir / "turned", ".png"));
+}
+
 TEST(Layout, frame_of_which_a_view_is_missing_is_rendered_again_on_resume) {
   const TempDir dir;
   const Words views = small_array("out") + Words{"--layout", "views"};
@@ -84,6 +92,7 @@ TEST(Layout, what_cannot_be_is_refused_before_anything_is_made) {
   refused({"--layout", "quilt", "--optics", "microlens", "--packing", "hexagonal"}, "whole number of pixels");
   refused({"--layout", "quilt", "--quilt", "3x2"}, "not as many as 8 views");
   refused({"--quilt", "4x2"}, "--layout quilt");
+  refused({"--pseudoscopic", "--layout", "quilt"}, "--layout integral");
   refused({"--layout", "views", "--video", "a.mp4"}, "pictures of their own");
 }
 

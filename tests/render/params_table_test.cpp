@@ -57,6 +57,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"fit-depth", {"true"}},
     {"display", {"portrait"}},
     {"mirror", {"true"}},
+    {"pseudoscopic", {"true"}},
 };
 
 const ParamInfo& param(std::string_view name) {
