@@ -42,10 +42,6 @@ std::string frame_line(const FrameReport& frame, Reuse reuse) {
                      static_cast<double>(frame.rays.total()) * 1e-6);
 }
 
-bool has_lenses(const Optics& optics) {
-  return std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
-}
-
 /// How much of frames that are the same bits as traced ones was copied.
 std::string describe_exact_reuse(const RenderReport& report) {
   double reused = 0.0;

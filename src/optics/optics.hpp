@@ -148,6 +148,11 @@ Vec2i whole_pixels_per_lens(const Optics& optics);
 /// slanted panel: a pixel, which neighbouring lenses resolve together though one does not, or what a sub-pixel magnifies to.
 Vec2f sample_footprint_mm(const Optics& optics, float z_mm);
 
+/// Whether its pixels lie behind lenses of an array: a lenticular sheet or a microlens array.
+inline bool has_lenses(const Optics& optics) {
+  return std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
+}
+
 /// Viewing zone, full angle: 2 atan(cell / 2 gap) across; the cone for multi-view and slanted panels; 0 for a single view.
 float viewing_zone(const Optics& optics);
 

@@ -48,10 +48,6 @@ double display_aspect(const Optics& optics) {
   return static_cast<double>(window.x) / window.y;
 }
 
-bool has_lenses(const Optics& optics) {
-  return std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
-}
-
 /// Quilts for displays are called quilts.
 PictureLayout default_layout(const Optics& optics, const Display* display) {
   const bool is_quilt = display && std::holds_alternative<MultiView>(optics.model);
