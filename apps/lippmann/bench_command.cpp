@@ -74,10 +74,23 @@ const bench::Benchmark& find_benchmark(const std::string& name) {
   throw usage_error("bench", "there is no benchmark '" + name + "'", known);
 }
 
+/// Frames that were stopped half-way are wrong, and so are figures of them and complaints about them.
+bench::Report run_to_the_end(const bench::Benchmark& benchmark, const bench::Request& request, const Context& context) {
+  const auto stopped = [&] { return Error("bench " + std::string(benchmark.name), "was stopped before its end"); };
+  try {
+    bench::Report report = benchmark.run(request, context);
+    if (context.cancelled) throw stopped();
+    return report;
+  } catch (const Error&) {
+    if (context.cancelled) throw stopped();
+    throw;
+  }
+}
+
 int run(const Options& options, Context& context) {
   const bench::Benchmark& benchmark = find_benchmark(options.name);
   context.threads = options.threads;
-  const bench::Report report = benchmark.run(options.request, context);
+  const bench::Report report = run_to_the_end(benchmark, options.request, context);
   if (!options.json) {
     if (report.text.empty())
       print_table(report);
