@@ -18,13 +18,14 @@ class SceneFingerprint {
   std::uint64_t value() const { return print_.value(); }
 
   void add(const Scene& scene) {
-    const auto& [name, nodes, shapes, textures, materials, instances, lights, cameras, display, background, timeline, encoding,
-                 max_depth, resolution] = scene;
+    const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, cameras, display, background, timeline,
+                 encoding, max_depth, resolution] = scene;
     add_each(nodes);
     add_each(shapes);
     add_each(textures);
     add_each(materials);
     add_each(instances);
+    add_each(skins);
     add_each(lights);
     add_each(cameras);
     add_optional(display);
@@ -41,6 +42,7 @@ class SceneFingerprint {
   void add(const glm::vec<N, T>& v) {
     for (int i = 0; i < N; ++i) print_.add(v[i]);
   }
+  void add(const glm::mat2& m) { add_all(m[0], m[1]); }
   void add(const Quatf& q) { add_all(q.w, q.x, q.y, q.z); }
   void add(const Affine3f& a) { add_all(a.linear[0], a.linear[1], a.linear[2], a.translation); }
 
@@ -68,12 +70,29 @@ class SceneFingerprint {
     std::visit([&](const auto& s) { add_shape(s); }, shape);
   }
   void add_shape(const Mesh& mesh) {
-    const auto& [positions, normals, uvs, triangles, colors] = mesh;
+    const auto& [positions, normals, uvs, triangles, colors, alphas, uvs_1, tangents, targets, skin] = mesh;
     add_packed(positions);
     add_packed(normals);
     add_packed(uvs);
     add_packed(triangles);
     add_packed(colors);
+    add_packed(alphas);
+    add_packed(uvs_1);
+    add_packed(tangents);
+    add_each(targets);
+    add(skin);
+  }
+  void add(const MorphTarget& target) {
+    const auto& [positions, normals, tangents] = target;
+    add_packed(positions);
+    add_packed(normals);
+    add_packed(tangents);
+  }
+  void add(const SkinWeights& skin) {
+    const auto& [per_vertex, joints, weights] = skin;
+    add(per_vertex);
+    add_packed(joints);
+    add_packed(weights);
   }
   template <class Primitive>
   void add_shape(const std::vector<Primitive>& primitives) {
@@ -96,11 +115,20 @@ class SceneFingerprint {
     add_all(color, texture, ambient, diffuse, highlight_kind, highlight, highlight_size, mirror, opacity, ior, emission);
     add_optional(projection);
   }
+  void add(const TextureMap& map) {
+    const auto& [texture, uv_set, matrix, offset] = map;
+    add_all(texture, uv_set, matrix, offset);
+  }
   void add(const MetallicRoughness& surface) {
-    const auto& [base_color, base_color_texture, metallic, roughness, emissive, emissive_texture, ior, transmission,
-                 alpha_cutoff, blend, double_sided, unlit] = surface;
-    add_all(base_color, base_color_texture, metallic, roughness, emissive, emissive_texture, ior, transmission, alpha_cutoff,
-            blend, double_sided, unlit);
+    const auto& [base_color, base_color_map, metallic, roughness, metallic_roughness_map, normal_map, normal_scale,
+                 occlusion_map, occlusion_strength, emissive, emissive_map, ior, transmission, transmission_map, specular,
+                 specular_map, specular_color, specular_color_map, clearcoat, clearcoat_roughness, clearcoat_map,
+                 clearcoat_roughness_map, clearcoat_normal_map, clearcoat_normal_scale, alpha_cutoff, blend, double_sided,
+                 unlit] = surface;
+    add_all(base_color, base_color_map, metallic, roughness, metallic_roughness_map, normal_map, normal_scale, occlusion_map,
+            occlusion_strength, emissive, emissive_map, ior, transmission, transmission_map, specular, specular_map,
+            specular_color, specular_color_map, clearcoat, clearcoat_roughness, clearcoat_map, clearcoat_roughness_map,
+            clearcoat_normal_map, clearcoat_normal_scale, alpha_cutoff, blend, double_sided, unlit);
   }
   void add(const Material& material) {
     const auto& [name, surface] = material;
@@ -130,9 +158,15 @@ class SceneFingerprint {
     add_all(translation, rotation, scale);
   }
   void add(const Node& node) {
-    const auto& [name, parent, local, matrix] = node;
+    const auto& [name, parent, local, matrix, morph_weights] = node;
     add_all(parent, local);
     add_optional(matrix);
+    add_packed(morph_weights);
+  }
+  void add(const Skin& skin) {
+    const auto& [name, joints, joint_from_mesh] = skin;
+    add_packed(joints);
+    add_each(joint_from_mesh);
   }
   template <class T>
   void add(const Channel<T>& channel) {
@@ -142,8 +176,8 @@ class SceneFingerprint {
     add(interpolation);
   }
   void add(const NodeAnimation& animation) {
-    const auto& [node, translation, rotation, scale] = animation;
-    add_all(node, translation, rotation, scale);
+    const auto& [node, translation, rotation, scale, morph_weights] = animation;
+    add_all(node, translation, rotation, scale, morph_weights);
   }
   void add(const Timeline& timeline) {
     const auto& [frames_per_second, frame_count, animations] = timeline;
@@ -151,8 +185,8 @@ class SceneFingerprint {
     add_each(animations);
   }
   void add(const Instance& instance) {
-    const auto& [name, shape, material, node] = instance;
-    add_all(shape, material, node);
+    const auto& [name, shape, material, node, skin] = instance;
+    add_all(shape, material, node, skin);
   }
 
   Fingerprint print_;

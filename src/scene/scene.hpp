@@ -22,12 +22,29 @@ namespace lippmann {
 
 // ---- Shapes ---------------------------------------------------------------------------------------------------------
 
+/// What is added to a mesh, per vertex, times the weight that Node::morph_weights or its animation gives; each may be empty.
+struct MorphTarget {
+  std::vector<Vec3f> positions, normals, tangents;
+};
+
+/// Which joints of the instance's Skin carry each vertex, and how much: vertex v has the entries from v * per_vertex on.
+struct SkinWeights {
+  int per_vertex = 0;                 ///< 0: the mesh cannot be skinned
+  std::vector<std::uint32_t> joints;  ///< indices into Skin::joints
+  std::vector<float> weights;         ///< >= 0, those of a vertex sum to 1
+};
+
 struct Mesh {
   std::vector<Vec3f> positions;
   std::vector<Vec3f> normals;                           ///< per vertex, unit length; empty: faceted
   std::vector<Vec2f> uvs;                               ///< per vertex; empty: no texture coordinates
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertex indices, each < positions.size(); counter-clockwise = front
   std::vector<Vec3f> colors{};                          ///< per vertex; multiply the material's color; empty: white
+  std::vector<float> alphas{};                          ///< per vertex; multiply the material's alpha; empty: 1
+  std::vector<Vec2f> uvs_1{};                           ///< the second set of texture coordinates; empty: none
+  std::vector<Vec4f> tangents{};       ///< per vertex: unit t and w = +-1, bitangent w (normal x t); empty: from the uvs
+  std::vector<MorphTarget> targets{};  ///< before the skin
+  SkinWeights skin{};
 };
 
 struct Sphere {
@@ -118,15 +135,39 @@ struct PhongSurface {
   Vec3f emission{0.0f};
 };
 
-/// glTF 2.0's metallic-roughness model.
+/// A texture, and how a surface looks it up: at offset + matrix * uv of one of the mesh's sets (glTF's KHR_texture_transform).
+struct TextureMap {
+  int texture = -1;        ///< -1: none, which reads as white
+  int uv_set = 0;          ///< 0: Mesh::uvs, 1: Mesh::uvs_1
+  glm::mat2 matrix{1.0f};  ///< columns
+  Vec2f offset{0.0f};
+};
+
+/// glTF 2.0's metallic-roughness model with the extensions that docs/gltf.md lists. Maps multiply the factors beside them, with
+/// the channels named here; colours are sRGB textures, all else is stored as it is.
 struct MetallicRoughness {
   Vec4f base_color{1.0f};
-  int base_color_texture = -1;
+  TextureMap base_color_map;
   float metallic = 1.0f, roughness = 1.0f;
+  TextureMap metallic_roughness_map;  ///< G: roughness, B: metallic
+  TextureMap normal_map;              ///< RGB = (n + 1) / 2 in tangent space; v grows downwards, the bitangent upwards
+  float normal_scale = 1.0f;          ///< multiplies x and y of the map's normal
+  TextureMap occlusion_map;           ///< R: share of the surroundings' light that arrives
+  float occlusion_strength = 1.0f;    ///< 1 + strength * (R - 1)
   Vec3f emissive{0.0f};
-  int emissive_texture = -1;
+  TextureMap emissive_map;
   float ior = 1.5f;
   float transmission = 0.0f;
+  TextureMap transmission_map;  ///< R
+  float specular = 1.0f;        ///< strength of the dielectric reflection
+  TextureMap specular_map;      ///< A
+  Vec3f specular_color{1.0f};   ///< of the dielectric reflection at normal incidence; may exceed 1
+  TextureMap specular_color_map;
+  float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
+  TextureMap clearcoat_map;            ///< R
+  TextureMap clearcoat_roughness_map;  ///< G
+  TextureMap clearcoat_normal_map;     ///< as normal_map; none: the coat follows the surface without its normal map
+  float clearcoat_normal_scale = 1.0f;
   float alpha_cutoff = 0.0f;  ///< alpha below this is cut away (mask mode); 0: no mask
   bool blend = false;         ///< alpha is coverage (blend mode)
   bool double_sided = false;
@@ -195,7 +236,16 @@ struct Node {
   std::string name;
   int parent = -1;  ///< < own index: parents come first
   Transform local;
-  std::optional<Affine3f> matrix;  ///< replaces `local` (glTF matrix nodes); such a node is not animated
+  std::optional<Affine3f> matrix;      ///< replaces `local` (glTF matrix nodes); such a node is not animated
+  std::vector<float> morph_weights{};  ///< of the targets of the meshes shown here, where not animated; one per target
+};
+
+/// A skeleton. A skinned mesh stands where its joints are, whatever node shows it: a vertex v of it is at
+/// sum over its weights w_j (world_from_node[joints[j]] * joint_from_mesh[j]) v.
+struct Skin {
+  std::string name;
+  std::vector<int> joints;                ///< nodes
+  std::vector<Affine3f> joint_from_mesh;  ///< per joint: where the mesh stood when it was bound (inverse bind matrix)
 };
 
 enum class Interpolation { kStep, kLinear, kCubicSpline };
@@ -213,6 +263,7 @@ struct NodeAnimation {
   Channel<Vec3f> translation;
   Channel<Quatf> rotation;  ///< linear = spherical along the shorter arc
   Channel<Vec3f> scale;
+  Channel<float> morph_weights{};  ///< in place of each value as many as the node has morph weights
 };
 
 /// Frame f shows the time f / frames_per_second.
@@ -229,6 +280,7 @@ struct Timeline {
 struct Instance {
   std::string name;
   int shape = -1, material = -1, node = -1;
+  int skin = -1;  ///< moves the mesh instead of the node; the mesh has SkinWeights
 };
 
 struct Scene {
@@ -238,6 +290,7 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Material> materials;
   std::vector<Instance> instances;
+  std::vector<Skin> skins;
   std::vector<Light> lights;
   std::vector<Camera> cameras;              ///< the first is the default one
   std::optional<DisplayPlacement> display;  ///< none: fitted to the first camera (render/fit_array.hpp)

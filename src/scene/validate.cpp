@@ -55,6 +55,7 @@ class Validator {
       std::visit([&](const auto& s) { check_surface(s, label("material", i, scene_.materials[i].name)); },
                  scene_.materials[i].surface);
     check_timeline();  // before instances, which look into the animations
+    for (std::size_t i = 0; i < scene_.skins.size(); ++i) check_skin(scene_.skins[i], i);
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) check_instance(scene_.instances[i], i);
     for (std::size_t i = 0; i < scene_.lights.size(); ++i) check_light(scene_.lights[i], i);
     for (std::size_t i = 0; i < scene_.cameras.size(); ++i) check_camera(scene_.cameras[i], i);
@@ -81,21 +82,43 @@ class Validator {
 
   void check_shape(const Mesh& mesh, const std::string& element) const {
     const std::size_t vertices = mesh.positions.size();
-    require(mesh.normals.empty() || mesh.normals.size() == vertices, element, "not one normal per vertex");
-    require(mesh.uvs.empty() || mesh.uvs.size() == vertices, element, "not one uv per vertex");
-    require(mesh.colors.empty() || mesh.colors.size() == vertices, element, "not one colour per vertex");
-    for (std::size_t i = 0; i < vertices; ++i)
-      if (!finite(mesh.positions[i])) require(false, element, fmt::format("the position of vertex {} is not finite", i));
+    check_attribute(mesh.positions, vertices, element, "position");
+    check_attribute(mesh.normals, vertices, element, "normal");
+    check_attribute(mesh.uvs, vertices, element, "uv");
+    check_attribute(mesh.uvs_1, vertices, element, "second uv");
+    check_attribute(mesh.colors, vertices, element, "colour");
+    check_attribute(mesh.alphas, vertices, element, "alpha");
+    check_attribute(mesh.tangents, vertices, element, "tangent");
     for (std::size_t i = 0; i < mesh.normals.size(); ++i)
       if (!unit(mesh.normals[i])) require(false, element, fmt::format("the normal of vertex {} is not a unit vector", i));
-    for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
-      if (!finite(mesh.uvs[i])) require(false, element, fmt::format("the uv of vertex {} is not finite", i));
-    for (std::size_t i = 0; i < mesh.colors.size(); ++i)
-      if (!finite(mesh.colors[i])) require(false, element, fmt::format("the colour of vertex {} is not finite", i));
+    for (std::size_t i = 0; i < mesh.tangents.size(); ++i)
+      if (!unit(Vec3f(mesh.tangents[i])) || std::abs(mesh.tangents[i].w) != 1.0f)
+        require(false, element, fmt::format("the tangent of vertex {} is not a unit vector and 1 or -1", i));
+    for (const MorphTarget& target : mesh.targets) {
+      check_attribute(target.positions, vertices, element, "morphed position");
+      check_attribute(target.normals, vertices, element, "morphed normal");
+      check_attribute(target.tangents, vertices, element, "morphed tangent");
+    }
+    check_skin_weights(mesh.skin, vertices, element);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
       for (const std::uint32_t index : mesh.triangles[i])
         if (index >= vertices)
           require(false, element, fmt::format("triangle {} names vertex {} of {} vertices", i, index, vertices));
+  }
+
+  /// Also accepts none, but of positions.
+  template <class T>
+  void check_attribute(const std::vector<T>& values, std::size_t vertices, const std::string& element, const char* what) const {
+    require(values.empty() || values.size() == vertices, element, fmt::format("not one {} per vertex", what));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!finite(values[i])) require(false, element, fmt::format("the {} of vertex {} is not finite", what, i));
+  }
+
+  void check_skin_weights(const SkinWeights& skin, std::size_t vertices, const std::string& element) const {
+    const std::size_t count = static_cast<std::size_t>(std::max(skin.per_vertex, 0)) * vertices;
+    require(skin.per_vertex >= 0 && skin.joints.size() == count && skin.weights.size() == count, element,
+            "not as many joints and weights for each vertex");
+    for (const float weight : skin.weights) require(finite(weight) && weight >= 0.0f, element, "a weight is not a number >= 0");
   }
 
   template <class T>
@@ -156,11 +179,22 @@ class Validator {
             element, "the axes of the image projection are not orthonormal");
   }
 
+  void check_map(const TextureMap& map, const std::string& element) const {
+    require_texture(map.texture, element);
+    require(map.uv_set == 0 || map.uv_set == 1, element, "a map uses neither the first nor the second set of uvs");
+    require(finite(map.matrix[0]) && finite(map.matrix[1]) && finite(map.offset), element, "a map's transform is not finite");
+  }
+
   void check_surface(const MetallicRoughness& s, const std::string& element) const {
-    require_texture(s.base_color_texture, element);
-    require_texture(s.emissive_texture, element);
-    require(finite(s.base_color) && finite(s.emissive), element, "a colour is not finite");
-    require(finite(Vec4f(s.metallic, s.roughness, s.transmission, s.alpha_cutoff)), element, "a coefficient is not finite");
+    for (const TextureMap* map :
+         {&s.base_color_map, &s.metallic_roughness_map, &s.normal_map, &s.occlusion_map, &s.emissive_map, &s.transmission_map,
+          &s.specular_map, &s.specular_color_map, &s.clearcoat_map, &s.clearcoat_roughness_map, &s.clearcoat_normal_map})
+      check_map(*map, element);
+    require(finite(s.base_color) && finite(s.emissive) && finite(s.specular_color), element, "a colour is not finite");
+    require(finite(Vec4f(s.metallic, s.roughness, s.transmission, s.alpha_cutoff)) &&
+                finite(Vec4f(s.normal_scale, s.occlusion_strength, s.specular, s.clearcoat)) &&
+                finite(Vec2f(s.clearcoat_roughness, s.clearcoat_normal_scale)),
+            element, "a coefficient is not finite");
     require(finite(s.ior) && s.ior > 0.0f, element, "the index of refraction is not a positive number");
   }
 
@@ -176,7 +210,31 @@ class Validator {
       require(finite(t.translation) && finite(t.scale), element, "the transform is not finite");
       require(unit(Vec4f(t.rotation.w, t.rotation.x, t.rotation.y, t.rotation.z)), element,
               "the rotation is not a unit quaternion");
+      for (const float weight : node.morph_weights) require(finite(weight), element, "a morph weight is not finite");
     }
+  }
+
+  void check_skin(const Skin& skin, std::size_t index) const {
+    const std::string element = label("skin", index, skin.name);
+    require(skin.joints.size() == skin.joint_from_mesh.size(), element, "not one matrix per joint");
+    for (const int joint : skin.joints) require_index(joint, scene_.nodes.size(), 0, element, "node");
+    for (const Affine3f& matrix : skin.joint_from_mesh) require(finite(matrix), element, "a matrix is not finite");
+  }
+
+  void check_deformation(const Instance& instance, const std::string& element) const {
+    require_index(instance.skin, scene_.skins.size(), -1, element, "skin");
+    const Mesh* mesh = std::get_if<Mesh>(&scene_.shapes[static_cast<std::size_t>(instance.shape)]);
+    if (instance.skin >= 0) {
+      require(mesh && mesh->skin.per_vertex > 0, element, "has a skin, but no mesh with weights");
+      const std::size_t joints = scene_.skins[static_cast<std::size_t>(instance.skin)].joints.size();
+      for (const std::uint32_t joint : mesh->skin.joints)
+        if (joint >= joints) require(false, element, fmt::format("a vertex names joint {} of {} joints", joint, joints));
+    }
+    if (!mesh || mesh->targets.empty()) return;
+    const std::size_t weights =
+        instance.node < 0 ? 0 : scene_.nodes[static_cast<std::size_t>(instance.node)].morph_weights.size();
+    require(weights == mesh->targets.size(), element,
+            fmt::format("{} morph targets, but {} weights at the node", mesh->targets.size(), weights));
   }
 
   void check_instance(const Instance& instance, std::size_t index) const {
@@ -184,6 +242,7 @@ class Validator {
     require_index(instance.shape, scene_.shapes.size(), 0, element, "shape");
     require_index(instance.material, scene_.materials.size(), 0, element, "material");
     require_node(instance.node, element);
+    check_deformation(instance, element);
     if (std::holds_alternative<Mesh>(scene_.shapes[static_cast<std::size_t>(instance.shape)])) return;
     for (int node = instance.node; node >= 0; node = scene_.nodes[static_cast<std::size_t>(node)].parent)
       require(keeps_proportions(node), element, fmt::format("node {} scales an analytic shape unevenly", node));
@@ -252,7 +311,11 @@ class Validator {
       const std::string element = fmt::format("animation {}", i);
       require_index(animation.node, scene_.nodes.size(), 0, element, "node");
       require(animated.insert(animation.node).second, element, fmt::format("node {} is animated twice", animation.node));
-      require(!scene_.nodes[static_cast<std::size_t>(animation.node)].matrix, element, "animates a node that is a matrix");
+      const Node& node = scene_.nodes[static_cast<std::size_t>(animation.node)];
+      const bool moves =
+          !animation.translation.times.empty() || !animation.rotation.times.empty() || !animation.scale.times.empty();
+      require(!node.matrix || !moves, element, "animates a node that is a matrix");
+      check_channel(animation.morph_weights, element + ", morph weights", node.morph_weights.size());
       check_channel(animation.translation, element + ", translation");
       check_channel(animation.rotation, element + ", rotation");
       check_channel(animation.scale, element + ", scale");
@@ -260,8 +323,8 @@ class Validator {
   }
 
   template <class T>
-  void check_channel(const Channel<T>& channel, const std::string& element) const {
-    const std::size_t per_key = channel.interpolation == Interpolation::kCubicSpline ? 3 : 1;
+  void check_channel(const Channel<T>& channel, const std::string& element, std::size_t count = 1) const {
+    const std::size_t per_key = count * (channel.interpolation == Interpolation::kCubicSpline ? 3 : 1);
     require(channel.values.size() == per_key * channel.times.size(), element, fmt::format("not {} values a key", per_key));
     for (std::size_t i = 0; i < channel.times.size(); ++i) {
       require(std::isfinite(channel.times[i]), element, "a time is not finite");

@@ -36,12 +36,12 @@ constexpr float kMirrorRoughness = 0.4f;
 WhittedMaterial from(const MetallicRoughness& s, const Background& background) {
   WhittedMaterial m;
   m.color = Vec3f(s.base_color);
-  m.texture = s.base_color_texture;
-  m.alpha_from_texture = s.base_color_texture >= 0 && (s.blend || s.alpha_cutoff > 0.0f);
+  m.texture = s.base_color_map.texture;
+  m.alpha_from_texture = s.base_color_map.texture >= 0 && (s.blend || s.alpha_cutoff > 0.0f);
   m.alpha_cutoff = s.blend ? 0.0f : s.alpha_cutoff;
   m.opacity = s.blend ? s.base_color.a : 1.0f;
   m.emission = s.emissive;
-  m.emission_texture = s.emissive_texture;
+  m.emission_texture = s.emissive_map.texture;
   if (s.unlit) {
     m.ambient = Vec3f(1.0f);
     m.diffuse = 0.0f;

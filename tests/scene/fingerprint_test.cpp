@@ -44,6 +44,21 @@ TEST(SceneFingerprint, any_change_that_a_picture_shows_changes_the_number) {
       [](Scene& s) { s.textures[0].wrap_v = Wrap::kClamp; },
       [](Scene& s) { std::get<PhongSurface>(s.materials[0].surface).projection = ImageProjection{}; },
       [](Scene& s) { std::get<MetallicRoughness>(s.materials[1].surface).unlit = true; },
+      [](Scene& s) {
+        std::get<Mesh>(s.shapes[0]).alphas = {1, 1, 0};
+      },
+      [](Scene& s) { std::get<Mesh>(s.shapes[0]).targets.resize(1); },
+      [](Scene& s) { std::get<Mesh>(s.shapes[0]).skin.per_vertex = 1; },
+      [](Scene& s) { std::get<MetallicRoughness>(s.materials[1].surface).emissive_map.offset.y = 0.5f; },
+      [](Scene& s) { std::get<MetallicRoughness>(s.materials[1].surface).normal_map.matrix[1].x = 0.5f; },
+      [](Scene& s) {
+        s.skins.push_back({"s", {0}, {Affine3f{}}});
+      },
+      [](Scene& s) { s.instances[0].skin = 0; },
+      [](Scene& s) { s.nodes[0].morph_weights = {1.0f}; },
+      [](Scene& s) {
+        s.timeline.animations[0].morph_weights = {{0.0}, {1.0f}};
+      },
       [](Scene& s) { s.instances[0].material = 1; },
       [](Scene& s) { s.lights[0].color.y = 0.5f; },
       [](Scene& s) { s.cameras[0].vertical_fov = 1.0f; },

@@ -15,13 +15,17 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 /// One of everything, all of it valid.
 Scene good_scene() {
   Scene scene;
-  scene.nodes.resize(2);
+  scene.nodes.resize(3);
   scene.nodes[1].parent = 0;
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
   mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
   mesh.triangles = {{0, 1, 2}};
+  mesh.skin = {1, {0, 1, 1}, {1, 1, 1}};
+  mesh.targets.resize(1);
+  scene.nodes[0].morph_weights = {0.5f};
+  scene.skins = {{"", {0, 1}, {Affine3f{}, Affine3f{}}}};
   scene.shapes = {mesh, Spheres(1), Cylinders(1), Planes(1), Rings(1), Boxes(1)};
   Texture texture;
   texture.width = 2, texture.height = 1, texture.rgba.resize(8);
@@ -30,9 +34,10 @@ Scene good_scene() {
   phong.texture = 0;
   phong.projection = ImageProjection{};
   MetallicRoughness metal;
-  metal.base_color_texture = 0;
+  metal.base_color_map.texture = 0;
   scene.materials = {{"p", phong}, {"m", metal}};
-  for (int i = 0; i < 6; ++i) scene.instances.push_back({"", i, i % 2, i % 3 - 1});
+  for (int i = 0; i < 6; ++i) scene.instances.push_back({"", i, i % 2, i % 3});
+  scene.instances[0].skin = 0;
   scene.lights.resize(1);
   scene.cameras.resize(1);
   scene.display = DisplayPlacement{};
@@ -81,6 +86,25 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"uv_count", [](Scene& s) { mesh_of(s).uvs.pop_back(); }, "not one uv per vertex"},
         Fault{"color_count", [](Scene& s) { mesh_of(s).colors.resize(2); }, "not one colour per vertex"},
         Fault{"color_nan", [](Scene& s) { mesh_of(s).colors.assign(3, Vec3f(kNan)); }, "the colour of vertex 0"},
+        Fault{"second_uv_count", [](Scene& s) { mesh_of(s).uvs_1.resize(2); }, "not one second uv per vertex"},
+        Fault{"alpha_nan", [](Scene& s) { mesh_of(s).alphas = {1, 1, kNan}; }, "the alpha of vertex 2"},
+        Fault{"tangent_length", [](Scene& s) { mesh_of(s).tangents.assign(3, Vec4f(1)); }, "the tangent of vertex 0"},
+        Fault{"target_count", [](Scene& s) { mesh_of(s).targets[0].positions.resize(2); }, "not one morphed position"},
+        Fault{"target_nan", [](Scene& s) { mesh_of(s).targets[0].normals.assign(3, Vec3f(kNan)); }, "morphed normal of vertex"},
+        Fault{"skin_weights_count", [](Scene& s) { mesh_of(s).skin.weights.pop_back(); }, "not as many joints and weights"},
+        Fault{"skin_weight_nan", [](Scene& s) { mesh_of(s).skin.weights[1] = kNan; }, "a weight is not a number"},
+        Fault{"skin_weight_joint", [](Scene& s) { mesh_of(s).skin.joints[2] = 2; }, "names joint 2 of 2 joints"},
+        Fault{"skin_joint", [](Scene& s) { s.skins[0].joints[1] = 3; }, "skin 0: node 3"},
+        Fault{"skin_matrices", [](Scene& s) { s.skins[0].joint_from_mesh.pop_back(); }, "not one matrix per joint"},
+        Fault{"skin_matrix_nan", [](Scene& s) { s.skins[0].joint_from_mesh[0].translation.x = kNan; }, "matrix is not finite"},
+        Fault{"instance_skin", [](Scene& s) { s.instances[0].skin = 1; }, "instance 0: skin 1"},
+        Fault{"skin_without_weights", [](Scene& s) { s.instances[1].skin = 0; }, "no mesh with weights"},
+        Fault{"morph_weight_count", [](Scene& s) { s.nodes[0].morph_weights.clear(); }, "1 morph targets, but 0 weights"},
+        Fault{"morph_weight_nan", [](Scene& s) { s.nodes[0].morph_weights[0] = kNan; }, "morph weight is not finite"},
+        Fault{"map_texture", [](Scene& s) { metal_of(s).clearcoat_normal_map.texture = 1; }, "material 1 (m): texture 1"},
+        Fault{"map_set", [](Scene& s) { metal_of(s).normal_map.uv_set = 2; }, "neither the first nor the second"},
+        Fault{"map_transform", [](Scene& s) { metal_of(s).emissive_map.matrix[1].x = kNan; }, "transform is not finite"},
+        Fault{"specular_nan", [](Scene& s) { metal_of(s).specular = kNan; }, "coefficient"},
         Fault{"uv_nan", [](Scene& s) { mesh_of(s).uvs[0].x = kNan; }, "the uv of vertex 0"},
         Fault{"triangle_index", [](Scene& s) { mesh_of(s).triangles[0][1] = 3; }, "triangle 0 names vertex 3 of 3"},
         Fault{"sphere_radius", [](Scene& s) { std::get<Spheres>(s.shapes[1])[0].radius = 0.0f; }, "shape 1, element 0"},
@@ -100,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"material_color", [](Scene& s) { metal_of(s).base_color.w = kInfinity; }, "colour"},
         Fault{"instance_shape", [](Scene& s) { s.instances[0].shape = -1; }, "instance 0: shape -1"},
         Fault{"instance_material", [](Scene& s) { s.instances[0].material = 2; }, "material 2"},
-        Fault{"instance_node", [](Scene& s) { s.instances[0].node = 2; }, "node 2"},
+        Fault{"instance_node", [](Scene& s) { s.instances[0].node = 3; }, "node 3"},
         Fault{"node_parent", [](Scene& s) { s.nodes[1].parent = 1; }, "node 1: a parent before it, 1"},
         Fault{"node_scale", [](Scene& s) { s.nodes[0].local.scale.x = kNan; }, "transform"},
         Fault{"node_rotation", [](Scene& s) { s.nodes[0].local.rotation = Quatf(0, 0, 0, 0); }, "unit quaternion"},
@@ -140,6 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"twice_animated", [](Scene& s) { s.timeline.animations.push_back(animation_of(s)); }, "node 1 is animated twice"},
         Fault{"animated_matrix", [](Scene& s) { s.nodes[1].matrix = Affine3f{}; }, "node that is a matrix"},
         Fault{"key_count", [](Scene& s) { animation_of(s).translation.values.pop_back(); }, "not 1 values a key"},
+        Fault{"weight_keys", [](Scene& s) { animation_of(s).morph_weights = {{0.0}, {1.0f}}; }, "morph weights: not 0 values"},
         Fault{"cubic_keys", [](Scene& s) { animation_of(s).translation.interpolation = Interpolation::kCubicSpline; }, "not 3"},
         Fault{"key_times", [](Scene& s) { animation_of(s).translation.times[1] = 0.0; }, "do not increase"},
         Fault{"key_nan", [](Scene& s) { animation_of(s).translation.values[1].z = kNan; }, "a value is not finite"}),

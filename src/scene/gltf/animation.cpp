@@ -60,7 +60,7 @@ class AnimationReader {
   NodeAnimation& animation_of(int node) {
     std::vector<NodeAnimation>& all = scene_.timeline.animations;
     const auto [found, is_new] = animation_of_node_.try_emplace(node, all.size());
-    if (is_new) all.push_back({node, {}, {}, {}});
+    if (is_new) all.emplace_back().node = node;
     return all[found->second];
   }
 

@@ -68,10 +68,10 @@ class MaterialReader {
   void read_textures(const tinygltf::Material& from, const std::string& where, MetallicRoughness& surface, int& uv_set) {
     const tinygltf::TextureInfo& base = from.pbrMetallicRoughness.baseColorTexture;
     const tinygltf::TextureInfo& emissive = from.emissiveTexture;
-    if (base.index >= 0) surface.base_color_texture = textures_.read(base.index);
-    if (emissive.index >= 0 && surface.emissive != Vec3f(0.0f)) surface.emissive_texture = textures_.read(emissive.index);
-    uv_set = surface.base_color_texture >= 0 ? base.texCoord : surface.emissive_texture >= 0 ? emissive.texCoord : 0;
-    if (surface.emissive_texture >= 0 && emissive.texCoord != uv_set)
+    if (base.index >= 0) surface.base_color_map.texture = textures_.read(base.index);
+    if (emissive.index >= 0 && surface.emissive != Vec3f(0.0f)) surface.emissive_map.texture = textures_.read(emissive.index);
+    uv_set = surface.base_color_map.texture >= 0 ? base.texCoord : surface.emissive_map.texture >= 0 ? emissive.texCoord : 0;
+    if (surface.emissive_map.texture >= 0 && emissive.texCoord != uv_set)
       document_.report.not_supported("several sets of texture coordinates in one material are",
                                      "the base colour's set is used for all textures", where);
   }

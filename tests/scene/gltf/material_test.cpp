@@ -154,7 +154,7 @@ TEST(GltfTexture, png_is_decoded_top_row_first_without_multiplying_by_alpha) {
   EXPECT_EQ(texture.height, 2);
   EXPECT_TRUE(texture.srgb);
   EXPECT_THAT(texture.rgba, ElementsAre(255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0));
-  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).base_color_texture, 0);
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).base_color_map.texture, 0);
   EXPECT_NO_THROW(validate(scene, "a.glb"));
 }
 
@@ -198,7 +198,7 @@ TEST(GltfTexture, one_image_for_two_materials_is_decoded_once) {
   b.add("materials", {{"emissiveFactor", {1, 1, 1}}, {"emissiveTexture", {{"index", 0}}}});
   const Scene scene = parse(b);
   EXPECT_EQ(scene.textures.size(), 1u);
-  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[1].surface).emissive_texture, 0);
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[1].surface).emissive_map.texture, 0);
 }
 
 TEST(GltfTexture, mesh_takes_the_set_of_coordinates_that_the_texture_asks_for) {
@@ -260,7 +260,7 @@ TEST(GltfTexture, without_an_image_it_is_white_with_a_warning) {
   b.root["textures"][0].erase("source");
   std::vector<std::string> warnings;
   const Scene scene = parse(b, &warnings);
-  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).base_color_texture, -1);
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).base_color_map.texture, -1);
   EXPECT_THAT(warnings, Contains("a.glb: textures without a PNG or JPEG image are white (first at textures[0])"));
 }
 
