@@ -49,7 +49,13 @@ GltfBuilder textured(const char* format) {
   b.add("images", {{"bufferView", b.add_view(encode(format))}});
   b.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9729}});
   b.add("textures", {{"source", 0}, {"sampler", 0}});
-  b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 0}}}, {"metallicFactor", 0}}},
+  const Json map = {{"index", 0}};
+  const Json transform = {{"offset", {0.5, 0}}, {"rotation", 1}, {"scale", {2, 3}}, {"texCoord", 1}};
+  const Json transformed = {{"index", 0}, {"texCoord", 0}, {"extensions", {{"KHR_texture_transform", transform}}}};
+  b.add("materials", {{"pbrMetallicRoughness",
+                       {{"baseColorTexture", transformed}, {"metallicRoughnessTexture", map}, {"metallicFactor", 0}}},
+                      {"normalTexture", {{"index", 0}, {"scale", 0.5}}},
+                      {"occlusionTexture", {{"index", 0}, {"strength", 0.5}, {"texCoord", 2}}},
                       {"emissiveFactor", {1, 1, 1}},
                       {"emissiveTexture", {{"index", 0}}},
                       {"alphaMode", "MASK"},
@@ -58,8 +64,12 @@ GltfBuilder textured(const char* format) {
                       {"extensions",
                        {{"KHR_materials_ior", {{"ior", 1.3}}},
                         {"KHR_materials_emissive_strength", {{"emissiveStrength", 5}}},
-                        {"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}});
-  b.add_node({{"mesh", b.add_triangle({{"material", 0}})}});
+                        {"KHR_materials_specular", {{"specularColorFactor", {1, 1, 2}}, {"specularTexture", map}}},
+                        {"KHR_materials_clearcoat", {{"clearcoatFactor", 1}, {"clearcoatNormalTexture", transformed}}},
+                        {"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", map}}}}}});
+  const int uvs = b.add_accessor(std::vector<Vec2f>(3, Vec2f(0.5f))), colors = b.add_accessor(std::vector<Vec4f>(3));
+  const Json attributes = {{"TEXCOORD_0", uvs}, {"TEXCOORD_1", uvs}, {"COLOR_0", colors}, {"TANGENT", colors}};
+  b.add_node({{"mesh", b.add_triangle({{"material", 0}, {"attributes", attributes}})}});
   return b;
 }
 

@@ -1,11 +1,11 @@
 // Reads glTF 2.0, the Khronos Group's exchange format, as one JSON file with others beside it (.gltf) or as one binary (.glb).
 //
 // Read: the default scene's node hierarchy; the first animation of its nodes; triangle meshes; metallic-roughness materials
-// with base-colour and emissive textures (PNG, JPEG); cameras; the extensions KHR_lights_punctual, KHR_materials_unlit,
-// KHR_materials_emissive_strength, KHR_materials_ior, KHR_materials_transmission, KHR_mesh_quantization.
+// with all their textures (PNG, JPEG); cameras; the extensions KHR_lights_punctual, KHR_materials_unlit, _emissive_strength,
+// _ior, _transmission, _specular, _clearcoat, KHR_texture_transform, KHR_mesh_quantization.
 // Simplified, with one warning each: skinned meshes stand in their rest pose, morphed ones keep their base shape, an
 // orthographic camera becomes a perspective one. A scene without lights gets a key light and a dim background. What else a
-// file holds and this reader leaves out (other textures, vertex colours, other extensions, further scenes and animations) is
+// file holds and this reader leaves out (other extensions, further scenes and animations) is
 // named by one warning; an extension that the file requires and that is not in the list above is an Error.
 //
 // Nothing in a file is trusted: every index, count and byte range is checked before it is used, memory grows with the bytes

@@ -47,6 +47,9 @@ struct Mesh {
   SkinWeights skin{};
 };
 
+/// Set 0 or 1 of a mesh's texture coordinates.
+inline const std::vector<Vec2f>& uvs_of(const Mesh& mesh, int set) { return set == 0 ? mesh.uvs : mesh.uvs_1; }
+
 struct Sphere {
   Vec3f center{0.0f};
   float radius = 1.0f;  ///< > 0

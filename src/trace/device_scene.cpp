@@ -24,12 +24,12 @@ void check(RTCDevice device, const char* doing) {
               memory ? "a scene with fewer triangles, or a machine with more memory" : "");
 }
 
-std::vector<UvGradient> make_uv_gradients(const Mesh& mesh) {
+std::vector<UvGradient> make_uv_gradients(const Mesh& mesh, const std::vector<Vec2f>& uvs) {
   std::vector<UvGradient> gradients;
   gradients.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3f edge_b = mesh.positions[b] - mesh.positions[a], edge_c = mesh.positions[c] - mesh.positions[a];
-    const Vec2f uv_b = mesh.uvs[b] - mesh.uvs[a], uv_c = mesh.uvs[c] - mesh.uvs[a];
+    const Vec2f uv_b = uvs[b] - uvs[a], uv_c = uvs[c] - uvs[a];
     const Vec3f n = glm::cross(edge_b, edge_c);
     const float squared = glm::dot(n, n);
     if (!(squared > 0.0f)) {
@@ -152,6 +152,8 @@ class SceneBuilder {
     for (Vec3f& p : world->positions) p = transform_point(place, p);
     const Mat3f normal_matrix = outward_normals(place.linear);
     for (Vec3f& n : world->normals) n = normalized_or(normal_matrix * n, n);
+    const float turned = glm::determinant(place.linear) < 0.0f ? -1.0f : 1.0f;  // a mirror turns the bitangent around
+    for (Vec4f& t : world->tangents) t = Vec4f(normalized_or(place.linear * Vec3f(t), Vec3f(t)), turned * t.w);
     if (glm::determinant(place.linear) < 0.0f)  // mirrored: the order of corners tells the outer side, as the normals do
       for (auto& triangle : world->triangles) std::swap(triangle[1], triangle[2]);
     const EmbreeGeometry geometry = make_triangles(*world, index);
@@ -161,7 +163,7 @@ class SceneBuilder {
     GeometryRecord record;
     record.instance = index;
     record.mesh = world.get();
-    record.uv_gradients = uv_gradients(*world);
+    record.uv_gradients = {uv_gradients(*world, 0), uv_gradients(*world, 1)};
     impl_.flattened.push_back(std::move(world));
     push_record(record, {});
   }
@@ -180,7 +182,7 @@ class SceneBuilder {
     record.placed = true;
     record.instance = index;
     record.mesh = &mesh;
-    record.uv_gradients = uv_gradients(mesh);
+    record.uv_gradients = {uv_gradients(mesh, 0), uv_gradients(mesh, 1)};
     place_record(record, geometry.get(), place);
     const auto id = static_cast<unsigned>(impl_.records.size());
     rtcAttachGeometryByID((moving ? impl_.moving : impl_.fixed).get(), geometry.get(), id);
@@ -189,10 +191,11 @@ class SceneBuilder {
     push_record(record, std::move(geometry));
   }
 
-  const std::vector<UvGradient>* uv_gradients(const Mesh& mesh) {
-    if (mesh.uvs.empty()) return nullptr;
-    auto [entry, is_new] = impl_.uv_gradients.try_emplace(&mesh);
-    if (is_new) entry->second = make_uv_gradients(mesh);
+  const std::vector<UvGradient>* uv_gradients(const Mesh& mesh, int set) {
+    const std::vector<Vec2f>& uvs = uvs_of(mesh, set);
+    if (uvs.empty()) return nullptr;
+    auto [entry, is_new] = impl_.uv_gradients.try_emplace({&mesh, set});
+    if (is_new) entry->second = make_uv_gradients(mesh, uvs);
     return &entry->second;
   }
 

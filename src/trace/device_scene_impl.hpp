@@ -35,8 +35,8 @@ struct GeometryRecord {
   bool placed = false;         ///< an Embree instance: normals and positions need world_from_mesh
   std::uint32_t instance = 0;  ///< index in Scene::instances (meshes; other kinds keep one per primitive)
   const Mesh* mesh = nullptr;  ///< world space, or mesh space where placed
-  const std::vector<UvGradient>* uv_gradients = nullptr;  ///< per triangle, where the mesh has uvs
-  const void* primitives = nullptr;                       ///< PrimitiveTable of the kind
+  std::array<const std::vector<UvGradient>*, 2> uv_gradients{};  ///< by set of uvs, per triangle; null: the mesh lacks the set
+  const void* primitives = nullptr;                              ///< PrimitiveTable of the kind
   const std::vector<std::uint32_t>* instance_of_primitive = nullptr;
   bool one_material = true;    ///< shared by all that has this record
   float reach = kEmbreeReach;  ///< of rays that stay within kEmbreeReach when they are taken into mesh space, where placed
@@ -69,9 +69,9 @@ struct DeviceScene::Impl {
   EmbreeScene fixed, moving;
   bool has_fixed = false, has_moving = false;
   std::vector<GeometryRecord> records;
-  std::vector<std::unique_ptr<Mesh>> flattened;            ///< world-space copies of fixed meshes
-  std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< by shape and material index
-  std::map<const Mesh*, std::vector<UvGradient>> uv_gradients;
+  std::vector<std::unique_ptr<Mesh>> flattened;                                 ///< world-space copies of fixed meshes
+  std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;                       ///< by shape and material index
+  std::map<std::pair<const Mesh*, int>, std::vector<UvGradient>> uv_gradients;  ///< by mesh and set
   PrimitiveTables fixed_tables, moving_tables;
   std::vector<EmbreeGeometry> placed_geometries;  ///< by record id; the Embree instances that may move
   std::vector<int> moving_records;                ///< ids of records in `moving` that are placed meshes

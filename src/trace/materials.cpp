@@ -22,7 +22,7 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
   m.opacity = s.opacity;
   m.ior = s.ior;
   m.emission = s.emission;
-  m.texture = s.texture;
+  m.color_map.texture = s.texture;
   if (s.projection) {
     m.projection = static_cast<int>(table.projections.size());
     table.projections.push_back(*s.projection);
@@ -36,12 +36,13 @@ constexpr float kMirrorRoughness = 0.4f;
 WhittedMaterial from(const MetallicRoughness& s, const Background& background) {
   WhittedMaterial m;
   m.color = Vec3f(s.base_color);
-  m.texture = s.base_color_map.texture;
-  m.alpha_from_texture = s.base_color_map.texture >= 0 && (s.blend || s.alpha_cutoff > 0.0f);
+  m.color_map = s.base_color_map;
+  m.has_alpha = s.blend || s.alpha_cutoff > 0.0f;
   m.alpha_cutoff = s.blend ? 0.0f : s.alpha_cutoff;
+  m.base_alpha = s.base_color.a;
   m.opacity = s.blend ? s.base_color.a : 1.0f;
   m.emission = s.emissive;
-  m.emission_texture = s.emissive_map.texture;
+  m.emission_map = s.emissive_map;
   if (s.unlit) {
     m.ambient = Vec3f(1.0f);
     m.diffuse = 0.0f;

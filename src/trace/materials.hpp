@@ -26,10 +26,11 @@ struct WhittedMaterial {
   float opacity = 1.0f;
   float ior = 1.0f;
   Vec3f emission{0.0f};
-  int texture = -1, emission_texture = -1;
-  int projection = -1;  ///< index into the table's projections, or -1: by uv
-  float alpha_cutoff = 0.0f;
-  bool alpha_from_texture = false;  ///< opacity = texture alpha (mask or blend)
+  TextureMap color_map, emission_map;
+  int projection = -1;        ///< of the color map: index into the table's projections, or -1: by uv
+  bool has_alpha = false;     ///< opacity *= alpha of texture and vertices (mask or blend)
+  float alpha_cutoff = 0.0f;  ///< > 0: that product, times base_alpha, is made 0 below it and 1 from it on
+  float base_alpha = 1.0f;
 };
 
 struct MaterialTable {

@@ -26,7 +26,7 @@ LIPPMANN_MULTIVERSION void set_material(const WhittedMaterial& m, const LaneMask
   set_lanes(s.ior, m.ior, lanes);
   s.any_highlight |= m.highlight > 0.0f;
   s.any_mirror |= m.mirror > 0.0f;
-  s.any_see_through |= m.opacity < 1.0f || m.alpha_from_texture;
+  s.any_see_through |= m.opacity < 1.0f || m.has_alpha;
 }
 
 /// uv at the hit, and how it changes along the beam's two axes, each projected along the ray onto the facet.
@@ -34,11 +34,11 @@ struct UvFootprint {
   Vec2f uv, a, b;
 };
 
-/// path_length: to the hit.
-UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, const BeamFootprint& beam,
+/// path_length: to the hit. set: of the mesh's uvs.
+UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, int set, const BeamFootprint& beam,
                          float path_length) {
-  const Vec2f uv = at_hit(record.mesh->uvs, record, packet, i);
-  const UvGradient& gradient = (*record.uv_gradients)[packet.hit.primID[i]];
+  const Vec2f uv = at_hit(uvs_of(*record.mesh, set), record, packet, i);
+  const UvGradient& gradient = (*record.uv_gradients[static_cast<std::size_t>(set)])[packet.hit.primID[i]];
   Vec3f du = gradient.du, dv = gradient.dv, n = gradient.normal;
   if (record.placed) {
     du = record.normal_from_mesh * du;
@@ -60,13 +60,15 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
   return {uv, change(beam.axis_x(), widths.x), change(beam.axis_y(), widths.y)};
 }
 
-void uv_footprints(const GeometryRecord& record, const RayHitPacket& packet, const Lanes& length, const BeamFootprint& beam,
-                   const LaneMask& lanes, UvLanes& uv) {
+/// As the map looks its texture up.
+void uv_footprints(const GeometryRecord& record, const RayHitPacket& packet, const TextureMap& map, const Lanes& length,
+                   const BeamFootprint& beam, const LaneMask& lanes, UvLanes& uv) {
   for (int i = 0; i < kLanes; ++i) {
     if (!lanes.lane[i]) continue;
-    const UvFootprint f = uv_footprint(record, packet, i, beam, length[i]);
-    uv.u[i] = f.uv.x, uv.v[i] = f.uv.y;
-    uv.a_u[i] = f.a.x, uv.a_v[i] = f.a.y, uv.b_u[i] = f.b.x, uv.b_v[i] = f.b.y;
+    const UvFootprint f = uv_footprint(record, packet, i, map.uv_set, beam, length[i]);
+    const Vec2f at = map.offset + map.matrix * f.uv, a = map.matrix * f.a, b = map.matrix * f.b;
+    uv.u[i] = at.x, uv.v[i] = at.y;
+    uv.a_u[i] = a.x, uv.a_v[i] = a.y, uv.b_u[i] = b.x, uv.b_v[i] = b.y;
   }
 }
 
@@ -83,7 +85,7 @@ LIPPMANN_MULTIVERSION void scale_texels(const TexelLanes& texels, Vec3f factor, 
 void apply_alpha(const WhittedMaterial& m, const Lanes& alpha, const LaneMask& lanes, SurfacePacket& s) {
   for (int i = 0; i < kLanes; ++i) {
     if (!lanes.lane[i]) continue;
-    s.opacity[i] *= m.alpha_cutoff > 0.0f ? (alpha[i] >= m.alpha_cutoff ? 1.0f : 0.0f) : alpha[i];
+    s.opacity[i] *= m.alpha_cutoff > 0.0f ? (m.base_alpha * alpha[i] >= m.alpha_cutoff ? 1.0f : 0.0f) : alpha[i];
   }
 }
 
@@ -93,31 +95,47 @@ const DeviceTexture& texture(const DeviceScene::Impl& scene, int index) {
 
 void apply_projected(const DeviceScene::Impl& scene, const WhittedMaterial& m, const Lanes& length, const LaneMask& lanes,
                      SurfacePacket& s) {
-  if (m.texture < 0) return;
   const ImageProjection& projection = scene.materials.projections[static_cast<std::size_t>(m.projection)];
-  sample_projected(texture(scene, m.texture), projection, s.position, length, lanes, s.color);
+  sample_projected(texture(scene, m.color_map.texture), projection, s.position, length, lanes, s.color);
 }
 
-void apply_by_uv(const DeviceScene::Impl& scene, const WhittedMaterial& m, const GeometryRecord& record,
-                 const RayHitPacket& packet, const Lanes& length, const BeamFootprint& beam, const LaneMask& lanes,
-                 SurfacePacket& s) {
-  UvLanes uv;
-  uv_footprints(record, packet, length, beam, lanes, uv);
-  TexelLanes texels;
-  if (m.texture >= 0) {
-    sample_uv(texture(scene, m.texture), uv, lanes, texels);
-    scale_texels(texels, m.color, lanes, s.color);
-    if (m.alpha_from_texture) apply_alpha(m, texels.alpha, lanes, s);
-  }
-  if (m.emission_texture >= 0) {
-    sample_uv(texture(scene, m.emission_texture), uv, lanes, texels);
-    scale_texels(texels, m.emission, lanes, s.emission);
-  }
+/// Whether the map has a texture and the mesh the coordinates for it.
+bool is_mapped(const TextureMap& map, const GeometryRecord& record) {
+  return map.texture >= 0 && record.uv_gradients[static_cast<std::size_t>(map.uv_set)];
 }
 
 void apply_vertex_colors(const GeometryRecord& record, const RayHitPacket& packet, const LaneMask& lanes, SurfacePacket& s) {
   for (int i = 0; i < kLanes; ++i)
     if (lanes.lane[i]) s.color.set(i, s.color.get(i) * at_hit(record.mesh->colors, record, packet, i));
+}
+
+void apply_vertex_alphas(const GeometryRecord& record, const RayHitPacket& packet, const LaneMask& lanes, Lanes& alpha) {
+  for (int i = 0; i < kLanes; ++i)
+    if (lanes.lane[i]) alpha[i] *= at_hit(record.mesh->alphas, record, packet, i);
+}
+
+/// Colour, alpha and emission from textures by uv and from vertices.
+void apply_mesh(const DeviceScene::Impl& scene, const WhittedMaterial& m, const GeometryRecord& record,
+                const RayHitPacket& packet, const Lanes& length, const BeamFootprint& beam, const LaneMask& lanes,
+                SurfacePacket& s) {
+  UvLanes uv;
+  TexelLanes texels;
+  LIPPMANN_FOR_LANES(i) texels.alpha[i] = 1.0f;
+  if (m.projection < 0 && is_mapped(m.color_map, record)) {
+    uv_footprints(record, packet, m.color_map, length, beam, lanes, uv);
+    sample_uv(texture(scene, m.color_map.texture), uv, lanes, texels);
+    scale_texels(texels, m.color, lanes, s.color);
+  }
+  if (!record.mesh->colors.empty()) apply_vertex_colors(record, packet, lanes, s);
+  if (m.has_alpha) {
+    if (!record.mesh->alphas.empty()) apply_vertex_alphas(record, packet, lanes, texels.alpha);
+    apply_alpha(m, texels.alpha, lanes, s);
+  }
+  if (is_mapped(m.emission_map, record)) {
+    uv_footprints(record, packet, m.emission_map, length, beam, lanes, uv);
+    sample_uv(texture(scene, m.emission_map.texture), uv, lanes, texels);
+    scale_texels(texels, m.emission, lanes, s.emission);
+  }
 }
 
 }  // namespace
@@ -127,15 +145,10 @@ void evaluate_material(const DeviceScene::Impl& scene, const WhittedMaterial& m,
                        SurfacePacket& s) {
   set_material(m, lanes, s);
   const bool of_mesh = record && record->kind == GeometryKind::kMesh;
-  if (m.texture >= 0 || m.emission_texture >= 0) {
-    Lanes length;
-    LIPPMANN_FOR_LANES(i) length[i] = path_length[i] + packet.ray.tfar[i];
-    if (m.projection >= 0)
-      apply_projected(scene, m, length, lanes, s);
-    else if (of_mesh && record->uv_gradients)
-      apply_by_uv(scene, m, *record, packet, length, beam, lanes, s);
-  }
-  if (of_mesh && !record->mesh->colors.empty()) apply_vertex_colors(*record, packet, lanes, s);
+  Lanes length;
+  LIPPMANN_FOR_LANES(i) length[i] = path_length[i] + packet.ray.tfar[i];
+  if (m.projection >= 0 && m.color_map.texture >= 0) apply_projected(scene, m, length, lanes, s);
+  if (of_mesh) apply_mesh(scene, m, *record, packet, length, beam, lanes, s);
 }
 
 }  // namespace lippmann

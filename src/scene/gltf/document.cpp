@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -22,13 +21,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, 6> kExtensions = {
-    "KHR_lights_punctual", "KHR_materials_unlit",        "KHR_materials_emissive_strength",
-    "KHR_materials_ior",   "KHR_materials_transmission", "KHR_mesh_quantization",
+constexpr std::string_view kExtensions[] = {
+    "KHR_lights_punctual", "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",   "KHR_materials_specular",  "KHR_materials_transmission",
+    "KHR_materials_unlit", "KHR_mesh_quantization",   "KHR_texture_transform",
 };
 
 bool is_read(const std::string& extension) {
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
 }
 
 /// Before the schema, because a file of version 1 differs from it in almost everything.

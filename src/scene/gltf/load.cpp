@@ -48,7 +48,7 @@ class InstanceReader {
       Instance instance;
       const PrimitiveId id{node.mesh, static_cast<int>(i)};
       instance.material = material_of(mesh.primitives[i].material, materials_, scene_);
-      instance.shape = shape_of(id, node.skin, materials_.uv_set[static_cast<std::size_t>(instance.material)]);
+      instance.shape = shape_of(id, node.skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
       instance.node = node.skin < 0 ? scene_node : -1;  // a skinned mesh stands in world space
       instance.name = node.name.empty() ? mesh.name : node.name;
       if (instance.shape < 0) continue;
@@ -58,10 +58,10 @@ class InstanceReader {
   }
 
   /// -1: nothing to show.
-  int shape_of(PrimitiveId id, int skin, int uv_set) {
+  int shape_of(PrimitiveId id, int skin, const MaterialNeeds& needs) {
     const auto [known, is_new] = shapes_.try_emplace({id, skin}, -1);
     if (!is_new) return known->second;
-    std::optional<Mesh> mesh = read_mesh(document_, id, uv_set);
+    std::optional<Mesh> mesh = read_mesh(document_, id, needs);
     if (!mesh) return -1;
     if (skin >= 0) pose_at_rest(document_, id, skin, nodes_, rest_, *mesh);
     known->second = static_cast<int>(scene_.shapes.size());

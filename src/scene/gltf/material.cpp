@@ -1,79 +1,125 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9 "Materials"; KHR_materials_unlit,
-// KHR_materials_emissive_strength, KHR_materials_ior, KHR_materials_transmission.
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9 "Materials"; KHR_materials_unlit, _emissive_strength,
+// _ior, _transmission, _specular, _clearcoat.
 #include "scene/gltf/material.hpp"
 
 #include <algorithm>
 
-#include "scene/gltf/texture.hpp"
+#include "scene/gltf/texture_map.hpp"
 
 namespace lippmann::gltf {
 namespace {
 
 float unit_factor(double x) { return static_cast<float>(std::clamp(x, 0.0, 1.0)); }
 
-/// A number of a material's extension, checked by the schema where it is present.
-double extension_number(const tinygltf::Material& material, const char* extension, const char* name, double otherwise) {
-  const auto found = material.extensions.find(extension);
-  if (found == material.extensions.end() || !found->second.Has(name)) return otherwise;
-  return found->second.Get(name).GetNumberAsDouble();
-}
+/// One extension of a material; what it holds was checked by the schema. Absent: every number has its default.
+class Extension {
+ public:
+  Extension(const tinygltf::Material& material, const char* name) {
+    const auto found = material.extensions.find(name);
+    if (found != material.extensions.end()) value_ = &found->second;
+  }
 
-void name_what_is_left_out(const tinygltf::Material& material, const std::string& where, Report& report) {
-  const auto left_out = [&](bool present, const char* what) {
-    if (present) report.not_supported(what, "the material's factors are used alone", where);
-  };
-  left_out(material.normalTexture.index >= 0, "normal textures are");
-  left_out(material.occlusionTexture.index >= 0, "occlusion textures are");
-  left_out(material.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0, "metallic-roughness textures are");
-  const auto transmission = material.extensions.find("KHR_materials_transmission");
-  left_out(transmission != material.extensions.end() && transmission->second.Has("transmissionTexture"),
-           "transmission textures are");
-}
+  explicit operator bool() const { return value_ != nullptr; }
+  const tinygltf::Value* find(const char* name) const { return value_ && value_->Has(name) ? &value_->Get(name) : nullptr; }
+  double number(const char* name, double otherwise) const {
+    const tinygltf::Value* value = find(name);
+    return value ? value->GetNumberAsDouble() : otherwise;
+  }
+  Vec3f color(const char* name, Vec3f otherwise) const {
+    const tinygltf::Value* value = find(name);
+    if (!value) return otherwise;
+    Vec3f color;
+    for (int i = 0; i < 3; ++i) color[i] = static_cast<float>(value->Get(i).GetNumberAsDouble());
+    return color;
+  }
+
+ private:
+  const tinygltf::Value* value_ = nullptr;
+};
 
 class MaterialReader {
  public:
   MaterialReader(Document& document, Scene& scene) : document_(document), textures_(document, scene) {}
 
-  /// Also says which set of texture coordinates the textures need.
-  Material read(std::size_t index, int& uv_set) {
+  Material read(std::size_t index, MaterialNeeds& needs) {
     const tinygltf::Material& from = document_.model.materials[index];
-    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
-    const std::string where = element("materials", index);
     MetallicRoughness surface;
-    for (int i = 0; i < 4; ++i) surface.base_color[i] = unit_factor(pbr.baseColorFactor[static_cast<std::size_t>(i)]);
-    surface.metallic = unit_factor(pbr.metallicFactor);
-    surface.roughness = unit_factor(pbr.roughnessFactor);
-    const float strength =
-        static_cast<float>(extension_number(from, "KHR_materials_emissive_strength", "emissiveStrength", 1.0));
-    for (int i = 0; i < 3; ++i) surface.emissive[i] = strength * unit_factor(from.emissiveFactor[static_cast<std::size_t>(i)]);
-    surface.ior = read_ior(from);
-    surface.transmission = unit_factor(extension_number(from, "KHR_materials_transmission", "transmissionFactor", 0.0));
     surface.alpha_cutoff = from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff) : 0.0f;
     surface.blend = from.alphaMode == "BLEND";
     surface.double_sided = from.doubleSided;
-    surface.unlit = from.extensions.contains("KHR_materials_unlit");
-    read_textures(from, where, surface, uv_set);
-    name_what_is_left_out(from, where, document_.report);
+    surface.unlit = static_cast<bool>(Extension(from, "KHR_materials_unlit"));
+    read_base(from, surface);
+    read_emission(from, surface);
+    if (!surface.unlit) {
+      read_relief(from, surface);
+      read_transmission(from, surface);
+      read_specular(from, surface);
+      read_clearcoat(from, surface);
+    }
+    needs.uv_sets = choose_uv_sets(surface, element("materials", index), document_.report);
+    needs.tangents = surface.normal_map.texture >= 0 || surface.clearcoat_normal_map.texture >= 0;
     return {from.name, surface};
   }
 
  private:
+  TextureMap color(const MapSource& source) { return read_map(source, true, textures_); }
+  TextureMap data(const MapSource& source) { return read_map(source, false, textures_); }
+
+  void read_base(const tinygltf::Material& from, MetallicRoughness& surface) {
+    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
+    for (int i = 0; i < 4; ++i) surface.base_color[i] = unit_factor(pbr.baseColorFactor[static_cast<std::size_t>(i)]);
+    surface.base_color_map = color(map_source(pbr.baseColorTexture));
+    surface.metallic = unit_factor(pbr.metallicFactor);
+    surface.roughness = unit_factor(pbr.roughnessFactor);
+    if (!surface.unlit) surface.metallic_roughness_map = data(map_source(pbr.metallicRoughnessTexture));
+  }
+
+  void read_emission(const tinygltf::Material& from, MetallicRoughness& surface) {
+    const Extension extension(from, "KHR_materials_emissive_strength");
+    const float strength = static_cast<float>(extension.number("emissiveStrength", 1.0));
+    for (int i = 0; i < 3; ++i) surface.emissive[i] = strength * unit_factor(from.emissiveFactor[static_cast<std::size_t>(i)]);
+    if (surface.emissive != Vec3f(0.0f)) surface.emissive_map = color(map_source(from.emissiveTexture));
+  }
+
+  void read_relief(const tinygltf::Material& from, MetallicRoughness& surface) {
+    surface.normal_map = data(map_source(from.normalTexture));
+    surface.normal_scale = static_cast<float>(from.normalTexture.scale);
+    surface.occlusion_map = data(map_source(from.occlusionTexture));
+    surface.occlusion_strength = unit_factor(from.occlusionTexture.strength);
+  }
+
+  void read_transmission(const tinygltf::Material& from, MetallicRoughness& surface) {
+    const Extension extension(from, "KHR_materials_transmission");
+    surface.ior = ior_of(Extension(from, "KHR_materials_ior").number("ior", 1.5));
+    surface.transmission = unit_factor(extension.number("transmissionFactor", 0.0));
+    if (surface.transmission > 0.0f) surface.transmission_map = data(map_source(extension.find("transmissionTexture")));
+  }
+
   /// 0 stands for "reflects everything" (KHR_materials_ior); a very dense medium comes close to that.
-  static float read_ior(const tinygltf::Material& from) {
+  static float ior_of(double ior) {
     constexpr double kMirrorLike = 1000.0;
-    const double ior = extension_number(from, "KHR_materials_ior", "ior", 1.5);
     return static_cast<float>(ior == 0.0 ? kMirrorLike : std::max(ior, 1.0));
   }
 
-  void read_textures(const tinygltf::Material& from, const std::string& where, MetallicRoughness& surface, int& uv_set) {
-    const tinygltf::TextureInfo& base = from.pbrMetallicRoughness.baseColorTexture;
-    const tinygltf::TextureInfo& emissive = from.emissiveTexture;
-    if (base.index >= 0) surface.base_color_map.texture = textures_.read(base.index);
-    if (emissive.index >= 0 && surface.emissive != Vec3f(0.0f)) surface.emissive_map.texture = textures_.read(emissive.index);
-    uv_set = surface.base_color_map.texture >= 0 ? base.texCoord : surface.emissive_map.texture >= 0 ? emissive.texCoord : 0;
-    if (surface.emissive_map.texture >= 0 && emissive.texCoord != uv_set)
-      document_.report.not_supported("several sets of texture coordinates in one material are",
-                                     "the base colour's set is used for all textures", where);
+  void read_specular(const tinygltf::Material& from, MetallicRoughness& surface) {
+    const Extension extension(from, "KHR_materials_specular");
+    surface.specular = unit_factor(extension.number("specularFactor", 1.0));
+    surface.specular_map = data(map_source(extension.find("specularTexture")));
+    surface.specular_color = extension.color("specularColorFactor", Vec3f(1.0f));
+    surface.specular_color_map = color(map_source(extension.find("specularColorTexture")));
+  }
+
+  void read_clearcoat(const tinygltf::Material& from, MetallicRoughness& surface) {
+    const Extension extension(from, "KHR_materials_clearcoat");
+    surface.clearcoat = unit_factor(extension.number("clearcoatFactor", 0.0));
+    if (!(surface.clearcoat > 0.0f)) return;
+    surface.clearcoat_map = data(map_source(extension.find("clearcoatTexture")));
+    surface.clearcoat_roughness = unit_factor(extension.number("clearcoatRoughnessFactor", 0.0));
+    surface.clearcoat_roughness_map = data(map_source(extension.find("clearcoatRoughnessTexture")));
+    const tinygltf::Value* normal = extension.find("clearcoatNormalTexture");
+    surface.clearcoat_normal_map = data(map_source(normal));
+    if (normal && normal->Has("scale"))
+      surface.clearcoat_normal_scale = static_cast<float>(normal->Get("scale").GetNumberAsDouble());
   }
 
   Document& document_;
@@ -86,9 +132,8 @@ MaterialTable read_materials(Document& document, Scene& scene) {
   MaterialTable table;
   MaterialReader reader(document, scene);
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
-    int uv_set = 0;
-    scene.materials.push_back(reader.read(i, uv_set));
-    table.uv_set.push_back(uv_set);
+    table.needs.emplace_back();
+    scene.materials.push_back(reader.read(i, table.needs.back()));
   }
   return table;
 }
@@ -97,7 +142,7 @@ int material_of(int file_material, MaterialTable& table, Scene& scene) {
   if (file_material >= 0) return file_material;
   if (table.default_material < 0) {
     table.default_material = static_cast<int>(scene.materials.size());
-    table.uv_set.push_back(0);
+    table.needs.emplace_back();
     scene.materials.push_back({"glTF default", MetallicRoughness{}});
   }
   return table.default_material;

@@ -1,6 +1,7 @@
 // Turns glTF materials into MetallicRoughness surfaces.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "scene/gltf/document.hpp"
@@ -8,10 +9,15 @@
 
 namespace lippmann::gltf {
 
-/// What meshes have to know of materials.
+/// Which attributes of a mesh a material looks at.
+struct MaterialNeeds {
+  std::array<int, 2> uv_sets{0, -1};  ///< TEXCOORD_n that become Mesh::uvs and uvs_1; -1: none
+  bool tangents = false;
+};
+
 struct MaterialTable {
-  std::vector<int> uv_set;    ///< by material: which TEXCOORD_n its textures use
-  int default_material = -1;  ///< of primitives that name none; added to the Scene on first use
+  std::vector<MaterialNeeds> needs;  ///< by material
+  int default_material = -1;         ///< of primitives that name none; added to the Scene on first use
 };
 
 /// Fills scene.materials, with the file's indices, and scene.textures.

@@ -15,22 +15,6 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
-  const auto found = primitive.attributes.find(name);
-  return found == primitive.attributes.end() ? -1 : found->second;
-}
-
-/// One value per vertex, or none where the primitive does not have the attribute.
-template <class T>
-std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::string& name, std::size_t vertices) {
-  const int accessor = attribute(primitive_of(document, id), name);
-  if (accessor < 0) return {};
-  const std::size_t count = document.model.accessors[static_cast<std::size_t>(accessor)].count;
-  if (count != vertices)
-    document.report.fail(element(id), fmt::format("has {} positions, but {} values of {}", vertices, count, name));
-  return unpack<T>(document, accessor);
-}
-
 /// The corners in the order in which they form triangles: the indices, or simply 0, 1, 2, ...
 std::vector<std::uint32_t> read_corners(Document& document, PrimitiveId id, std::size_t vertices) {
   const tinygltf::Primitive& primitive = primitive_of(document, id);
@@ -87,23 +71,13 @@ void normalize_normals(Mesh& mesh, const std::string& where, Report& report) {
 
 void name_what_is_left_out(Document& document, PrimitiveId id) {
   const tinygltf::Primitive& primitive = primitive_of(document, id);
-  if (attribute(primitive, "COLOR_0") >= 0)
-    document.report.not_supported("vertex colours (COLOR_0) are", "the material's colour is used alone", element(id));
   if (!primitive.targets.empty())
     document.report.not_supported("morph targets are", "meshes keep their base shape", element(id));
 }
 
 }  // namespace
 
-const tinygltf::Primitive& primitive_of(const Document& document, PrimitiveId id) {
-  return document.model.meshes[static_cast<std::size_t>(id.mesh)].primitives[static_cast<std::size_t>(id.primitive)];
-}
-
-std::string element(PrimitiveId id) {
-  return element("meshes", static_cast<std::size_t>(id.mesh), "primitives", static_cast<std::size_t>(id.primitive));
-}
-
-std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, int uv_set) {
+std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const MaterialNeeds& needs) {
   const tinygltf::Primitive& primitive = primitive_of(document, id);
   if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
     document.report.not_supported("points and lines are", "they are left out", element(id));
@@ -119,7 +93,11 @@ std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, int uv_set) {
   mesh.positions = unpack<Vec3f>(document, attribute(primitive, "POSITION"));
   const std::size_t vertices = mesh.positions.size();
   mesh.normals = read_attribute<Vec3f>(document, id, "NORMAL", vertices);
-  mesh.uvs = read_attribute<Vec2f>(document, id, fmt::format("TEXCOORD_{}", uv_set), vertices);
+  const auto uvs = [&](int set) { return read_attribute<Vec2f>(document, id, fmt::format("TEXCOORD_{}", set), vertices); };
+  mesh.uvs = uvs(needs.uv_sets[0]);
+  if (needs.uv_sets[1] >= 0) mesh.uvs_1 = uvs(needs.uv_sets[1]);
+  read_colors(document, id, mesh);
+  if (needs.tangents) read_tangents(document, id, mesh);
   const std::vector<std::uint32_t> corners = read_corners(document, id, vertices);
   document.unpacked.spend(corners.size(), sizeof(Triangle), element(id), document.report);
   mesh.triangles = assemble(corners, primitive.mode);

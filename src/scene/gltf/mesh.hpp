@@ -3,21 +3,13 @@
 
 #include <optional>
 
-#include "scene/gltf/document.hpp"
-#include "scene/scene.hpp"
+#include "scene/gltf/attribute.hpp"
+#include "scene/gltf/material.hpp"
 
 namespace lippmann::gltf {
 
-struct PrimitiveId {
-  int mesh = 0, primitive = 0;
-  auto operator<=>(const PrimitiveId&) const = default;
-};
-
-const tinygltf::Primitive& primitive_of(const Document& document, PrimitiveId id);
-std::string element(PrimitiveId id);
-
-/// Strips and fans become single triangles; without NORMAL the mesh is faceted. `uv_set`: which TEXCOORD_n the material's
-/// textures use. Nothing, with a warning, where there are no triangles (points, lines, no positions). Throws Error.
-std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, int uv_set);
+/// Strips and fans become single triangles; without NORMAL the mesh is faceted. Nothing, with a warning, where there are no
+/// triangles (points, lines, no positions). Throws Error.
+std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const MaterialNeeds& needs);
 
 }  // namespace lippmann::gltf

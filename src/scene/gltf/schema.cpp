@@ -143,7 +143,18 @@ constexpr Property kSampler[] = {
     integer("wrapT", kFirstWrap, kLastWrap),
 };
 
-constexpr Property kTextureInfo[] = {index("index", "textures", kRequired), integer("texCoord", 0, kMaxInt)};
+constexpr Property kTextureTransform[] = {
+    numbers("offset", 2),
+    number("rotation", -FLT_MAX, FLT_MAX),
+    numbers("scale", 2),
+    integer("texCoord", 0, kMaxInt),
+};
+constexpr Property kTextureExtensions[] = {object("KHR_texture_transform", kTextureTransform)};
+constexpr Property kTextureIndex = index("index", "textures", kRequired), kTexCoord = integer("texCoord", 0, kMaxInt),
+                   kTextureExtras = object("extensions", kTextureExtensions);
+constexpr Property kTextureInfo[] = {kTextureIndex, kTexCoord, kTextureExtras};
+constexpr Property kNormalTexture[] = {kTextureIndex, kTexCoord, kTextureExtras, number("scale", -1e6, 1e6)};
+constexpr Property kOcclusionTexture[] = {kTextureIndex, kTexCoord, kTextureExtras, number("strength", 0.0, kOne)};
 constexpr Property kMetallicRoughness[] = {
     numbers("baseColorFactor", 4, 0.0, kOne),
     object("baseColorTexture", kTextureInfo),
@@ -154,7 +165,22 @@ constexpr Property kMetallicRoughness[] = {
 constexpr Property kEmissiveStrength[] = {number("emissiveStrength", 0.0, 1e12)};
 constexpr Property kIor[] = {number("ior", 0.0, 1000.0)};
 constexpr Property kTransmission[] = {number("transmissionFactor", 0.0, kOne), object("transmissionTexture", kTextureInfo)};
+constexpr Property kSpecular[] = {
+    number("specularFactor", 0.0, kOne),
+    object("specularTexture", kTextureInfo),
+    numbers("specularColorFactor", 3, 0.0, 1e6),
+    object("specularColorTexture", kTextureInfo),
+};
+constexpr Property kClearcoat[] = {
+    number("clearcoatFactor", 0.0, kOne),
+    object("clearcoatTexture", kTextureInfo),
+    number("clearcoatRoughnessFactor", 0.0, kOne),
+    object("clearcoatRoughnessTexture", kTextureInfo),
+    object("clearcoatNormalTexture", kNormalTexture),
+};
 constexpr Property kMaterialExtensions[] = {
+    object("KHR_materials_clearcoat", kClearcoat),
+    object("KHR_materials_specular", kSpecular),
     object("KHR_materials_unlit", {}),
     object("KHR_materials_emissive_strength", kEmissiveStrength),
     object("KHR_materials_ior", kIor),
@@ -163,8 +189,8 @@ constexpr Property kMaterialExtensions[] = {
 constexpr Property kMaterial[] = {
     string("name"),
     object("pbrMetallicRoughness", kMetallicRoughness),
-    object("normalTexture", kTextureInfo),
-    object("occlusionTexture", kTextureInfo),
+    object("normalTexture", kNormalTexture),
+    object("occlusionTexture", kOcclusionTexture),
     object("emissiveTexture", kTextureInfo),
     numbers("emissiveFactor", 3, 0.0, kOne),
     string("alphaMode", kOptional, "|OPAQUE|MASK|BLEND|"),

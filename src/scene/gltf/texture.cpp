@@ -68,7 +68,7 @@ Wrap wrap_mode(int mode, const std::string& where, const Report& report) {
 
 }  // namespace
 
-int TextureReader::read(int index) {
+int TextureReader::read(int index, bool srgb) {
   const tinygltf::Texture& texture = document_.model.textures[static_cast<std::size_t>(index)];
   const std::string where = element("textures", static_cast<std::size_t>(index));
   if (texture.source < 0) {
@@ -83,12 +83,14 @@ int TextureReader::read(int index) {
   const Wrap wrap_u = wrap_mode(sampler.wrapS, sampler_where, document_.report);
   const Wrap wrap_v = wrap_mode(sampler.wrapT, sampler_where, document_.report);
 
-  const auto [known, is_new] = known_.try_emplace({texture.source, wrap_u, wrap_v}, static_cast<int>(scene_.textures.size()));
+  const auto [known, is_new] =
+      known_.try_emplace({texture.source, wrap_u, wrap_v, srgb}, static_cast<int>(scene_.textures.size()));
   if (!is_new) return known->second;
   Texture result;
   const std::size_t image = static_cast<std::size_t>(texture.source);
   result.name = !document_.images[image].name.empty() ? document_.images[image].name : texture.name;
   result.wrap_u = wrap_u, result.wrap_v = wrap_v;
+  result.srgb = srgb;
   decode(image, result);
   scene_.textures.push_back(std::move(result));
   return known->second;

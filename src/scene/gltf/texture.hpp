@@ -10,13 +10,14 @@
 
 namespace lippmann::gltf {
 
-/// Decodes each pair of image and wrap modes once, when it is first asked for.
+/// Decodes each image once for each way to use it (wrap modes, sRGB or data), when it is first asked for.
 class TextureReader {
  public:
   TextureReader(Document& document, Scene& scene) : document_(document), scene_(scene), left_(document.limits.texture_bytes) {}
 
   /// The index in scene.textures of a texture of the file. -1, with a warning, where it has no image that is supported.
-  int read(int texture);
+  /// srgb: its colours are encoded; false for data.
+  int read(int texture, bool srgb);
 
  private:
   void decode(std::size_t image, Texture& into);
@@ -24,7 +25,7 @@ class TextureReader {
   Document& document_;
   Scene& scene_;
   std::uint64_t left_;  ///< bytes that may still be decoded
-  std::map<std::tuple<int, Wrap, Wrap>, int> known_;
+  std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
 };
 
 }  // namespace lippmann::gltf

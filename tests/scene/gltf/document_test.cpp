@@ -134,12 +134,12 @@ TEST(GltfDocument, integer_written_as_float_is_read) { EXPECT_THAT(message_with(
 
 TEST(GltfDocument, extension_that_is_not_read_is_one_warning) {
   GltfBuilder b = good_document();
-  b.root["extensionsUsed"] = {"KHR_materials_clearcoat"};
-  b.root["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 1}};
+  b.root["extensionsUsed"] = {"KHR_materials_volume"};
+  b.root["materials"][0]["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 1}};
   std::vector<std::string> warnings;
   parse(b, &warnings);
   EXPECT_EQ(std::count(warnings.begin(), warnings.end(),
-                       "a.glb: the extension KHR_materials_clearcoat is not supported yet and is ignored"),
+                       "a.glb: the extension KHR_materials_volume is not supported yet and is ignored"),
             1);
 }
 

@@ -97,14 +97,16 @@ TEST(GltfMaterial, emissive_strength_multiplies_the_factor) {
   EXPECT_EQ(s.emissive, Vec3f(100, 50, 0));
 }
 
-TEST(GltfMaterial, extensions_for_glass_and_flat_colour_are_read) {
-  const MetallicRoughness s = surface_of({{"extensions",
-                                           {{"KHR_materials_ior", {{"ior", 1.33}}},
-                                            {"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
-                                            {"KHR_materials_unlit", Json::object()}}}});
+TEST(GltfMaterial, extensions_for_glass_are_read) {
+  const MetallicRoughness s =
+      surface_of({{"extensions",
+                   {{"KHR_materials_ior", {{"ior", 1.33}}}, {"KHR_materials_transmission", {{"transmissionFactor", 0.75}}}}}});
   EXPECT_EQ(s.ior, 1.33f);
   EXPECT_EQ(s.transmission, 0.75f);
-  EXPECT_TRUE(s.unlit);
+}
+
+TEST(GltfMaterial, unlit_is_read) {
+  EXPECT_TRUE(surface_of({{"extensions", {{"KHR_materials_unlit", Json::object()}}}}).unlit);
 }
 
 TEST(GltfMaterial, ior_of_zero_means_that_everything_is_reflected) {
@@ -131,16 +133,101 @@ TEST(GltfMaterial, primitives_without_one_share_the_default) {
   EXPECT_EQ(scene.instances[1].material, 1);
 }
 
-TEST(GltfMaterial, textures_that_are_not_read_are_one_warning_each) {
+TEST(GltfMaterial, specular_and_clearcoat_are_read) {
+  const MetallicRoughness s =
+      surface_of({{"extensions",
+                   {{"KHR_materials_specular", {{"specularFactor", 0.25}, {"specularColorFactor", {2, 0.5, 0}}}},
+                    {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.125}}}}}});
+  EXPECT_EQ(s.specular, 0.25f);
+  EXPECT_EQ(s.specular_color, Vec3f(2.0f, 0.5f, 0.0f));
+  EXPECT_EQ(s.clearcoat, 0.75f);
+  EXPECT_EQ(s.clearcoat_roughness, 0.125f);
+}
+
+/// A material with every map there is, all of them of texture 0.
+Json all_maps() {
+  const Json map = {{"index", 0}};
+  return {{"pbrMetallicRoughness", {{"baseColorTexture", map}, {"metallicRoughnessTexture", map}}},
+          {"normalTexture", {{"index", 0}, {"scale", 0.5}}},
+          {"occlusionTexture", {{"index", 0}, {"strength", 0.25}}},
+          {"emissiveTexture", map},
+          {"emissiveFactor", {1, 1, 1}},
+          {"extensions",
+           {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", map}}},
+            {"KHR_materials_specular", {{"specularTexture", map}, {"specularColorTexture", map}}},
+            {"KHR_materials_clearcoat",
+             {{"clearcoatFactor", 1},
+              {"clearcoatTexture", map},
+              {"clearcoatRoughnessTexture", map},
+              {"clearcoatNormalTexture", {{"index", 0}, {"scale", 2}}}}}}}};
+}
+
+MetallicRoughness surface_of(const GltfBuilder& b) {
+  const Scene scene = parse(b);
+  validate(scene, "a.glb");
+  return std::get<MetallicRoughness>(scene.materials.at(0).surface);
+}
+
+TEST(GltfMaterial, one_image_is_a_texture_of_colours_and_a_texture_of_data) {
   GltfBuilder b = textured(four_colours());
-  Json& material = b.root["materials"][0];
-  material["normalTexture"] = material["occlusionTexture"] = {{"index", 0}};
-  material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
-  b.add("materials", material);
-  std::vector<std::string> warnings;
-  parse(b, &warnings);
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("normal textures are not supported yet"), HasSubstr("occlusion textures are not"),
-                                    HasSubstr("metallic-roughness textures are not"), HasSubstr("has no lights")));
+  b.root["materials"][0] = all_maps();
+  const Scene scene = parse(b);
+  ASSERT_EQ(scene.textures.size(), 2u);
+  const int colors = scene.textures[0].srgb ? 0 : 1;
+  EXPECT_NE(scene.textures[0].srgb, scene.textures[1].srgb);
+  const MetallicRoughness s = surface_of(b);
+  for (const TextureMap* map : {&s.base_color_map, &s.emissive_map, &s.specular_color_map}) EXPECT_EQ(map->texture, colors);
+  for (const TextureMap* map : {&s.metallic_roughness_map, &s.normal_map, &s.occlusion_map, &s.transmission_map,
+                                &s.specular_map, &s.clearcoat_map, &s.clearcoat_roughness_map, &s.clearcoat_normal_map})
+    EXPECT_EQ(map->texture, 1 - colors);
+  EXPECT_EQ(s.normal_scale, 0.5f);
+  EXPECT_EQ(s.occlusion_strength, 0.25f);
+  EXPECT_EQ(s.clearcoat_normal_scale, 2.0f);
+}
+
+TEST(GltfMaterial, maps_of_what_is_zero_or_unlit_are_not_even_decoded) {
+  GltfBuilder b = textured({'n', 'o'});
+  Json& material = b.root["materials"][0] = all_maps();
+  material["extensions"]["KHR_materials_unlit"] = Json::object();
+  material["pbrMetallicRoughness"].clear();
+  material["emissiveFactor"] = {0, 0, 0};
+  EXPECT_NO_THROW(parse(b));
+}
+
+/// Where a map of the surface finds the texel of uv.
+Vec2f look_up(const TextureMap& map, Vec2f uv) { return map.offset + map.matrix * uv; }
+
+MetallicRoughness surface_with_transform(const Json& transform) {
+  GltfBuilder b = textured(four_colours());
+  b.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = transform;
+  return surface_of(b);
+}
+
+TEST(GltfTextureTransform, scales_then_turns_then_moves) {
+  const TextureMap map =
+      surface_with_transform({{"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", kPi / 2}}).base_color_map;
+  // (1, 0) is scaled to (2, 0), turned by a quarter to (0, -2) and moved.
+  const Vec2f along_u = look_up(map, {1, 0}), along_v = look_up(map, {0, 1});
+  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // the cosine of float pi / 2
+  EXPECT_NEAR(along_u.y, -1.5f, 1e-6f);
+  EXPECT_NEAR(along_v.x, 4.25f, 1e-6f);
+  EXPECT_NEAR(along_v.y, 0.5f, 1e-6f);
+}
+
+TEST(GltfTextureTransform, of_a_map_within_an_extension_is_read) {
+  GltfBuilder b = textured(four_colours());
+  b.root["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {
+      {"clearcoatFactor", 1},
+      {"clearcoatTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}}}}}}}};
+  EXPECT_EQ(surface_of(b).clearcoat_map.offset, Vec2f(0.5f, 0.0f));
+}
+
+TEST(GltfTextureTransform, that_is_not_two_numbers_is_an_error) {
+  EXPECT_EQ(error_message([] {
+              surface_with_transform({{"scale", {1}}});
+            }),
+            "a.glb: materials[0].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.scale: has 1 entries; "
+            "accepted: 2");
 }
 
 // ---- Textures -------------------------------------------------------------------------------------------------------
@@ -209,6 +296,47 @@ TEST(GltfTexture, mesh_takes_the_set_of_coordinates_that_the_texture_asks_for) {
   b.root["meshes"][0]["primitives"][0]["attributes"].update({{"TEXCOORD_0", first}, {"TEXCOORD_1", second}});
   const Scene scene = parse(b);
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.75f)));
+}
+
+/// A textured triangle with TEXCOORD_0, _1, _2 that are n / 4 everywhere; its base colour, emission and occlusion use the
+/// sets given.
+GltfBuilder with_three_sets(int base, int emissive, int occlusion) {
+  GltfBuilder b = textured(four_colours());
+  Json& material = b.root["materials"][0];
+  material["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = base;
+  material.update({{"emissiveFactor", {1, 1, 1}},
+                   {"emissiveTexture", {{"index", 0}, {"texCoord", emissive}}},
+                   {"occlusionTexture", {{"index", 0}, {"texCoord", occlusion}}}});
+  for (int n = 0; n < 3; ++n) {
+    const int accessor = b.add_accessor(std::vector<Vec2f>(3, Vec2f(0.25f * static_cast<float>(n))));
+    b.root["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_" + std::to_string(n)] = accessor;
+  }
+  return b;
+}
+
+TEST(GltfTexture, two_sets_of_coordinates_of_one_material_are_both_read) {
+  const Scene scene = parse(with_three_sets(2, 1, 2));
+  const Mesh& mesh = std::get<Mesh>(scene.shapes.at(0));
+  EXPECT_THAT(mesh.uvs, testing::Each(Vec2f(0.5f)));
+  EXPECT_THAT(mesh.uvs_1, testing::Each(Vec2f(0.25f)));
+  const MetallicRoughness s = std::get<MetallicRoughness>(scene.materials[0].surface);
+  EXPECT_EQ(s.base_color_map.uv_set, 0);
+  EXPECT_EQ(s.emissive_map.uv_set, 1);
+  EXPECT_EQ(s.occlusion_map.uv_set, 0);
+}
+
+TEST(GltfTexture, third_set_of_coordinates_is_a_warning) {
+  std::vector<std::string> warnings;
+  const Scene scene = parse(with_three_sets(0, 1, 2), &warnings);
+  EXPECT_THAT(warnings, Contains(HasSubstr("more than two sets of texture coordinates in one material are not supported yet")));
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).occlusion_map.uv_set, 0);
+}
+
+TEST(GltfTexture, transform_may_choose_another_set) {
+  GltfBuilder b = with_three_sets(0, 0, 0);
+  b.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {{"texCoord", 2}};
+  const Scene scene = parse(b);
+  EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.5f)));
 }
 
 TEST(GltfTexture, image_that_is_neither_png_nor_jpeg_is_an_error) {

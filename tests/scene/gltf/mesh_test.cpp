@@ -238,16 +238,59 @@ TEST(GltfMesh, normal_without_direction_is_made_from_its_triangles_with_a_warnin
               Contains("a.glb: normals without a direction are made from the triangles (first at meshes[0].primitives[0])"));
 }
 
-TEST(GltfMesh, vertex_colours_and_morph_targets_are_one_warning_each) {
+TEST(GltfMesh, vertex_colours_of_three_floats_are_read) {
+  GltfBuilder b;
+  b.add_triangle({{"attributes", {{"COLOR_0", b.add_accessor(std::vector<Vec3f>{{1, 0.5f, 0}, {0, 1, 0}, {0, 0, -1}})}}}});
+  const Mesh mesh = parse_mesh(b);
+  EXPECT_THAT(mesh.colors, ElementsAre(Vec3f(1, 0.5f, 0), Vec3f(0, 1, 0), Vec3f(0)));
+  EXPECT_TRUE(mesh.alphas.empty());
+}
+
+TEST(GltfMesh, vertex_colours_of_four_bytes_are_colours_and_alphas) {
+  GltfBuilder b;
+  const int colors = b.add_accessor(std::vector<std::uint8_t>{255, 0, 51, 255, 0, 0, 0, 0, 255, 255, 255, 102},
+                                    test::kUnsignedByte, "VEC4", 3);
+  b.accessor(colors)["normalized"] = true;
+  b.add_triangle({{"attributes", {{"COLOR_0", colors}}}});
+  const Mesh mesh = parse_mesh(b);
+  EXPECT_THAT(mesh.colors, ElementsAre(Vec3f(1, 0, 51.0f / 255.0f), Vec3f(0), Vec3f(1)));
+  EXPECT_THAT(mesh.alphas, ElementsAre(1.0f, 0.0f, 102.0f / 255.0f));
+}
+
+TEST(GltfMesh, colours_that_change_nothing_are_left_out) {
+  GltfBuilder b;
+  b.add_triangle({{"attributes", {{"COLOR_0", b.add_accessor(std::vector<Vec4f>(3, Vec4f(1)))}}}});
+  const Mesh mesh = parse_mesh(b);
+  EXPECT_TRUE(mesh.colors.empty());
+  EXPECT_TRUE(mesh.alphas.empty());
+}
+
+TEST(GltfMesh, colours_of_two_numbers_are_an_error) {
+  GltfBuilder b;
+  b.add_triangle({{"attributes", {{"COLOR_0", b.add_accessor(std::vector<Vec2f>(3))}}}});
+  EXPECT_THAT(error_message([&] { parse_mesh(b); }), HasSubstr("has the wrong type for its use; accepted: VEC4"));
+}
+
+TEST(GltfMesh, tangents_are_read_where_a_normal_map_needs_them) {
+  GltfBuilder b;
+  const int tangents = b.add_accessor(std::vector<Vec4f>{{2, 0, 0, 1}, {0, 3, 0, -0.5f}, {0, 0, 1e-30f, 1}});
+  b.add_triangle({{"attributes", {{"TANGENT", tangents}}}, {"material", 0}});
+  b.add("materials", Json::object());
+  EXPECT_TRUE(parse_mesh(b).tangents.empty());
+  b.add("images", {{"bufferView", b.add_view(test::white_png())}});
+  b.add("textures", {{"source", 0}});
+  b.root["materials"][0]["normalTexture"] = {{"index", 0}};
+  EXPECT_THAT(parse_mesh(b).tangents, ElementsAre(Vec4f(1, 0, 0, 1), Vec4f(0, 1, 0, -1), Vec4f(0, 0, 1, 1)));
+}
+
+TEST(GltfMesh, morph_targets_are_a_warning) {
   GltfBuilder b;
   const int vectors = b.add_accessor(std::vector<Vec3f>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  for (int i = 0; i < 2; ++i)
-    b.add_node({{"mesh", b.add_triangle({{"attributes", {{"COLOR_0", vectors}}}, {"targets", {{{"POSITION", vectors}}}}})}});
+  b.add_node({{"mesh", b.add_triangle({{"targets", {{{"POSITION", vectors}}}}})}});
   std::vector<std::string> warnings;
   const Scene scene = parse(b, &warnings);
-  EXPECT_EQ(std::get<Mesh>(scene.shapes[1]).positions[1], Vec3f(1, 0, 0));
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("vertex colours (COLOR_0) are not supported yet"),
-                                    HasSubstr("morph targets are not supported yet: meshes keep their base shape"),
+  EXPECT_EQ(std::get<Mesh>(scene.shapes[0]).positions[1], Vec3f(1, 0, 0));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("morph targets are not supported yet: meshes keep their base shape"),
                                     HasSubstr("has no lights")));
 }
 

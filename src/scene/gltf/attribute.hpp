@@ -1,0 +1,37 @@
+// Reads the vertex attributes of a primitive of a glTF mesh.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/gltf/document.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann::gltf {
+
+struct PrimitiveId {
+  int mesh = 0, primitive = 0;
+  auto operator<=>(const PrimitiveId&) const = default;
+};
+
+const tinygltf::Primitive& primitive_of(const Document& document, PrimitiveId id);
+std::string element(PrimitiveId id);
+
+/// The accessor of an attribute; -1: the primitive does not have it.
+int attribute(const tinygltf::Primitive& primitive, const std::string& name);
+
+/// One value per vertex, or none where the primitive does not have the attribute. T: Vec2f, Vec3f, Vec4f.
+template <class T>
+std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::string& name, std::size_t vertices);
+
+/// The same of an accessor (`name` for messages); -1: none.
+template <class T>
+std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor, const std::string& name, std::size_t vertices);
+
+/// COLOR_0, RGB or RGBA, into mesh.colors and mesh.alphas; what is white or opaque everywhere is left out.
+void read_colors(Document& document, PrimitiveId id, Mesh& mesh);
+
+/// TANGENT, made unit length, +-1 in w. None, with a warning, where one has no direction.
+void read_tangents(Document& document, PrimitiveId id, Mesh& mesh);
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,34 @@
+// Turns the texture references of glTF materials into TextureMaps.
+#pragma once
+
+#include <array>
+
+#include "scene/gltf/texture.hpp"
+
+namespace lippmann::gltf {
+
+/// What a textureInfo of the file says.
+struct MapSource {
+  int texture = -1;  ///< -1: there is none
+  int uv_set = 0;
+  const tinygltf::Value* transform = nullptr;  ///< KHR_texture_transform
+};
+
+/// Of the core's textureInfos: TextureInfo, NormalTextureInfo, OcclusionTextureInfo.
+template <class Info>
+MapSource map_source(const Info& info) {
+  const auto found = info.extensions.find("KHR_texture_transform");
+  return {info.index, info.texCoord, found == info.extensions.end() ? nullptr : &found->second};
+}
+
+/// Of a textureInfo within an extension; null: there is none.
+MapSource map_source(const tinygltf::Value* info);
+
+/// Decodes the texture. The map's uv_set is still the file's n of TEXCOORD_n. srgb: its colours are encoded; false for data.
+TextureMap read_map(const MapSource& source, bool srgb, TextureReader& textures);
+
+/// Which TEXCOORD_n become Mesh::uvs and uvs_1 (-1: none) for this surface; renumbers its maps' uv_set accordingly. Beyond two
+/// sets: a warning, and the first one is used.
+std::array<int, 2> choose_uv_sets(MetallicRoughness& surface, const std::string& where, Report& report);
+
+}  // namespace lippmann::gltf

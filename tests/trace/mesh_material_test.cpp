@@ -1,0 +1,137 @@
+// What metallic-roughness surfaces of meshes look up: maps with transforms and sets, vertex colours, alphas.
+#include <gtest/gtest.h>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::Picture;
+using test::single_view;
+using test::SmallScene;
+using test::square;
+using test::trace;
+
+/// One row of texels, each of one grey and alpha.
+Texture row_of(std::initializer_list<int> greys, int alpha = 255) {
+  Texture t;
+  t.width = static_cast<int>(greys.size()), t.height = 1;
+  t.srgb = false;
+  for (const int grey : greys)
+    for (int c = 0; c < 4; ++c) t.rgba.push_back(static_cast<std::uint8_t>(c == 3 ? alpha : grey));
+  return t;
+}
+
+/// A surface that shows its base colour alone.
+MetallicRoughness unlit() {
+  MetallicRoughness s;
+  s.unlit = true;
+  return s;
+}
+
+/// The pixel in the middle of the left or right half of a square that fills the picture, before a background of 1.
+struct Halves {
+  float left, right;
+};
+Halves render(const Mesh& mesh, const MetallicRoughness& surface, const Texture& texture) {
+  SmallScene s;
+  s.scene.max_depth = 2;
+  s.scene.background.horizon = s.scene.background.zenith = Vec3f(1.0f);
+  s.scene.textures.push_back(texture);
+  s.scene.materials.push_back({"", surface});
+  s.add(mesh, 0);
+  const Picture p = trace(s.scene, single_view(32));
+  return {p.at(8, 16).x, p.at(24, 16).x};
+}
+
+TEST(MeshMaterial, map_is_looked_up_where_its_transform_says) {
+  MetallicRoughness s = unlit();
+  s.base_color_map.texture = 0;
+  const Halves as_it_is = render(square(2, 0), s, row_of({0, 0, 255, 255}));
+  EXPECT_EQ(as_it_is.left, 0.0f);
+  EXPECT_EQ(as_it_is.right, 1.0f);
+  s.base_color_map.offset = {0.5f, 0.0f};  // half the texture on, which repeats
+  const Halves moved = render(square(2, 0), s, row_of({0, 0, 255, 255}));
+  EXPECT_EQ(moved.left, 1.0f);
+  EXPECT_EQ(moved.right, 0.0f);
+  s.base_color_map.offset = {1.0f, 0.0f};
+  s.base_color_map.matrix[0].x = -1.0f;
+  const Halves mirrored = render(square(2, 0), s, row_of({0, 0, 255, 255}));
+  EXPECT_EQ(mirrored.left, 1.0f);
+  EXPECT_EQ(mirrored.right, 0.0f);
+}
+
+TEST(MeshMaterial, footprint_grows_with_the_scale_of_the_transform) {
+  MetallicRoughness s = unlit();
+  s.base_color_map.texture = 0;
+  s.base_color_map.matrix[0].x = 64.0f;  // 64 times black and white on 32 pixels: nothing but their mean is seen
+  const Halves blurred = render(square(2, 0), s, row_of({0, 0, 255, 255}));
+  EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // the codes of the coarsest level
+  EXPECT_NEAR(blurred.right, 0.5f, 1e-3f);
+}
+
+TEST(MeshMaterial, maps_use_the_set_of_coordinates_they_name) {
+  Mesh mesh = square(2, 0);
+  for (const Vec2f uv : mesh.uvs) mesh.uvs_1.push_back({1.0f - uv.x, uv.y});
+  MetallicRoughness s = unlit();
+  s.base_color = Vec4f(0, 0, 0, 1);
+  s.emissive = Vec3f(1.0f);
+  s.emissive_map.texture = 0;
+  const Halves first = render(mesh, s, row_of({0, 0, 255, 255}));
+  EXPECT_EQ(first.left, 0.0f);
+  EXPECT_EQ(first.right, 1.0f);
+  s.emissive_map.uv_set = 1;
+  const Halves second = render(mesh, s, row_of({0, 0, 255, 255}));
+  EXPECT_EQ(second.left, 1.0f);
+  EXPECT_EQ(second.right, 0.0f);
+}
+
+TEST(MeshMaterial, set_that_the_mesh_lacks_leaves_the_factor) {
+  MetallicRoughness s = unlit();
+  s.base_color = Vec4f(0.5f, 0, 0, 1);
+  s.base_color_map.texture = 0;
+  s.base_color_map.uv_set = 1;
+  EXPECT_EQ(render(square(2, 0), s, row_of({0})).left, 0.5f);
+}
+
+TEST(MeshMaterial, blend_multiplies_the_alphas_of_factor_texture_and_vertices) {
+  Mesh mesh = square(2, 0);
+  mesh.alphas.assign(4, 0.5f);
+  MetallicRoughness s = unlit();
+  s.base_color = Vec4f(0, 0, 0, 0.5f);
+  s.base_color_map.texture = 0;
+  s.blend = true;
+  // Alpha 1/8 of black before white.
+  EXPECT_NEAR(render(mesh, s, row_of({255}, 128)).left, 1.0f - 0.25f * 128.0f / 255.0f, 1e-5f);
+}
+
+TEST(MeshMaterial, mask_compares_that_product) {
+  Mesh mesh = square(2, 0);
+  mesh.alphas = {0.4f, 0.8f, 0.8f, 0.4f};  // grows from left to right: 0.5 a quarter on, 0.7 three quarters on
+  MetallicRoughness s = unlit();
+  s.base_color = Vec4f(0, 0, 0, 0.5f);
+  s.alpha_cutoff = 0.3f;
+  const Halves cut = render(mesh, s, row_of({255}));
+  EXPECT_EQ(cut.left, 1.0f);
+  EXPECT_EQ(cut.right, 0.0f);
+}
+
+TEST(MeshMaterial, opaque_surfaces_ignore_alphas) {
+  Mesh mesh = square(2, 0);
+  mesh.alphas.assign(4, 0.0f);
+  MetallicRoughness s = unlit();
+  s.base_color = Vec4f(0, 0, 0, 0);
+  EXPECT_EQ(render(mesh, s, row_of({255})).left, 0.0f);
+}
+
+TEST(MeshMaterial, vertex_colours_multiply_base_colour_and_texture) {
+  Mesh mesh = square(2, 0);
+  mesh.colors.assign(4, Vec3f(0.5f));
+  MetallicRoughness s = unlit();
+  s.base_color = Vec4f(0.5f, 0, 0, 1);
+  s.base_color_map.texture = 0;
+  EXPECT_NEAR(render(mesh, s, row_of({51})).left, 0.5f * 0.5f * 0.2f, 1e-5f);
+}
+
+}  // namespace
+}  // namespace lippmann
