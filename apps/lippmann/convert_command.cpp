@@ -8,6 +8,7 @@
 #include <string>
 
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/crosstalk_flags.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "core/error.hpp"
 #include "display/load_display.hpp"
@@ -22,6 +23,7 @@ struct Options {
   int bits = 0;
   bool json = false;
   OrthoscopicFlags orthoscopic;
+  CrosstalkFlags crosstalk;
 };
 
 /// Digits, x, digits; both from 1 to 1024.
@@ -61,6 +63,10 @@ ConvertParams params_of(const Options& options) {
 int run(const Options& options, const Context& context) {
   if (options.orthoscopic.are_given())
     return run_orthoscopic(options.orthoscopic, options.in, options.out, options.json, context);
+  if (options.to.empty() && (options.crosstalk.precompensate || !options.crosstalk.crosstalk.empty()))
+    return run_precompensate(options.crosstalk, options.display, options.in, options.out, options.json, context);
+  if (options.crosstalk.precompensate)
+    throw usage_error("--precompensate", "is a step of its own, of what a panel shows", "no --to with it");
   if (options.to.empty()) throw usage_error("--to", "is required", "a format, see --help");
   const Converted converted = convert(options.in, options.out, params_of(options));
   if (converted.lacks_cameras)
@@ -98,7 +104,7 @@ void add_convert_command(CLI::App& root, Action& chosen) {
       ->required();
   command.add_option("--from", options->from, "What IN is, see below; default: as its name or render's report.json says")
       ->type_name("FORMAT");
-  command.add_option("--to", options->to, "What OUT is to be; required but for --rotate-elemental and --spoc")
+  command.add_option("--to", options->to, "What OUT is to be; required but for --rotate-elemental, --spoc, --precompensate")
       ->type_name("FORMAT");
   command.add_option("--views", options->views, "Views across and up; of an integral image: pixels below each lens")
       ->type_name("CxR");
@@ -119,6 +125,7 @@ void add_convert_command(CLI::App& root, Action& chosen) {
       ->check(CLI::IsMember({"nearest", "linear", "gaussian"}));
   command.add_option("--sigma", options->sigma, "Of --filter gaussian, in views; default 0.5")->check(CLI::Range(0.1, 10.0));
   add_orthoscopic_flags(command, options->orthoscopic);
+  add_crosstalk_flags(command, options->crosstalk);
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.footer(formats_help());
   command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

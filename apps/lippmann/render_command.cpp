@@ -10,8 +10,10 @@
 #include <string>
 
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/crosstalk_flags.hpp"
 #include "apps/lippmann/param_flags.hpp"
 #include "apps/lippmann/progress.hpp"
+#include "optics/crosstalk.hpp"
 #include "render/animation.hpp"
 #include "render/frame.hpp"
 #include "render/job_file.hpp"
@@ -88,6 +90,9 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     if (has_lenses(report.optics))
       line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
   }
+  if (const auto done = precompensation_of(report))
+    line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
+                                  describe_bound(done->clipped_share, done->largest_residual)));
   if (!report.depth.fits())
     line("depth", depth_budget_sentence(report.depth, report.optics) + " --fit-depth shows it less deep.");
   line("figures", (folder / "report.json").string());

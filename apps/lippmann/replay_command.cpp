@@ -9,6 +9,7 @@
 
 #include "apps/lippmann/commands.hpp"
 #include "core/error.hpp"
+#include "optics/crosstalk.hpp"
 #include "replay/replay.hpp"
 
 namespace lippmann::app {
@@ -16,7 +17,7 @@ namespace {
 
 struct Options {
   ReplayParams params;
-  std::string in, report, folder, size, focal_stack, filter = "linear", format = "png", video;
+  std::string in, report, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
   std::vector<double> eye;
   int threads = 0;
   bool json = false;
@@ -52,6 +53,7 @@ ReplayParams params_of(const Options& options) {
   params.view.filter = options.filter == "nearest" ? SampleFilter::kNearest : SampleFilter::kLinear;
   if (!options.eye.empty()) params.eye_mm = Vec3d(options.eye[0], options.eye[1], options.eye[2]);
   params.focal_stack = read_focal_stack(options.focal_stack);
+  if (!options.crosstalk.empty()) params.view.crosstalk_px = read_crosstalk(options.crosstalk, "--crosstalk");
   read_size(options.size, params);
   return params;
 }
@@ -82,9 +84,10 @@ void add_eye_flags(CLI::App& command, Options& options) {
   group.add_option("--focus", options.params.view.focus_mm, "Depth that a pupil is focused on; default: the display")
       ->type_name("MM");
   group
-      .add_option("--crosstalk", options.params.view.crosstalk_px,
-                  "Lenses image the panel with a Gaussian of this sigma (quilts: sigma in views)")
-      ->type_name("PIXELS");
+      .add_option("--crosstalk", options.crosstalk,
+                  "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
+                  "neighbour: 0.4 or 10%")
+      ->type_name("PIXELS|C%");
   group.add_option("--filter", options.filter, "Between pixels below one lens, and between views: linear or nearest")
       ->check(CLI::IsMember({"linear", "nearest"}))
       ->capture_default_str();

@@ -124,10 +124,15 @@ std::optional<Optics> quilt_optics(const Display& display) {
   return Optics{.panel = {quilt.width, quilt.height, static_cast<float>(pixel_width)}, .model = views};
 }
 
+double pixels_below_lens(const Display& display) {
+  if (display.kind == DisplayKind::kSlantedPanel) return display.pixels.x / periods_of(display);
+  return display.lenses.pitch_mm / display.pixel_mm();
+}
+
 int views_of(const Display& display) {
   if (display.quilt) return display.quilt->columns * display.quilt->rows;
-  if (display.kind == DisplayKind::kSlantedPanel) return static_cast<int>(3.0 * display.pixels.x / periods_of(display));
-  const int across = static_cast<int>(display.lenses.pitch_mm / display.pixel_mm() + 1e-6);
+  if (display.kind == DisplayKind::kSlantedPanel) return static_cast<int>(3.0 * pixels_below_lens(display));
+  const int across = static_cast<int>(pixels_below_lens(display) + 1e-6);
   return display.kind == DisplayKind::kMicrolensArray ? across * across : across;
 }
 

@@ -79,6 +79,7 @@ struct Display {
   double dpi = 324.0;                         ///< pixels per inch
   double view_cone_deg = 40.0;                ///< full angle
   std::optional<double> viewing_distance_mm;  ///< none: from where the panel's height spans 14 degrees
+  std::optional<double> crosstalk_px;         ///< of its lenses, a sigma in its pixels (optics/crosstalk.hpp)
   Calibration calibration;                    ///< slanted panels
   DisplayLenses lenses;                       ///< the other kinds
   std::optional<DisplayQuilt> quilt;
@@ -104,6 +105,9 @@ std::optional<Optics> quilt_optics(const Display& display);
 /// What its periods P and tilt T are: see Calibration.
 double periods_of(const Display& display);
 double tilt_of(const Display& display);
+
+/// How many of its pixels (whole ones) lie below a lens, across.
+double pixels_below_lens(const Display& display);
 
 /// How many views: of its quilt; else the pixels (of a slanted panel sub-pixels) below a lens, rounded down.
 int views_of(const Display& display);

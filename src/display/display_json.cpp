@@ -59,6 +59,7 @@ Json display_json(const Display& d) {
   } else {
     json["lenses"] = lenses_json(d.lenses);
   }
+  if (d.crosstalk_px) json["crosstalk_px"] = *d.crosstalk_px;
   if (d.quilt)
     json["quilt"] = {
         {"tiles", {d.quilt->columns, d.quilt->rows}}, {"size", {d.quilt->width, d.quilt->height}}, {"aspect", d.quilt->aspect}};

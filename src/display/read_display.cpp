@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/printable.hpp"
 #include "display/fields.hpp"
+#include "optics/crosstalk.hpp"
 
 namespace lippmann {
 namespace {
@@ -97,6 +98,16 @@ DisplayVideo read_video(const Fields& fields) {
   return video;
 }
 
+/// A sigma in pixels, or a text such as "10%".
+double read_crosstalk_of(const Fields& fields) {
+  if (!fields.value("crosstalk").is_string()) return fields.number("crosstalk", {0.0, kMaxBlurPx});
+  try {
+    return read_crosstalk(fields.text("crosstalk"), "crosstalk");
+  } catch (const Error& error) {
+    fields.reject("crosstalk", error.problem(), error.accepted());
+  }
+}
+
 void read_optics(const Fields& fields, Display& display) {
   static const std::vector<std::string_view> kinds{"slanted-panel", "lenticular-sheet", "microlens-array"};
   if (!fields.has("kind")) fields.reject("kind", "is missing", "slanted-panel, lenticular-sheet or microlens-array");
@@ -116,7 +127,7 @@ void read_optics(const Fields& fields, Display& display) {
 Display display_from_tables(const Json& json, const std::string& where) {
   const Fields fields(json, where, "");
   fields.allow_only({"base", "description", "kind", "serials", "pixels", "dpi", "view_cone_deg", "viewing_distance_mm",
-                     "calibration", "lenses", "quilt", "video"});
+                     "crosstalk", "calibration", "lenses", "quilt", "video"});
   Display display;
   read_optics(fields, display);
   display.description = printable(fields.text_or("description", ""));
@@ -125,6 +136,7 @@ Display display_from_tables(const Json& json, const std::string& where) {
   display.dpi = fields.number("dpi", kDpi);
   display.view_cone_deg = fields.number("view_cone_deg", kCone);
   if (fields.has("viewing_distance_mm")) display.viewing_distance_mm = fields.number("viewing_distance_mm", {1, 1e7});
+  if (fields.has("crosstalk")) display.crosstalk_px = read_crosstalk_of(fields);
   if (fields.has("quilt")) display.quilt = read_quilt(fields.inner("quilt"), display.pixels);
   if (fields.has("video")) display.video = read_video(fields.inner("video"));
   check_display(display, where);

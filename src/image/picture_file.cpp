@@ -1,8 +1,12 @@
 #include "image/picture_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
+#include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
@@ -25,6 +29,17 @@ Image16 to_image16(const Image& image) {
   codes.rgb.reserve(image.data.size());
   for (const float value : image.data) codes.rgb.push_back(static_cast<std::uint16_t>(value * 65535.0f + 0.5f));
   return codes;
+}
+
+template <class Code>
+Image linear_from_codes(int width, int height, const std::vector<Code>& codes) {
+  constexpr std::size_t kCodes = std::size_t{1} << (8 * sizeof(Code));
+  std::vector<float> value(kCodes);
+  for (std::size_t i = 0; i < kCodes; ++i)
+    value[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / (kCodes - 1.0)));
+  Image image(width, height, 3);
+  std::transform(codes.begin(), codes.end(), image.data.begin(), [&](Code code) { return value[code]; });
+  return image;
 }
 
 }  // namespace
@@ -54,6 +69,21 @@ void write_picture(const std::filesystem::path& path, const Picture& picture) {
   if (const auto* words = std::get_if<Image16>(&picture)) return write_png(path, *words);
   const std::array<ExrLayer, 1> layers{film_layer(std::get<Image>(picture), ExrSample::kFloat)};
   write_exr(path, layers);
+}
+
+Image to_linear(Picture picture) {
+  if (const auto* bytes = std::get_if<Image8>(&picture)) return linear_from_codes(bytes->width, bytes->height, bytes->rgb);
+  if (const auto* words = std::get_if<Image16>(&picture)) return linear_from_codes(words->width, words->height, words->rgb);
+  Image image = std::get<Image>(std::move(picture));
+  for (float& value : image.data)
+    if (!std::isfinite(value)) value = 0.0f;
+  return image;
+}
+
+Picture with_samples_like(const Picture& like, Image linear) {
+  if (std::holds_alternative<Image8>(like)) return to_codes(linear, Encoding::kSrgb);
+  if (std::holds_alternative<Image16>(like)) return to_codes16(linear, Encoding::kSrgb);
+  return linear;
 }
 
 }  // namespace lippmann

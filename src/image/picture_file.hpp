@@ -17,6 +17,12 @@ Picture read_picture(const std::filesystem::path& path);
 /// 8- and 16-bit codes as .png, floats as .exr. Throws Error naming the file, also where the ending does not suit.
 void write_picture(const std::filesystem::path& path, const Picture& picture);
 
+/// Linear light: codes are sRGB's, floats are linear already. What is not finite becomes 0.
+Image to_linear(Picture picture);
+
+/// The inverse: linear light (3 channels) in samples of the kind that `like` has.
+Picture with_samples_like(const Picture& like, Image linear);
+
 /// Throws Error if a picture read from `from` cannot be written to `path` without changing samples.
 void check_picture_ending(const std::filesystem::path& path, const Picture& picture);
 

@@ -22,6 +22,7 @@
 #include "render/job_file.hpp"
 #include "render/reuse_params.hpp"
 #include "render/test_pattern.hpp"
+#include "render/undo_crosstalk.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {
@@ -51,7 +52,7 @@ FrameRange frames_to_render(const RenderParams& params, const Timeline& timeline
 void require_memory(const RenderParams& params, const Panel& panel, bool moves_pixels, int threads) {
   constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
   const double pixels = static_cast<double>(panel.width) * panel.height;
-  const double films = moves_pixels ? 2.0 : 1.0;
+  const double films = (moves_pixels ? 2.0 : 1.0) + (params.precompensate ? 2.0 : 0.0);
   const double frame = pixels * (films * kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size()));
   const double needed = frame * FrameSink::frames_in_memory(threads) + pixels * bytes_kept_per_pixel(params);
   const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
@@ -128,6 +129,8 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   const FrameLayout layout(params, stage.placed.optics, stage.display.get());
   require_memory(params, stage.placed.optics.panel, layout.moves(), pool.threads());
 
+  const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
+
   const fs::path folder = output_folder(params);
   if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
   std::vector<std::string> videos;
@@ -152,11 +155,13 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   report.params = params;
   report.depth_scale = stage.placed.depth_scale;
   report.depth = shown_depth(stage.array, stage.placed.units_per_mm, report.depth_scale, report.optics);
+  report.crosstalk_px = crosstalk;
   report.threads = pool.threads();
   report.videos = videos;
   const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
+  report.frames_per_second = fps;
   const auto maker = make_frame_maker(stage, params, pool, context);
-  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, pool.threads(),
+  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, crosstalk, pool.threads(),
                   [&](Image film) { maker->recycle(std::move(film)); }},
                  finished);
   if (observer.planned) observer.planned(plan);
@@ -176,6 +181,9 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   }
   report.sources = maker->sources();
   sink.wait();
+  for (FrameReport& frame : report.frames)
+    if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
+      frame.precompensation = done->second;
   report.interrupted = static_cast<int>(report.frames.size()) <= frames.last - frames.first;
   if (!report.interrupted) sink.finish_videos();
   report.write_seconds = sink.write_seconds();

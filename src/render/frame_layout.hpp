@@ -30,6 +30,9 @@ class FrameLayout {
   /// Whether film is moved at all.
   bool moves() const { return arrangement_ || sub_pixels_ || mirrors_; }
 
+  /// Whether what the panel shows is the picture as arranged, whole pixels of sub-pixels; else it is the film.
+  bool joins_sub_pixels() const { return sub_pixels_; }
+
   /// Of the display, where there is one; else 0.
   double pixels_per_mm() const { return pixels_per_mm_; }
 

@@ -58,6 +58,7 @@ struct FrameSink::Impl {
   Settings settings;
   FinishedFrames& finished;
   std::vector<std::unique_ptr<VideoWriter>> videos;
+  std::map<int, Precompensation> precompensated;
   std::atomic<std::int64_t> write_nanoseconds{0};
   BackgroundQueue queue;  ///< last: its threads use what is above
 
@@ -65,10 +66,12 @@ struct FrameSink::Impl {
     const TimedWork timed(write_nanoseconds);
     FramePictures& pictures = rendered.pictures;
     Image as_traced;
+    if (!settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
     if (settings.layout.moves()) {
       as_traced = std::exchange(pictures.film, settings.layout.arrange(pictures.film));
       settings.layout.arrange(pictures.aovs);
     }
+    if (settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
     if (needs_codes(settings.layout.names().format, settings.params))
       pictures.codes = to_codes(pictures.film, settings.encoding);
     write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
@@ -79,6 +82,17 @@ struct FrameSink::Impl {
     if (settings.done_with) settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(pictures.film));
     pictures.film = {};
     pictures.aovs = {};
+  }
+
+  void undo_crosstalk_of(RenderedFrame& rendered) const {
+    if (!settings.crosstalk_to_undo) return;
+    rendered.report.precompensation =
+        undo_crosstalk(*settings.optics, *settings.crosstalk_to_undo, settings.encoding, rendered.pictures.film);
+  }
+
+  void record(const FrameReport& report) {
+    if (report.precompensation) precompensated[report.frame] = *report.precompensation;
+    finished.add(report);
   }
 
   void add_to_videos(const Image8& codes) {
@@ -94,7 +108,7 @@ void FrameSink::add(RenderedFrame rendered) {
   const auto shared = std::make_shared<RenderedFrame>(std::move(rendered));
   impl_->queue.submit([impl = impl_.get(), shared] { impl->write(*shared); },
                       [impl = impl_.get(), shared] {
-                        impl->finished.add(shared->report);
+                        impl->record(shared->report);
                         impl->add_to_videos(shared->pictures.codes);
                       });
 }
@@ -113,6 +127,8 @@ void FrameSink::finish_videos() {
   const TimedWork timed(impl_->write_nanoseconds);
   for (const auto& video : impl_->videos) video->finish();
 }
+
+const std::map<int, Precompensation>& FrameSink::precompensated() const { return impl_->precompensated; }
 
 double FrameSink::write_seconds() const { return 1e-9 * static_cast<double>(impl_->write_nanoseconds); }
 

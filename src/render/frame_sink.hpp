@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "render/frame.hpp"
 #include "render/frame_layout.hpp"
 #include "render/params.hpp"
+#include "render/undo_crosstalk.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {
@@ -28,8 +31,10 @@ class FrameSink {
     std::vector<std::string> videos = {};  ///< files
     Encoding encoding = Encoding::kSrgb;
     double frames_per_second = 25.0;
-    int threads = 1;                            ///< that render; a share as many again write
-    std::function<void(Image)> done_with = {};  ///< is given the film of every written frame, on any thread; may be empty
+    const Optics* optics = nullptr;                ///< of the films
+    std::optional<double> crosstalk_to_undo = {};  ///< see render/undo_crosstalk.hpp; wants `optics`
+    int threads = 1;                               ///< that render; a share as many again write
+    std::function<void(Image)> done_with = {};     ///< is given the film of every written frame, on any thread; may be empty
   };
 
   /// `finished` outlives the sink and is not changed by others meanwhile. Throws Error for videos that cannot be begun.
@@ -51,6 +56,9 @@ class FrameSink {
 
   /// Completes the videos, after wait(): without it, nothing remains of them.
   void finish_videos();
+
+  /// What undoing crosstalk has come to, by frame, after wait(); empty where it was not asked for.
+  const std::map<int, Precompensation>& precompensated() const;
 
   /// Spent so far encoding and writing, summed over threads.
   double write_seconds() const;

@@ -66,6 +66,8 @@ struct RenderParams {
   std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
   bool fit_depth = false;                      ///< depth is compressed to what the display can resolve
   float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
+  std::optional<double> crosstalk_px;          ///< sigma (optics/crosstalk.hpp); none: the display's
+  bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
 
   // Rendering
   Integrator integrator = Integrator::kWhitted;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/suggest.hpp"
+#include "optics/crosstalk.hpp"
 #include "render/param_text.hpp"
 #include "render/reuse_params.hpp"
 
@@ -200,6 +201,9 @@ std::vector<ParamInfo> scene_rows() {
 
 std::vector<ParamInfo> optics_rows() {
   using P = RenderParams;
+  const Codec<std::optional<double>> crosstalk{
+      [](std::string_view value, const std::string& where) { return std::optional(read_crosstalk(value, where)); },
+      [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   const Codec<std::optional<float>> distance{read_distance, [](const std::optional<float>& v) { return write_distance(v); }};
   return {
       path(runs_only(
@@ -231,6 +235,14 @@ std::vector<ParamInfo> optics_rows() {
            "Where the lenses' cells converge; auto: the display's, else where the camera stands"}),
       row(ParamKind::kNumber, &P::slant_deg, number<float>(-80.0, 80.0),
           {"slant", "Optics", "DEG", "Of a lenticular sheet's lenses, from the vertical"}),
+      row(ParamKind::kText, &P::crosstalk_px, crosstalk,
+          {"crosstalk", "Optics", "PIXELS|C%",
+           "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
+           "neighbour: 0.4 or 10%; default: the display's"}),
+      row(ParamKind::kFlag, &P::precompensate, flag(),
+          {"precompensate", "Optics", "",
+           "Pictures that crosstalk turns into the wanted ones, as far as light can be neither negative nor brighter than "
+           "white"}),
       row(ParamKind::kFlag, &P::fit_depth, flag(),
           {"fit-depth", "Optics", "", "Show the scene less deep than it is, if it is deeper than the display can resolve"}),
   };

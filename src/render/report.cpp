@@ -1,7 +1,9 @@
 #include "render/report.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "optics/crosstalk.hpp"
 #include "optics/optics_json.hpp"
 #include "render/params_table.hpp"
 
@@ -18,6 +20,25 @@ Json number_or_null(const std::optional<double>& value) { return value ? Json(*v
 
 std::optional<double> number_or_none(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
+}
+
+Json precompensation_json(const std::optional<Precompensation>& done) {
+  if (!done) return nullptr;
+  return {{"clipped_share", done->clipped_share}, {"largest_residual", done->largest_residual}};
+}
+
+std::optional<Precompensation> precompensation_from_json(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Precompensation{json.at("clipped_share").get<double>(), json.at("largest_residual").get<double>()};
+}
+
+/// With what was undone.
+Json precompensation_json(const RenderReport& report) {
+  Json json = precompensation_json(precompensation_of(report));
+  if (!report.crosstalk_px || json.is_null()) return nullptr;
+  json["crosstalk_px"] = *report.crosstalk_px;
+  json["neighbour_share"] = neighbour_share(*report.crosstalk_px);
+  return json;
 }
 
 Json setting_json(const ParamInfo& info, const RenderParams& params) {
@@ -57,6 +78,20 @@ Json totals_json(const RenderReport& report) {
 
 }  // namespace
 
+std::optional<Precompensation> precompensation_of(const RenderReport& report) {
+  Precompensation all;
+  int frames = 0;
+  for (const FrameReport& frame : report.frames) {
+    if (!frame.precompensation) continue;
+    all.clipped_share += frame.precompensation->clipped_share;
+    all.largest_residual = std::max(all.largest_residual, frame.precompensation->largest_residual);
+    ++frames;
+  }
+  if (frames == 0) return std::nullopt;
+  all.clipped_share /= frames;
+  return all;
+}
+
 Json to_json(const FrameReport& frame) {
   return {{"frame", frame.frame},
           {"kind", frame.kind},
@@ -69,7 +104,8 @@ Json to_json(const FrameReport& frame) {
           {"retraced_pixels", frame.retraced_pixels},
           {"reused_pixels", frame.reused_pixels},
           {"estimated_psnr_db", number_or_null(frame.estimated_psnr_db)},
-          {"psnr_at_least_db", number_or_null(frame.psnr_at_least_db)}};
+          {"psnr_at_least_db", number_or_null(frame.psnr_at_least_db)},
+          {"precompensation", precompensation_json(frame.precompensation)}};
 }
 
 Json to_json(const RenderReport& report) {
@@ -79,7 +115,9 @@ Json to_json(const RenderReport& report) {
           {"scene", report.scene},
           {"optics", optics_json(report.optics)},
           {"depth", depth_json(report.depth, report.depth_scale, report.optics)},
+          {"precompensation", precompensation_json(report)},
           {"settings", settings_json(report.params)},
+          {"frames_per_second", report.frames_per_second},
           {"interrupted", report.interrupted},
           {"videos", report.videos},
           {"frames", std::move(frames)},
@@ -104,6 +142,7 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   json.at("reused_pixels").get_to(frame.reused_pixels);
   frame.estimated_psnr_db = number_or_none(json.at("estimated_psnr_db"));
   frame.psnr_at_least_db = number_or_none(json.at("psnr_at_least_db"));
+  frame.precompensation = precompensation_from_json(json.at("precompensation"));
   return frame;
 } catch (const nlohmann::json::exception&) {
   return std::nullopt;

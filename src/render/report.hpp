@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "layout/precompensate.hpp"
 #include "optics/optics.hpp"
 #include "render/depth_budget.hpp"
 #include "render/params.hpp"
@@ -25,8 +26,9 @@ struct FrameReport {
   std::uint64_t newly_visible_pixels = 0, not_covered_pixels = 0;
   std::uint64_t retraced_pixels = 0;
   std::uint64_t reused_pixels = 0;
-  std::optional<double> estimated_psnr_db;  ///< from held-out pixels; none: exact, or not estimated
-  std::optional<double> psnr_at_least_db;   ///< at 95 % confidence, from the same; likewise
+  std::optional<double> estimated_psnr_db;         ///< from held-out pixels; none: exact, or not estimated
+  std::optional<double> psnr_at_least_db;          ///< at 95 % confidence, from the same; likewise
+  std::optional<Precompensation> precompensation;  ///< of crosstalk; none: not asked for
 };
 
 struct RenderReport {
@@ -34,7 +36,9 @@ struct RenderReport {
   Optics optics;
   RenderParams params;
   ShownDepth depth;
-  float depth_scale = 1.0f;          ///< shown depth / true depth
+  float depth_scale = 1.0f;            ///< shown depth / true depth
+  std::optional<double> crosstalk_px;  ///< undone: a sigma in the optics' pixels or views
+  double frames_per_second = 25.0;
   std::vector<FrameReport> frames;   ///< in ascending order; frames kept from before with the figures of then
   std::vector<FrameReport> sources;  ///< rendered only because frames are made from them; ascending
   double setup_seconds = 0.0;        ///< wall time before the first frame: loading, building
@@ -44,6 +48,9 @@ struct RenderReport {
   std::vector<std::string> videos;  ///< files, as they are named on disk
   bool interrupted = false;         ///< stopped before the last frame; what is listed is whole
 };
+
+/// Of all frames: the mean share clipped, the largest residual of any. None where no crosstalk was undone.
+std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
 nlohmann::ordered_json to_json(const FrameReport& frame);
 nlohmann::ordered_json to_json(const RenderReport& report);

@@ -15,8 +15,15 @@ constexpr double kPanelEdgePx = 1e-3;  ///< so far outside, a point is still of 
 
 struct Quality {
   SampleFilter filter;
-  double crosstalk_px;
+  Vec2d crosstalk_px;  ///< sigmas along x and y (optics/crosstalk.hpp)
+
+  bool blurs() const { return crosstalk_px != Vec2d(0.0); }
 };
+
+/// Along one axis.
+Taps blurred_taps(double position_px, double sigma_px, SampleFilter filter) {
+  return sigma_px > 0.0 ? gaussian_taps(position_px, sigma_px) : taps_at(position_px, filter);
+}
 
 /// Sums pixels by weight; `wanted(x, y)` says which of them count.
 template <class Wanted>
@@ -48,10 +55,10 @@ class LensSampler {
       if (!(q[axis] >= -kPanelEdgePx && q[axis] <= size[axis] + kPanelEdgePx)) return Vec3f(0.0f);
       q[axis] = std::clamp(q[axis], 0.0, std::nextafter(size[axis], 0.0));
     }
-    const Taps columns = taps(q.x, sight_.pixel_across().x), rows = taps(q.y, sight_.pixel_across().y);
+    const Taps columns = blurred_taps(q.x, quality_.crosstalk_px.x, quality_.filter);
+    const Taps rows = blurred_taps(q.y, quality_.crosstalk_px.y, quality_.filter);
     const auto on_panel = [&](int x, int y) { return x >= 0 && y >= 0 && x < picture_.width && y < picture_.height; };
-    if (quality_.crosstalk_px > 0.0 || quality_.filter == SampleFilter::kNearest)
-      return weighted_mean(picture_, columns, rows, on_panel);
+    if (quality_.blurs() || quality_.filter == SampleFilter::kNearest) return weighted_mean(picture_, columns, rows, on_panel);
     const CellOf cell = sight_.cell(q);
     const Vec3f mean = weighted_mean(picture_, columns, rows, [&](int x, int y) {
       return on_panel(x, y) && sight_.cell({x + 0.5, y + 0.5}) == cell;
@@ -66,12 +73,6 @@ class LensSampler {
   }
 
  private:
-  Taps taps(double position, double pixel_across) const {
-    if (quality_.crosstalk_px > 0.0 && pixel_across > 0.0)
-      return gaussian_taps(position, std::min(quality_.crosstalk_px / pixel_across, kMaxBlurPx));
-    return taps_at(position, quality_.filter);
-  }
-
   Sight sight_;
   const Image& picture_;
   Quality quality_;
@@ -89,15 +90,15 @@ class QuiltSampler {
     for (int axis = 0; axis < 2; ++axis)
       if (!(seen.pixel[axis] >= -kPanelEdgePx && seen.pixel[axis] <= tile[axis] + kPanelEdgePx)) return Vec3f(0.0f);
     const Taps columns = taps_at(seen.pixel.x, quality_.filter), rows = taps_at(seen.pixel.y, quality_.filter);
-    const auto views = [&](double view, int count) {  // as pixels: view v covers v ... v + 1
-      return quality_.crosstalk_px > 0.0 && count > 1 ? gaussian_taps(view + 0.5, quality_.crosstalk_px)
-                                                      : taps_at(view + 0.5, quality_.filter);
+    // As pixels: view v covers v ... v + 1.
+    const auto views = [&](int axis) {
+      return blurred_taps(seen.view[axis] + 0.5, quality_.crosstalk_px[axis], quality_.filter);
     };
     const Vec2i count = sight_.views();
     Vec3f sum(0.0f);
     double weights = 0.0;
-    for (const Tap& up : views(seen.view.y, count.y))
-      for (const Tap& across : views(seen.view.x, count.x)) {
+    for (const Tap& up : views(1))
+      for (const Tap& across : views(0)) {
         const double weight = up.weight * across.weight;
         const Vec2i view(across.index, up.index);
         if (weight <= 0.0 || view.x < 0 || view.y < 0 || view.x >= count.x || view.y >= count.y) continue;
@@ -153,8 +154,8 @@ class SlantedSampler {
   /// Between the sub-pixels of one colour below one lens; where none of these is near, the nearest.
   float in_row(const SlantedPoint& seen, int row, int c, double near_column) const {
     const double column = std::clamp(sight_.column_of(seen, c, row, near_column), -1e6, 1e6);
-    const bool blurred = quality_.crosstalk_px > 0.0;
-    const Taps taps = blurred ? gaussian_taps(column, quality_.crosstalk_px) : taps_at(column, quality_.filter);
+    const bool blurred = quality_.blurs();
+    const Taps taps = blurred_taps(column, quality_.crosstalk_px.x, quality_.filter);
     float sum = 0.0f, weights = 0.0f;
     for (const Tap& tap : taps) {
       if (tap.weight <= 0.0 || tap.index < 0 || tap.index >= picture_.width) continue;
@@ -193,7 +194,7 @@ struct EyeSampler::Impl {
 };
 
 EyeSampler::EyeSampler(const RenderedPanel& rendered, SampleFilter filter, double crosstalk_px)
-    : impl_(std::make_unique<Impl>(Impl{make_sampler(rendered, {filter, crosstalk_px})})) {}
+    : impl_(std::make_unique<Impl>(Impl{make_sampler(rendered, {filter, crosstalk_sigmas(rendered.optics, crosstalk_px)})})) {}
 EyeSampler::~EyeSampler() = default;
 EyeSampler::EyeSampler(EyeSampler&&) noexcept = default;
 
@@ -203,7 +204,7 @@ Vec3f EyeSampler::color(const Viewer& viewer, Vec2d point_mm) const {
 
 double share_out_of_zone(const Optics& optics, const Viewer& viewer) {
   const RenderedPanel nothing{optics, {}};
-  const Sampler sampler = make_sampler(nothing, {SampleFilter::kNearest, 0.0});
+  const Sampler sampler = make_sampler(nothing, {SampleFilter::kNearest, Vec2d(0.0)});
   const Window window = display_window(optics);
   const Vec2i grid = glm::min(lens_grid(optics), Vec2i(256));
   int outside = 0;

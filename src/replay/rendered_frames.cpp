@@ -12,7 +12,6 @@
 
 #include "core/error.hpp"
 #include "core/printable.hpp"
-#include "image/encode.hpp"
 #include "image/picture_file.hpp"
 #include "optics/optics_json.hpp"
 
@@ -79,34 +78,19 @@ std::vector<fs::path> frames_in(const fs::path& folder) {
   return files;
 }
 
-template <class Code>
-Image linear_from_codes(int width, int height, const std::vector<Code>& codes) {
-  constexpr std::size_t kCodes = std::size_t{1} << (8 * sizeof(Code));
-  std::vector<float> value(kCodes);
-  for (std::size_t i = 0; i < kCodes; ++i)
-    value[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / (kCodes - 1.0)));
-  Image image(width, height, 3);
-  std::transform(codes.begin(), codes.end(), image.data.begin(), [&](Code code) { return value[code]; });
-  return image;
-}
-
-Image to_linear(Picture picture) {
-  if (const auto* bytes = std::get_if<Image8>(&picture)) return linear_from_codes(bytes->width, bytes->height, bytes->rgb);
-  if (const auto* words = std::get_if<Image16>(&picture)) return linear_from_codes(words->width, words->height, words->rgb);
-  Image image = std::get<Image>(std::move(picture));
-  for (float& value : image.data)
-    if (!std::isfinite(value)) value = 0.0f;
-  return image;
-}
-
 }  // namespace
+
+std::vector<fs::path> pictures_of(const fs::path& in) {
+  std::error_code ignored;
+  if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
+  return fs::is_directory(in, ignored) ? frames_in(in) : std::vector{in};
+}
 
 RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) {
   std::error_code ignored;
-  if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
   RenderedFrames frames;
+  frames.files = pictures_of(in);
   const bool folder = fs::is_directory(in, ignored);
-  frames.files = folder ? frames_in(in) : std::vector{in};
   const fs::path report_path = report.empty() ? (folder ? in : in.parent_path()) / "report.json" : report;
   const Json json = read_report(report_path);
   frames.optics = optics_from_json(json["optics"], report_path.string());

@@ -21,6 +21,9 @@ struct RenderedFrames {
 /// what lies behind a lens array (views, or a quilt of them).
 RenderedFrames find_rendered_frames(const std::filesystem::path& in, const std::filesystem::path& report = {});
 
+/// The files alone: a picture, or a folder's. Throws Error naming a folder without.
+std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& in);
+
 /// The picture of one of the files, with its samples. Throws Error naming the file, also where its size is not that of the
 /// optics' panel.
 Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::path& file);

@@ -29,9 +29,6 @@ class LenticularSight {
   PanelPoint seen_from(const Viewer& viewer, Vec2d point_mm) const;
   CellOf cell(Vec2d pixel) const { return {cell_of(c_.axis, pixel.x * c_.cosine - pixel.y * c_.sine), 0.0}; }
 
-  /// How far one pixel goes across the lenses, in pixels; 0: the lens has no power that way.
-  Vec2d pixel_across() const { return {c_.cosine, 0.0}; }
-
  private:
   LenticularConstants<double> c_;
 };
@@ -43,7 +40,6 @@ class MicrolensSight {
 
   PanelPoint seen_from(const Viewer& viewer, Vec2d point_mm) const;
   CellOf cell(Vec2d pixel) const;
-  Vec2d pixel_across() const { return {1.0, 1.0}; }
 
  private:
   MicrolensConstants<double> c_;

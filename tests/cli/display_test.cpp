@@ -1,6 +1,8 @@
 // `render --display`: size, optics and layout come from the display.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "cli/tool.hpp"
 
 namespace lippmann::test {
@@ -153,6 +155,74 @@ TEST(Display, what_it_does_not_have_is_refused) {
   refused("panel.toml", {"--optics", "microlens"}, "is a slanted-panel");
   refused("sheet.toml", {"--mirror"}, "--layout print");
   expect_refusal(run_tool(dir, {"render", "teapot", "--layout", "native"}), 2, "--display");
+}
+
+// Nine pixels below a lens: an eye in the middle sees the middle of the fifth.
+TEST(Display, precompensated_picture_looks_through_crosstalk_like_the_plain_one_without) {
+  const TempDir dir;
+  const Words render{"render", "teapot", "--frames", "3", "--lenses", "24", "--lens-pixels", "9", "--format", "exr"};
+  run_tool(dir, render + Words{"-o", "plain"});
+  const auto report = report_of(dir, render + Words{"-o", "shown", "--precompensate", "--crosstalk", "8%"});
+  const auto& bound = report["precompensation"];
+  EXPECT_NEAR(bound["neighbour_share"].get<double>(), 0.08, 1e-6);
+  EXPECT_EQ(report["frames"][0]["precompensation"]["clipped_share"], bound["clipped_share"]);
+  const auto seen = [&](const std::string& folder, const std::string& name, const Words& more) {
+    run_tool(dir, Words{"replay", folder, "-o", name, "--size", "lenses"} + more);
+    return name + "/eye_0003.png";
+  };
+  const std::string wanted = seen("plain", "a", {}), leaking = seen("plain", "b", {"--crosstalk", "8%"}),
+                    undone = seen("shown", "c", {"--crosstalk", "8%"});
+  const auto rmse = [&](const std::string& picture) {
+    return report_of(dir, {"compare", wanted, picture})["mean"]["rmse"]["mean"].get<double>();
+  };
+  EXPECT_GE(rmse(leaking), 0.5);
+  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // what had to be clipped is left
+}
+
+TEST(Display, crosstalk_of_the_display_is_in_its_own_pixels_and_a_quilt_s_in_views) {
+  const TempDir dir;
+  std::ofstream(dir / "leaky.toml") << R"(kind = "slanted-panel"
+pixels = [48, 64]
+dpi = 324
+view_cone_deg = 40
+crosstalk = 0.2
+[calibration]
+pitch = 52.0
+slope = -7.0
+center = 0.5
+[quilt]
+tiles = [4, 2]
+size = [128, 128]
+)";
+  const auto quilt = report_of(dir, teapot_on("leaky.toml", {"--precompensate"}));
+  // 8 views, and 324 / 52 = 6.23 pixels below a lens across it, 6.29 along a row.
+  EXPECT_NEAR(quilt["precompensation"]["crosstalk_px"].get<double>(), 0.2 * 8 / (324 / 52.0 / std::cos(std::atan(1 / 7.0))),
+              1e-6);
+  const auto native = report_of(dir, teapot_on("leaky.toml", {"--precompensate", "--layout", "native"}));
+  EXPECT_EQ(native["precompensation"]["crosstalk_px"], 0.2);
+}
+
+TEST(Display, finished_pictures_are_precompensated_to_the_same_codes) {
+  const TempDir dir;
+  const Words render{"render", "teapot", "--frames", "3", "--lenses", "24", "--format", "png16"};
+  run_tool(dir, render + Words{"-o", "plain"});
+  run_tool(dir, render + Words{"-o", "shown", "--precompensate", "--crosstalk", "0.35"});
+  report_of(dir, {"convert", "plain", "made", "--precompensate", "--crosstalk", "0.35"});
+  // The one from codes of 16 bits, the other from floats.
+  const auto difference = report_of(dir, {"compare", "shown/frame_0003.png", "made/frame_0003.png"});
+  EXPECT_LE(difference["mean"]["rmse"]["mean"].get<double>(), 0.05);
+  EXPECT_EQ(run_tool(dir, {"replay", "made"}).exit_code, 0);
+}
+
+TEST(Display, crosstalk_that_nobody_says_or_wants_is_refused) {
+  const TempDir dir;
+  const Words render{"render", "teapot", "-o", "out"};
+  expect_refusal(run_tool(dir, render + Words{"--precompensate"}), 2, "nothing says");
+  expect_refusal(run_tool(dir, render + Words{"--crosstalk", "0.3"}), 2, "--precompensate");
+  expect_refusal(run_tool(dir, render + Words{"--precompensate", "--crosstalk", "2"}), 2, "cannot be told apart");
+  expect_refusal(run_tool(dir, render + Words{"--precompensate", "--crosstalk", "0.3", "--optics", "single"}), 2,
+                 "single view");
+  expect_refusal(run_tool(dir, {"convert", "out", "x", "--crosstalk", "0.3"}), 2, "--precompensate");
 }
 
 }  // namespace

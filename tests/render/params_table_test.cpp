@@ -55,6 +55,8 @@ const std::map<std::string_view, Values> kOtherValues{
     {"video-codec", {"hevc"}},
     {"crf", {"30"}},
     {"fit-depth", {"true"}},
+    {"crosstalk", {"0.4"}},
+    {"precompensate", {"true"}},
     {"display", {"portrait"}},
     {"mirror", {"true"}},
     {"pseudoscopic", {"true"}},

@@ -1,0 +1,29 @@
+// Flags of `convert` for pictures that undo a display's crosstalk.
+#pragma once
+
+#include <string>
+
+#include "core/context.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace lippmann::app {
+
+struct CrosstalkFlags {
+  bool precompensate = false;
+  std::string crosstalk;
+};
+
+void add_crosstalk_flags(CLI::App& command, CrosstalkFlags& flags);
+
+/// Where flags are given: converts, and prints the bound. `display`: whose own frames the pictures are; empty: as the
+/// report.json beside them says.
+int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
+                      bool json, const Context& context);
+
+/// How near to the wanted pictures an eye sees them.
+std::string describe_bound(double clipped_share, double largest_residual);
+
+}  // namespace lippmann::app

@@ -1,0 +1,29 @@
+// `lippmann convert --precompensate`: finished pictures made such that a display's crosstalk turns them into the wanted ones.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/context.hpp"
+#include "layout/precompensate.hpp"
+
+namespace lippmann {
+
+struct PrecompensateParams {
+  std::filesystem::path in;           ///< a picture, or a folder of frames, beside its report.json (replay/rendered_frames.hpp)
+  std::filesystem::path out;          ///< a folder: pictures of the same names, and a report.json
+  double sigma_px = 0.0;              ///< optics/crosstalk.hpp
+  std::optional<Optics> optics = {};  ///< of the pictures; none: as the report.json beside them says
+};
+
+struct PrecompensatedFrames {
+  std::vector<std::filesystem::path> written;  ///< report.json last
+  Precompensation bound;                       ///< the mean share clipped, the largest residual of any
+};
+
+/// Codes become codes of as many bits. Throws Error naming the flag or file. Stops between frames when context.cancelled is
+/// set.
+PrecompensatedFrames precompensate_frames(const PrecompensateParams& params, const Context& context);
+
+}  // namespace lippmann

@@ -1,0 +1,57 @@
+#include "optics/crosstalk.hpp"
+
+#include <gmock/gmock.h>
+
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+// A Gaussian of sigma 1/2 has 0.15730 of itself between 1/2 and 3/2 (from tables: 1 and 3 sigma, 0.99865 - 0.84134).
+TEST(Crosstalk, neighbours_have_what_the_gaussian_has_over_them) {
+  EXPECT_NEAR(neighbour_share(0.5), 0.99865 - 0.84134, 1e-5);
+  EXPECT_EQ(neighbour_share(0.0), 0.0);
+  const Taps taps = gaussian_taps(7.5, 0.5);
+  double sum = 0.0;
+  for (const Tap& tap : taps) {
+    sum += tap.weight;
+    if (tap.index == 6 || tap.index == 8) {
+      EXPECT_DOUBLE_EQ(tap.weight, neighbour_share(0.5));
+    }
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-4);  // cut off at 4 sigma
+}
+
+TEST(Crosstalk, said_as_a_share_it_is_the_sigma_that_has_it) {
+  EXPECT_EQ(read_crosstalk("0.4", "x"), 0.4);
+  EXPECT_EQ(read_crosstalk("0%", "x"), 0.0);
+  for (const double percent : {0.5, 10.0, 23.0})
+    EXPECT_NEAR(neighbour_share(read_crosstalk(std::to_string(percent) + "%", "x")), 0.01 * percent, 1e-9) << percent;
+  // 10 % beyond half a pixel on each side: 0.5 / sigma = 1.2816, up to the 1e-4 beyond the neighbours.
+  EXPECT_NEAR(read_crosstalk("10%", "x"), 0.5 / 1.2816, 2e-4);
+}
+
+TEST(Crosstalk, what_is_no_crosstalk_is_refused) {
+  for (const char* text : {"", "ten", "-1", "9", "30%", "10%%", "1 %", "nan", "inf"})
+    EXPECT_THAT(test::error_message([&] { read_crosstalk(text, "--crosstalk"); }), HasSubstr("--crosstalk")) << text;
+}
+
+TEST(Crosstalk, only_the_ways_in_which_lenses_have_power_leak) {
+  Optics optics;
+  optics.model = LenticularSheet{.slant = radians(60.0f)};
+  EXPECT_NEAR(crosstalk_sigmas(optics, 0.3).x, 0.6, 1e-6);
+  EXPECT_EQ(crosstalk_sigmas(optics, 0.3).y, 0.0);
+  optics.model = MicrolensArray{};
+  EXPECT_EQ(crosstalk_sigmas(optics, 0.3), Vec2d(0.3));
+  optics.model = MultiView{3, 3};
+  EXPECT_EQ(crosstalk_sigmas(optics, 0.3), Vec2d(0.3, 0.0));
+  optics.model = MultiView{.columns = 3, .rows = 3, .baseline_mm = 1.0f};
+  EXPECT_EQ(crosstalk_sigmas(optics, 0.3), Vec2d(0.3));
+  optics.model = SingleView{};
+  EXPECT_EQ(crosstalk_sigmas(optics, 0.3), Vec2d(0.0));
+}
+
+}  // namespace
+}  // namespace lippmann
