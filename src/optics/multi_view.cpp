@@ -11,21 +11,22 @@ struct EyeAngles {
 EyeAngles eye_angles(const MultiView& views) {
   const int count = views.columns * views.rows;
   const double cone = views.baseline_mm > 0.0f ? 0.0 : views.view_cone;
-  if (!views.cone_ends_included) return {cone * (0.5 / count - 0.5), cone / count};
-  return count > 1 ? EyeAngles{-0.5 * cone, cone / (count - 1)} : EyeAngles{0.0, 0.0};
+  const double shift = views.eye_shift.x;
+  if (!views.cone_ends_included) return {cone * ((0.5 + shift) / count - 0.5), cone / count};
+  return count > 1 ? EyeAngles{cone * (shift / (count - 1) - 0.5), cone / (count - 1)} : EyeAngles{0.0, 0.0};
 }
 
 /// Of one axis of a camera grid: from its middle to its first eye.
-double first_eye(double baseline_mm, int count) { return -0.5 * baseline_mm * (count - 1); }
+double first_eye(double baseline_mm, int count, float shift) { return baseline_mm * (shift - 0.5 * (count - 1)); }
 
 }  // namespace
 
 EyeMm eye_of_view(const MultiView& views, int view) {
   const EyeAngles angles = eye_angles(views);
   const double baseline = views.parallax * views.baseline_mm, reach = views.parallax * views.distance_mm;
-  return {reach * std::tan(angles.first + view * angles.step) + first_eye(baseline, views.columns) +
+  return {reach * std::tan(angles.first + view * angles.step) + first_eye(baseline, views.columns, views.eye_shift.x) +
               view % views.columns * baseline,
-          first_eye(baseline, views.rows) + view / views.columns * baseline};
+          first_eye(baseline, views.rows, views.eye_shift.y) + view / views.columns * baseline};
 }
 
 MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float z_front_mm) {
@@ -39,7 +40,8 @@ MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float 
   c.pixel_pitch_mm = panel.pixel_pitch_mm, c.pixel_height_mm = panel.pixel_pitch_mm * views.pixel_height;
   c.first_half_angle = static_cast<float>(0.5 * angles.first), c.half_angle_step = static_cast<float>(0.5 * angles.step);
   const double baseline = views.parallax * views.baseline_mm;
-  c.first_eye_mm = Vec2f(first_eye(baseline, views.columns), first_eye(baseline, views.rows));
+  c.first_eye_mm =
+      Vec2f(first_eye(baseline, views.columns, views.eye_shift.x), first_eye(baseline, views.rows, views.eye_shift.y));
   c.baseline_mm = static_cast<float>(baseline);
   c.eye_reach_mm = views.parallax * views.distance_mm;
   c.distance_mm = views.distance_mm, c.inverse_distance = 1.0f / views.distance_mm;

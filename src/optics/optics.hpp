@@ -60,6 +60,7 @@ struct MultiView {
   float baseline_mm = 0.0f;          ///< above 0: of a camera grid; the cone has no meaning then
   float pixel_height = 1.0f;         ///< in pixel widths: tiles whose pixels, stretched to a display, are not square there
   float parallax = 1.0f;             ///< see with_parallax
+  Vec2f eye_shift{0.0f};             ///< all eyes, to the right and up, in steps from view to view (optics/angular_filter.hpp)
 };
 
 /// One pinhole at (0, 0, distance) through the rectangle of the panel in z = 0.

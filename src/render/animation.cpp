@@ -129,6 +129,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   const FrameLayout layout(params, stage.placed.optics, stage.display.get());
   require_memory(params, stage.placed.optics.panel, layout.moves(), pool.threads());
 
+  check_angular_filter(params, stage.placed.optics);
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
   const fs::path folder = output_folder(params);

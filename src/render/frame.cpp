@@ -1,8 +1,28 @@
 #include "render/frame.hpp"
 
+#include "core/error.hpp"
 #include "render/display_optics.hpp"
 
 namespace lippmann {
+
+AngularFilter wanted_angular_filter(const RenderParams& params) {
+  if (params.angular_filter) return *params.angular_filter;
+  return !params.display.empty() && params.spp > 1 && params.reuse != Reuse::kForward ? AngularFilter::kBox
+                                                                                      : AngularFilter::kNone;
+}
+
+void check_angular_filter(const RenderParams& params, const Optics& optics) {
+  constexpr const char* kFlag = "--angular-filter";
+  if (params.angular_filter != AngularFilter::kBox) return;
+  if (!std::holds_alternative<MultiView>(optics.model))
+    throw usage_error(kFlag,
+                      "only views have eyes to be spread: below lenses, the samples of a pixel are seen from all of its "
+                      "directions anyway",
+                      "--optics multiview, or --spp alone");
+  if (params.spp == 1) throw usage_error(kFlag, "one sample is seen from one eye", "--spp of 2 or more with it");
+  if (params.reuse == Reuse::kForward)
+    throw usage_error(kFlag, "points that are moved by --reuse forward are those of one eye", "--reuse exact or none");
+}
 
 TraceParams trace_params(const RenderParams& params, const Scene& scene) {
   TraceParams trace;
@@ -10,6 +30,7 @@ TraceParams trace_params(const RenderParams& params, const Scene& scene) {
   trace.spp = params.spp;
   trace.max_depth = params.max_depth > 0 ? params.max_depth : scene.max_depth;
   trace.seed = params.seed;
+  trace.angular_filter = wanted_angular_filter(params);
   return trace;
 }
 

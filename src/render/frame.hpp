@@ -56,6 +56,13 @@ class FrameClock {
   double cpu_start_;
 };
 
+/// As said; else kBox for quilts that displays show, which show them as beams as wide as a view, where there are several
+/// samples and no points to be moved.
+AngularFilter wanted_angular_filter(const RenderParams& params);
+
+/// Throws a usage Error where the filter that is said cannot be.
+void check_angular_filter(const RenderParams& params, const Optics& optics);
+
 /// How the parameters have a frame traced.
 TraceParams trace_params(const RenderParams& params, const Scene& scene);
 

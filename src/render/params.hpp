@@ -73,7 +73,8 @@ struct RenderParams {
   Integrator integrator = Integrator::kWhitted;
   RayOrder order = RayOrder::kViewTiles;
   int spp = 1;
-  int max_depth = 0;  ///< path vertices; 0: the scene's own limit
+  std::optional<AngularFilter> angular_filter;  ///< none: see wanted_angular_filter (render/frame.hpp)
+  int max_depth = 0;                            ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
 
   // Reuse between frames

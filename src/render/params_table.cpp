@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 1> kIntegratorNames{"whitted"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
 constexpr std::array<std::string_view, 3> kReuseNames{"none", "exact", "forward"};
+constexpr std::array<std::string_view, 2> kAngularNames{"none", "box"};
 constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
 constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
@@ -254,6 +255,11 @@ std::vector<ParamInfo> rendering_rows() {
       row(ParamKind::kText, &P::integrator, choice<Integrator>(kIntegratorNames),
           {"integrator", "Rendering", "NAME", "whitted: shadows, mirrors, refraction"}),
       row(ParamKind::kNumber, &P::spp, integer<int>(1, 1 << 16), {"spp", "Rendering", "N", "Samples per pixel"}),
+      row(ParamKind::kText, &P::angular_filter, optional_choice<AngularFilter>(kAngularNames),
+          {"angular-filter", "Rendering", "NAME",
+           "Multiview: the samples of a pixel are seen from one eye (none), or from half-way to one neighbour to half-way to "
+           "the "
+           "other (box): what lies beyond the depth budget blurs and does not double; default: box for quilts of a --display"}),
       row(ParamKind::kNumber, &P::max_depth, integer<int>(0, 1024),
           {"max-depth", "Rendering", "N", "Vertices of a path at most, 1: no mirrors; 0: the scene's own limit"}),
       row(ParamKind::kNumber, &P::seed, integer<std::uint32_t>(0, std::numeric_limits<std::uint32_t>::max()),

@@ -50,15 +50,20 @@ Vec2f SubPixel::position(std::uint32_t pixel, int sample) const {
   return glm::min(Vec2f(unit_float(x + shift_x), unit_float(reversed_bits(s) + shift_y)), Vec2f(1.0f - 1.0f / 256.0f));
 }
 
+SampleRays::SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel) {
+  for (const Vec2f shift : eye_shifts(optics, sub_pixel.angular_filter, sub_pixel.samples))
+    eyes_.emplace_back(with_eyes_shifted(optics, shift), world_from_display);
+}
+
 PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel)
-    : generator_(optics, world_from_display),
+    : rays_(optics, world_from_display, sub_pixel),
       order_(make_strip_order(optics, order)),
       sub_pixel_(sub_pixel),
       width_(optics.panel.width),
       height_(optics.panel.height),
       strips_((optics.panel.height + order_.strip_height - 1) / order_.strip_height),
       packets_(static_cast<int>((order_.pixels.size() + kLanes - 1) / kLanes)),
-      forward_(generator_.forward()) {
+      forward_(rays_.of(0).forward()) {
   order_.pixels.resize(static_cast<std::size_t>(packets_) * kLanes, order_.pixels.back());
 }
 
@@ -84,8 +89,9 @@ int PacketSource::fill(int strip, int packet, int sample, RayPacket& rays, LaneM
       const Vec2f offset = sub_pixel_.position(pixel[i], sample) - Vec2f(0.5f);
       px[i] += offset.x, py[i] += offset.y;
     }
-  generator_.rays(px, py, kLanes, {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z});
-  set_range(generator_.depth(), forward_, rays);
+  const RayGenerator& generator = rays_.of(sample);
+  generator.rays(px, py, kLanes, {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z});
+  set_range(generator.depth(), forward_, rays);
   return count;
 }
 

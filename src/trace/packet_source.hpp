@@ -2,6 +2,9 @@
 // src/trace.
 #pragma once
 
+#include <vector>
+
+#include "optics/angular_filter.hpp"
 #include "optics/ray_generator.hpp"
 #include "trace/embree_shim.hpp"
 #include "trace/ray_order.hpp"
@@ -9,12 +12,24 @@
 namespace lippmann {
 
 /// Where in its pixel sample s of n lies, each in [0, 1): the centre for n = 1; else the s-th of n points of a Hammersley set,
-/// shifted (modulo 1) by a hash of seed and pixel, so that neighbours are decorrelated and each pixel is evenly covered.
+/// shifted (modulo 1) by a hash of seed and pixel, so that neighbours are decorrelated and each pixel is evenly covered. And
+/// from which eye of its view it is seen, the same for all pixels.
 struct SubPixel {
   std::uint32_t seed = 0;
   int samples = 1;
+  AngularFilter angular_filter = AngularFilter::kNone;
 
   Vec2f position(std::uint32_t pixel, int sample) const;
+};
+
+/// The rays of each sample of a pixel: of one eye of a view, or of several.
+class SampleRays {
+ public:
+  SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel);
+  const RayGenerator& of(int sample) const { return eyes_[eyes_.size() > 1 ? static_cast<std::size_t>(sample) : 0]; }
+
+ private:
+  std::vector<RayGenerator> eyes_;
 };
 
 class PacketSource {
@@ -30,7 +45,7 @@ class PacketSource {
   int fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const;
 
  private:
-  RayGenerator generator_;
+  SampleRays rays_;
   StripOrder order_;
   SubPixel sub_pixel_;
   int width_, height_, strips_, packets_;

@@ -23,7 +23,7 @@ class FrameTracer {
       : scene_(scene.impl()),
         params_(params),
         beam_(optics, world_from_display),
-        source_(optics, world_from_display, params.order, SubPixel{params.seed, params.spp}),
+        source_(optics, world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter}),
         film_(film) {}
 
   void capture_to(const PointCapture* capture) { capture_ = capture; }

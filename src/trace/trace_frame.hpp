@@ -8,6 +8,7 @@
 #include "core/math.hpp"
 #include "core/parallel.hpp"
 #include "image/image.hpp"
+#include "optics/angular_filter.hpp"
 #include "optics/optics.hpp"
 #include "trace/device_scene.hpp"
 #include "trace/primary_points.hpp"
@@ -24,8 +25,9 @@ enum class RayOrder {
 
 struct TraceParams {
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 1;        ///< samples per pixel; above 1 stratified over the pixel's area
-  int max_depth = 6;  ///< path vertices: 1 = no mirrors
+  int spp = 1;                                          ///< samples per pixel; above 1 stratified over the pixel's area
+  int max_depth = 6;                                    ///< path vertices: 1 = no mirrors
+  AngularFilter angular_filter = AngularFilter::kNone;  ///< of views; above 1 sample per pixel
   std::uint32_t seed =
       0;  ///< of the sub-pixel positions, which are the same in every frame: what stands still must not flicker
 };

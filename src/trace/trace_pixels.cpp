@@ -48,8 +48,10 @@ OrderedPixels in_ray_order(Pixels pixels, const Optics& optics, RayOrder ray_ord
 /// Makes primary packets of up to 16 given pixels.
 class PixelPackets {
  public:
-  PixelPackets(const Optics& optics, const Affine3f& world_from_display)
-      : generator_(optics, world_from_display), width_(static_cast<std::uint32_t>(optics.panel.width)) {}
+  PixelPackets(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel)
+      : centre_(optics, world_from_display),
+        rays_(optics, world_from_display, sub_pixel),
+        width_(static_cast<std::uint32_t>(optics.panel.width)) {}
 
   /// 1 to 16 pixels; lanes beyond them get the last one's ray and are inactive.
   void fill(Pixels pixels, const SubPixel& sub_pixel, int sample, RayPacket& rays, LaneMask& active,
@@ -64,16 +66,18 @@ class PixelPackets {
       const Vec2f offset = sub_pixel.position(pixel[i], sample) - Vec2f(0.5f);
       px[i] += offset.x, py[i] += offset.y;
     }
-    generator_.rays(px, py, kLanes, {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z});
-    const Vec3f forward = generator_.forward();
+    const RayGenerator& generator = sub_pixel.samples == 1 ? centre_ : rays_.of(sample);
+    generator.rays(px, py, kLanes, {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z});
+    const Vec3f forward = generator.forward();
     for (int i = 0; i < kLanes; ++i) {
       rays.tnear[i] = 0.0f;
-      rays.tfar[i] = generator_.depth() / (rays.dir_x[i] * forward.x + rays.dir_y[i] * forward.y + rays.dir_z[i] * forward.z);
+      rays.tfar[i] = generator.depth() / (rays.dir_x[i] * forward.x + rays.dir_y[i] * forward.y + rays.dir_z[i] * forward.z);
     }
   }
 
  private:
-  RayGenerator generator_;
+  RayGenerator centre_;
+  SampleRays rays_;
   std::uint32_t width_;
 };
 
@@ -128,9 +132,9 @@ RayCounts trace_pixels(const DeviceScene& scene, const Optics& optics, const Aff
                        PrimaryPoints* points) {
   if (pixels.empty()) return {};
   const OrderedPixels ordered = in_ray_order(pixels, optics, params.order);
-  const PixelPackets packets(optics, world_from_display);
   const BeamFootprint beam(optics, world_from_display);
-  const SubPixel sub_pixel{params.seed, params.spp};
+  const SubPixel sub_pixel{params.seed, params.spp, params.angular_filter};
+  const PixelPackets packets(optics, world_from_display, sub_pixel);
   std::optional<PointCapture> capture;
   if (points) capture.emplace(scene.impl(), inverse(world_from_display), *points);
   const bool along = capture && params.spp == 1;

@@ -225,5 +225,39 @@ TEST(Display, crosstalk_that_nobody_says_or_wants_is_refused) {
   expect_refusal(run_tool(dir, {"convert", "out", "x", "--crosstalk", "0.3"}), 2, "--precompensate");
 }
 
+Words filtered_views(const std::string& folder, const Words& more) {
+  return Words{"render", "small-balls", "--frames", "0-5",   "--optics", "multiview", "--views",
+               "4x1",    "--size",      "256x48",   "--spp", "3",        "-o",        folder} +
+         more;
+}
+
+TEST(Display, angular_filter_changes_views_and_exact_reuse_gives_the_same_bits) {
+  const TempDir dir;
+  const Files traced = rendered(dir, filtered_views("a", {"--angular-filter", "box", "--reuse", "none"}), "a");
+  const Files reused = rendered(dir, filtered_views("b", {"--angular-filter", "box", "--reuse", "exact"}), "b");
+  ASSERT_EQ(traced.size(), 6u);
+  EXPECT_EQ(traced, reused);
+  EXPECT_NE(traced, rendered(dir, filtered_views("c", {}), "c"));
+}
+
+TEST(Display, quilts_for_displays_are_filtered_unless_one_says_otherwise) {
+  const TempDir dir;
+  write_displays(dir);
+  const auto quilt = [&](const std::string& folder, const Words& more) {
+    return rendered(dir, teapot_on("panel.toml", Words{"--spp", "4"} + more, folder), folder);
+  };
+  const Files plain = quilt("a", {});
+  EXPECT_EQ(plain, quilt("b", {"--angular-filter", "box"}));
+  EXPECT_NE(plain, quilt("c", {"--angular-filter", "none"}));
+}
+
+TEST(Display, angular_filter_that_cannot_be_is_refused) {
+  const TempDir dir;
+  const Words render{"render", "small-balls", "-o", "out", "--angular-filter", "box"};
+  expect_refusal(run_tool(dir, render + Words{"--spp", "4"}), 2, "below lenses");
+  expect_refusal(run_tool(dir, render + Words{"--optics", "multiview"}), 2, "--spp");
+  expect_refusal(run_tool(dir, render + Words{"--optics", "multiview", "--spp", "4", "--reuse", "forward"}), 2, "one eye");
+}
+
 }  // namespace
 }  // namespace lippmann::test

@@ -55,6 +55,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"video-codec", {"hevc"}},
     {"crf", {"30"}},
     {"fit-depth", {"true"}},
+    {"angular-filter", {"box"}},
     {"crosstalk", {"0.4"}},
     {"precompensate", {"true"}},
     {"display", {"portrait"}},

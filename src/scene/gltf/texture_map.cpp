@@ -25,8 +25,8 @@ void set_transform(const tinygltf::Value& transform, TextureMap& map) {
 
 /// In the order in which they choose their sets.
 std::array<TextureMap*, 11> maps_of(MetallicRoughness& s) {
-  return {&s.base_color_map, &s.normal_map,         &s.metallic_roughness_map, &s.emissive_map,
-          &s.occlusion_map,  &s.transmission_map,   &s.specular_map,           &s.specular_color_map,
+  return {&s.base_color_map, &s.normal_map,           &s.metallic_roughness_map, &s.emissive_map,
+          &s.occlusion_map,  &s.transmission_map,     &s.specular_map,           &s.specular_color_map,
           &s.clearcoat_map,  &s.clearcoat_normal_map, &s.clearcoat_roughness_map};
 }
 

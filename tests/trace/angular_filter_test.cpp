@@ -1,0 +1,99 @@
+// Views whose samples are seen from several eyes.
+#include "optics/angular_filter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "trace/small_scene.hpp"
+#include "trace/trace_pixels.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1;
+constexpr int kViews = 5, kWidth = 80, kHeight = 4;
+
+/// Five eyes 0.8 mm apart.
+Optics camera_row() {
+  Optics optics;
+  optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};
+  optics.model = MultiView{.columns = kViews, .rows = 1, .distance_mm = kDistance, .baseline_mm = kBaseline};
+  return optics;
+}
+
+/// Light to the left of x = 0.03, in the plane at depth z.
+Scene edge_at(float z) {
+  SmallScene s;
+  Mesh left = square(50.0f, z);
+  for (Vec3f& position : left.positions) position.x -= 49.97f;
+  s.add(left, s.material(glowing(Vec3f(1.0f))));
+  return s.scene;
+}
+
+TraceParams filtered(int spp) {
+  TraceParams params;
+  params.spp = spp, params.angular_filter = AngularFilter::kBox;
+  return params;
+}
+
+TEST(AngularFilter, what_lies_in_the_plane_of_the_display_stays_as_it_is) {
+  TraceParams plain = filtered(16);
+  plain.angular_filter = AngularFilter::kNone;
+  EXPECT_EQ(trace(edge_at(0.0f), camera_row(), filtered(16)).film.data, trace(edge_at(0.0f), camera_row(), plain).film.data);
+}
+
+struct Edge {
+  double place_px, variance_px2;
+};
+
+/// Of how it falls from light to dark in the second row of a view.
+Edge edge_in_view(const Picture& picture, int view) {
+  std::vector<double> steps;
+  for (int x = 1; x < kWidth; ++x) steps.push_back(picture.at(view * kWidth + x - 1, 1).x - picture.at(view * kWidth + x, 1).x);
+  Edge edge{0.0, 0.0};
+  for (std::size_t i = 0; i < steps.size(); ++i) edge.place_px += steps[i] * static_cast<double>(i + 1);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    edge.variance_px2 += steps[i] * std::pow(static_cast<double>(i + 1) - edge.place_px, 2.0);
+  return edge;
+}
+
+// Seen from an eye at e, the edge at (X, z) is in the plane at e (1 - m) + X m, m = D / (D - z). At z = -20, m = 1/2: from eye
+// to eye it moves by 0.4 mm = 4 pixels. Spread over a view's share it is a ramp of 4 pixels: variance 16 / 12. Differences of
+// pixels, each the mean over its width, share every place of it out to the two whole numbers beside it: 1 / 6 more.
+TEST(AngularFilter, far_edges_become_ramps_from_one_view_s_edge_to_the_next) {
+  const int spp = 256;
+  const Picture sharp = trace(edge_at(-20.0f), camera_row(), {.spp = spp});
+  const Picture ramp = trace(edge_at(-20.0f), camera_row(), filtered(spp));
+  for (int view = 0; view < kViews; ++view) {
+    const double eye = kBaseline * (view - 2), place = 0.5 * kWidth + (0.5 * eye + 0.5 * 0.03) / kPitch;
+    // A pixel's 256 samples count an area to within 2/256 of it, and six pixels make the ramp: 12/256, and as far from its
+    // middle as they lie for the variance (2 x (2.5 + 1.5 + 0.5) x 2/256). Here less than half of that.
+    EXPECT_NEAR(edge_in_view(sharp, view).place_px, place, 0.01) << view;
+    EXPECT_NEAR(edge_in_view(ramp, view).place_px, place, 0.02) << view;
+    EXPECT_LE(edge_in_view(sharp, view).variance_px2, 0.25 + 0.01) << view;  // of any place within a pixel
+    EXPECT_NEAR(edge_in_view(ramp, view).variance_px2, 16.0 / 12 + 1.0 / 6, 0.04) << view;
+  }
+}
+
+TEST(AngularFilter, single_pixels_are_traced_to_the_same_bits) {
+  SmallScene s = busy_scene(5);
+  const ThreadPool pool(2);
+  const Context context;
+  DeviceScene device(s.scene, pool);
+  device.update(evaluate(s.scene, 0.0), pool);
+  TraceParams params = filtered(5);
+  params.max_depth = s.scene.max_depth;
+  Image whole;
+  trace_frame(device, camera_row(), {}, params, pool, context, whole);
+  Image pixels(whole.width, whole.height, 3);
+  std::vector<std::uint32_t> all(static_cast<std::size_t>(whole.width * whole.height));
+  std::iota(all.begin(), all.end(), 0u);
+  trace_pixels(device, camera_row(), {}, params, all, pool, context, pixels, nullptr);
+  EXPECT_EQ(pixels.data, whole.data);
+}
+
+}  // namespace
+}  // namespace lippmann
