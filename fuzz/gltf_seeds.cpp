@@ -97,9 +97,12 @@ GltfBuilder skinned() {
   const int joints = b.add_accessor(std::vector<std::uint8_t>(12, 1), test::kUnsignedByte, "VEC4", 3);
   const int weights = b.add_accessor(std::vector<Vec4f>(3, Vec4f(0.25f)));
   const int mesh =
-      b.add_triangle({{"attributes", {{"JOINTS_0", joints}, {"WEIGHTS_0", weights}}}, {"targets", {{{"POSITION", 0}}}}});
+      b.add_triangle({{"attributes", {{"JOINTS_0", joints}, {"WEIGHTS_0", weights}}}, {"targets", {{{"POSITION", 2}}}}});
+  const int times = b.add_accessor(std::vector<float>{0, 1}), morphs = b.add_accessor(std::vector<float>{0, 1});
+  b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+                       {"samplers", {{{"input", times}, {"output", morphs}}}}});
   b.add("skins", {{"joints", {1, 2}}, {"inverseBindMatrices", matrices}, {"skeleton", 1}});
-  b.add_node({{"mesh", mesh}, {"skin", 0}});
+  b.add_node({{"mesh", mesh}, {"skin", 0}, {"weights", {0.5}}});
   b.add_node({{"children", {2}}});
   b.add_node({{"translation", {0, 1, 0}}});
   return b;

@@ -31,7 +31,7 @@ int run(const Options& options, const Context& context) {
 void add_info_command(CLI::App& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   CLI::App& command = *root.add_subcommand("info", "Say what is in a scene and how the array is fitted to it");
-  add_param_flags(command, options->flags, {"camera-path", "fps", "Optics"});
+  add_param_flags(command, options->flags, {"camera-path", "animation", "fps", "Optics"});
   command.add_flag("--json", options->json, "Print JSON on stdout");
   command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

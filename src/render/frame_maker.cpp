@@ -1,9 +1,14 @@
 #include "render/frame_maker.hpp"
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/printable.hpp"
 #include "render/exact_frames.hpp"
 #include "render/floored_frames.hpp"
 #include "render/forward_frames.hpp"
 #include "render/test_pattern.hpp"
+#include "scene/deform.hpp"
 
 namespace lippmann {
 namespace {
@@ -41,11 +46,24 @@ class PatternFrames final : public FrameMaker {
   const ThreadPool& pool_;
 };
 
+/// Points are carried from frame to frame with their nodes, which says nothing of meshes that change their shape.
+void refuse_deforming_meshes(const Scene& scene) {
+  const std::vector<bool> moves = moving_instances(scene);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    if (moves[i] && is_posed(scene, scene.instances[i]))
+      throw usage_error(
+          "--reuse",
+          fmt::format("interpolated frames need things to keep their shape, and {} changes it (skin or morph targets)",
+                      shown(scene.instances[i].name)),
+          "exact or none for this scene");
+}
+
 }  // namespace
 
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
                                              const Context& context) {
   if (params.scene == kTestPattern) return std::make_unique<PatternFrames>(stage, pool);
+  if (params.reuse == Reuse::kForward) refuse_deforming_meshes(stage.scene);
   if (params.reuse == Reuse::kForward && params.min_psnr_db)
     return std::make_unique<FlooredFrames>(stage, params, pool, context);
   if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);

@@ -19,6 +19,7 @@ Scene wanted_scene(const RenderParams& params, const Context& context) {
   LoadOptions options;
   if (!params.camera_path.empty()) options.camera_path = params.camera_path;
   options.frames_per_second = params.fps;
+  options.animation = params.animation;
   return load_scene(params.scene, options, context);
 }
 

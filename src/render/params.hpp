@@ -50,6 +50,7 @@ struct RenderParams {
   // Scene
   std::string scene;                 ///< a built-in name or a file
   std::string camera_path;           ///< a Tachyon .cam file for a .dat scene; empty: none
+  std::string animation;             ///< name or index of the one to show, of scenes that hold several; empty: the first
   std::optional<FrameRange> frames;  ///< none: the whole animation
   double fps = 0.0;                  ///< frames per second of the animation and of videos; 0: the scene's own
 

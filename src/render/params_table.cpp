@@ -194,6 +194,9 @@ std::vector<ParamInfo> scene_rows() {
       path(runs_only(row(ParamKind::kText, &P::scene, text(), {"scene", "Scene", "SCENE", "A built-in name or a file"}))),
       path(runs_only(row(ParamKind::kText, &P::camera_path, text(),
                          {"camera-path", "Scene", "FILE", "A Tachyon camera path (.cam) for a .dat scene"}))),
+      runs_only(row(
+          ParamKind::kText, &P::animation, text(),
+          {"animation", "Scene", "NAME|INDEX", "Which of a glTF file's animations; the first by default ('info' lists them)"})),
       frames_row(),
       row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),

@@ -6,12 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "core/printable.hpp"
 #include "optics/optics_json.hpp"
 #include "render/depth_budget.hpp"
 #include "render/display_optics.hpp"
 #include "render/make_optics.hpp"
 #include "render/panel_size.hpp"
 #include "render/report.hpp"
+#include "scene/deform.hpp"
 #include "scene/load.hpp"
 #include "scene/timeline.hpp"
 
@@ -42,9 +44,8 @@ void count(const Scene& scene, SceneInfo& info) {
   info.cameras = scene.cameras.size();
   for (const Instance& instance : scene.instances)
     std::visit(CountShape{info}, scene.shapes[static_cast<std::size_t>(instance.shape)]);
-  const std::vector<bool> moves = moving_nodes(scene);
-  for (const Instance& instance : scene.instances)
-    if (instance.node >= 0 && moves[static_cast<std::size_t>(instance.node)]) ++info.moving_instances;
+  const std::vector<bool> moves = moving_instances(scene);
+  info.moving_instances = static_cast<std::size_t>(std::count(moves.begin(), moves.end(), true));
 }
 
 Bounds3f bounds_over_animation(const Scene& scene) {
@@ -60,6 +61,17 @@ Json vector_json(Vec3f v) { return {v.x, v.y, v.z}; }
 Json bounds_json(const Bounds3f& bounds) {
   if (bounds.empty()) return nullptr;
   return {{"lower", vector_json(bounds.lower)}, {"upper", vector_json(bounds.upper)}};
+}
+
+/// "shown: Walk (1); others: Survey (0), Run (2)".
+std::string list_animations(const SceneInfo& info) {
+  const auto shown_one = static_cast<std::size_t>(info.animation);
+  const auto label = [&](std::size_t i) { return fmt::format("{} ({})", printable(info.animations[i]), i); };
+  std::string text = fmt::format("shown: {}; others:", label(shown_one));
+  for (std::size_t i = 0; i < info.animations.size(); ++i)
+    if (i != shown_one) text += ' ' + label(i) + ',';
+  text.pop_back();
+  return text;
 }
 
 /// "3 meshes, 1 light": what there is at all.
@@ -82,6 +94,7 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   collecting.warn = [&](std::string_view text) { info.warnings.emplace_back(text); };
   const Scene scene = wanted_scene(params, collecting);
   info.name = scene.name;
+  info.animations = scene.animation_names, info.animation = scene.animation;
   info.frames = scene.timeline.frame_count;
   info.frames_per_second = scene.timeline.frames_per_second;
   count(scene, info);
@@ -112,6 +125,8 @@ Json to_json(const SceneInfo& info) {
           {"textures", info.textures},
           {"lights", info.lights},
           {"cameras", info.cameras},
+          {"animations", info.animations},
+          {"animation", info.animation < 0 ? Json(nullptr) : Json(info.animation)},
           {"frames", info.frames},
           {"frames_per_second", info.frames_per_second},
           {"seconds", info.frames / info.frames_per_second},
@@ -146,6 +161,7 @@ std::string to_text(const SceneInfo& info) {
   line("animation",
        fmt::format("{} frames at {:g} a second = {:.1f} s; {} of {} instances move", info.frames, info.frames_per_second,
                    info.frames / info.frames_per_second, info.moving_instances, info.instances));
+  if (info.animations.size() > 1) line("", list_animations(info));
   if (!info.bounds.empty())
     line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,
                                info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));

@@ -21,7 +21,9 @@ struct SceneInfo {
 
   int frames = 1;
   double frames_per_second = 25.0;
-  std::size_t moving_instances = 0;  ///< whose nodes are animated
+  std::size_t moving_instances = 0;     ///< that move or change their shape
+  std::vector<std::string> animations;  ///< names of all that the file has
+  int animation = -1;                   ///< which of them is shown
 
   Bounds3f bounds;  ///< world, of everything finite, over the animation (sampled at up to 32 frames)
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/deform.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -12,21 +14,43 @@ constexpr std::size_t kTrianglesToPart = 2000;  // or more triangles; smaller on
 
 const Bounds3f kEverything{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
-/// Boxes of a mesh's triangles, gathered by the cell of a grid that their first vertex is in.
-std::vector<Bounds3f> parts_of(const Mesh& mesh) {
+/// A mesh's triangles, gathered by the cell of a grid that their first vertex is in; cells without any are left out.
+std::vector<std::vector<std::size_t>> triangles_by_part(const Mesh& mesh) {
   Bounds3f whole;
   for (const Vec3f& p : mesh.positions) whole.add(p);
   const int cells = mesh.triangles.size() >= kTrianglesToPart ? kPartsPerAxis : 4;
   const Vec3f per_cell = static_cast<float>(cells) / glm::max(whole.size(), Vec3f(1e-30f));
-  std::vector<Bounds3f> parts(static_cast<std::size_t>(cells * cells * cells));
-  for (const auto& triangle : mesh.triangles) {
-    const Vec3f place = (mesh.positions[triangle[0]] - whole.lower) * per_cell;
+  std::vector<std::vector<std::size_t>> parts(static_cast<std::size_t>(cells * cells * cells));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3f place = (mesh.positions[mesh.triangles[t][0]] - whole.lower) * per_cell;
     const glm::ivec3 cell = glm::clamp(glm::ivec3(place), 0, cells - 1);
-    Bounds3f& part = parts[static_cast<std::size_t>((cell.z * cells + cell.y) * cells + cell.x)];
-    for (const std::uint32_t vertex : triangle) part.add(mesh.positions[vertex]);
+    parts[static_cast<std::size_t>((cell.z * cells + cell.y) * cells + cell.x)].push_back(t);
   }
-  std::erase_if(parts, [](const Bounds3f& part) { return part.empty(); });
+  std::erase_if(parts, [](const auto& part) { return part.empty(); });
   return parts;
+}
+
+/// Boxes of a mesh's parts.
+std::vector<Bounds3f> parts_of(const Mesh& mesh) {
+  std::vector<Bounds3f> boxes;
+  for (const std::vector<std::size_t>& part : triangles_by_part(mesh)) {
+    Bounds3f& box = boxes.emplace_back();
+    for (const std::size_t t : part)
+      for (const std::uint32_t vertex : mesh.triangles[t]) box.add(mesh.positions[vertex]);
+  }
+  return boxes;
+}
+
+/// The vertices of each of a mesh's parts; one on a border belongs to several.
+std::vector<std::vector<std::uint32_t>> vertices_by_part(const Mesh& mesh) {
+  std::vector<std::vector<std::uint32_t>> vertices;
+  for (const std::vector<std::size_t>& part : triangles_by_part(mesh)) {
+    std::vector<std::uint32_t>& of_part = vertices.emplace_back();
+    for (const std::size_t t : part) of_part.insert(of_part.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+    std::sort(of_part.begin(), of_part.end());
+    of_part.erase(std::unique(of_part.begin(), of_part.end()), of_part.end());
+  }
+  return vertices;
 }
 
 /// Exact boxes of analytic shapes, as they lie in their node.
@@ -54,6 +78,21 @@ bool contains(const Bounds3f& outer, const Bounds3f& inner) {
   return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
 }
 
+/// The boxes of one part, which stays as it is for its first `rests_for` frames; box_at: around it at a frame.
+template <class BoxAt>
+void add_boxes(std::size_t frames, std::size_t rests_for, std::span<const int> horizons, std::vector<HorizonBox>& boxes,
+               const BoxAt& box_at) {
+  Bounds3f swept, told;
+  std::size_t frame = 0;
+  for (std::size_t h = 0; h < horizons.size() && frame < frames; ++h) {
+    const auto horizon = static_cast<std::size_t>(horizons[h]);
+    for (; frame < std::min(frames, horizon); ++frame) swept.add(box_at(frame));
+    if (rests_for >= horizon || rests_for == frames || contains(told, swept)) continue;
+    boxes.push_back({swept, static_cast<std::uint8_t>(h)});
+    told = swept;
+  }
+}
+
 }  // namespace
 
 SweptBoxes::SweptBoxes(const Scene& scene, int display_node) : scene_(scene) {
@@ -62,10 +101,14 @@ SweptBoxes::SweptBoxes(const Scene& scene, int display_node) : scene_(scene) {
   if (is_moving(display_node)) decisive_nodes_.push_back(display_node);
   for (const Light& light : scene.lights)
     if (is_moving(light.node)) decisive_nodes_.push_back(light.node);
-  for (const Instance& instance : scene.instances) {
-    if (!is_moving(instance.node)) continue;
+  const std::vector<bool> instance_moves = moving_instances(scene);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    if (!instance_moves[i]) continue;
+    const Instance& instance = scene.instances[i];
     const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
-    if (std::holds_alternative<Planes>(shape))
+    if (is_posed(scene, instance))
+      posed_.push_back({i, vertices_by_part(std::get<Mesh>(shape))});
+    else if (std::holds_alternative<Planes>(shape))
       decisive_nodes_.push_back(instance.node);
     else
       instances_.push_back({instance.node, std::visit([](const auto& s) { return parts_of(s); }, shape)});
@@ -88,28 +131,44 @@ std::vector<HorizonBox> SweptBoxes::around(int first, std::span<const int> horiz
     boxes.push_back({kEverything, static_cast<std::uint8_t>(known)});
     break;
   }
-  for (const MovingInstance& instance : instances_) {
-    std::vector<Affine3f> places;
-    std::vector<Mat3f> reaches;
-    for (const ResolvedScene& moment : moments) {
-      places.push_back(moment.of(instance.node));
-      reaches.push_back(absolute(places.back().linear));
-    }
-    const auto moved = std::find_if(places.begin(), places.end(), [&](const Affine3f& p) { return !(p == places.front()); });
-    const auto rests_for = static_cast<int>(moved - places.begin());
-    for (const Bounds3f& part : instance.parts) {
-      Bounds3f swept, told;
-      std::size_t frame = 0;
-      for (std::size_t h = 0; h < known && frame < places.size(); ++h) {
-        for (; frame < places.size() && static_cast<int>(frame) < horizons[h]; ++frame)
-          swept.add(around_transformed(places[frame], reaches[frame], part));
-        if (rests_for >= horizons[h] || moved == places.end() || contains(told, swept)) continue;
-        boxes.push_back({swept, static_cast<std::uint8_t>(h)});
-        told = swept;
-      }
-    }
-  }
+  const std::span<const int> told = horizons.first(known);
+  for (const MovingInstance& instance : instances_) add_swept(instance, moments, told, boxes);
+  for (const PosedInstance& instance : posed_) add_swept(instance, moments, told, boxes);
   return boxes;
+}
+
+void SweptBoxes::add_swept(const MovingInstance& instance, std::span<const ResolvedScene> moments,
+                           std::span<const int> horizons, std::vector<HorizonBox>& boxes) const {
+  std::vector<Affine3f> places;
+  std::vector<Mat3f> reaches;
+  for (const ResolvedScene& moment : moments) {
+    places.push_back(moment.of(instance.node));
+    reaches.push_back(absolute(places.back().linear));
+  }
+  const auto moved = std::find_if(places.begin(), places.end(), [&](const Affine3f& p) { return !(p == places.front()); });
+  const auto rests_for = static_cast<std::size_t>(moved - places.begin());
+  for (const Bounds3f& part : instance.parts)
+    add_boxes(places.size(), rests_for, horizons, boxes,
+              [&](std::size_t frame) { return around_transformed(places[frame], reaches[frame], part); });
+}
+
+void SweptBoxes::add_swept(const PosedInstance& posed, std::span<const ResolvedScene> moments, std::span<const int> horizons,
+                           std::vector<HorizonBox>& boxes) const {
+  const std::size_t frames = moments.size();
+  std::vector<std::vector<Bounds3f>> box(posed.parts.size(), std::vector<Bounds3f>(frames));
+  std::vector<std::size_t> rests_for(posed.parts.size(), frames);
+  const MeshPose first(scene_, scene_.instances[posed.instance], moments.front());
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    const MeshPose pose(scene_, scene_.instances[posed.instance], moments[frame]);
+    for (std::size_t part = 0; part < posed.parts.size(); ++part)
+      for (const std::uint32_t v : posed.parts[part]) {
+        const PosedVertex vertex = pose.vertex(v);
+        box[part][frame].add(vertex.position);
+        if (rests_for[part] == frames && !(vertex == first.vertex(v))) rests_for[part] = frame;
+      }
+  }
+  for (std::size_t part = 0; part < posed.parts.size(); ++part)
+    add_boxes(frames, rests_for[part], horizons, boxes, [&](std::size_t frame) { return box[part][frame]; });
 }
 
 }  // namespace lippmann

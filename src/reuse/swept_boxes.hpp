@@ -1,6 +1,7 @@
 // Boxes around everything that moves during some frames of an animation, in world space.
 //
-// Meshes are bounded part by part, and every part by the box it sweeps: a turning object leaves free what it does not pass.
+// Meshes are bounded part by part, and every part by the box it sweeps: a turning object leaves free what it does not pass. Of
+// meshes that change their shape, parts that stay as they are have no box.
 #pragma once
 
 #include <span>
@@ -29,11 +30,21 @@ class SweptBoxes {
     std::vector<Bounds3f> parts;  ///< local to the node
   };
 
+  struct PosedInstance {
+    std::size_t instance = 0;
+    std::vector<std::vector<std::uint32_t>> parts;  ///< the vertices of each
+  };
+
+  void add_swept(const MovingInstance& instance, std::span<const ResolvedScene> moments, std::span<const int> horizons,
+                 std::vector<HorizonBox>& boxes) const;
+  void add_swept(const PosedInstance& instance, std::span<const ResolvedScene> moments, std::span<const int> horizons,
+                 std::vector<HorizonBox>& boxes) const;
   bool all_changes(const ResolvedScene& from, const ResolvedScene& to) const;
 
   const Scene& scene_;
   std::vector<int> decisive_nodes_;  ///< of the display, lights and infinite planes
   std::vector<MovingInstance> instances_;
+  std::vector<PosedInstance> posed_;
 };
 
 }  // namespace lippmann

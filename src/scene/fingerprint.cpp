@@ -19,7 +19,7 @@ class SceneFingerprint {
 
   void add(const Scene& scene) {
     const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, cameras, display, background, timeline,
-                 encoding, max_depth, resolution] = scene;
+                 animation_names, animation, encoding, max_depth, resolution] = scene;
     add_each(nodes);
     add_each(shapes);
     add_each(textures);

@@ -1,12 +1,11 @@
 // Reads glTF 2.0, the Khronos Group's exchange format, as one JSON file with others beside it (.gltf) or as one binary (.glb).
 //
-// Read: the default scene's node hierarchy; the first animation of its nodes; triangle meshes; metallic-roughness materials
-// with all their textures (PNG, JPEG); cameras; the extensions KHR_lights_punctual, KHR_materials_unlit, _emissive_strength,
-// _ior, _transmission, _specular, _clearcoat, KHR_texture_transform, KHR_mesh_quantization.
-// Simplified, with one warning each: skinned meshes stand in their rest pose, morphed ones keep their base shape, an
-// orthographic camera becomes a perspective one. A scene without lights gets a key light and a dim background. What else a
-// file holds and this reader leaves out (other extensions, further scenes and animations) is
-// named by one warning; an extension that the file requires and that is not in the list above is an Error.
+// Read: the default scene's node hierarchy; one of the file's animations; triangle meshes, their skins and morph targets;
+// metallic-roughness materials with all their textures (PNG, JPEG); cameras; the extensions KHR_lights_punctual,
+// KHR_materials_unlit, _emissive_strength, _ior, _transmission, _specular, _clearcoat, KHR_texture_transform,
+// KHR_mesh_quantization. Simplified, with one warning each: an orthographic camera becomes a perspective one. A scene without
+// lights gets a key light and a dim background. What else a file holds and this reader leaves out (other extensions, further
+// scenes) is named by one warning; an extension that the file requires and that is not in the list above is an Error.
 //
 // Nothing in a file is trusted: every index, count and byte range is checked before it is used, memory grows with the bytes
 // that are really there and never beyond GltfLimits, and no file outside the scene's own folder is opened.
@@ -15,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/context.hpp"
@@ -38,11 +38,12 @@ struct GltfLimits {
 
 /// Throws Error naming the file and the element ("Box.glb: accessors[3]: ..."). frames_per_second > 0: the timeline shows frame
 /// f at f / frames_per_second and has as many frames as fit the animation's length (so that it loops), at least one.
+/// animation: the name or the index of the one to show; empty: the first.
 Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context,
-                const GltfLimits& limits = {});
+                const GltfLimits& limits = {}, const std::string& animation = {});
 
 /// The same of a file's contents; `path` names it in messages, and the files that it refers to lie in its folder.
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
-                 const Context& context, const GltfLimits& limits = {});
+                 const Context& context, const GltfLimits& limits = {}, const std::string& animation = {});
 
 }  // namespace lippmann

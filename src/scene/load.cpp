@@ -24,20 +24,21 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
 }
 
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return load_gltf(path, options.frames_per_second > 0.0 ? options.frames_per_second : kGltfFramesPerSecond, context);
+  return load_gltf(path, options.frames_per_second > 0.0 ? options.frames_per_second : kGltfFramesPerSecond, context, {},
+                   options.animation);
 }
 
 /// One row per file format. Rows that share a loader stand together.
 struct Format {
   std::string_view extension;  ///< lower case, with its dot
-  bool takes_camera_path;
+  bool takes_camera_path, has_animations;
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&);
 };
 
 constexpr Format kFormats[] = {
-    {".dat", true, load_dat},
-    {".glb", false, load_gltf_file},
-    {".gltf", false, load_gltf_file},
+    {".dat", true, false, load_dat},
+    {".glb", false, true, load_gltf_file},
+    {".gltf", false, true, load_gltf_file},
 };
 
 std::string lower_extension(const fs::path& path) {
@@ -69,6 +70,8 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
   if (format == std::end(kFormats)) throw Error(path.string(), "is not a scene format that is known", accepted_names());
   if (options.camera_path && !format->takes_camera_path)
     throw usage_error("--camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
+  if (!options.animation.empty() && !format->has_animations)
+    throw usage_error("--animation", fmt::format("{} has no animations to choose from", path.string()), "a glTF scene");
   return format->load(path, options, context);
 }
 
@@ -82,6 +85,8 @@ const BuiltinScene* find_builtin(const std::string& name) {
 Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
   if (options.camera_path)
     throw usage_error("--camera-path", fmt::format("{} brings its own cameras", builtin.name), "a Tachyon .dat scene");
+  if (!options.animation.empty())
+    throw usage_error("--animation", fmt::format("{} has no animations to choose from", builtin.name), "a glTF scene");
   Scene scene = builtin.build();
   Timeline& timeline = scene.timeline;
   if (options.frames_per_second > 0.0) {

@@ -299,6 +299,8 @@ struct Scene {
   std::optional<DisplayPlacement> display;  ///< none: fitted to the first camera (render/fit_array.hpp)
   Background background;
   Timeline timeline;
+  std::vector<std::string> animation_names;  ///< of all that the file has
+  int animation = -1;                        ///< which of them the timeline shows
   Encoding encoding = Encoding::kSrgb;
   int max_depth = 6;       ///< path vertices; the file's own limit where it has one
   Vec2i resolution{0, 0};  ///< that the file asks for; 0: none

@@ -11,11 +11,14 @@
 #include <cstddef>
 #include <variant>
 
+#include "scene/deform.hpp"
+
 namespace lippmann {
 namespace {
 
 // ---- Channels -------------------------------------------------------------------------------------------------------
 
+float interpolate(float a, float b, float u) { return (1.0f - u) * a + u * b; }
 Vec3f interpolate(Vec3f a, Vec3f b, float u) { return (1.0f - u) * a + u * b; }
 
 Quatf interpolate(Quatf a, Quatf b, float u) {
@@ -27,49 +30,60 @@ Quatf interpolate(Quatf a, Quatf b, float u) {
   return glm::normalize((std::sin((1.0f - u) * angle) * a + std::sin(u * angle) * b) / std::sin(angle));
 }
 
+float unit_if_rotation(float x) { return x; }
 Vec3f unit_if_rotation(Vec3f v) { return v; }
 Quatf unit_if_rotation(Quatf q) { return glm::normalize(q); }
 
+/// Which of the values that stand side by side in a channel is meant: morph weights have several in the place of each.
+struct Component {
+  std::size_t index = 0, count = 1;
+};
+
 template <class T>
-T value_of_key(const Channel<T>& channel, std::size_t key) {
-  const std::size_t index = channel.interpolation == Interpolation::kCubicSpline ? 3 * key + 1 : key;
-  return unit_if_rotation(channel.values[index]);
+const T& value_at(const Channel<T>& channel, std::size_t place, Component c) {
+  return channel.values[place * c.count + c.index];
 }
 
 template <class T>
-T cubic(const Channel<T>& channel, std::size_t key, float u, float seconds) {
+T value_of_key(const Channel<T>& channel, std::size_t key, Component c) {
+  const std::size_t place = channel.interpolation == Interpolation::kCubicSpline ? 3 * key + 1 : key;
+  return unit_if_rotation(value_at(channel, place, c));
+}
+
+template <class T>
+T cubic(const Channel<T>& channel, std::size_t key, Component c, float u, float seconds) {
   const float u2 = u * u, u3 = u2 * u;
-  const T from = channel.values[3 * key + 1], out_tangent = channel.values[3 * key + 2];
-  const T in_tangent = channel.values[3 * key + 3], to = channel.values[3 * key + 4];
+  const T from = value_at(channel, 3 * key + 1, c), out_tangent = value_at(channel, 3 * key + 2, c);
+  const T in_tangent = value_at(channel, 3 * key + 3, c), to = value_at(channel, 3 * key + 4, c);
   return unit_if_rotation((2.0f * u3 - 3.0f * u2 + 1.0f) * from + (seconds * (u3 - 2.0f * u2 + u)) * out_tangent +
                           (3.0f * u2 - 2.0f * u3) * to + (seconds * (u3 - u2)) * in_tangent);
 }
 
 template <class T>
-T evaluate(const Channel<T>& channel, double time, T if_not_animated) {
+T evaluate(const Channel<T>& channel, double time, T if_not_animated, Component c = {}) {
   const std::vector<double>& times = channel.times;
   if (times.empty()) return if_not_animated;
-  if (!(time > times.front())) return value_of_key(channel, 0);
-  if (time >= times.back()) return value_of_key(channel, times.size() - 1);
+  if (!(time > times.front())) return value_of_key(channel, 0, c);
+  if (time >= times.back()) return value_of_key(channel, times.size() - 1, c);
   const std::size_t key = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin()) - 1;
-  if (channel.interpolation == Interpolation::kStep) return value_of_key(channel, key);
+  if (channel.interpolation == Interpolation::kStep) return value_of_key(channel, key, c);
   const double seconds = times[key + 1] - times[key];
   const float u = static_cast<float>((time - times[key]) / seconds);
-  if (channel.interpolation == Interpolation::kCubicSpline) return cubic(channel, key, u, static_cast<float>(seconds));
-  return interpolate(value_of_key(channel, key), value_of_key(channel, key + 1), u);
+  if (channel.interpolation == Interpolation::kCubicSpline) return cubic(channel, key, c, u, static_cast<float>(seconds));
+  return interpolate(value_of_key(channel, key, c), value_of_key(channel, key + 1, c), u);
 }
 
 template <class T>
-bool changes(const Channel<T>& channel) {
-  if (channel.times.size() < 2) return false;
-  const auto differs = [&](const T& v) { return v != channel.values.front(); };
-  if (channel.interpolation != Interpolation::kCubicSpline)
-    return std::any_of(channel.values.begin(), channel.values.end(), differs);
-  const T still = channel.values[0] - channel.values[0];
-  for (std::size_t key = 0; key < channel.times.size(); ++key)
-    if (channel.values[3 * key] != still || channel.values[3 * key + 1] != channel.values[1] ||
-        channel.values[3 * key + 2] != still)
-      return true;
+bool changes(const Channel<T>& channel, Component c = {}) {
+  const std::size_t keys = channel.times.size();
+  if (keys < 2) return false;
+  const bool cubic = channel.interpolation == Interpolation::kCubicSpline;
+  const std::size_t per_key = cubic ? 3 : 1, place = cubic ? 1 : 0;
+  const T first = value_at(channel, place, c), still = first - first;
+  for (std::size_t key = 0; key < keys; ++key) {
+    if (value_at(channel, per_key * key + place, c) != first) return true;
+    if (cubic && (value_at(channel, 3 * key, c) != still || value_at(channel, 3 * key + 2, c) != still)) return true;
+  }
   return false;
 }
 
@@ -99,6 +113,13 @@ void add_shape(Bounds3f& bounds, const Affine3f& a, const Mesh& mesh) {
   for (const Vec3f& p : mesh.positions) bounds.add(transform_point(a, p));
 }
 
+void add_posed(Bounds3f& bounds, const Affine3f& frame_from_world, const Scene& scene, const Instance& instance,
+               const ResolvedScene& resolved) {
+  const MeshPose pose(scene, instance, resolved);
+  const std::size_t vertices = std::get<Mesh>(scene.shapes[static_cast<std::size_t>(instance.shape)]).positions.size();
+  for (std::size_t i = 0; i < vertices; ++i) bounds.add(transform_point(frame_from_world, pose.position(i)));
+}
+
 void add_shape(Bounds3f& bounds, const Affine3f& a, const Spheres& spheres) {
   const Mat3f rows = glm::transpose(a.linear);
   const Vec3f unit_reach(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
@@ -123,6 +144,19 @@ void add_shape(Bounds3f& bounds, const Affine3f& a, const Boxes& boxes) {
   for (const Box& b : boxes) bounds.add(transform_bounds(a, {b.lower, b.upper}));
 }
 
+std::vector<std::vector<float>> evaluate_weights(const Scene& scene, double time) {
+  std::vector<std::vector<float>> weights;
+  const auto has_weights = [](const Node& node) { return !node.morph_weights.empty(); };
+  if (std::none_of(scene.nodes.begin(), scene.nodes.end(), has_weights)) return weights;
+  for (const Node& node : scene.nodes) weights.push_back(node.morph_weights);
+  for (const NodeAnimation& a : scene.timeline.animations) {
+    std::vector<float>& of_node = weights[static_cast<std::size_t>(a.node)];
+    for (std::size_t i = 0; i < of_node.size(); ++i)
+      of_node[i] = evaluate(a.morph_weights, time, of_node[i], {i, of_node.size()});
+  }
+  return weights;
+}
+
 }  // namespace
 
 ResolvedScene evaluate(const Scene& scene, double time) {
@@ -130,6 +164,7 @@ ResolvedScene evaluate(const Scene& scene, double time) {
   for (const NodeAnimation& a : scene.timeline.animations) animation_of[static_cast<std::size_t>(a.node)] = &a;
 
   ResolvedScene resolved;
+  resolved.morph_weights = evaluate_weights(scene, time);
   resolved.world_from_node.reserve(scene.nodes.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
@@ -158,9 +193,23 @@ std::vector<bool> moving_nodes(const Scene& scene) {
   return moves;
 }
 
+std::vector<bool> morphing_nodes(const Scene& scene) {
+  std::vector<bool> changing(scene.nodes.size(), false);
+  for (const NodeAnimation& a : scene.timeline.animations) {
+    const auto node = static_cast<std::size_t>(a.node);
+    const std::size_t count = scene.nodes[node].morph_weights.size();
+    for (std::size_t i = 0; i < count && !changing[node]; ++i) changing[node] = changes(a.morph_weights, {i, count});
+  }
+  return changing;
+}
+
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world) {
   Bounds3f bounds;
   for (const Instance& instance : scene.instances) {
+    if (is_posed(scene, instance)) {
+      add_posed(bounds, frame_from_world, scene, instance, resolved);
+      continue;
+    }
     const Affine3f frame_from_node = frame_from_world * resolved.of(instance.node);
     std::visit([&](const auto& shape) { add_shape(bounds, frame_from_node, shape); },
                scene.shapes[static_cast<std::size_t>(instance.shape)]);

@@ -8,9 +8,10 @@
 
 namespace lippmann {
 
-/// The world transform of every node of a scene at one time; index as in Scene::nodes.
+/// The world transform and the morph weights of every node of a scene at one time; index as in Scene::nodes.
 struct ResolvedScene {
   std::vector<Affine3f> world_from_node;
+  std::vector<std::vector<float>> morph_weights;  ///< as many as the node has; empty: no node has any
   /// The transform of a node; the identity for -1.
   Affine3f of(int node) const { return node < 0 ? Affine3f{} : world_from_node[static_cast<std::size_t>(node)]; }
 };
@@ -20,6 +21,9 @@ ResolvedScene evaluate(const Scene& scene, double time);
 
 /// Whether each node ever moves (it or one of its ancestors is animated with more than one value).
 std::vector<bool> moving_nodes(const Scene& scene);
+
+/// Whether the morph weights of each node ever change.
+std::vector<bool> morphing_nodes(const Scene& scene);
 
 /// Bounds of everything finite (planes are left out) at one time, along the axes of the world or of another frame; empty if
 /// there is nothing finite.

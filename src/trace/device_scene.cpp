@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "scene/deform.hpp"
 #include "trace/device_scene_impl.hpp"
 
 namespace lippmann {
@@ -77,10 +78,37 @@ float reach_of(const Affine3f& mesh_from_world) {
   return std::max(0.0f, (kEmbreeReach - offset) / factor);  // 0 for what is not a number
 }
 
+/// Writes the mesh as it is in a pose, and its gradients.
+void pose_vertices(const MeshPose& pose, PosedMesh& posed, const ThreadPool& pool) {
+  constexpr std::size_t kPiece = 4096;
+  Mesh& mesh = posed.mesh;
+  const std::size_t vertices = mesh.positions.size();
+  pool.for_each((vertices + kPiece - 1) / kPiece, [&](std::size_t piece) {
+    for (std::size_t i = piece * kPiece; i < std::min(vertices, (piece + 1) * kPiece); ++i) {
+      const PosedVertex v = pose.vertex(i);
+      mesh.positions[i] = v.position;
+      if (!mesh.normals.empty()) mesh.normals[i] = posed.mirrored ? -v.normal : v.normal;
+      if (!mesh.tangents.empty()) mesh.tangents[i] = posed.mirrored ? Vec4f(Vec3f(v.tangent), -v.tangent.w) : v.tangent;
+    }
+  });
+  for (int set = 0; set < 2; ++set)
+    if (const std::vector<Vec2f>& uvs = uvs_of(mesh, set); !uvs.empty())
+      posed.uv_gradients[static_cast<std::size_t>(set)] = make_uv_gradients(mesh, uvs);
+}
+
+/// Brings Embree's copy of the vertices up to date.
+void store_vertices(const PosedMesh& posed) {
+  void* vertices = rtcGetGeometryBufferData(posed.geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0);
+  std::copy(posed.mesh.positions.begin(), posed.mesh.positions.end(), static_cast<Vec3f*>(vertices));
+  rtcUpdateGeometryBuffer(posed.geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0);
+  rtcCommitGeometry(posed.geometry.get());
+}
+
 /// Assigns record ids while it attaches geometries.
 class SceneBuilder {
  public:
-  SceneBuilder(DeviceScene::Impl& impl, const ResolvedScene& resolved) : impl_(impl), scene_(*impl.scene), at_(resolved) {}
+  SceneBuilder(DeviceScene::Impl& impl, const ResolvedScene& resolved, const ThreadPool& pool)
+      : impl_(impl), scene_(*impl.scene), at_(resolved), pool_(pool) {}
 
   void build() {
     RTCDevice device = impl_.device.get();
@@ -100,21 +128,21 @@ class SceneBuilder {
     for (const Instance& instance : scene_.instances) ++uses_[instance.shape];
   }
 
-  bool moves(const Instance& instance) const {
-    return instance.node >= 0 && impl_.node_moves[static_cast<std::size_t>(instance.node)];
-  }
-
   void add_instance(std::uint32_t index) {
     const Instance& instance = scene_.instances[index];
     const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];
     const WhittedMaterial& material = impl_.materials.materials[static_cast<std::size_t>(instance.material)];
     const float transmittance = shadow_transmittance(material);
     impl_.any_see_through |= transmittance > 0.0f;
-    const bool moving = moves(instance);
+    const bool moving = impl_.instance_moves[index];
     PrimitiveTables& tables = moving ? impl_.moving_tables : impl_.fixed_tables;
     const Affine3f place = at_.of(instance.node);
     if (const auto* mesh = std::get_if<Mesh>(&shape)) {
-      if (!mesh->triangles.empty()) add_mesh(*mesh, instance, index, moving, place);
+      if (mesh->triangles.empty()) return;
+      if (is_posed(scene_, instance))
+        add_posed(*mesh, index, moving);
+      else
+        add_mesh(*mesh, instance, index, moving, place);
     } else if (const auto* planes = std::get_if<Planes>(&shape)) {
       for (const Plane& plane : *planes) impl_.planes.push_back({to_world(place, plane), index, transmittance});
     } else if (const auto* spheres = std::get_if<Spheres>(&shape)) {
@@ -228,6 +256,34 @@ class SceneBuilder {
       }
   }
 
+  void add_posed(const Mesh& mesh, std::uint32_t index, bool moving) {
+    const MeshPose pose(scene_, scene_.instances[index], at_);
+    auto posed = std::make_unique<PosedMesh>();
+    posed->mesh = mesh;
+    posed->mesh.targets.clear();
+    posed->mesh.skin = {};
+    posed->mirrored = pose.mirrors();
+    if (posed->mirrored)
+      for (auto& triangle : posed->mesh.triangles) std::swap(triangle[1], triangle[2]);
+    pose_vertices(pose, *posed, pool_);
+    posed->geometry = make_triangles(posed->mesh, index);
+    posed->record = static_cast<std::uint32_t>(impl_.records.size());
+    if (moving) {
+      rtcSetGeometryBuildQuality(posed->geometry.get(), RTC_BUILD_QUALITY_REFIT);
+      rtcCommitGeometry(posed->geometry.get());
+    }
+    rtcAttachGeometryByID((moving ? impl_.moving : impl_.fixed).get(), posed->geometry.get(), posed->record);
+    (moving ? impl_.has_moving : impl_.has_fixed) = true;
+    GeometryRecord record;
+    record.instance = index;
+    record.mesh = &posed->mesh;
+    for (int set = 0; set < 2; ++set)
+      if (!uvs_of(mesh, set).empty())
+        record.uv_gradients[static_cast<std::size_t>(set)] = &posed->uv_gradients[static_cast<std::size_t>(set)];
+    push_record(record, {});
+    impl_.posed.push_back(std::move(posed));
+  }
+
   void place_record(GeometryRecord& record, RTCGeometry geometry, const Affine3f& place) const;
 
   void push_record(const GeometryRecord& record, EmbreeGeometry geometry) {
@@ -261,6 +317,7 @@ class SceneBuilder {
   DeviceScene::Impl& impl_;
   const Scene& scene_;
   const ResolvedScene& at_;
+  const ThreadPool& pool_;
   std::map<int, int> uses_;
 };
 
@@ -335,7 +392,7 @@ DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool) : impl_(std
   Impl& impl = *impl_;
   impl.scene = &scene;
   impl.tachyon = scene.encoding == Encoding::kTachyonTruncate;
-  impl.node_moves = moving_nodes(scene);
+  impl.instance_moves = moving_instances(scene);
   impl.materials = make_material_table(scene);
   impl.material_of_instance.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances)
@@ -353,7 +410,7 @@ DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool) : impl_(std
   impl.device = EmbreeDevice(rtcNewDevice(config.c_str()));
   if (!impl.device) throw Error("Embree", "no device could be made on this processor", "x86-64 with SSE2, or ARM64");
   impl.native_width = native_packet_width(impl.device.get());
-  pool.run([&] { SceneBuilder(impl, resolved).build(); });
+  pool.run([&] { SceneBuilder(impl, resolved, pool).build(); });
   impl.reach = least_reach_of(impl.records);
 }
 
@@ -370,6 +427,12 @@ void DeviceScene::update(const ResolvedScene& resolved, const ThreadPool& pool) 
           resolved.of(impl.scene->instances[record.instance].node), kLeastReach * impl.size);
   }
   impl.reach = least_reach_of(impl.records);
+  for (const std::unique_ptr<PosedMesh>& posed : impl.posed) {
+    const std::uint32_t instance = impl.records[posed->record].instance;
+    if (!impl.instance_moves[instance]) continue;
+    pose_vertices(MeshPose(*impl.scene, impl.scene->instances[instance], resolved), *posed, pool);
+    store_vertices(*posed);
+  }
   move_primitives<Sphere>(impl.moving_tables.spheres, impl.moving_tables.sphere_geometry, impl, resolved);
   move_primitives<Cylinder>(impl.moving_tables.cylinders, impl.moving_tables.cylinder_geometry, impl, resolved);
   move_primitives<Ring>(impl.moving_tables.rings, impl.moving_tables.ring_geometry, impl, resolved);

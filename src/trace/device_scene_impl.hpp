@@ -3,7 +3,9 @@
 // Two Embree scenes, traced one after the other with the same packet: `fixed` (built once: everything that never moves, meshes
 // flattened to world space, meshes that many instances share as Embree instances) and `moving` (rebuilt per frame over
 // instances and moving primitives; its meshes are built once). Every geometry of both has one id, the index of its
-// GeometryRecord. Infinite planes lie outside Embree: they are met first and shorten the rays.
+// GeometryRecord. Meshes that change their shape are geometries of `moving` whose vertices are written anew per frame; their
+// trees are built once, of the first frame of the animation, and fitted to every other: the same bits whatever came before.
+// Infinite planes lie outside Embree: they are met first and shorten the rays.
 #pragma once
 
 #include <array>
@@ -53,6 +55,15 @@ struct PrimitiveTables {
   EmbreeGeometry sphere_geometry, cylinder_geometry, ring_geometry, box_geometry;
 };
 
+/// A mesh that changes its shape, as it is at the moment, in world space.
+struct PosedMesh {
+  std::uint32_t record;
+  Mesh mesh;
+  EmbreeGeometry geometry;  ///< has vertices of its own: Embree reads beyond the last one
+  std::array<std::vector<UvGradient>, 2> uv_gradients;
+  bool mirrored;  ///< its triangles' corners are the other way round than in the scene's mesh
+};
+
 struct WorldPlaneRecord {
   WorldPlane plane;
   std::uint32_t instance;
@@ -72,11 +83,12 @@ struct DeviceScene::Impl {
   std::vector<std::unique_ptr<Mesh>> flattened;                                 ///< world-space copies of fixed meshes
   std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;                       ///< by shape and material index
   std::map<std::pair<const Mesh*, int>, std::vector<UvGradient>> uv_gradients;  ///< by mesh and set
+  std::vector<std::unique_ptr<PosedMesh>> posed;
   PrimitiveTables fixed_tables, moving_tables;
   std::vector<EmbreeGeometry> placed_geometries;  ///< by record id; the Embree instances that may move
   std::vector<int> moving_records;                ///< ids of records in `moving` that are placed meshes
   std::vector<WorldPlaneRecord> planes;
-  std::vector<bool> node_moves;
+  std::vector<bool> instance_moves;
 
   MaterialTable materials;
   std::vector<std::uint32_t> material_of_instance;

@@ -56,6 +56,21 @@ TEST(SettledBlocks, said_interval_is_kept) {
   EXPECT_EQ(planner(5).choose_span(blocks_with({0, 0}), 0, 2), 3);
 }
 
+/// Two squares that bend: one, with a skin, follows a joint that goes to `to` with two of its corners, one morphs one corner
+/// there.
+void add_deforming(SmallScene& s, Vec3f to, int material) {
+  Mesh skinned = test::square(0.5f, 0), morphing = test::square(0.4f, 1);
+  skinned.skin = {1, {0, 0, 1, 1}, {1, 1, 1, 1}};
+  const int still = s.node({Mat3f(1.0f), {0, 1, 0}}), moving = s.moving_node({0, -1, 0}, to);
+  s.scene.instances[static_cast<std::size_t>(s.add(skinned, material, still))].skin = static_cast<int>(s.scene.skins.size());
+  s.scene.skins.push_back({"", {still, moving}, {Affine3f{}, Affine3f{}}});
+  morphing.targets = {{{{0, 0, 0}, 0.2f * to, {0, 0, 0}, {0, 0, 0}}, {}, {}}};
+  const int node = s.moving_node({1, 0, 0}, {1, 0, 0});
+  s.scene.nodes[static_cast<std::size_t>(node)].morph_weights = {0.0f};
+  s.scene.timeline.animations.back().morph_weights = {{0.0, 1.0}, {0.0f, 1.0f}, Interpolation::kLinear};
+  s.add(morphing, material, node);
+}
+
 /// A few shapes of every kind at random places, a third of them moving at random; mirrors and glass among them; two lights.
 SmallScene random_scene(std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -86,6 +101,7 @@ SmallScene random_scene(std::uint32_t seed) {
         s.add(test::square(size, 0), material, node);
     }
   }
+  if (seed % 2 == 0) add_deforming(s, place(), materials[random() % 3]);
   s.add(test::square(20, -4), materials[0]);
   s.point_light({number(-5, 5), 6, 8});
   s.point_light({number(-5, 5), -3, 6}, Vec3f(0.4f));

@@ -56,6 +56,39 @@ TEST(SweptBoxes, what_moves_later_belongs_to_a_later_horizon) {
   EXPECT_TRUE(inside(boxes, {5, 0, 0}, 1));
 }
 
+TEST(SweptBoxes, only_the_parts_of_a_mesh_that_change_are_held) {
+  SmallScene s = one_frame_a_second();
+  Mesh two = test::square(0.5f, 0);  // and the same far to the right, of which one corner is lifted
+  const Mesh other = test::square(0.5f, 0);
+  for (const Vec3f& p : other.positions) two.positions.push_back(p + Vec3f(100, 0, 0));
+  two.uvs.clear();
+  two.triangles.push_back({4, 7, 6}), two.triangles.push_back({4, 6, 5});
+  two.targets.resize(1);
+  two.targets[0].positions.assign(8, Vec3f(0.0f));
+  two.targets[0].positions[6] = {0, 0, 3};
+  const int node = s.moving_node({0, 0, 0}, {0, 0, 0});
+  s.scene.nodes[0].morph_weights = {0.0f};
+  s.scene.timeline.animations[0].morph_weights = {{0.0, 1.0}, {0.0f, 1.0f}, Interpolation::kLinear};
+  s.add(two, 0, node);
+  const std::vector<HorizonBox> boxes = SweptBoxes(s.scene, -1).around(0, kHorizons, 9);
+  ASSERT_EQ(boxes.size(), 1u);
+  EXPECT_EQ(boxes[0].bounds.lower, Vec3f(99.5f, -0.5f, 0));
+  EXPECT_EQ(boxes[0].bounds.upper, Vec3f(100.5f, 0.5f, 3));
+}
+
+TEST(SweptBoxes, normals_that_change_count_as_change) {
+  SmallScene s = one_frame_a_second();
+  Mesh mesh = test::square(0.5f, 0);
+  mesh.normals.assign(4, Vec3f(0, 0, 1));
+  mesh.targets.resize(1);
+  mesh.targets[0].normals.assign(4, Vec3f(1, 0, 0));
+  const int node = s.moving_node({0, 0, 0}, {0, 0, 0});
+  s.scene.nodes[0].morph_weights = {0.0f};
+  s.scene.timeline.animations[0].morph_weights = {{0.0, 1.0}, {0.0f, 1.0f}, Interpolation::kLinear};
+  s.add(mesh, 0, node);
+  EXPECT_TRUE(inside(SweptBoxes(s.scene, -1).around(0, kHorizons, 9), {0.4f, 0.4f, 0}, 0));
+}
+
 TEST(SweptBoxes, frames_after_the_last_do_not_count) {
   SmallScene s = one_frame_a_second();
   const int node = s.moving_node({0, 0, 0}, {5, 0, 0});

@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 
+#include "core/error.hpp"
 #include "scene/gltf/accessor.hpp"
 
 namespace lippmann::gltf {
 namespace {
 
+float value_of(float x) { return x; }
 Vec3f value_of(Vec3f v) { return v; }
 Quatf value_of(Vec4f v) { return {v.w, v.x, v.y, v.z}; }
 
@@ -39,10 +42,9 @@ class AnimationReader {
     if (static_cast<std::size_t>(channel.sampler) >= animation.samplers.size())
       report_.fail(where, fmt::format("refers to samplers[{}], but there are {}", channel.sampler, animation.samplers.size()));
     const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
-    if (channel.target_path == "weights")
-      return report_.not_supported("morph targets are", "meshes keep their base shape", where);
     const int node = nodes_.scene_node[static_cast<std::size_t>(channel.target_node)];
     if (node < 0) return;
+    if (channel.target_path == "weights") return read_weights(sampler, where, node);
     if (scene_.nodes[static_cast<std::size_t>(node)].matrix)
       report_.fail(where, fmt::format("animates nodes[{}], which has a matrix", channel.target_node),
                    "a node with translation, rotation and scale");
@@ -64,18 +66,26 @@ class AnimationReader {
     return all[found->second];
   }
 
+  /// count: of values side by side in the place of one.
   template <class V, class T>
-  void read_values(const tinygltf::AnimationSampler& sampler, const std::string& where, Channel<T>& channel) {
+  void read_values(const tinygltf::AnimationSampler& sampler, const std::string& where, Channel<T>& channel,
+                   std::size_t count = 1) {
     if (!channel.times.empty()) report_.fail(where, "animates what another channel animates already");
     channel.interpolation = interpolation_of(sampler);
     channel.times = read_times(sampler.input);
     const std::vector<V> values = unpack<V>(document_, sampler.output);
-    const std::size_t per_key = channel.interpolation == Interpolation::kCubicSpline ? 3 : 1;
+    const std::size_t per_key = count * (channel.interpolation == Interpolation::kCubicSpline ? 3 : 1);
     if (values.size() != per_key * channel.times.size())
       report_.fail(where, fmt::format("has {} keys, but {} values", channel.times.size(), values.size()),
                    fmt::format("{} a key", per_key));
     for (const V& value : values) channel.values.push_back(value_of(value));
     duration = std::max(duration, channel.times.back());
+  }
+
+  void read_weights(const tinygltf::AnimationSampler& sampler, const std::string& where, int node) {
+    const std::size_t count = scene_.nodes[static_cast<std::size_t>(node)].morph_weights.size();
+    if (count == 0) return report_.warn_at("animated weights of nodes without morph targets are left out", where);
+    read_values<float>(sampler, where, animation_of(node).morph_weights, count);
   }
 
   void read_rotations(const tinygltf::AnimationSampler& sampler, const std::string& where, Channel<Quatf>& channel) {
@@ -107,32 +117,46 @@ class AnimationReader {
   std::map<int, std::size_t> animation_of_node_;
 };
 
-void name_the_others(Document& document) {
-  const std::vector<tinygltf::Animation>& all = document.model.animations;
-  if (all.size() < 2) return;
-  constexpr std::size_t kMost = 10;
-  std::string others;
-  for (std::size_t i = 1; i < std::min(all.size(), kMost + 1); ++i)
-    others += fmt::format("{}{}", i > 1 ? ", " : "", shown(all[i].name));
-  if (all.size() > kMost + 1) others += ", ...";
-  document.report.warn(
-      fmt::format("of {} animations only the first, {}, is read; left out: {}", all.size(), shown(all[0].name), others));
+/// "Walk (0), Run (1)".
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 20;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
+    text += fmt::format("{}{} ({})", i > 0 ? ", " : "", printable(names[i]), i);
+  return names.size() > kMost ? text + fmt::format(", ... ({})", names.size() - 1) : text;
+}
+
+/// Names first: an animation may be called "1".
+std::size_t choose(const std::vector<std::string>& names, const std::string& wanted) {
+  if (wanted.empty()) return 0;
+  const auto named = std::find(names.begin(), names.end(), wanted);
+  if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
+  std::size_t index = 0;
+  const auto [end, problem] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (problem == std::errc{} && end == wanted.data() + wanted.size() && index < names.size()) return index;
+  throw usage_error("--animation", shown(wanted) + " is not in the file", listed(names));
 }
 
 }  // namespace
 
-void read_animation(Document& document, const NodeMap& nodes, double frames_per_second, Scene& scene) {
+void read_animation(Document& document, const NodeMap& nodes, const std::string& wanted, double frames_per_second,
+                    Scene& scene) {
   scene.timeline.frames_per_second = frames_per_second;
-  if (document.model.animations.empty()) return;
-  name_the_others(document);
+  for (const tinygltf::Animation& animation : document.model.animations) scene.animation_names.push_back(animation.name);
+  if (scene.animation_names.empty()) {
+    if (!wanted.empty()) throw usage_error("--animation", "the file has no animations", "no --animation with it");
+    return;
+  }
+  const std::size_t chosen = choose(scene.animation_names, wanted);
+  scene.animation = static_cast<int>(chosen);
   AnimationReader reader(document, nodes, scene);
-  reader.read(0);
+  reader.read(chosen);
 
   // The frame at the animation's very end would repeat its first one when it is played in a loop, hence no "+ 1".
   const double frames = std::round(reader.duration * frames_per_second);
   if (frames > document.limits.frames)
     document.report.fail(
-        "animations[0]",
+        element("animations", chosen),
         fmt::format("lasts {} s, which is {} frames at {} a second", reader.duration, frames, frames_per_second),
         fmt::format("at most {} frames", document.limits.frames));
   scene.timeline.frame_count = std::max(1, static_cast<int>(frames));

@@ -1,4 +1,4 @@
-// Turns a glTF file's first animation into a Timeline.
+// Turns one of a glTF file's animations into a Timeline.
 #pragma once
 
 #include "scene/gltf/document.hpp"
@@ -7,7 +7,9 @@
 
 namespace lippmann::gltf {
 
-/// Fills scene.timeline. Throws Error where times do not increase or values do not match them.
-void read_animation(Document& document, const NodeMap& nodes, double frames_per_second, Scene& scene);
+/// Fills scene.timeline and scene.animation_names. wanted: the animation's name or index; empty: the first. Throws Error where
+/// there is no such animation, times do not increase or values do not match them.
+void read_animation(Document& document, const NodeMap& nodes, const std::string& wanted, double frames_per_second,
+                    Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "scene/deform.hpp"
 #include "scene/gltf/animation.hpp"
 #include "scene/gltf/camera.hpp"
 #include "scene/gltf/document.hpp"
@@ -29,32 +30,45 @@ class InstanceReader {
         nodes_(nodes),
         scene_(scene),
         materials_(read_materials(document, scene)),
-        rest_(evaluate(scene, 0.0)) {}
+        skins_(document, nodes, scene) {}
 
   void read() {
+    for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
+      scene_.nodes[i].morph_weights = read_morph_weights(document_, nodes_.file_node[i]);
+    rest_ = evaluate(scene_, 0.0);
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i) {
       const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(nodes_.file_node[i])];
-      if (node.mesh >= 0) add(node, nodes_.file_node[i], static_cast<int>(i));
+      if (node.mesh >= 0) add(node, static_cast<int>(i));
     }
   }
 
  private:
-  void add(const tinygltf::Node& node, int file_node, int scene_node) {
+  void add(const tinygltf::Node& node, int scene_node) {
     const tinygltf::Mesh& mesh = document_.model.meshes[static_cast<std::size_t>(node.mesh)];
-    if (node.skin >= 0)
-      document_.report.not_supported("skinning is", "the mesh stands in its rest pose",
-                                     element("nodes", static_cast<std::size_t>(file_node)));
+    const int skin = node.skin < 0 ? -1 : skins_.read(node.skin);
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
       Instance instance;
       const PrimitiveId id{node.mesh, static_cast<int>(i)};
       instance.material = material_of(mesh.primitives[i].material, materials_, scene_);
-      instance.shape = shape_of(id, node.skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
-      instance.node = node.skin < 0 ? scene_node : -1;  // a skinned mesh stands in world space
+      instance.shape = shape_of(id, skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
+      instance.node = scene_node;
+      instance.skin = skin;
       instance.name = node.name.empty() ? mesh.name : node.name;
       if (instance.shape < 0) continue;
       document_.unpacked.spend(1, sizeof(Instance) + instance.name.size(), element(id), document_.report);
+      if (is_posed(scene_, instance)) check_pose(instance, id);
       scene_.instances.push_back(std::move(instance));
     }
+  }
+
+  /// A posed mesh needs room for its vertices at every node that shows it.
+  void check_pose(const Instance& instance, PrimitiveId id) {
+    const std::size_t vertices = std::get<Mesh>(scene_.shapes[static_cast<std::size_t>(instance.shape)]).positions.size();
+    document_.unpacked.spend(vertices, sizeof(PosedVertex), element(id), document_.report);
+    const MeshPose pose(scene_, instance, rest_);
+    for (std::size_t i = 0; i < vertices; ++i)
+      if (const Vec3f p = glm::abs(pose.position(i)); std::max({p.x, p.y, p.z}) >= MeshPose::kReach)
+        document_.report.fail(element(id), fmt::format("vertex {} is posed infinitely far away", i));
   }
 
   /// -1: nothing to show.
@@ -63,7 +77,7 @@ class InstanceReader {
     if (!is_new) return known->second;
     std::optional<Mesh> mesh = read_mesh(document_, id, needs);
     if (!mesh) return -1;
-    if (skin >= 0) pose_at_rest(document_, id, skin, nodes_, rest_, *mesh);
+    if (skin >= 0) read_skin_weights(document_, id, scene_.skins[static_cast<std::size_t>(skin)].joints.size(), *mesh);
     known->second = static_cast<int>(scene_.shapes.size());
     scene_.shapes.emplace_back(std::move(*mesh));
     return known->second;
@@ -73,6 +87,7 @@ class InstanceReader {
   const NodeMap& nodes_;
   Scene& scene_;
   MaterialTable materials_;
+  SkinReader skins_;
   ResolvedScene rest_;                                 ///< the timeline is still empty
   std::map<std::pair<PrimitiveId, int>, int> shapes_;  ///< by primitive and skin
 };
@@ -92,7 +107,7 @@ void refuse_infinite_transforms(const Document& document, const NodeMap& nodes, 
 }  // namespace gltf
 
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
-                 const Context& context, const GltfLimits& limits) {
+                 const Context& context, const GltfLimits& limits, const std::string& animation) {
   if (!(frames_per_second > 0.0) || !std::isfinite(frames_per_second))
     throw usage_error("frames per second", fmt::format("is {}", frames_per_second), "a number above 0");
   gltf::Document document(path, context, limits);
@@ -106,13 +121,14 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   gltf::read_lights(document, nodes, scene);
   gltf::read_cameras(document, nodes, scene);
   gltf::add_default_light(document, scene);
-  gltf::read_animation(document, nodes, frames_per_second, scene);
+  gltf::read_animation(document, nodes, animation, frames_per_second, scene);
   return scene;
 }
 
-Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context, const GltfLimits& limits) {
+Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context, const GltfLimits& limits,
+                const std::string& animation) {
   const gltf::Report report(path.string(), context);
-  return parse_gltf(gltf::read_file(path, limits.file_bytes, {}, report), path, frames_per_second, context, limits);
+  return parse_gltf(gltf::read_file(path, limits.file_bytes, {}, report), path, frames_per_second, context, limits, animation);
 }
 
 }  // namespace lippmann

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "scene/gltf/accessor.hpp"
+#include "scene/gltf/skin.hpp"
 
 namespace lippmann::gltf {
 namespace {
@@ -69,12 +70,6 @@ void normalize_normals(Mesh& mesh, const std::string& where, Report& report) {
   }
 }
 
-void name_what_is_left_out(Document& document, PrimitiveId id) {
-  const tinygltf::Primitive& primitive = primitive_of(document, id);
-  if (!primitive.targets.empty())
-    document.report.not_supported("morph targets are", "meshes keep their base shape", element(id));
-}
-
 }  // namespace
 
 std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const MaterialNeeds& needs) {
@@ -87,7 +82,6 @@ std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const Material
     document.report.warn_at("primitives without positions are left out", element(id));
     return std::nullopt;
   }
-  name_what_is_left_out(document, id);
 
   Mesh mesh;
   mesh.positions = unpack<Vec3f>(document, attribute(primitive, "POSITION"));
@@ -102,6 +96,7 @@ std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const Material
   document.unpacked.spend(corners.size(), sizeof(Triangle), element(id), document.report);
   mesh.triangles = assemble(corners, primitive.mode);
   normalize_normals(mesh, element(id), document.report);
+  read_targets(document, id, mesh);
   return mesh;
 }
 

@@ -124,7 +124,7 @@ constexpr Property kPrimitive[] = {
     integer("mode", 0, 6),
     index_map("targets", Kind::kIndexMaps, kOptional),
 };
-constexpr Property kMesh[] = {string("name"), objects("primitives", kPrimitive, kRequired)};
+constexpr Property kMesh[] = {string("name"), objects("primitives", kPrimitive, kRequired), numbers("weights", 0)};
 constexpr Property kSkin[] = {
     string("name"),
     indices("joints", "nodes", kRequired),
@@ -247,6 +247,7 @@ constexpr Property kNode[] = {
     numbers("rotation", 4),
     numbers("scale", 3),
     numbers("translation", 3),
+    numbers("weights", 0),
     object("extensions", kNodeExtensions),
 };
 constexpr Property kScene[] = {string("name"), indices("nodes", "nodes")};

@@ -1,53 +1,41 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.3 "Skins": a vertex stands at
-// sum_i w_i J_i B_i v, with J the joint's world transform and B its inverse bind matrix; the transform of the node that shows
-// the mesh does not take part.
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.7.2.2 "Morph Targets" and 3.7.3 "Skins".
 #include "scene/gltf/skin.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "scene/gltf/accessor.hpp"
 
 namespace lippmann::gltf {
 namespace {
 
+Affine3f affine(const glm::mat4& m) { return {Mat3f(m), Vec3f(m[3])}; }
+
+std::vector<Affine3f> read_inverse_binds(Document& document, const tinygltf::Skin& skin, const std::string& where) {
+  std::vector<Affine3f> matrices(skin.joints.size());
+  if (skin.inverseBindMatrices < 0) return matrices;
+  const std::vector<glm::mat4> read = unpack<glm::mat4>(document, skin.inverseBindMatrices);
+  if (read.size() < matrices.size())
+    document.report.fail(where, fmt::format("has {} joints, but {} inverse bind matrices", matrices.size(), read.size()));
+  for (std::size_t i = 0; i < matrices.size(); ++i) matrices[i] = affine(read[i]);
+  return matrices;
+}
+
+/// JOINTS_n and WEIGHTS_n; each has one entry per vertex.
 struct Influences {
   std::vector<Joints> joints;
   std::vector<Vec4f> weights;
 };
 
-Affine3f affine(const glm::mat4& m) { return {Mat3f(m), Vec3f(m[3])}; }
-
-/// J B of every joint.
-std::vector<Affine3f> joint_transforms(Document& document, int skin_index, const NodeMap& nodes, const ResolvedScene& rest) {
-  const tinygltf::Skin& skin = document.model.skins[static_cast<std::size_t>(skin_index)];
-  const std::string where = element("skins", static_cast<std::size_t>(skin_index));
-  std::vector<glm::mat4> inverse_bind;
-  if (skin.inverseBindMatrices >= 0) inverse_bind = unpack<glm::mat4>(document, skin.inverseBindMatrices);
-  if (!inverse_bind.empty() && inverse_bind.size() < skin.joints.size())
-    document.report.fail(where,
-                         fmt::format("has {} joints, but {} inverse bind matrices", skin.joints.size(), inverse_bind.size()));
-
-  std::vector<Affine3f> transforms;
-  for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-    const int node = nodes.scene_node[static_cast<std::size_t>(skin.joints[i])];
-    if (node < 0)
-      document.report.fail(where, fmt::format("has the joint nodes[{}], which is not in the scene", skin.joints[i]));
-    transforms.push_back(inverse_bind.empty() ? rest.of(node) : rest.of(node) * affine(inverse_bind[i]));
-  }
-  return transforms;
-}
-
-/// All sets JOINTS_0 and WEIGHTS_0, JOINTS_1 ...; each has one entry per vertex.
 std::vector<Influences> read_influences(Document& document, PrimitiveId id, std::size_t vertices, std::size_t joints) {
   std::vector<Influences> sets;
-  const auto& attributes = primitive_of(document, id).attributes;
+  const tinygltf::Primitive& primitive = primitive_of(document, id);
   for (;;) {
-    const auto joint = attributes.find(fmt::format("JOINTS_{}", sets.size()));
-    const auto weight = attributes.find(fmt::format("WEIGHTS_{}", sets.size()));
-    if (joint == attributes.end() || weight == attributes.end()) return sets;
-    Influences set{unpack_unsigned<Joints>(document, joint->second), unpack<Vec4f>(document, weight->second)};
+    const int joint = attribute(primitive, fmt::format("JOINTS_{}", sets.size()));
+    const int weight = attribute(primitive, fmt::format("WEIGHTS_{}", sets.size()));
+    if (joint < 0 || weight < 0) return sets;
+    Influences set{unpack_unsigned<Joints>(document, joint), unpack<Vec4f>(document, weight)};
     if (set.joints.size() != vertices || set.weights.size() != vertices)
       document.report.fail(element(id), fmt::format("has {} positions, but {} joints and {} weights", vertices,
                                                     set.joints.size(), set.weights.size()));
@@ -60,40 +48,82 @@ std::vector<Influences> read_influences(Document& document, PrimitiveId id, std:
   }
 }
 
-/// The blend of the joints' transforms; weights that do not add up to one are scaled. Without any weight, the first joint's.
-Affine3f blend(const std::vector<Influences>& sets, std::size_t vertex, const std::vector<Affine3f>& transforms) {
-  Affine3f sum{Mat3f(0.0f), Vec3f(0.0f)};
-  float total = 0.0f;
-  for (const Influences& set : sets)
-    for (int k = 0; k < 4; ++k) {
-      const float weight = set.weights[vertex][k];
-      if (weight == 0.0f) continue;
-      const Affine3f& t = transforms[set.joints[vertex][k]];
-      sum.linear += weight * t.linear;
-      sum.translation += weight * t.translation;
-      total += weight;
-    }
-  return total > 0.0f ? Affine3f{sum.linear / total, sum.translation / total} : transforms.front();
-}
-
-Vec3f unit_or(Vec3f v, Vec3f otherwise) {
-  const float length = glm::length(v);
-  return length > 0.0f && std::isfinite(length) ? v / length : otherwise;
-}
-
 }  // namespace
 
-void pose_at_rest(Document& document, PrimitiveId id, int skin, const NodeMap& nodes, const ResolvedScene& rest, Mesh& mesh) {
-  const std::vector<Affine3f> transforms = joint_transforms(document, skin, nodes, rest);
-  if (transforms.empty()) return;
-  const std::vector<Influences> sets = read_influences(document, id, mesh.positions.size(), transforms.size());
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Affine3f world_from_vertex = blend(sets, i, transforms);
-    mesh.positions[i] = transform_point(world_from_vertex, mesh.positions[i]);
-    if (!std::isfinite(glm::dot(mesh.positions[i], Vec3f(1.0f))))
-      document.report.fail(element(id), fmt::format("vertex {} is posed infinitely far away", i));
-    if (!mesh.normals.empty()) mesh.normals[i] = unit_or(transform_normal(world_from_vertex, mesh.normals[i]), mesh.normals[i]);
+int SkinReader::read(int index) {
+  const auto [known, is_new] = known_.try_emplace(index, -1);
+  if (!is_new) return known->second;
+  const tinygltf::Skin& from = document_.model.skins[static_cast<std::size_t>(index)];
+  const std::string where = element("skins", static_cast<std::size_t>(index));
+  if (from.joints.empty()) return -1;
+  Skin skin{from.name, {}, read_inverse_binds(document_, from, where)};
+  for (const int joint : from.joints) {
+    skin.joints.push_back(nodes_.scene_node[static_cast<std::size_t>(joint)]);
+    if (skin.joints.back() < 0)
+      document_.report.fail(where, fmt::format("has the joint nodes[{}], which is not in the scene", joint));
   }
+  known->second = static_cast<int>(scene_.skins.size());
+  scene_.skins.push_back(std::move(skin));
+  return known->second;
+}
+
+void read_skin_weights(Document& document, PrimitiveId id, std::size_t joints, Mesh& mesh) {
+  const std::size_t vertices = mesh.positions.size();
+  const std::vector<Influences> sets = read_influences(document, id, vertices, joints);
+  const std::size_t per_vertex = sets.empty() ? 1 : 4 * sets.size();
+  document.unpacked.spend(vertices * per_vertex, sizeof(std::uint32_t) + sizeof(float), element(id), document.report);
+  SkinWeights& skin = mesh.skin;
+  skin.per_vertex = static_cast<int>(per_vertex);
+  skin.joints.resize(vertices * per_vertex);
+  skin.weights.resize(vertices * per_vertex);
+  for (std::size_t i = 0; i < vertices; ++i) {
+    float total = 0.0f;
+    for (std::size_t k = 0; k < 4 * sets.size(); ++k) {
+      const float weight = std::max(sets[k / 4].weights[i][static_cast<int>(k % 4)], 0.0f);
+      skin.weights[i * per_vertex + k] = weight;
+      if (weight > 0.0f) skin.joints[i * per_vertex + k] = sets[k / 4].joints[i][static_cast<int>(k % 4)];
+      total += weight;
+    }
+    const bool none = !(total > 0.0f) || total > 1e30f;
+    for (std::size_t k = 0; k < per_vertex; ++k)
+      skin.weights[i * per_vertex + k] = none ? 0.0f : skin.weights[i * per_vertex + k] / total;
+    if (none) skin.joints[i * per_vertex] = 0, skin.weights[i * per_vertex] = 1.0f;
+  }
+}
+
+void read_targets(Document& document, PrimitiveId id, Mesh& mesh) {
+  const std::size_t vertices = mesh.positions.size();
+  for (const std::map<std::string, int>& from : primitive_of(document, id).targets) {
+    const auto read = [&](const char* name) {
+      const auto found = from.find(name);
+      return read_per_vertex<Vec3f>(document, id, found == from.end() ? -1 : found->second, name, vertices);
+    };
+    MorphTarget target{read("POSITION"), {}, {}};
+    if (!mesh.normals.empty()) target.normals = read("NORMAL");
+    if (!mesh.tangents.empty()) target.tangents = read("TANGENT");
+    document.unpacked.spend(1, sizeof(MorphTarget), element(id), document.report);
+    mesh.targets.push_back(std::move(target));
+  }
+}
+
+std::vector<float> read_morph_weights(Document& document, int file_node) {
+  const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(file_node)];
+  if (node.mesh < 0) return {};
+  const tinygltf::Mesh& mesh = document.model.meshes[static_cast<std::size_t>(node.mesh)];
+  const std::size_t targets = mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
+    if (mesh.primitives[i].targets.size() != targets)
+      document.report.fail(
+          element({node.mesh, static_cast<int>(i)}),
+          fmt::format("has {} morph targets, the mesh's first primitive {}", mesh.primitives[i].targets.size(), targets));
+  const std::vector<double>& said = node.weights.empty() ? mesh.weights : node.weights;
+  if (!said.empty() && said.size() != targets)
+    document.report.fail(element("nodes", static_cast<std::size_t>(file_node)),
+                         fmt::format("has {} weights for {} morph targets", said.size(), targets));
+  document.unpacked.spend(targets, sizeof(float), element("nodes", static_cast<std::size_t>(file_node)), document.report);
+  std::vector<float> weights(said.begin(), said.end());
+  weights.resize(targets, 0.0f);
+  return weights;
 }
 
 }  // namespace lippmann::gltf

@@ -283,17 +283,6 @@ TEST(GltfMesh, tangents_are_read_where_a_normal_map_needs_them) {
   EXPECT_THAT(parse_mesh(b).tangents, ElementsAre(Vec4f(1, 0, 0, 1), Vec4f(0, 1, 0, -1), Vec4f(0, 0, 1, 1)));
 }
 
-TEST(GltfMesh, morph_targets_are_a_warning) {
-  GltfBuilder b;
-  const int vectors = b.add_accessor(std::vector<Vec3f>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  b.add_node({{"mesh", b.add_triangle({{"targets", {{{"POSITION", vectors}}}}})}});
-  std::vector<std::string> warnings;
-  const Scene scene = parse(b, &warnings);
-  EXPECT_EQ(std::get<Mesh>(scene.shapes[0]).positions[1], Vec3f(1, 0, 0));
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("morph targets are not supported yet: meshes keep their base shape"),
-                                    HasSubstr("has no lights")));
-}
-
 TEST(GltfMesh, result_passes_validation) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "scene/deform.hpp"
 #include "scene/gltf/gltf_builder.hpp"
 #include "scene/load.hpp"
 #include "scene/timeline.hpp"
@@ -167,25 +168,53 @@ GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
   return b;
 }
 
-TEST(GltfSkin, rest_pose_follows_the_joints_and_not_the_node) {
-  std::vector<std::string> warnings;
-  const Scene scene = parse(skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {0.5f, 0.5f, 0, 0}}), &warnings);
-  const Mesh& mesh = std::get<Mesh>(scene.shapes.at(0));
-  EXPECT_EQ(scene.instances.at(0).node, -1);
-  expect_near(mesh.positions[0], {10, 0, 0});  // joint 0 alone
-  expect_near(mesh.positions[1], {0, 1, 1});   // (1, 0, 0) bound to (1, 0, 1), turned
+/// Where a vertex of the file's only mesh is at a time.
+Vec3f posed(const Scene& scene, std::size_t vertex, double time = 0.0) {
+  validate(scene, "a.glb");
+  const ResolvedScene resolved = evaluate(scene, time);
+  return MeshPose(scene, scene.instances.at(0), resolved).position(vertex);
+}
+
+TEST(GltfSkin, joints_bind_matrices_and_weights_are_read) {
+  const Scene scene = parse(skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {0.5f, 0.5f, 0, 0}}));
+  ASSERT_EQ(scene.skins.size(), 1u);
+  EXPECT_THAT(scene.skins[0].joints, ElementsAre(1, 2));
+  EXPECT_EQ(std::get<Mesh>(scene.shapes.at(0)).skin.per_vertex, 4);
+  expect_near(posed(scene, 0), {10, 0, 0});  // joint 0 alone
+  expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) bound to (1, 0, 1), turned
   // (0, 1, 0): half of (10, 1, 0) and half of (-1, 0, 1).
-  expect_near(mesh.positions[2], {4.5f, 0.5f, 0.5f}, 4 * kRounding);
-  expect_near(mesh.normals[1], {0, 1, 0});
-  EXPECT_THAT(warnings, Contains("a.glb: skinning is not supported yet: the mesh stands in its rest pose (first at nodes[0])"));
+  expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kRounding);
+}
+
+TEST(GltfSkin, joints_that_are_animated_take_the_mesh_along) {
+  GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}});
+  const int times = b.add_accessor(std::vector<float>{0, 1}), places = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {0, 8, 0}});
+  b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}},
+                       {"samplers", {{{"input", times}, {"output", places}}}}});
+  expect_near(posed(parse(b), 1, 0.25), {1, 2, 0});
 }
 
 TEST(GltfSkin, weights_are_scaled_to_a_sum_of_one) {
   const Scene scene = parse(skinned_triangle({{2, 0, 0, 0}, {0.25f, 0, 0, 0}, {0, 0, 0, 0}}));
-  const Mesh& mesh = std::get<Mesh>(scene.shapes.at(0));
-  expect_near(mesh.positions[0], {10, 0, 0});
-  expect_near(mesh.positions[1], {11, 0, 0});
-  expect_near(mesh.positions[2], {10, 1, 0});  // no weight at all: the first joint
+  expect_near(posed(scene, 0), {10, 0, 0});
+  expect_near(posed(scene, 1), {11, 0, 0});
+  expect_near(posed(scene, 2), {10, 1, 0});  // no weight at all: the first joint
+}
+
+TEST(GltfSkin, second_set_of_joints_counts_too) {
+  GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0.5f, 0, 0, 0}, {1, 0, 0, 0}});
+  Json& attributes = b.root["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_1"] = attributes["JOINTS_0"];
+  attributes["WEIGHTS_1"] = b.add_accessor(std::vector<Vec4f>{{0, 0, 0, 0}, {0, 0.5f, 0, 0}, {0, 0, 0, 0}});
+  // (1, 0, 0): half of (11, 0, 0) and half of (0, 1, 1).
+  expect_near(posed(parse(b), 1), {5.5f, 0.5f, 0.5f}, 4 * kRounding);
+}
+
+TEST(GltfSkin, that_no_node_uses_is_not_even_looked_at) {
+  GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
+  b.root["nodes"][0].erase("skin");
+  b.root["skins"][0]["joints"] = {1, 2, 0};
+  EXPECT_TRUE(parse(b).skins.empty());
 }
 
 TEST(GltfSkin, pose_that_is_not_finite_is_an_error) {
@@ -213,6 +242,66 @@ TEST(GltfSkin, joint_outside_the_scene_is_an_error) {
   GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
   b.add("scenes", {{"nodes", {0, 1}}});
   EXPECT_EQ(message_of(b), "a.glb: skins[0]: has the joint nodes[2], which is not in the scene");
+}
+
+// ---- Morph targets --------------------------------------------------------------------------------------------------
+
+/// A triangle with two targets: one lifts vertex 1 by 1, the other has nothing but normals.
+GltfBuilder morphing_triangle() {
+  GltfBuilder b;
+  const int lift = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}});
+  const int normals = b.add_accessor(std::vector<Vec3f>(3, Vec3f(0, 0, 1)));
+  b.add_node({{"mesh", b.add_triangle({{"attributes", {{"NORMAL", normals}}},
+                                       {"targets", {{{"POSITION", lift}}, {{"NORMAL", normals}, {"COLOR_0", lift}}}}})}});
+  return b;
+}
+
+TEST(GltfMorph, weights_are_the_nodes_then_the_meshs_then_zeros) {
+  GltfBuilder b = morphing_triangle();
+  EXPECT_THAT(parse(b).nodes[0].morph_weights, ElementsAre(0.0f, 0.0f));
+  b.root["meshes"][0]["weights"] = {0.5, 0.25};
+  EXPECT_THAT(parse(b).nodes[0].morph_weights, ElementsAre(0.5f, 0.25f));
+  b.root["nodes"][0]["weights"] = {2, 0};
+  EXPECT_THAT(parse(b).nodes[0].morph_weights, ElementsAre(2.0f, 0.0f));
+  expect_near(posed(parse(b), 1), {1, 0, 2});
+}
+
+TEST(GltfMorph, animated_weights_come_in_groups_of_one_per_target) {
+  GltfBuilder b = morphing_triangle();
+  const int times = b.add_accessor(std::vector<float>{0, 1}), weights = b.add_accessor(std::vector<float>{0, 0, 4, 0});
+  b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+                       {"samplers", {{{"input", times}, {"output", weights}}}}});
+  expect_near(posed(parse(b), 1, 0.5), {1, 0, 2});
+  b.accessor(weights)["count"] = 3;
+  EXPECT_EQ(message_of(b), "a.glb: animations[0].channels[0]: has 2 keys, but 3 values; accepted: 2 a key");
+}
+
+TEST(GltfMorph, wrong_number_of_weights_is_an_error) {
+  GltfBuilder b = morphing_triangle();
+  b.root["nodes"][0]["weights"] = {1};
+  EXPECT_EQ(message_of(b), "a.glb: nodes[0]: has 1 weights for 2 morph targets");
+}
+
+TEST(GltfMorph, target_with_another_count_is_an_error) {
+  GltfBuilder b = morphing_triangle();
+  b.accessor(0)["count"] = 2;
+  EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[0]: has 3 positions, but 2 values of POSITION");
+}
+
+TEST(GltfMorph, primitives_of_one_mesh_with_different_targets_are_an_error) {
+  GltfBuilder b = morphing_triangle();
+  Json bare = b.root["meshes"][0]["primitives"][0];
+  bare.erase("targets");
+  b.root["meshes"][0]["primitives"].push_back(bare);
+  EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[1]: has 0 morph targets, the mesh's first primitive 2");
+}
+
+TEST(GltfMorph, many_nodes_of_one_morphing_mesh_are_counted_before_they_are_posed) {
+  GltfBuilder b = morphing_triangle();
+  for (int i = 0; i < 100; ++i) b.add_node({{"mesh", 0}});
+  GltfLimits limits;
+  limits.unpacked_bytes = 10'000;
+  EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("the scene unpacks to too much memory"));
 }
 
 // ---- Animation ------------------------------------------------------------------------------------------------------
@@ -339,13 +428,47 @@ TEST(GltfAnimation, unknown_path_is_an_error) {
             "a.glb: animations[0].channels[0].target.path: is 'wobble'; accepted: translation, rotation, scale, weights");
 }
 
-TEST(GltfAnimation, only_the_first_is_read_and_the_others_are_named) {
+/// "Walk" of 25 frames and "Run" of 50.
+GltfBuilder walk_and_run() {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.root["animations"][0]["name"] = "Walk";
-  b.add("animations", {{"name", "Run"}, {"channels", Json::array()}, {"samplers", Json::array()}});
-  std::vector<std::string> warnings;
-  EXPECT_EQ(parse(b, &warnings).timeline.frame_count, 25);
-  EXPECT_THAT(warnings, Contains("a.glb: of 2 animations only the first, 'Walk', is read; left out: 'Run'"));
+  Json run = b.root["animations"][0];
+  run["name"] = "Run";
+  run["samplers"][0]["input"] = b.add_accessor(std::vector<float>{0, 2});
+  b.add("animations", run);
+  return b;
+}
+
+int frames_of(const GltfBuilder& b, const std::string& animation) {
+  return parse_gltf(b.glb(), "a.glb", 25.0, Context{}, {}, animation).timeline.frame_count;
+}
+
+TEST(GltfAnimation, the_one_that_is_asked_for_is_read_by_name_or_by_index) {
+  const GltfBuilder b = walk_and_run();
+  EXPECT_EQ(frames_of(b, ""), 25);
+  EXPECT_EQ(frames_of(b, "Walk"), 25);
+  EXPECT_EQ(frames_of(b, "Run"), 50);
+  EXPECT_EQ(frames_of(b, "1"), 50);
+}
+
+TEST(GltfAnimation, names_come_before_indices) {
+  GltfBuilder b = walk_and_run();
+  b.root["animations"][0]["name"] = "1";
+  EXPECT_EQ(frames_of(b, "1"), 25);
+}
+
+TEST(GltfAnimation, all_are_listed) {
+  const Scene scene = parse(walk_and_run());
+  EXPECT_THAT(scene.animation_names, ElementsAre("Walk", "Run"));
+  EXPECT_EQ(scene.animation, 0);
+}
+
+TEST(GltfAnimation, unknown_one_is_an_error_that_lists_them) {
+  for (const char* name : {"Fly", "2", "-1", "1x"})
+    EXPECT_EQ(error_message([&] { frames_of(walk_and_run(), name); }),
+              std::string("--animation: '") + name + "' is not in the file; accepted: Walk (0), Run (1)");
+  EXPECT_EQ(error_message([] { frames_of(skinned_triangle(std::vector<Vec4f>(3)), "Fly"); }),
+            "--animation: the file has no animations; accepted: no --animation with it");
 }
 
 TEST(GltfAnimation, of_a_node_outside_the_scene_is_ignored) {
