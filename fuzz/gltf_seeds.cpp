@@ -96,8 +96,9 @@ GltfBuilder skinned() {
   const int matrices = b.add_accessor(std::vector<glm::mat4>(2, glm::mat4(1.0f)), test::kFloat, "MAT4", 2);
   const int joints = b.add_accessor(std::vector<std::uint8_t>(12, 1), test::kUnsignedByte, "VEC4", 3);
   const int weights = b.add_accessor(std::vector<Vec4f>(3, Vec4f(0.25f)));
+  const int deltas = b.add_accessor(std::vector<Vec3f>(3, Vec3f(0.5f)));
   const int mesh =
-      b.add_triangle({{"attributes", {{"JOINTS_0", joints}, {"WEIGHTS_0", weights}}}, {"targets", {{{"POSITION", 2}}}}});
+      b.add_triangle({{"attributes", {{"JOINTS_0", joints}, {"WEIGHTS_0", weights}}}, {"targets", {{{"POSITION", deltas}}}}});
   const int times = b.add_accessor(std::vector<float>{0, 1}), morphs = b.add_accessor(std::vector<float>{0, 1});
   b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
                        {"samplers", {{{"input", times}, {"output", morphs}}}}});

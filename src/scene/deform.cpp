@@ -1,6 +1,6 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.7.2.2 "Morph Targets" (base + sum of weight * target, before
-// the skin) and 3.7.3 "Skins" (sum_i w_i J_i B_i v, with J the joint's world transform and B its inverse bind matrix; the
-// transform of the node that shows the mesh does not take part).
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.7.2.2 "Morph Targets" (base + sum of weight * target,
+// before the skin) and 3.7.3 "Skins" (sum_i w_i J_i B_i v, with J the joint's world transform and B its inverse bind matrix;
+// the transform of the node that shows the mesh does not take part).
 //
 // Normals are turned by the cofactor matrix of the blended transform: up to its length the inverse transpose, but defined for
 // singular ones too, and so that they stay on the side from which a triangle's corners are counter-clockwise.
@@ -53,7 +53,8 @@ std::vector<bool> moving_instances(const Scene& scene) {
     if (instance.skin < 0) {
       any = any || is_set(node_moves, instance.node);
     } else {
-      for (const int joint : scene.skins[static_cast<std::size_t>(instance.skin)].joints) any = any || is_set(node_moves, joint);
+      for (const int joint : scene.skins[static_cast<std::size_t>(instance.skin)].joints)
+        any = any || is_set(node_moves, joint);
     }
     moves.push_back(any);
   }

@@ -50,7 +50,7 @@ class MeshPose {
   Vec3f morphed_position(std::size_t vertex) const;
 
   const Mesh& mesh_;
-  std::vector<Weighted> targets_;        ///< those with a weight
+  std::vector<Weighted> targets_;  ///< those with a weight
   bool has_skin_;
   std::vector<Affine3f> world_from_mesh_;  ///< by joint, or the node's alone
 };

@@ -18,6 +18,7 @@ using Values = std::vector<std::string>;
 const std::map<std::string_view, Values> kOtherValues{
     {"scene", {"room"}},
     {"camera-path", {"room.cam"}},
+    {"animation", {"Walk"}},
     {"frames", {"3-7"}},
     {"fps", {"29.97"}},
     {"optics", {"microlens"}},

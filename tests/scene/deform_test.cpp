@@ -75,9 +75,7 @@ TEST(MeshPose, morph_adds_weighted_targets_and_the_node_places_the_sum) {
   expect_near(vertex_of(scene, 2).normal, {0, 0, 1});
 }
 
-TEST(MeshPose, without_weight_it_is_the_base) {
-  expect_near(vertex_of(morphing(0, 0), 1).position, {1, 0, 5});
-}
+TEST(MeshPose, without_weight_it_is_the_base) { expect_near(vertex_of(morphing(0, 0), 1).position, {1, 0, 5}); }
 
 TEST(MeshPose, skin_follows_the_joints_and_not_the_node) {
   const Scene scene = skinned();
@@ -151,8 +149,7 @@ TEST(MorphWeights, cubic_keys_hold_in_tangents_then_values_then_out_tangents) {
   Scene scene = morphing(0, 0);
   // Per key: in-tangents of both targets, their values, their out-tangents. At 0.5 s of 2 s the first is
   // (2/64 - 3/16 + 1) 1 + 2 (1/64 - 2/16 + 1/4) 3 + (3/16 - 2/64) 5 + 2 (1/64 - 1/16) (-2) = 85/32, the second half of it.
-  scene.timeline.animations = {
-      weights(Interpolation::kCubicSpline, {9, 9, 1, 0.5f, 3, 1.5f, -2, -1, 5, 2.5f, 9, 9})};
+  scene.timeline.animations = {weights(Interpolation::kCubicSpline, {9, 9, 1, 0.5f, 3, 1.5f, -2, -1, 5, 2.5f, 9, 9})};
   validate(scene, "test");
   const std::vector<float> at = evaluate(scene, 0.5).morph_weights.at(0);
   EXPECT_NEAR(at[0], 85.0f / 32.0f, kRounding);
