@@ -12,6 +12,7 @@
 #include "apps/lippmann/progress.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "layout/rendered.hpp"
 #include "render/param_text.hpp"
 #include "video/encode_frames.hpp"
 
@@ -22,21 +23,30 @@ namespace fs = std::filesystem;
 
 /// Fixed: the bytes of some codecs depend on it.
 constexpr int kEncoderThreads = 4;
+constexpr double kUsualRate = 25.0;
 
 struct Options {
   std::string from, out, codec, range;
   std::optional<int> crf;
-  double fps = 25.0;
+  std::optional<double> fps;
   bool json = false;
 };
 
+/// As said, or as the report beside the frames says.
+double rate_of(const Options& options, const std::vector<NumberedFrame>& frames) {
+  if (options.fps) return *options.fps;
+  const std::optional<Rendering> rendering = rendering_of(frames.front().path);
+  return rendering ? rendering->frames_per_second.value_or(kUsualRate) : kUsualRate;
+}
+
 int run(const Options& options, Context& context) {
-  VideoOptions video{.rate = frame_rate(options.fps), .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
+  VideoOptions video{.rate = {}, .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
   if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
   std::optional<FrameRange> range;
   if (!options.range.empty()) range = read_frames(options.range, "--range");
   const std::vector<NumberedFrame> frames = find_frames(options.from, range ? std::optional(range->first) : std::nullopt,
                                                         range ? std::optional(range->last) : std::nullopt);
+  video.rate = frame_rate(rate_of(options, frames));
   const fs::path out = video_path(options.out, frames);
   remove_stale_temporaries(out.parent_path().empty() ? fs::path(".") : out.parent_path(), out.filename());
   const int count = static_cast<int>(frames.size());
@@ -70,7 +80,9 @@ void add_encode_command(CLI::App& root, Action& chosen) {
       ->type_name("NAME");
   command.add_option("--crf", options->crf, "Quality, 0 (best) to 51 (h264, hevc) or 63 (vp9, av1); default 18, 20, 24, 24")
       ->type_name("N");
-  command.add_option("--fps", options->fps, "Frames per second [25]")->check(CLI::Range(0.001, 1000.0))->type_name("N");
+  command.add_option("--fps", options->fps, "Frames per second; default: as the report.json beside the frames says, else 25")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->type_name("N");
   command.add_option("--range", options->range, "Only frames A to B, both included")->type_name("A-B");
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

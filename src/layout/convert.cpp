@@ -1,6 +1,7 @@
 #include "layout/convert.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
 #include "layout/cameras.hpp"
@@ -68,6 +69,25 @@ Source source_of(const fs::path& in, const ConvertParams& params, bool with_dept
   return source;
 }
 
+/// A folder that is to be made: where nothing is in it in the end and it was not there before, it goes again.
+class NewFolder {
+ public:
+  explicit NewFolder(fs::path path) : path_(std::move(path)) {
+    std::error_code ignored;
+    was_there_ = fs::exists(path_, ignored);
+  }
+  ~NewFolder() {
+    std::error_code ignored;
+    if (!was_there_ && fs::is_directory(path_, ignored)) fs::remove(path_, ignored);  // fails where anything is in it
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+ private:
+  fs::path path_;
+  bool was_there_ = false;
+};
+
 class Conversion {
  public:
   explicit Conversion(const ConvertParams& params) : params_(params), to_(find_format(params.to, "--to")) {}
@@ -83,6 +103,7 @@ class Conversion {
     if (source.format->name == "quilt") writing.tiles.reset();  // they are the source's
     fs::path path = out;
     if (!to_.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(field.stack);
+    const NewFolder folder(path);
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
     result.lacks_cameras = to_.uses_cameras && !field.cameras;
@@ -119,6 +140,7 @@ Converted convert(const fs::path& in, const fs::path& out, const ConvertParams& 
     conversion.convert_one(in, out, result);
     return result;
   }
+  const NewFolder folder(out);
   make_folder(out);
   for (const fs::path& frame : frames) conversion.convert_one(frame, out / conversion.name_of(frame), result);
   return result;

@@ -25,6 +25,18 @@ bool has_depth(const fs::path& picture) {
 
 }  // namespace
 
+std::optional<double> frame_rate_of(const Json& report) {
+  const auto number = [](const Json& json, const char* key) {
+    const auto found = json.find(key);
+    const double value = found != json.end() && found->is_number() ? found->get<double>() : 0.0;
+    return value > 0.0 && value <= 1000.0 ? std::optional(value) : std::nullopt;
+  };
+  if (!report.is_object()) return std::nullopt;
+  if (const auto rate = number(report, "frames_per_second")) return rate;
+  const auto settings = report.find("settings");
+  return settings != report.end() && settings->is_object() ? number(*settings, "fps") : std::nullopt;
+}
+
 std::optional<Rendering> rendering_of(const fs::path& picture) {
   const fs::path folder = picture.parent_path();
   std::error_code ignored;
@@ -38,6 +50,7 @@ std::optional<Rendering> rendering_of(const fs::path& picture) {
     Rendering rendering{optics_from_json(json["optics"], report.string())};
     const Json settings = json.value("settings", Json::object());
     if (settings.contains("layout") && settings["layout"].is_string()) rendering.layout = settings["layout"];
+    rendering.frames_per_second = frame_rate_of(json);
     return rendering;
   }
   return std::nullopt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,11 @@ namespace lippmann {
 struct Rendering {
   Optics optics;
   std::string layout = {};  ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
+  std::optional<double> frames_per_second = {};
 };
+
+/// What a report says of it; none where it does not, or nothing within reason.
+std::optional<double> frame_rate_of(const nlohmann::ordered_json& report);
 
 /// Of the report.json in the folder of the picture (or folder of views), or in that folder's own; none if there is none.
 /// Throws Error naming the report if it cannot be understood.

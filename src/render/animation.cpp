@@ -49,16 +49,18 @@ FrameRange frames_to_render(const RenderParams& params, const Timeline& timeline
 }
 
 /// Refuses what cannot succeed before hours are spent on it: frames that the machine's memory does not hold.
-void require_memory(const RenderParams& params, const Panel& panel, bool moves_pixels, int threads) {
+void require_memory(const RenderParams& params, const Panel& panel, bool moves_pixels, int frames_at_a_time) {
   constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
   const double pixels = static_cast<double>(panel.width) * panel.height;
   const double films = (moves_pixels ? 2.0 : 1.0) + (params.precompensate ? 2.0 : 0.0);
   const double frame = pixels * (films * kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size()));
-  const double needed = frame * FrameSink::frames_in_memory(threads) + pixels * bytes_kept_per_pixel(params);
+  const double needed = frame * frames_at_a_time + pixels * bytes_kept_per_pixel(params);
   const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   if (needed > available)
-    throw Error("--size", fmt::format("frames of {}x{} pixels need {:.1f} GB of memory, this machine has {:.1f} GB",
-                                      panel.width, panel.height, needed * 1e-9, available * 1e-9));
+    throw Error("--size",
+                fmt::format("frames of {}x{} pixels need {:.1f} GB of memory ({} at a time, {:.1f} GB each), this machine has "
+                            "{:.1f} GB",
+                            panel.width, panel.height, needed * 1e-9, frames_at_a_time, frame * 1e-9, available * 1e-9));
 }
 
 void make_folder(const fs::path& folder) {
@@ -127,7 +129,9 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);
   const FrameLayout layout(params, stage.placed.optics, stage.display.get());
-  require_memory(params, stage.placed.optics.panel, layout.moves(), pool.threads());
+  layout.check_picture_size(!params.aov.empty());
+  require_memory(params, stage.placed.optics.panel, layout.moves(),
+                 std::min(FrameSink::frames_in_memory(pool.threads()), frames.last - frames.first + 1));
 
   check_angular_filter(params, stage.placed.optics);
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());

@@ -5,10 +5,13 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "image/tiff.hpp"
 #include "layout/sub_pixels.hpp"
 
 namespace lippmann {
 namespace {
+
+constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;  ///< that PNG and EXR files are written and read with
 
 /// The views as they lie in a film.
 ViewLayout film_layout(const Optics& optics) {
@@ -91,6 +94,15 @@ FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics, const
   if (!params.layout && !display) return;
   if (std::holds_alternative<SingleView>(optics.model) && !params.layout) return;
   arrange_views(params, layout, optics);
+}
+
+void FrameLayout::check_picture_size(bool with_layers) const {
+  const Vec2i size = picture_size();
+  const std::int64_t pixels = std::int64_t{size.x} * size.y;
+  if ((names_.format == PictureFormat::kTiff && !with_layers) || pixels <= kMaxFilePixels) return;
+  throw usage_error(
+      "--format", fmt::format("pictures of {}x{} = {} pixels are too large for PNG and EXR files", size.x, size.y, pixels),
+      fmt::format("up to {} pixels, or --format tiff (--layout print) without --aov up to {}", kMaxFilePixels, kMaxTiffPixels));
 }
 
 /// A recording array turns every elemental image by 180 degrees (docs/replay.md): a layout that is not turned round.

@@ -39,6 +39,9 @@ class FrameLayout {
   /// Of a view; of the whole picture where nothing is moved.
   Vec2i picture_size() const;
 
+  /// Throws a usage Error where that is more than the picture's kind of file, or that of extra layers, holds.
+  void check_picture_size(bool with_layers) const;
+
   /// A film, or a layer of the same size, in its new places: views one below the other where names().views > 0.
   Image arrange(const Image& film) const;
 

@@ -12,8 +12,8 @@
 
 namespace lippmann {
 
-/// Pictures above this are refused: 2^29 pixels, 6.4 GB of film.
-inline constexpr std::int64_t kMaxPixels = std::int64_t{1} << 29;
+/// Panels above this are refused: 25 GB of film. What a picture's file holds, FrameLayout asks.
+inline constexpr std::int64_t kMaxPixels = (std::int64_t{1} << 31) - 1;
 
 /// And longer sides, which picture files and libraries do not hold.
 inline constexpr int kMaxSide = 65536;

@@ -18,7 +18,7 @@ void write_report(const fs::path& path, const RenderedFrames& frames, const Fram
   nlohmann::ordered_json made{{"from", conversion.in.string()}};
   made.update(conversion.made());
   const nlohmann::ordered_json report{
-      {"optics", optics_json(conversion.optics)}, {"settings", {{"fps", frames.frames_per_second}}}, {"made", std::move(made)}};
+      {"optics", optics_json(conversion.optics)}, {"frames_per_second", frames.frames_per_second}, {"made", std::move(made)}};
   const std::string text = report.dump(2) + "\n";
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/printable.hpp"
 #include "image/picture_file.hpp"
+#include "layout/rendered.hpp"
 #include "optics/optics_json.hpp"
 
 namespace lippmann {
@@ -95,8 +96,7 @@ RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) 
   const Json json = read_report(report_path);
   frames.optics = optics_from_json(json["optics"], report_path.string());
   check_layout(json, frames.optics, report_path.string());
-  if (const Json* fps = setting(json, "fps"); fps && fps->is_number())
-    if (const double rate = fps->get<double>(); rate > 0.0 && rate <= 1000.0) frames.frames_per_second = rate;
+  frames.frames_per_second = frame_rate_of(json).value_or(frames.frames_per_second);
   return frames;
 }
 

@@ -4,6 +4,8 @@
 namespace lippmann::test {
 namespace {
 
+namespace fs = std::filesystem;
+
 TEST(Encode, frames_of_a_quilt_become_a_video_with_its_name) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, {"render", "gears", "--optics", "multiview", "--views", "2x2", "--size", "64x64", "--frames", "0-2",
@@ -15,6 +17,18 @@ TEST(Encode, frames_of_a_quilt_become_a_video_with_its_name) {
   EXPECT_EQ(report["frames"], 3);
   EXPECT_TRUE(std::filesystem::exists(dir / "gears_qs2x2a1.webm"));
   EXPECT_EQ(report_of(dir, {"encode", "r", "part.mkv", "--range", "1-2"})["frames"], 2);
+}
+
+TEST(Encode, rate_is_that_of_the_render_unless_one_is_said) {
+  const TempDir dir;
+  EXPECT_EQ(report_of(dir, small_teapot("0-2", "r") + Words{"--fps", "12"})["frames_per_second"], 12.0);
+  for (const Words& rate : {Words{}, Words{"--fps", "12"}, Words{"--fps", "25"}})
+    ASSERT_EQ(run_tool(dir, Words{"encode", "r", "v" + (rate.empty() ? "" : rate[1]) + ".mkv"} + rate).exit_code, 0);
+  EXPECT_EQ(bytes_of(dir / "v.mkv"), bytes_of(dir / "v12.mkv"));
+  EXPECT_NE(bytes_of(dir / "v.mkv"), bytes_of(dir / "v25.mkv"));
+  fs::remove(dir / "r/report.json");
+  ASSERT_EQ(run_tool(dir, {"encode", "r", "usual.mkv"}).exit_code, 0);
+  EXPECT_EQ(bytes_of(dir / "usual.mkv"), bytes_of(dir / "v25.mkv"));
 }
 
 TEST(Encode, what_cannot_be_is_refused_with_one_message) {

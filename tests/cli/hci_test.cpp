@@ -119,6 +119,22 @@ TEST(Hci, what_is_not_known_is_said) {
   EXPECT_FALSE(fs::exists(dir / "h/parameters.cfg"));
 }
 
+TEST(Hci, conversion_that_fails_leaves_no_folder) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, {"render", "teapot", "--optics", "multiview", "--views", "2x2", "--size", "64x64", "--frames", "0",
+                           "-o", "r"})
+                .exit_code,
+            0);
+  // Eyes at equal angles, which the format cannot say.
+  EXPECT_EQ(run_tool(dir, {"convert", "r/frame_0000.png", "one", "--to", "hci"}).exit_code, 1);
+  EXPECT_EQ(run_tool(dir, {"convert", "r", "all", "--to", "hci"}).exit_code, 1);
+  EXPECT_FALSE(fs::exists(dir / "one"));
+  EXPECT_FALSE(fs::exists(dir / "all"));
+  fs::create_directory(dir / "was_there");
+  EXPECT_EQ(run_tool(dir, {"convert", "r", "was_there", "--to", "hci"}).exit_code, 1);
+  EXPECT_TRUE(fs::exists(dir / "was_there"));
+}
+
 TEST(Hci, data_set_brings_back_pictures_and_depth) {
   const TempDir dir;
   make_data_set(dir, "teapot");

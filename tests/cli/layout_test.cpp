@@ -114,6 +114,15 @@ TEST(Layout, tiff_pictures_written_twice_are_the_same_bytes) {
   EXPECT_EQ(bytes_of(dir / "b/frame_0003.tif"), first);
 }
 
+TEST(Layout, pictures_too_large_for_their_file_are_refused_before_the_first_frame) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {"render", "teapot", "--size", "20000x20000", "--frames", "0", "-o", "out"}), 2,
+                 "--format tiff");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--size", "65536x32768", "--frames", "0", "-o", "out"}), 2,
+                 "2147483647 pixels");
+  EXPECT_FALSE(std::filesystem::exists(dir / "out/job.toml"));
+}
+
 TEST(Layout, tiff_on_a_full_disk_is_one_error_and_leaves_nothing) {
   const TempDir dir;
   const RunResult result =

@@ -12,6 +12,7 @@
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
+#include "image/tiff.hpp"
 #include "support/error_message.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/pictures.hpp"
@@ -89,6 +90,24 @@ TEST(Png, size_outside_the_limits_is_an_error) {
                 encode_png(Image8{65537, 1, std::vector<unsigned char>(3 * 65537)});
               }),
               HasSubstr("65537 x 1"));
+}
+
+// "II", 42 of a classic file and 43 of one with offsets of 8 bytes.
+TEST(Tiff, big_files_are_big_tiff_and_hold_the_same_codes) {
+  const test::TempDir dir;
+  const Image8 codes = noise_codes(33, 17);
+  const auto version = [](const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    char begin[4]{};
+    file.read(begin, sizeof(begin));
+    EXPECT_EQ(std::string(begin, 2), "II");
+    return static_cast<int>(begin[2]);
+  };
+  write_tiff(dir / "small.tif", codes, 10.0);
+  write_tiff(dir / "big.tif", codes, 10.0, TiffKind::kBig);
+  EXPECT_EQ(version(dir / "small.tif"), 42);
+  EXPECT_EQ(version(dir / "big.tif"), 43);
+  EXPECT_EQ(read_image8(dir / "big.tif").rgb, codes.rgb);
 }
 
 TEST(Exr, float_layers_come_back_bit_by_bit_under_their_names) {
