@@ -142,9 +142,20 @@ AnyLanding landing(const Panel& panel, const MicrolensArray& array, SplatMode mo
 AnyLanding landing(const Panel& panel, const MultiView& views, SplatMode) { return views_grid(panel, views); }
 AnyLanding landing(const Panel& panel, const SingleView& view, SplatMode) { return single_grid(panel, view); }
 
-AnyLanding landing(const Panel&, const SlantedPanel&, SplatMode) {
-  throw usage_error("--reuse", "forward does not interpolate a slanted panel's own frames, in which no two rows share a view",
-                    "--reuse exact or none, or a quilt, which forward can interpolate");
+AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mode) {
+  if (mode == SplatMode::kLens)
+    throw usage_error("--splat", "a slanted panel's lenses run across its rows: points do not stay below theirs",
+                      "--splat view");
+  const bool blue_first = slanted.sub_pixels == striped_sub_pixels(true);
+  if (!blue_first && slanted.sub_pixels != striped_sub_pixels())
+    throw usage_error("--reuse", "forward does not interpolate frames of panels whose sub-pixels do not lie in stripes",
+                      "--reuse exact or none, or a quilt, which forward can interpolate");
+  const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
+  const auto width = static_cast<float>(panel.width), height = static_cast<float>(panel.height);
+  const double per_sub_pixel = c.lenses_per_px / 3.0;
+  return SlantedLanding{{c, static_cast<float>(per_sub_pixel), static_cast<float>(1.0 / per_sub_pixel),
+                         static_cast<float>(-c.lenses_per_row), 1.0f / panel.pixel_pitch_mm, width, height, 0.5f * width,
+                         0.5f * height, blue_first ? -1.0f : 1.0f, 0.0f, 0.0f}};
 }
 
 }  // namespace

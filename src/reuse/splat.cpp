@@ -142,6 +142,10 @@ LIPPMANN_MULTIVERSION void project(const HexagonLanding<SplatMode::kLens>& rule,
                                    const RowOfPoints& points, int count, Block& block) {
   project_block(rule, limits, motion, points, count, block);
 }
+LIPPMANN_MULTIVERSION void project(const SlantedLanding& rule, const Limits& limits, const Motion& motion,
+                                   const RowOfPoints& points, int count, Block& block) {
+  project_block(rule, limits, motion, points, count, block);
+}
 
 /// A point that lands in another strip than the one that it comes from.
 struct Stray {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "optics/slanted_panel.hpp"
+
 namespace lippmann {
 
 ViewSteps::ViewSteps(const Optics& optics, SplatMode mode) : width_(optics.panel.width), height_(optics.panel.height) {
@@ -28,6 +30,10 @@ ViewSteps::ViewSteps(const Optics& optics, SplatMode mode) : width_(optics.panel
     tile_ = {width_ / views->columns, height_ / views->rows};
     last_tile_ = {views->columns - 1, views->rows - 1};
     padding_top_ = height_ - views->rows * tile_.y;
+  } else if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) {
+    const SlantedPanelRays c = make_slanted_panel(optics.panel, *slanted, 0.0f);
+    across_.x = static_cast<float>(3.0 / std::abs(c.lenses_per_px));
+    down_.x = static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // along the lens: a row down is a row less
   }
 }
 

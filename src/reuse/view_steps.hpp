@@ -33,9 +33,9 @@ class ViewWalk {
 };
 
 /// Same view (SplatMode::kView): the pixels at the same offset below the next lenses, or as near to it as pixels are; along the
-/// lenses of a lenticular sheet the next row. Same lens (kLens): the next pixels, as long as they lie below the same lens (of
-/// hexagons: in the rectangle of lens pitch by row pitch).
-/// In single views and in the views of a quilt: the next pixels of that view.
+/// lenses of a lenticular sheet or a slanted panel the next row. Same lens (kLens): the next pixels, as long as they lie below
+/// the same lens (of hexagons: in the rectangle of lens pitch by row pitch). In single views and in the views of a quilt: the
+/// next pixels of that view.
 class ViewSteps {
  public:
   /// `optics` must pass validate().

@@ -270,18 +270,88 @@ TEST(Landing, point_that_does_not_move_stays_in_its_pixel) {
   }
 }
 
-/// The whole splat: for every pixel the nearest of all points that land on it, found one point at a time.
-TEST(Landing, slanted_panels_own_frame_is_refused_with_what_would_be_accepted) {
-  try {
-    make_landing({.panel = {600, 100, 0.1f}, .model = SlantedPanel{.periods = 60.0}}, SplatMode::kView);
-    FAIL() << "accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.where(), "--reuse");
-    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-    EXPECT_FALSE(error.accepted().empty());
+/// With sub-pixels in stripes.
+Optics slanted_panel(OpticsSampler& random) {
+  Optics optics = random.slanted_panel();
+  std::get<SlantedPanel>(optics.model).sub_pixels = striped_sub_pixels(random.coin());
+  return optics;
+}
+
+TEST(Landing, on_a_slanted_panel_the_same_direction_below_the_nearest_lens) {
+  OpticsSampler random(5);
+  for (int k = 0; k < 20; ++k) {
+    const Optics optics = slanted_panel(random);
+    const auto& slanted = std::get<SlantedPanel>(optics.model);
+    const Splatter splatter(optics, {SplatMode::kView, true});
+    // Of the eyes, as angles in views: 1 / sub-pixels below a lens from one to the next.
+    const auto view_of = [&](Vec2f pixel) {
+      const Vec3f eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm);
+      return std::atan(eye.x / (slanted.parallax * slanted.distance_mm)) / slanted.view_cone;
+    };
+    const double sub_pixels = std::abs(optics.panel.width / slanted.periods);
+    int seen = 0;
+    for (int n = 0; n < 100; ++n) {
+      const auto pixel = static_cast<std::uint32_t>(random.integer(0, optics.panel.width * optics.panel.height - 1));
+      const Vec2f from = centre_of(optics, pixel);
+      const float z = random.uniform(-20.0f, 20.0f), step = 2.0f * static_cast<float>(sub_pixels) * optics.panel.pixel_pitch_mm;
+      const Affine3f a{Mat3f(1.0f), {random.uniform(-step, step), random.uniform(-step, step), 0.0f}};
+      const auto landed = splatter.landing(pixel, z, 0, KnownMotion({a}).motion);
+      const Vec3f eye = at_depth(ray_of_pixel(optics, from), slanted.distance_mm);
+      const Vec3f moved = at_depth(ray_of_pixel(optics, from), z) + a.translation;
+      const Vec3f in_plane = eye + (moved - eye) * (slanted.distance_mm / (slanted.distance_mm - moved.z));
+      if (!landed) continue;
+      ++seen;
+      const Vec2f centre = centre_of(optics, *landed);
+      const Vec3f place = at_depth(ray_of_pixel(optics, centre), 0.0f);
+      // Half a row and rounding; half a lens and half a sub-pixel; half a sub-pixel's share of the views, around the end too.
+      const double pitch = optics.panel.pixel_pitch_mm;
+      EXPECT_LE(std::abs(place.y - in_plane.y), 1.51 * pitch);
+      EXPECT_LE(std::abs(place.x - in_plane.x), (0.5 * sub_pixels + 0.51) * pitch);
+      const double off = view_of(centre) - view_of(from);
+      EXPECT_LE(std::abs(off - std::round(off)), 0.51 / sub_pixels);
+    }
+    EXPECT_GT(seen, 30);
   }
 }
 
+TEST(Landing, point_of_a_slanted_panel_that_does_not_move_stays) {
+  OpticsSampler random(6);
+  const KnownMotion still({Affine3f{}});
+  const KnownMotion hardly({Affine3f{Mat3f(1.0f), Vec3f(1e-7f, 0.0f, 0.0f)}});
+  for (int k = 0; k < 20; ++k) {
+    const Optics optics = slanted_panel(random);
+    const Splatter splatter(optics, {SplatMode::kView, true});
+    for (int n = 0; n < 100; ++n) {
+      const auto pixel = static_cast<std::uint32_t>(random.integer(0, optics.panel.width * optics.panel.height - 1));
+      const float z = random.uniform(-20.0f, 20.0f);
+      EXPECT_EQ(splatter.landing(pixel, z, 0, still.motion), pixel);
+      EXPECT_EQ(splatter.landing(pixel, z, 0, hardly.motion), pixel);
+    }
+  }
+}
+
+TEST(Landing, what_slanted_panels_cannot_is_refused_with_what_would_be_accepted) {
+  Optics optics;
+  optics.panel = {600, 100, 0.1f};
+  SlantedPanel slanted{.periods = 60.0};
+  const auto refused = [&](SplatMode mode) {
+    optics.model = slanted;
+    try {
+      make_landing(optics, mode);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+      EXPECT_FALSE(error.accepted().empty());
+      return error.where();
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refused(SplatMode::kView), "accepted");
+  EXPECT_EQ(refused(SplatMode::kLens), "--splat");
+  slanted.sub_pixels[1][0][2].y = 0.25f;
+  EXPECT_EQ(refused(SplatMode::kView), "--reuse");
+}
+
+/// The whole splat: for every pixel the nearest of all points that land on it, found one point at a time.
 TEST(Landing, splat_of_a_whole_panel_agrees_with_one_point_at_a_time_for_any_number_of_threads) {
   OpticsSampler random(4);
   for (int k = 0; k < 24; ++k) {

@@ -1,0 +1,63 @@
+// Where a moved point is seen on a slanted panel's own frame, of which no two rows share their directions.
+//
+// The sub-pixel's ray comes from the eye at (e, 0, D), so that from there the point (X, Y, Z) lies in the plane z = 0 at
+//   s = (X - e Z / D) / (1 - Z / D),   y = Y / (1 - Z / D),
+// in the row that holds y. Of that row, the sub-pixel is taken that lies nearest to s of those with the phase of the point's
+// own, one below each lens: with the difference d of the phase at s and that phase, at s - (d - round(d)) lenses. It sends its
+// light into the same direction to within half of what lies between two sub-pixels, and is half a lens from s at the most.
+// Points that do not move stay. In stripes only: elsewhere a sub-pixel's place does not follow from its number.
+//
+// Symbols as in optics/slanted_panel.hpp; like landing.hpp, inlined into loops that vectorise.
+#pragma once
+
+#include "optics/slanted_panel.hpp"
+#include "reuse/landing.hpp"
+
+namespace lippmann {
+
+struct SlantedLanding {
+  struct Row {
+    SlantedPanelRays c;  ///< at z = 0
+    float lenses_per_sub_pixel, sub_pixels_per_lens;
+    float lenses_per_row;  ///< of phase, per row down
+    float sub_pixels_per_mm, width, height, middle_x, middle_y;
+    float turned;  ///< -1: blue comes first, so that places in a pixel count from the right; else 1
+    float px, py;  ///< of entry 0's centre
+  };
+
+  Row constants;
+
+  Row row(int j, int i) const {
+    Row r = constants;
+    r.px = static_cast<float>(i) + 0.5f, r.py = static_cast<float>(j) + 0.5f;
+    return r;
+  }
+};
+
+/// A film column (centre at + 0.5) to the place where it lies along the row, in sub-pixels, and back.
+LIPPMANN_INLINE float along_row(const SlantedLanding::Row& r, float column) {
+  const float pixel = std::floor(column * (1.0f / 3.0f)), middle = 3.0f * pixel + 1.5f;
+  return middle + r.turned * (column - middle);
+}
+
+LIPPMANN_INLINE Vec3f point_by(const SlantedLanding&, const SlantedLanding::Row& row, int i, float z) {
+  return point_on(crossing(row.c, row.px + static_cast<float>(i), row.py), z);
+}
+
+LIPPMANN_INLINE PointLanding land_by(const SlantedLanding&, const SlantedLanding::Row& r, int i, float x, float y, float z) {
+  const Crossing from = crossing(r.c, r.px + static_cast<float>(i), r.py);
+  const float eye = from.x + r.c.distance_mm * from.slope_x, depth = z * r.c.inverse_distance;
+  const float from_eye = 1.0f - depth, q = 1.0f / from_eye;
+  const float s = r.middle_x + (x - eye * depth) * q * r.sub_pixels_per_mm;
+  const float down = r.middle_y - y * q * r.sub_pixels_per_mm * (1.0f / 3.0f);
+  const float row = std::floor(down);
+  const float here = along_row(r, r.px + static_cast<float>(i));
+  const float difference = (s - here) * r.lenses_per_sub_pixel + (row + 0.5f - r.py) * r.lenses_per_row;
+  const float off = difference - std::floor(difference + 0.5f);
+  const float place = std::floor(s - off * r.sub_pixels_per_lens) + 0.5f;
+  const float column = std::floor(along_row(r, place));
+  const bool seen = (from_eye > 0.0f) & (column >= 0.0f) & (column < r.width);
+  return {pixel_if(seen, column), pixel_if((row >= 0.0f) & (row < r.height), row), off, down - row - 0.5f};
+}
+
+}  // namespace lippmann
