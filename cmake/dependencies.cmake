@@ -5,8 +5,9 @@ find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
 find_package(fmt REQUIRED)
 find_package(embree 3.13 REQUIRED)
-find_package(TinyGLTF REQUIRED)
+find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(meshoptimizer REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
@@ -15,3 +16,11 @@ find_package(benchmark REQUIRED)
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(FFmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+
+# The archive: Debian's shared libdraco brings image and glTF readers along, whose symbols other libraries have too.
+find_library(DRACO_ARCHIVE libdraco.a REQUIRED)
+find_path(DRACO_INCLUDE_DIR draco/draco_features.h REQUIRED)
+add_library(draco::archive STATIC IMPORTED)
+set_target_properties(draco::archive PROPERTIES
+  IMPORTED_LOCATION ${DRACO_ARCHIVE}
+  INTERFACE_INCLUDE_DIRECTORIES ${DRACO_INCLUDE_DIR})

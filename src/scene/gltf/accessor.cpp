@@ -121,7 +121,7 @@ void with_unsigned(int type, const F& use) {
   }
 }
 
-/// The same for any component type that has passed check_ranges().
+/// The same for any component type that has passed check_accessors().
 template <class F>
 void with_component(int type, const F& use) {
   switch (type) {
@@ -207,7 +207,7 @@ const tinygltf::Accessor& accessor_of_type(const Document& document, int index, 
 
 }  // namespace
 
-void check_ranges(const Document& document) {
+void check_views(const Document& document) {
   const tinygltf::Model& model = document.model;
   for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
     const tinygltf::BufferView& view = model.bufferViews[i];
@@ -217,6 +217,10 @@ void check_ranges(const Document& document) {
                            fmt::format("{} bytes from byte {} on lie outside buffers[{}], which has {} bytes", view.byteLength,
                                        view.byteOffset, view.buffer, available));
   }
+}
+
+void check_accessors(const Document& document) {
+  const tinygltf::Model& model = document.model;
   for (std::size_t i = 0; i < model.accessors.size(); ++i) {
     const tinygltf::Accessor& a = model.accessors[i];
     const std::string where = element("accessors", i);

@@ -10,8 +10,10 @@
 
 namespace lippmann::gltf {
 
-/// Checks what the schema cannot: that buffer views lie within buffers, accessors within buffer views. Throws Error.
-void check_ranges(const Document& document);
+/// Checks what the schema cannot: that buffer views lie within buffers. Throws Error.
+void check_views(const Document& document);
+/// The same of accessors within buffer views, which have been checked.
+void check_accessors(const Document& document);
 
 /// The accessor's elements as floats. Integers become what they stand for where the accessor is normalised, else their value.
 /// Throws Error at the accessor if its type is not T's or a number is not finite. T: float, Vec2f, Vec3f, Vec4f, glm::mat4.

@@ -1,7 +1,7 @@
 // From bytes to a checked document, in the order in which trust grows:
 // 1. take the container apart; 2. parse the JSON within limits; 3. check it against the schema, which also removes all that is
 // not used; 4. take buffers and images out of it and fetch the buffers ourselves; 5. let tinygltf turn what is left, which
-// holds no file names and no sizes of data, into structs; 6. check byte ranges.
+// holds no file names and no sizes of data, into structs; 6. decompress, and check byte ranges.
 #include "scene/gltf/document.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "scene/gltf/accessor.hpp"
+#include "scene/gltf/draco.hpp"
 #include "scene/gltf/json.hpp"
+#include "scene/gltf/meshopt.hpp"
 #include "scene/gltf/resource.hpp"
 #include "scene/gltf/schema.hpp"
 
@@ -22,9 +24,10 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view kExtensions[] = {
-    "KHR_lights_punctual", "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",   "KHR_materials_specular",  "KHR_materials_transmission",
-    "KHR_materials_unlit", "KHR_mesh_quantization",   "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_specular",  "KHR_materials_transmission",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",   "KHR_texture_transform",
 };
 
 bool is_read(const std::string& extension) {
@@ -68,6 +71,10 @@ void take_buffers(Json& root, std::optional<Bytes> binary, Document& document) {
   for (std::size_t i = 0; i < buffers->size(); ++i) {
     const Json& buffer = (*buffers)[i];
     const std::string where = element("buffers", i);
+    if (is_fallback(buffer)) {
+      document.buffers.emplace_back();
+      continue;
+    }
     const bool in_chunk = !buffer.contains("uri");
     if (in_chunk && (i != 0 || !binary)) document.report.fail(where, "has no uri, and there is no binary chunk for it");
     const Bytes available = in_chunk ? *binary : fetch_buffer(buffer, where, left, document);
@@ -120,8 +127,13 @@ void read_document(std::vector<std::byte> contents, Document& document) {
   check_extensions(root, extensions, document.report);
   take_buffers(root, container.binary, document);
   take_images(root, document);
+  take_packed_views(root, document);
+  lend_views(root);
   parse_model(root, document);
-  check_ranges(document);
+  unpack_views(document);
+  check_views(document);
+  unpack_primitives(document);
+  check_accessors(document);
 }
 
 Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,14 @@ struct ImageSource {
   int buffer_view = -1;
 };
 
+/// A buffer view that meshoptimizer has packed (meshopt.hpp).
+struct PackedView {
+  int buffer = 0;
+  std::size_t byte_offset = 0, byte_length = 0;
+  std::size_t byte_stride = 0, count = 0;  ///< of the elements that come out
+  std::string mode, filter;
+};
+
 /// Holds: every index in `model` refers to something that exists, every buffer view lies within its buffer, every accessor
 /// within its buffer views. `model` has neither buffers nor images; they are here.
 struct Document {
@@ -44,6 +53,7 @@ struct Document {
   tinygltf::Model model;
   std::vector<Bytes> buffers;
   std::vector<ImageSource> images;
+  std::vector<std::optional<PackedView>> packed_views;  ///< by buffer view of the file
 
   std::vector<std::byte> contents;             ///< of the scene's file
   std::vector<std::vector<std::byte>> loaded;  ///< what `buffers` views outside of `contents`

@@ -12,6 +12,7 @@
 #include "scene/gltf/animation.hpp"
 #include "scene/gltf/camera.hpp"
 #include "scene/gltf/document.hpp"
+#include "scene/gltf/instancing.hpp"
 #include "scene/gltf/light.hpp"
 #include "scene/gltf/material.hpp"
 #include "scene/gltf/mesh.hpp"
@@ -21,6 +22,12 @@
 namespace lippmann {
 namespace gltf {
 namespace {
+
+void refuse_infinite(const Affine3f& a, int file_node, const Report& report) {
+  const float sum = glm::dot(a.linear[0] + a.linear[1] + a.linear[2] + a.translation, Vec3f(1.0f));
+  if (!std::isfinite(sum))
+    report.fail(element("nodes", static_cast<std::size_t>(file_node)), "stands or reaches infinitely far away");
+}
 
 /// Makes the Scene's shapes and instances; a primitive that several nodes show is one shape.
 class InstanceReader {
@@ -35,15 +42,29 @@ class InstanceReader {
   void read() {
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
       scene_.nodes[i].morph_weights = read_morph_weights(document_, nodes_.file_node[i]);
+    std::map<int, std::vector<int>> places;  // by node of the scene that has a mesh
+    for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
+      if (const int file_node = nodes_.file_node[i]; node_at(file_node).mesh >= 0)
+        places[static_cast<int>(i)] = places_of(file_node, static_cast<int>(i));
     rest_ = evaluate(scene_, 0.0);
-    for (std::size_t i = 0; i < nodes_.file_node.size(); ++i) {
-      const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(nodes_.file_node[i])];
-      if (node.mesh >= 0) add(node, static_cast<int>(i));
-    }
+    for (const auto& [node, copies] : places) add(nodes_.file_node[static_cast<std::size_t>(node)], copies);
   }
 
  private:
-  void add(const tinygltf::Node& node, int scene_node) {
+  const tinygltf::Node& node_at(int file_node) const { return document_.model.nodes[static_cast<std::size_t>(file_node)]; }
+
+  /// The nodes that show the mesh: the file's own, or the copies that an extension adds.
+  std::vector<int> places_of(int file_node, int scene_node) {
+    if (!is_instanced(node_at(file_node))) return {scene_node};
+    if (node_at(file_node).skin < 0) return read_places(document_, file_node, scene_node, scene_);
+    document_.report.warn_at("copies of skinned meshes are left out: they would all stand in one place",
+                             element("nodes", static_cast<std::size_t>(file_node)));
+    return {scene_node};
+  }
+
+  void add(int file_node, const std::vector<int>& places) {
+    const tinygltf::Node& node = node_at(file_node);
+    for (const int place : places) refuse_infinite(rest_.of(place), file_node, document_.report);
     const tinygltf::Mesh& mesh = document_.model.meshes[static_cast<std::size_t>(node.mesh)];
     const int skin = node.skin < 0 ? -1 : skins_.read(node.skin);
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
@@ -51,13 +72,15 @@ class InstanceReader {
       const PrimitiveId id{node.mesh, static_cast<int>(i)};
       instance.material = material_of(mesh.primitives[i].material, materials_, scene_);
       instance.shape = shape_of(id, skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
-      instance.node = scene_node;
       instance.skin = skin;
       instance.name = node.name.empty() ? mesh.name : node.name;
       if (instance.shape < 0) continue;
-      document_.unpacked.spend(1, sizeof(Instance) + instance.name.size(), element(id), document_.report);
-      if (is_posed(scene_, instance)) check_pose(instance, id);
-      scene_.instances.push_back(std::move(instance));
+      document_.unpacked.spend(places.size(), sizeof(Instance) + instance.name.size(), element(id), document_.report);
+      for (const int place : places) {
+        instance.node = place;
+        if (is_posed(scene_, instance)) check_pose(instance, id);
+        scene_.instances.push_back(instance);
+      }
     }
   }
 
@@ -94,13 +117,8 @@ class InstanceReader {
 
 void refuse_infinite_transforms(const Document& document, const NodeMap& nodes, const Scene& scene) {
   const ResolvedScene rest = evaluate(scene, 0.0);
-  for (std::size_t i = 0; i < nodes.file_node.size(); ++i) {
-    const Affine3f& a = rest.world_from_node[i];
-    const float sum = glm::dot(a.linear[0] + a.linear[1] + a.linear[2] + a.translation, Vec3f(1.0f));
-    if (!std::isfinite(sum))
-      document.report.fail(element("nodes", static_cast<std::size_t>(nodes.file_node[i])),
-                           "stands or reaches infinitely far away");
-  }
+  for (std::size_t i = 0; i < nodes.file_node.size(); ++i)
+    refuse_infinite(rest.world_from_node[i], nodes.file_node[i], document.report);
 }
 
 }  // namespace

@@ -23,12 +23,13 @@ enum class Kind {
   kNumber,
   kNumbers,
   kInteger,
-  kIndex,      ///< into the root's array `refers_to`
-  kIndices,    ///< an array of them, without repetition
-  kIndexMap,   ///< an object whose values are indices
-  kIndexMaps,  ///< an array of such objects
-  kObject,     ///< with the properties `object`
-  kObjects,    ///< an array of such objects
+  kIndex,       ///< into the root's array `refers_to`
+  kIndices,     ///< an array of them, without repetition
+  kIndexMap,    ///< an object whose values are indices
+  kIntegerMap,  ///< an object whose values are integers
+  kIndexMaps,   ///< an array of such objects
+  kObject,      ///< with the properties `object`
+  kObjects,     ///< an array of such objects
 };
 
 enum Need { kOptional, kRequired };
@@ -82,13 +83,31 @@ constexpr Property objects(std::string_view name, std::span<const Property> prop
 
 // ---- Buffers and accessors ------------------------------------------------------------------------------------------
 
-constexpr Property kBuffer[] = {string("uri"), integer("byteLength", 1, kMaxBytes, kRequired)};
+constexpr Property kPackedBuffer[] = {boolean("fallback")};
+constexpr Property kBufferExtensions[] = {object("EXT_meshopt_compression", kPackedBuffer)};
+constexpr Property kBuffer[] = {
+    string("uri"),
+    integer("byteLength", 1, kMaxBytes, kRequired),
+    object("extensions", kBufferExtensions),
+};
+
+constexpr Property kPackedView[] = {
+    index("buffer", "buffers", kRequired),
+    integer("byteOffset", 0, kMaxBytes),
+    integer("byteLength", 1, kMaxBytes, kRequired),
+    integer("byteStride", 1, 256, kRequired),
+    integer("count", 1, kMaxInt, kRequired),
+    string("mode", kRequired, "|ATTRIBUTES|TRIANGLES|INDICES|"),
+    string("filter", kOptional, "|NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL|"),
+};
+constexpr Property kViewExtensions[] = {object("EXT_meshopt_compression", kPackedView)};
 
 constexpr Property kBufferView[] = {
     index("buffer", "buffers", kRequired),
     integer("byteOffset", 0, kMaxBytes),
     integer("byteLength", 1, kMaxBytes, kRequired),
     {.name = "byteStride", .kind = Kind::kInteger, .lower = 4, .upper = 252, .multiple_of = 4},
+    object("extensions", kViewExtensions),
 };
 
 constexpr std::string_view kElementTypes = "|SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4|";
@@ -117,7 +136,13 @@ constexpr Property kAccessor[] = {
 
 // ---- Meshes and skins -----------------------------------------------------------------------------------------------
 
+constexpr Property kDraco[] = {
+    index("bufferView", "bufferViews", kRequired),
+    {.name = "attributes", .kind = Kind::kIntegerMap, .need = kRequired, .lower = 0.0, .upper = kMaxInt},
+};
+constexpr Property kPrimitiveExtensions[] = {object("KHR_draco_mesh_compression", kDraco)};
 constexpr Property kPrimitive[] = {
+    object("extensions", kPrimitiveExtensions),
     index_map("attributes", Kind::kIndexMap, kRequired),
     index("indices", "accessors"),
     index("material", "materials"),
@@ -236,7 +261,11 @@ constexpr std::string_view kLightsPath = "/extensions/KHR_lights_punctual/lights
 // ---- Nodes and animations -------------------------------------------------------------------------------------------
 
 constexpr Property kNodeLight[] = {index("light", kLightsPath, kRequired)};
-constexpr Property kNodeExtensions[] = {object("KHR_lights_punctual", kNodeLight)};
+constexpr Property kInstancing[] = {index_map("attributes", Kind::kIndexMap, kRequired)};
+constexpr Property kNodeExtensions[] = {
+    object("EXT_mesh_gpu_instancing", kInstancing),
+    object("KHR_lights_punctual", kNodeLight),
+};
 constexpr Property kNode[] = {
     string("name"),
     indices("children", "nodes"),
@@ -360,6 +389,8 @@ class Checker {
         return check_index(value, property, path);
       case Kind::kIndexMap:
         return check_index_map(value, property, path);
+      case Kind::kIntegerMap:
+        return check_integer_map(value, property, path);
       case Kind::kObject:
         return check_object(value, property.object, path);
       case Kind::kStrings:
@@ -437,6 +468,11 @@ class Checker {
   void check_index_map(Json& value, const Property& property, const Path& path) const {
     if (!value.is_object()) fail(path, "is not an object");
     for (auto it = value.begin(); it != value.end(); ++it) check_index(it.value(), property, {&path, it.key()});
+  }
+
+  void check_integer_map(Json& value, const Property& property, const Path& path) const {
+    if (!value.is_object()) fail(path, "is not an object");
+    for (auto it = value.begin(); it != value.end(); ++it) check_integer(it.value(), property, {&path, it.key()});
   }
 
   void check_distinct(const Json& value, const Path& path) const {

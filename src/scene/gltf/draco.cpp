@@ -1,0 +1,269 @@
+// Based on: Khronos Group, "KHR_draco_mesh_compression", 2018; Google, "Draco Bitstream Specification" 2.2, 2019, sections
+// "DecodeSequentialConnectivityData" and "ParseEdgebreakerConnectivityData" (where the counts stand).
+//
+// Draco allocates what a stream's counts ask for. They are looked at first: once before the connectivity is decoded, and again
+// before the attributes' values are.
+#include "scene/gltf/draco.hpp"
+
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
+#include <draco/core/varint_decoding.h>
+#include <fmt/format.h>
+
+#include <cstring>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "scene/gltf/attribute.hpp"
+
+namespace lippmann::gltf {
+namespace {
+
+constexpr const char* kName = "KHR_draco_mesh_compression";
+
+/// Called with what decoding is about to need; throws where that is too much.
+struct Allowance {
+  std::function<void(std::uint64_t faces, std::uint64_t points)> connectivity;
+  std::function<void(std::uint64_t bytes)> attributes;
+};
+
+/// Draco's decoder of one method, asking for allowance on its way.
+template <class Decoder>
+class CarefulDecoder final : public Decoder {
+ public:
+  explicit CarefulDecoder(const Allowance& allowance) : allowance_(allowance) {}
+
+ protected:
+  bool DecodeConnectivity() override {
+    constexpr bool sequential = std::is_same_v<Decoder, draco::MeshSequentialDecoder>;
+    if (this->bitstream_version() != DRACO_BITSTREAM_VERSION(2, 2)) return false;  // what the extension asks for
+    draco::DecoderBuffer ahead = *this->buffer();
+    std::uint32_t first = 0, second = 0;
+    if (!draco::DecodeVarint(&first, &ahead) || !draco::DecodeVarint(&second, &ahead)) return false;
+    allowance_.connectivity(sequential ? first : second, sequential ? second : first);
+    return Decoder::DecodeConnectivity();
+  }
+
+  bool DecodeAllAttributes() override {
+    const draco::PointCloud& cloud = *this->point_cloud();
+    std::uint64_t bytes_a_point = 0;
+    for (int i = 0; i < cloud.num_attributes(); ++i)  // 4 bytes a component at least: as integers, on the way
+      bytes_a_point += std::max<std::uint64_t>(static_cast<std::uint64_t>(cloud.attribute(i)->byte_stride()),
+                                               4ull * static_cast<std::uint64_t>(cloud.attribute(i)->num_components()));
+    allowance_.attributes(bytes_a_point * cloud.num_points());
+    return Decoder::DecodeAllAttributes();
+  }
+
+ private:
+  const Allowance& allowance_;
+};
+
+draco::Status decode_with(draco::MeshDecoder& decoder, draco::DecoderBuffer& stream, draco::Mesh& mesh) {
+  return decoder.Decode(draco::DecoderOptions(), &stream, &mesh);
+}
+
+draco::Status decode(Bytes packed, const Allowance& allowance, draco::Mesh& mesh) {
+  draco::DecoderBuffer stream, ahead;
+  stream.Init(reinterpret_cast<const char*>(packed.data()), packed.size());
+  ahead = stream;
+  draco::DracoHeader header;
+  if (const draco::Status status = draco::PointCloudDecoder::DecodeHeader(&ahead, &header); !status.ok()) return status;
+  if (header.encoder_type != draco::TRIANGULAR_MESH) return draco::Status(draco::Status::DRACO_ERROR, "Not a mesh");
+  if (header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING) {
+    CarefulDecoder<draco::MeshSequentialDecoder> decoder(allowance);
+    return decode_with(decoder, stream, mesh);
+  }
+  CarefulDecoder<draco::MeshEdgebreakerDecoder> decoder(allowance);
+  return decode_with(decoder, stream, mesh);
+}
+
+/// One element, converted to the accessor's components.
+template <class T>
+bool write_values(const draco::PointAttribute& attribute, int components, std::vector<std::byte>& out) {
+  const std::size_t size = static_cast<std::size_t>(components) * sizeof(T), count = out.size() / size;
+  std::vector<T> values(static_cast<std::size_t>(components));
+  for (std::size_t i = 0; i < count; ++i) {
+    const draco::AttributeValueIndex value = attribute.mapped_index(draco::PointIndex(static_cast<std::uint32_t>(i)));
+    if (!attribute.ConvertValue<T>(value, static_cast<int8_t>(components), values.data())) return false;
+    std::memcpy(out.data() + i * size, values.data(), size);
+  }
+  return true;
+}
+
+template <class T>
+bool write_indices(const draco::Mesh& mesh, std::vector<std::byte>& out) {
+  std::size_t at = 0;
+  for (draco::FaceIndex f(0); f < mesh.num_faces(); ++f)
+    for (int k = 0; k < 3; ++k, at += sizeof(T)) {
+      const std::uint32_t point = mesh.face(f)[static_cast<std::size_t>(k)].value();
+      if (point > std::numeric_limits<T>::max()) return false;
+      const T index = static_cast<T>(point);
+      std::memcpy(out.data() + at, &index, sizeof index);
+    }
+  return true;
+}
+
+class PrimitiveUnpacker {
+ public:
+  explicit PrimitiveUnpacker(Document& document) : document_(document), report_(document.report) {}
+
+  void unpack(PrimitiveId id, const tinygltf::Value& extension) {
+    const tinygltf::Primitive& primitive = primitive_of(document_, id);
+    const std::string where = element(id);
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES || primitive.indices < 0)
+      report_.fail(where, "is packed by Draco, but no indexed list of triangles");
+    const int view = extension.Get("bufferView").GetNumberAsInt();
+    const int position = attribute(primitive, "POSITION");
+    const std::uint64_t faces = accessor_at(primitive.indices).count / 3;
+    const std::uint64_t points = position < 0 ? 0 : accessor_at(position).count;
+    const draco::Mesh& mesh = mesh_of(view, faces, points, where);
+    if (begin(primitive.indices, view, -1, 3ull * mesh.num_faces(), where)) fill_indices(primitive.indices, mesh, where);
+    const tinygltf::Value& attributes = extension.Get("attributes");
+    for (const std::string& name : attributes.Keys()) {
+      const int accessor = attribute(primitive, name), unique_id = attributes.Get(name).GetNumberAsInt();
+      if (accessor < 0) report_.fail(where, "does not have the attribute " + shown(name) + ", which Draco packs");
+      if (!begin(accessor, view, unique_id, mesh.num_points(), where)) continue;
+      const draco::PointAttribute* from = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(unique_id));
+      if (!from) report_.fail(where, fmt::format("the Draco data has no attribute {}", unique_id));
+      fill_values(accessor, *from, where);
+    }
+  }
+
+ private:
+  tinygltf::Accessor& accessor_at(int index) { return document_.model.accessors[static_cast<std::size_t>(index)]; }
+
+  /// Decoded when it is first asked for; at most so many faces and points.
+  const draco::Mesh& mesh_of(int view, std::uint64_t most_faces, std::uint64_t most_points, const std::string& where) {
+    std::unique_ptr<draco::Mesh>& mesh = meshes_[view];
+    if (mesh) return *mesh;
+    mesh = std::make_unique<draco::Mesh>();
+    // The tables of either method take some 100 bytes a face or vertex, as their source has them.
+    const Allowance allowance{[&](std::uint64_t faces, std::uint64_t points) {
+                                if (faces > most_faces || points > most_points)
+                                  report_.fail(where, fmt::format("the Draco data has {} triangles and {} vertices, the accessors "
+                                                                  "are for {} and {}",
+                                                                  faces, points, most_faces, most_points));
+                                document_.unpacked.spend(faces + points, 100, where, report_);
+                              },
+                              [&](std::uint64_t bytes) { document_.unpacked.spend(bytes, 2, where, report_); }};
+    std::string problem;
+    try {
+      const draco::Status status = decode(bytes_of(view), allowance, *mesh);
+      if (!status.ok()) problem = status.error_msg_string();
+    } catch (const Error&) {
+      throw;
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+    if (!problem.empty()) report_.fail(where, "the Draco data is not readable: " + printable(problem));
+    return *mesh;
+  }
+
+  Bytes bytes_of(int index) const {
+    const tinygltf::BufferView& view = document_.model.bufferViews[static_cast<std::size_t>(index)];
+    return document_.buffers[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength);
+  }
+
+  /// Whether the accessor, which is to have `count` elements, is still to be filled from there.
+  bool begin(int accessor, int view, int unique_id, std::uint64_t count, const std::string& where) {
+    const auto [known, is_new] = filled_.try_emplace(accessor, std::pair(view, unique_id));
+    if (!is_new && known->second == std::pair(view, unique_id)) return false;
+    const std::string name = element("accessors", static_cast<std::size_t>(accessor));
+    if (!is_new) report_.fail(where, name + " is unpacked twice, from different Draco data");
+    if (accessor_at(accessor).count != count)
+      report_.fail(where, fmt::format("the Draco data has {} elements for {}, which has {}", count, name,
+                                      accessor_at(accessor).count));
+    return true;
+  }
+
+  std::vector<std::byte>& new_bytes(int index, std::size_t element_size, const std::string& where) {
+    tinygltf::Accessor& accessor = accessor_at(index);
+    document_.unpacked.spend(accessor.count, element_size, where, report_);
+    std::vector<std::byte>& bytes = document_.loaded.emplace_back(accessor.count * element_size);
+    tinygltf::BufferView view;
+    view.buffer = static_cast<int>(document_.buffers.size());
+    view.byteLength = bytes.size();
+    document_.buffers.push_back(bytes);
+    accessor.bufferView = static_cast<int>(document_.model.bufferViews.size());
+    accessor.byteOffset = 0;
+    document_.model.bufferViews.push_back(view);
+    return bytes;
+  }
+
+  void fill_indices(int index, const draco::Mesh& mesh, const std::string& where) {
+    const int type = accessor_at(index).componentType;
+    bool good = accessor_at(index).type == TINYGLTF_TYPE_SCALAR;
+    if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
+      good = good && write_indices<std::uint8_t>(mesh, new_bytes(index, 1, where));
+    else if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+      good = good && write_indices<std::uint16_t>(mesh, new_bytes(index, 2, where));
+    else
+      good = good && type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT && write_indices<std::uint32_t>(mesh, new_bytes(index, 4, where));
+    if (!good) report_.fail(where, "the Draco data's indices do not fit their accessor");
+  }
+
+  void fill_values(int index, const draco::PointAttribute& from, const std::string& where) {
+    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor_at(index).type));
+    bool good = components >= 1 && components <= 4 && components == from.num_components();
+    const auto write = [&]<class T>(T) {
+      good = good && write_values<T>(from, components, new_bytes(index, static_cast<std::size_t>(components) * sizeof(T), where));
+    };
+    switch (accessor_at(index).componentType) {
+      case TINYGLTF_COMPONENT_TYPE_BYTE:
+        write(std::int8_t{});
+        break;
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        write(std::uint8_t{});
+        break;
+      case TINYGLTF_COMPONENT_TYPE_SHORT:
+        write(std::int16_t{});
+        break;
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        write(std::uint16_t{});
+        break;
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        write(std::uint32_t{});
+        break;
+      case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        write(float{});
+        break;
+      default:
+        good = false;
+    }
+    if (!good)
+      report_.fail(where, fmt::format("the Draco data does not fit {}", element("accessors", static_cast<std::size_t>(index))));
+  }
+
+  Document& document_;
+  Report& report_;
+  std::map<int, std::unique_ptr<draco::Mesh>> meshes_;  ///< by buffer view
+  std::map<int, std::pair<int, int>> filled_;           ///< by accessor: the view and the attribute's id, -1 for indices
+};
+
+}  // namespace
+
+void lend_views(nlohmann::json& root) {
+  const nlohmann::json::json_pointer view(std::string("/extensions/") + kName + "/bufferView");
+  if (!root.contains("meshes") || !root.contains("accessors")) return;
+  for (nlohmann::json& mesh : root.at("meshes"))
+    for (nlohmann::json& primitive : mesh.at("primitives"))
+      if (primitive.contains(view) && primitive.contains("indices"))
+        root.at("accessors").at(primitive.at("indices").get<std::size_t>()).emplace("bufferView", primitive.at(view));
+}
+
+void unpack_primitives(Document& document) {
+  PrimitiveUnpacker unpacker(document);
+  for (std::size_t m = 0; m < document.model.meshes.size(); ++m)
+    for (std::size_t p = 0; p < document.model.meshes[m].primitives.size(); ++p) {
+      const tinygltf::Primitive& primitive = document.model.meshes[m].primitives[p];
+      const auto found = primitive.extensions.find(kName);
+      if (found != primitive.extensions.end()) unpacker.unpack({static_cast<int>(m), static_cast<int>(p)}, found->second);
+    }
+}
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,17 @@
+// Decompresses primitives that Draco has packed (KHR_draco_mesh_compression).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "scene/gltf/document.hpp"
+
+namespace lippmann::gltf {
+
+/// Lends the accessors of packed indices their primitive's buffer view until they are unpacked: tinygltf refuses indices without.
+void lend_views(nlohmann::json& root);
+
+/// Gives the accessors of every packed primitive of the model buffer views of their own, with the decompressed elements. The
+/// model's buffer views have been checked. Throws Error at the primitive.
+void unpack_primitives(Document& document);
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,64 @@
+// Based on: Khronos Group, "EXT_mesh_gpu_instancing", 2021: every copy stands at the node's transform times the translation,
+// rotation and scale that the attributes give for it.
+#include "scene/gltf/instancing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/gltf/accessor.hpp"
+
+namespace lippmann::gltf {
+namespace {
+
+constexpr const char* kName = "EXT_mesh_gpu_instancing";
+
+template <class T>
+std::vector<T> read_attribute(Document& document, const tinygltf::Value& attributes, const char* name) {
+  if (!attributes.Has(name)) return {};
+  return unpack<T>(document, attributes.Get(name).GetNumberAsInt());
+}
+
+Quatf unit_rotation(Vec4f v, std::size_t index, const std::string& where, const Report& report) {
+  const Quatf q(v.w, v.x, v.y, v.z);
+  const float length = glm::length(q);
+  if (!(length > 1e-6f) || !std::isfinite(length))
+    report.fail(where, fmt::format("the rotation of copy {} is not a unit quaternion", index));
+  return q / length;
+}
+
+}  // namespace
+
+bool is_instanced(const tinygltf::Node& node) { return node.extensions.contains(kName); }
+
+std::vector<int> read_places(Document& document, int file_node, int scene_node, Scene& scene) {
+  const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(file_node)];
+  const std::string where = element("nodes", static_cast<std::size_t>(file_node)) + ".extensions." + kName;
+  const tinygltf::Value& attributes = node.extensions.at(kName).Get("attributes");
+  const std::vector<Vec3f> translations = read_attribute<Vec3f>(document, attributes, "TRANSLATION");
+  const std::vector<Vec4f> rotations = read_attribute<Vec4f>(document, attributes, "ROTATION");
+  const std::vector<Vec3f> scales = read_attribute<Vec3f>(document, attributes, "SCALE");
+  const std::size_t count = std::max({translations.size(), rotations.size(), scales.size()});
+  for (const std::size_t size : {translations.size(), rotations.size(), scales.size()})
+    if (size != 0 && size != count)
+      document.report.fail(where, fmt::format("has {} values of one attribute and {} of another", size, count));
+  if (count == 0) document.report.fail(where, "says of no copy where it is", "TRANSLATION, ROTATION, SCALE");
+
+  document.unpacked.spend(count, sizeof(Node), where, document.report);
+  std::vector<int> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    Node copy;
+    copy.parent = scene_node;
+    if (!translations.empty()) copy.local.translation = translations[i];
+    if (!rotations.empty()) copy.local.rotation = unit_rotation(rotations[i], i, where, document.report);
+    if (!scales.empty()) copy.local.scale = scales[i];
+    copy.morph_weights = scene.nodes[static_cast<std::size_t>(scene_node)].morph_weights;
+    document.unpacked.spend(copy.morph_weights.size(), sizeof(float), where, document.report);
+    places.push_back(static_cast<int>(scene.nodes.size()));
+    scene.nodes.push_back(std::move(copy));
+  }
+  return places;
+}
+
+}  // namespace lippmann::gltf

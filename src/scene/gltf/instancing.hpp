@@ -1,0 +1,17 @@
+// Copies of a node's mesh at many places (EXT_mesh_gpu_instancing).
+#pragma once
+
+#include <vector>
+
+#include "scene/gltf/document.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann::gltf {
+
+/// Whether the node shows its mesh at the places that the extension gives.
+bool is_instanced(const tinygltf::Node& node);
+
+/// Adds a child of `scene_node` to the scene for every place; their indices. Throws Error at the file's node.
+std::vector<int> read_places(Document& document, int file_node, int scene_node, Scene& scene);
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,116 @@
+// Based on: Khronos Group and A. Kapoulkine, "EXT_meshopt_compression", 2021; the codecs and filters are those of meshoptimizer.
+//
+// Counts are compared with what the packed bytes can hold at most before anything is allocated: a vertex codec packs 16 bytes
+// into 2 bits at best, an index takes a byte at least, a triangle too.
+#include "scene/gltf/meshopt.hpp"
+
+#include <fmt/format.h>
+#include <meshoptimizer.h>
+
+#include <nlohmann/json.hpp>
+
+namespace lippmann::gltf {
+namespace {
+
+using Json = nlohmann::json;
+constexpr const char* kName = "EXT_meshopt_compression";
+
+Bytes packed_bytes(const Document& document, const PackedView& view, const std::string& where) {
+  const Bytes buffer = document.buffers[static_cast<std::size_t>(view.buffer)];
+  if (view.byte_offset > buffer.size() || view.byte_length > buffer.size() - view.byte_offset)
+    document.report.fail(where, fmt::format("{} bytes from byte {} on lie outside buffers[{}], which has {} bytes",
+                                            view.byte_length, view.byte_offset, view.buffer, buffer.size()));
+  return buffer.subspan(view.byte_offset, view.byte_length);
+}
+
+/// Refuses what the codecs and filters take for granted.
+void check_shape(const PackedView& view, const std::string& where, const Report& report) {
+  const bool attributes = view.mode == "ATTRIBUTES", whole_words = view.byte_stride % 4 == 0;
+  const auto fail = [&](std::string_view what, const std::string& accepted) {
+    report.fail(where, fmt::format("elements of {} bytes are not what {} packs", view.byte_stride, what), accepted);
+  };
+  if (attributes && !whole_words) fail("ATTRIBUTES", "multiples of 4 up to 256");
+  if (!attributes && view.byte_stride != 2 && view.byte_stride != 4) fail(view.mode, "2, 4");
+  if (!attributes && view.filter != "NONE") report.fail(where, "filters " + view.mode, "filters of ATTRIBUTES");
+  if (view.filter == "OCTAHEDRAL" && view.byte_stride != 4 && view.byte_stride != 8) fail(view.filter, "4, 8");
+  if (view.filter == "QUATERNION" && view.byte_stride != 8) fail(view.filter, "8");
+  if (view.mode == "TRIANGLES" && view.count % 3 != 0) report.fail(where, fmt::format("{} indices are no triangles", view.count));
+}
+
+void check_count(const PackedView& view, const std::string& where, const Report& report) {
+  constexpr std::uint64_t kBestRatio = 64;
+  const std::uint64_t most = view.mode == "ATTRIBUTES"  ? kBestRatio * view.byte_length / view.byte_stride
+                             : view.mode == "TRIANGLES" ? 3 * view.byte_length
+                                                        : view.byte_length;
+  if (view.count > most)
+    report.fail(where, fmt::format("{} elements do not come out of {} bytes", view.count, view.byte_length),
+                fmt::format("at most {}", most));
+}
+
+bool decode(const PackedView& view, Bytes packed, std::vector<std::byte>& out) {
+  const auto* from = reinterpret_cast<const unsigned char*>(packed.data());
+  if (view.mode == "TRIANGLES")
+    return meshopt_decodeIndexBuffer(out.data(), view.count, view.byte_stride, from, packed.size()) == 0;
+  if (view.mode == "INDICES")
+    return meshopt_decodeIndexSequence(out.data(), view.count, view.byte_stride, from, packed.size()) == 0;
+  return meshopt_decodeVertexBuffer(out.data(), view.count, view.byte_stride, from, packed.size()) == 0;
+}
+
+void unfilter(const PackedView& view, std::vector<std::byte>& out) {
+  if (view.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(out.data(), view.count, view.byte_stride);
+  if (view.filter == "QUATERNION") meshopt_decodeFilterQuat(out.data(), view.count, view.byte_stride);
+  if (view.filter == "EXPONENTIAL") meshopt_decodeFilterExp(out.data(), view.count, view.byte_stride);
+}
+
+std::vector<std::byte> unpack_view(Document& document, const PackedView& view, const std::string& where) {
+  const Bytes packed = packed_bytes(document, view, where);
+  check_shape(view, where, document.report);
+  check_count(view, where, document.report);
+  document.unpacked.spend(view.count, view.byte_stride, where, document.report);
+  std::vector<std::byte> out(view.count * view.byte_stride);
+  if (!decode(view, packed, out)) document.report.fail(where, fmt::format("is not readable as packed {}", view.mode));
+  unfilter(view, out);
+  return out;
+}
+
+}  // namespace
+
+void take_packed_views(Json& root, Document& document) {
+  const auto views = root.find("bufferViews");
+  if (views == root.end()) return;
+  document.packed_views.resize(views->size());
+  for (std::size_t i = 0; i < views->size(); ++i) {
+    Json& view = (*views)[i];
+    const auto extensions = view.find("extensions");
+    if (extensions == view.end()) continue;
+    if (const auto packed = extensions->find(kName); packed != extensions->end())
+      document.packed_views[i] = {.buffer = packed->at("buffer").get<int>(),
+                                  .byte_offset = packed->value("byteOffset", std::size_t{0}),
+                                  .byte_length = packed->at("byteLength").get<std::size_t>(),
+                                  .byte_stride = packed->at("byteStride").get<std::size_t>(),
+                                  .count = packed->at("count").get<std::size_t>(),
+                                  .mode = packed->at("mode").get<std::string>(),
+                                  .filter = packed->value("filter", "NONE")};
+    view.erase(extensions);
+  }
+}
+
+bool is_fallback(const Json& buffer) {
+  const Json::json_pointer fallback(std::string("/extensions/") + kName + "/fallback");
+  return buffer.contains(fallback) && buffer.at(fallback).get<bool>();
+}
+
+void unpack_views(Document& document) {
+  for (std::size_t i = 0; i < document.packed_views.size(); ++i) {
+    if (!document.packed_views[i]) continue;
+    const std::string where = element("bufferViews", i) + ".extensions." + kName;
+    document.loaded.push_back(unpack_view(document, *document.packed_views[i], where));
+    tinygltf::BufferView& view = document.model.bufferViews[i];
+    view.buffer = static_cast<int>(document.buffers.size());
+    view.byteOffset = 0;
+    view.byteLength = document.loaded.back().size();
+    document.buffers.push_back(document.loaded.back());
+  }
+}
+
+}  // namespace lippmann::gltf
