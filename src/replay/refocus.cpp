@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -88,7 +89,8 @@ class Band {
     return highest_y - 0.5f + half_.y > static_cast<float>(first_) && lowest_y - 0.5f - half_.y < static_cast<float>(end_ - 1);
   }
 
-  void add(float x, float y, const float* color) {
+  template <class Color>
+  void add(float x, float y, const Color& color) {
     const float color_square = color[0] * color[0] + color[1] * color[1] + color[2] * color[2];
     const float u = x - 0.5f, v = y - 0.5f;
     const int left = std::max(0, ceil_of(u - half_.x)), right = std::min(picture_.width - 1, floor_of(u + half_.x));
@@ -135,6 +137,26 @@ class Band {
   std::vector<float> weights_;
 };
 
+/// Pixels first, first + step, ... of every row, to a mean colour everywhere; color(x, y) is that of one, indexable.
+template <class ColorOf>
+void sum_rays(const Arrivals& arrivals, int first_x, int step, const ColorOf& color, Vec2f half_width, const ThreadPool& pool,
+              Image& picture, Image* disagreement) {
+  const int bands = (picture.height + kBandRows - 1) / kBandRows;
+  pool.for_each(static_cast<std::size_t>(bands), [&](std::size_t index) {
+    const int first = static_cast<int>(index) * kBandRows;
+    Band band(picture, first, std::min(first + kBandRows, picture.height), half_width, disagreement);
+    for (int row = 0; row < arrivals.height; ++row) {
+      const auto r = static_cast<std::size_t>(row), begin = r * static_cast<std::size_t>(arrivals.width);
+      if (!band.is_reached(arrivals.lowest_y[r], arrivals.highest_y[r])) continue;
+      for (int x = first_x; x < arrivals.width; x += step) {
+        const std::size_t at = begin + static_cast<std::size_t>(x);
+        band.add(arrivals.x[at], arrivals.y[at], color(x, row));
+      }
+    }
+    band.divide_by_weights();
+  });
+}
+
 }  // namespace
 
 void validate_depth(const Optics& optics, double z_mm, const char* flag) {
@@ -156,20 +178,23 @@ Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const Thre
   const Arrivals arrivals = find_arrivals(optics, z_mm, size, pool);
   const Vec2d pixel_mm = display_window(optics).size / Vec2d(size);
   const Vec2f half_width(glm::max(sample_spacing_mm(optics) / pixel_mm, Vec2d(1.0)));
-  Image picture(size.x, size.y, 3);
   if (disagreement) *disagreement = Image(size.x, size.y, 1);
-  pool.for_each(static_cast<std::size_t>((size.y + kBandRows - 1) / kBandRows), [&](std::size_t index) {
-    const int first = static_cast<int>(index) * kBandRows;
-    Band band(picture, first, std::min(first + kBandRows, size.y), half_width, disagreement);
-    for (int row = 0; row < arrivals.height; ++row) {
-      const auto r = static_cast<std::size_t>(row), begin = r * static_cast<std::size_t>(arrivals.width);
-      if (!band.is_reached(arrivals.lowest_y[r], arrivals.highest_y[r])) continue;
-      for (int x = 0; x < arrivals.width; ++x)
-        band.add(arrivals.x[begin + static_cast<std::size_t>(x)], arrivals.y[begin + static_cast<std::size_t>(x)],
-                 rendered.picture.pixel(x, row));
-    }
-    band.divide_by_weights();
-  });
+  if (!std::holds_alternative<SlantedPanel>(optics.model)) {
+    Image picture(size.x, size.y, 3);
+    const auto color = [&](int x, int y) { return rendered.picture.pixel(x, y); };
+    sum_rays(arrivals, 0, 1, color, half_width, pool, picture, disagreement);
+    return picture;
+  }
+  Image picture(size.x, size.y, 3), of_one_color, differences;
+  for (int c = 0; c < 3; ++c) {
+    of_one_color = Image(size.x, size.y, 3);
+    if (disagreement) differences = Image(size.x, size.y, 1);
+    const auto color = [&](int x, int y) { return std::array<float, 3>{rendered.picture.pixel(x / 3, y)[c], 0.0f, 0.0f}; };
+    sum_rays(arrivals, c, 3, color, half_width, pool, of_one_color, disagreement ? &differences : nullptr);
+    for (std::size_t i = 0; i < differences.data.size(); ++i) disagreement->data[i] += differences.data[i];
+    for (std::size_t i = 0; i < picture.data.size(); i += 3)
+      picture.data[i + static_cast<std::size_t>(c)] = of_one_color.data[i];
+  }
   return picture;
 }
 

@@ -7,7 +7,8 @@
 // of the window. Every pixel gives its colour there, spread linearly over the distance to the next sample of its own view (one
 // lens, or one pixel where there is none), and the sum is divided by the weights. Below whole pixels a view's samples all
 // shift by the same amount, its spread samples are the view interpolated, and this is the mean of shifted views, for any
-// fraction of a pixel; it stays right for slanted, hexagonal and fractional arrays, and quilts.
+// fraction of a pixel; it stays right for slanted, hexagonal and fractional arrays, and quilts. A slanted panel's sub-pixels
+// have one colour each: every colour is the mean of its own rays.
 #pragma once
 
 #include "core/parallel.hpp"

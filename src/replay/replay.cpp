@@ -91,9 +91,6 @@ class Replay {
   void check_products() const {
     if (params_.ipd_mm && !(std::abs(*params_.ipd_mm) <= 1e6))
       throw usage_error("--ipd", fmt::format("{} mm is no distance of eyes", *params_.ipd_mm));
-    if ((params_.refocus_mm || params_.focal_stack) && std::holds_alternative<SlantedPanel>(frames_.optics.model))
-      throw usage_error(params_.refocus_mm ? "--refocus" : "--focal-stack",
-                        "a slanted panel's frames have one colour for each ray", "pictures of lens arrays and quilts");
     if (params_.refocus_mm) validate_depth(frames_.optics, *params_.refocus_mm, "--refocus");
     if (params_.focal_stack)
       for (const double z : {params_.focal_stack->first_mm, params_.focal_stack->last_mm})

@@ -125,6 +125,8 @@ Vec2d sample_spacing_mm(const Optics& optics) {
   const auto lenses = lenses_of(optics);
   if (std::holds_alternative<MicrolensArray>(optics.model)) return {lenses->pitch, lenses->row_pitch};
   const Vec2d by_pixel = display_window(optics).size / Vec2d(picture_size(optics) / tiles_of(optics));
+  if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model))
+    return {display_window(optics).size.x / std::abs(slanted->periods), by_pixel.y};
   return lenses ? Vec2d(lenses->pitch, by_pixel.y) : by_pixel;
 }
 

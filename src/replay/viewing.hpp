@@ -43,7 +43,7 @@ Vec3d default_eye_mm(const Optics& optics);
 /// Samples that the plane z = 0 has across and down: one per lens where lenses have power, one per pixel elsewhere.
 Vec2i lens_grid(const Optics& optics);
 
-/// How far apart they are, mm.
+/// How far apart those of one view are, mm: on a slanted panel, too, one per lens along a row.
 Vec2d sample_spacing_mm(const Optics& optics);
 
 /// In which directions an eye that moves sees something new.

@@ -5,6 +5,7 @@
 
 #include "recorded.hpp"
 #include "replay/eye_view.hpp"
+#include "replay/refocus.hpp"
 
 namespace lippmann {
 namespace {
@@ -78,6 +79,29 @@ TEST(SlantedSight, eye_sees_the_direction_that_is_its_own) {
   }
   EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, 0.9)), 0.0);
   EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, 1.1)), 1.0);
+}
+
+// Waves 19 lenses long through 7.9 pixels below a lens: sharp where they are, washed out at depths where the ends of the zone,
+// 2 tan 20 degrees apart per mm, are about half a wave apart.
+TEST(SlantedSight, refocused_panel_is_sharp_at_the_depth_of_the_scene_in_every_color) {
+  const Optics optics = slanted_panel();
+  const ThreadPool pool(1);
+  for (const double z : {-20.0, 20.0}) {
+    const RenderedPanel panel = record_sub_pixels(optics, z, long_waves);
+    const Vec2i size = picture_size(optics);
+    const Image truth = test::seen_directly(optics, size, {0, 0, 150}, z, long_waves);
+    for (int c = 0; c < 3; ++c) {
+      const auto only = [c](Image image) {
+        for (std::size_t i = 0; i < image.data.size(); ++i)
+          if (static_cast<int>(i % 3) != c) image.data[i] = 0.0f;
+        return image;
+      };
+      const double sharp = test::linear_psnr(only(refocus(panel, z, size, pool)), only(truth), 16);
+      EXPECT_GE(sharp, 35.0) << z << " " << c;
+      if (c == 1) continue;  // green waves lie along the rows: no parallax
+      EXPECT_LE(test::linear_psnr(only(refocus(panel, -z, size, pool)), only(truth), 16), sharp - 10.0) << z << " " << c;
+    }
+  }
 }
 
 }  // namespace
