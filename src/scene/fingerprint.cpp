@@ -141,8 +141,14 @@ class SceneFingerprint {
     add_all(kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius);
   }
   void add(const Background& background) {
-    const auto& [horizon, zenith, up, horizon_at, zenith_at] = background;
+    const auto& [horizon, zenith, up, horizon_at, zenith_at, map] = background;
     add_all(horizon, zenith, up, horizon_at, zenith_at);
+    add_optional(map);
+  }
+  void add(const EnvironmentMap& map) {
+    const auto& [radiance, strength, rotation] = map;
+    add_all(radiance.width, radiance.height, strength, rotation);
+    add_packed(radiance.data);
   }
   void add(const Camera& camera) {
     const auto& [name, node, vertical_fov, aspect, focus_distance, pixel_offset] = camera;

@@ -17,6 +17,7 @@
 
 #include "core/math.hpp"
 #include "image/encoding.hpp"
+#include "image/image.hpp"
 
 namespace lippmann {
 
@@ -200,13 +201,21 @@ struct Light {
   float visible_radius = 0.0f;          ///< > 0: rays see the light as a sphere of its colour (it casts no shadow)
 };
 
-/// What a ray sees that hits nothing: `horizon` where dot(direction, up) <= horizon_at, `zenith` where it is >= zenith_at, in
-/// between a linear blend.
+/// A panorama around the scene; how it lies: transport/environment.hpp.
+struct EnvironmentMap {
+  Image radiance;         ///< 3 channels, linear, finite and >= 0; equirectangular
+  float strength = 1.0f;  ///< factor
+  float rotation = 0.0f;  ///< radians about +y, from +x towards +z
+};
+
+/// What a ray sees that hits nothing: the map where there is one, else `horizon` where dot(direction, up) <= horizon_at,
+/// `zenith` where it is >= zenith_at, in between a linear blend.
 struct Background {
   Vec3f horizon{0.0f};
   Vec3f zenith{0.0f};
   Vec3f up{0.0f, 1.0f, 0.0f};                 ///< unit length
   float horizon_at = 0.0f, zenith_at = 1.0f;  ///< sines of elevation, not equal; exchanged, the blend is turned over
+  std::optional<EnvironmentMap> map{};
 };
 
 /// Looks along its node's -z with +y up.

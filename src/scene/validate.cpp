@@ -294,8 +294,20 @@ class Validator {
     require(unit(b.up), "background", "up is not a unit vector");
     require(finite(b.horizon_at) && finite(b.zenith_at) && b.horizon_at != b.zenith_at, "background",
             "horizon and zenith are not at two different heights");
+    if (b.map) check_environment(*b.map);
     require(scene_.max_depth >= 1, "max_depth", "is below 1");
     require(scene_.resolution.x >= 0 && scene_.resolution.y >= 0, "resolution", "is negative");
+  }
+
+  void check_environment(const EnvironmentMap& map) const {
+    const Image& panorama = map.radiance;
+    const std::size_t samples = 3 * static_cast<std::size_t>(panorama.width) * static_cast<std::size_t>(panorama.height);
+    require(panorama.width > 0 && panorama.height > 0 && panorama.channels == 3 && panorama.data.size() == samples,
+            "environment", "is not a picture of three channels");
+    require(std::all_of(panorama.data.begin(), panorama.data.end(), [](float v) { return v >= 0.0f && std::isfinite(v); }),
+            "environment", "a sample is negative or not finite");
+    require(finite(map.strength) && map.strength >= 0.0f && finite(map.rotation), "environment",
+            "its strength or rotation is not a number, or its strength is negative");
   }
 
   // ---- Time ----

@@ -1,0 +1,47 @@
+// Light from infinitely far away: a panorama or a scene's gradient, its radiance along a direction, and directions drawn where
+// it is bright.
+//
+// Panoramas are equirectangular, row 0 straight up (+y), the middle column along +x, the column at three quarters along +z (as
+// Blender shows them to a scene that it has imported from glTF).
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "transport/discrete.hpp"
+
+namespace lippmann {
+
+class Environment {
+ public:
+  /// `background` must outlive it.
+  explicit Environment(const Background& background);
+
+  /// Along a unit vector; panoramas bilinear.
+  Vec3f radiance(Vec3f direction) const;
+
+  struct Sample {
+    Vec3f direction{0.0f};
+    float density = 0.0f;  ///< per steradian
+  };
+  /// Not where is_dark().
+  Sample sample(Vec2f u) const;
+  /// The density of sample() along a unit vector, per steradian; 0 where is_dark().
+  float density(Vec3f direction) const;
+
+  bool is_dark() const { return rows_.empty(); }
+  /// Mean luminance over all directions.
+  float mean_luminance() const { return mean_luminance_; }
+
+ private:
+  Vec3f texel(int x, int y) const;
+  float solid_angle(std::size_t row) const;
+
+  const Background& background_;
+  int width_, height_;  ///< of the sampling grid: that of the panorama
+  DiscreteDistribution rows_;
+  std::vector<DiscreteDistribution> columns_;  ///< per row
+  float mean_luminance_ = 0.0f;
+};
+
+}  // namespace lippmann

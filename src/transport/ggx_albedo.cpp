@@ -1,0 +1,69 @@
+#include "transport/ggx_albedo.hpp"
+
+#include "transport/microfacet.hpp"
+#include "transport/sampler.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Where x in [0, 1] lies in a table of `size` entries: entry `index`, and how far on the way to the next.
+struct Place {
+  Place(float x, int size) {
+    const float at = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(size - 1);
+    index = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(size - 2));
+    share = at - static_cast<float>(index);
+  }
+  std::size_t index;
+  float share;
+};
+
+Vec2f integrate(float cosine, float alpha) {
+  constexpr int kPoints = 512;
+  const Ggx ggx{alpha};
+  const Vec3f view(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
+  Vec2f sum(0.0f);
+  for (std::uint32_t i = 0; i < kPoints; ++i) {
+    const Vec3f h = ggx.sample_visible(view, scrambled_sobol(i, 1u));
+    const Vec3f out = 2.0f * glm::dot(view, h) * h - view;
+    if (!(out.z > 0.0f)) continue;
+    const float weight = ggx.masking(view, out) / ggx.masking(view), edge = schlick_weight(glm::dot(view, h));
+    sum += weight * Vec2f(1.0f - edge, edge);
+  }
+  return sum / static_cast<float>(kPoints);
+}
+
+}  // namespace
+
+GgxAlbedo::GgxAlbedo() {
+  constexpr float kStep = 1.0f / (kSize - 1);
+  for (std::size_t r = 0; r < kSize; ++r) {
+    const float roughness = kStep * static_cast<float>(r), alpha = std::max(roughness * roughness, kSmoothAlpha);
+    for (std::size_t c = 0; c < kSize; ++c) single_[r][c] = integrate(std::max(kStep * static_cast<float>(c), 1e-3f), alpha);
+  }
+  for (std::size_t r = 0; r < kSize; ++r) {
+    const float roughness = kStep * static_cast<float>(r);
+    constexpr int kPoints = 256;
+    Vec4f sum(0.0f);
+    for (int i = 0; i < kPoints; ++i) {
+      const float cosine = (static_cast<float>(i) + 0.5f) / kPoints;
+      const Vec2f s = single(cosine, roughness * roughness);
+      const float lost = (1.0f - s.x - s.y) / (s.x + s.y);
+      sum += cosine * Vec4f(s.x, s.y, lost * s.x, lost * s.y);
+    }
+    mean_[r] = sum * (2.0f / kPoints);
+  }
+}
+
+Vec2f GgxAlbedo::single(float cosine, float alpha) const {
+  const Place r(std::sqrt(alpha), kSize), c(cosine, kSize);
+  const auto row = [&](std::size_t index) { return glm::mix(single_[index][c.index], single_[index][c.index + 1], c.share); };
+  return glm::mix(row(r.index), row(r.index + 1), r.share);
+}
+
+Vec3f GgxAlbedo::mean(float alpha, Vec3f f0, Vec3f f90) const {
+  const Place r(std::sqrt(alpha), kSize);
+  const Vec4f m = glm::mix(mean_[r.index], mean_[r.index + 1], r.share);
+  return f0 * m.x + f90 * m.y + f0 * (f0 * m.z + f90 * m.w);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,198 @@
+#include "transport/metal_rough_bsdf.hpp"
+
+#include "transport/microfacet.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr float kCoatF0 = 0.04f;
+constexpr float kLeastCosine = 1e-4f;
+constexpr Vec3f kUp(0.0f, 0.0f, 1.0f);
+
+float squared(float x) { return x * x; }
+
+bool smooth(float alpha) { return alpha < kSmoothAlpha; }
+
+Vec3f lift(Vec3f local) {  // grazing views have no digits left for masking
+  if (local.z >= kLeastCosine) return local;
+  local.z = kLeastCosine;
+  return glm::normalize(local);
+}
+
+Vec3f half_vector(Vec3f a, Vec3f b) { return glm::normalize(a + b); }
+
+}  // namespace
+
+MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albedo, Vec3f normal, Vec3f coat_normal, Vec3f view,
+                               bool entering)
+    : albedo_(albedo),
+      frame_(normal),
+      coat_frame_(coat_normal),
+      view_(lift(frame_.to_local(view))),
+      coat_view_(lift(coat_frame_.to_local(view))),
+      alpha_(squared(s.roughness)),
+      coat_alpha_(squared(s.clearcoat_roughness)),
+      eta_(entering ? s.ior : 1.0f / s.ior) {
+  const float dielectric = (1.0f - s.metallic) * (1.0f - s.transmission);
+  glass_share_ = (1.0f - s.metallic) * s.transmission;
+  glass_ = s.base_color;
+  dielectric_f0_ = glm::min(normal_reflectance(s.ior) * s.specular_color, Vec3f(1.0f)) * s.specular;
+  dielectric_f90_ = Vec3f(s.specular);
+  gloss_f0_ = dielectric * dielectric_f0_ + s.metallic * s.base_color;
+  gloss_f90_ = dielectric * dielectric_f90_ + Vec3f(s.metallic);
+
+  // Each part's own compensation: of the dielectric and of the metal. Their sum is carried by one lobe; its factor is the
+  // mean, weighted by what they send.
+  const Vec2f single =
+      smooth(alpha_) ? Vec2f(1.0f - schlick_weight(view_.z), schlick_weight(view_.z)) : albedo_.single(view_.z, alpha_);
+  const Vec3f dielectric_albedo = GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_);
+  gloss_albedo_ = dielectric * dielectric_albedo + s.metallic * GgxAlbedo::directional(single, s.base_color, Vec3f(1.0f));
+  const Vec3f uncompensated = gloss_f0_ * single.x + gloss_f90_ * single.y;
+  for (int c = 0; c < 3; ++c) gloss_compensation_[c] = uncompensated[c] > 0.0f ? gloss_albedo_[c] / uncompensated[c] : 1.0f;
+
+  const Vec3f mean = smooth(alpha_) ? dielectric_f0_ * (20.0f / 21.0f) + dielectric_f90_ / 21.0f
+                                    : albedo_.mean(alpha_, dielectric_f0_, dielectric_f90_);
+  diffuse_color_ = dielectric * s.base_color * (Vec3f(1.0f) - dielectric_albedo) / glm::max(Vec3f(1.0f) - mean, Vec3f(1e-3f));
+
+  if (s.clearcoat > 0.0f) {
+    coat_ = s.clearcoat;
+    const Vec2f coat_single = smooth(coat_alpha_) ? Vec2f(1.0f - schlick_weight(coat_view_.z), schlick_weight(coat_view_.z))
+                                                  : albedo_.single(coat_view_.z, coat_alpha_);
+    below_coat_ = 1.0f - coat_ * GgxAlbedo::directional(coat_single, Vec3f(kCoatF0), Vec3f(1.0f)).x;
+  }
+  shares_.coat = 1.0f - below_coat_;
+  shares_.gloss = below_coat_ * luminance(gloss_albedo_);
+  shares_.diffuse = below_coat_ * luminance(dielectric * s.base_color * (Vec3f(1.0f) - dielectric_albedo));
+  shares_.glass = below_coat_ * glass_share_ * std::max(0.1f, luminance(glass_));
+  const float sum = shares_.coat + shares_.gloss + shares_.diffuse + shares_.glass;
+  if (sum > 0.0f) shares_.coat /= sum, shares_.gloss /= sum, shares_.diffuse /= sum, shares_.glass /= sum;
+}
+
+/// Kelemen and Szirmay-Kalos: what the gloss lets in on the way from the light and out on the way to the viewer (the latter,
+/// and the normalisation, are in diffuse_color_).
+Vec3f MetalRoughBsdf::diffuse_f(Vec3f light) const {
+  const Vec2f single =
+      smooth(alpha_) ? Vec2f(1.0f - schlick_weight(light.z), schlick_weight(light.z)) : albedo_.single(light.z, alpha_);
+  return diffuse_color_ * (Vec3f(1.0f) - GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_)) * (1.0f / kPi);
+}
+
+Vec3f MetalRoughBsdf::gloss_f(Vec3f light) const {
+  const Ggx ggx{alpha_};
+  const Vec3f h = half_vector(view_, light);
+  const float edge = schlick_weight(glm::dot(view_, h));
+  const Vec3f fresnel = gloss_f0_ + (gloss_f90_ - gloss_f0_) * edge;
+  return fresnel * gloss_compensation_ * (ggx.distribution(h) * ggx.masking(view_, light) / (4.0f * view_.z * light.z));
+}
+
+float MetalRoughBsdf::gloss_density(Vec3f light) const {
+  const Vec3f h = half_vector(view_, light);
+  return Ggx{alpha_}.visible_density(view_, h) / (4.0f * glm::dot(view_, h));
+}
+
+void MetalRoughBsdf::add_glass(Vec3f light, BsdfValue& value) const {
+  const Ggx ggx{alpha_};
+  const bool reflected = light.z > 0.0f;
+  // Of the facet: towards the viewer. Refraction's half vector is along -(view + eta light).
+  Vec3f h = glm::normalize(reflected ? view_ + light : view_ + eta_ * light);
+  if (h.z < 0.0f) h = -h;
+  const float cosine = glm::dot(view_, h), beyond = glm::dot(light, h);
+  if (!(cosine > 0.0f)) return;
+  const float fresnel = fresnel_dielectric(cosine, eta_);
+  const float visible = ggx.visible_density(view_, h);
+  float density, masked;
+  if (reflected) {
+    density = fresnel * visible / (4.0f * cosine);
+    masked = ggx.masking(view_, light) / ggx.masking(view_);
+  } else {
+    if (!(beyond < 0.0f)) return;
+    density = (1.0f - fresnel) * visible * squared(eta_) * -beyond / squared(cosine + eta_ * beyond);
+    masked = ggx.masking(light);
+  }
+  value.cosine_f += below_coat_ * glass_share_ * (reflected ? Vec3f(1.0f) : glass_) * (density * masked);
+  value.density += shares_.glass * density;
+}
+
+void MetalRoughBsdf::add_coat(Vec3f light, BsdfValue& value) const {
+  if (!(light.z > 0.0f)) return;
+  const Ggx ggx{coat_alpha_};
+  const Vec3f h = half_vector(coat_view_, light);
+  const float cosine = glm::dot(coat_view_, h), edge = schlick_weight(cosine);
+  const float fresnel = kCoatF0 + (1.0f - kCoatF0) * edge;
+  const Vec3f factor = GgxAlbedo::compensation(albedo_.single(coat_view_.z, coat_alpha_), Vec3f(kCoatF0));
+  value.cosine_f += factor * (coat_ * fresnel * ggx.distribution(h) * ggx.masking(coat_view_, light) / (4.0f * coat_view_.z));
+  value.density += shares_.coat * ggx.visible_density(coat_view_, h) / (4.0f * cosine);
+}
+
+BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
+  const Vec3f light = frame_.to_local(light_world);
+  BsdfValue value;
+  if (light.z > 0.0f) {
+    value.cosine_f = below_coat_ * light.z * diffuse_f(light);
+    value.density = shares_.diffuse * light.z * (1.0f / kPi);
+    if (shares_.gloss > 0.0f && !smooth(alpha_)) {
+      value.cosine_f += below_coat_ * light.z * gloss_f(light);
+      value.density += shares_.gloss * gloss_density(light);
+    }
+  }
+  if (glass_share_ > 0.0f && !smooth(alpha_) && light.z != 0.0f) add_glass(light, value);
+  if (coat_ > 0.0f && !smooth(coat_alpha_)) add_coat(coat_frame_.to_local(light_world), value);
+  return value;
+}
+
+std::optional<BsdfSample> MetalRoughBsdf::sample_gloss(Vec2f u) const {
+  const Vec3f facet = smooth(alpha_) ? kUp : Ggx{alpha_}.sample_visible(view_, u);
+  const Vec3f light = mirrored(view_, facet);
+  if (!(light.z > 0.0f)) return std::nullopt;
+  BsdfSample s;
+  s.direction = frame_.to_world(light);
+  if (smooth(alpha_)) s.density = kInfinity, s.weight = below_coat_ * gloss_albedo_ / shares_.gloss;
+  return s;
+}
+
+/// Reflects with Fresnel's probability, else refracts, at the surface or at a facet. decision in [0, 1).
+std::optional<BsdfSample> MetalRoughBsdf::sample_glass(float decision, Vec2f u) const {
+  const Vec3f facet = smooth(alpha_) ? kUp : Ggx{alpha_}.sample_visible(view_, u);
+  const float fresnel = fresnel_dielectric(glm::dot(view_, facet), eta_);
+  BsdfSample s;
+  s.transmitted = !(decision < fresnel);
+  const Vec3f light = s.transmitted ? refracted_away(view_, facet, eta_) : mirrored(view_, facet);
+  if (light.z == 0.0f || (light.z < 0.0f) != s.transmitted) return std::nullopt;
+  s.direction = frame_.to_world(light);
+  if (smooth(alpha_)) {
+    s.density = kInfinity;
+    s.weight = (below_coat_ * glass_share_ / shares_.glass) * (s.transmitted ? glass_ : Vec3f(1.0f));
+  }
+  return s;
+}
+
+std::optional<BsdfSample> MetalRoughBsdf::sample_coat(Vec2f u) const {
+  const Vec3f facet = smooth(coat_alpha_) ? kUp : Ggx{coat_alpha_}.sample_visible(coat_view_, u);
+  const Vec3f light = mirrored(coat_view_, facet);
+  if (!(light.z > 0.0f)) return std::nullopt;
+  BsdfSample s;
+  s.direction = coat_frame_.to_world(light);
+  if (smooth(coat_alpha_)) s.density = kInfinity, s.weight = Vec3f((1.0f - below_coat_) / shares_.coat);
+  return s;
+}
+
+std::optional<BsdfSample> MetalRoughBsdf::sample(float lobe, Vec2f u) const {
+  const float below_gloss = shares_.diffuse, below_glass = below_gloss + shares_.gloss,
+              below_coat = below_glass + shares_.glass;
+  std::optional<BsdfSample> s;
+  if (lobe < below_gloss)
+    s.emplace().direction = frame_.to_world(sample_cosine(u));
+  else if (lobe < below_glass)
+    s = sample_gloss(u);
+  else if (lobe < below_coat)
+    s = sample_glass((lobe - below_glass) / shares_.glass, u);
+  else if (shares_.coat > 0.0f)
+    s = sample_coat(u);
+  if (!s || s->is_delta()) return s;
+  const BsdfValue value = evaluate(s->direction);
+  if (!(value.density > 0.0f)) return std::nullopt;
+  s->weight = value.cosine_f / value.density;
+  s->density = value.density;
+  return s;
+}
+
+}  // namespace lippmann

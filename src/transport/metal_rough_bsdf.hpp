@@ -1,0 +1,72 @@
+// glTF 2.0's metallic-roughness surface as a BSDF: base (diffuse under a dielectric gloss, or metal), glass where it
+// transmits, and a clear coat.
+//
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, appendix B; KHR_materials_specular, _ior, _transmission, _clearcoat;
+// C. Kelemen, L. Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 (the diffuse part
+// under the gloss, so that both together lose no light); B. Walter et al., EGSR 2007 (rough glass).
+// Glass refracts wherever it is entered, as closed shapes do; the radiance's compression inside it is left out, as it cancels
+// on the way out.
+#pragma once
+
+#include <optional>
+
+#include "transport/bsdf.hpp"
+#include "transport/ggx_albedo.hpp"
+
+namespace lippmann {
+
+/// At one point, textures looked up. Colours in [0, 1].
+struct MetalRoughSurface {
+  Vec3f base_color{1.0f};
+  float metallic = 1.0f, roughness = 1.0f;
+  float ior = 1.5f;
+  float specular = 1.0f;
+  Vec3f specular_color{1.0f};
+  float transmission = 0.0f;
+  float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
+};
+
+class MetalRoughBsdf {
+ public:
+  /// normal: shading normal on the viewer's side; coat_normal: that of the clear coat; view: unit, towards the viewer, on the
+  /// side of both; entering: the viewer is outside.
+  MetalRoughBsdf(const MetalRoughSurface& surface, const GgxAlbedo& albedo, Vec3f normal, Vec3f coat_normal, Vec3f view,
+                 bool entering);
+
+  /// Light from `light` (unit, away from the surface) to the viewer, Dirac's lobes left out.
+  BsdfValue evaluate(Vec3f light) const;
+
+  /// A direction for `lobe` and `u` in [0, 1); none where the surface takes all.
+  std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
+
+ private:
+  struct Shares {
+    float diffuse = 0.0f, gloss = 0.0f, glass = 0.0f, coat = 0.0f;  ///< probabilities of sample(); add up to 1 or are all 0
+  };
+
+  float gloss_density(Vec3f light) const;
+  Vec3f gloss_f(Vec3f light) const;
+  Vec3f diffuse_f(Vec3f light) const;
+  void add_glass(Vec3f light, BsdfValue& value) const;
+  void add_coat(Vec3f light, BsdfValue& value) const;
+  std::optional<BsdfSample> sample_gloss(Vec2f u) const;
+  std::optional<BsdfSample> sample_glass(float decision, Vec2f u) const;
+  std::optional<BsdfSample> sample_coat(Vec2f u) const;
+
+  const GgxAlbedo& albedo_;
+  Frame frame_, coat_frame_;
+  Vec3f view_, coat_view_;  ///< local
+  float alpha_, coat_alpha_;
+  float eta_;
+  Vec3f diffuse_color_{0.0f};                         ///< albedo, the gloss's share taken out
+  Vec3f dielectric_f0_{0.0f}, dielectric_f90_{0.0f};  ///< of the gloss above the diffuse part
+  Vec3f gloss_f0_{0.0f}, gloss_f90_{0.0f};            ///< of dielectric and metal together, weighted
+  Vec3f gloss_compensation_{1.0f}, gloss_albedo_{0.0f};
+  Vec3f glass_{0.0f};  ///< tint; 0: none
+  float glass_share_ = 0.0f;
+  float coat_ = 0.0f;
+  float below_coat_ = 1.0f;  ///< what passes the coat
+  Shares shares_;
+};
+
+}  // namespace lippmann

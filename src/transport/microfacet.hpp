@@ -1,0 +1,48 @@
+// Rough surfaces made of tiny mirrors: the GGX distribution, its shadowing, sampling of the facets that are seen; Fresnel's
+// reflectance. Local directions: z is the normal.
+//
+// Based on: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; E. Heitz, "Understanding
+// the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014; J. Dupuy, A. Benyoub, "Sampling Visible GGX
+// Normals with Spherical Caps", HPG 2023; C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", CGF 13(3),
+// 1994.
+#pragma once
+
+#include "core/math.hpp"
+
+namespace lippmann {
+
+/// alpha = roughness^2 (glTF). Below this the surface is a mirror: a lobe of Dirac's.
+inline constexpr float kSmoothAlpha = 1e-3f;
+
+/// An isotropic GGX distribution of facets. alpha >= kSmoothAlpha.
+struct Ggx {
+  float alpha = 1.0f;
+
+  /// Density of facets' normals h, h.z > 0; its integral over h.z is 1.
+  float distribution(Vec3f h) const;
+  /// The share of facets visible from v, v.z != 0 (Smith).
+  float masking(Vec3f v) const;
+  /// The share visible from both a and b (height-correlated).
+  float masking(Vec3f a, Vec3f b) const;
+  /// A facet's normal, as those that v sees are distributed, v.z > 0.
+  Vec3f sample_visible(Vec3f v, Vec2f u) const;
+  /// The density of sample_visible.
+  float visible_density(Vec3f v, Vec3f h) const;
+};
+
+/// (1 - cosine)^5.
+inline float schlick_weight(float cosine) {
+  const float m = std::clamp(1.0f - cosine, 0.0f, 1.0f), squared = m * m;
+  return squared * squared * m;
+}
+
+/// Unpolarised reflectance between two dielectrics, exact; eta = n_transmitted / n_incident. 1 at total reflection.
+float fresnel_dielectric(float cosine_incident, float eta);
+
+/// Reflectance at normal incidence from air.
+inline float normal_reflectance(float ior) {
+  const float r = (ior - 1.0f) / (ior + 1.0f);
+  return r * r;
+}
+
+}  // namespace lippmann

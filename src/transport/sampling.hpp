@@ -1,0 +1,35 @@
+// Directions and points from two numbers in [0, 1)^2, with the densities that they have.
+//
+// Based on: P. Shirley, K. Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997; T. Duff et al., "Building an
+// Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+#pragma once
+
+#include "core/math.hpp"
+
+namespace lippmann {
+
+/// A right-handed orthonormal basis around z; local directions have z along it.
+struct Frame {
+  explicit Frame(Vec3f z_axis);
+  Vec3f to_local(Vec3f v) const { return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)}; }
+  Vec3f to_world(Vec3f v) const { return v.x * x + v.y * y + v.z * z; }
+  Vec3f x, y, z;
+};
+
+/// Uniform over the unit disc.
+Vec2f sample_disc(Vec2f u);
+
+/// Over the hemisphere z > 0, density cos / pi.
+Vec3f sample_cosine(Vec2f u);
+
+/// Barycentric coordinates of the second and third corner, uniform over a triangle.
+Vec2f sample_triangle(Vec2f u);
+
+/// Veach's power heuristic (exponent 2) for one sample of each of two techniques. Right for infinite densities, too.
+inline float power_heuristic(float density, float other_density) {
+  if (!(other_density > 0.0f)) return 1.0f;
+  const float ratio = other_density / density;  // not the squares, which overflow
+  return 1.0f / (1.0f + ratio * ratio);
+}
+
+}  // namespace lippmann

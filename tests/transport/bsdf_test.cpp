@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include "chi_squared.hpp"
+#include "transport/metal_rough_bsdf.hpp"
+#include "transport/phong_bsdf.hpp"
+#include "transport/sampler.hpp"
+
+namespace lippmann {
+namespace {
+
+const GgxAlbedo& albedo() {
+  static const GgxAlbedo tables;
+  return tables;
+}
+
+const Vec3f kNormal = glm::normalize(Vec3f(0.3f, -0.5f, 0.8f));
+
+/// At an angle from the normal.
+Vec3f view_at(float degrees_from_normal) {
+  return Frame(kNormal).to_world({std::sin(radians(degrees_from_normal)), 0.0f, std::cos(radians(degrees_from_normal))});
+}
+
+MetalRoughBsdf bsdf_of(const MetalRoughSurface& surface, float angle, bool entering = true) {
+  return {surface, albedo(), kNormal, kNormal, view_at(angle), entering};
+}
+
+std::vector<MetalRoughSurface> surfaces() {
+  std::vector<MetalRoughSurface> all;
+  for (const float roughness : {0.4f, 0.8f})
+    for (const float metallic : {0.0f, 0.5f, 1.0f}) {
+      MetalRoughSurface s;
+      s.base_color = {0.9f, 0.5f, 0.2f};
+      s.metallic = metallic, s.roughness = roughness;
+      all.push_back(s);
+    }
+  MetalRoughSurface glass;
+  glass.metallic = 0.0f, glass.roughness = 0.5f, glass.transmission = 0.7f;
+  all.push_back(glass);
+  MetalRoughSurface coated = all.front();
+  coated.clearcoat = 0.8f, coated.clearcoat_roughness = 0.5f;
+  all.push_back(coated);
+  return all;
+}
+
+/// Mean of three channels' weights over `count` samples, and of the squares.
+template <class Bsdf>
+std::pair<double, double> mean_weight(const Bsdf& bsdf, int count) {
+  double sum = 0.0, squares = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const auto n = static_cast<std::uint32_t>(i);
+    const std::optional<BsdfSample> s = bsdf.sample(scrambled_sobol(n, 1u).x, scrambled_sobol(n, 2u));
+    const double w = s ? static_cast<double>(s->weight.x + s->weight.y + s->weight.z) / 3.0 : 0.0;
+    sum += w, squares += w * w;
+  }
+  return {sum / count, squares / count};
+}
+
+TEST(MetalRoughBsdf, directions_are_drawn_as_their_density_says) {
+  int n = 0;
+  for (const MetalRoughSurface& surface : surfaces())
+    for (const float angle : {10.0f, 70.0f})
+      for (const bool entering : {true, false}) {
+        if (!entering && surface.transmission == 0.0f) continue;
+        const MetalRoughBsdf bsdf = bsdf_of(surface, angle, entering);
+        const auto draw = [&](int i) -> std::optional<Vec3f> {
+          const auto seed = static_cast<std::uint32_t>(i);
+          const std::optional<BsdfSample> s = bsdf.sample(scrambled_sobol(0, ~seed).x, scrambled_sobol(0, seed));
+          return s ? std::optional(s->direction) : std::nullopt;
+        };
+        const auto density = [&](Vec3f d) { return static_cast<double>(bsdf.evaluate(d).density); };
+        EXPECT_LT(test::chi_squared(100'000, draw, density).deviations(), 4.0)
+            << "surface " << n << " at " << angle << " degrees" << (entering ? "" : ", from inside");
+        if (entering) ++n;
+      }
+}
+
+TEST(MetalRoughBsdf, a_samples_weight_and_density_are_those_of_evaluate) {
+  for (const MetalRoughSurface& surface : surfaces()) {
+    const MetalRoughBsdf bsdf = bsdf_of(surface, 40.0f);
+    for (std::uint32_t i = 0; i < 50; ++i) {
+      const std::optional<BsdfSample> s = bsdf.sample(scrambled_sobol(i, 5u).x, scrambled_sobol(i, 6u));
+      if (!s) continue;
+      const BsdfValue value = bsdf.evaluate(s->direction);
+      EXPECT_FLOAT_EQ(value.density, s->density);
+      EXPECT_NEAR(value.cosine_f.y, s->weight.y * s->density, 1e-5f * s->density);
+    }
+  }
+}
+
+// White inside white: whatever the angle, roughness and kind, the light that arrives everywhere leaves.
+TEST(MetalRoughBsdf, white_in_a_white_furnace_loses_and_gains_nothing) {
+  for (const float metallic : {0.0f, 0.5f, 1.0f})
+    for (int r = 0; r <= 10; ++r)
+      for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f}) {
+        MetalRoughSurface white;
+        white.metallic = metallic, white.roughness = 0.1f * static_cast<float>(r);
+        const auto [mean, squares] = mean_weight(bsdf_of(white, angle), 16'384);
+        // 0.5 %, and the chance that is left: three standard errors of independent samples.
+        EXPECT_NEAR(mean, 1.0, 0.005 + 3.0 * std::sqrt(std::max(0.0, squares - mean * mean) / 16'384))
+            << "metallic " << metallic << ", roughness 0." << r << ", " << angle << " degrees";
+      }
+}
+
+TEST(MetalRoughBsdf, smooth_glass_loses_nothing) {
+  MetalRoughSurface glass;
+  glass.metallic = 0.0f, glass.roughness = 0.0f, glass.transmission = 1.0f;
+  for (const bool entering : {true, false}) EXPECT_NEAR(mean_weight(bsdf_of(glass, 50.0f, entering), 4096).first, 1.0, 1e-4);
+}
+
+TEST(MetalRoughBsdf, glass_reflects_fresnels_share_and_bends_by_snells_law) {
+  MetalRoughSurface glass;
+  glass.metallic = 0.0f, glass.roughness = 0.0f, glass.transmission = 1.0f, glass.ior = 1.5f;
+  const MetalRoughBsdf bsdf = bsdf_of(glass, 0.0f);
+  EXPECT_FALSE(bsdf.sample(0.039f, Vec2f(0.5f))->transmitted);  // 4 % at normal incidence
+  EXPECT_TRUE(bsdf.sample(0.041f, Vec2f(0.5f))->transmitted);
+  const std::optional<BsdfSample> bent = bsdf_of(glass, 30.0f).sample(0.9f, Vec2f(0.5f));
+  EXPECT_NEAR(glm::length(glm::cross(bent->direction, kNormal)), 0.5f / 1.5f, 1e-5f);
+}
+
+TEST(MetalRoughBsdf, is_reciprocal_where_it_claims_to_be) {
+  MetalRoughSurface diffuse;
+  diffuse.metallic = 0.0f, diffuse.roughness = 0.6f, diffuse.base_color = {0.8f, 0.4f, 0.2f};
+  const Vec3f a = view_at(20.0f), b = view_at(65.0f);
+  const Vec3f ab = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, a, true).evaluate(b).cosine_f / glm::dot(b, kNormal);
+  const Vec3f ba = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, b, true).evaluate(a).cosine_f / glm::dot(a, kNormal);
+  // But for the gloss's compensation, which looks at one side: of F0 = 0.04 less than a thousandth.
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(ab[c], ba[c], 2e-3f * ab[c]);
+}
+
+TEST(MetalRoughBsdf, black_metal_sends_only_its_edge) {
+  MetalRoughSurface black;
+  black.base_color = Vec3f(0.0f), black.metallic = 1.0f, black.roughness = 0.0f;
+  EXPECT_NEAR(mean_weight(bsdf_of(black, 0.0f), 256).first, 0.0, 1e-6);
+}
+
+TEST(PhongBsdf, diffuse_white_loses_nothing_and_is_drawn_by_its_density) {
+  PhongPoint white;
+  white.diffuse = Vec3f(1.0f);
+  const PhongBsdf bsdf(white, kNormal, view_at(30.0f), true);
+  EXPECT_NEAR(mean_weight(bsdf, 1024).first, 1.0, 1e-5);
+  const auto draw = [&](int i) -> std::optional<Vec3f> {
+    return bsdf.sample(0.3f, scrambled_sobol(0, static_cast<std::uint32_t>(i)))->direction;
+  };
+  EXPECT_LT(
+      test::chi_squared(100'000, draw, [&](Vec3f d) { return static_cast<double>(bsdf.evaluate(d).density); }).deviations(),
+      4.0);
+}
+
+TEST(PhongBsdf, each_part_gets_its_share) {
+  PhongPoint point;
+  point.diffuse = Vec3f(0.5f), point.mirror = Vec3f(0.25f), point.through = 0.25f;
+  const PhongBsdf bsdf(point, kNormal, view_at(30.0f), true);
+  EXPECT_FALSE(bsdf.sample(0.49f, Vec2f(0.5f))->is_delta());
+  const BsdfSample mirror = *bsdf.sample(0.6f, Vec2f(0.5f)), through = *bsdf.sample(0.8f, Vec2f(0.5f));
+  EXPECT_NEAR(glm::dot(mirror.direction, view_at(-30.0f)), 1.0f, 1e-5f);
+  EXPECT_NEAR(mirror.weight.x, 1.0f, 1e-5f);
+  EXPECT_TRUE(through.transmitted);
+  EXPECT_NEAR(glm::dot(through.direction, view_at(30.0f)), -1.0f, 1e-5f);
+}
+
+TEST(PhongBsdf, the_highlight_is_blinns) {
+  PhongPoint point;
+  point.highlight = Vec3f(0.5f), point.highlight_size = 10.0f;
+  const PhongBsdf bsdf(point, kNormal, view_at(30.0f), true);
+  EXPECT_NEAR(bsdf.highlight(view_at(-30.0f)).x, 0.5f / kPi, 1e-5f);
+  EXPECT_NEAR(bsdf.highlight(view_at(-10.0f)).x, 0.5f * std::pow(std::cos(radians(10.0f)), 10.0f) / kPi, 1e-5f);
+}
+
+}  // namespace
+}  // namespace lippmann
