@@ -60,8 +60,9 @@ RenderedFrame ExactFrames::from_key(int frame) {
   rendered.report.frame = frame;
   rendered.report.kind = "in-between";
   const std::uint64_t samples = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height) *
-                                static_cast<std::uint64_t>(params_.spp);
-  rendered.report.reused_pixels = (samples - rendered.report.rays.primary) / static_cast<std::uint64_t>(params_.spp);
+                                static_cast<std::uint64_t>(samples_per_pixel(params_));
+  rendered.report.reused_pixels =
+      (samples - rendered.report.rays.primary) / static_cast<std::uint64_t>(samples_per_pixel(params_));
   clock.add_to(rendered.report);
   if (!params_.keyframes) judge(rendered.report);
   return rendered;

@@ -7,8 +7,8 @@ namespace lippmann {
 
 AngularFilter wanted_angular_filter(const RenderParams& params) {
   if (params.angular_filter) return *params.angular_filter;
-  return !params.display.empty() && params.spp > 1 && params.reuse != Reuse::kForward ? AngularFilter::kBox
-                                                                                      : AngularFilter::kNone;
+  return !params.display.empty() && samples_per_pixel(params) > 1 && params.reuse != Reuse::kForward ? AngularFilter::kBox
+                                                                                                     : AngularFilter::kNone;
 }
 
 void check_angular_filter(const RenderParams& params, const Optics& optics) {
@@ -19,7 +19,7 @@ void check_angular_filter(const RenderParams& params, const Optics& optics) {
                       "only views have eyes to be spread: below lenses, the samples of a pixel are seen from all of its "
                       "directions anyway",
                       "--optics multiview, or --spp alone");
-  if (params.spp == 1) throw usage_error(kFlag, "one sample is seen from one eye", "--spp of 2 or more with it");
+  if (samples_per_pixel(params) == 1) throw usage_error(kFlag, "one sample is seen from one eye", "--spp of 2 or more with it");
   if (params.reuse == Reuse::kForward)
     throw usage_error(kFlag, "points that are moved by --reuse forward are those of one eye", "--reuse exact or none");
 }
@@ -27,10 +27,11 @@ void check_angular_filter(const RenderParams& params, const Optics& optics) {
 TraceParams trace_params(const RenderParams& params, const Scene& scene) {
   TraceParams trace;
   trace.order = params.order;
-  trace.spp = params.spp;
+  trace.spp = samples_per_pixel(params);
   trace.max_depth = params.max_depth > 0 ? params.max_depth : scene.max_depth;
   trace.seed = params.seed;
   trace.angular_filter = wanted_angular_filter(params);
+  trace.clamp_indirect = params.clamp_indirect;
   return trace;
 }
 
@@ -39,7 +40,7 @@ Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& 
       scene(wanted_scene(params, context)),
       array(fit_array(scene, window_aspect(params, scene.resolution, display.get()))),
       placed(make_optics(params, scene, array, display.get())),
-      device(scene, pool) {}
+      device(scene, pool, params.integrator) {}
 
 Moment Stage::moment_at(int frame) const {
   Moment moment{evaluate(scene, scene.timeline.time(frame)), {}};
@@ -56,9 +57,11 @@ RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, 
   RenderedFrame rendered;
   rendered.pictures.aovs = wanted_aovs(params);
   rendered.report.frame = frame;
+  TraceParams trace = trace_params(params, stage.scene);
+  trace.frame = static_cast<std::uint32_t>(frame);
   rendered.report.rays =
-      trace_frame(stage.device, stage.placed.optics, moment.world_from_display, trace_params(params, stage.scene), pool,
-                  context, rendered.pictures.film, params.aov.empty() ? nullptr : &rendered.pictures.aovs, nullptr, touched);
+      trace_frame(stage.device, stage.placed.optics, moment.world_from_display, trace, pool, context, rendered.pictures.film,
+                  params.aov.empty() ? nullptr : &rendered.pictures.aovs, nullptr, touched);
   clock.add_to(rendered.report);
   return rendered;
 }

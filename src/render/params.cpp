@@ -1,9 +1,13 @@
 #include "render/params.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
+#include "render/environment_file.hpp"
 #include "render/test_pattern.hpp"
 #include "scene/builtin.hpp"
+#include "scene/default_light.hpp"
 
 namespace lippmann {
 
@@ -20,7 +24,15 @@ Scene wanted_scene(const RenderParams& params, const Context& context) {
   if (!params.camera_path.empty()) options.camera_path = params.camera_path;
   options.frames_per_second = params.fps;
   options.animation = params.animation;
-  return load_scene(params.scene, options, context);
+  Scene scene = load_scene(params.scene, options, context);
+  if (!params.environment.empty()) {
+    scene.background.map = read_environment(params.environment, params.environment_strength, params.environment_rotation_deg);
+  } else if (lacks_light(scene, params.integrator == Integrator::kPath)) {
+    context.warning(fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added",
+                                params.scene));
+    add_default_light(scene);
+  }
+  return scene;
 }
 
 std::string output_folder(const RenderParams& params) {

@@ -18,7 +18,6 @@
 namespace lippmann {
 
 enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
-enum class Integrator { kWhitted };
 enum class Reuse {
   kNone,     ///< every frame is traced
   kExact,    ///< pixels that provably stay as they are are copied from key frames: the same bits as kNone
@@ -73,10 +72,14 @@ struct RenderParams {
   // Rendering
   Integrator integrator = Integrator::kWhitted;
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 1;
+  int spp = 0;                                  ///< samples per pixel; 0: 1, of paths kPathSamples
   std::optional<AngularFilter> angular_filter;  ///< none: see wanted_angular_filter (render/frame.hpp)
   int max_depth = 0;                            ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
+  float clamp_indirect = 0.0f;            ///< paths: the brightest indirect contribution to a sample; 0: any
+  std::string environment;                ///< panorama that surrounds the scene; empty: the scene's own background
+  float environment_strength = 1.0f;      ///< factor
+  float environment_rotation_deg = 0.0f;  ///< about the vertical
 
   // Reuse between frames
   Reuse reuse = Reuse::kExact;
@@ -105,6 +108,13 @@ struct RenderParams {
   int threads = 0;      ///< 0: one per processor
   bool resume = false;  ///< keep the frames that the same job has finished before
 };
+
+/// Samples per pixel of paths, where nothing is said.
+inline constexpr int kPathSamples = 64;
+
+inline int samples_per_pixel(const RenderParams& params) {
+  return params.spp > 0 ? params.spp : params.integrator == Integrator::kPath ? kPathSamples : 1;
+}
 
 /// What is traced: as said, or lenticular.
 inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.value_or(OpticsKind::kLenticular); }

@@ -19,7 +19,7 @@ using Values = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens", "multiview", "single"};
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
-constexpr std::array<std::string_view, 1> kIntegratorNames{"whitted"};
+constexpr std::array<std::string_view, 2> kIntegratorNames{"whitted", "path"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
 constexpr std::array<std::string_view, 3> kReuseNames{"none", "exact", "forward"};
 constexpr std::array<std::string_view, 2> kAngularNames{"none", "box"};
@@ -256,8 +256,9 @@ std::vector<ParamInfo> rendering_rows() {
   using P = RenderParams;
   return {
       row(ParamKind::kText, &P::integrator, choice<Integrator>(kIntegratorNames),
-          {"integrator", "Rendering", "NAME", "whitted: shadows, mirrors, refraction"}),
-      row(ParamKind::kNumber, &P::spp, integer<int>(1, 1 << 16), {"spp", "Rendering", "N", "Samples per pixel"}),
+          {"integrator", "Rendering", "NAME", "whitted: shadows, mirrors, refraction; path: all light, by random paths"}),
+      row(ParamKind::kNumber, &P::spp, integer<int>(0, 1 << 16),
+          {"spp", "Rendering", "N", "Samples per pixel; 0: 1, or 64 of paths"}),
       row(ParamKind::kText, &P::angular_filter, optional_choice<AngularFilter>(kAngularNames),
           {"angular-filter", "Rendering", "NAME",
            "Multiview: the samples of a pixel are seen from one eye (none), or from half-way to one neighbour to half-way to "
@@ -266,7 +267,17 @@ std::vector<ParamInfo> rendering_rows() {
       row(ParamKind::kNumber, &P::max_depth, integer<int>(0, 1024),
           {"max-depth", "Rendering", "N", "Vertices of a path at most, 1: no mirrors; 0: the scene's own limit"}),
       row(ParamKind::kNumber, &P::seed, integer<std::uint32_t>(0, std::numeric_limits<std::uint32_t>::max()),
-          {"seed", "Rendering", "N", "Of the positions of samples within their pixels"}),
+          {"seed", "Rendering", "N", "Of the positions of samples within their pixels, and of paths"}),
+      row(ParamKind::kNumber, &P::clamp_indirect, number<float>(0.0, 1e6),
+          {"clamp-indirect", "Rendering", "X",
+           "Paths: no indirect contribution to a sample is brighter than X, which removes bright specks and loses light; 0: "
+           "off"}),
+      path(row(ParamKind::kText, &P::environment, text(),
+               {"environment", "Rendering", "FILE", "A panorama (.hdr, .exr) that surrounds and lights the scene"})),
+      row(ParamKind::kNumber, &P::environment_strength, number<float>(0.0, 1e6),
+          {"environment-strength", "Rendering", "X", "Factor on the panorama's light"}),
+      row(ParamKind::kNumber, &P::environment_rotation_deg, number<float>(-360.0, 360.0),
+          {"environment-rotation", "Rendering", "DEG", "Turns the panorama about the vertical"}),
       runs_only(row(ParamKind::kText, &P::order, choice<RayOrder>(kOrderNames),
                     {"order", "Rendering", "ORDER",
                      "Order of tracing, the picture is the same: rows, columns (below a lens), view-tiles"})),

@@ -326,10 +326,12 @@ void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_f
   record.reach = reach_of(inverse(world_from_mesh));
   if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide things so
     record.reach = kEmbreeReach;
+    record.hidden = true;
     rtcDisableGeometry(geometry);
     rtcCommitGeometry(geometry);
     return;
   }
+  record.hidden = false;
   record.world_from_mesh = world_from_mesh;
   record.normal_from_mesh = glm::transpose(glm::inverse(world_from_mesh.linear));
   rtcEnableGeometry(geometry);
@@ -386,41 +388,7 @@ float largest_coordinate(const Bounds3f& b) {
   return std::max({corner.x, corner.y, corner.z});
 }
 
-}  // namespace
-
-DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool) : impl_(std::make_unique<Impl>()) {
-  Impl& impl = *impl_;
-  impl.scene = &scene;
-  impl.tachyon = scene.encoding == Encoding::kTachyonTruncate;
-  impl.instance_moves = moving_instances(scene);
-  impl.materials = make_material_table(scene);
-  impl.material_of_instance.reserve(scene.instances.size());
-  for (const Instance& instance : scene.instances)
-    impl.material_of_instance.push_back(static_cast<std::uint32_t>(instance.material));
-  for (const Texture& texture : scene.textures) impl.textures.push_back(make_device_texture(texture, impl.tachyon));
-  const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
-  impl.lights = make_lights(scene, resolved);
-  impl.any_visible_light = std::any_of(impl.lights.begin(), impl.lights.end(),
-                                       [](const WhittedLight& light) { return light.visible_radius > 0.0f; });
-  const Bounds3f bounds = finite_bounds(scene, resolved);
-  impl.secondary_t_near = choose_t_near(scene, bounds);
-  impl.size = largest_coordinate(bounds);
-  // Embree runs its builders on the calling arena's oneTBB threads; asking it for more would start its own.
-  const std::string config = "threads=" + std::to_string(pool.threads()) + ",set_affinity=0";
-  impl.device = EmbreeDevice(rtcNewDevice(config.c_str()));
-  if (!impl.device) throw Error("Embree", "no device could be made on this processor", "x86-64 with SSE2, or ARM64");
-  impl.native_width = native_packet_width(impl.device.get());
-  pool.run([&] { SceneBuilder(impl, resolved, pool).build(); });
-  impl.reach = least_reach_of(impl.records);
-}
-
-DeviceScene::~DeviceScene() = default;
-
-void DeviceScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
-  Impl& impl = *impl_;
-  impl.lights = make_lights(*impl.scene, resolved);
-  move_planes(impl, resolved);
-  if (!impl.has_moving) return;
+void move_shapes(DeviceScene::Impl& impl, const ResolvedScene& resolved, const ThreadPool& pool) {
   for (const int id : impl.moving_records) {
     GeometryRecord& record = impl.records[static_cast<std::size_t>(id)];
     place(record, impl.placed_geometries[static_cast<std::size_t>(id)].get(),
@@ -439,6 +407,62 @@ void DeviceScene::update(const ResolvedScene& resolved, const ThreadPool& pool) 
   move_primitives<Box>(impl.moving_tables.boxes, impl.moving_tables.box_geometry, impl, resolved);
   pool.run([&] { rtcCommitScene(impl.moving.get()); });
   check(impl.device.get(), "moving the scene");
+}
+
+/// What lights shapes from all around, where that is not traced. Of a gradient: between its ends.
+Vec3f surroundings(const Scene& scene, const Environment& environment) {
+  const Background& b = scene.background;
+  return b.map ? environment.mean_radiance() : 0.5f * (b.horizon + b.zenith);
+}
+
+/// The lights of this frame, for paths.
+void gather_lights(DeviceScene::Impl& impl) {
+  if (!impl.path) return;
+  impl.path->lights = std::make_unique<LightTable>(
+      LightSources{*impl.scene, impl.lights, impl.records, impl.materials.materials, impl.textures, impl.radius},
+      *impl.environment);
+}
+
+}  // namespace
+
+DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool, Integrator integrator) : impl_(std::make_unique<Impl>()) {
+  Impl& impl = *impl_;
+  impl.scene = &scene;
+  impl.tachyon = scene.encoding == Encoding::kTachyonTruncate;
+  impl.instance_moves = moving_instances(scene);
+  impl.environment = std::make_unique<Environment>(scene.background);
+  impl.materials = make_material_table(scene, surroundings(scene, *impl.environment), integrator);
+  if (integrator == Integrator::kPath) impl.path = std::make_unique<PathTables>();
+  impl.material_of_instance.reserve(scene.instances.size());
+  for (const Instance& instance : scene.instances)
+    impl.material_of_instance.push_back(static_cast<std::uint32_t>(instance.material));
+  for (const Texture& texture : scene.textures) impl.textures.push_back(make_device_texture(texture, impl.tachyon));
+  const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
+  impl.lights = make_lights(scene, resolved);
+  impl.any_visible_light = std::any_of(impl.lights.begin(), impl.lights.end(),
+                                       [](const WhittedLight& light) { return light.visible_radius > 0.0f; });
+  const Bounds3f bounds = finite_bounds(scene, resolved);
+  impl.secondary_t_near = choose_t_near(scene, bounds);
+  impl.size = largest_coordinate(bounds);
+  impl.radius = bounds.empty() ? 1.0f : std::max(0.5f * glm::length(bounds.size()), 1e-6f);
+  // Embree runs its builders on the calling arena's oneTBB threads; asking it for more would start its own.
+  const std::string config = "threads=" + std::to_string(pool.threads()) + ",set_affinity=0";
+  impl.device = EmbreeDevice(rtcNewDevice(config.c_str()));
+  if (!impl.device) throw Error("Embree", "no device could be made on this processor", "x86-64 with SSE2, or ARM64");
+  impl.native_width = native_packet_width(impl.device.get());
+  pool.run([&] { SceneBuilder(impl, resolved, pool).build(); });
+  impl.reach = least_reach_of(impl.records);
+  gather_lights(impl);
+}
+
+DeviceScene::~DeviceScene() = default;
+
+void DeviceScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
+  Impl& impl = *impl_;
+  impl.lights = make_lights(*impl.scene, resolved);
+  move_planes(impl, resolved);
+  if (impl.has_moving) move_shapes(impl, resolved, pool);
+  gather_lights(impl);
 }
 
 }  // namespace lippmann

@@ -9,11 +9,18 @@
 
 namespace lippmann {
 
+/// How light is computed.
+enum class Integrator {
+  kWhitted,  ///< direct light, sharp shadows, mirrors, refraction
+  kPath,     ///< all of it, by random paths
+};
+
 /// Built once per scene, updated once per frame. What never moves is built once; what moves rigidly is moved, not rebuilt.
 /// The Scene must outlive it. Tracing reads it from any number of threads; update() must not overlap with tracing.
 class DeviceScene {
  public:
-  DeviceScene(const Scene& scene, const ThreadPool& pool);
+  /// Made ready for tracing by `integrator` and no other.
+  DeviceScene(const Scene& scene, const ThreadPool& pool, Integrator integrator = Integrator::kWhitted);
   ~DeviceScene();
   DeviceScene(const DeviceScene&) = delete;
   DeviceScene& operator=(const DeviceScene&) = delete;

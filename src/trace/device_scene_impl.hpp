@@ -16,9 +16,11 @@
 
 #include "trace/device_scene.hpp"
 #include "trace/embree_shim.hpp"
+#include "trace/light_table.hpp"
 #include "trace/materials.hpp"
 #include "trace/texture.hpp"
 #include "trace/user_geometry.hpp"
+#include "transport/ggx_albedo.hpp"
 
 namespace lippmann {
 
@@ -35,6 +37,7 @@ struct UvGradient {
 struct GeometryRecord {
   GeometryKind kind = GeometryKind::kMesh;
   bool placed = false;         ///< an Embree instance: normals and positions need world_from_mesh
+  bool hidden = false;         ///< placed, but scaled to nothing
   std::uint32_t instance = 0;  ///< index in Scene::instances (meshes; other kinds keep one per primitive)
   const Mesh* mesh = nullptr;  ///< world space, or mesh space where placed
   std::array<const std::vector<UvGradient>*, 2> uv_gradients{};  ///< by set of uvs, per triangle; null: the mesh lacks the set
@@ -70,12 +73,19 @@ struct WorldPlaneRecord {
   float transmittance;  ///< of shadow rays; 0: opaque
 };
 
+/// What only paths ask for.
+struct PathTables {
+  GgxAlbedo albedo;
+  std::unique_ptr<LightTable> lights;  ///< of the frame
+};
+
 struct DeviceScene::Impl {
   const Scene* scene = nullptr;
   EmbreeDevice device;
   int native_width = 16;
   float reach = kEmbreeReach;  ///< of rays: the least of all records
   float size = 1.0f;           ///< the largest coordinate of what is there at the first frame, planes left out
+  float radius = 1.0f;         ///< half the diagonal of the same
 
   EmbreeScene fixed, moving;
   bool has_fixed = false, has_moving = false;
@@ -93,6 +103,8 @@ struct DeviceScene::Impl {
   MaterialTable materials;
   std::vector<std::uint32_t> material_of_instance;
   std::vector<WhittedLight> lights;
+  std::unique_ptr<Environment> environment;
+  std::unique_ptr<PathTables> path;  ///< where paths are traced
   std::vector<DeviceTexture> textures;
   bool tachyon = false;            ///< Tachyon's conventions (scene.encoding): box normals, mirror end, visible lights
   float secondary_t_near = 1e-4f;  ///< at least so far from their surface do secondary rays start

@@ -33,7 +33,7 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
 // Roughness above this has no visible mirror image; below, the mirror fades in.
 constexpr float kMirrorRoughness = 0.4f;
 
-WhittedMaterial from(const MetallicRoughness& s, const Background& background) {
+WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   WhittedMaterial m;
   m.color = Vec3f(s.base_color);
   m.color_map = s.base_color_map;
@@ -55,8 +55,7 @@ WhittedMaterial from(const MetallicRoughness& s, const Background& background) {
   m.diffuse = (1.0f - s.metallic) * (1.0f - s.transmission) / kPi;
   // The background lights the surface from all around: as irradiance / pi on the diffuse part, as a blurred mirror image on
   // the metallic part that has no traced mirror.
-  const Vec3f surrounding = 0.5f * (background.horizon + background.zenith);
-  m.ambient = surrounding * ((1.0f - s.metallic) * (1.0f - s.transmission) + s.metallic * (1.0f - smooth));
+  m.ambient = surroundings * ((1.0f - s.metallic) * (1.0f - s.transmission) + s.metallic * (1.0f - smooth));
   const float alpha = std::max(s.roughness * s.roughness, 0.01f);
   m.highlight_size = std::max(1.0f, 2.0f / (alpha * alpha) - 2.0f);
   // Normalised Blinn-Phong lobe at normal incidence, (n + 2) / 8 pi: Real-Time Rendering, 4th ed., section 9.8.
@@ -70,20 +69,30 @@ WhittedMaterial from(const MetallicRoughness& s, const Background& background) {
   return m;
 }
 
+void prepare_for_paths(const Material& material, WhittedMaterial& m) {
+  if (const auto* surface = std::get_if<MetallicRoughness>(&material.surface))
+    m.opacity = surface->blend ? surface->base_color.a : 1.0f;
+  else
+    m.blocks_light = m.ior != 1.0f;
+}
+
 }  // namespace
 
-MaterialTable make_material_table(const Scene& scene) {
+MaterialTable make_material_table(const Scene& scene, Vec3f surroundings, Integrator integrator) {
   MaterialTable table;
   for (const Material& material : scene.materials) {
     if (const auto* phong = std::get_if<PhongSurface>(&material.surface))
       table.materials.push_back(from(*phong, table));
     else
-      table.materials.push_back(from(std::get<MetallicRoughness>(material.surface), scene.background));
+      table.materials.push_back(from(std::get<MetallicRoughness>(material.surface), surroundings));
+    if (integrator == Integrator::kPath) prepare_for_paths(material, table.materials.back());
   }
   return table;
 }
 
-float shadow_transmittance(const WhittedMaterial& material) { return std::clamp(1.0f - material.opacity, 0.0f, 1.0f); }
+float shadow_transmittance(const WhittedMaterial& material) {
+  return material.blocks_light ? 0.0f : std::clamp(1.0f - material.opacity, 0.0f, 1.0f);
+}
 
 std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& resolved) {
   std::vector<WhittedLight> lights;

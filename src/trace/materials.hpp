@@ -10,6 +10,7 @@
 #include "core/math.hpp"
 #include "scene/scene.hpp"
 #include "scene/timeline.hpp"
+#include "trace/device_scene.hpp"
 
 namespace lippmann {
 
@@ -25,6 +26,7 @@ struct WhittedMaterial {
   float mirror_tint = 0.0f;       ///< 0: white mirror, 1: in the surface's colour
   float opacity = 1.0f;
   float ior = 1.0f;
+  bool blocks_light = false;  ///< whatever the opacity says, for shadow rays
   Vec3f emission{0.0f};
   TextureMap color_map, emission_map;
   int projection = -1;        ///< of the color map: index into the table's projections, or -1: by uv
@@ -38,7 +40,10 @@ struct MaterialTable {
   std::vector<ImageProjection> projections;
 };
 
-MaterialTable make_material_table(const Scene& scene);
+/// For paths, opacity is coverage and the share that comes straight or refracted through Phong surfaces; what glass transmits
+/// is left to its BSDF, and all that refracts blocks the straight way to lights.
+/// surroundings: the mean radiance of the scene's background.
+MaterialTable make_material_table(const Scene& scene, Vec3f surroundings, Integrator integrator);
 
 /// Opacity as shadow rays see it: how much light passes the whole surface (texture alpha is not looked up).
 float shadow_transmittance(const WhittedMaterial& material);

@@ -176,6 +176,20 @@ LIPPMANN_MULTIVERSION void sample_uv(const DeviceTexture& texture, const UvLanes
   }
 }
 
+Vec4f sample_point(const DeviceTexture& texture, Vec2f uv) {
+  const bool known = (std::abs(uv.x) < 1e6f) & (std::abs(uv.y) < 1e6f);  // else no fraction is left to look up
+  const DeviceTexture::Level& level = texture.levels.front();
+  const Neighbours x = neighbours(known ? uv.x : 0.0f, level.width, numbers_of(texture.wrap_u));
+  const Neighbours y = neighbours(known ? uv.y : 0.0f, level.height, numbers_of(texture.wrap_v));
+  const std::uint16_t* texels = level.rgba.data();
+  const auto row = [&](std::int32_t of_y) {
+    return load(texels, of_y * level.width + x.first) * (1.0f - x.blend) +
+           load(texels, of_y * level.width + x.second) * x.blend;
+  };
+  const Color sum = (row(y.first) * (1.0f - y.blend) + row(y.second) * y.blend) * kUnit;
+  return {sum[0], sum[1], sum[2], sum[3]};
+}
+
 namespace {
 
 /// Tachyon interpolates over (resolution - 1) without wrapping; from the last level but one on it takes the last level's texel.

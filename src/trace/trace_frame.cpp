@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "trace/packet_source.hpp"
+#include "trace/path_tracer.hpp"
 #include "trace/scene_query.hpp"
 #include "trace/trace_packets.hpp"
 #include "trace/whitted.hpp"
@@ -36,6 +38,7 @@ class FrameTracer {
 
   /// Traces the blocks of a strip that are in `wanted`, by block of the frame; all of them where it is empty.
   RayCounts trace_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
+    if (scene_.path) return trace_paths_of_strip(strip, wanted);
     WhittedTracer tracer(scene_, beam_, params_.max_depth, film_);
     tracer.capture_to(capture_);
     std::optional<BlockProbe> probe;
@@ -49,6 +52,16 @@ class FrameTracer {
       touched_->lowest_horizon[block] = probe->take();
       touched_->rays[block] = static_cast<std::uint32_t>(tracer.counts().total() - rays_before);
     }
+    return tracer.counts();
+  }
+
+  /// trace_strip for paths, which no probe and no capture looks at.
+  RayCounts trace_paths_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
+    const PathParams paths{params_.max_depth, hash(params_.seed, params_.frame), params_.clamp_indirect};
+    PathTracer tracer(scene_, beam_, paths, film_);
+    for (std::size_t b = 0; b < blocks_per_strip(); ++b)
+      if (wanted.empty() || wanted[strip * blocks_per_strip() + b])
+        trace_block(static_cast<int>(strip), static_cast<int>(b), tracer);
     return tracer.counts();
   }
 
@@ -67,19 +80,22 @@ class FrameTracer {
   }
 
  private:
-  void trace_block(int strip, int block, WhittedTracer& tracer) const {
+  template <class Tracer>
+  void trace_block(int strip, int block, Tracer& tracer) const {
     std::array<int, kPacketsPerBlock> packets;
     std::iota(packets.begin(), packets.end(), block * kPacketsPerBlock);
     const int count = std::min(kPacketsPerBlock, source_.packets_per_strip() - packets.front());
     trace_together(strip, {packets.data(), static_cast<std::size_t>(count)}, tracer);
   }
 
-  void trace_together(int strip, std::span<const int> packets, WhittedTracer& tracer) const {
+  template <class Tracer>
+  void trace_together(int strip, std::span<const int> packets, Tracer& tracer) const {
     const float weight = 1.0f / static_cast<float>(params_.spp);
     RayHitPacket packet;
     LaneMask active;
     alignas(64) std::uint32_t pixel[kLanes];
     for (int sample = 0; sample < params_.spp; ++sample) {
+      if constexpr (std::is_same_v<Tracer, PathTracer>) tracer.begin_sample(sample);
       for (const int p : packets) {
         if (source_.fill(strip, p, sample, packet.ray, active, pixel) == 0) continue;
         if (sample == 0) clear_pixels(active, pixel);

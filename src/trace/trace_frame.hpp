@@ -1,4 +1,4 @@
-// Renders one frame: every pixel's ray through the array into the scene, shaded after Whitted (1980).
+// Renders one frame: every pixel's ray through the array into the scene, shaded as the DeviceScene's integrator does.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +30,8 @@ struct TraceParams {
   AngularFilter angular_filter = AngularFilter::kNone;  ///< of views; above 1 sample per pixel
   std::uint32_t seed =
       0;  ///< of the sub-pixel positions, which are the same in every frame: what stands still must not flicker
+  std::uint32_t frame = 0;      ///< paths: other frames have other noise
+  float clamp_indirect = 0.0f;  ///< paths: > 0: no indirect contribution to a sample is brighter; loses light
 };
 
 struct RayCounts {

@@ -100,6 +100,13 @@ LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPac
   }
 }
 
+/// see_sky for panoramas.
+void see_panorama(const Environment& environment, const RayHitPacket& packet, Lanes3& radiance) {
+  for (int i = 0; i < kLanes; ++i)
+    if (packet.hit.geomID[i] == kNoId)
+      radiance.set(i, environment.radiance({packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]}));
+}
+
 void see_lights(const std::vector<WhittedLight>& lights, const RayHitPacket& packet, Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
     const unsigned id = packet.hit.geomID[i];
@@ -121,6 +128,19 @@ LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayP
     radiance.x[i] += (any + (1.0f - whole) * branches.share_x[e]) * (sky.horizon.x + height * sky.rise.x);
     radiance.y[i] += (any + (1.0f - whole) * branches.share_y[e]) * (sky.horizon.y + height * sky.rise.y);
     radiance.z[i] += (any + (1.0f - whole) * branches.share_z[e]) * (sky.horizon.z + height * sky.rise.z);
+  }
+}
+
+/// end_branches for panoramas.
+void end_in_panorama(const Environment& environment, const LaneMask& hit, const Branches& branches, int first,
+                     Lanes3& radiance) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!hit.lane[i]) continue;
+    const int e = first + i;
+    const Vec3f share(branches.share_x[e], branches.share_y[e], branches.share_z[e]);
+    if (!(share.x + share.y + share.z > 0.0f)) continue;
+    const Vec3f there = environment.radiance({branches.dir_x[e], branches.dir_y[e], branches.dir_z[e]});
+    radiance.set(i, radiance.get(i) + share * there);
   }
 }
 
@@ -179,7 +199,10 @@ void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, co
     if (surface_.any_mirror || surface_.any_see_through) branch(packet, bundle, depth >= max_depth_, radiance);
   }
   if (surface_.any_miss) {
-    see_sky(scene_.scene->background, packet, radiance);
+    if (scene_.scene->background.map)
+      see_panorama(*scene_.environment, packet, radiance);
+    else
+      see_sky(scene_.scene->background, packet, radiance);
     if (scene_.any_visible_light) see_lights(scene_.lights, packet, radiance);
   }
   add_to_film(active, bundle, radiance);
@@ -208,8 +231,13 @@ void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, boo
   branch_off(packet.ray, surface_, branches);
   if (last) {
     const Background& background = scene_.scene->background;
-    if (surface_.any_mirror) end_branches(background, packet.ray, branches, 0, scene_.tachyon, radiance);
-    if (surface_.any_see_through) end_branches(background, packet.ray, branches, kLanes, scene_.tachyon, radiance);
+    for (const int first : {0, kLanes}) {
+      if (!(first == 0 ? surface_.any_mirror : surface_.any_see_through)) continue;
+      if (background.map)
+        end_in_panorama(*scene_.environment, surface_.hit, branches, first, radiance);
+      else
+        end_branches(background, packet.ray, branches, first, scene_.tachyon, radiance);
+    }
     return;
   }
   if (surface_.any_see_through) refract(packet, branches);

@@ -7,8 +7,9 @@
 namespace lippmann {
 
 struct BsdfValue {
-  Vec3f cosine_f{0.0f};  ///< BSDF times |cosine| to the shading normal, per steradian
-  float density = 0.0f;  ///< of sample() in that direction, per steradian
+  Vec3f cosine_f{0.0f};      ///< BSDF times |cosine| to the shading normal, per steradian
+  float density = 0.0f;      ///< of sample() in that direction, per steradian
+  bool transmitted = false;  ///< the direction lies behind the surface
 };
 
 struct BsdfSample {
@@ -16,6 +17,7 @@ struct BsdfSample {
   Vec3f weight{0.0f};        ///< cosine_f / density; of Dirac's lobes their share over their probability
   float density = 0.0f;      ///< kInfinity: of a Dirac lobe
   bool transmitted = false;  ///< goes on behind the surface
+  bool straight = false;     ///< goes on as if nothing were there
   bool is_delta() const { return density == kInfinity; }
 };
 

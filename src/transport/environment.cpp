@@ -10,8 +10,9 @@ constexpr int kGradientWidth = 64, kGradientHeight = 32;
 
 /// x, y in [0, 1).
 Vec2f place_of(Vec3f d, float rotation) {
-  const float x = 0.5f + (std::atan2(d.z, d.x) - rotation) * (0.5f / kPi);
-  return {x - std::floor(x), std::acos(std::clamp(d.y, -1.0f, 1.0f)) * (1.0f / kPi)};
+  const float x = 0.5f + (std::atan2(d.z, d.x) - rotation) * (0.5f / kPi), fraction = x - std::floor(x);
+  if (!(fraction < 1.0f)) return Vec2f(0.0f);  // rounded up, or of a direction that is not a number
+  return {fraction, std::acos(std::clamp(d.y, -1.0f, 1.0f)) * (1.0f / kPi)};
 }
 
 Vec3f direction_at(Vec2f place, float rotation) {
@@ -41,12 +42,12 @@ Environment::Environment(const Background& background)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) sum += texel(x + dx, y + dy);
       weights[static_cast<std::size_t>(x)] = luminance(sum) / 9.0f;
+      mean_radiance_ += texel(x, y) * (solid_angle(static_cast<std::size_t>(y)) / (4.0f * kPi));
     }
     columns_.emplace_back(weights);
     row_weights.push_back(static_cast<float>(columns_.back().total()) * solid_angle(static_cast<std::size_t>(y)));
   }
   rows_ = DiscreteDistribution(row_weights);
-  mean_luminance_ = static_cast<float>(rows_.total()) / (4.0f * kPi);
 }
 
 /// Of one texel of a row.

@@ -30,8 +30,8 @@ class Environment {
   float density(Vec3f direction) const;
 
   bool is_dark() const { return rows_.empty(); }
-  /// Mean luminance over all directions.
-  float mean_luminance() const { return mean_luminance_; }
+  /// Mean over all directions.
+  Vec3f mean_radiance() const { return mean_radiance_; }
 
  private:
   Vec3f texel(int x, int y) const;
@@ -41,7 +41,7 @@ class Environment {
   int width_, height_;  ///< of the sampling grid: that of the panorama
   DiscreteDistribution rows_;
   std::vector<DiscreteDistribution> columns_;  ///< per row
-  float mean_luminance_ = 0.0f;
+  Vec3f mean_radiance_{0.0f};
 };
 
 }  // namespace lippmann

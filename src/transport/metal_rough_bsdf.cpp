@@ -126,6 +126,7 @@ void MetalRoughBsdf::add_coat(Vec3f light, BsdfValue& value) const {
 BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   const Vec3f light = frame_.to_local(light_world);
   BsdfValue value;
+  value.transmitted = light.z < 0.0f;
   if (light.z > 0.0f) {
     value.cosine_f = below_coat_ * light.z * diffuse_f(light);
     value.density = shares_.diffuse * light.z * (1.0f / kPi);

@@ -14,8 +14,8 @@ PhongBsdf::PhongBsdf(const PhongPoint& point, Vec3f normal, Vec3f view, bool ent
 
 BsdfValue PhongBsdf::evaluate(Vec3f light) const {
   const float cosine = glm::dot(normal_, light) * (1.0f / kPi);
-  if (!(cosine > 0.0f)) return {};
-  return {point_.diffuse * cosine, diffuse_share_ * cosine};
+  if (!(cosine > 0.0f)) return {Vec3f(0.0f), 0.0f, true};
+  return {point_.diffuse * cosine, diffuse_share_ * cosine, false};
 }
 
 Vec3f PhongBsdf::highlight(Vec3f light) const {
@@ -41,7 +41,8 @@ std::optional<BsdfSample> PhongBsdf::sample(float lobe, Vec2f u) const {
     return s;
   }
   if (!(through_share_ > 0.0f)) return std::nullopt;
-  s.direction = point_.ior == 1.0f ? -view_ : refracted_away(view_, normal_, entering_ ? point_.ior : 1.0f / point_.ior);
+  s.straight = point_.ior == 1.0f;
+  s.direction = s.straight ? -view_ : refracted_away(view_, normal_, entering_ ? point_.ior : 1.0f / point_.ior);
   s.transmitted = s.direction != Vec3f(0.0f);
   if (!s.transmitted) s.direction = mirrored(view_, normal_);
   s.weight = Vec3f(point_.through / through_share_);

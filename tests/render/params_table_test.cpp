@@ -30,7 +30,11 @@ const std::map<std::string_view, Values> kOtherValues{
     {"view-angle", {"40.5"}},
     {"viewing-distance", {"600"}},
     {"slant", {"-9.46"}},
-    {"integrator", {"whitted"}},
+    {"integrator", {"path"}},
+    {"clamp-indirect", {"10"}},
+    {"environment", {"sky.hdr"}},
+    {"environment-strength", {"0.5"}},
+    {"environment-rotation", {"-90"}},
     {"spp", {"16"}},
     {"max-depth", {"3"}},
     {"seed", {"4294967295"}},
@@ -123,12 +127,12 @@ TEST(ParamsTable, names_are_unique_flags_without_underscores) {
 }
 
 TEST(ParamsTable, numbers_outside_their_range_name_the_flag_and_the_range) {
-  EXPECT_THAT(message_of_setting("spp", "0"), testing::StartsWith("--spp: "));
-  EXPECT_THAT(message_of_setting("spp", "0"), HasSubstr("from 1 to 65536"));
-  EXPECT_THAT(message_of_setting("spp", "many"), HasSubstr("from 1 to 65536"));
+  EXPECT_THAT(message_of_setting("spp", "-1"), testing::StartsWith("--spp: "));
+  EXPECT_THAT(message_of_setting("spp", "-1"), HasSubstr("from 0 to 65536"));
+  EXPECT_THAT(message_of_setting("spp", "many"), HasSubstr("from 0 to 65536"));
   EXPECT_THAT(message_of_setting("spp", "4.5"), HasSubstr("whole number"));
   EXPECT_THAT(message_of_setting("spp", ""), HasSubstr("whole number"));
-  EXPECT_THAT(message_of_setting("spp", "99999999999999999999"), HasSubstr("from 1 to 65536"));
+  EXPECT_THAT(message_of_setting("spp", "99999999999999999999"), HasSubstr("from 0 to 65536"));
   EXPECT_THAT(message_of_setting("view-angle", "nan"), HasSubstr("from 0.1 to 170"));
   EXPECT_THAT(message_of_setting("view-angle", "180"), HasSubstr("from 0.1 to 170"));
   EXPECT_THAT(message_of_setting("seed", "-1"), HasSubstr("from 0 to 4294967295"));

@@ -1,6 +1,7 @@
 // Scenes of a few shapes, and pictures of them a few pixels wide, for tests of tracing.
 #pragma once
 
+#include <numeric>
 #include <random>
 
 #include "trace/trace_frame.hpp"
@@ -31,7 +32,8 @@ class SmallScene {
     return animation.node;
   }
 
-  int material(const PhongSurface& surface) {
+  template <class Surface>
+  int material(const Surface& surface) {
     scene.materials.push_back({"", surface});
     return static_cast<int>(scene.materials.size()) - 1;
   }
@@ -137,16 +139,27 @@ struct Picture {
 };
 
 inline Picture trace(const Scene& scene, const Optics& optics, TraceParams params = {}, int threads = 1, double time = 0.0,
-                     const Affine3f& world_from_display = {}) {
+                     const Affine3f& world_from_display = {}, Integrator integrator = Integrator::kWhitted) {
   const ThreadPool pool(threads);
   const Context context;
-  DeviceScene device(scene, pool);
+  DeviceScene device(scene, pool, integrator);
   device.update(evaluate(scene, time), pool);
   params.max_depth = scene.max_depth;
   Picture picture;
   picture.aovs.depth = picture.aovs.normal = picture.aovs.object_id = picture.aovs.position = true;
   picture.counts = trace_frame(device, optics, world_from_display, params, pool, context, picture.film, &picture.aovs);
   return picture;
+}
+
+/// Light by paths, spp samples a pixel.
+inline Picture trace_paths(const Scene& scene, const Optics& optics, int spp, TraceParams params = {}, int threads = 1,
+                           const Affine3f& world_from_display = {}) {
+  params.spp = spp;
+  return trace(scene, optics, params, threads, 0.0, world_from_display, Integrator::kPath);
+}
+
+inline double mean(const Image& film) {
+  return std::accumulate(film.data.begin(), film.data.end(), 0.0) / static_cast<double>(film.data.size());
 }
 
 }  // namespace lippmann::test

@@ -138,7 +138,6 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   gltf::InstanceReader(document, nodes, scene).read();
   gltf::read_lights(document, nodes, scene);
   gltf::read_cameras(document, nodes, scene);
-  gltf::add_default_light(document, scene);
   gltf::read_animation(document, nodes, animation, frames_per_second, scene);
   return scene;
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "scene/default_view.hpp"
 #include "scene/gltf/gltf_builder.hpp"
 #include "scene/load.hpp"
 #include "scene/timeline.hpp"
@@ -89,38 +88,6 @@ TEST(GltfLight, unknown_type_is_an_error) {
 }
 
 // ---- Scenes without lights ------------------------------------------------------------------------------------------
-
-Vec3f direction_of(const Scene& scene, const Light& light) {
-  return transform_vector(evaluate(scene, 0.0).of(light.node), {0, 0, -1});
-}
-
-TEST(GltfLight, scene_without_lights_gets_one_from_above_left_in_front_with_a_warning) {
-  GltfBuilder b;
-  b.add_node({{"mesh", b.add_triangle()}});
-  std::vector<std::string> warnings;
-  const Scene scene = parse(b, &warnings);
-  ASSERT_EQ(scene.lights.size(), 1u);
-  const Vec3f direction = glm::inverse(default_view()) * direction_of(scene, scene.lights[0]);  // as the viewer sees it
-  EXPECT_GT(direction.x, 0.0f);                                                                 // towards the right,
-  EXPECT_LT(direction.y, 0.0f);                                                                 // down,
-  EXPECT_LT(direction.z, 0.0f);                                                                 // and away from the viewer
-  EXPECT_GT(scene.background.horizon.x, 0.0f);
-  EXPECT_THAT(warnings, Contains(HasSubstr("a.glb: has no lights: a key light from above left")));
-  EXPECT_NO_THROW(validate(scene, "a.glb"));
-}
-
-TEST(GltfLight, added_light_comes_from_above_left_of_the_camera) {
-  GltfBuilder b;
-  b.add_node({{"mesh", b.add_triangle()}});
-  b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
-  const float half_root = std::sqrt(0.5f);
-  b.add_node({{"camera", 0}, {"rotation", {0, half_root, 0, half_root}}, {"scale", {2, 2, 2}}});  // looks along -x
-  const Scene scene = parse(b);
-  const Vec3f direction = direction_of(scene, scene.lights.at(0));
-  EXPECT_LT(direction.x, 0.0f);  // away from the viewer,
-  EXPECT_LT(direction.y, 0.0f);  // down,
-  EXPECT_LT(direction.z, 0.0f);  // and to the right, which is -z for him
-}
 
 TEST(GltfLight, scene_with_a_light_keeps_a_black_background) {
   GltfBuilder b = lit_by({{"type", "point"}});

@@ -1,0 +1,107 @@
+#!/usr/bin/python3
+"""Path tracing beside Blender's Cycles: the same scenes, cameras and lights, PSNR between both and samples per second of each.
+
+  bench/cycles_peers.py [NAME ...] [--asset FILE.glb ...] [--panorama FILE.hdr] [--size N] [--spp N] [--output DIR] [--tool PATH]
+                        [--threads N] [--json]
+
+Scenes: six of bench/cycles/fixtures.py, and files of the user's own. Blender builds their materials from the file as glTF 2.0's
+appendix B has them (bench/cycles/inside_blender.py). PSNR is of 8-bit sRGB codes (lippmann compare). Speed: the seconds of `spp`
+samples less those of an eighth of them, so that neither side's set-up counts. Needs Debian's blender and python3-numpy.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "cycles"))
+import fixtures  # noqa: E402
+
+HERE = pathlib.Path(__file__).parent
+VERTICES = 8  # of a path, both sides
+
+
+def ours(tool, scene, panorama, size, spp, folder, threads):
+    command = [tool, "render", scene, "--optics", "single", "--size", f"{size}x{size}", "--integrator", "path", "--spp", spp, "--frames",
+               "0-0", "--max-depth", VERTICES, "--format", "exr", "--exr-pixels", "float", "--threads", threads, "-o", folder]
+    if panorama:
+        command += ["--environment", panorama]
+    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return json.loads((folder / "report.json").read_text())["frames"][0]["seconds"]
+
+
+def cycles(scene, panorama, size, spp, out, threads):
+    command = ["blender", "-b", "-P", HERE / "cycles" / "inside_blender.py", "--", scene, out, size, size, spp, VERTICES, threads, 7]
+    if panorama:
+        command.append(panorama)
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True,
+                          env={**os.environ, "PATH": "/usr/bin:/bin"})  # its Python is Debian's, whatever else there is
+    for line in done.stdout.splitlines():
+        if line.startswith("CYCLES_SECONDS"):
+            return float(line.split()[1])
+    raise SystemExit(f"Blender could not render {scene}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+
+
+def psnr(tool, a, b):
+    done = subprocess.run([str(tool), "compare", str(a), str(b), "--json"], capture_output=True, text=True)
+    return json.loads(done.stdout)["mean"]["psnr_db"]
+
+
+def measure(name, scene, panorama, bar, options, work):
+    few = max(1, options.spp // 8)
+    folder = work / name
+    folder.mkdir(parents=True, exist_ok=True)
+    seconds = ours(options.tool, scene, panorama, options.size, options.spp, folder / "ours", options.threads)
+    seconds -= ours(options.tool, scene, panorama, options.size, few, folder / "ours-few", options.threads)
+    theirs = cycles(scene, panorama, options.size, options.spp, folder / "cycles.exr", options.threads)
+    theirs -= cycles(scene, panorama, options.size, few, folder / "cycles-few.exr", options.threads)
+    samples = (options.spp - few) * options.size**2
+    row = {"scene": name, "psnr_db": psnr(options.tool, folder / "cycles.exr", folder / "ours" / "frame_0000.exr"), "bar_db": bar,
+           "ours_msamples_s": samples / seconds * 1e-6, "cycles_msamples_s": samples / theirs * 1e-6, "speed_ratio": theirs / seconds}
+    if not options.json:
+        print("{scene:14} {psnr_db:6.2f} dB (bar {bar_db:.0f})   {ours_msamples_s:6.2f} : {cycles_msamples_s:5.2f} Msamples/s = "
+              "{speed_ratio:.2f} x".format(**row), flush=True)
+    return row
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenes", nargs="*", metavar="NAME", help="of: " + ", ".join(fixtures.FIXTURES))
+    parser.add_argument("--asset", action="append", default=[], type=pathlib.Path)
+    parser.add_argument("--panorama", type=pathlib.Path)
+    parser.add_argument("--size", type=int, default=256)
+    parser.add_argument("--spp", type=int, default=1024)
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--output", type=pathlib.Path)
+    parser.add_argument("--tool", type=pathlib.Path, default=HERE.parent / "build" / "release" / "lippmann")
+    parser.add_argument("--json", action="store_true")
+    options = parser.parse_args()
+    if not shutil.which("blender"):
+        print("skipped: Blender is not installed (apt-get install blender)", file=sys.stderr)
+        return
+    unknown = set(options.scenes) - set(fixtures.FIXTURES)
+    if unknown:
+        raise SystemExit(f"no such scene: {', '.join(sorted(unknown))}; there are {', '.join(fixtures.FIXTURES)}")
+    with tempfile.TemporaryDirectory() as temporary:
+        work = options.output or pathlib.Path(temporary)
+        work.mkdir(parents=True, exist_ok=True)
+        panorama = options.panorama or work / "panorama.hdr"
+        if not options.panorama:
+            fixtures.write_panorama(panorama)
+        rows = []
+        for name in options.scenes or ([] if options.asset else fixtures.FIXTURES):
+            make, lit_by_panorama, bar = fixtures.FIXTURES[name]
+            scene = work / f"{name}.gltf"
+            make().write(scene)
+            rows.append(measure(name, scene, panorama if lit_by_panorama else None, bar, options, work))
+        for asset in options.asset:
+            rows.append(measure(asset.stem, asset, panorama, 30.0, options, work))
+    if options.json:
+        print(json.dumps({"bench": "cycles", "rows": rows}, indent=2))
+
+
+main()

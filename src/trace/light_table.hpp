@@ -1,0 +1,83 @@
+// The lights of a scene as paths see them: point-like lights, triangles that shine, the sky; one of them drawn by its power.
+// Private to src/trace.
+//
+// Based on: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997 (next-event estimation, and the
+// densities that multiple importance sampling asks for).
+//
+// Units. Lights multiply N.L by their colour (scene.hpp), on Phong surfaces without the 1 / pi of Lambert's law; there they
+// stand for pi times the irradiance, so that path-traced pictures are as bright as Whitted's.
+// Shapes that shine but are no meshes, and visible light bulbs, are met by rays alone.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "trace/materials.hpp"
+#include "trace/texture.hpp"
+#include "transport/discrete.hpp"
+#include "transport/environment.hpp"
+
+namespace lippmann {
+
+struct GeometryRecord;
+
+/// What lights are made of.
+struct LightSources {
+  const Scene& scene;
+  std::span<const WhittedLight> lights;
+  std::span<const GeometryRecord> records;
+  std::span<const WhittedMaterial> materials;
+  std::span<const DeviceTexture> textures;
+  float size;  ///< of the scene: half its diagonal
+};
+
+/// One light, seen from a point.
+struct LightSample {
+  Vec3f direction{0.0f};  ///< to the light, unit
+  float distance = 0.0f;  ///< shadow rays end before it
+  Vec3f radiance{0.0f};   ///< of a point-like light: its irradiance across, over its chance
+  float density = 0.0f;   ///< of the direction, the light's chance included, per steradian; kInfinity: a point-like light
+  bool is_point() const { return density == kInfinity; }
+};
+
+class LightTable {
+ public:
+  /// Both must outlive it.
+  LightTable(const LightSources& sources, const Environment& environment);
+
+  /// A light for a point: `pick` chooses which, `u` where on it. None where it is turned away or out of reach.
+  std::optional<LightSample> sample(Vec3f from, float pick, Vec2f u) const;
+
+  /// Of sample(), had it chosen triangle `prim` of a record, which a ray of unit `direction` meets at `distance`; 0 where the
+  /// triangle is none of its lights.
+  float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const;
+
+  /// Of sample(), had it chosen this direction into the sky.
+  float density_of_sky(Vec3f direction) const { return sky_chance_ * environment_.density(direction); }
+
+  const Environment& environment() const { return environment_; }
+
+ private:
+  struct Triangle {
+    Vec3f origin, edge_b, edge_c, normal;  ///< world space; normal unit
+    float area;
+    std::uint32_t record, prim;
+  };
+
+  void add_triangles(std::vector<float>& powers);
+  std::optional<LightSample> sample_point(const WhittedLight& light, Vec3f from) const;
+  std::optional<LightSample> sample_triangle_light(const Triangle& triangle, Vec3f from, Vec2f u) const;
+  Vec3f emission_at(const Triangle& triangle, Vec2f barycentric) const;
+
+  LightSources sources_;
+  const Environment& environment_;
+  float unit_;  ///< irradiance per colour of a point-like light
+  std::vector<Triangle> triangles_;
+  std::vector<int> first_triangle_;  ///< per record; -1: does not shine
+  DiscreteDistribution chances_;     ///< point-like lights, triangles, the sky
+  float sky_chance_ = 0.0f;
+};
+
+}  // namespace lippmann

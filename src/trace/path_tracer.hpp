@@ -1,0 +1,86 @@
+// Light along random paths from the lens array into the scene, wave by wave: next-event estimation at every surface, and a
+// direction drawn from its BSDF. Private to src/trace.
+//
+// Based on: J. Kajiya, "The rendering equation", SIGGRAPH 1986; E. Veach, "Robust Monte Carlo Methods for Light Transport
+// Simulation", 1997 (multiple importance sampling, the power heuristic; Russian roulette).
+#pragma once
+
+#include <vector>
+
+#include "trace/direct_light.hpp"
+#include "trace/trace_frame.hpp"
+
+namespace lippmann {
+
+struct ShadingPoint;
+class Bsdf;
+
+/// What decides the random numbers of a frame's paths, and what becomes of them.
+struct PathParams {
+  int max_depth = 6;            ///< path vertices on surfaces
+  std::uint32_t seed = 0;       ///< of the frame: other frames have other noise
+  float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
+};
+
+/// Tracing state of one thread at a time. Adds radiance to pixels of `film`; const inputs must outlive it.
+class PathTracer {
+ public:
+  /// `scene` was made for Integrator::kPath.
+  PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params, Image& film);
+
+  /// From now on paths are sample number `sample` of their pixels.
+  void begin_sample(int sample) { sample_ = static_cast<std::uint32_t>(sample); }
+
+  /// Traces and shades a packet of primary rays (origin, direction, tnear, tfar set); adds weight x radiance to each active
+  /// lane's pixel. What goes on from there waits for finish_batch().
+  void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight);
+
+  /// Traces everything that waits, wave by wave.
+  void finish_batch();
+
+  const RayCounts& counts() const { return counts_; }
+
+ private:
+  /// A path on its way.
+  struct Ray {
+    Vec3f origin, direction, throughput;
+    float t_near, path_length;
+    float scattered_at;  ///< path length at the last scattering
+    float density;       ///< of `direction` as drawn at the last scattering; kInfinity: by a Dirac lobe, or from the lens
+    std::uint32_t pixel;
+    std::uint16_t depth;   ///< vertices on surfaces so far
+    std::uint16_t events;  ///< vertices, passed surfaces included: what the random numbers go by
+  };
+
+  /// A light that shines on a path's vertex, unless something lies between.
+  struct ShadowRay {
+    Vec3f origin, direction, radiance;
+    float t_near, t_far;
+    std::uint32_t pixel;
+  };
+
+  void shade(const RayHitPacket& packet, const LaneMask& active, const Ray* rays);
+  void shade_sky(const RayHitPacket& packet, int lane, const Ray& ray);
+  void shade_surface(const RayHitPacket& packet, int lane, const Ray& ray);
+  void add_emission(const RayHitPacket& packet, int lane, const Ray& ray, Vec3f emission);
+  void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const Ray& ray, float pick, Vec2f u);
+  void scatter(const ShadingPoint& point, const Bsdf& bsdf, const Ray& ray, float length, float lobe, float survival, Vec2f u);
+  void trace_shadow_rays();
+  void load(std::size_t first, std::size_t count, RayHitPacket& packet, LaneMask& active) const;
+  Vec3f clamped(Vec3f radiance, int depth) const;
+  void add(std::uint32_t pixel, Vec3f radiance);
+
+  const DeviceScene::Impl& scene_;
+  const BeamFootprint& beam_;
+  PathParams params_;
+  float* film_;
+  std::uint32_t sample_ = 0;
+  float weight_ = 1.0f;  ///< of one sample
+  RayCounts counts_;
+  std::vector<Ray> wave_, next_;
+  std::vector<ShadowRay> shadow_rays_;
+  SurfacePacket surface_;
+  ShadowPacket shadow_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,51 @@
+// One lane of a packet of surface points as a path sees it: what shines there, how it scatters, what lets light through.
+// Private to src/trace.
+#pragma once
+
+#include <variant>
+
+#include "trace/surface.hpp"
+#include "transport/metal_rough_bsdf.hpp"
+#include "transport/phong_bsdf.hpp"
+
+namespace lippmann {
+
+/// A surface's BSDF, whichever kind it is.
+class Bsdf {
+ public:
+  Bsdf(const PhongBsdf& bsdf) : bsdf_(bsdf) {}
+  Bsdf(const MetalRoughBsdf& bsdf) : bsdf_(bsdf) {}
+
+  BsdfValue evaluate(Vec3f light) const {
+    return std::visit([&](const auto& b) { return b.evaluate(light); }, bsdf_);
+  }
+  /// What a point-like light adds beyond evaluate().
+  Vec3f highlight(Vec3f light) const {
+    const auto* phong = std::get_if<PhongBsdf>(&bsdf_);
+    return phong ? phong->highlight(light) : Vec3f(0.0f);
+  }
+  std::optional<BsdfSample> sample(float lobe, Vec2f u) const {
+    return std::visit([&](const auto& b) { return b.sample(lobe, u); }, bsdf_);
+  }
+
+ private:
+  std::variant<PhongBsdf, MetalRoughBsdf> bsdf_;
+};
+
+struct ShadingPoint {
+  Vec3f position{0.0f};
+  Vec3f facet{0.0f};  ///< normal of the facet, unit, towards the viewer
+  Vec3f emission{0.0f};
+  Vec3f base_color{0.0f};  ///< textures looked up
+  float coverage = 1.0f;   ///< the rest of the light passes as if nothing were here
+  bool scatters = true;    ///< false: it only shines
+  float t_near = 0.0f;     ///< rays that leave start so far away
+};
+
+/// Lane i of what `packet` has hit, surface evaluated (of paths: DeviceScene for Integrator::kPath).
+ShadingPoint shading_point(const DeviceScene::Impl& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
+
+/// How the point scatters.
+Bsdf bsdf_at(const DeviceScene::Impl& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
+
+}  // namespace lippmann

@@ -1,0 +1,70 @@
+#include "scene/default_light.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scene/default_view.hpp"
+#include "scene/load.hpp"
+#include "scene/timeline.hpp"
+
+namespace lippmann {
+namespace {
+
+Scene scene_of(const MetallicRoughness& surface) {
+  Scene scene;
+  scene.materials.push_back({"", surface});
+  scene.shapes.push_back(Spheres{Sphere{}});
+  scene.instances.push_back({"", 0, 0, -1});
+  return scene;
+}
+
+Vec3f direction_of_light(const Scene& scene) {
+  return glm::normalize(transform_vector(evaluate(scene, 0.0).of(scene.lights.at(0).node), {0, 0, -1}));
+}
+
+TEST(DefaultLight, is_lacking_where_surfaces_wait_for_light) {
+  MetallicRoughness plain, unlit, lamp;
+  unlit.unlit = true;
+  lamp.emissive = Vec3f(1.0f);
+  EXPECT_TRUE(lacks_light(scene_of(plain), false));
+  EXPECT_FALSE(lacks_light(scene_of(unlit), false)) << "nothing to light";
+  EXPECT_TRUE(lacks_light(scene_of(lamp), false)) << "its light goes nowhere";
+  EXPECT_FALSE(lacks_light(scene_of(lamp), true)) << "its light lights the others";
+  Scene lit = scene_of(plain);
+  lit.lights.emplace_back();
+  EXPECT_FALSE(lacks_light(lit, false));
+}
+
+TEST(DefaultLight, phong_scenes_are_as_dark_as_their_authors_made_them) {
+  Scene scene = scene_of({});
+  scene.materials[0].surface = PhongSurface{};
+  EXPECT_FALSE(lacks_light(scene, false));
+}
+
+TEST(DefaultLight, comes_from_above_left_of_the_viewer) {
+  Scene scene = scene_of({});
+  add_default_light(scene);
+  const Vec3f direction = glm::inverse(default_view()) * direction_of_light(scene);  // as the viewer sees it
+  EXPECT_GT(direction.x, 0.0f);                                                      // towards the right,
+  EXPECT_LT(direction.y, 0.0f);                                                      // down,
+  EXPECT_LT(direction.z, 0.0f);                                                      // and away from the viewer
+  EXPECT_GT(scene.background.horizon.x, 0.0f);
+  EXPECT_NO_THROW(validate(scene, "scene"));
+}
+
+TEST(DefaultLight, comes_from_above_left_of_the_camera) {
+  Scene scene = scene_of({});
+  Node node;
+  const float half_root = std::sqrt(0.5f);
+  node.local.rotation = {half_root, 0, half_root, 0};  // looks along -x
+  node.local.scale = Vec3f(2.0f);
+  scene.nodes.push_back(node);
+  scene.cameras.emplace_back().node = 0;
+  add_default_light(scene);
+  const Vec3f direction = direction_of_light(scene);
+  EXPECT_LT(direction.x, 0.0f);  // away from the viewer,
+  EXPECT_LT(direction.y, 0.0f);  // down,
+  EXPECT_LT(direction.z, 0.0f);  // and to the right, which is -z for him
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,263 @@
+// Light by random paths against what theory says it is. The view is from (0, 0, 10) at the square +-2, unless it is shrunk.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
+
+MetallicRoughness rough(Vec3f color, float metallic, float roughness) {
+  MetallicRoughness m;
+  m.base_color = Vec4f(color, 1.0f);
+  m.metallic = metallic, m.roughness = roughness;
+  return m;
+}
+
+/// A box seen from within: 2 x half wide, its faces' normals inwards.
+Mesh room(float half) {
+  Mesh m;
+  for (int corner = 0; corner < 8; ++corner)
+    m.positions.push_back({corner & 1 ? half : -half, corner & 2 ? half : -half, corner & 4 ? half : -half});
+  const std::array<std::array<std::uint32_t, 4>, 6> faces{
+      {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}}};
+  for (const auto& [a, b, c, d] : faces) {
+    m.triangles.push_back({a, b, c});
+    m.triangles.push_back({a, c, d});
+  }
+  return m;
+}
+
+/// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
+const Affine3f kNearby{Mat3f(0.1f), Vec3f(0.0f)};
+
+// ---- Furnaces: where light comes equally from everywhere, white things cannot be seen ----------------------------------
+
+TEST(PathTracer, white_spheres_of_any_roughness_vanish_in_a_white_furnace) {
+  for (const float metallic : {0.0f, 1.0f})
+    for (int r = 0; r <= 10; ++r) {
+      SmallScene s;
+      surround(s, Vec3f(1.0f));
+      s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(rough(Vec3f(1.0f), metallic, 0.1f * static_cast<float>(r))));
+      // 0.5 %: what the tables of the multiple scattering leave; 64 pixels x 256 samples.
+      EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 256).film), 1.0, 0.005)
+          << "metallic " << metallic << ", roughness 0." << r;
+    }
+}
+
+TEST(PathTracer, white_phong_and_smooth_glass_vanish_in_a_white_furnace) {
+  MetallicRoughness glass = rough(Vec3f(1.0f), 0.0f, 0.0f);
+  glass.transmission = 1.0f;
+  PhongSurface pane = matte(Vec3f(1.0f));
+  pane.opacity = 0.4f;
+  for (int kind = 0; kind < 3; ++kind) {
+    SmallScene s;
+    s.scene.max_depth = 64;
+    surround(s, Vec3f(1.0f));
+    const int material = kind == 0 ? s.material(glass) : s.material(kind == 1 ? matte(Vec3f(1.0f)) : pane);
+    s.add(Spheres{{{0, 0, 0}, 1.0f}, {{1, 0.5f, 2}, 0.5f}}, material);
+    EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 256).film), 1.0, 0.005) << "kind " << kind;
+  }
+}
+
+// Radiance L = e + a L: e / (1 - a); of paths of n vertices the sum of e a^k for k = 0 ... n.
+TEST(PathTracer, a_glowing_room_has_the_light_of_the_geometric_series) {
+  for (const int depth : {1, 2, 8}) {
+    SmallScene s;
+    s.scene.max_depth = depth;
+    PhongSurface wall = matte(Vec3f(0.5f));
+    wall.emission = Vec3f(1.0f, 2.0f, 0.5f);
+    s.add(room(20.0f), s.material(wall));
+    const Picture p = trace_paths(s.scene, single_view(8), 256);
+    const double series = 2.0 - std::pow(0.5, depth);
+    EXPECT_NEAR(mean(p.film) / (3.5 / 3.0), series, 0.01 * series) << depth << " vertices";
+  }
+}
+
+// ---- Lights ---------------------------------------------------------------------------------------------------------
+
+TEST(PathTracer, lambert_under_a_point_light_is_as_bright_as_whitted_has_it) {
+  SmallScene s;
+  s.add(square(2, 0), s.material(matte({0.5f, 0.25f, 1.0f})));
+  s.point_light({3, 0, 4}, {1.0f, 0.5f, 0.25f});
+  const Vec3f whitted = trace(s.scene, single_view(33)).at(16, 16), path = trace_paths(s.scene, single_view(33), 4).at(16, 16);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(path[c], whitted[c], 0.01f * whitted[c]);  // samples spread over the pixel
+}
+
+TEST(PathTracer, a_metallic_roughness_surface_divides_by_pi) {
+  SmallScene s;
+  MetallicRoughness chalk = rough(Vec3f(0.5f), 0.0f, 1.0f);
+  chalk.specular = 0.0f;
+  s.add(square(2, 0), s.material(chalk));
+  Light& light = s.point_light({0, 0, 4}, Vec3f(8.0f));
+  light.inverse_square = true;
+  EXPECT_NEAR(trace_paths(s.scene, single_view(33), 4).at(16, 16).x, 0.5f / kPi * 8.0f / 16.0f, 5e-4f);
+}
+
+/// From a point to a square of half side a, h above it and parallel: four times the form factor of a rectangle with a corner
+/// above the point (Howell, configuration B-3).
+double form_factor(double a, double h) {
+  const double x = a / h, r = std::sqrt(1.0 + x * x);
+  return 4.0 / M_PI * x / r * std::atan(x / r);
+}
+
+// Radiance = albedo x light x form factor; 0.5 x 3 x 0.2399.
+TEST(PathTracer, a_square_light_gives_what_its_form_factor_says) {
+  PhongSurface lamp = matte(Vec3f(0.0f));
+  lamp.emission = Vec3f(3.0f);
+  for (const bool by_rays_alone : {false, true}) {
+    SmallScene s;
+    s.add(square(2, 0), s.material(matte(Vec3f(0.5f))));
+    const int shines = s.material(lamp);
+    if (by_rays_alone)  // boxes are met by chance, meshes are aimed at: two ways to one light
+      s.add(Boxes{{{-1, -1, 2}, {1, 1, 2.0001f}}}, shines);
+    else
+      s.add(square(1, 2), shines);
+    const Picture p = trace_paths(s.scene, single_view(5), by_rays_alone ? 16'384 : 1024, {}, 1, kNearby);
+    EXPECT_NEAR(p.at(2, 2).x, 0.5 * 3.0 * form_factor(1.0, 2.0), 0.01) << (by_rays_alone ? "by rays" : "aimed at");
+  }
+}
+
+TEST(PathTracer, two_lamps_and_the_sky_add_up_whichever_is_drawn) {
+  SmallScene s;
+  surround(s, Vec3f(0.25f));
+  s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
+  s.point_light({0, 0, 5}, Vec3f(0.5f));
+  s.point_light({0, 0, 7}, Vec3f(0.125f));
+  EXPECT_NEAR(mean(trace_paths(s.scene, single_view(5), 2048, {}, 1, kNearby).film), 0.25 + 0.5 + 0.125, 0.005);
+}
+
+TEST(PathTracer, a_bright_spot_of_a_panorama_lights_as_a_distant_lamp) {
+  SmallScene s;
+  s.scene.background.map.emplace().radiance = Image(64, 32, 3);
+  // One texel around +x, 30 degrees above the horizon; the square is turned towards +x.
+  const int row = 10;  // polar angles 56.25 to 61.875 degrees
+  std::fill_n(s.scene.background.map->radiance.pixel(32, row), 3, 1000.0f);
+  const Mat3f towards_x(Vec3f(0, 0, -1), Vec3f(0, 1, 0), Vec3f(1, 0, 0));
+  s.add(square(2, 0), s.material(matte(Vec3f(1.0f))), s.node({towards_x, Vec3f(0.0f)}));
+  // Irradiance / pi of a bilinear texel: radiance x its area (two texels wide either way, weight 1/4 on average) x cosine.
+  const double step = M_PI / 32, polar = (row + 0.5) * step, azimuth = 0.5 * step;
+  const double cosine = std::sin(polar) * std::cos(azimuth), expected = 1000.0 * step * step * std::sin(polar) * cosine / M_PI;
+  const Picture p = trace_paths(s.scene, single_view(5), 4096, {}, 1, {0.1f * towards_x, Vec3f(0.0f)});
+  EXPECT_NEAR(p.at(2, 2).x, expected, 0.01 * expected);
+}
+
+// ---- What light passes ----------------------------------------------------------------------------------------------
+
+TEST(PathTracer, coverage_lets_light_and_looks_pass) {
+  SmallScene s;
+  surround(s, Vec3f(1.0f));
+  MetallicRoughness veil = rough(Vec3f(0.0f), 0.0f, 1.0f);
+  veil.base_color.a = 0.25f, veil.blend = true, veil.specular = 0.0f;
+  s.add(square(20, 1), s.material(veil));
+  EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 256).film), 0.75, 0.005);
+  s.scene.background = {};
+  s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
+  s.point_light({0, 0, 5}, Vec3f(1.0f));
+  EXPECT_NEAR(trace_paths(s.scene, single_view(33), 1024).at(16, 16).x, 0.75f * 0.75f, 0.02f) << "down and up again";
+}
+
+TEST(PathTracer, light_through_a_clear_pane_counts_once) {
+  PhongSurface pane = matte(Vec3f(0.0f));
+  pane.opacity = 0.5f;
+  SmallScene s;
+  s.scene.max_depth = 4;
+  surround(s, Vec3f(1.0f));
+  s.add(square(200, 3), s.material(pane));
+  s.add(square(20, 0), s.material(matte(Vec3f(0.8f))));
+  // From between both: the floor is lit by the sky through the pane, but for what comes from the floor's own sides.
+  EXPECT_NEAR(mean(trace_paths(s.scene, single_view(5), 1024, {}, 1, kNearby).film), 0.8 * 0.5, 0.008);
+}
+
+TEST(PathTracer, bulbs_are_seen_but_counted_once) {
+  SmallScene s;
+  s.add(square(20, 0), s.material(matte(Vec3f(1.0f))));
+  s.point_light({0, 0, 2}, Vec3f(0.5f)).visible_radius = 0.3f;
+  EXPECT_NEAR(trace_paths(s.scene, single_view(5), 512, {}, 1, kNearby).at(2, 2).x, 0.5, 0.005);
+  EXPECT_NEAR(trace_paths(s.scene, single_view(33), 16).at(16, 16).x, 0.5, 1e-4) << "the bulb itself, from afar";
+}
+
+// ---- Normal maps ----------------------------------------------------------------------------------------------------
+
+TEST(PathTracer, a_normal_map_turns_the_surface_towards_the_light) {
+  SmallScene s;
+  Texture texture;
+  texture.width = texture.height = 1;
+  texture.srgb = false;
+  texture.rgba = {255, 128, 128, 255};  // nearly along the tangent: (1, 0.004, 0.004)
+  s.scene.textures.push_back(texture);
+  MetallicRoughness chalk = rough(Vec3f(1.0f), 0.0f, 1.0f);
+  chalk.specular = 0.0f;
+  chalk.normal_map.texture = 0;
+  s.add(square(2, 0), s.material(chalk));
+  Light& light = s.point_light({0, 0, 0}, Vec3f(kPi));
+  light.kind = LightKind::kDirectional;
+  // Shining along -z x -x, 45 degrees: from +x and +z. u grows along +x.
+  const float c = std::sqrt(0.5f);
+  s.scene.nodes.back().matrix = Affine3f{Mat3f(Vec3f(c, 0, -c), Vec3f(0, 1, 0), Vec3f(c, 0, c)), Vec3f(0.0f)};
+  const Vec3f normal = glm::normalize(Vec3f(1.0f, 1.0f / 255, 1.0f / 255));
+  EXPECT_NEAR(trace_paths(s.scene, single_view(33), 1).at(16, 16).x, glm::dot(normal, Vec3f(c, 0, c)), 2e-3f);
+}
+
+// ---- Numbers --------------------------------------------------------------------------------------------------------
+
+TEST(PathTracer, any_number_of_threads_gives_the_same_bits) {
+  SmallScene s = busy_scene(3);
+  surround(s, Vec3f(0.4f));
+  const Image one = trace_paths(s.scene, lenticular_view(), 5).film,
+              three = trace_paths(s.scene, lenticular_view(), 5, {}, 3).film;
+  EXPECT_EQ(one.data, three.data);
+}
+
+TEST(PathTracer, another_frame_or_seed_has_other_noise_and_the_same_one_the_same) {
+  SmallScene s = busy_scene(3);
+  surround(s, Vec3f(0.4f));
+  TraceParams first, second, third;
+  second.frame = 1, third.seed = 1;
+  const Image a = trace_paths(s.scene, lenticular_view(), 2, first).film;
+  EXPECT_EQ(a.data, trace_paths(s.scene, lenticular_view(), 2, first).film.data);
+  EXPECT_NE(a.data, trace_paths(s.scene, lenticular_view(), 2, second).film.data);
+  EXPECT_NE(a.data, trace_paths(s.scene, lenticular_view(), 2, third).film.data);
+}
+
+// Neighbouring pixels below a lens are neighbouring views: their noise must not be the same, nor depend on each other.
+TEST(PathTracer, the_noise_of_neighbouring_views_is_not_correlated) {
+  SmallScene s;
+  PhongSurface lamp = matte(Vec3f(0.0f));
+  lamp.emission = Vec3f(3.0f);
+  s.add(square(20, 0), s.material(matte(Vec3f(0.5f))));
+  s.add(Boxes{{{-9, -9, 12}, {9, 9, 12.1f}}}, s.material(lamp));
+  const Image film = trace_paths(s.scene, lenticular_view(), 1).film;
+  const double m = mean(film);
+  double variance = 0.0, covariance = 0.0;
+  int pairs = 0;
+  for (int y = 0; y < film.height; ++y)
+    for (int x = 0; x + 1 < film.width; ++x, ++pairs) {
+      const double a = static_cast<double>(*film.pixel(x, y)) - m, b = static_cast<double>(*film.pixel(x + 1, y)) - m;
+      variance += a * a, covariance += a * b;
+    }
+  EXPECT_GT(variance, 0.0);
+  EXPECT_LT(std::abs(covariance / variance), 4.0 / std::sqrt(pairs));  // four standard deviations of independent ones
+}
+
+TEST(PathTracer, clamping_dims_indirect_light_alone) {
+  SmallScene s;
+  s.scene.max_depth = 3;
+  PhongSurface wall = matte(Vec3f(0.5f));
+  wall.emission = Vec3f(1.0f);
+  s.add(room(20.0f), s.material(wall));
+  TraceParams params;
+  params.clamp_indirect = 0.05f;
+  // Own light 1 and direct light 0.5 stay; of the two bounces after it, 0.25 and 0.125, at most 0.05 each does.
+  const double clamped = mean(trace_paths(s.scene, single_view(5), 256, params).film);
+  EXPECT_GT(clamped, 1.495);
+  EXPECT_LT(clamped, 1.5 + 4 * 0.05 + 0.005);
+}
+
+}  // namespace
+}  // namespace lippmann
