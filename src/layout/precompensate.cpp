@@ -10,10 +10,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/multiversion.hpp"
 #include "optics/crosstalk.hpp"
 
 namespace lippmann {
@@ -34,67 +37,98 @@ struct Bounds {
 };
 constexpr Bounds kLight{0.0, 1.0}, kNoBounds{-INFINITY, INFINITY};
 
-/// A along one line.
-class Leak {
- public:
-  Leak(std::size_t length, double sigma_px) : sums_(length) {
+/// The same sample of several lines, which are worked on together.
+constexpr std::size_t kLanes = 8;
+using Lane = std::array<double, kLanes>;
+
+/// A along lines of that length: weights of a pixel itself, of its neighbours, of theirs, and of each sample the sum of all
+/// weights that lie in the line.
+struct Leak {
+  std::vector<double> weights, sums;
+
+  Leak(std::size_t length, double sigma_px) : sums(length) {
     for (const Tap& tap : gaussian_taps(0.5, sigma_px))
-      if (tap.index >= 0) weights_.push_back(tap.weight);
+      if (tap.index >= 0) weights.push_back(tap.weight);
     for (std::size_t i = 0; i < length; ++i) {
-      for (std::size_t j = 1; j < weights_.size(); ++j) sums_[i] += ((i >= j) + (i + j < length)) * weights_[j];
-      sums_[i] += weights_[0];
+      for (std::size_t j = 1; j < weights.size(); ++j) sums[i] += ((i >= j) + (i + j < length)) * weights[j];
+      sums[i] += weights[0];
     }
   }
-
-  void seen_of(const std::vector<double>& shown, std::vector<double>& seen) const {
-    for (std::size_t i = 0; i < sums_.size(); ++i) seen[i] = (weights_[0] * shown[i] + of_neighbours(shown, i)) / sums_[i];
-  }
-
-  /// Returns how many of the samples stopped at a bound.
-  std::size_t shown_for(const std::vector<double>& wanted, Bounds bounds, std::vector<double>& shown) const {
-    shown = wanted;
-    std::size_t clipped = 0;
-    double change = 1.0;
-    for (int sweep = 0; sweep < kMaxSweeps && change > kExact; ++sweep) {
-      change = 0.0, clipped = 0;
-      for (std::size_t i = 0; i < sums_.size(); ++i) {
-        const double free = (sums_[i] * wanted[i] - of_neighbours(shown, i)) / weights_[0];
-        const double value = std::clamp(free, bounds.low, bounds.high);
-        clipped += std::abs(value - free) > 1e3 * kExact;
-        change = std::max(change, std::abs(value - shown[i]));
-        shown[i] = value;
-      }
-    }
-    return clipped;
-  }
-
- private:
-  double of_neighbours(const std::vector<double>& samples, std::size_t i) const {
-    double sum = 0.0;
-    for (std::size_t j = 1; j < weights_.size(); ++j) {
-      const double before = i >= j ? samples[i - j] : 0.0, after = i + j < samples.size() ? samples[i + j] : 0.0;
-      sum += weights_[j] * (before + after);
-    }
-    return sum;
-  }
-
-  std::vector<double> weights_;  ///< of a pixel itself, of its neighbours, of theirs
-  std::vector<double> sums_;     ///< of all weights that lie in the line
 };
 
-/// change(leak, samples of the line) for every line.
+LIPPMANN_INLINE void add_neighbours(const Leak& leak, const Lane* samples, std::size_t i, Lane& sum) {
+  const std::size_t length = leak.sums.size();
+  for (std::size_t j = 1; j < leak.weights.size(); ++j) {
+    const double weight = leak.weights[j];
+    if (i >= j)
+      for (std::size_t l = 0; l < kLanes; ++l) sum[l] += weight * samples[i - j][l];
+    if (i + j < length)
+      for (std::size_t l = 0; l < kLanes; ++l) sum[l] += weight * samples[i + j][l];
+  }
+}
+
+LIPPMANN_MULTIVERSION void leak_lines(const Leak& leak, const Lane* shown, Lane* seen) {
+  for (std::size_t i = 0; i < leak.sums.size(); ++i) {
+    Lane sum{};
+    add_neighbours(leak, shown, i, sum);
+    for (std::size_t l = 0; l < kLanes; ++l) seen[i][l] = (leak.weights[0] * shown[i][l] + sum[l]) / leak.sums[i];
+  }
+}
+
+/// Of a sweep: how much any sample changed, and how many would be beyond their bounds.
+struct Swept {
+  Lane change{}, clipped{};
+};
+
+LIPPMANN_MULTIVERSION void sweep(const Leak& leak, const Lane* wanted, Bounds bounds, Lane* shown, Swept& swept) {
+  const double inverse = 1.0 / leak.weights[0];
+  for (std::size_t i = 0; i < leak.sums.size(); ++i) {
+    Lane sum{};
+    add_neighbours(leak, shown, i, sum);
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const double free = (leak.sums[i] * wanted[i][l] - sum[l]) * inverse;
+      double value = free < bounds.low ? bounds.low : free;
+      value = value > bounds.high ? bounds.high : value;
+      const double change = std::abs(value - shown[i][l]);
+      swept.clipped[l] += std::abs(value - free) > 1e3 * kExact ? 1.0 : 0.0;
+      swept.change[l] = change > swept.change[l] ? change : swept.change[l];
+      shown[i][l] = value;
+    }
+  }
+}
+
+/// Returns how many of the samples stopped at a bound.
+std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bounds bounds, std::vector<Lane>& shown) {
+  shown = wanted;
+  Swept swept;
+  for (int count = 0; count < kMaxSweeps; ++count) {
+    swept = {};
+    sweep(leak, wanted.data(), bounds, shown.data(), swept);
+    if (*std::max_element(swept.change.begin(), swept.change.end()) <= kExact) break;
+  }
+  return static_cast<std::size_t>(std::accumulate(swept.clipped.begin(), swept.clipped.end(), 0.0));
+}
+
+/// change(leak, samples of kLanes lines) for all lines; where there are no more, samples are 0.
 template <class Change>
 void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& picture, Change change) {
   for (const Lines& lines : all) {
     const Leak leak(lines.sample.size(), sigma_px);
-    std::vector<double> samples(lines.sample.size());
-    for (std::size_t row = 0; row < lines.rows; ++row)
-      for (std::size_t x = 0; x < lines.across; ++x) {
-        float* start = picture.data.data() + row * lines.row_stride + x;
-        for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = start[lines.sample[i]];
-        change(leak, samples);
-        for (std::size_t i = 0; i < samples.size(); ++i) start[lines.sample[i]] = static_cast<float>(samples[i]);
+    std::vector<Lane> samples(lines.sample.size());
+    const std::size_t count = lines.rows * lines.across;
+    for (std::size_t first = 0; first < count; first += kLanes) {
+      const std::size_t lanes = std::min(kLanes, count - first);
+      std::array<float*, kLanes> start{};
+      for (std::size_t l = 0; l < lanes; ++l)
+        start[l] = picture.data.data() + (first + l) / lines.across * lines.row_stride + (first + l) % lines.across;
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i] = {};
+        for (std::size_t l = 0; l < lanes; ++l) samples[i][l] = start[l][lines.sample[i]];
       }
+      change(leak, samples);
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        for (std::size_t l = 0; l < lanes; ++l) start[l][lines.sample[i]] = static_cast<float>(samples[i][l]);
+    }
   }
 }
 
@@ -141,9 +175,9 @@ LinesOfAxes lines_of_views(const Image& picture, const MultiView& views) {
 
 /// What an eye sees of it.
 void leak_light(const LinesOfAxes& lines, Vec2d sigma, Image& picture) {
-  const auto leak_line = [seen = std::vector<double>()](const Leak& leak, std::vector<double>& samples) mutable {
+  const auto leak_line = [seen = std::vector<Lane>()](const Leak& leak, std::vector<Lane>& samples) mutable {
     seen.resize(samples.size());
-    leak.seen_of(samples, seen);
+    leak_lines(leak, samples.data(), seen.data());
     samples.swap(seen);
   };
   if (sigma.x > 0.0) for_each_line(lines.across, sigma.x, picture, leak_line);
@@ -174,10 +208,10 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
   const LinesOfAxes lines = views ? lines_of_views(picture, *views) : lines_of_panel(picture);
   const Image wanted = picture;
   std::size_t clipped = 0;
-  std::vector<double> shown;
+  std::vector<Lane> shown;
   const auto solve = [&](Bounds bounds) {
-    return [&, bounds](const Leak& leak, std::vector<double>& samples) {
-      clipped += leak.shown_for(samples, bounds, shown);
+    return [&, bounds](const Leak& leak, std::vector<Lane>& samples) {
+      clipped += solve_lines(leak, samples, bounds, shown);
       samples.swap(shown);
     };
   };

@@ -145,9 +145,10 @@ class PrimitiveUnpacker {
     // The tables of either method take some 100 bytes a face or vertex, as their source has them.
     const Allowance allowance{[&](std::uint64_t faces, std::uint64_t points) {
                                 if (faces > most_faces || points > most_points)
-                                  report_.fail(where, fmt::format("the Draco data has {} triangles and {} vertices, the accessors "
-                                                                  "are for {} and {}",
-                                                                  faces, points, most_faces, most_points));
+                                  report_.fail(where,
+                                               fmt::format("the Draco data has {} triangles and {} vertices, the accessors "
+                                                           "are for {} and {}",
+                                                           faces, points, most_faces, most_points));
                                 document_.unpacked.spend(faces + points, 100, where, report_);
                               },
                               [&](std::uint64_t bytes) { document_.unpacked.spend(bytes, 2, where, report_); }};
@@ -176,8 +177,8 @@ class PrimitiveUnpacker {
     const std::string name = element("accessors", static_cast<std::size_t>(accessor));
     if (!is_new) report_.fail(where, name + " is unpacked twice, from different Draco data");
     if (accessor_at(accessor).count != count)
-      report_.fail(where, fmt::format("the Draco data has {} elements for {}, which has {}", count, name,
-                                      accessor_at(accessor).count));
+      report_.fail(
+          where, fmt::format("the Draco data has {} elements for {}, which has {}", count, name, accessor_at(accessor).count));
     return true;
   }
 
@@ -203,7 +204,8 @@ class PrimitiveUnpacker {
     else if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
       good = good && write_indices<std::uint16_t>(mesh, new_bytes(index, 2, where));
     else
-      good = good && type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT && write_indices<std::uint32_t>(mesh, new_bytes(index, 4, where));
+      good = good && type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT &&
+             write_indices<std::uint32_t>(mesh, new_bytes(index, 4, where));
     if (!good) report_.fail(where, "the Draco data's indices do not fit their accessor");
   }
 
@@ -211,7 +213,8 @@ class PrimitiveUnpacker {
     const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor_at(index).type));
     bool good = components >= 1 && components <= 4 && components == from.num_components();
     const auto write = [&]<class T>(T) {
-      good = good && write_values<T>(from, components, new_bytes(index, static_cast<std::size_t>(components) * sizeof(T), where));
+      good =
+          good && write_values<T>(from, components, new_bytes(index, static_cast<std::size_t>(components) * sizeof(T), where));
     };
     switch (accessor_at(index).componentType) {
       case TINYGLTF_COMPONENT_TYPE_BYTE:

@@ -7,7 +7,8 @@
 
 namespace lippmann::gltf {
 
-/// Lends the accessors of packed indices their primitive's buffer view until they are unpacked: tinygltf refuses indices without.
+/// Lends the accessors of packed indices their primitive's buffer view until they are unpacked: tinygltf refuses indices
+/// without.
 void lend_views(nlohmann::json& root);
 
 /// Gives the accessors of every packed primitive of the model buffer views of their own, with the decompressed elements. The

@@ -1,4 +1,5 @@
-// Based on: Khronos Group and A. Kapoulkine, "EXT_meshopt_compression", 2021; the codecs and filters are those of meshoptimizer.
+// Based on: Khronos Group and A. Kapoulkine, "EXT_meshopt_compression", 2021; the codecs and filters are those of
+// meshoptimizer.
 //
 // Counts are compared with what the packed bytes can hold at most before anything is allocated: a vertex codec packs 16 bytes
 // into 2 bits at best, an index takes a byte at least, a triangle too.
@@ -34,7 +35,8 @@ void check_shape(const PackedView& view, const std::string& where, const Report&
   if (!attributes && view.filter != "NONE") report.fail(where, "filters " + view.mode, "filters of ATTRIBUTES");
   if (view.filter == "OCTAHEDRAL" && view.byte_stride != 4 && view.byte_stride != 8) fail(view.filter, "4, 8");
   if (view.filter == "QUATERNION" && view.byte_stride != 8) fail(view.filter, "8");
-  if (view.mode == "TRIANGLES" && view.count % 3 != 0) report.fail(where, fmt::format("{} indices are no triangles", view.count));
+  if (view.mode == "TRIANGLES" && view.count % 3 != 0)
+    report.fail(where, fmt::format("{} indices are no triangles", view.count));
 }
 
 void check_count(const PackedView& view, const std::string& where, const Report& report) {

@@ -52,8 +52,7 @@ void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count
 /// The whole file, whose second buffer is the fallback.
 test::Contents with_fallback(const GltfBuilder& b) {
   Json root = b.document();
-  root["buffers"].push_back(
-      {{"byteLength", 1'000'000}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+  root["buffers"].push_back({{"byteLength", 1'000'000}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
   root["extensionsRequired"] = {"EXT_meshopt_compression"};
   return GltfBuilder::glb(root.dump(), b.binary);
 }
@@ -159,17 +158,18 @@ TEST_P(GltfMeshoptFault, is_an_error_that_names_the_view) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, GltfMeshoptFault,
-    testing::Values(MeshoptFault{"truncated", [](Json& e) { e["byteLength"] = e["byteLength"].get<int>() - 5; }, "not readable"},
-                    MeshoptFault{"outside", [](Json& e) { e["byteOffset"] = 100'000; }, "lie outside buffers[0]"},
-                    MeshoptFault{"no_buffer", [](Json& e) { e["buffer"] = 2; }, "refers to buffers[2]"},
-                    MeshoptFault{"bomb", [](Json& e) { e["count"] = 2'000'000'000; }, "2000000000 elements do not come out of"},
-                    MeshoptFault{"stride", [](Json& e) { e["byteStride"] = 6; }, "elements of 6 bytes are not what ATTRIBUTES"},
-                    MeshoptFault{"wide", [](Json& e) { e["byteStride"] = 260; }, "is 260; accepted: 1 to 256"},
-                    MeshoptFault{"mode", [](Json& e) { e["mode"] = "SQUARES"; }, "is 'SQUARES'"},
-                    MeshoptFault{"index_stride", [](Json& e) { e["mode"] = "INDICES"; }, "not what INDICES packs; accepted: 2, 4"},
-                    MeshoptFault{"filter", [](Json& e) { e["filter"] = "OCTAHEDRAL"; }, "not what OCTAHEDRAL packs"},
-                    MeshoptFault{"other_codec", [](Json& e) { e["mode"] = "TRIANGLES", e["byteStride"] = 4, e["count"] = 12; },
-                                 "not readable"}),
+    testing::Values(
+        MeshoptFault{"truncated", [](Json& e) { e["byteLength"] = e["byteLength"].get<int>() - 5; }, "not readable"},
+        MeshoptFault{"outside", [](Json& e) { e["byteOffset"] = 100'000; }, "lie outside buffers[0]"},
+        MeshoptFault{"no_buffer", [](Json& e) { e["buffer"] = 2; }, "refers to buffers[2]"},
+        MeshoptFault{"bomb", [](Json& e) { e["count"] = 2'000'000'000; }, "2000000000 elements do not come out of"},
+        MeshoptFault{"stride", [](Json& e) { e["byteStride"] = 6; }, "elements of 6 bytes are not what ATTRIBUTES"},
+        MeshoptFault{"wide", [](Json& e) { e["byteStride"] = 260; }, "is 260; accepted: 1 to 256"},
+        MeshoptFault{"mode", [](Json& e) { e["mode"] = "SQUARES"; }, "is 'SQUARES'"},
+        MeshoptFault{"index_stride", [](Json& e) { e["mode"] = "INDICES"; }, "not what INDICES packs; accepted: 2, 4"},
+        MeshoptFault{"filter", [](Json& e) { e["filter"] = "OCTAHEDRAL"; }, "not what OCTAHEDRAL packs"},
+        MeshoptFault{"other_codec", [](Json& e) { e["mode"] = "TRIANGLES", e["byteStride"] = 4, e["count"] = 12; },
+                     "not readable"}),
     [](const auto& fault) { return std::string(fault.param.name); });
 
 TEST(GltfMeshopt, view_of_a_fallback_that_is_not_packed_is_an_error) {
@@ -267,9 +267,7 @@ TEST(GltfDraco, what_does_not_fit_the_accessors_is_an_error) {
               HasSubstr("indices do not fit their accessor"));
 }
 
-Json& extension_of(GltfBuilder& b) {
-  return b.root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"];
-}
+Json& extension_of(GltfBuilder& b) { return b.root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]; }
 
 TEST(GltfDraco, attributes_that_are_not_there_are_an_error) {
   EXPECT_THAT(draco_message([](GltfBuilder& b) { extension_of(b)["attributes"]["POSITION"] = 7; }),

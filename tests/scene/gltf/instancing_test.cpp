@@ -56,7 +56,9 @@ TEST(GltfInstancing, attributes_that_are_left_out_change_nothing) {
 TEST(GltfInstancing, attributes_of_different_counts_are_an_error) {
   GltfBuilder b;
   const int two = b.add_accessor(std::vector<Vec3f>(2)), three = b.add_accessor(std::vector<Vec3f>(3));
-  EXPECT_EQ(error_message([&] { parse(copies(b, {{"TRANSLATION", two}, {"SCALE", three}})); }),
+  EXPECT_EQ(error_message([&] {
+              parse(copies(b, {{"TRANSLATION", two}, {"SCALE", three}}));
+            }),
             "a.glb: nodes[0].extensions.EXT_mesh_gpu_instancing: has 2 values of one attribute and 3 of another");
 }
 
@@ -73,7 +75,9 @@ TEST(GltfInstancing, attribute_of_the_wrong_type_is_an_error) {
 TEST(GltfInstancing, copy_without_a_rotation_is_an_error) {
   GltfBuilder b;
   const int rotations = b.add_accessor(std::vector<Vec4f>(1, Vec4f(0)));
-  EXPECT_THAT(error_message([&] { parse(copies(b, {{"ROTATION", rotations}})); }),
+  EXPECT_THAT(error_message([&] {
+                parse(copies(b, {{"ROTATION", rotations}}));
+              }),
               HasSubstr("the rotation of copy 0 is not a unit quaternion"));
 }
 
