@@ -1,6 +1,9 @@
 // Writes seeds for fuzz_gltf into a folder: small documents that reach every part of the reader, in both of its input forms.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <meshoptimizer.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -126,6 +129,48 @@ GltfBuilder lights_and_cameras() {
   return b;
 }
 
+/// A triangle whose positions meshoptimizer has packed, shown twice.
+GltfBuilder packed_by_meshopt() {
+  GltfBuilder b;
+  const std::vector<Vec3f> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  std::vector<unsigned char> packed(meshopt_encodeVertexBufferBound(3, 12));
+  packed.resize(meshopt_encodeVertexBuffer(packed.data(), packed.size(), corners.data(), 3, 12));
+  const int mesh = b.add_triangle(), places = b.add_accessor(std::vector<Vec3f>(2));
+  const Json attributes = {{"TRANSLATION", places}};
+  b.add_node({{"mesh", mesh}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}}});
+  b.add_view(packed);
+  b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0},
+                                                                       {"byteOffset", b.binary.size() - packed.size()},
+                                                                       {"byteLength", packed.size()},
+                                                                       {"byteStride", 12},
+                                                                       {"count", 3},
+                                                                       {"mode", "ATTRIBUTES"},
+                                                                       {"filter", "NONE"}};
+  return b;
+}
+
+/// A triangle that Draco has packed.
+GltfBuilder packed_by_draco(int method) {
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(1);
+  const int positions = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const Vec3f a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+  builder.SetAttributeValuesForFace(positions, draco::FaceIndex(0), &a.x, &b.x, &c.x);
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(method);
+  draco::EncoderBuffer packed;
+  encoder.EncodeMeshToBuffer(*builder.Finalize(), &packed);
+  GltfBuilder file;
+  const int view = file.add_view(std::vector<char>(packed.data(), packed.data() + packed.size()));
+  file.add("accessors", {{"componentType", test::kFloat}, {"type", "VEC3"}, {"count", 3}});
+  file.add("accessors", {{"componentType", test::kUnsignedShort}, {"type", "SCALAR"}, {"count", 3}});
+  const Json extension = {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
+  const Json primitive = {
+      {"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"extensions", {{"KHR_draco_mesh_compression", extension}}}};
+  file.add_node({{"mesh", file.add_mesh(primitive)}});
+  return file;
+}
+
 /// A JSON file whose buffer is in a data URI: the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0).
 std::string data_uri() {
   GltfBuilder b;
@@ -155,7 +200,8 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   int count = 0;
   for (const GltfBuilder& builder :
-       {geometry(), textured("png"), textured("jpeg"), animated(), skinned(), lights_and_cameras()}) {
+       {geometry(), textured("png"), textured("jpeg"), animated(), skinned(), lights_and_cameras(), packed_by_meshopt(),
+        packed_by_draco(draco::MESH_SEQUENTIAL_ENCODING), packed_by_draco(draco::MESH_EDGEBREAKER_ENCODING)}) {
     const std::string name = std::to_string(count++);
     write(folder / ("whole" + name), "W", builder.glb());
     write(folder / ("chunks" + name), "C" + builder.document().dump() + '\0', builder.binary);
