@@ -66,6 +66,9 @@ struct FrameSink::Impl {
     const TimedWork timed(write_nanoseconds);
     FramePictures& pictures = rendered.pictures;
     Image as_traced;
+    const Tone tone = tone_of(settings.params);
+    const bool keeps_light = settings.layout.names().format == PictureFormat::kExr;
+    if (!keeps_light) apply_tone(tone, pictures.film);
     if (!settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
     if (settings.layout.moves()) {
       as_traced = std::exchange(pictures.film, settings.layout.arrange(pictures.film));
@@ -73,7 +76,8 @@ struct FrameSink::Impl {
     }
     if (settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
     if (needs_codes(settings.layout.names().format, settings.params))
-      pictures.codes = to_codes(pictures.film, settings.encoding);
+      pictures.codes =
+          keeps_light && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
     write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
                       settings.layout.pixels_per_mm(), pictures);
     if (const auto& quilt = settings.layout.quilt())
@@ -82,6 +86,12 @@ struct FrameSink::Impl {
     if (settings.done_with) settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(pictures.film));
     pictures.film = {};
     pictures.aovs = {};
+  }
+
+  /// Videos beside pictures that keep the light.
+  Image8 toned_codes(const Tone& tone, Image film) const {
+    apply_tone(tone, film);
+    return to_codes(film, settings.encoding);
   }
 
   void undo_crosstalk_of(RenderedFrame& rendered) const {

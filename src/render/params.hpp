@@ -9,6 +9,7 @@
 
 #include "core/context.hpp"
 #include "core/math.hpp"
+#include "image/tone.hpp"
 #include "optics/optics.hpp"
 #include "reuse/in_between.hpp"
 #include "scene/load.hpp"
@@ -80,6 +81,8 @@ struct RenderParams {
   std::string environment;                ///< panorama that surrounds the scene; empty: the scene's own background
   float environment_strength = 1.0f;      ///< factor
   float environment_rotation_deg = 0.0f;  ///< about the vertical
+  float exposure_ev = 0.0f;               ///< of pictures in codes and of videos; EXR stays as the light is
+  ToneCurve tone = ToneCurve::kNone;      ///< likewise
 
   // Reuse between frames
   Reuse reuse = Reuse::kExact;
@@ -115,6 +118,8 @@ inline constexpr int kPathSamples = 64;
 inline int samples_per_pixel(const RenderParams& params) {
   return params.spp > 0 ? params.spp : params.integrator == Integrator::kPath ? kPathSamples : 1;
 }
+
+inline Tone tone_of(const RenderParams& params) { return {params.exposure_ev, params.tone}; }
 
 /// What is traced: as said, or lenticular.
 inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.value_or(OpticsKind::kLenticular); }

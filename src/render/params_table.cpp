@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens"
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 2> kIntegratorNames{"whitted", "path"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
+constexpr std::array<std::string_view, 3> kToneNames{"none", "neutral", "agx"};
 constexpr std::array<std::string_view, 3> kReuseNames{"none", "exact", "forward"};
 constexpr std::array<std::string_view, 2> kAngularNames{"none", "box"};
 constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
@@ -278,6 +279,12 @@ std::vector<ParamInfo> rendering_rows() {
           {"environment-strength", "Rendering", "X", "Factor on the panorama's light"}),
       row(ParamKind::kNumber, &P::environment_rotation_deg, number<float>(-360.0, 360.0),
           {"environment-rotation", "Rendering", "DEG", "Turns the panorama about the vertical"}),
+      row(ParamKind::kNumber, &P::exposure_ev, number<float>(-64.0, 64.0),
+          {"exposure", "Rendering", "EV", "Doubles the light of pictures and videos EV times; EXR files stay as they are"}),
+      row(ParamKind::kText, &P::tone, choice<ToneCurve>(kToneNames),
+          {"tone", "Rendering", "CURVE",
+           "How light brighter than white is shown, but in EXR files: cut off (none), compressed with colours kept (neutral), "
+           "or as film does (agx)"}),
       runs_only(row(ParamKind::kText, &P::order, choice<RayOrder>(kOrderNames),
                     {"order", "Rendering", "ORDER",
                      "Order of tracing, the picture is the same: rows, columns (below a lens), view-tiles"})),

@@ -44,6 +44,8 @@ void check_reuse(const RenderParams& params) {
     throw usage_error("--min-psnr", "means nothing where every frame is traced", "it together with --reuse forward");
   if (const std::string against = flag_against_floor(params); params.min_psnr_db && !against.empty())
     throw usage_error(against, "cannot be together with --min-psnr, which traces what is missed or doubted", "one of the two");
+  if (params.min_psnr_db && !tone_of(params).is_identity())
+    throw usage_error("--min-psnr", "is a floor for pictures that show light as it is", "no --exposure and --tone with it");
   if (params.debug == DebugPicture::kMissed && params.fill == MissedFill::kRetrace)
     throw usage_error("--fill", "retraced pixels would not be seen: --debug missed leaves them black", "one of the two");
 }

@@ -133,7 +133,6 @@ class SceneBuilder {
     const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];
     const WhittedMaterial& material = impl_.materials.materials[static_cast<std::size_t>(instance.material)];
     const float transmittance = shadow_transmittance(material);
-    impl_.any_see_through |= transmittance > 0.0f;
     const bool moving = impl_.instance_moves[index];
     PrimitiveTables& tables = moving ? impl_.moving_tables : impl_.fixed_tables;
     const Affine3f place = at_.of(instance.node);
@@ -227,7 +226,7 @@ class SceneBuilder {
     return &entry->second;
   }
 
-  EmbreeGeometry make_triangles(const Mesh& mesh, std::uint32_t instance) const {
+  EmbreeGeometry make_triangles(const Mesh& mesh, std::uint32_t instance) {
     EmbreeGeometry geometry(rtcNewGeometry(impl_.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     void* vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f),
                                              mesh.positions.size());
@@ -236,24 +235,15 @@ class SceneBuilder {
     if (!vertices || !indices) check(impl_.device.get(), "storing a mesh");
     std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3f*>(vertices));
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(indices));
-    const auto material = impl_.material_of_instance[instance];
-    if (shadow_transmittance(impl_.materials.materials[material]) > 0.0f) {
-      rtcSetGeometryUserData(geometry.get(), const_cast<WhittedMaterial*>(&impl_.materials.materials[material]));
-      rtcSetGeometryOccludedFilterFunction(geometry.get(), weaken_shadow);
+    const WhittedMaterial& material = impl_.materials.materials[impl_.material_of_instance[instance]];
+    const int color = material.color_map.texture;
+    const ShadowCaster caster{&material, &mesh, color >= 0 ? &impl_.textures[static_cast<std::size_t>(color)] : nullptr};
+    if (caster.lets_light_pass()) {
+      impl_.shadow_casters.push_back(std::make_unique<ShadowCaster>(caster));
+      filter_shadows(geometry.get(), *impl_.shadow_casters.back());
     }
     rtcCommitGeometry(geometry.get());
     return geometry;
-  }
-
-  /// A see-through mesh weakens shadow rays instead of ending them; ray ids are lanes (ShadowContext).
-  static void weaken_shadow(const RTCFilterFunctionNArguments* args) {
-    const float transmittance = shadow_transmittance(*static_cast<const WhittedMaterial*>(args->geometryUserPtr));
-    auto* context = reinterpret_cast<ShadowContext*>(args->context);
-    for (unsigned i = 0; i < args->N; ++i)
-      if (args->valid[i]) {
-        context->transmittance[RTCRayN_id(args->ray, args->N, i)] *= transmittance;
-        args->valid[i] = 0;
-      }
   }
 
   void add_posed(const Mesh& mesh, std::uint32_t index, bool moving) {

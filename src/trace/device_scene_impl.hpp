@@ -18,6 +18,7 @@
 #include "trace/embree_shim.hpp"
 #include "trace/light_table.hpp"
 #include "trace/materials.hpp"
+#include "trace/shadow_filter.hpp"
 #include "trace/texture.hpp"
 #include "trace/user_geometry.hpp"
 #include "transport/ggx_albedo.hpp"
@@ -95,8 +96,9 @@ struct DeviceScene::Impl {
   std::map<std::pair<const Mesh*, int>, std::vector<UvGradient>> uv_gradients;  ///< by mesh and set
   std::vector<std::unique_ptr<PosedMesh>> posed;
   PrimitiveTables fixed_tables, moving_tables;
-  std::vector<EmbreeGeometry> placed_geometries;  ///< by record id; the Embree instances that may move
-  std::vector<int> moving_records;                ///< ids of records in `moving` that are placed meshes
+  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< of meshes that are not opaque
+  std::vector<EmbreeGeometry> placed_geometries;              ///< by record id; the Embree instances that may move
+  std::vector<int> moving_records;                            ///< ids of records in `moving` that are placed meshes
   std::vector<WorldPlaneRecord> planes;
   std::vector<bool> instance_moves;
 
@@ -109,7 +111,6 @@ struct DeviceScene::Impl {
   bool tachyon = false;            ///< Tachyon's conventions (scene.encoding): box normals, mirror end, visible lights
   float secondary_t_near = 1e-4f;  ///< at least so far from their surface do secondary rays start
   bool any_visible_light = false;
-  bool any_see_through = false;
 };
 
 }  // namespace lippmann

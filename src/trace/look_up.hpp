@@ -17,15 +17,10 @@ Value interpolate(const std::vector<Value>& of_vertex, const std::array<std::uin
          barycentric.y * of_vertex[corners[2]];
 }
 
-/// The set of texture coordinates that a map uses; empty where the mesh has none.
-inline const std::vector<Vec2f>& uvs_for(const TextureMap& map, const Mesh& mesh) {
-  return map.uv_set == 0 ? mesh.uvs : mesh.uvs_1;
-}
-
 /// RGBA of a map, linear; white where there is none.
 inline Vec4f look_up(const TextureMap& map, std::span<const DeviceTexture> textures, const Mesh& mesh, std::uint32_t triangle,
                      Vec2f barycentric) {
-  const std::vector<Vec2f>& uvs = uvs_for(map, mesh);
+  const std::vector<Vec2f>& uvs = uvs_of(mesh, map.uv_set);
   if (map.texture < 0 || uvs.empty()) return Vec4f(1.0f);
   const Vec2f uv = map.offset + map.matrix * interpolate(uvs, mesh.triangles[triangle], barycentric);
   return sample_point(textures[static_cast<std::size_t>(map.texture)], uv);

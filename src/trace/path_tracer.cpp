@@ -95,9 +95,12 @@ void PathTracer::shade_surface(const RayHitPacket& packet, int i, const Ray& ray
   const ShadingPoint point = shading_point(scene_, packet, surface_, i);
   PathSampler sampler(hash(params_.seed, ray.pixel), sample_);
   sampler.jump_to(kPairsPerEvent * ray.events);
-  const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next(), chance = sampler.next();
+  const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next();
   const float length = ray.path_length + packet.ray.tfar[i];
-  if (point.coverage < 1.0f && !(chance.y < point.coverage)) {
+  // The last pair is seldom asked for.
+  const bool covered = point.coverage >= 1.0f;
+  const Vec2f chance = covered && ray.depth + 1 < kRouletteDepth ? Vec2f(0.0f) : sampler.next();
+  if (!covered && !(chance.y < point.coverage)) {
     if (ray.events >= kMostEvents) return;
     next_.push_back(ray);
     next_.back().origin = point.position;

@@ -43,7 +43,7 @@ bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f&
     tangent -= normal * glm::dot(normal, tangent);
     bitangent = (t.w < 0.0f ? -1.0f : 1.0f) * (glm::determinant(linear) < 0.0f ? -1.0f : 1.0f) * glm::cross(normal, tangent);
   } else {
-    const std::vector<Vec2f>& uvs = uvs_for(map, mesh);
+    const std::vector<Vec2f>& uvs = uvs_of(mesh, map.uv_set);
     if (uvs.empty()) return false;
     const Vec3f edge_b = linear * (mesh.positions[corners[1]] - mesh.positions[corners[0]]);
     const Vec3f edge_c = linear * (mesh.positions[corners[2]] - mesh.positions[corners[0]]);

@@ -41,28 +41,45 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
   gloss_f0_ = dielectric * dielectric_f0_ + s.metallic * s.base_color;
   gloss_f90_ = dielectric * dielectric_f90_ + Vec3f(s.metallic);
 
+  if (s.specular > 0.0f || s.metallic > 0.0f)
+    set_gloss(s, dielectric);
+  else
+    diffuse_color_ = dielectric * s.base_color;
+  if (s.clearcoat > 0.0f) set_coat(s);
+  set_shares(dielectric * s.base_color);
+}
+
+void MetalRoughBsdf::set_gloss(const MetalRoughSurface& s, float dielectric) {
   // Each part's own compensation: of the dielectric and of the metal. Their sum is carried by one lobe; its factor is the
   // mean, weighted by what they send.
-  const Vec2f single =
-      smooth(alpha_) ? Vec2f(1.0f - schlick_weight(view_.z), schlick_weight(view_.z)) : albedo_.single(view_.z, alpha_);
-  const Vec3f dielectric_albedo = GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_);
-  gloss_albedo_ = dielectric * dielectric_albedo + s.metallic * GgxAlbedo::directional(single, s.base_color, Vec3f(1.0f));
+  const Vec2f single = single_albedo(view_.z, alpha_);
+  dielectric_albedo_ = GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_);
+  gloss_albedo_ = dielectric * dielectric_albedo_ + s.metallic * GgxAlbedo::directional(single, s.base_color, Vec3f(1.0f));
   const Vec3f uncompensated = gloss_f0_ * single.x + gloss_f90_ * single.y;
   for (int c = 0; c < 3; ++c) gloss_compensation_[c] = uncompensated[c] > 0.0f ? gloss_albedo_[c] / uncompensated[c] : 1.0f;
 
   const Vec3f mean = smooth(alpha_) ? dielectric_f0_ * (20.0f / 21.0f) + dielectric_f90_ / 21.0f
                                     : albedo_.mean(alpha_, dielectric_f0_, dielectric_f90_);
-  diffuse_color_ = dielectric * s.base_color * (Vec3f(1.0f) - dielectric_albedo) / glm::max(Vec3f(1.0f) - mean, Vec3f(1e-3f));
+  diffuse_color_ = dielectric * s.base_color * (Vec3f(1.0f) - dielectric_albedo_) / glm::max(Vec3f(1.0f) - mean, Vec3f(1e-3f));
+}
 
-  if (s.clearcoat > 0.0f) {
-    coat_ = s.clearcoat;
-    const Vec2f coat_single = smooth(coat_alpha_) ? Vec2f(1.0f - schlick_weight(coat_view_.z), schlick_weight(coat_view_.z))
-                                                  : albedo_.single(coat_view_.z, coat_alpha_);
-    below_coat_ = 1.0f - coat_ * GgxAlbedo::directional(coat_single, Vec3f(kCoatF0), Vec3f(1.0f)).x;
-  }
+void MetalRoughBsdf::set_coat(const MetalRoughSurface& s) {
+  coat_ = s.clearcoat;
+  const Vec2f single = single_albedo(coat_view_.z, coat_alpha_);
+  below_coat_ = 1.0f - coat_ * GgxAlbedo::directional(single, Vec3f(kCoatF0), Vec3f(1.0f)).x;
+}
+
+Vec2f MetalRoughBsdf::single_albedo(float cosine, float alpha) const {
+  if (!smooth(alpha)) return albedo_.single(cosine, alpha);
+  const float edge = schlick_weight(cosine);
+  return {1.0f - edge, edge};
+}
+
+/// diffuse: the albedo of the diffuse part without anything above it.
+void MetalRoughBsdf::set_shares(Vec3f diffuse) {
   shares_.coat = 1.0f - below_coat_;
   shares_.gloss = below_coat_ * luminance(gloss_albedo_);
-  shares_.diffuse = below_coat_ * luminance(dielectric * s.base_color * (Vec3f(1.0f) - dielectric_albedo));
+  shares_.diffuse = below_coat_ * luminance(diffuse * (Vec3f(1.0f) - dielectric_albedo_));
   shares_.glass = below_coat_ * glass_share_ * std::max(0.1f, luminance(glass_));
   const float sum = shares_.coat + shares_.gloss + shares_.diffuse + shares_.glass;
   if (sum > 0.0f) shares_.coat /= sum, shares_.gloss /= sum, shares_.diffuse /= sum, shares_.glass /= sum;
@@ -71,8 +88,8 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
 /// Kelemen and Szirmay-Kalos: what the gloss lets in on the way from the light and out on the way to the viewer (the latter,
 /// and the normalisation, are in diffuse_color_).
 Vec3f MetalRoughBsdf::diffuse_f(Vec3f light) const {
-  const Vec2f single =
-      smooth(alpha_) ? Vec2f(1.0f - schlick_weight(light.z), schlick_weight(light.z)) : albedo_.single(light.z, alpha_);
+  if (dielectric_f90_ == Vec3f(0.0f)) return diffuse_color_ * (1.0f / kPi);
+  const Vec2f single = single_albedo(light.z, alpha_);
   return diffuse_color_ * (Vec3f(1.0f) - GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_)) * (1.0f / kPi);
 }
 
@@ -189,6 +206,11 @@ std::optional<BsdfSample> MetalRoughBsdf::sample(float lobe, Vec2f u) const {
   else if (shares_.coat > 0.0f)
     s = sample_coat(u);
   if (!s || s->is_delta()) return s;
+  if (shares_.diffuse == 1.0f && dielectric_f90_ == Vec3f(0.0f)) {  // Lambert's law alone
+    s->weight = diffuse_color_;
+    s->density = glm::dot(s->direction, frame_.z) * (1.0f / kPi);
+    return s->density > 0.0f ? s : std::nullopt;
+  }
   const BsdfValue value = evaluate(s->direction);
   if (!(value.density > 0.0f)) return std::nullopt;
   s->weight = value.cosine_f / value.density;

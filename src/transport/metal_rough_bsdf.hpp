@@ -44,6 +44,11 @@ class MetalRoughBsdf {
     float diffuse = 0.0f, gloss = 0.0f, glass = 0.0f, coat = 0.0f;  ///< probabilities of sample(); add up to 1 or are all 0
   };
 
+  void set_gloss(const MetalRoughSurface& s, float dielectric);
+  void set_coat(const MetalRoughSurface& s);
+  void set_shares(Vec3f diffuse);
+  Vec2f single_albedo(float cosine, float alpha) const;
+
   float gloss_density(Vec3f light) const;
   Vec3f gloss_f(Vec3f light) const;
   Vec3f diffuse_f(Vec3f light) const;
@@ -61,7 +66,7 @@ class MetalRoughBsdf {
   Vec3f diffuse_color_{0.0f};                         ///< albedo, the gloss's share taken out
   Vec3f dielectric_f0_{0.0f}, dielectric_f90_{0.0f};  ///< of the gloss above the diffuse part
   Vec3f gloss_f0_{0.0f}, gloss_f90_{0.0f};            ///< of dielectric and metal together, weighted
-  Vec3f gloss_compensation_{1.0f}, gloss_albedo_{0.0f};
+  Vec3f gloss_compensation_{1.0f}, gloss_albedo_{0.0f}, dielectric_albedo_{0.0f};
   Vec3f glass_{0.0f};  ///< tint; 0: none
   float glass_share_ = 0.0f;
   float coat_ = 0.0f;

@@ -22,29 +22,30 @@ std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-/// Owen's scrambling: flips each bit by a hash of the bits above it.
-std::uint32_t owen_scrambled(std::uint32_t x, std::uint32_t seed) {
-  return reversed_bits(scrambled_upwards(reversed_bits(x), seed));
+/// The second dimension of Sobol's sequence, its bits in reverse order: Pascal's triangle modulo 2, by halves.
+std::uint32_t second_sobol_reversed(std::uint32_t index) {
+  index ^= index >> 16;
+  index ^= (index & 0xff00ff00u) >> 8;
+  index ^= (index & 0xf0f0f0f0u) >> 4;
+  index ^= (index & 0xccccccccu) >> 2;
+  return index ^ ((index & 0xaaaaaaaau) >> 1);
 }
 
-/// The second dimension of Sobol's sequence, as 32 bits after the point; the first is reversed_bits.
-std::uint32_t second_sobol(std::uint32_t index) {
-  std::uint32_t result = 0;
-  for (std::uint32_t direction = 0x80000000u; index; index >>= 1, direction ^= direction >> 1)
-    if (index & 1u) result ^= direction;
-  return result;
+/// Scrambling is done on reversed bits, and the first dimension is the index's bits reversed: most reversals cancel.
+Vec2f point_of(std::uint32_t reversed_index, std::uint32_t seed) {
+  // Shuffled: Owen's scrambling of the index itself, which keeps every aligned block of 2^k indices together.
+  const std::uint32_t shuffled = reversed_bits(scrambled_upwards(reversed_index, seed));
+  const std::uint32_t x = scrambled_upwards(shuffled, hash(seed));
+  const std::uint32_t y = scrambled_upwards(second_sobol_reversed(shuffled), hash(~seed));
+  return {unit_float(reversed_bits(x)), unit_float(reversed_bits(y))};
 }
 
 }  // namespace
 
-Vec2f scrambled_sobol(std::uint32_t index, std::uint32_t seed) {
-  // Shuffled: Owen's scrambling of the index itself, which keeps every aligned block of 2^k indices together.
-  const std::uint32_t shuffled = owen_scrambled(index, hash(seed, 0u));
-  const std::uint32_t x = owen_scrambled(reversed_bits(shuffled), hash(seed, 1u));
-  const std::uint32_t y = owen_scrambled(second_sobol(shuffled), hash(seed, 2u));
-  return {unit_float(x), unit_float(y)};
-}
+Vec2f scrambled_sobol(std::uint32_t index, std::uint32_t seed) { return point_of(reversed_bits(index), hash(seed)); }
 
-Vec2f PathSampler::next() { return scrambled_sobol(index_, hash(seed_, pair_++)); }
+PathSampler::PathSampler(std::uint32_t seed, std::uint32_t index) : seed_(seed), reversed_index_(reversed_bits(index)) {}
+
+Vec2f PathSampler::next() { return point_of(reversed_index_, hash(seed_, pair_++)); }
 
 }  // namespace lippmann

@@ -18,7 +18,7 @@ Vec2f scrambled_sobol(std::uint32_t index, std::uint32_t seed);
 /// The numbers of one path, drawn in a fixed order. A pixel's paths share the seed and differ in the index.
 class PathSampler {
  public:
-  PathSampler(std::uint32_t seed, std::uint32_t index) : seed_(seed), index_(index) {}
+  PathSampler(std::uint32_t seed, std::uint32_t index);
 
   /// Two numbers, evenly spread over the pixel's paths; each call is a pair of dimensions of its own.
   Vec2f next();
@@ -27,7 +27,7 @@ class PathSampler {
   void jump_to(std::uint32_t pair) { pair_ = pair; }
 
  private:
-  std::uint32_t seed_, index_, pair_ = 0;
+  std::uint32_t seed_, reversed_index_, pair_ = 0;
 };
 
 }  // namespace lippmann

@@ -32,6 +32,8 @@ const std::map<std::string_view, Values> kOtherValues{
     {"slant", {"-9.46"}},
     {"integrator", {"path"}},
     {"clamp-indirect", {"10"}},
+    {"exposure", {"-1.5"}},
+    {"tone", {"agx"}},
     {"environment", {"sky.hdr"}},
     {"environment-strength", {"0.5"}},
     {"environment-rotation", {"-90"}},

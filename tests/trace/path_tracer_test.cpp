@@ -162,6 +162,31 @@ TEST(PathTracer, coverage_lets_light_and_looks_pass) {
   EXPECT_NEAR(trace_paths(s.scene, single_view(33), 1024).at(16, 16).x, 0.75f * 0.75f, 0.02f) << "down and up again";
 }
 
+TEST(PathTracer, leaves_cast_shadows_of_their_own_shape) {
+  for (const bool by_paths : {false, true}) {
+    SmallScene s;
+    Texture texture;
+    texture.width = 2, texture.height = 1;
+    texture.wrap_u = texture.wrap_v = Wrap::kClamp;
+    texture.rgba = {255, 255, 255, 0, 255, 255, 255, 255};  // the left half is cut away
+    s.scene.textures.push_back(texture);
+    MetallicRoughness leaf = rough(Vec3f(1.0f), 0.0f, 1.0f);
+    leaf.base_color_map.texture = 0;
+    leaf.alpha_cutoff = 0.5f;
+    s.add(square(1, 6), s.material(leaf));
+    MetallicRoughness chalk = rough(Vec3f(1.0f), 0.0f, 1.0f);
+    chalk.specular = 0.0f;
+    s.add(square(2, 0), s.material(chalk));
+    Light& light = s.point_light({0, 0, 0}, Vec3f(kPi));
+    light.kind = LightKind::kDirectional;                   // straight down
+    const Affine3f below{0.5f * Mat3f(1.0f), Vec3f(0.0f)};  // the eye at (0, 0, 5), the square +-1
+    const Picture p =
+        by_paths ? trace_paths(s.scene, single_view(9), 1, {}, 1, below) : trace(s.scene, single_view(9), {}, 1, 0.0, below);
+    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // Whitted's has a faint highlight
+    EXPECT_NEAR(p.at(7, 4).x, 0.0f, 1e-3f) << by_paths;
+  }
+}
+
 TEST(PathTracer, light_through_a_clear_pane_counts_once) {
   PhongSurface pane = matte(Vec3f(0.0f));
   pane.opacity = 0.5f;
