@@ -27,8 +27,8 @@ GltfBuilder strips() {
     }
   const int positions = b.add_accessor(corners), influences = b.add_accessor(weights), lift = b.add_accessor(lifted);
   const int hinges = b.add_accessor(joints, kUnsignedByte, "VEC4", corners.size());
-  const int skinned = b.add_mesh(
-      {{"attributes", {{"POSITION", positions}, {"JOINTS_0", hinges}, {"WEIGHTS_0", influences}}}, {"mode", 5}});
+  const int skinned =
+      b.add_mesh({{"attributes", {{"POSITION", positions}, {"JOINTS_0", hinges}, {"WEIGHTS_0", influences}}}, {"mode", 5}});
   const int morphing =
       b.add_mesh({{"attributes", {{"POSITION", positions}}}, {"targets", {{{"POSITION", lift}}}}, {"mode", 5}});
   b.add("skins", {{"joints", {2, 3}}});
@@ -72,7 +72,8 @@ TEST_F(DeformingScene, exact_reuse_gives_the_bytes_of_tracing_every_frame) {
 
 TEST_F(DeformingScene, frames_of_a_part_have_the_bytes_of_the_whole) {
   const Files whole = rendered(dir, job("whole"), "whole");
-  for (const auto& [name, bytes] : rendered(dir, job("part", {"--frames", "5-7"}), "part")) EXPECT_EQ(bytes, whole.at(name)) << name;
+  for (const auto& [name, bytes] : rendered(dir, job("part", {"--frames", "5-7"}), "part"))
+    EXPECT_EQ(bytes, whole.at(name)) << name;
 }
 
 TEST_F(DeformingScene, animation_is_chosen_by_name_or_index) {
@@ -95,7 +96,8 @@ TEST_F(DeformingScene, info_lists_the_animations) {
 TEST_F(DeformingScene, interpolated_frames_are_refused) {
   const RunResult result = run_tool(dir, job("forward", {"--reuse", "forward"}));
   EXPECT_NE(result.exit_code, 0);
-  EXPECT_THAT(result.err, HasSubstr("--reuse: interpolated frames need things to keep their shape, and 'skinned strip' changes it"));
+  EXPECT_THAT(result.err,
+              HasSubstr("--reuse: interpolated frames need things to keep their shape, and 'skinned strip' changes it"));
 }
 
 }  // namespace
