@@ -1,4 +1,5 @@
-// Writes a mesh that changes its shape as it is at the moment: vertices, texture gradients, Embree's copy. Private to src/trace.
+// Writes a mesh that changes its shape as it is at the moment: vertices, texture gradients, Embree's copy. Private to
+// src/trace.
 #pragma once
 
 #include "core/parallel.hpp"

@@ -1,5 +1,5 @@
-// dump_pose SCENE ANIMATION TIME ...: the vertices of all meshes with skins or morph targets, in world space, for comparison with
-// other tools. A line "time object vertex x y z" each; ANIMATION is a name, an index or "" for the first.
+// dump_pose SCENE ANIMATION TIME ...: the vertices of all meshes with skins or morph targets, in world space, for comparison
+// with other tools. A line "time object vertex x y z" each; ANIMATION is a name, an index or "" for the first.
 #include <fmt/core.h>
 
 #include <cstdlib>
