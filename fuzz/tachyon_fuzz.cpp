@@ -43,10 +43,10 @@ class SideFiles {
 
 Scene read(const std::string& text, const std::string& camera_path, const fs::path& where) {
   tachyon::SceneFolder folder(where);
-  tachyon::Lexer lexer("scene.dat", text);
+  Lexer lexer("scene.dat", text);
   Scene scene = tachyon::read_scene(lexer, folder, Context{}, 25.0);
   if (!camera_path.empty()) {
-    tachyon::Lexer poses("scene.cam", camera_path);
+    Lexer poses("scene.cam", camera_path);
     tachyon::animate_camera(scene, poses);
   }
   return scene;

@@ -11,12 +11,19 @@
 #include "core/error.hpp"
 #include "scene/builtin.hpp"
 #include "scene/gltf.hpp"
+#include "scene/nff.hpp"
 #include "scene/tachyon.hpp"
 
 namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of files in which nothing moves.
+Scene at_rate(Scene scene, const LoadOptions& options) {
+  if (options.frames_per_second > 0.0) scene.timeline.frames_per_second = options.frames_per_second;
+  return scene;
+}
 
 Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& context) {
   const double fps = options.frames_per_second > 0.0 ? options.frames_per_second : kTachyonFramesPerSecond;
@@ -26,6 +33,10 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
   return load_gltf(path, options.frames_per_second > 0.0 ? options.frames_per_second : kGltfFramesPerSecond, context, {},
                    options.animation);
+}
+
+Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context) {
+  return at_rate(load_nff(path, context), options);
 }
 
 /// One row per file format. Rows that share a loader stand together.
@@ -39,6 +50,7 @@ constexpr Format kFormats[] = {
     {".dat", true, false, load_dat},
     {".glb", false, true, load_gltf_file},
     {".gltf", false, true, load_gltf_file},
+    {".nff", false, false, load_nff_file},
 };
 
 std::string lower_extension(const fs::path& path) {

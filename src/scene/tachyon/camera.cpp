@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "scene/directions.hpp"
 #include "scene/tachyon/handedness.hpp"
 #include "scene/tachyon/scene_builder.hpp"
 

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "core/context.hpp"
+#include "scene/lexer.hpp"
 #include "scene/scene.hpp"
-#include "scene/tachyon/lexer.hpp"
 
 namespace lippmann::tachyon {
 

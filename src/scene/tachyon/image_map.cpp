@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "image/read_image.hpp"
-#include "scene/tachyon/lexer.hpp"
+#include "scene/lexer.hpp"
 
 namespace lippmann::tachyon {
 namespace {

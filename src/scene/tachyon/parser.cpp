@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/suggest.hpp"
+#include "scene/directions.hpp"
 #include "scene/tachyon/handedness.hpp"
 
 namespace lippmann::tachyon {

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "core/context.hpp"
+#include "scene/lexer.hpp"
 #include "scene/tachyon/camera.hpp"
-#include "scene/tachyon/lexer.hpp"
 #include "scene/tachyon/scene_builder.hpp"
 #include "scene/tachyon/scene_folder.hpp"
 

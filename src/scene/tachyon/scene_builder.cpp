@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "scene/directions.hpp"
 #include "scene/tachyon/handedness.hpp"
 
 namespace lippmann::tachyon {
@@ -17,19 +18,6 @@ std::uint32_t next_index(const Mesh& mesh) { return static_cast<std::uint32_t>(m
 std::array<std::uint32_t, 3> mirrored_triangle(std::uint32_t i0, std::uint32_t i1, std::uint32_t i2) { return {i0, i2, i1}; }
 
 }  // namespace
-
-Vec3f direction_of(Vec3f v) {
-  const Vec3d wide(v);
-  return Vec3f(wide / glm::length(wide));
-}
-
-Quatf looking_along(Vec3f forward, Vec3f up) {
-  const Vec3d z = -glm::normalize(Vec3d(forward));
-  const Vec3d x = glm::normalize(glm::cross(glm::normalize(Vec3d(up)), z));
-  const glm::dquat rotation = glm::normalize(glm::quat_cast(glm::dmat3(x, glm::cross(z, x), z)));
-  return Quatf(static_cast<float>(rotation.w), static_cast<float>(rotation.x), static_cast<float>(rotation.y),
-               static_cast<float>(rotation.z));
-}
 
 SceneBuilder::MaterialKey SceneBuilder::key_of(const PhongSurface& s) {
   const ImageProjection none{};

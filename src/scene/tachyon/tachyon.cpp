@@ -52,12 +52,12 @@ void animate_camera(Scene& scene, Lexer& path) {
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
                    const Context& context, double frames_per_second) {
   tachyon::SceneFolder folder(path);
-  tachyon::Lexer lexer(path.string(), folder.read_text(path, path.string()));
+  Lexer lexer(path.string(), folder.read_text(path, path.string()));
   Scene scene = tachyon::read_scene(lexer, folder, context, frames_per_second);
   scene.name = path.stem().string();
   if (camera_path) {
     tachyon::SceneFolder path_folder(*camera_path);
-    tachyon::Lexer poses(camera_path->string(), path_folder.read_text(*camera_path, camera_path->string()));
+    Lexer poses(camera_path->string(), path_folder.read_text(*camera_path, camera_path->string()));
     tachyon::animate_camera(scene, poses);
   }
   return scene;

@@ -1,4 +1,4 @@
-#include "scene/tachyon/lexer.hpp"
+#include "scene/lexer.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace lippmann::tachyon {
+namespace lippmann {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -65,13 +65,26 @@ bool Lexer::at_end() {
   return position_ == text_.size();
 }
 
+bool Lexer::at_line_end() { return at_end() || line_ > word_line_; }
+
+std::string_view Lexer::word_here() const {
+  std::size_t end = position_;
+  while (end < text_.size() && !is_blank(text_[end])) ++end;
+  return std::string_view(text_).substr(position_, end - position_);
+}
+
+std::string_view Lexer::peek() {
+  skip_blanks();
+  return word_here();
+}
+
 std::string_view Lexer::word(std::string_view wanted) {
   skip_blanks();
   word_line_ = line_;
   if (position_ == text_.size()) throw error(fmt::format("the file ends where {} should stand", wanted));
-  const std::size_t begin = position_;
-  while (position_ < text_.size() && !is_blank(text_[position_])) ++position_;
-  return std::string_view(text_).substr(begin, position_ - begin);
+  const std::string_view result = word_here();
+  position_ += result.size();
+  return result;
 }
 
 void Lexer::expect(std::string_view keyword) {
@@ -114,4 +127,4 @@ Vec3f Lexer::vector_after(std::string_view keyword) {
 
 std::string Lexer::where() const { return fmt::format("{}:{}", name_, word_line_); }
 
-}  // namespace lippmann::tachyon
+}  // namespace lippmann

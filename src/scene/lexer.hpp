@@ -1,4 +1,4 @@
-// Splits the text of a Tachyon file into words and numbers, and says in which line they stood.
+// Splits the text of a scene file into words and numbers, and says in which line they stood.
 //
 // Words are separated by white space. A word that starts with `#` begins a comment that runs to the end of its line. Keywords
 // are compared without regard to case; names of textures and files are taken as they are.
@@ -11,7 +11,7 @@
 #include "core/math.hpp"
 #include "core/printable.hpp"
 
-namespace lippmann::tachyon {
+namespace lippmann {
 
 class Lexer {
  public:
@@ -22,6 +22,12 @@ class Lexer {
 
   /// Whether only white space and comments are left.
   bool at_end();
+
+  /// Whether no word follows on the line of the word that was read last.
+  bool at_line_end();
+
+  /// The next word, which is left to be read; empty at the end.
+  std::string_view peek();
 
   /// The next word. Throws Error that names `wanted` where the file ends instead. Valid as long as the Lexer.
   std::string_view word(std::string_view wanted);
@@ -54,7 +60,7 @@ class Lexer {
 
  private:
   void skip_blanks();
-  std::string_view number_word(std::string_view wanted);
+  std::string_view word_here() const;
 
   std::string name_, text_;
   std::size_t position_ = 0;
@@ -68,4 +74,4 @@ bool is_keyword(std::string_view word, std::string_view keyword);
 /// ASCII letters in upper case.
 std::string upper(std::string_view word);
 
-}  // namespace lippmann::tachyon
+}  // namespace lippmann

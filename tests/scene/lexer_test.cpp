@@ -1,29 +1,48 @@
-#include "scene/tachyon/lexer.hpp"
+#include "scene/lexer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-namespace lippmann::tachyon {
+namespace lippmann {
 namespace {
 
 using ::testing::HasSubstr;
 
-TEST(TachyonLexer, words_are_separated_by_any_white_space) {
+TEST(Lexer, words_are_separated_by_any_white_space) {
   Lexer lexer("a", " one\ttwo\r\nthree\v\ffour ");
   for (const char* expected : {"one", "two", "three", "four"}) EXPECT_EQ(lexer.word("x"), expected);
   EXPECT_TRUE(lexer.at_end());
 }
 
-TEST(TachyonLexer, comment_runs_to_the_end_of_its_line) {
+TEST(Lexer, peek_leaves_the_word_and_the_line_of_the_last_one) {
+  Lexer lexer("a", "A\nB");
+  EXPECT_EQ(lexer.word("x"), "A");
+  EXPECT_EQ(lexer.peek(), "B");
+  EXPECT_EQ(lexer.where(), "a:1");
+  EXPECT_EQ(lexer.word("x"), "B");
+  EXPECT_EQ(lexer.peek(), "");
+}
+
+TEST(Lexer, line_ends_where_only_blanks_and_comments_are_left_on_it) {
+  Lexer lexer("a", "A B # comment\nC");
+  lexer.word("x");
+  EXPECT_FALSE(lexer.at_line_end());
+  lexer.word("x");
+  EXPECT_TRUE(lexer.at_line_end());
+  lexer.word("x");
+  EXPECT_TRUE(lexer.at_line_end());  // the file's end
+}
+
+TEST(Lexer, comment_runs_to_the_end_of_its_line) {
   Lexer lexer("a", "# all of this\nA #not this\nB#3 # end");
   EXPECT_EQ(lexer.word("x"), "A");
   EXPECT_EQ(lexer.word("x"), "B#3");  // not at the start of a word
   EXPECT_TRUE(lexer.at_end());
 }
 
-TEST(TachyonLexer, where_is_the_line_of_the_last_word) {
+TEST(Lexer, where_is_the_line_of_the_last_word) {
   Lexer lexer("a.dat", "A\n\n# comment\nB\nC");
   lexer.word("x");
   EXPECT_EQ(lexer.where(), "a.dat:1");
@@ -31,12 +50,12 @@ TEST(TachyonLexer, where_is_the_line_of_the_last_word) {
   EXPECT_EQ(lexer.where(), "a.dat:4");
 }
 
-TEST(TachyonLexer, expect_takes_any_case) {
+TEST(Lexer, expect_takes_any_case) {
   Lexer lexer("a", "Center CENTER center");
   for (int i = 0; i < 3; ++i) EXPECT_NO_THROW(lexer.expect("CENTER"));
 }
 
-TEST(TachyonLexer, expect_of_another_word_names_both) {
+TEST(Lexer, expect_of_another_word_names_both) {
   Lexer lexer("a.dat", "\nCENTRE");
   try {
     lexer.expect("CENTER");
@@ -46,7 +65,7 @@ TEST(TachyonLexer, expect_of_another_word_names_both) {
   }
 }
 
-TEST(TachyonLexer, end_of_file_names_what_was_wanted) {
+TEST(Lexer, end_of_file_names_what_was_wanted) {
   Lexer lexer("a.dat", "A\n\n");
   lexer.word("x");
   try {
@@ -94,21 +113,21 @@ INSTANTIATE_TEST_SUITE_P(Forms, TachyonLexerBadNumber,
                          testing::Values("nan", "NaN", "inf", "-inf", "infinity", "1e39", "-1e39", "1e999", "1e9999999999",
                                          "1,5", "1.0,", "0x10", "--1", "+-1", "+", "-", ".", "one", "1e", "1.2.3", "1_0"));
 
-TEST(TachyonLexer, integer_takes_whole_numbers_within_its_range) {
+TEST(Lexer, integer_takes_whole_numbers_within_its_range) {
   Lexer lexer("a", "0 +7 -3");
   EXPECT_EQ(lexer.integer("x", 0, 9), 0);
   EXPECT_EQ(lexer.integer("x", 0, 9), 7);
   EXPECT_EQ(lexer.integer("x", -5, 9), -3);
 }
 
-TEST(TachyonLexer, integer_refuses_fractions_and_what_is_out_of_range) {
+TEST(Lexer, integer_refuses_fractions_and_what_is_out_of_range) {
   for (const char* text : {"1.5", "10", "-1", "99999999999", "x", "1e1"}) {
     Lexer lexer("a", text);
     EXPECT_THROW(lexer.integer("x", 0, 9), Error) << text;
   }
 }
 
-TEST(TachyonLexer, shown_word_is_shortened_and_printable) {
+TEST(Lexer, shown_word_is_shortened_and_printable) {
   EXPECT_EQ(shown("a\x01\xff"
                   "b"),
             "'a??b'");
@@ -116,4 +135,4 @@ TEST(TachyonLexer, shown_word_is_shortened_and_printable) {
 }
 
 }  // namespace
-}  // namespace lippmann::tachyon
+}  // namespace lippmann

@@ -1,0 +1,27 @@
+// Feeds bytes to the NFF reader. Whatever they are, it either throws Error or gives a scene that validate() accepts.
+//
+// fuzz/nff_seeds SEEDS && fuzz_nff -dict=fuzz/nff.dict CORPUS SEEDS; or scripts/fuzz nff.
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include "core/error.hpp"
+#include "scene/load.hpp"
+#include "scene/nff.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  using namespace lippmann;
+  Scene scene;
+  try {
+    scene = parse_nff("scene.nff", std::string(reinterpret_cast<const char*>(data), size), Context{});
+  } catch (const Error&) {
+    return 0;
+  }
+  try {
+    validate(scene, "scene.nff");
+  } catch (const Error& error) {
+    std::cerr << "the reader made a scene that is not valid: " << error.what() << '\n';
+    std::abort();
+  }
+  return 0;
+}

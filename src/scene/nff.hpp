@@ -1,0 +1,18 @@
+// Reads Eric Haines' Neutral File Format (.nff): what docs/scenes.md says it means, as a Scene.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/context.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann {
+
+/// Throws Error, naming file and line, for what cannot be read. The scene has one frame; without a view it has no camera.
+Scene load_nff(const std::filesystem::path& path, const Context& context);
+
+/// The same of a text; `name` is what errors call it.
+Scene parse_nff(const std::string& name, std::string text, const Context& context);
+
+}  // namespace lippmann
