@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -23,7 +24,9 @@ Progress::~Progress() {
 }
 
 void Progress::step(const std::string& line) {
+  const std::lock_guard lock(mutex_);
   ++done_;
+  within_ = 0.0;
   if (!terminal_) {
     fmt::print(stderr, "[{}/{}] {}\n", done_, total_, line);
   } else if (done_ == total_ || Clock::now() - drawn_ >= kRedrawInterval) {
@@ -31,13 +34,20 @@ void Progress::step(const std::string& line) {
   }
 }
 
+void Progress::within(double share) {
+  if (!terminal_) return;
+  const std::lock_guard lock(mutex_);
+  within_ = std::max(within_, share < 1.0 ? share : 0.0);  // threads report out of order; a frame that is done counts as such
+  if (Clock::now() - drawn_ >= kRedrawInterval) draw();
+}
+
 void Progress::draw() {
   drawn_ = Clock::now();
   const double elapsed = std::chrono::duration<double>(drawn_ - start_).count();
-  const double share = total_ > 0 ? static_cast<double>(done_) / total_ : 1.0;
+  const double share = total_ > 0 ? std::min(1.0, (done_ + within_) / total_) : 1.0;
   const int filled = static_cast<int>(share * kBarWidth);
-  const std::string left =
-      done_ == 0 ? "" : fmt::format("{:5.1f} frames/s  {} left", done_ / elapsed, clock_text(elapsed / share - elapsed));
+  const std::string rate = done_ == 0 ? "" : fmt::format("{:5.1f} frames/s  ", done_ / elapsed);
+  const std::string left = share > 0.0 ? rate + clock_text(elapsed / share - elapsed) + " left" : rate;
   fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}  {}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left);
   std::fflush(stderr);
 }

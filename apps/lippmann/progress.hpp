@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <mutex>
 #include <string>
 
 namespace lippmann::app {
@@ -17,6 +18,9 @@ class Progress {
   /// One more is done; `line` says what, where there is no bar.
   void step(const std::string& line);
 
+  /// The one under way is done up to `share`, 0 to 1: moves the bar. Any thread.
+  void within(double share);
+
   /// Whether stderr is a terminal.
   static bool stderr_is_terminal();
 
@@ -24,7 +28,9 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void draw();
 
+  std::mutex mutex_;  ///< what follows
   int total_, done_ = 0;
+  double within_ = 0.0;
   bool terminal_;
   Clock::time_point start_ = Clock::now(), drawn_;
 };

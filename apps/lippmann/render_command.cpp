@@ -114,7 +114,11 @@ RenderReport render(const RenderParams& params, bool json, Context& context) {
     progress.emplace(plan.frames.last - plan.frames.first + 1 - plan.kept, Progress::stderr_is_terminal());
   };
   observer.traced = [&](const FrameReport& frame) { progress->step(frame_line(frame, params.reuse)); };
+  context.frame_progress = [&](double share) {
+    if (progress) progress->within(share);
+  };
   const RenderReport report = render_animation(params, context, observer);
+  context.frame_progress = nullptr;
   progress.reset();
   if (!json) print_summary(report, folder, names, kept);
   return report;

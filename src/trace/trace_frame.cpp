@@ -1,6 +1,7 @@
 #include "trace/trace_frame.hpp"
 
 #include <array>
+#include <atomic>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -124,8 +125,11 @@ class FrameTracer {
 template <class Fn>
 RayCounts trace_strips(std::size_t strips, const ThreadPool& pool, const Context& context, const Fn& trace) {
   std::vector<RayCounts> counts(strips);
+  std::atomic<std::size_t> done{0};
   pool.for_each(strips, [&](std::size_t strip) {
     if (!context.cancelled) counts[strip] = trace(strip);
+    const std::size_t finished = ++done;
+    if (context.frame_progress) context.frame_progress(static_cast<double>(finished) / static_cast<double>(strips));
   });
   RayCounts total;
   for (const RayCounts& c : counts) add(c, total);

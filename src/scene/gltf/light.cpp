@@ -5,6 +5,12 @@
 namespace lippmann::gltf {
 namespace {
 
+/// Blender's exporter turns its watts into candela and lux by the luminous efficacy that the specification suggests (unless
+/// told otherwise), and emission not: taken as they are, its lamps would outshine everything.
+constexpr float kLumensPerWatt = 683.0f;
+
+bool is_of_blender(const tinygltf::Model& model) { return model.asset.generator.find("Blender I/O") != std::string::npos; }
+
 Light read_light(const tinygltf::Light& from, const std::string& where, const Report& report) {
   Light light;
   light.name = from.name;
@@ -34,6 +40,7 @@ void read_lights(Document& document, const NodeMap& nodes, Scene& scene) {
     const std::size_t index = static_cast<std::size_t>(extension->second.Get("light").GetNumberAsInt());
     scene.lights.push_back(read_light(document.model.lights[index], element("lights", index), document.report));
     scene.lights.back().node = static_cast<int>(i);
+    if (is_of_blender(document.model)) scene.lights.back().color /= kLumensPerWatt;
   }
 }
 

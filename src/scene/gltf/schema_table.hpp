@@ -293,7 +293,7 @@ constexpr Property kAnimation[] = {
 
 // ---- The root -------------------------------------------------------------------------------------------------------
 
-constexpr Property kAsset[] = {string("version", kRequired), string("minVersion")};
+constexpr Property kAsset[] = {string("version", kRequired), string("minVersion"), string("generator")};
 constexpr Property kRoot[] = {
     object("asset", kAsset, kRequired),
     {.name = "extensionsUsed", .kind = Kind::kStrings},

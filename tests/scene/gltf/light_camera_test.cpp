@@ -87,6 +87,13 @@ TEST(GltfLight, unknown_type_is_an_error) {
               HasSubstr("extensions.KHR_lights_punctual.lights[0].type: is 'area'; accepted: directional, point, spot"));
 }
 
+// Blender's exporter: 100 W / (4 pi) x 683 lm/W = 5435.1 cd of a point lamp of 100 W, which shines 7.9577 W/sr.
+TEST(GltfLight, of_blenders_exporter_shines_as_in_blender) {
+  GltfBuilder b = lit_by({{"type", "point"}, {"intensity", 5435.1415}});
+  b.root["asset"]["generator"] = "Khronos glTF Blender I/O v3.4.50";
+  EXPECT_NEAR(parse(b).lights.at(0).color.x, 7.9577f, 1e-3f);
+}
+
 // ---- Scenes without lights ------------------------------------------------------------------------------------------
 
 TEST(GltfLight, scene_with_a_light_keeps_a_black_background) {

@@ -1,0 +1,95 @@
+// Path tracing, panoramas, exposure and tone from the command line.
+#include <gmock/gmock.h>
+
+#include "cli/tool.hpp"
+#include "image/encode.hpp"
+#include "image/exr.hpp"
+#include "image/read_image.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using testing::HasSubstr;
+
+Words small_paths(const std::string& folder) {
+  return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", "0-1", "--output", folder};
+}
+
+void write_panorama(const std::filesystem::path& path, float light) {
+  Image panorama(8, 4, 3);
+  std::fill(panorama.data.begin(), panorama.data.end(), light);
+  write_exr(path, std::vector{film_layer(panorama)});
+}
+
+TEST(Light, paths_give_the_same_pictures_on_any_number_of_threads_and_after_a_resume) {
+  const TempDir dir;
+  const Files one = rendered(dir, small_paths("one") + Words{"--threads", "1"}, "one");
+  ASSERT_EQ(one.size(), 2u);
+  EXPECT_NE(one.at("frame_0000.png"), one.at("frame_0001.png"));
+  EXPECT_EQ(one, rendered(dir, small_paths("three") + Words{"--threads", "3"}, "three"));
+  std::filesystem::remove(dir / "one/frame_0001.png");
+  EXPECT_EQ(one, rendered(dir, {"render", "one/job.toml", "--resume"}, "one"));
+}
+
+TEST(Light, paths_count_their_rays) {
+  const TempDir dir;
+  const nlohmann::json rays = report_of(dir, small_paths("out")).at("frames").at(0).at("rays");
+  EXPECT_EQ(rays.at("primary"), 2 * 64 * 64);
+  EXPECT_GT(rays.at("indirect"), 0);
+  EXPECT_GT(rays.at("shadow"), 0);
+}
+
+TEST(Light, forward_reuse_of_paths_is_refused) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_paths("out") + Words{"--reuse", "forward"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--reuse: forward does not know path-traced frames"));
+}
+
+TEST(Light, a_panorama_lights_by_its_strength) {
+  const TempDir dir;
+  write_panorama(dir / "sky.exr", 0.5f);
+  const Words command = small_paths("out") + Words{"--environment", "sky.exr", "--format", "exr", "--exr-pixels", "float"};
+  const auto mean_of = [&](const Words& more) {
+    EXPECT_EQ(run_tool(dir, command + more).exit_code, 0);
+    const Image film = read_image(dir / "out/frame_0000.exr");
+    double sum = 0.0;
+    for (const float v : film.data) sum += static_cast<double>(v);
+    return sum;
+  };
+  EXPECT_LT(mean_of({"--environment-strength", "0"}), mean_of({"--environment-strength", "4"}));
+}
+
+TEST(Light, what_is_no_panorama_of_light_is_refused_with_what_would_be) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "code")).exit_code, 0);
+  for (const char* file : {"code/frame_0000.png", "missing.hdr"}) {
+    const RunResult result = run_tool(dir, small_paths("out") + Words{"--environment", file});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr(file));
+    EXPECT_FALSE(std::filesystem::exists(dir / "out"));
+  }
+}
+
+TEST(Light, exposure_and_tone_change_pictures_but_not_exr_files) {
+  const TempDir dir;
+  const Words plain = small_teapot("0", "plain"), exr{"--format", "exr"}, bright{"--exposure", "1", "--tone", "agx"};
+  EXPECT_NE(rendered(dir, plain, "plain"), rendered(dir, small_teapot("0", "bright") + bright, "bright"));
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "a") + exr).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "b") + exr + bright).exit_code, 0);
+  EXPECT_EQ(read_image(dir / "a/frame_0000.exr").data, read_image(dir / "b/frame_0000.exr").data);
+}
+
+TEST(Light, exposure_of_a_stop_doubles_linear_light) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "a")).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "b") + Words{"--exposure", "-1"}).exit_code, 0);
+  const Image8 a = read_image8(dir / "a/frame_0000.png"), b = read_image8(dir / "b/frame_0000.png");
+  for (std::size_t i = 0; i < a.rgb.size(); i += 97) {
+    const double half = 0.5 * linear_from_srgb(a.rgb[i] / 255.0);
+    EXPECT_NEAR(b.rgb[i], 255.0 * srgb_from_linear(half), 1.5) << i;  // the codes are rounded twice
+  }
+}
+
+}  // namespace
+}  // namespace lippmann::test
