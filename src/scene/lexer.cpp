@@ -92,10 +92,23 @@ void Lexer::expect(std::string_view keyword) {
   if (!is_keyword(found, keyword)) throw error(fmt::format("{} stands where {} is expected", shown(found), keyword));
 }
 
-float Lexer::number(std::string_view wanted) {
+std::string_view Lexer::rest_of_line() {
+  if (line_ != word_line_) return {};
+  const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+  std::string_view rest = std::string_view(text_).substr(position_, end - position_);
+  position_ = end;
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
+  return rest;
+}
+
+float Lexer::number(std::string_view wanted, float largest) {
   const std::string_view found = word(wanted);
   const std::optional<float> value = parse_float(found);
   if (!value) throw error(fmt::format("{} is not a number that {} can have", shown(found), wanted), "a finite decimal number");
+  if (std::abs(*value) > largest)
+    throw error(fmt::format("{} is not a number that {} can have", *value, wanted),
+                fmt::format("{:g} to {:g}", -largest, largest));
   return *value;
 }
 
@@ -110,8 +123,8 @@ int Lexer::integer(std::string_view wanted, int lowest, int highest) {
   return value;
 }
 
-Vec3f Lexer::vector(std::string_view wanted) {
-  const float x = number(wanted), y = number(wanted), z = number(wanted);
+Vec3f Lexer::vector(std::string_view wanted, float largest) {
+  const float x = number(wanted, largest), y = number(wanted, largest), z = number(wanted, largest);
   return {x, y, z};
 }
 

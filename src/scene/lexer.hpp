@@ -4,6 +4,7 @@
 // are compared without regard to case; names of textures and files are taken as they are.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -35,14 +36,17 @@ class Lexer {
   /// The next word, which must be `keyword` (upper case) in any case.
   void expect(std::string_view keyword);
 
-  /// The next word, which must be a finite number.
-  float number(std::string_view wanted);
+  /// What is left of the line of the last word, comments too, without blanks around it; empty: nothing.
+  std::string_view rest_of_line();
+
+  /// The next word, which must be a finite number from -largest to largest.
+  float number(std::string_view wanted, float largest = std::numeric_limits<float>::max());
 
   /// The next word, which must be a whole number from `lowest` to `highest`.
   int integer(std::string_view wanted, int lowest, int highest);
 
-  /// Three finite numbers.
-  Vec3f vector(std::string_view wanted);
+  /// Three such numbers.
+  Vec3f vector(std::string_view wanted, float largest = std::numeric_limits<float>::max());
 
   // `expect` followed by a value.
   float number_after(std::string_view keyword);

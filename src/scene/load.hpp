@@ -16,8 +16,8 @@ struct LoadOptions {
   std::string animation{};  ///< name or index of the one to show, of files that hold several; empty: the first
 };
 
-/// `name` is a built-in scene (builtin.hpp) or a file: .gltf, .glb, .dat, .nff. Throws Error; what is read but not supported is
-/// a warning in `context`. The result has passed validate().
+/// `name` is a built-in scene (builtin.hpp) or a file: .gltf, .glb, .dat, .nff, .obj. Throws Error; what is read but not
+/// supported is a warning in `context`. The result has passed validate().
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context);
 
 /// Checks every index, size and number of a scene (finite vertices, triangle indices, parents before children, radii > 0).

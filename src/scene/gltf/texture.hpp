@@ -1,19 +1,22 @@
 // Decodes the textures of a glTF file that materials use.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <tuple>
 
 #include "scene/gltf/document.hpp"
 #include "scene/scene.hpp"
+#include "scene/texture_image.hpp"
 
 namespace lippmann::gltf {
 
 /// Decodes each image once for each way to use it (wrap modes, sRGB or data), when it is first asked for.
 class TextureReader {
  public:
-  TextureReader(Document& document, Scene& scene) : document_(document), scene_(scene), left_(document.limits.texture_bytes) {}
+  TextureReader(Document& document, Scene& scene)
+      : document_(document),
+        scene_(scene),
+        budget_{document.limits.texture_side, document.limits.texture_bytes, document.limits.texture_bytes} {}
 
   /// The index in scene.textures of a texture of the file. -1, with a warning, where it has no image that is supported.
   /// srgb: its colours are encoded; false for data.
@@ -24,7 +27,7 @@ class TextureReader {
 
   Document& document_;
   Scene& scene_;
-  std::uint64_t left_;  ///< bytes that may still be decoded
+  TextureBudget budget_;
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
 };
 

@@ -8,7 +8,7 @@
 
 #include "scene/directions.hpp"
 #include "scene/nff/cone.hpp"
-#include "scene/nff/polygon.hpp"
+#include "scene/polygon.hpp"
 
 namespace lippmann::nff {
 namespace {

@@ -12,7 +12,7 @@
 #include "scene/directions.hpp"
 #include "scene/lexer.hpp"
 #include "scene/nff/builder.hpp"
-#include "scene/nff/polygon.hpp"
+#include "scene/polygon.hpp"
 #include "scene/text_file.hpp"
 
 namespace lippmann {
@@ -42,18 +42,9 @@ struct State {
   Vec3f background{0.0f};
 };
 
-float number(Lexer& lexer, std::string_view wanted) {
-  const float value = lexer.number(wanted);
-  if (std::abs(value) > kLargestNumber)
-    throw lexer.error(fmt::format("{} is not a number that {} can have", value, wanted),
-                      fmt::format("{:g} to {:g}", -kLargestNumber, kLargestNumber));
-  return value;
-}
+float number(Lexer& lexer, std::string_view wanted) { return lexer.number(wanted, kLargestNumber); }
 
-Vec3f vector(Lexer& lexer, std::string_view wanted) {
-  const float x = number(lexer, wanted), y = number(lexer, wanted), z = number(lexer, wanted);
-  return {x, y, z};
-}
+Vec3f vector(Lexer& lexer, std::string_view wanted) { return lexer.vector(wanted, kLargestNumber); }
 
 float number_within(Lexer& lexer, std::string_view wanted, float lowest, float highest) {
   const float value = number(lexer, wanted);

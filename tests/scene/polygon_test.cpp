@@ -1,4 +1,4 @@
-#include "scene/nff/polygon.hpp"
+#include "scene/polygon.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,6 @@
 
 namespace lippmann {
 namespace {
-
-using nff::Triangle;
-using nff::triangulate;
 
 glm::dvec3 area_vector(const std::vector<Vec3f>& p, const Triangle& t) {
   return 0.5 * glm::cross(glm::dvec3(p[t[1]] - p[t[0]]), glm::dvec3(p[t[2]] - p[t[0]]));
@@ -28,17 +25,17 @@ void expect_fills(const std::vector<Vec3f>& polygon, double area) {
   EXPECT_EQ(sum, area);
 }
 
-TEST(NffPolygon, convex_ones_become_fans) {
+TEST(Polygon, convex_ones_become_fans) {
   EXPECT_EQ(triangulate(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}),
             (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
 
-TEST(NffPolygon, notch_stays_open) {
+TEST(Polygon, notch_stays_open) {
   // A square of 4 x 4 without the triangle (0, 4), (2, 1), (4, 4), whose area is 6.
   expect_fills({{0, 0, 5}, {4, 0, 5}, {4, 4, 5}, {2, 1, 5}, {0, 4, 5}}, 10.0);
 }
 
-TEST(NffPolygon, comb_is_filled_from_any_corner) {
+TEST(Polygon, comb_is_filled_from_any_corner) {
   // A bar of 7 x 1 with four teeth of 1 x 3.
   std::vector<Vec3f> teeth = {{0, 0, 0}, {7, 0, 0}, {7, 4, 0}, {6, 4, 0}, {6, 1, 0}, {5, 1, 0}, {5, 4, 0}, {4, 4, 0},
                               {4, 1, 0}, {3, 1, 0}, {3, 4, 0}, {2, 4, 0}, {2, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
@@ -48,13 +45,13 @@ TEST(NffPolygon, comb_is_filled_from_any_corner) {
   }
 }
 
-TEST(NffPolygon, hole_may_be_joined_by_a_pair_of_opposite_edges) {
+TEST(Polygon, hole_may_be_joined_by_a_pair_of_opposite_edges) {
   // 6 x 6 without 2 x 2 in its middle, cut open from (0, 0) to (2, 2).
   expect_fills({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {0, 0, 0}, {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}, {2, 2, 0}},
                32.0);
 }
 
-TEST(NffPolygon, winding_is_kept_in_any_plane) {
+TEST(Polygon, winding_is_kept_in_any_plane) {
   // The notched square in the plane x = 0, clockwise as +x sees it.
   const std::vector<Vec3f> polygon = {{0, 0, 0}, {0, 0, 4}, {0, 4, 4}, {0, 1, 2}, {0, 4, 0}};
   glm::dvec3 sum(0.0);
@@ -65,12 +62,12 @@ TEST(NffPolygon, winding_is_kept_in_any_plane) {
   EXPECT_EQ(sum, glm::dvec3(-10.0, 0.0, 0.0));  // 16 - 6
 }
 
-TEST(NffPolygon, crossed_one_gives_no_more_triangles_than_it_has_room_for) {
+TEST(Polygon, crossed_one_gives_no_more_triangles_than_it_has_room_for) {
   const std::vector<Vec3f> bow = {{0, 0, 0}, {4, 3, 0}, {4, 0, 0}, {0, 4, 0}, {-1, 2, 0}};
   EXPECT_LE(triangulate(bow).size(), 3u);
 }
 
-TEST(NffPolygon, no_area_no_triangles) {
+TEST(Polygon, no_area_no_triangles) {
   EXPECT_TRUE(triangulate(std::vector<Vec3f>{{0, 0, 0}, {1, 1, 1}}).empty());
   EXPECT_TRUE(triangulate(std::vector<Vec3f>{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}).empty());
 }

@@ -4,12 +4,12 @@
 // We deviate: 1. Corners in the same place as one of an ear's own do not count as in its way, so that polygons with holes may
 // be joined by a pair of opposite edges. 2. Where no ear is left, which happens only to polygons that cross themselves, the
 // rest becomes a fan.
-#include "scene/nff/polygon.hpp"
+#include "scene/polygon.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace lippmann::nff {
+namespace lippmann {
 namespace {
 
 using Vec2d = glm::dvec2;
@@ -124,4 +124,4 @@ std::vector<Triangle> triangulate(std::span<const Vec3f> corners) {
   return EarClipper(flat).run();
 }
 
-}  // namespace lippmann::nff
+}  // namespace lippmann

@@ -8,7 +8,7 @@
 
 #include "core/math.hpp"
 
-namespace lippmann::nff {
+namespace lippmann {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -22,4 +22,4 @@ std::vector<Triangle> triangulate(std::span<const Vec3f> corners);
 /// Whether all corners turn the same way, or not at all.
 bool turns_one_way(std::span<const Vec3f> corners);
 
-}  // namespace lippmann::nff
+}  // namespace lippmann

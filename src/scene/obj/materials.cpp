@@ -1,0 +1,202 @@
+// Based on: Alias/Wavefront, "MTL material format", version 4.2, 1995, and its extension for physically based rendering (Pr,
+// Pm). We deviate: a Phong exponent Ns becomes the roughness of a microfacet lobe of the same width, alpha^2 = 2 / (Ns + 2),
+// after B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, section 5; roughness is sqrt(alpha).
+#include "scene/obj/materials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/error.hpp"
+#include "core/printable.hpp"
+#include "scene/lexer.hpp"
+#include "scene/side_file.hpp"
+#include "scene/text_file.hpp"
+
+namespace lippmann::obj {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestText = std::size_t{64} << 20, kLargestPicture = std::size_t{256} << 20;
+constexpr TextureBudget kTextures{16384, std::uint64_t{512} << 20, std::uint64_t{512} << 20};
+constexpr float kLargestNumber = 1e6f;
+
+MetallicRoughness matt_grey() {
+  MetallicRoughness surface;
+  surface.base_color = Vec4f(Vec3f(0.8f), 1.0f);
+  surface.metallic = 0.0f;
+  surface.double_sided = true;
+  return surface;
+}
+
+float roughness_of(float phong_exponent) { return std::pow(2.0f / (phong_exponent + 2.0f), 0.25f); }
+
+std::string_view next_word(std::string_view& text) {
+  const std::size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
+  const std::size_t end = std::min(text.find_first_of(" \t\r", begin), text.size());
+  const std::string_view word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
+
+bool is_number(std::string_view word) {
+  return !word.empty() && word.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
+}
+
+/// The file's name behind the options of a map statement: "-s 1 1 1 -clamp on name". Folders are separated by '/'.
+std::string map_file(std::string_view statement) {
+  std::string_view rest = statement;
+  for (;;) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r"), rest.size()));
+    std::string_view after = rest;
+    const std::string_view option = next_word(after);
+    if (option.size() < 2 || option[0] != '-') break;
+    const bool vector = option == "-o" || option == "-s" || option == "-t";
+    for (int i = 0; i < (vector ? 3 : option == "-mm" ? 2 : 1); ++i) {
+      std::string_view behind = after;
+      if (!is_number(next_word(behind)) && vector && i > 0) break;
+      after = behind;
+    }
+    rest = after;
+  }
+  std::string name(rest);
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+/// One material while its statements are read.
+struct Draft {
+  MetallicRoughness surface = matt_grey();
+  float roughness = -1.0f;  ///< below 0: not given
+  float exponent = 0.0f;
+  bool dull = false;  ///< Ks is black
+
+  MetallicRoughness finished() const {
+    MetallicRoughness result = surface;
+    result.roughness = roughness >= 0.0f ? roughness : roughness_of(exponent);
+    if (dull && roughness < 0.0f) result.specular = 0.0f;
+    result.blend = result.base_color.a < 1.0f;
+    return result;
+  }
+};
+
+float number(Lexer& lexer, std::string_view wanted) { return std::max(0.0f, lexer.number(wanted, kLargestNumber)); }
+float share(Lexer& lexer, std::string_view wanted) { return std::min(1.0f, number(lexer, wanted)); }
+
+/// R, or R G B.
+Vec3f color(Lexer& lexer, std::string_view wanted) {
+  const float red = number(lexer, wanted);
+  if (lexer.at_line_end()) return Vec3f(red);
+  const float green = number(lexer, wanted), blue = number(lexer, wanted);
+  return {red, green, blue};
+}
+
+/// Statements of one value; others are left: our surfaces have no place for them.
+void parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
+  MetallicRoughness& s = draft.surface;
+  if (keyword == "Kd")
+    s.base_color = Vec4f(color(lexer, "Kd"), s.base_color.a);
+  else if (keyword == "Ks")
+    draft.dull = color(lexer, "Ks") == Vec3f(0.0f);
+  else if (keyword == "Ke")
+    s.emissive = color(lexer, "Ke");
+  else if (keyword == "Ns")
+    draft.exponent = number(lexer, "Ns");
+  else if (keyword == "Ni")
+    s.ior = std::max(1.0f, number(lexer, "Ni"));
+  else if (keyword == "d" && lexer.peek() != "-halo")
+    s.base_color.a = share(lexer, "d");
+  else if (keyword == "Tr")
+    s.base_color.a = 1.0f - share(lexer, "Tr");
+  else if (keyword == "Pr")
+    draft.roughness = share(lexer, "Pr");
+  else if (keyword == "Pm")
+    s.metallic = share(lexer, "Pm");
+}
+
+}  // namespace
+
+Materials::Materials(const fs::path& folder, Scene& scene, const Context& context)
+    : folder_(folder), scene_(scene), context_(context), budget_(kTextures), text_left_(kLargestText) {}
+
+bool Materials::exists(std::string_view name, const std::string& where) const {
+  std::error_code ignored;
+  return fs::is_regular_file(side_file(folder_, name, where), ignored);
+}
+
+void Materials::read_library(std::string_view names, const std::string& where) {
+  if (names.find(' ') == std::string_view::npos || exists(names, where)) return read_file(std::string(names), where);
+  for (std::string_view name = next_word(names); !name.empty(); name = next_word(names)) read_file(std::string(name), where);
+}
+
+void Materials::read_file(const std::string& name, const std::string& where) {
+  if (!read_.insert(name).second) return;
+  if (!exists(name, where))
+    return context_.warning(fmt::format("{}: {} does not exist; its surfaces are grey.", where, shown(name)));
+  const fs::path file = side_file(folder_, name, where);
+  std::string text = read_text_file(file, where, text_left_, "at most 64 MiB of materials");
+  text_left_ -= text.size();
+  Lexer lexer(file.string(), std::move(text));
+  int index = -1;
+  Draft draft;
+  const auto finish = [&] {
+    if (index >= 0) scene_.materials[static_cast<std::size_t>(index)].surface = draft.finished();
+  };
+  while (!lexer.at_end()) {
+    const std::string_view keyword = lexer.word("a statement");
+    if (keyword == "newmtl") {
+      finish();
+      draft = {};
+      index = static_cast<int>(scene_.materials.size());
+      const std::string material(lexer.rest_of_line());
+      scene_.materials.push_back({material, draft.surface});
+      known_.insert_or_assign(material, index);
+    } else if (keyword == "map_Kd") {
+      draft.surface.base_color_map.texture = texture(lexer.rest_of_line(), lexer.where());
+    } else if (keyword == "map_Ke") {
+      draft.surface.emissive_map.texture = texture(lexer.rest_of_line(), lexer.where());
+      if (draft.surface.emissive == Vec3f(0.0f)) draft.surface.emissive = Vec3f(1.0f);
+    } else {
+      parse_value(keyword, lexer, draft);
+      lexer.rest_of_line();
+    }
+  }
+  finish();
+}
+
+int Materials::texture(std::string_view statement, const std::string& where) {
+  const std::string name = map_file(statement);
+  const auto [known, is_new] = textures_.try_emplace(name, -1);
+  if (!is_new) return known->second;
+  if (!exists(name, where)) {
+    context_.warning(fmt::format("{}: {} does not exist; the surface is shown without it.", where, shown(name)));
+    return -1;
+  }
+  const std::string picture =
+      read_text_file(side_file(folder_, name, where), where, kLargestPicture, "at most 256 MiB for a picture");
+  const std::span<const std::byte> encoded = std::as_bytes(std::span(picture));
+  if (!is_texture_image(encoded)) {
+    context_.warning(fmt::format("{}: {} is neither PNG nor JPEG; the surface is shown without it.", where, shown(name)));
+    return -1;
+  }
+  Texture result;
+  result.name = name;
+  decode_texture(encoded, where, budget_, result);
+  known->second = static_cast<int>(scene_.textures.size());
+  scene_.textures.push_back(std::move(result));
+  return known->second;
+}
+
+int Materials::find(std::string_view name, const std::string& where) {
+  if (const auto known = known_.find(name); known != known_.end()) return known->second;
+  if (!name.empty()) context_.warning(fmt::format("{}: there is no material {}; it is grey.", where, shown(name)));
+  const int index = static_cast<int>(scene_.materials.size());
+  scene_.materials.push_back({std::string(name), matt_grey()});
+  known_.emplace(name, index);
+  return index;
+}
+
+}  // namespace lippmann::obj

@@ -1,0 +1,42 @@
+// The materials of an OBJ file, from its .mtl files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/context.hpp"
+#include "scene/scene.hpp"
+#include "scene/texture_image.hpp"
+
+namespace lippmann::obj {
+
+class Materials {
+ public:
+  /// folder: of the .obj file. Materials and textures go to the scene.
+  Materials(const std::filesystem::path& folder, Scene& scene, const Context& context);
+
+  /// Reads what an mtllib statement at `where` names: a file, or several. Files that do not exist are a warning.
+  void read_library(std::string_view names, const std::string& where);
+
+  /// The index of a material; of one that no library has, with a warning, a grey one. Empty: grey.
+  int find(std::string_view name, const std::string& where);
+
+ private:
+  void read_file(const std::string& name, const std::string& where);
+  int texture(std::string_view statement, const std::string& where);
+  bool exists(std::string_view name, const std::string& where) const;
+
+  std::filesystem::path folder_;
+  Scene& scene_;
+  const Context& context_;
+  std::map<std::string, int, std::less<>> known_;     ///< materials by name
+  std::map<std::string, int, std::less<>> textures_;  ///< by file name; -1: cannot be shown
+  std::set<std::string> read_;                        ///< libraries
+  TextureBudget budget_;
+  std::size_t text_left_;  ///< bytes of libraries
+};
+
+}  // namespace lippmann::obj

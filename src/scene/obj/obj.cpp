@@ -1,0 +1,237 @@
+// Based on: Alias/Wavefront, "Object files (.obj)", version 3.0, 1991: polygons only.
+#include "scene/obj.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/printable.hpp"
+#include "image/encode.hpp"
+#include "scene/directions.hpp"
+#include "scene/lexer.hpp"
+#include "scene/obj/materials.hpp"
+#include "scene/polygon.hpp"
+#include "scene/text_file.hpp"
+
+namespace lippmann {
+namespace obj {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+constexpr float kLargestNumber = 1e18f;  // squares and products of two of them stay finite
+
+/// Indices of a face's corner; -1: none.
+struct Corner {
+  int position = -1, uv = -1, normal = -1;
+  bool operator==(const Corner&) const = default;
+};
+
+struct CornerHash {
+  std::size_t operator()(const Corner& c) const {
+    const auto wide = [](int i) { return static_cast<std::uint64_t>(i + 1); };
+    return (wide(c.position) * 0x9e3779b97f4a7c15u) ^ (wide(c.uv) * 0xc2b2ae3d27d4eb4fu) ^
+           (wide(c.normal) * 0x165667b19e3779f9u);
+  }
+};
+
+/// The faces of one object and material that bring the same attributes.
+struct Part {
+  Mesh mesh;
+  std::unordered_map<Corner, std::uint32_t, CornerHash> placed;  ///< vertices of the mesh
+};
+
+Vec3f linear(Vec3f srgb) {
+  const auto decode = [](float v) { return static_cast<float>(linear_from_srgb(std::clamp(double{v}, 0.0, 1.0))); };
+  return {decode(srgb.x), decode(srgb.y), decode(srgb.z)};
+}
+
+class Reader {
+ public:
+  Reader(Lexer& lexer, const std::filesystem::path& folder, Scene& scene, const Context& context)
+      : lexer_(lexer), scene_(scene), context_(context), materials_(folder, scene, context) {}
+
+  void read() {
+    while (!lexer_.at_end()) {
+      const std::string_view keyword = lexer_.word("a statement");
+      if (!parse(keyword)) {
+        if (!is_harmless(keyword)) ++skipped_, first_skipped_ = first_skipped_.empty() ? lexer_.where() : first_skipped_;
+        lexer_.rest_of_line();
+      }
+    }
+    finish();
+  }
+
+ private:
+  /// Groups, smoothing of faces that bring no normals, and what is drawn as wire.
+  static bool is_harmless(std::string_view keyword) {
+    return keyword == "g" || keyword == "s" || keyword == "l" || keyword == "p" || keyword == "vp";
+  }
+
+  bool parse(std::string_view keyword) {
+    if (keyword == "v")
+      parse_position();
+    else if (keyword == "vt")
+      parse_uv();
+    else if (keyword == "vn")
+      normals_.push_back(lexer_.vector("vn", kLargestNumber));
+    else if (keyword == "f")
+      parse_face();
+    else if (keyword == "usemtl")
+      material_ = lexer_.rest_of_line(), part_ = nullptr;
+    else if (keyword == "mtllib")
+      materials_.read_library(lexer_.rest_of_line(), lexer_.where());
+    else if (keyword == "o")
+      object_ = lexer_.rest_of_line(), part_ = nullptr;
+    else
+      return false;
+    return true;
+  }
+
+  /// x y z, perhaps w, perhaps r g b.
+  void parse_position() {
+    positions_.push_back(lexer_.vector("v", kLargestNumber));
+    std::array<float, 4> more{};
+    std::size_t count = 0;
+    while (count < more.size() && !lexer_.at_line_end()) more[count++] = lexer_.number("v", kLargestNumber);
+    if (count < 3) return;
+    colors_.resize(positions_.size(), Vec3f(1.0f));
+    colors_.back() = linear({more[count - 3], more[count - 2], more[count - 1]});
+  }
+
+  void parse_uv() {
+    const float u = lexer_.number("vt", kLargestNumber);
+    const float v = lexer_.at_line_end() ? 0.0f : lexer_.number("vt", kLargestNumber);
+    uvs_.emplace_back(u, 1.0f - v);
+    lexer_.rest_of_line();
+  }
+
+  /// A whole number, which counts from 1 or backwards from -1, as an index.
+  int index(std::string_view digits, std::size_t size, std::string_view word) const {
+    std::int64_t value = 0;
+    const auto [rest, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const auto count = static_cast<std::int64_t>(size);
+    if (failure != std::errc{} || rest != digits.data() + digits.size() || value == 0 || value > count || value < -count)
+      throw lexer_.error(fmt::format("{} names a vertex that does not exist", shown(word)),
+                         fmt::format("1 to {}, or -{} to -1", count, count));
+    return static_cast<int>(value > 0 ? value - 1 : count + value);
+  }
+
+  /// position, position/uv, position//normal, position/uv/normal.
+  Corner parse_corner(std::string_view word) const {
+    const std::size_t first = std::min(word.find('/'), word.size());
+    const std::size_t second = first == word.size() ? first : std::min(word.find('/', first + 1), word.size());
+    Corner corner;
+    corner.position = index(word.substr(0, first), positions_.size(), word);
+    if (first + 1 < second) corner.uv = index(word.substr(first + 1, second - first - 1), uvs_.size(), word);
+    if (second + 1 < word.size()) corner.normal = index(word.substr(second + 1), normals_.size(), word);
+    return corner;
+  }
+
+  void parse_face() {
+    corners_.clear(), outline_.clear();
+    while (!lexer_.at_line_end()) {
+      corners_.push_back(parse_corner(lexer_.word("f")));
+      outline_.push_back(positions_[static_cast<std::size_t>(corners_.back().position)]);
+    }
+    if (corners_.size() < 3) throw lexer_.error(fmt::format("a face has {} corners", corners_.size()), "3 or more");
+    if (corners_.size() > kMostConcaveCorners && !turns_one_way(outline_))
+      throw lexer_.error(fmt::format("a face that is not convex has {} corners", corners_.size()),
+                         fmt::format("at most {}", kMostConcaveCorners));
+    const bool has_uv = std::all_of(corners_.begin(), corners_.end(), [](const Corner& c) { return c.uv >= 0; });
+    const bool has_normal = std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
+      return c.normal >= 0 && normals_[static_cast<std::size_t>(c.normal)] != Vec3f(0.0f);
+    });
+    Part& part = part_for(has_uv, has_normal);
+    for (const Triangle& triangle : triangulate(outline_)) {
+      std::array<std::uint32_t, 3> vertices{};
+      for (std::size_t k = 0; k < 3; ++k) vertices[k] = vertex(part, corners_[triangle[k]], has_uv, has_normal);
+      part.mesh.triangles.push_back(vertices);
+    }
+  }
+
+  Part& part_for(bool has_uv, bool has_normal) {
+    if (part_ && part_uv_ == has_uv && part_normal_ == has_normal) return *part_;
+    part_uv_ = has_uv, part_normal_ = has_normal;
+    const int material = materials_.find(material_, lexer_.where());
+    part_ = &parts_[{object_, material, has_uv, has_normal}];
+    return *part_;
+  }
+
+  std::uint32_t vertex(Part& part, Corner corner, bool has_uv, bool has_normal) {
+    if (!has_uv) corner.uv = -1;
+    if (!has_normal) corner.normal = -1;
+    const auto [known, is_new] = part.placed.try_emplace(corner, static_cast<std::uint32_t>(part.mesh.positions.size()));
+    if (!is_new) return known->second;
+    const auto position = static_cast<std::size_t>(corner.position);
+    part.mesh.positions.push_back(positions_[position]);
+    if (has_uv) part.mesh.uvs.push_back(uvs_[static_cast<std::size_t>(corner.uv)]);
+    if (has_normal) part.mesh.normals.push_back(direction_of(normals_[static_cast<std::size_t>(corner.normal)]));
+    if (!colors_.empty()) {
+      part.mesh.colors.resize(part.mesh.positions.size() - 1, Vec3f(1.0f));  // of vertices before the file's first colour
+      part.mesh.colors.push_back(position < colors_.size() ? colors_[position] : Vec3f(1.0f));
+    }
+    return known->second;
+  }
+
+  void finish() {
+    if (skipped_ > 0)
+      context_.warning(fmt::format("{}: {} statements that are not about polygons are left out.", first_skipped_, skipped_));
+    for (auto& [key, part] : parts_) {
+      if (part.mesh.triangles.empty()) continue;
+      if (!part.mesh.colors.empty()) part.mesh.colors.resize(part.mesh.positions.size(), Vec3f(1.0f));
+      Instance instance;
+      instance.name = std::get<0>(key);
+      instance.shape = static_cast<int>(scene_.shapes.size());
+      instance.material = std::get<1>(key);
+      scene_.shapes.emplace_back(std::move(part.mesh));
+      scene_.instances.push_back(std::move(instance));
+    }
+  }
+
+  Lexer& lexer_;
+  Scene& scene_;
+  const Context& context_;
+  Materials materials_;
+  std::vector<Vec3f> positions_, normals_, colors_;  ///< colours of the first positions; white beyond
+  std::vector<Vec2f> uvs_;
+  std::vector<Corner> corners_;  ///< of the face that is read
+  std::vector<Vec3f> outline_;
+  std::string object_, material_;
+  std::map<std::tuple<std::string, int, bool, bool>, Part> parts_;  ///< by object, material, and what attributes there are
+  Part* part_ = nullptr;                                            ///< of the face before; null: to be found
+  bool part_uv_ = false, part_normal_ = false;
+  int skipped_ = 0;
+  std::string first_skipped_;
+};
+
+/// A backslash at a line's end joins it with the next one; not in comments, which may end with a folder's name.
+void join_lines(std::string& text) {
+  for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
+    const std::size_t end = at + 1 < text.size() && text[at + 1] == '\r' ? at + 2 : at + 1;
+    if (end >= text.size() || text[end] != '\n') continue;
+    const std::size_t line = text.rfind('\n', at) + 1;  // npos + 1 = 0
+    if (text[line] != '#') text[at] = text[end] = ' ';
+  }
+}
+
+}  // namespace
+}  // namespace obj
+
+Scene load_obj(const std::filesystem::path& path, const Context& context) {
+  std::string text = read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text");
+  obj::join_lines(text);
+  Lexer lexer(path.string(), std::move(text));
+  Scene scene;
+  scene.name = path.stem().string();
+  obj::Reader(lexer, path.parent_path(), scene, context).read();
+  return scene;
+}
+
+}  // namespace lippmann

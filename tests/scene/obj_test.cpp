@@ -1,0 +1,165 @@
+#include "scene/obj.hpp"
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/error.hpp"
+#include "scene/load.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class Obj : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& contents) const {
+    std::ofstream(dir_ / name, std::ios::binary) << contents;
+  }
+
+  Scene load(const std::string& text) {
+    write("a.obj", text);
+    Context context;
+    context.warn = [this](std::string_view warning) { warnings.emplace_back(warning); };
+    Scene scene = load_obj(dir_ / "a.obj", context);
+    validate(scene, "a.obj");
+    return scene;
+  }
+
+  std::string error_of(const std::string& text) {
+    try {
+      load(text);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  /// The surface of a triangle with this material.
+  MetallicRoughness surface_of(const std::string& statements) {
+    write("a.mtl", "newmtl the one\n" + statements + "\n");
+    const Scene scene = load("mtllib a.mtl\n" + kTriangle + "usemtl the one\nf 1 2 3\n");
+    return std::get<MetallicRoughness>(scene.materials.at(static_cast<std::size_t>(scene.instances.at(0).material)).surface);
+  }
+
+  static const Mesh& mesh(const Scene& scene, std::size_t instance = 0) {
+    return std::get<Mesh>(scene.shapes.at(static_cast<std::size_t>(scene.instances.at(instance).shape)));
+  }
+
+  const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  test::TempDir dir_;
+  std::vector<std::string> warnings;
+};
+
+TEST_F(Obj, corners_share_vertices_where_all_attributes_agree) {
+  const Scene scene = load(kTriangle + "v 1 1 0\nvt 0 0\nvt 1 0.25\nvn 0 0 2\nf 1/1/1 2/2/1 3/1/1\nf 2/2/1 4/1/1 3/1/1\n");
+  const Mesh& m = mesh(scene);
+  EXPECT_EQ(m.positions.size(), 4u);
+  EXPECT_EQ(m.triangles.size(), 2u);
+  EXPECT_EQ(m.uvs.at(1), Vec2f(1.0f, 0.75f));  // v grows upwards in the file
+  EXPECT_EQ(m.normals.at(0), Vec3f(0, 0, 1));
+  EXPECT_THAT(warnings, IsEmpty());
+}
+
+TEST_F(Obj, negative_indices_count_backwards) {
+  EXPECT_EQ(mesh(load(kTriangle + "f -3 -2 -1\n")).positions.at(1), Vec3f(1, 0, 0));
+}
+
+TEST_F(Obj, concave_face_is_cut_into_triangles_inside_it) {
+  const Mesh m = mesh(load("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n"));
+  float area = 0.0f;
+  for (const auto& t : m.triangles)
+    area += 0.5f * glm::cross(m.positions[t[1]] - m.positions[t[0]], m.positions[t[2]] - m.positions[t[0]]).z;
+  EXPECT_EQ(area, 10.0f);  // 16 - 6
+}
+
+TEST_F(Obj, one_instance_per_object_and_material) {
+  const Scene scene = load(kTriangle + "o one\nf 1 2 3\no two\nf 1 2 3\nf 3 2 1\no one\nf 1 3 2\n");
+  ASSERT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(scene.instances[0].name, "one");
+  EXPECT_EQ(mesh(scene, 0).triangles.size(), 2u);
+  EXPECT_EQ(scene.instances[1].name, "two");
+}
+
+TEST_F(Obj, colours_of_vertices_are_srgb) {
+  const Mesh m = mesh(load("v 0 0 0 1 0 0.5\nv 1 0 0 1 1 1\nv 0 1 0\nf 1 2 3\n"));
+  ASSERT_EQ(m.colors.size(), 3u);
+  EXPECT_NEAR(m.colors[0].z, 0.2140f, 1e-4f);  // ((0.5 + 0.055) / 1.055)^2.4, four digits
+  EXPECT_EQ(m.colors[2], Vec3f(1.0f));
+}
+
+TEST_F(Obj, line_may_go_on_behind_a_backslash) { EXPECT_EQ(mesh(load(kTriangle + "f 1 \\\n2 3\n")).triangles.size(), 1u); }
+
+TEST_F(Obj, material_becomes_a_physical_surface) {
+  const MetallicRoughness s = surface_of("Kd 0.1 0.2 0.3\nKe 4 5 6\nNs 30\nNi 1.4\nd 0.25\nillum 2\nKa 1 1 1");
+  EXPECT_EQ(s.base_color, Vec4f(0.1f, 0.2f, 0.3f, 0.25f));
+  EXPECT_EQ(s.emissive, Vec3f(4, 5, 6));
+  EXPECT_FLOAT_EQ(s.roughness, 0.5f);  // alpha^2 = 2 / 32 = 1/16, sqrt(alpha) = 1/2
+  EXPECT_EQ(s.ior, 1.4f);
+  EXPECT_TRUE(s.blend);
+  EXPECT_TRUE(s.double_sided);
+  EXPECT_EQ(s.metallic, 0.0f);
+  EXPECT_EQ(s.specular, 1.0f);
+}
+
+TEST_F(Obj, physical_extension_wins_over_the_exponent) {
+  const MetallicRoughness s = surface_of("Pr 0.3\nPm 1\nNs 30\nTr 0");
+  EXPECT_EQ(s.roughness, 0.3f);
+  EXPECT_EQ(s.metallic, 1.0f);
+  EXPECT_FALSE(s.blend);
+}
+
+TEST_F(Obj, black_highlight_is_none) { EXPECT_EQ(surface_of("Ks 0 0 0").specular, 0.0f); }
+
+TEST_F(Obj, texture_is_read_behind_its_options) {
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
+  const unsigned char texel[] = {10, 20, 30};
+  ASSERT_TRUE(output->open((dir_ / "a b.png").string(), OIIO::ImageSpec(1, 1, 3, OIIO::TypeDesc::UINT8)));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, texel) && output->close());
+  write("a.mtl", "newmtl m\nmap_Kd -s 1 1 1 -clamp on a b.png\nmap_Ke a b.png\n");
+  const Scene scene = load("mtllib a.mtl\n" + kTriangle + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
+  ASSERT_EQ(scene.textures.size(), 1u);
+  EXPECT_THAT(scene.textures[0].rgba, ElementsAre(10, 20, 30, 255));
+  const auto& s = std::get<MetallicRoughness>(scene.materials.at(0).surface);
+  EXPECT_EQ(s.base_color_map.texture, 0);
+  EXPECT_EQ(s.emissive_map.texture, 0);
+  EXPECT_EQ(s.emissive, Vec3f(1.0f));
+}
+
+TEST_F(Obj, missing_files_and_materials_are_warnings) {
+  load("mtllib none.mtl\n" + kTriangle + "usemtl m\nf 1 2 3\n");
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("'none.mtl' does not exist"), HasSubstr("there is no material 'm'")));
+  warnings.clear();
+  EXPECT_EQ(surface_of("map_Kd none.png").base_color_map.texture, -1);
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("'none.png' does not exist")));
+}
+
+TEST_F(Obj, files_outside_the_folder_are_refused) {
+  EXPECT_THAT(error_of("mtllib ../a.mtl\n"), HasSubstr("a.obj:1: '../a.mtl' is not a file of this scene's folder"));
+  write("b.mtl", "newmtl m\nmap_Kd /etc/hostname\n");
+  EXPECT_THAT(error_of("mtllib b.mtl\n"), HasSubstr("b.mtl:2: '/etc/hostname' is not a file of this scene's folder"));
+}
+
+TEST_F(Obj, errors_name_the_line) {
+  EXPECT_THAT(error_of(kTriangle + "f 1 2 4\n"), HasSubstr("a.obj:4: '4' names a vertex that does not exist"));
+  EXPECT_THAT(error_of(kTriangle + "f 1 2 0\n"), HasSubstr("a.obj:4: '0' names"));
+  EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("a.obj:4: '1/1' names"));
+  EXPECT_THAT(error_of(kTriangle + "f 1 2 99999999999999999999\n"), HasSubstr("a.obj:4:"));
+  EXPECT_THAT(error_of(kTriangle + "f 1 2\n"), HasSubstr("a.obj:4: a face has 2 corners"));
+  EXPECT_THAT(error_of("v 0 0 nan\n"), HasSubstr("a.obj:1: 'nan' is not a number"));
+  EXPECT_THAT(error_of("v 0 0"), HasSubstr("the file ends"));
+}
+
+TEST_F(Obj, other_statements_are_left_out_with_one_warning) {
+  EXPECT_TRUE(load("g a\ns 1\ncstype bezier\ncurv 0 1 1 2\n").instances.empty());
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.obj:3: 2 statements")));
+}
+
+}  // namespace
+}  // namespace lippmann
