@@ -148,9 +148,9 @@ def diffuse_box():
 
 
 def textured_point_lights():
-    """Base colour and normal maps under two point lights."""
+    """Base colour and normal maps under two point lights. Gentle bumps: seen edge-on, Cycles turns steep ones to the viewer."""
     g = Gltf()
-    waves = lambda x, y: (int(127.5 + 60 * math.sin(2 * math.pi * x / 16)), int(127.5 + 60 * math.sin(2 * math.pi * y / 16)), 235, 255)
+    waves = lambda x, y: (int(127.5 + 35 * math.sin(2 * math.pi * x / 16)), int(127.5 + 35 * math.sin(2 * math.pi * y / 16)), 245, 255)
     bumps = g.texture(64, waves)
     tiles = g.texture(64, checker((200, 160, 90), (60, 80, 120)))
     wall = g.material((1, 1, 1), baseColorTexture=tiles, normalTexture=bumps, **MATTE)

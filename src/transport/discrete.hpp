@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,7 +26,10 @@ class DiscreteDistribution {
   float probability(std::size_t index) const;
 
  private:
-  std::vector<float> cumulative_;  ///< share of all up to and including an index; the last is 1
+  float start_of(std::size_t part) const;
+
+  std::vector<float> cumulative_;     ///< share of all up to and including an index; the last is 1
+  std::vector<std::uint32_t> first_;  ///< [0, 1) in as many equal parts: the index that each begins in (a "guide table")
   double total_ = 0.0;
 };
 

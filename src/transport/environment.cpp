@@ -32,6 +32,10 @@ Environment::Environment(const Background& background)
     : background_(background),
       width_(background.map ? background.map->radiance.width : kGradientWidth),
       height_(background.map ? background.map->radiance.height : kGradientHeight) {
+  const float step = kPi / static_cast<float>(height_);
+  for (int y = 0; y <= height_; ++y) cosines_.push_back(std::cos(step * static_cast<float>(y)));
+  for (std::size_t y = 0; y + 1 < cosines_.size(); ++y)
+    solid_angles_.push_back((cosines_[y] - cosines_[y + 1]) * 2.0f * kPi / static_cast<float>(width_));
   std::vector<float> row_weights;
   const auto columns = static_cast<std::size_t>(width_);
   for (int y = 0; y < height_; ++y) {
@@ -42,18 +46,12 @@ Environment::Environment(const Background& background)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) sum += texel(x + dx, y + dy);
       weights[static_cast<std::size_t>(x)] = luminance(sum) / 9.0f;
-      mean_radiance_ += texel(x, y) * (solid_angle(static_cast<std::size_t>(y)) / (4.0f * kPi));
+      mean_radiance_ += texel(x, y) * (solid_angles_[static_cast<std::size_t>(y)] / (4.0f * kPi));
     }
     columns_.emplace_back(weights);
-    row_weights.push_back(static_cast<float>(columns_.back().total()) * solid_angle(static_cast<std::size_t>(y)));
+    row_weights.push_back(static_cast<float>(columns_.back().total()) * solid_angles_[static_cast<std::size_t>(y)]);
   }
   rows_ = DiscreteDistribution(row_weights);
-}
-
-/// Of one texel of a row.
-float Environment::solid_angle(std::size_t row) const {
-  const float step = kPi / static_cast<float>(height_), top = step * static_cast<float>(row);
-  return (std::cos(top) - std::cos(top + step)) * 2.0f * kPi / static_cast<float>(width_);
 }
 
 /// Columns go round, rows end at the poles.
@@ -81,12 +79,11 @@ Environment::Sample Environment::sample(Vec2f u) const {
   Vec2f within;
   const std::size_t y = rows_.sample(u.y, within.y), x = columns_[y].sample(u.x, within.x);
   // Even in solid angle within the texel: in the cosine of the polar angle.
-  const float step = kPi / static_cast<float>(height_), top = step * static_cast<float>(y);
-  const float cosine = glm::mix(std::cos(top), std::cos(top + step), within.y);
+  const float cosine = glm::mix(cosines_[y], cosines_[y + 1], within.y);
   const Vec2f place((static_cast<float>(x) + within.x) / static_cast<float>(width_),
                     std::acos(std::clamp(cosine, -1.0f, 1.0f)) / kPi);
   const float chance = rows_.probability(y) * columns_[y].probability(x);
-  return {direction_at(place, background_.map ? background_.map->rotation : 0.0f), chance / solid_angle(y)};
+  return {direction_at(place, background_.map ? background_.map->rotation : 0.0f), chance / solid_angles_[y]};
 }
 
 float Environment::density(Vec3f direction) const {
@@ -95,7 +92,7 @@ float Environment::density(Vec3f direction) const {
   const auto x = std::min(static_cast<std::size_t>(place.x), static_cast<std::size_t>(width_ - 1));
   const auto y = std::min(static_cast<std::size_t>(place.y), static_cast<std::size_t>(height_ - 1));
   if (columns_[y].empty()) return 0.0f;
-  return rows_.probability(y) * columns_[y].probability(x) / solid_angle(y);
+  return rows_.probability(y) * columns_[y].probability(x) / solid_angles_[y];
 }
 
 }  // namespace lippmann

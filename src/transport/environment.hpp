@@ -35,12 +35,13 @@ class Environment {
 
  private:
   Vec3f texel(int x, int y) const;
-  float solid_angle(std::size_t row) const;
 
   const Background& background_;
   int width_, height_;  ///< of the sampling grid: that of the panorama
   DiscreteDistribution rows_;
   std::vector<DiscreteDistribution> columns_;  ///< per row
+  std::vector<float> cosines_;                 ///< of the polar angle at the top of each row, and at the bottom of the last
+  std::vector<float> solid_angles_;            ///< of one texel, per row
   Vec3f mean_radiance_{0.0f};
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 namespace lippmann {
 namespace {
@@ -21,6 +22,24 @@ TEST(DiscreteDistribution, finds_the_share_that_a_number_falls_into) {
   EXPECT_FLOAT_EQ(d.probability(1), 0.0f);
   EXPECT_FLOAT_EQ(d.probability(4), 0.0f);
   EXPECT_DOUBLE_EQ(d.total(), 4.0);
+}
+
+TEST(DiscreteDistribution, many_uneven_weights_are_found_by_their_shares) {
+  std::vector<float> weights;
+  for (int i = 0; i < 1000; ++i) weights.push_back(i % 7 == 0 ? 0.0f : i % 50 == 1 ? 400.0f : 1.0f);
+  const DiscreteDistribution d(weights);
+  std::vector<int> found(weights.size());
+  constexpr int kDraws = 1 << 20;
+  for (int i = 0; i < kDraws; ++i) {
+    float rest = -1.0f;
+    ++found[d.sample(static_cast<float>(i) / kDraws, rest)];
+    ASSERT_GE(rest, 0.0f);
+    ASSERT_LT(rest, 1.0f);
+  }
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    EXPECT_NEAR(found[i], kDraws * static_cast<double>(weights[i]) / d.total(), 2.0) << i;
+    EXPECT_NEAR(d.probability(i), static_cast<double>(weights[i]) / d.total(), 1e-6) << i;
+  }
 }
 
 TEST(DiscreteDistribution, of_nothing_is_empty) {
