@@ -52,7 +52,7 @@ RenderParams ParamFlags::read() const {
 void add_param_flags(CLI::App& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted) {
   command.add_option(
       "SCENE", flags.scene,
-      "A built-in name (see: lippmann scenes), test-pattern, a file (.gltf, .glb, .dat, .nff, .obj), or a job (.toml)");
+      "A built-in name (see: lippmann scenes), test-pattern, a file (.gltf, .glb, .dat, .nff, .obj, .ply), or a job (.toml)");
   for (const ParamInfo& info : params_table()) {
     const bool listed =
         std::any_of(wanted.begin(), wanted.end(), [&](auto word) { return word == info.name || word == info.group; });

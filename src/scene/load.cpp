@@ -13,6 +13,7 @@
 #include "scene/gltf.hpp"
 #include "scene/nff.hpp"
 #include "scene/obj.hpp"
+#include "scene/ply.hpp"
 #include "scene/tachyon.hpp"
 
 namespace lippmann {
@@ -44,6 +45,10 @@ Scene load_obj_file(const fs::path& path, const LoadOptions& options, const Cont
   return at_rate(load_obj(path, context), options);
 }
 
+Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Context& context) {
+  return at_rate(load_ply(path, context), options);
+}
+
 /// One row per file format. Rows that share a loader stand together.
 struct Format {
   std::string_view extension;  ///< lower case, with its dot
@@ -53,7 +58,7 @@ struct Format {
 
 constexpr Format kFormats[] = {
     {".dat", true, false, load_dat},       {".glb", false, true, load_gltf_file}, {".gltf", false, true, load_gltf_file},
-    {".nff", false, false, load_nff_file}, {".obj", false, false, load_obj_file},
+    {".nff", false, false, load_nff_file}, {".obj", false, false, load_obj_file}, {".ply", false, false, load_ply_file},
 };
 
 std::string lower_extension(const fs::path& path) {

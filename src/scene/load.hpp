@@ -16,7 +16,7 @@ struct LoadOptions {
   std::string animation{};  ///< name or index of the one to show, of files that hold several; empty: the first
 };
 
-/// `name` is a built-in scene (builtin.hpp) or a file: .gltf, .glb, .dat, .nff, .obj. Throws Error; what is read but not
+/// `name` is a built-in scene (builtin.hpp) or a file: .gltf, .glb, .dat, .nff, .obj, .ply. Throws Error; what is read but not
 /// supported is a warning in `context`. The result has passed validate().
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context);
 

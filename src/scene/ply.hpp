@@ -1,0 +1,19 @@
+// Reads PLY files (.ply), Stanford's polygon format, text and binary: what docs/scenes.md says they mean, as a Scene without
+// camera.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/context.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann {
+
+/// Throws Error, naming the file and the header's line or the element, for what cannot be read.
+Scene load_ply(const std::filesystem::path& path, const Context& context);
+
+/// The same of a file's contents; `name` is what errors call it.
+Scene parse_ply(const std::string& name, const std::string& contents, const Context& context);
+
+}  // namespace lippmann

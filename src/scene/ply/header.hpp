@@ -1,0 +1,39 @@
+// The header of a PLY file: what elements follow, and what each of them has.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lippmann::ply {
+
+enum class Format { kText, kLittleEndian, kBigEndian };
+
+enum class Type { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
+
+int bytes_of(Type type);
+
+struct Property {
+  std::string name;
+  Type type = Type::kFloat;
+  std::optional<Type> count_type;  ///< of the number of values before them: the property is a list
+};
+
+struct Element {
+  std::string name;
+  std::int64_t count = 0;  ///< 0 to 2^31 - 1
+  std::vector<Property> properties;
+};
+
+struct Header {
+  Format format = Format::kText;
+  std::vector<Element> elements;
+  std::size_t size = 0;  ///< bytes up to the body
+};
+
+/// Throws Error that names file and line.
+Header parse_header(const std::string& name, std::string_view contents);
+
+}  // namespace lippmann::ply

@@ -1,0 +1,130 @@
+#include "scene/ply.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "scene/load.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using ::testing::HasSubstr;
+
+Scene parse(const std::string& text) {
+  Scene scene = parse_ply("a.ply", text, Context{});
+  validate(scene, "a.ply");
+  return scene;
+}
+
+const Mesh& mesh(const Scene& scene) { return std::get<Mesh>(scene.shapes.at(0)); }
+
+std::string error_of(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string header(const std::string& format, const std::string& more = {}) {
+  return "ply\nformat " + format +
+         " 1.0\ncomment a triangle\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" + more +
+         "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+/// (0, 0, 0), (2, 0, 0), (0, 2, 0) and their face. 2.0f is 40 00 00 00 in hexadecimal.
+std::string binary_triangle(bool big_endian) {
+  std::string bytes;
+  const auto add = [&](std::string value) {
+    if (!big_endian) std::reverse(value.begin(), value.end());
+    bytes += value;
+  };
+  const std::string zero(4, '\0'), two = std::string("\x40") + std::string(3, '\0');
+  for (const std::string& coordinate : {zero, zero, zero, two, zero, zero, zero, two, zero}) add(coordinate);
+  bytes += '\3';
+  for (const char index : {0, 1, 2}) add(std::string(3, '\0') + index);
+  return bytes;
+}
+
+TEST(Ply, text_and_both_binary_formats_give_the_same_mesh) {
+  for (const std::string& file :
+       {header("ascii") + "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n", header("binary_little_endian") + binary_triangle(false),
+        header("binary_big_endian") + binary_triangle(true)}) {
+    const Scene scene = parse(file);
+    EXPECT_EQ(mesh(scene).positions, (std::vector<Vec3f>{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}));
+    ASSERT_EQ(mesh(scene).triangles.size(), 1u);
+    EXPECT_TRUE(mesh(scene).normals.empty());
+  }
+}
+
+TEST(Ply, vertices_bring_normals_colours_and_texture_coordinates) {
+  const Scene scene =
+      parse(header("ascii",
+                   "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
+                   "property uchar blue\nproperty uchar alpha\nproperty float s\nproperty float t\n") +
+            "0 0 0 0 0 2 255 0 188 51 0.5 0.25\n1 0 0 0 0 2 0 0 0 255 0 0\n0 1 0 0 0 2 0 0 0 255 0 0\n3 0 1 2\n");
+  const Mesh& m = mesh(scene);
+  EXPECT_EQ(m.normals.at(0), Vec3f(0, 0, 1));
+  EXPECT_EQ(m.colors.at(0).x, 1.0f);
+  EXPECT_NEAR(m.colors.at(0).z, 0.5029f, 1e-4f);  // ((188/255 + 0.055) / 1.055)^2.4, four digits
+  EXPECT_EQ(m.alphas.at(0), 0.2f);
+  EXPECT_EQ(m.uvs.at(0), Vec2f(0.5f, 0.75f));  // v grows upwards in the file
+  EXPECT_TRUE(std::get<MetallicRoughness>(scene.materials.at(0).surface).blend);
+}
+
+TEST(Ply, faces_of_many_corners_become_triangles) {
+  const Scene scene = parse(
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 1\n"
+      "property uchar red\nproperty list uchar uint vertex_index\nend_header\n0 0 0 1 0 0 1 1 0 0 1 0\n9 4 0 1 2 3\n");
+  EXPECT_EQ(mesh(scene).triangles.size(), 2u);
+}
+
+TEST(Ply, other_elements_are_left_out) {
+  const Scene scene = parse(
+      "ply\nformat ascii 1.0\nelement material 1\nproperty int a\nproperty list uchar int b\nelement vertex 3\nproperty float "
+      "x\n"
+      "property float y\nproperty float z\nelement nothing 2147483647\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "end_header\n5 2 7 7\n0 0 0 1 0 0 0 1 0 3 0 1 2\n");
+  EXPECT_EQ(mesh(scene).triangles.size(), 1u);
+}
+
+TEST(Ply, damaged_headers_name_their_line) {
+  EXPECT_THAT(error_of("plu\n"), HasSubstr("a.ply:1: is not a PLY file"));
+  EXPECT_THAT(error_of("ply\nformat ascii 1.0\n"), HasSubstr("the file ends within its header"));
+  EXPECT_THAT(error_of("ply\nformat ebcdic 1.0\n"), HasSubstr("a.ply:2: 'ebcdic'"));
+  EXPECT_THAT(error_of("ply\nelement vertex -1\n"), HasSubstr("a.ply:2: '-1'"));
+  EXPECT_THAT(error_of("ply\nproperty float x\n"), HasSubstr("a.ply:2: a property stands before"));
+  EXPECT_THAT(error_of("ply\nelement f 1\nproperty list float int x\n"), HasSubstr("a.ply:3: the length"));
+}
+
+TEST(Ply, damaged_bodies_name_the_element) {
+  const std::string good = header("ascii");
+  EXPECT_THAT(error_of(good + "0 0 0 1 0 0 0 1 0 3 0 1 3"), HasSubstr("a.ply: face 0: a vertex is 3"));
+  EXPECT_THAT(error_of(good + "0 0 0 1 0 0 0 1 0 3 0 1 -1"), HasSubstr("a.ply: face 0: a vertex is -1"));
+  EXPECT_THAT(error_of(good + "0 0 0 1 0 0 0 1 0 200 0 1 2"), HasSubstr("face 0: the length of a list is 200"));
+  EXPECT_THAT(error_of(good + "0 0 0 1 nan 0 0 1 0 3 0 1 2"), HasSubstr("a.ply: vertex 1:"));
+  EXPECT_THAT(error_of(good + "0 0 0 1 x 0"), HasSubstr("vertex 1: 'x' is not a number"));
+  EXPECT_THAT(error_of(good + "0 0 0 1 0"), HasSubstr("vertex 1: the file ends here"));
+  EXPECT_THAT(error_of(header("binary_little_endian") + "abc"), HasSubstr("vertex 0: the file ends here"));
+}
+
+TEST(Ply, points_alone_are_refused) {
+  EXPECT_THAT(error_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                       "end_header\n1 2 3\n"),
+              HasSubstr("a.ply: has no faces"));
+}
+
+TEST(Ply, file_is_found_by_its_extension) {
+  const test::TempDir dir;
+  std::ofstream(dir / "a.ply") << header("ascii") << "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n";
+  EXPECT_EQ(load_scene((dir / "a.ply").string(), {}, Context{}).name, "a");
+}
+
+}  // namespace
+}  // namespace lippmann
