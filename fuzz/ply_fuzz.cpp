@@ -1,0 +1,27 @@
+// Feeds bytes to the PLY reader. Whatever they are, it either throws Error or gives a scene that validate() accepts.
+//
+// fuzz/ply_seeds SEEDS && fuzz_ply -dict=fuzz/ply.dict CORPUS SEEDS; or scripts/fuzz ply.
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include "core/error.hpp"
+#include "scene/load.hpp"
+#include "scene/ply.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  using namespace lippmann;
+  Scene scene;
+  try {
+    scene = parse_ply("scene.ply", std::string(reinterpret_cast<const char*>(data), size), Context{});
+  } catch (const Error&) {
+    return 0;
+  }
+  try {
+    validate(scene, "scene.ply");
+  } catch (const Error& error) {
+    std::cerr << "the reader made a scene that is not valid: " << error.what() << '\n';
+    std::abort();
+  }
+  return 0;
+}
