@@ -74,7 +74,7 @@ TEST(Tool, flag_given_twice_or_without_a_value_is_wrong_usage) {
 
 TEST(Tool, bad_value_is_wrong_usage_and_says_what_is_accepted) {
   const TempDir dir;
-  expect_refusal(run_tool(dir, {"render", "teapot", "--spp", "0"}), 2, "from 1 to 65536");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--spp", "-1"}), 2, "from 0 to 65536");
   expect_refusal(run_tool(dir, {"render", "teapot", "--optics", "fresnel"}), 2, "lenticular, microlens, multiview, single");
   expect_refusal(run_tool(dir, {"render", "teapot", "--size", "0x0"}), 2, "--size");
   expect_refusal(run_tool(dir, {"render", "teapot", "--lens-pixels", "0"}), 2, "--lens-pixels");
