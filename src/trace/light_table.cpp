@@ -140,7 +140,7 @@ Vec3f LightTable::emission_at(const Triangle& t, Vec2f barycentric) const {
 }
 
 float LightTable::density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const {
-  if (first_triangle_[record] < 0) return 0.0f;
+  if (first_triangle_[record] < 0 || chances_.empty()) return 0.0f;
   const std::size_t index = static_cast<std::size_t>(first_triangle_[record]) + prim;
   const Triangle& t = triangles_[index];
   const float cosine = std::abs(glm::dot(direction, t.normal));
