@@ -10,7 +10,7 @@ namespace {
 
 /// Paths are first put to Russian roulette where they leave this vertex.
 constexpr int kRouletteDepth = 3;
-/// A surface that lets light pass is no vertex of a path, but a hundred thousand of them must come to an end.
+/// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.
 constexpr int kMostEvents = 1024;
 /// Pairs of random numbers at each vertex: which light and lobe; where on the light; which way; roulette and coverage.
 constexpr std::uint32_t kPairsPerEvent = 4;

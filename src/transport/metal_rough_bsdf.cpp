@@ -19,6 +19,16 @@ Vec3f lift(Vec3f local) {  // grazing views have no digits left for masking
   return glm::normalize(local);
 }
 
+/// Of a rough lobe, weight and density left open; of a smooth one, of Dirac's lobe with its weight. view: local to `frame`.
+std::optional<BsdfSample> sample_mirror(const Frame& frame, Vec3f view, float alpha, Vec3f smooth_weight, Vec2f u) {
+  const Vec3f light = mirrored(view, smooth(alpha) ? kUp : Ggx{alpha}.sample_visible(view, u));
+  if (!(light.z > 0.0f)) return std::nullopt;
+  BsdfSample s;
+  s.direction = frame.to_world(light);
+  if (smooth(alpha)) s.density = kInfinity, s.weight = smooth_weight;
+  return s;
+}
+
 Vec3f half_vector(Vec3f a, Vec3f b) { return glm::normalize(a + b); }
 
 }  // namespace
@@ -157,16 +167,6 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   return value;
 }
 
-std::optional<BsdfSample> MetalRoughBsdf::sample_gloss(Vec2f u) const {
-  const Vec3f facet = smooth(alpha_) ? kUp : Ggx{alpha_}.sample_visible(view_, u);
-  const Vec3f light = mirrored(view_, facet);
-  if (!(light.z > 0.0f)) return std::nullopt;
-  BsdfSample s;
-  s.direction = frame_.to_world(light);
-  if (smooth(alpha_)) s.density = kInfinity, s.weight = below_coat_ * gloss_albedo_ / shares_.gloss;
-  return s;
-}
-
 /// Reflects with Fresnel's probability, else refracts, at the surface or at a facet. decision in [0, 1).
 std::optional<BsdfSample> MetalRoughBsdf::sample_glass(float decision, Vec2f u) const {
   const Vec3f facet = smooth(alpha_) ? kUp : Ggx{alpha_}.sample_visible(view_, u);
@@ -183,16 +183,6 @@ std::optional<BsdfSample> MetalRoughBsdf::sample_glass(float decision, Vec2f u) 
   return s;
 }
 
-std::optional<BsdfSample> MetalRoughBsdf::sample_coat(Vec2f u) const {
-  const Vec3f facet = smooth(coat_alpha_) ? kUp : Ggx{coat_alpha_}.sample_visible(coat_view_, u);
-  const Vec3f light = mirrored(coat_view_, facet);
-  if (!(light.z > 0.0f)) return std::nullopt;
-  BsdfSample s;
-  s.direction = coat_frame_.to_world(light);
-  if (smooth(coat_alpha_)) s.density = kInfinity, s.weight = Vec3f((1.0f - below_coat_) / shares_.coat);
-  return s;
-}
-
 std::optional<BsdfSample> MetalRoughBsdf::sample(float lobe, Vec2f u) const {
   const float below_gloss = shares_.diffuse, below_glass = below_gloss + shares_.gloss,
               below_coat = below_glass + shares_.glass;
@@ -200,11 +190,11 @@ std::optional<BsdfSample> MetalRoughBsdf::sample(float lobe, Vec2f u) const {
   if (lobe < below_gloss)
     s.emplace().direction = frame_.to_world(sample_cosine(u));
   else if (lobe < below_glass)
-    s = sample_gloss(u);
+    s = sample_mirror(frame_, view_, alpha_, below_coat_ * gloss_albedo_ / shares_.gloss, u);
   else if (lobe < below_coat)
     s = sample_glass((lobe - below_glass) / shares_.glass, u);
   else if (shares_.coat > 0.0f)
-    s = sample_coat(u);
+    s = sample_mirror(coat_frame_, coat_view_, coat_alpha_, Vec3f((1.0f - below_coat_) / shares_.coat), u);
   if (!s || s->is_delta()) return s;
   if (shares_.diffuse == 1.0f && dielectric_f90_ == Vec3f(0.0f)) {  // Lambert's law alone
     s->weight = diffuse_color_;

@@ -54,9 +54,7 @@ class MetalRoughBsdf {
   Vec3f diffuse_f(Vec3f light) const;
   void add_glass(Vec3f light, BsdfValue& value) const;
   void add_coat(Vec3f light, BsdfValue& value) const;
-  std::optional<BsdfSample> sample_gloss(Vec2f u) const;
   std::optional<BsdfSample> sample_glass(float decision, Vec2f u) const;
-  std::optional<BsdfSample> sample_coat(Vec2f u) const;
 
   const GgxAlbedo& albedo_;
   Frame frame_, coat_frame_;
