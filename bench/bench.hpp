@@ -3,6 +3,7 @@
 // Every ratio in a row comes from one run, its two sides measured in turn, because absolute times vary with the machine.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -21,10 +22,14 @@ struct Report {
 
 /// What a person can choose.
 struct Request {
-  int frames = 0;                                                         ///< of each animation; 0: the benchmark's own choice
-  bool large = false;                                                     ///< pictures of 3840 x 2160 pixels too
-  std::string plot;                                                       ///< folder for plots; empty: none
-  std::vector<std::string> scenes;                                        ///< by name; empty: all that the benchmark has
+  int frames = 0;                             ///< of each animation; 0: the benchmark's own choice
+  bool large = false;                         ///< pictures of 3840 x 2160 pixels too
+  bool quick = false;                         ///< small and few, to see that it works
+  int reference_spp = 0;                      ///< samples of references; 0: the benchmark's own choice
+  std::string references;                     ///< folder where they are kept; empty: the user's cache
+  std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
+  std::string plot;                           ///< folder for plots; empty: none
+  std::vector<std::string> scenes;            ///< by name; empty: all that the benchmark has
   std::string tachyon_scenes = "/usr/share/doc/tachyon/examples/scenes";  ///< the folder of Tachyon's teapot.dat and others
 };
 

@@ -4,6 +4,8 @@ namespace lippmann::bench {
 
 const std::vector<Benchmark>& benchmarks() {
   static const std::vector<Benchmark> all{
+      {"light", "path-traced light with reuse beside full path tracing: time, error, flicker and memory, and the bars",
+       measure_light},
       {"native", "the own frame of a slanted panel beside one interlaced from 48 views, against 512 views", measure_native},
       {"paper", "the tables of the paper: interpolated animations beside traced ones, pixel-tracing styles", measure_paper},
       {"png", "CPU time and size of a PNG by strategy, filter and level", measure_png},

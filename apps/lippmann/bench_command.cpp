@@ -111,22 +111,34 @@ int run(const Options& options, Context& context) {
 
 void add_bench_command(CLI::App& root, Action& chosen) {
   auto options = std::make_shared<Options>();
+  options->request.say = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
   CLI::App& command = *root.add_subcommand("bench", "Measure speed on this machine, after checking the results");
   std::string footer = "Benchmarks:\n";
   for (const bench::Benchmark& benchmark : bench::benchmarks())
     footer += fmt::format("  {:<10} {}\n", benchmark.name, benchmark.description);
   command.footer(footer);
   command.add_option("NAME", options->name, "Which benchmark")->required();
-  command.add_option("--scene", options->request.scenes, "Only these scenes: built-in names or files; once for each")
+  command
+      .add_option("--scene", options->request.scenes,
+                  "Only these scenes: built-in names or files, of light also room-quilt and tree-quilt; once for each")
       ->type_name("NAME");
   command.add_option("--tachyon-scenes", options->request.tachyon_scenes, "The folder of Tachyon's own scenes")
       ->type_name("DIR")
       ->capture_default_str();
   command
-      .add_option("--frames", options->request.frames, "Of paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's)")
+      .add_option("--frames", options->request.frames,
+                  "Of light, paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's), of light 12")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--large", options->request.large, "Of reuse: also the teapot at 3840x2160 pixels");
+  command.add_flag("--quick", options->request.quick, "Of light: few small frames, to see that it works");
+  command.add_option("--reference-spp", options->request.reference_spp, "Of light: samples per pixel of references; 0: 2048")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1 << 20));
+  command
+      .add_option("--references", options->request.references,
+                  "Of light: the folder where references are kept; default: lippmann/references in the user's cache")
+      ->type_name("DIR");
   command.add_option("--plot", options->request.plot, "Of paper: also draw plots (PNG) into this folder")->type_name("DIR");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
   command.add_flag("--json", options->json, "Print the result as JSON");

@@ -1,0 +1,170 @@
+#include "bench/light_run.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <utility>
+
+#include "bench/light_references.hpp"
+#include "core/error.hpp"
+#include "image/encode.hpp"
+#include "image/metrics.hpp"
+#include "render/frame_maker.hpp"
+#include "render/reuse_params.hpp"
+
+namespace lippmann::bench {
+namespace {
+
+double resident_bytes() {
+  std::ifstream statm("/proc/self/statm");
+  double all = 0.0, resident = 0.0;
+  statm >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+RenderParams with_reuse(RenderParams params, Reuse reuse) {
+  params.reuse = reuse;
+  return params;
+}
+
+RenderParams reference_params(RenderParams params, int spp) {
+  params.spp = spp;
+  params.seed += 1;  // a reference must not share the noise of what is held against it
+  return params;
+}
+
+/// What one way to render has made so far.
+struct Made {
+  LightFigures figures;
+  Frames frames;
+};
+
+class LightBench {
+ public:
+  LightBench(const LightCase& wanted, const LightSettings& settings, const Context& context)
+      : wanted_(wanted),
+        settings_(settings),
+        context_(context),
+        pool_(resolved_threads(context)),
+        full_params_(with_reuse(wanted.params, Reuse::kNone)),
+        reuse_params_(with_reuse(wanted.params, Reuse::kExact)),
+        stage_(full_params_, pool_, context),
+        rows_(rows_to_compare(stage_.placed.optics, settings.row_share)),
+        views_(neighbouring_views(stage_.placed.optics, rows_)) {
+    check_reuse(reuse_params_);
+    run_.width = stage_.placed.optics.panel.width, run_.height = stage_.placed.optics.panel.height;
+    run_.compared_pixels = rows_.size() * static_cast<std::size_t>(run_.width);
+  }
+
+  LightRun run() {
+    prepare_references();
+    if (!context_.cancelled) render_in_turn();
+    if (!context_.cancelled) measure_equal_time();
+    return run_;
+  }
+
+ private:
+  int end() const { return wanted_.first + wanted_.count; }
+
+  void say(const std::string& line) const {
+    if (settings_.say) settings_.say(line);
+  }
+
+  void prepare_references() {
+    const RenderParams params = reference_params(full_params_, settings_.reference_spp);
+    LightReferences references(stage_, params, rows_, settings_.references, pool_, context_, settings_.say);
+    for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame)
+      references_.push_back(references.frame(frame));
+    run_.references_rendered = references.rendered(), run_.references_kept = references.kept();
+  }
+
+  void add(const RenderedFrame& frame, Made& made) {
+    std::size_t nan_count = 0;
+    made.frames.push_back(take_rows(to_codes(frame.pictures.film, stage_.scene.encoding, &nan_count), rows_));
+    if (nan_count > 0)
+      throw Error("bench light",
+                  fmt::format("{}, frame {}: {} samples are not numbers", wanted_.name, frame.report.frame, nan_count));
+    ++run_.passed_checks;
+    LightFigures& figures = made.figures;
+    if (made.frames.size() == 1) figures.first_seconds = frame.report.cpu_seconds;
+    figures.seconds += frame.report.cpu_seconds;
+    figures.rays += frame.report.rays.total();
+  }
+
+  LightFigures judge(const Made& made) const {
+    LightFigures figures = made.figures;
+    figures.psnr_db = psnr_db(mean_squared_error(references_, made.frames));
+    figures.view_flicker = view_flicker(made.frames, views_) - view_flicker(references_, views_);
+    figures.frame_flicker = frame_flicker(made.frames) - frame_flicker(references_);
+    return figures;
+  }
+
+  void render_in_turn() {
+    const RenderParams quick = reference_params(full_params_, 1);
+    render_frame(stage_, quick, wanted_.first, pool_, context_);  // warms up
+    const double before = resident_bytes();
+    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, reuse_params_, pool_, context_);
+    Made full, reuse;
+    for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame) {
+      say(fmt::format("{}, frame {}: rendering with reuse and in full", wanted_.name, frame));
+      RenderedFrame made = maker->make(frame);
+      run_.grown_bytes = std::max(run_.grown_bytes, resident_bytes() - before);
+      add(made, reuse);
+      maker->recycle(std::move(made.pictures.film));
+      add(render_frame(stage_, full_params_, frame, pool_, context_), full);
+    }
+    if (context_.cancelled) return;
+    run_.full = judge(full), run_.reuse = judge(reuse);
+    run_.stated_bytes = bytes_kept_per_pixel(reuse_params_) * run_.width * run_.height;
+    run_.full_by_spp.push_back({samples_per_pixel(full_params_), run_.full.seconds, run_.full.psnr_db});
+  }
+
+  /// Full renders at two powers of 2, of which one takes less time than the reuse did, if any does, and one more.
+  void measure_equal_time() {
+    const double all = samples_per_pixel(full_params_);
+    int spp = 1;
+    while (2 * spp <= all * std::min(0.5, run_.reuse.seconds / run_.full.seconds)) spp *= 2;
+    if (2 * spp < all) measure_full(2 * spp);
+    for (; spp >= 1 && spp < all && !context_.cancelled; spp /= 2) {
+      measure_full(spp);
+      if (run_.full_by_spp.back().seconds <= run_.reuse.seconds) break;
+    }
+    std::sort(run_.full_by_spp.begin(), run_.full_by_spp.end(), [](const auto& a, const auto& b) { return a.spp < b.spp; });
+    run_.equal_time_psnr_db = psnr_at_time(run_.full_by_spp, run_.reuse.seconds);
+  }
+
+  void measure_full(int spp) {
+    say(fmt::format("{}: rendering in full at {} samples", wanted_.name, spp));
+    RenderParams params = full_params_;
+    params.spp = spp;
+    Made made;
+    for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame)
+      add(render_frame(stage_, params, frame, pool_, context_), made);
+    if (context_.cancelled) return;
+    const LightFigures figures = judge(made);
+    run_.full_by_spp.push_back({spp, figures.seconds, figures.psnr_db});
+  }
+
+  const LightCase& wanted_;
+  const LightSettings& settings_;
+  const Context& context_;
+  ThreadPool pool_;
+  RenderParams full_params_, reuse_params_;
+  Stage stage_;
+  std::vector<int> rows_;
+  std::vector<ViewTriple> views_;
+  Frames references_;
+  LightRun run_;
+};
+
+}  // namespace
+
+LightRun run_light(const LightCase& wanted, const LightSettings& settings, const Context& context) {
+  return LightBench(wanted, settings, context).run();
+}
+
+}  // namespace lippmann::bench

@@ -1,0 +1,63 @@
+// Renders path-traced frames in full and with reuse, and holds both against converged references: time, error, flicker, memory.
+//
+// CPU seconds of rendering alone, of all threads, the first frame of the reuse, which has nothing to go by, included. Full frames
+// and reused ones are rendered in turn, so that each finds the machine as the others do.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/light_figures.hpp"
+#include "core/context.hpp"
+#include "render/params.hpp"
+
+namespace lippmann::bench {
+
+struct LightCase {
+  std::string name;     ///< of the row
+  std::string scene;    ///< as people call it
+  bool still = false;   ///< one frame: all that can be reused lies in other directions
+  RenderParams params;  ///< of paths, at the samples of the full render
+  int first = 0, count = 1;  ///< frames
+};
+
+struct LightSettings {
+  int reference_spp = 2048;
+  int row_share = 32;  ///< one panel row of so many is compared
+  std::filesystem::path references;
+  std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
+};
+
+/// Of one way to render the frames.
+struct LightFigures {
+  double seconds = 0.0;        ///< CPU, all frames
+  double first_seconds = 0.0;  ///< of the first one
+  double psnr_db = 0.0;        ///< of the mean squared error of all frames
+  double view_flicker = 0.0, frame_flicker = 0.0;  ///< beyond the reference's, codes; not a number where there is none
+  std::uint64_t rays = 0;
+};
+
+struct LightRun {
+  int width = 0, height = 0;
+  std::size_t compared_pixels = 0;  ///< of a frame
+  int references_rendered = 0, references_kept = 0;
+  LightFigures full, reuse;
+  std::vector<TimedQuality> full_by_spp;  ///< ascending; the full render's own samples last
+  double equal_time_psnr_db = 0.0;        ///< of a full render that takes as long as the reuse, of at least 1 sample
+  double stated_bytes = 0.0;              ///< that the reuse keeps from frame to frame, as it says itself
+  double grown_bytes = 0.0;               ///< resident memory, from before its first frame to the most after one of its frames
+  int passed_checks = 0;                  ///< frames without a sample that is not a number
+
+  double saving() const { return 1.0 - reuse.seconds / full.seconds; }
+  double time_ratio() const { return full.seconds / reuse.seconds; }
+  double gain_db() const { return reuse.psnr_db - full.psnr_db; }
+  double equal_time_gain_db() const { return reuse.psnr_db - equal_time_psnr_db; }
+};
+
+/// Throws Error; what is returned after context.cancelled was set means nothing.
+LightRun run_light(const LightCase& wanted, const LightSettings& settings, const Context& context);
+
+}  // namespace lippmann::bench

@@ -1,0 +1,75 @@
+#include "bench/light_text.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lippmann::bench {
+namespace {
+
+std::string verdict(bool met) { return met ? "met" : "MISSED"; }
+
+std::string line_of(const std::string& what, const std::string& full, const std::string& reuse, const std::string& bar) {
+  return fmt::format("  {:<28} {:>12} {:>12}   {}\n", what, full, reuse, bar);
+}
+
+std::string saving_bar(const LightRun& run, const std::optional<LightBar>& bar) {
+  const std::string saved = fmt::format("saved {:.1f} %, x{:.2f}", 100.0 * run.saving(), run.time_ratio());
+  if (!bar) return saved;
+  return fmt::format("{}; bar {:.0f} %: {}", saved, 100.0 * bar->saving, verdict(run.saving() >= bar->saving));
+}
+
+std::string gain_bar(const LightRun& run, const std::optional<LightBar>& bar) {
+  const std::string gain = fmt::format("{:+.2f} dB", run.gain_db());
+  if (!bar) return gain;
+  const std::string asked = bar->gain_db < 0.0 ? fmt::format("not more than {:.1f} dB below", -bar->gain_db) : "not below";
+  return fmt::format("{}; bar {} the full render's: {}", gain, asked, verdict(run.gain_db() >= bar->gain_db));
+}
+
+std::string equal_time_bar(const LightRun& run, const std::optional<LightBar>& bar) {
+  const std::string gain = fmt::format("{:+.2f} dB", run.equal_time_gain_db());
+  if (!bar || !bar->equal_time_gain_db) return gain;
+  const double asked = *bar->equal_time_gain_db;
+  return fmt::format("{}; bar {:+.0f} dB: {}", gain, asked, verdict(run.equal_time_gain_db() >= asked));
+}
+
+std::string flicker_line(const char* what, double full, double reuse) {
+  if (!std::isfinite(full)) return "";
+  return line_of(what, fmt::format("{:.3f}", full), fmt::format("{:.3f}", reuse),
+                 "bar not above the full render's: " + verdict(reuse <= full));
+}
+
+std::string memory_bar(const LightRun& run) {
+  const std::string stated = fmt::format("states {:.1f}", 1e-6 * run.stated_bytes);
+  if (run.width * run.height > kMemoryBarPixels) return stated;
+  return fmt::format("{}; bar {:.0f}: {}", stated, 1e-6 * kMemoryBar,
+                     verdict(std::max(run.grown_bytes, run.stated_bytes) <= kMemoryBar));
+}
+
+}  // namespace
+
+std::string light_text(const LightCase& wanted, const LightSettings& settings, const LightRun& run,
+                       const std::optional<LightBar>& bar) {
+  const LightFigures &full = run.full, &reuse = run.reuse;
+  const double frames = wanted.count;
+  const auto per_frame = [&](const char* format, double value) { return fmt::format(fmt::runtime(format), value / frames); };
+  std::string text = fmt::format("{}: {} of {} x {} pixels; {} pixels of each against {} samples\n", wanted.name,
+                                 wanted.still ? "one still quilt" : fmt::format("{} frames", wanted.count), run.width, run.height,
+                                 run.compared_pixels, settings.reference_spp);
+  text += line_of("", fmt::format("full, {} spp", samples_per_pixel(wanted.params)), "reuse", "");
+  text += line_of("CPU seconds per frame", per_frame("{:.3f}", full.seconds), per_frame("{:.3f}", reuse.seconds),
+                  saving_bar(run, bar));
+  text += line_of("  of the first frame", fmt::format("{:.3f}", full.first_seconds), fmt::format("{:.3f}", reuse.first_seconds),
+                  "counted");
+  text += line_of("PSNR, dB", fmt::format("{:.2f}", full.psnr_db), fmt::format("{:.2f}", reuse.psnr_db), gain_bar(run, bar));
+  text += line_of("  full in the reuse's time", fmt::format("{:.2f}", run.equal_time_psnr_db), "", equal_time_bar(run, bar));
+  text += flicker_line("flicker of views, codes", full.view_flicker, reuse.view_flicker);
+  text += flicker_line("flicker of frames, codes", full.frame_flicker, reuse.frame_flicker);
+  text += line_of("million rays per frame", per_frame("{:.2f}", 1e-6 * static_cast<double>(full.rays)),
+                  per_frame("{:.2f}", 1e-6 * static_cast<double>(reuse.rays)), "");
+  text += line_of("MB beyond a full render", "", fmt::format("{:.1f}", 1e-6 * run.grown_bytes), memory_bar(run));
+  return text + "\n";
+}
+
+}  // namespace lippmann::bench

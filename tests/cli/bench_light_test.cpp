@@ -1,0 +1,73 @@
+// The figures of path-traced light with reuse, on a few small frames: what must be so whatever is saved.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using Json = nlohmann::json;
+
+Json light_rows(const TempDir& dir, const Words& more) {
+  return report_of(dir, Words{"bench", "light", "--quick", "--references", (dir / "references").string()} + more)["rows"];
+}
+
+TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
+  const TempDir dir;
+  const Json rows = light_rows(dir, {"--scene", "primitives", "--scene", "room-quilt", "--frames", "3"});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0]["case"], "animation");
+  EXPECT_EQ(rows[0]["frames"], 3);
+  EXPECT_EQ(rows[1]["scene"], "room");
+  EXPECT_EQ(rows[1]["case"], "still quilt");
+  EXPECT_EQ(rows[1]["frames"], 1);
+  EXPECT_TRUE(rows[1]["frame_flicker"].is_null());
+  for (const Json& row : rows) {
+    for (const char* key : {"time_ratio", "saving_total", "psnr_db", "full_psnr_db", "equal_time_gain_db", "view_flicker"})
+      EXPECT_TRUE(row[key].is_number()) << key;
+    EXPECT_GT(row["full_rays"], 0);
+    EXPECT_GT(row["full_view_flicker"], 0.0);  // noise flickers more than none
+  }
+  EXPECT_GT(rows[0]["full_frame_flicker"], 0.0);
+}
+
+TEST(BenchLight, full_render_with_more_samples_is_nearer_to_the_reference) {
+  const TempDir dir;
+  const Json rows = light_rows(dir, {"--scene", "primitives", "--frames", "1"});
+  const Json& by_spp = rows[0]["full_by_spp"];
+  ASSERT_GE(by_spp.size(), 2u);
+  for (std::size_t i = 1; i < by_spp.size(); ++i) {
+    EXPECT_GT(by_spp[i]["spp"], by_spp[i - 1]["spp"]);
+    EXPECT_GT(by_spp[i]["psnr_db"], by_spp[i - 1]["psnr_db"]);
+  }
+}
+
+TEST(BenchLight, kept_references_serve_again_and_damaged_or_other_ones_do_not) {
+  const TempDir dir;
+  const Words scene{"--scene", "primitives", "--frames", "2"};
+  const Json first = light_rows(dir, scene)[0], second = light_rows(dir, scene)[0];
+  EXPECT_EQ(first["references_rendered"], 2);
+  EXPECT_EQ(second["references_kept"], 2);
+  EXPECT_EQ(second["references_rendered"], 0);
+  EXPECT_EQ(second["full_psnr_db"], first["full_psnr_db"]);
+
+  for (const auto& entry : std::filesystem::directory_iterator(dir / "references"))
+    if (entry.path().filename().string().starts_with("primitives_0001")) std::ofstream(entry.path()) << "not a picture";
+  const Json mended = light_rows(dir, scene)[0];
+  EXPECT_EQ(mended["references_rendered"], 1);
+  EXPECT_EQ(mended["full_psnr_db"], first["full_psnr_db"]);
+
+  EXPECT_EQ(light_rows(dir, scene + Words{"--reference-spp", "32"})[0]["references_rendered"], 2);
+}
+
+TEST(BenchLight, unknown_scene_is_refused) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {"bench", "light", "--quick", "--references", dir.path().string(), "--scene", "teapott"});
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_NE(result.err.find("teapot"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace lippmann::test
