@@ -11,15 +11,14 @@ samples less those of an eighth of them, so that neither side's set-up counts. N
 
 import argparse
 import json
-import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "cycles"))
 import fixtures  # noqa: E402
+import peers  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
 VERTICES = 8  # of a path, both sides
@@ -35,20 +34,8 @@ def ours(tool, scene, panorama, size, spp, folder, threads):
 
 
 def cycles(scene, panorama, size, spp, out, threads):
-    command = ["blender", "-b", "-P", HERE / "cycles" / "inside_blender.py", "--", scene, out, size, size, spp, VERTICES, threads, 7]
-    if panorama:
-        command.append(panorama)
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True,
-                          env={**os.environ, "PATH": "/usr/bin:/bin"})  # its Python is Debian's, whatever else there is
-    for line in done.stdout.splitlines():
-        if line.startswith("CYCLES_SECONDS"):
-            return float(line.split()[1])
-    raise SystemExit(f"Blender could not render {scene}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-
-
-def psnr(tool, a, b):
-    done = subprocess.run([str(tool), "compare", str(a), str(b), "--json"], capture_output=True, text=True)
-    return json.loads(done.stdout)["mean"]["psnr_db"]
+    words = [scene, out, size, size, spp, VERTICES, threads, 7] + ([panorama] if panorama else [])
+    return float(peers.blender("inside_blender.py", words, "CYCLES_SECONDS")[0])
 
 
 def measure(name, scene, panorama, bar, options, work):
@@ -60,7 +47,7 @@ def measure(name, scene, panorama, bar, options, work):
     theirs = cycles(scene, panorama, options.size, options.spp, folder / "cycles.exr", options.threads)
     theirs -= cycles(scene, panorama, options.size, few, folder / "cycles-few.exr", options.threads)
     samples = (options.spp - few) * options.size**2
-    row = {"scene": name, "psnr_db": psnr(options.tool, folder / "cycles.exr", folder / "ours" / "frame_0000.exr"), "bar_db": bar,
+    row = {"scene": name, "psnr_db": peers.psnr(options.tool, folder / "cycles.exr", folder / "ours" / "frame_0000.exr"), "bar_db": bar,
            "ours_msamples_s": samples / seconds * 1e-6, "cycles_msamples_s": samples / theirs * 1e-6, "speed_ratio": theirs / seconds}
     if not options.json:
         print("{scene:14} {psnr_db:6.2f} dB (bar {bar_db:.0f})   {ours_msamples_s:6.2f} : {cycles_msamples_s:5.2f} Msamples/s = "
@@ -80,8 +67,7 @@ def main():
     parser.add_argument("--tool", type=pathlib.Path, default=HERE.parent / "build" / "release" / "lippmann")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args()
-    if not shutil.which("blender"):
-        print("skipped: Blender is not installed (apt-get install blender)", file=sys.stderr)
+    if not peers.has_blender():
         return
     unknown = set(options.scenes) - set(fixtures.FIXTURES)
     if unknown:

@@ -1,5 +1,5 @@
-// Path-traced light with reuse beside full path tracing: what it saves, how near to the truth both are, flicker and memory; against
-// the bars that the reuse has to clear.
+// Path-traced light with reuse beside full path tracing: what it saves, how near to the truth both are, flicker and memory;
+// against the bars that the reuse has to clear.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr int kQuickFrames = 3, kQuickSamples = 8, kQuickReferenceSamples = 64, 
 /// What is asked of the built-in scenes.
 const std::vector<std::pair<std::string, LightBar>>& bars() {
   static const std::vector<std::pair<std::string, LightBar>> all{
-      {"teapot", {0.96, 0.0, 10.0}}, {"room", {0.96, 0.0, 10.0}},      {"small-balls", {0.86, 0.0, {}}},
+      {"teapot", {0.96, 0.0, 10.0}}, {"room", {0.96, 0.0, 10.0}},     {"small-balls", {0.86, 0.0, {}}},
       {"tree", {0.75, -0.5, {}}},    {"room-quilt", {0.90, 0.0, {}}}, {"tree-quilt", {0.60, 0.0, {}}}};
   return all;
 }

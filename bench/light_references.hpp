@@ -18,13 +18,13 @@ std::filesystem::path default_reference_folder();
 
 class LightReferences {
  public:
-  /// `params`: of paths, at the samples and the seed that references are to have. `folder` is made when something is kept in it.
-  /// All arguments outlive this. `say`: one line when a reference has to be rendered.
+  /// `params`: of paths, at the samples and the seed that references are to have. `folder` is made when something is kept in
+  /// it. All arguments outlive this. `say`: one line when a reference has to be rendered.
   LightReferences(Stage& stage, const RenderParams& params, std::vector<int> rows, std::filesystem::path folder,
                   const ThreadPool& pool, const Context& context, std::function<void(std::string_view)> say);
 
-  /// The codes of these rows of a frame: as kept, where a few samples of each of their pixels by this program have the same bits
-  /// as when it was kept, else rendered and kept. Leaves the stage at that frame. Throws Error where it cannot be written.
+  /// The codes of these rows of a frame: as kept, where a few samples of each of their pixels by this program have the same
+  /// bits as when it was kept, else rendered and kept. Leaves the stage at that frame. Throws Error where it cannot be written.
   Image8 frame(int frame);
 
   int rendered() const { return rendered_; }

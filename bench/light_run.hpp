@@ -1,7 +1,7 @@
 // Renders path-traced frames in full and with reuse, and holds both against converged references: time, error, flicker, memory.
 //
-// CPU seconds of rendering alone, of all threads, the first frame of the reuse, which has nothing to go by, included. Full frames
-// and reused ones are rendered in turn, so that each finds the machine as the others do.
+// CPU seconds of rendering alone, of all threads, the first frame of the reuse, which has nothing to go by, included. Full
+// frames and reused ones are rendered in turn, so that each finds the machine as the others do.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +17,10 @@
 namespace lippmann::bench {
 
 struct LightCase {
-  std::string name;     ///< of the row
-  std::string scene;    ///< as people call it
-  bool still = false;   ///< one frame: all that can be reused lies in other directions
-  RenderParams params;  ///< of paths, at the samples of the full render
+  std::string name;          ///< of the row
+  std::string scene;         ///< as people call it
+  bool still = false;        ///< one frame: all that can be reused lies in other directions
+  RenderParams params;       ///< of paths, at the samples of the full render
   int first = 0, count = 1;  ///< frames
 };
 
@@ -33,9 +33,9 @@ struct LightSettings {
 
 /// Of one way to render the frames.
 struct LightFigures {
-  double seconds = 0.0;        ///< CPU, all frames
-  double first_seconds = 0.0;  ///< of the first one
-  double psnr_db = 0.0;        ///< of the mean squared error of all frames
+  double seconds = 0.0;                            ///< CPU, all frames
+  double first_seconds = 0.0;                      ///< of the first one
+  double psnr_db = 0.0;                            ///< of the mean squared error of all frames
   double view_flicker = 0.0, frame_flicker = 0.0;  ///< beyond the reference's, codes; not a number where there is none
   std::uint64_t rays = 0;
 };

@@ -55,8 +55,8 @@ std::string light_text(const LightCase& wanted, const LightSettings& settings, c
   const double frames = wanted.count;
   const auto per_frame = [&](const char* format, double value) { return fmt::format(fmt::runtime(format), value / frames); };
   std::string text = fmt::format("{}: {} of {} x {} pixels; {} pixels of each against {} samples\n", wanted.name,
-                                 wanted.still ? "one still quilt" : fmt::format("{} frames", wanted.count), run.width, run.height,
-                                 run.compared_pixels, settings.reference_spp);
+                                 wanted.still ? "one still quilt" : fmt::format("{} frames", wanted.count), run.width,
+                                 run.height, run.compared_pixels, settings.reference_spp);
   text += line_of("", fmt::format("full, {} spp", samples_per_pixel(wanted.params)), "reuse", "");
   text += line_of("CPU seconds per frame", per_frame("{:.3f}", full.seconds), per_frame("{:.3f}", reuse.seconds),
                   saving_bar(run, bar));

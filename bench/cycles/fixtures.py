@@ -1,4 +1,4 @@
-"""Six glTF scenes of the kinds that the Khronos samples show, each written as one .gltf file: what paths are compared on."""
+"""glTF scenes of the kinds that the Khronos samples show, each written as one .gltf file: what paths are compared on."""
 
 import base64
 import json
@@ -52,6 +52,15 @@ class Gltf:
     def node(self, **fields):
         self.doc["nodes"].append(fields)
         self.doc["scenes"][0]["nodes"].append(len(self.doc["nodes"]) - 1)
+
+    def move(self, seconds, places):
+        """The node added last goes from place to place in straight lines."""
+        sampler = {"input": self._accessor(seconds, "SCALAR"), "output": self._accessor(places, "VEC3"), "interpolation": "LINEAR"}
+        self.doc["accessors"][sampler["input"]].update(min=[seconds[0]], max=[seconds[-1]])
+        animations = self.doc.setdefault("animations", [{"samplers": [], "channels": []}])
+        animations[0]["samplers"].append(sampler)
+        animations[0]["channels"].append({"sampler": len(animations[0]["samplers"]) - 1,
+                                          "target": {"node": len(self.doc["nodes"]) - 1, "path": "translation"}})
 
     def mesh(self, material, positions, normals, uvs, indices, at=(0.0, 0.0, 0.0)):
         self.doc["meshes"].append({"primitives": [{
@@ -204,6 +213,19 @@ def leaves():
         g.quad(cut, (-0.9 + 0.5 * i, 0.3 * (i % 2), -0.4 + 0.3 * i), (0.35, 0, 0.1), (0, 0.35, 0.05))
     g.quad(veil, (0.7, 0.1, 0.8), (0.3, 0, 0), (0, 0.4, 0))
     g.camera((0, 0.4, 5.0))
+    return g
+
+
+def moving_room():
+    """An animation: tiled walls, a plastic and a matte ball under a square lamp; the matte one rolls along, 2 seconds."""
+    g = Gltf()
+    tiles = g.texture(64, checker((200, 160, 90), (60, 80, 120)))
+    wall = g.material((1, 1, 1), baseColorTexture=tiles, **MATTE)
+    box_room(g, wall, g.material((0.7, 0.08, 0.05), **MATTE), g.material((0.1, 0.5, 0.08), **MATTE))
+    g.quad(g.material((0, 0, 0), **emission(12.0)), (0, 0.99, 0), (0.3, 0, 0), (0, 0, 0.3))
+    g.sphere(g.material((0.15, 0.2, 0.6), roughness=0.3), (0.4, -0.6, -0.3), 0.4)
+    g.sphere(g.material((0.8, 0.7, 0.6), **MATTE), (0, 0, 0), 0.25)
+    g.move([0.0, 1.0, 2.0], [(-0.6, -0.75, 0.2), (0.5, -0.75, 0.5), (-0.6, -0.75, 0.2)])
     return g
 
 

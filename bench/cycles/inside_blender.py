@@ -1,184 +1,23 @@
-"""Run by Blender: renders one glTF file with Cycles, surfaces as glTF 2.0's appendix B has them.
+"""Run by Blender: renders one glTF file with Cycles and prints the seconds that it took.
 
   blender -b -P inside_blender.py -- FILE.gltf OUT.exr WIDTH HEIGHT SAMPLES VERTICES THREADS SEED [PANORAMA]
-
-Materials are built anew from the file: Blender's own Principled surface of 3.4 has Disney's diffuse part, which is not glTF's.
-Prints the seconds that Cycles took.
 """
 
-import json
-import math
+import pathlib
 import sys
 import time
 
 import bpy
-import numpy as np
 
-np.bool = bool  # the importer of Blender 3.4 asks for a name that newer numpy has dropped
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import gltf_in_blender as gltf  # noqa: E402
 
 file, out, width, height, samples, vertices, threads, seed, *panorama = sys.argv[sys.argv.index("--") + 1:]
-
-
-def image_of(name, color):
-    image = bpy.data.images[name]
-    image.colorspace_settings.name = "sRGB" if color else "Non-Color"
-    return image
-
-
-class Surface:
-    """One glTF material as nodes of Cycles."""
-
-    def __init__(self, material, source, images):
-        self.tree = material.node_tree
-        self.tree.nodes.clear()
-        self.images = images
-        pbr = source.get("pbrMetallicRoughness", {})
-        extensions = source.get("extensions", {})
-        factor = pbr.get("baseColorFactor", [1, 1, 1, 1])
-        color, alpha = self.mapped(pbr.get("baseColorTexture"), factor[:3], True)
-        metallic, roughness = pbr.get("metallicFactor", 1.0), pbr.get("roughnessFactor", 1.0)
-        normal = self.normal(source.get("normalTexture"))
-        ior = extensions.get("KHR_materials_ior", {}).get("ior", 1.5)
-        specular = extensions.get("KHR_materials_specular", {}).get("specularFactor", 1.0)
-        transmission = extensions.get("KHR_materials_transmission", {}).get("transmissionFactor", 0.0)
-        if transmission > 0:
-            shader = self.node("ShaderNodeBsdfGlass", {"Color": color, "Roughness": roughness, "IOR": ior})
-        elif metallic > 0:
-            shader = self.metal(color, roughness, normal)
-        else:
-            shader = self.plastic(color, roughness, ior, normal) if specular > 0 else self.diffuse(color, normal)
-        strength = extensions.get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
-        glow = source.get("emissiveFactor", [0, 0, 0])
-        if any(glow):
-            shader = self.node("ShaderNodeAddShader", {0: shader, 1: self.node("ShaderNodeEmission", {"Color": glow, "Strength": strength})})
-        shader = self.covered(shader, source, factor[3], alpha)
-        self.node("ShaderNodeOutputMaterial", {"Surface": shader})
-
-    def node(self, kind, inputs, output=0, **fields):
-        node = self.tree.nodes.new(kind)
-        for name, value in fields.items():
-            setattr(node, name, value)
-        for key, value in inputs.items():
-            if value is None:
-                continue
-            if isinstance(value, bpy.types.NodeSocket):
-                self.tree.links.new(value, node.inputs[key])
-            else:
-                node.inputs[key].default_value = (*value, 1.0) if isinstance(value, (list, tuple)) and len(value) == 3 else value
-        return node.outputs[output] if node.outputs else None
-
-    def mapped(self, texture, factor, color):
-        """Colour and alpha of a map times its factor."""
-        if texture is None:
-            return factor, 1.0
-        picture = self.tree.nodes.new("ShaderNodeTexImage")
-        picture.image = image_of(self.images[texture["index"]], color)
-        picture.image.alpha_mode = "CHANNEL_PACKED"
-        picture.interpolation = "Linear"
-        return (self.node("ShaderNodeMixRGB", {0: 1.0, 1: picture.outputs["Color"], 2: factor}, blend_type="MULTIPLY"),
-                picture.outputs["Alpha"])
-
-    def normal(self, texture):
-        if texture is None:
-            return None
-        color, _ = self.mapped(texture, [1, 1, 1], False)
-        return self.node("ShaderNodeNormalMap", {"Color": color})
-
-    def diffuse(self, color, normal):
-        return self.node("ShaderNodeBsdfDiffuse", {"Color": color, "Roughness": 0.0, "Normal": normal})
-
-    def gloss(self, color, roughness, normal):
-        return self.node("ShaderNodeBsdfGlossy", {"Color": color, "Roughness": roughness, "Normal": normal}, distribution="MULTI_GGX")
-
-    def plastic(self, color, roughness, ior, normal):
-        fresnel = self.node("ShaderNodeFresnel", {"IOR": ior, "Normal": normal})
-        return self.node("ShaderNodeMixShader",
-                         {0: fresnel, 1: self.diffuse(color, normal), 2: self.gloss([1, 1, 1], roughness, normal)})
-
-    def metal(self, color, roughness, normal):
-        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": normal}, output=1)
-        edge = self.node("ShaderNodeMath", {0: facing, 1: 5.0}, operation="POWER")
-        return self.gloss(self.node("ShaderNodeMixRGB", {0: edge, 1: color, 2: [1, 1, 1]}), roughness, normal)
-
-    def covered(self, shader, source, factor, alpha):
-        mode = source.get("alphaMode", "OPAQUE")
-        if mode == "OPAQUE":
-            return shader
-        coverage = self.node("ShaderNodeMath", {0: alpha, 1: factor}, operation="MULTIPLY")
-        if mode == "MASK":
-            coverage = self.node("ShaderNodeMath", {0: coverage, 1: source.get("alphaCutoff", 0.5)}, operation="GREATER_THAN")
-        clear = self.node("ShaderNodeBsdfTransparent", {})
-        return self.node("ShaderNodeMixShader", {0: coverage, 1: clear, 2: shader})
-
-
-def document(path):
-    data = open(path, "rb").read()
-    if data[:4] == b"glTF":
-        return json.loads(data[20:20 + int.from_bytes(data[12:16], "little")])
-    return json.loads(data)
-
-
-def load():
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    source = document(file)
-    # The importer names what has no name; ours are told apart by their place in the file.
-    bpy.ops.import_scene.gltf(filepath=file, import_pack_images=True)
-    images = [bpy.data.images[t["source"]].name for t in source.get("textures", [])]
-    names = [m.get("name", f"Material_{i}") for i, m in enumerate(source.get("materials", []))]
-    for name, material in zip(names, source.get("materials", [])):
-        if name in bpy.data.materials:
-            Surface(bpy.data.materials[name], material, images)
-    lights = source.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
-    for lamp, light in zip(sorted((o for o in bpy.data.objects if o.type == "LIGHT"), key=lambda o: o.name), lights):
-        lamp.data.energy = light.get("intensity", 1.0) * (1.0 if light["type"] == "directional" else 4.0 * math.pi)
-        lamp.data.color = light.get("color", [1, 1, 1])
-        if light["type"] == "directional":
-            lamp.data.angle = 0.0
-        else:
-            lamp.data.shadow_soft_size = 0.0
-
-
-def surround(scene):
-    scene.world = bpy.data.worlds.new("world")
-    scene.world.use_nodes = True
-    nodes, links = scene.world.node_tree.nodes, scene.world.node_tree.links
-    background = nodes["Background"]
-    background.inputs[0].default_value = (0, 0, 0, 1)
-    if panorama:
-        picture = nodes.new("ShaderNodeTexEnvironment")
-        picture.image = bpy.data.images.load(panorama[0])
-        links.new(picture.outputs[0], background.inputs[0])
-
-
-def set_up(scene):
-    scene.render.engine = "CYCLES"
-    scene.cycles.device = "CPU"
-    scene.cycles.samples = int(samples)
-    scene.cycles.seed = int(seed)
-    scene.cycles.use_adaptive_sampling = False
-    scene.cycles.use_denoising = False
-    scene.cycles.light_sampling_threshold = 0.0
-    scene.cycles.blur_glossy = 0.0
-    scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
-    scene.cycles.pixel_filter_type = "BOX"
-    bounces = int(vertices) - 1
-    scene.cycles.max_bounces = bounces
-    for kind in ("diffuse", "glossy", "transmission"):
-        setattr(scene.cycles, f"{kind}_bounces", bounces)
-    scene.cycles.transparent_max_bounces = 64
-    scene.render.threads_mode, scene.render.threads = "FIXED", int(threads)
-    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = int(width), int(height), 100
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
-    scene.render.image_settings.color_mode = "RGB"
-    scene.view_settings.view_transform = "Raw"
-    scene.render.filepath = out
-    scene.camera = next(o for o in bpy.data.objects if o.type == "CAMERA")
-
-
-load()
-surround(bpy.context.scene)
-set_up(bpy.context.scene)
+gltf.load(file)
+scene = bpy.context.scene
+gltf.surround(scene, *panorama or [None])
+gltf.set_up(scene, int(width), int(height), int(vertices), int(threads))
+scene.camera = gltf.camera()
 start = time.time()
-bpy.ops.render.render(write_still=True)
+gltf.render(scene, int(samples), int(seed), out)
 print(f"CYCLES_SECONDS {time.time() - start:.3f}")

@@ -64,7 +64,8 @@ TEST(BenchLight, kept_references_serve_again_and_damaged_or_other_ones_do_not) {
 
 TEST(BenchLight, unknown_scene_is_refused) {
   const TempDir dir;
-  const RunResult result = run_tool(dir, {"bench", "light", "--quick", "--references", dir.path().string(), "--scene", "teapott"});
+  const RunResult result =
+      run_tool(dir, {"bench", "light", "--quick", "--references", dir.path().string(), "--scene", "teapott"});
   EXPECT_NE(result.exit_code, 0);
   EXPECT_NE(result.err.find("teapot"), std::string::npos) << result.err;
 }

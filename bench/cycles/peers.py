@@ -1,0 +1,46 @@
+"""What scripts that hold this program beside Blender share: running both, and comparing their pictures."""
+
+import json
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+PATH = "/usr/bin:/bin"  # Blender's Python is Debian's, whatever else there is
+
+
+def has_blender():
+    """Says so where there is none."""
+    if shutil.which("blender", path=PATH):
+        return True
+    print("skipped: Blender is not installed (apt-get install blender)", file=sys.stderr)
+    return False
+
+
+def blender(script, words, mark):
+    """Runs a script of this folder inside Blender; what follows `mark` on the lines of its output that begin with that."""
+    command = ["blender", "-b", "--python-exit-code", "1", "-P", HERE / script, "--", *words]
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, env={**os.environ, "PATH": PATH})
+    found = [line.removeprefix(mark).strip() for line in done.stdout.splitlines() if line.startswith(mark)]
+    if done.returncode or not found:
+        raise SystemExit(f"Blender could not run {script}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return found
+
+
+def mse(tool, reference, test):
+    """Of the 8-bit sRGB codes of two pictures."""
+    done = subprocess.run([str(tool), "compare", str(reference), str(test), "--json"], capture_output=True, text=True)
+    if done.returncode:
+        raise SystemExit(done.stderr)
+    return json.loads(done.stdout)["mean"]["mse"]["mean"]
+
+
+def decibels(mean_mse):
+    return 10.0 * math.log10(255.0**2 / mean_mse) if mean_mse > 0 else math.inf
+
+
+def psnr(tool, reference, test):
+    return decibels(mse(tool, reference, test))

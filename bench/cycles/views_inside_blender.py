@@ -1,0 +1,69 @@
+"""Run by Blender: renders views of a glTF animation with Cycles, one at a time, and prints the CPU seconds that each took.
+
+  blender -b -P views_inside_blender.py -- JOB.json
+
+The job: file, panorama (or null), width, height, vertices, threads, frames_per_second; distance and window_height, in
+units of the camera, of the rectangle that all views look through; eyes, by view: how far it stands to the right of the camera; renders: a list of frame,
+view, samples, seed and out. Prints a line "VIEW {json}" for each. The scene stays loaded between renders, as Cycles allows.
+"""
+
+import json
+import math
+import pathlib
+import resource
+import sys
+
+import bpy
+from mathutils import Matrix
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import gltf_in_blender as gltf  # noqa: E402
+
+
+def cpu_seconds():
+    usage = resource.getrusage(resource.RUSAGE_SELF)
+    return usage.ru_utime + usage.ru_stime
+
+
+class Views:
+    """Off-axis cameras before one rectangle, beside the file's camera wherever that is."""
+
+    def __init__(self, job):
+        self.job = job
+        gltf.load(job["file"])
+        self.scene = bpy.context.scene
+        gltf.surround(self.scene, job["panorama"])
+        gltf.set_up(self.scene, job["width"], job["height"], job["vertices"], job["threads"])
+        self.scene.render.use_persistent_data = True
+        self.file_camera = gltf.camera()
+        self.camera = bpy.data.objects.new("eye", bpy.data.cameras.new("eye"))
+        self.camera.data.clip_start, self.camera.data.clip_end = 1e-3 * job["distance"], 1e4 * job["distance"]
+        self.scene.collection.objects.link(self.camera)
+        self.scene.camera = self.camera
+        self.window = job["window_height"] * max(1.0, job["width"] / job["height"])  # its longer side
+        self.frames_per_frame = self.scene.render.fps / job["frames_per_second"]  # as the importer has time
+
+    def show(self, frame, view):
+        at = frame * self.frames_per_frame
+        self.scene.frame_set(int(at), subframe=at - int(at))
+        eye = self.job["eyes"][view]
+        placement = self.file_camera.matrix_world.normalized()
+        self.camera.matrix_world = placement @ Matrix.Translation((eye, 0.0, 0.0))
+        self.camera.data.angle = 2.0 * math.atan(0.5 * self.window / self.job["distance"])
+        self.camera.data.shift_x = -eye / self.window
+
+
+def main():
+    job = json.loads(pathlib.Path(sys.argv[sys.argv.index("--") + 1]).read_text())
+    views = Views(job)
+    warm = job["renders"][0]
+    views.show(warm["frame"], warm["view"])
+    gltf.render(views.scene, 1, 0, warm["out"])
+    for item in job["renders"]:
+        views.show(item["frame"], item["view"])
+        before = cpu_seconds()
+        gltf.render(views.scene, item["samples"], item["seed"], item["out"])
+        print("VIEW", json.dumps({**item, "cpu_seconds": cpu_seconds() - before}), flush=True)
+
+
+main()
