@@ -4,7 +4,7 @@
   bench/cycles_peers.py [NAME ...] [--asset FILE.glb ...] [--panorama FILE.hdr] [--size N] [--spp N] [--output DIR] [--tool PATH]
                         [--threads N] [--json]
 
-Scenes: six of bench/cycles/fixtures.py, and files of the user's own. Blender builds their materials from the file as glTF 2.0's
+Scenes: those of bench/cycles/fixtures.py, and files of the user's own. Blender builds their materials from the file as glTF 2.0's
 appendix B has them (bench/cycles/inside_blender.py). PSNR is of 8-bit sRGB codes (lippmann compare). Speed: the seconds of `spp`
 samples less those of an eighth of them, so that neither side's set-up counts. Needs Debian's blender and python3-numpy.
 """

@@ -201,6 +201,18 @@ def glass():
     return g
 
 
+def rough_glass():
+    """Glass of three roughnesses before tiles under a panorama."""
+    g = Gltf()
+    tiles = g.texture(64, checker((220, 220, 220), (40, 60, 110)))
+    g.quad(g.material((1, 1, 1), baseColorTexture=tiles, **MATTE), (0, -0.5, 0), (3, 0, 0), (0, 0, -3), 3.0)
+    clear = {"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1.0}, "KHR_materials_ior": {"ior": 1.5}}}
+    for i, roughness in enumerate((0.3, 0.6, 0.9)):
+        g.sphere(g.material((1, 1, 1), roughness=roughness, **clear), (i - 1.0, 0, 0), 0.45)
+    g.camera((0, 0.4, 5.0))
+    return g
+
+
 def leaves():
     """Cut-out and half-transparent cards over a floor, under a panorama."""
     g = Gltf()
@@ -232,7 +244,7 @@ def moving_room():
 # name: maker, lit by the panorama, the likeness that is asked for
 FIXTURES = {"diffuse-box": (diffuse_box, False, 35.0), "textured": (textured_point_lights, False, 35.0),
             "leaves": (leaves, True, 35.0), "plastic": (dielectrics, True, 30.0), "metal": (metals, True, 30.0),
-            "glass": (glass, True, 30.0)}
+            "glass": (glass, True, 30.0), "rough-glass": (rough_glass, True, 30.0)}
 
 
 def write_panorama(path, width=256):

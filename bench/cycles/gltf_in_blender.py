@@ -35,7 +35,7 @@ class Surface:
         specular = extensions.get("KHR_materials_specular", {}).get("specularFactor", 1.0)
         transmission = extensions.get("KHR_materials_transmission", {}).get("transmissionFactor", 0.0)
         if transmission > 0:
-            shader = self.node("ShaderNodeBsdfGlass", {"Color": color, "Roughness": roughness, "IOR": ior})
+            shader = self.node("ShaderNodeBsdfGlass", {"Color": color, "Roughness": roughness, "IOR": ior}, distribution="MULTI_GGX")
         elif metallic > 0:
             shader = self.metal(color, roughness, normal)
         else:

@@ -2,20 +2,10 @@
 
 #include "transport/microfacet.hpp"
 #include "transport/sampler.hpp"
+#include "transport/table_place.hpp"
 
 namespace lippmann {
 namespace {
-
-/// Where x in [0, 1] lies in a table of `size` entries: entry `index`, and how far on the way to the next.
-struct Place {
-  Place(float x, int size) {
-    const float at = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(size - 1);
-    index = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(size - 2));
-    share = at - static_cast<float>(index);
-  }
-  std::size_t index;
-  float share;
-};
 
 Vec2f integrate(float cosine, float alpha) {
   constexpr int kPoints = 512;
@@ -55,13 +45,13 @@ GgxAlbedo::GgxAlbedo() {
 }
 
 Vec2f GgxAlbedo::single(float cosine, float alpha) const {
-  const Place r(std::sqrt(alpha), kSize), c(cosine, kSize);
+  const TablePlace r(std::sqrt(alpha), kSize), c(cosine, kSize);
   const auto row = [&](std::size_t index) { return glm::mix(single_[index][c.index], single_[index][c.index + 1], c.share); };
   return glm::mix(row(r.index), row(r.index + 1), r.share);
 }
 
 Vec3f GgxAlbedo::mean(float alpha, Vec3f f0, Vec3f f90) const {
-  const Place r(std::sqrt(alpha), kSize);
+  const TablePlace r(std::sqrt(alpha), kSize);
   const Vec4f m = glm::mix(mean_[r.index], mean_[r.index + 1], r.share);
   return f0 * m.x + f90 * m.y + f0 * (f0 * m.z + f90 * m.w);
 }

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "core/math.hpp"
+#include "transport/glass_albedo.hpp"
 
 namespace lippmann {
 
@@ -34,10 +35,14 @@ class GgxAlbedo {
   /// The mean of directional() over the hemisphere, weighted by the cosine.
   Vec3f mean(float alpha, Vec3f f0, Vec3f f90) const;
 
+  /// The like of single() for rough glass.
+  const GlassAlbedo& glass() const { return glass_; }
+
  private:
   static constexpr int kSize = 32;  ///< of each table's side; cosines from 0 to 1, roughness = sqrt(alpha) from 0 to 1
   std::array<std::array<Vec2f, kSize>, kSize> single_;  ///< [roughness][cosine]
   std::array<Vec4f, kSize> mean_;                       ///< by roughness: of single_.x, single_.y and of both times (1 - E) / E
+  GlassAlbedo glass_;
 };
 
 }  // namespace lippmann

@@ -46,6 +46,7 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
   const float dielectric = (1.0f - s.metallic) * (1.0f - s.transmission);
   glass_share_ = (1.0f - s.metallic) * s.transmission;
   glass_ = s.base_color;
+  if (glass_share_ > 0.0f && !smooth(alpha_)) glass_compensation_ = 1.0f / albedo.glass().single(view_.z, alpha_, eta_);
   dielectric_f0_ = glm::min(normal_reflectance(s.ior) * s.specular_color, Vec3f(1.0f)) * s.specular;
   dielectric_f90_ = Vec3f(s.specular);
   gloss_f0_ = dielectric * dielectric_f0_ + s.metallic * s.base_color;
@@ -135,7 +136,7 @@ void MetalRoughBsdf::add_glass(Vec3f light, BsdfValue& value) const {
     density = (1.0f - fresnel) * visible * squared(eta_) * -beyond / squared(cosine + eta_ * beyond);
     masked = ggx.masking(light);
   }
-  value.cosine_f += below_coat_ * glass_share_ * (reflected ? Vec3f(1.0f) : glass_) * (density * masked);
+  value.cosine_f += below_coat_ * glass_share_ * (reflected ? Vec3f(1.0f) : glass_) * (density * masked * glass_compensation_);
   value.density += shares_.glass * density;
 }
 

@@ -3,7 +3,8 @@
 //
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, appendix B; KHR_materials_specular, _ior, _transmission, _clearcoat;
 // C. Kelemen, L. Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 (the diffuse part
-// under the gloss, so that both together lose no light); B. Walter et al., EGSR 2007 (rough glass).
+// under the gloss, so that both together lose no light); B. Walter et al., EGSR 2007 (rough glass; what it sends on
+// after several facets is made up for as in glass_albedo.hpp).
 // Glass refracts wherever it is entered, as closed shapes do; the radiance's compression inside it is left out, as it cancels
 // on the way out.
 #pragma once
@@ -67,6 +68,7 @@ class MetalRoughBsdf {
   Vec3f gloss_compensation_{1.0f}, gloss_albedo_{0.0f}, dielectric_albedo_{0.0f};
   Vec3f glass_{0.0f};  ///< tint; 0: none
   float glass_share_ = 0.0f;
+  float glass_compensation_ = 1.0f;  ///< for light that met more than one facet
   float coat_ = 0.0f;
   float below_coat_ = 1.0f;  ///< what passes the coat
   Shares shares_;

@@ -107,6 +107,21 @@ TEST(MetalRoughBsdf, smooth_glass_loses_nothing) {
   for (const bool entering : {true, false}) EXPECT_NEAR(mean_weight(bsdf_of(glass, 50.0f, entering), 4096).first, 1.0, 1e-4);
 }
 
+// 1 %: what interpolation in the tables leaves, and the chance that is left.
+TEST(MetalRoughBsdf, rough_glass_in_a_white_furnace_loses_and_gains_nothing) {
+  for (const float ior : {1.33f, 1.5f, 2.0f})
+    for (int r = 1; r <= 10; ++r)
+      for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f})
+        for (const bool entering : {true, false}) {
+          MetalRoughSurface glass;
+          glass.metallic = 0.0f, glass.transmission = 1.0f;
+          glass.roughness = 0.1f * static_cast<float>(r), glass.ior = ior;
+          const auto [mean, squares] = mean_weight(bsdf_of(glass, angle, entering), 16'384);
+          EXPECT_NEAR(mean, 1.0, 0.01 + 3.0 * std::sqrt(std::max(0.0, squares - mean * mean) / 16'384))
+              << "ior " << ior << ", roughness " << r << " / 10, " << angle << " degrees" << (entering ? "" : ", from inside");
+        }
+}
+
 TEST(MetalRoughBsdf, glass_reflects_fresnels_share_and_bends_by_snells_law) {
   MetalRoughSurface glass;
   glass.metallic = 0.0f, glass.roughness = 0.0f, glass.transmission = 1.0f, glass.ior = 1.5f;
