@@ -79,10 +79,11 @@ class ReplayBench {
     const Affine3f moved{Mat3f(1.0f), Vec3f(static_cast<float>(eye_mm.x), static_cast<float>(eye_mm.y), 0.0f)};
     Image film;
     FrameAovs aovs;
-    aovs.depth = true;
-    trace_frame(stage_.device, pinhole, world_from_display_ * moved, trace_params(params_, stage_.scene), pool_, context_, film,
-                &aovs);
-    return {every_column(film, per_lens), every_column(aovs.depth_image, per_lens)};
+    aovs.want(Aov::kDepth);
+    const TraceParams trace = trace_params(params_, stage_.scene);
+    trace_frame(stage_.device, pinhole, world_from_display_ * moved, trace, pool_, context_, film);
+    find_first_hits(stage_.device, pinhole, world_from_display_ * moved, trace.order, nullptr, pool_, aovs);
+    return {every_column(film, per_lens), every_column(aovs[Aov::kDepth], per_lens)};
   }
 
   DepthOrder depth_order(const RenderedPanel& panel, const DirectView& truth, Vec3d eye_mm) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
@@ -64,6 +65,11 @@ ExrLayer depth_layer(const Image& depth) { return {"", &depth, {"Z"}, ExrSample:
 ExrLayer normal_layer(const Image& normal) { return {"N", &normal, {"X", "Y", "Z"}, ExrSample::kHalf}; }
 ExrLayer object_id_layer(const Image& object_id) { return {"", &object_id, {"id"}, ExrSample::kFloat}; }
 ExrLayer position_layer(const Image& position) { return {"P", &position, {"X", "Y", "Z"}, ExrSample::kFloat}; }
+ExrLayer ray_depth_layer(const Image& ray_depth) { return {"ray", &ray_depth, {"Z"}, ExrSample::kFloat}; }
+ExrLayer motion_layer(const Image& motion) { return {"motion", &motion, {"X", "Y"}, ExrSample::kFloat}; }
+ExrLayer color_layer(std::string name, const Image& color) {
+  return {std::move(name), &color, {"R", "G", "B"}, ExrSample::kHalf};
+}
 
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, ExrCompression compression) {
   if (layers.empty()) throw Error(path.string(), "a picture without layers");

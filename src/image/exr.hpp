@@ -1,6 +1,6 @@
 // Writes float pictures as layers of one OpenEXR file: the film and what else is known of every pixel.
 //
-// One part; channels named as compositing programs expect them: R G B, Z, N.X N.Y N.Z, P.X P.Y P.Z, id.
+// One part; channels named as compositing programs expect them: R G B, Z, N.X N.Y N.Z, P.X P.Y P.Z, id, albedo.R, motion.X, ...
 // Equal pictures give equal bytes: no time stamp is written.
 #pragma once
 
@@ -28,12 +28,16 @@ struct ExrLayer {
   ExrSample sample = ExrSample::kHalf;
 };
 
-/// The layers of a frame. Depth, position and ids are stored as float: half has not enough digits for them.
+/// The layers of a frame. Depth, position, motion and ids are stored as float: half has not enough digits for them.
 ExrLayer film_layer(const Image& film, ExrSample sample = ExrSample::kHalf);
 ExrLayer depth_layer(const Image& depth);
 ExrLayer normal_layer(const Image& normal);
 ExrLayer object_id_layer(const Image& object_id);
 ExrLayer position_layer(const Image& position);
+ExrLayer ray_depth_layer(const Image& ray_depth);
+ExrLayer motion_layer(const Image& motion);
+/// `name` with the channels R, G and B.
+ExrLayer color_layer(std::string name, const Image& color);
 
 /// All images have one size, and no two channels one name. Throws Error naming the file.
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers,

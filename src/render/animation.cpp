@@ -16,12 +16,12 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "render/aov_params.hpp"
 #include "render/finished_frames.hpp"
 #include "render/frame_maker.hpp"
 #include "render/frame_sink.hpp"
 #include "render/job_file.hpp"
 #include "render/reuse_params.hpp"
-#include "render/test_pattern.hpp"
 #include "render/undo_crosstalk.hpp"
 #include "video/video_writer.hpp"
 
@@ -123,8 +123,7 @@ void write_report(const fs::path& file, const RenderReport& report) {
 RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {
   const Stopwatch setup;
   check_reuse(params);
-  if (params.scene == kTestPattern && !params.aov.empty())
-    throw usage_error("--aov", "the test pattern has no extra layers", "a scene with it");
+  check_aovs(params);
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);

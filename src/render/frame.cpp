@@ -1,6 +1,9 @@
 #include "render/frame.hpp"
 
+#include <optional>
+
 #include "core/error.hpp"
+#include "render/aov_params.hpp"
 #include "render/display_optics.hpp"
 
 namespace lippmann {
@@ -48,6 +51,21 @@ Moment Stage::moment_at(int frame) const {
   return moment;
 }
 
+namespace {
+
+/// The layers that do not come with the light.
+void add_first_hits(const Stage& stage, const RenderParams& params, const Moment& moment, int frame, const ThreadPool& pool,
+                    FrameAovs& aovs) {
+  std::optional<Moment> before;
+  if (aovs.wants(Aov::kMotion) && frame > 0) before = stage.moment_at(frame - 1);
+  std::optional<FrameStep> step;
+  if (before) step.emplace(FrameStep{moment.resolved, before->resolved, before->world_from_display});
+  find_first_hits(stage.device, stage.placed.optics, moment.world_from_display, params.order, step ? &*step : nullptr, pool,
+                  aovs);
+}
+
+}  // namespace
+
 RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched) {
   const FrameClock clock(pool);
@@ -59,9 +77,9 @@ RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, 
   rendered.report.frame = frame;
   TraceParams trace = trace_params(params, stage.scene);
   trace.frame = static_cast<std::uint32_t>(frame);
-  rendered.report.rays =
-      trace_frame(stage.device, stage.placed.optics, moment.world_from_display, trace, pool, context, rendered.pictures.film,
-                  params.aov.empty() ? nullptr : &rendered.pictures.aovs, nullptr, touched);
+  rendered.report.rays = trace_frame(stage.device, stage.placed.optics, moment.world_from_display, trace, pool, context,
+                                     rendered.pictures.film, &rendered.pictures.aovs, nullptr, touched);
+  if (!context.cancelled) add_first_hits(stage, params, moment, frame, pool, rendered.pictures.aovs);
   clock.add_to(rendered.report);
   return rendered;
 }

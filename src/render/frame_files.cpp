@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <iterator>
 #include <system_error>
 
@@ -31,12 +30,34 @@ const char* ending(PictureFormat format) {
 
 ExrSample exr_sample(ExrPixels pixels) { return pixels == ExrPixels::kHalf ? ExrSample::kHalf : ExrSample::kFloat; }
 
+ExrLayer layer_of(Aov aov, const Image& image) {
+  switch (aov) {
+    case Aov::kDepth:
+      return depth_layer(image);
+    case Aov::kNormal:
+      return normal_layer(image);
+    case Aov::kId:
+      return object_id_layer(image);
+    case Aov::kPosition:
+      return position_layer(image);
+    case Aov::kRayDepth:
+      return ray_depth_layer(image);
+    case Aov::kMotion:
+      return motion_layer(image);
+    case Aov::kAlbedo:
+      return color_layer("albedo", image);
+    case Aov::kDirect:
+      return color_layer("direct", image);
+    case Aov::kIndirect:
+      break;
+  }
+  return color_layer("indirect", image);
+}
+
 std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
   std::vector<ExrLayer> layers;
-  if (aovs.depth) layers.push_back(depth_layer(aovs.depth_image));
-  if (aovs.normal) layers.push_back(normal_layer(aovs.normal_image));
-  if (aovs.object_id) layers.push_back(object_id_layer(aovs.object_id_image));
-  if (aovs.position) layers.push_back(position_layer(aovs.position_image));
+  for (std::size_t i = 0; i < kAovs; ++i)
+    if (aovs.wanted[i]) layers.push_back(layer_of(static_cast<Aov>(i), aovs.images[i]));
   return layers;
 }
 
@@ -90,9 +111,7 @@ Image piece_of(const Image& image, int i, int count) {
 FramePictures piece_of(const FramePictures& all, int i, int count) {
   FramePictures piece{piece_of(all.film, i, count), all.aovs, {}};
   piece.codes = {all.codes.width, all.codes.height / count, piece_of(all.codes.rgb, i, count)};
-  for (Image FrameAovs::*const layer :
-       {&FrameAovs::depth_image, &FrameAovs::normal_image, &FrameAovs::object_id_image, &FrameAovs::position_image})
-    piece.aovs.*layer = piece_of(all.aovs.*layer, i, count);
+  for (Image& layer : piece.aovs.images) layer = piece_of(layer, i, count);
   return piece;
 }
 
@@ -128,16 +147,6 @@ std::uintmax_t picture_bytes(const fs::path& folder, const FrameNames& names, in
     sum += bytes;
   }
   return sum;
-}
-
-FrameAovs wanted_aovs(const RenderParams& params) {
-  const auto wanted = [&](Aov aov) { return std::find(params.aov.begin(), params.aov.end(), aov) != params.aov.end(); };
-  FrameAovs aovs;
-  aovs.depth = wanted(Aov::kDepth);
-  aovs.normal = wanted(Aov::kNormal);
-  aovs.object_id = wanted(Aov::kId);
-  aovs.position = wanted(Aov::kPosition);
-  return aovs;
 }
 
 void write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,

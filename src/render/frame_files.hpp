@@ -35,9 +35,6 @@ struct FramePictures {
   Image8 codes;  ///< of the film: what 8-bit files and videos hold; empty where nothing asked for them
 };
 
-/// Which of the extra layers tracing has to fill.
-FrameAovs wanted_aovs(const RenderParams& params);
-
 /// Writes what `params` asks for, each file whole or not at all. Views lie one below the other in `pictures`. Extra layers go
 /// into EXR pictures, else into aov_0000.exr beside the picture (aov_000.exr beside a view).
 /// `pixels_per_mm`: said by TIFF files; 0: nothing to say. Throws Error naming the file.

@@ -143,9 +143,13 @@ Image FrameLayout::arrange(const Image& film) const {
 }
 
 void FrameLayout::arrange(FrameAovs& aovs) const {
-  for (Image FrameAovs::*const layer :
-       {&FrameAovs::depth_image, &FrameAovs::normal_image, &FrameAovs::object_id_image, &FrameAovs::position_image})
-    if (!(aovs.*layer).data.empty()) aovs.*layer = sub_pixels_ ? middle_sub_pixels(aovs.*layer) : arrange(aovs.*layer);
+  for (std::size_t i = 0; i < kAovs; ++i) {
+    if (!aovs.wanted[i]) continue;
+    const bool whole_pixels = sub_pixels_ && !is_light(static_cast<Aov>(i));  // light has the sub-pixels' colours
+    aovs.images[i] = whole_pixels ? middle_sub_pixels(aovs.images[i]) : arrange(aovs.images[i]);
+  }
+  if (mirrors_ && aovs.wants(Aov::kMotion))
+    for (std::size_t i = 0; i < aovs[Aov::kMotion].data.size(); i += 2) aovs[Aov::kMotion].data[i] *= -1.0f;
 }
 
 }  // namespace lippmann

@@ -30,7 +30,6 @@ enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 /// What each frame's picture holds (layout/view_layout.hpp).
 enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint };
 enum class ExrPixels { kHalf, kFloat };
-enum class Aov { kDepth, kNormal, kId, kPosition };
 
 /// Frames first ... last of an animation, both included.
 struct FrameRange {

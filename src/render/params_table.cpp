@@ -30,7 +30,8 @@ constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 5> kLayoutNames{"integral", "quilt", "views", "native", "print"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
-constexpr std::array<std::string_view, 4> kAovNames{"depth", "normal", "id", "position"};
+constexpr std::array<std::string_view, kAovs> kAovNames{"depth",  "normal", "id",     "position", "ray-depth",
+                                                        "albedo", "motion", "direct", "indirect"};
 
 constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in make_optics
 
@@ -149,7 +150,9 @@ ParamInfo aov_row() {
   ParamInfo info{"aov",
                  "Files",
                  "LAYER,...",
-                 "Extra layers for every frame: depth, normal, id, position; in the EXR itself, else in one beside the picture",
+                 "Extra layers for every frame: depth, ray-depth, normal, position, id, albedo, motion; of paths direct and "
+                 "indirect light; "
+                 "in the EXR itself, else in one beside the picture",
                  ParamKind::kList,
                  true,
                  false,

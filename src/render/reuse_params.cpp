@@ -38,8 +38,6 @@ void check_reuse(const RenderParams& params) {
     throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse exact or forward");
   if (params.reuse == Reuse::kForward && params.integrator == Integrator::kPath)
     throw usage_error("--reuse", "forward does not know path-traced frames", "none or exact, or --integrator whitted");
-  if (params.reuse == Reuse::kForward && !params.aov.empty())
-    throw usage_error("--aov", "interpolated frames have no extra layers", "--reuse none with it");
   if (params.reuse == Reuse::kNone && params.min_psnr_db)
     throw usage_error("--min-psnr", "means nothing where every frame is traced", "it together with --reuse forward");
   if (const std::string against = flag_against_floor(params); params.min_psnr_db && !against.empty())

@@ -2,29 +2,10 @@
 
 #include <algorithm>
 
+#include "core/affine3d.hpp"
+
 namespace lippmann {
 namespace {
-
-struct Affine3d {
-  glm::dmat3 linear{1.0};
-  glm::dvec3 translation{0.0};
-};
-
-Affine3d to_double(const Affine3f& a) { return {glm::dmat3(a.linear), glm::dvec3(a.translation)}; }
-
-Affine3d operator*(const Affine3d& a, const Affine3d& b) {
-  return {a.linear * b.linear, a.linear * b.translation + a.translation};
-}
-
-Affine3d inverse(const Affine3d& a) {
-  const glm::dmat3 m = glm::inverse(a.linear);
-  return {m, -(m * a.translation)};
-}
-
-/// Where a node has carried the world's points between two moments.
-Affine3d world_motion(const Affine3f& from, const Affine3f& to) {
-  return from == to ? Affine3d{} : to_double(to) * inverse(to_double(from));
-}
 
 GroupMotion to_group_motion(const Affine3d& a) {
   GroupMotion motion;
@@ -37,8 +18,7 @@ GroupMotion to_group_motion(const Affine3d& a) {
 
 /// As the display sees it.
 GroupMotion display_motion(const Affine3d& world, const Moment& from, const Moment& to) {
-  const bool still_in_world = world.linear == glm::dmat3(1.0) && world.translation == glm::dvec3(0.0);
-  if (still_in_world && from.world_from_display == to.world_from_display) {
+  if (world == Affine3d{} && from.world_from_display == to.world_from_display) {
     GroupMotion still = to_group_motion({});
     still.still = true;
     return still;

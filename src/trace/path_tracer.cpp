@@ -21,8 +21,9 @@ bool is_finite(Vec3f v) { return std::isfinite(v.x + v.y + v.z); }
 
 }  // namespace
 
-PathTracer::PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params, Image& film)
-    : scene_(scene), beam_(beam), params_(params), film_(film.data.data()) {}
+PathTracer::PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params,
+                       const PathFilm& film)
+    : scene_(scene), beam_(beam), params_(params), film_(film) {}
 
 void PathTracer::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight) {
   weight_ = weight;
@@ -83,12 +84,12 @@ void PathTracer::shade(const RayHitPacket& packet, const LaneMask& active, const
 void PathTracer::shade_sky(const RayHitPacket& packet, int i, const Ray& ray) {
   const unsigned id = packet.hit.geomID[i];
   if (id >= kLightId && id != kNoId) {  // a bulb: its light is gathered at surfaces, so only mirrors and lenses see it
-    if (ray.density == kInfinity) add(ray.pixel, clamped(ray.throughput * scene_.lights[id - kLightId].color, ray.depth));
+    if (ray.density == kInfinity) end_path(ray, scene_.lights[id - kLightId].color, 1.0f);
     return;
   }
   const LightTable& lights = *scene_.path->lights;
   const float share = ray.density == kInfinity ? 1.0f : power_heuristic(ray.density, lights.density_of_sky(ray.direction));
-  add(ray.pixel, clamped(ray.throughput * lights.environment().radiance(ray.direction) * share, ray.depth));
+  end_path(ray, lights.environment().radiance(ray.direction), share);
 }
 
 void PathTracer::shade_surface(const RayHitPacket& packet, int i, const Ray& ray) {
@@ -123,7 +124,7 @@ void PathTracer::add_emission(const RayHitPacket& packet, int i, const Ray& ray,
     const float of_light = scene_.path->lights->density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction);
     share = power_heuristic(ray.density, of_light);
   }
-  add(ray.pixel, clamped(ray.throughput * emission * share, ray.depth));
+  end_path(ray, emission, share);
 }
 
 void PathTracer::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const Ray& ray, float pick, Vec2f u) {
@@ -141,7 +142,8 @@ void PathTracer::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const
   radiance *= ray.throughput;
   if (radiance == Vec3f(0.0f) || !is_finite(radiance)) return;
   const float t_far = light->is_point() || light->distance == kInfinity ? light->distance : light->distance - point.t_near;
-  shadow_rays_.push_back({point.position, light->direction, clamped(radiance, ray.depth + 1), point.t_near, t_far, ray.pixel});
+  shadow_rays_.push_back(
+      {point.position, light->direction, clamped(radiance, ray.depth + 1), point.t_near, t_far, ray.pixel, ray.depth + 1});
 }
 
 void PathTracer::scatter(const ShadingPoint& point, const Bsdf& bsdf, const Ray& ray, float length, float lobe, float survival,
@@ -181,10 +183,15 @@ void PathTracer::trace_shadow_rays() {
     trace_shadows(scene_, shadow_);
     for (std::size_t i = 0; i < count; ++i) {
       if (!shadow_.active.lane[i] || !(shadow_.rays.tfar[i] >= 0.0f)) continue;
-      add(shadow_rays_[first + i].pixel, shadow_rays_[first + i].radiance * shadow_.context.transmittance[i]);
+      const ShadowRay& ray = shadow_rays_[first + i];
+      add(ray.pixel, ray.radiance * shadow_.context.transmittance[i], ray.depth);
     }
   }
   shadow_rays_.clear();
+}
+
+void PathTracer::end_path(const Ray& ray, Vec3f light, float share) {
+  add(ray.pixel, clamped(ray.throughput * light * share, ray.depth), ray.depth);
 }
 
 /// Emission that a path meets at its second vertex is direct light of the first; what comes later is indirect.
@@ -195,11 +202,14 @@ Vec3f PathTracer::clamped(Vec3f radiance, int depth) const {
              : radiance;
 }
 
-void PathTracer::add(std::uint32_t pixel, Vec3f radiance) {
-  float* p = film_ + 3 * static_cast<std::size_t>(pixel);
-  p[0] += weight_ * radiance.x;
-  p[1] += weight_ * radiance.y;
-  p[2] += weight_ * radiance.z;
+/// depth: vertices that have scattered it.
+void PathTracer::add(std::uint32_t pixel, Vec3f radiance, int depth) {
+  const auto add_to = [&](float* film) {
+    float* p = film + 3 * static_cast<std::size_t>(pixel);
+    for (int c = 0; c < 3; ++c) p[c] += weight_ * radiance[c];
+  };
+  add_to(film_.all);
+  if (float* part = depth > 1 ? film_.indirect : film_.direct) add_to(part);
 }
 
 }  // namespace lippmann

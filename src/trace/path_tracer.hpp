@@ -22,11 +22,18 @@ struct PathParams {
   float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
 };
 
+/// Where light goes: three channels a pixel each; null: nowhere.
+struct PathFilm {
+  float* all = nullptr;
+  float* direct = nullptr;    ///< what shines by itself, and what one surface has scattered
+  float* indirect = nullptr;  ///< the rest
+};
+
 /// Tracing state of one thread at a time. Adds radiance to pixels of `film`; const inputs must outlive it.
 class PathTracer {
  public:
-  /// `scene` was made for Integrator::kPath.
-  PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params, Image& film);
+  /// `scene` was made for Integrator::kPath; film.all is not null.
+  PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
 
   /// From now on paths are sample number `sample` of their pixels.
   void begin_sample(int sample) { sample_ = static_cast<std::uint32_t>(sample); }
@@ -57,6 +64,7 @@ class PathTracer {
     Vec3f origin, direction, radiance;
     float t_near, t_far;
     std::uint32_t pixel;
+    int depth;  ///< vertices that scatter it
   };
 
   void shade(const RayHitPacket& packet, const LaneMask& active, const Ray* rays);
@@ -68,12 +76,13 @@ class PathTracer {
   void trace_shadow_rays();
   void load(std::size_t first, std::size_t count, RayHitPacket& packet, LaneMask& active) const;
   Vec3f clamped(Vec3f radiance, int depth) const;
-  void add(std::uint32_t pixel, Vec3f radiance);
+  void end_path(const Ray& ray, Vec3f light, float share);
+  void add(std::uint32_t pixel, Vec3f radiance, int depth);
 
   const DeviceScene::Impl& scene_;
   const BeamFootprint& beam_;
   PathParams params_;
-  float* film_;
+  PathFilm film_;
   std::uint32_t sample_ = 0;
   float weight_ = 1.0f;  ///< of one sample
   RayCounts counts_;

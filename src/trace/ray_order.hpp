@@ -10,9 +10,15 @@
 #include <vector>
 
 #include "optics/optics.hpp"
-#include "trace/trace_frame.hpp"
 
 namespace lippmann {
+
+/// In which order the pixels of a frame are traced ("pixel-tracing style" in the paper); the picture is the same.
+enum class RayOrder {
+  kRows,       ///< pixel row by pixel row (the paper's horizontal style)
+  kColumns,    ///< column by column below each lens (the paper's vertical style)
+  kViewTiles,  ///< tiles of one directional view: neighbours in a packet share one direction
+};
 
 /// Packets of a block: they are shaded before their mirror rays are traced, all of them together. Enough to fill the next
 /// wave's packets; few enough to stay in cache and to be near one another in the picture (touched_blocks.hpp).

@@ -30,6 +30,8 @@ class FrameTracer {
         film_(film) {}
 
   void capture_to(const PointCapture* capture) { capture_ = capture; }
+  /// Parts of paths' light are added to these, too, which are 0 so far.
+  void split_to(const PathFilm& parts) { parts_ = parts; }
   void probe_with(const TouchProbe* probe, TouchedBlocks* touched) { probe_ = probe, touched_ = touched; }
 
   std::size_t strips() const { return static_cast<std::size_t>(source_.strips()); }
@@ -59,7 +61,7 @@ class FrameTracer {
   /// trace_strip for paths, which no probe and no capture looks at.
   RayCounts trace_paths_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
     const PathParams paths{params_.max_depth, hash(params_.seed, params_.frame), params_.clamp_indirect};
-    PathTracer tracer(scene_, beam_, paths, film_);
+    PathTracer tracer(scene_, beam_, paths, {film_.data.data(), parts_.direct, parts_.indirect});
     for (std::size_t b = 0; b < blocks_per_strip(); ++b)
       if (wanted.empty() || wanted[strip * blocks_per_strip() + b])
         trace_block(static_cast<int>(strip), static_cast<int>(b), tracer);
@@ -116,6 +118,7 @@ class FrameTracer {
   BeamFootprint beam_;
   PacketSource source_;
   Image& film_;
+  PathFilm parts_;
   const PointCapture* capture_ = nullptr;
   const TouchProbe* probe_ = nullptr;
   TouchedBlocks* touched_ = nullptr;
@@ -136,51 +139,6 @@ RayCounts trace_strips(std::size_t strips, const ThreadPool& pool, const Context
   return total;
 }
 
-void allocate(Image& image, bool wanted, const Panel& panel, int channels, float value) {
-  image = wanted ? Image(panel.width, panel.height, channels) : Image();
-  std::fill(image.data.begin(), image.data.end(), value);
-}
-
-/// The first hit behind every pixel's centre.
-void fill_aovs_of_strip(const PacketSource& source, const DeviceScene::Impl& scene, const Affine3f& display_from_world,
-                        int strip, FrameAovs& aovs) {
-  RayHitPacket packet;
-  LaneMask active;
-  SurfacePacket surface;
-  alignas(64) std::uint32_t pixel[kLanes];
-  for (int p = 0; p < source.packets_per_strip(); ++p) {
-    if (source.fill(strip, p, 0, packet.ray, active, pixel) == 0) continue;
-    clear_hits(packet);
-    intersect_scene(scene, active, packet, Coherence::kCoherent);
-    evaluate_geometry(scene, packet, active, surface);
-    if (!surface.any_hit) continue;
-    for (int i = 0; i < kLanes; ++i) {
-      if (!surface.hit.lane[i]) continue;
-      const std::size_t at = pixel[i];
-      const Vec3f position = surface.position.get(i), normal = surface.normal.get(i);
-      if (aovs.depth) aovs.depth_image.data[at] = transform_point(display_from_world, position).z;
-      if (aovs.object_id) aovs.object_id_image.data[at] = static_cast<float>(surface.instance[i]);
-      for (int c = 0; c < 3; ++c) {
-        if (aovs.normal) aovs.normal_image.data[3 * at + static_cast<std::size_t>(c)] = normal[c];
-        if (aovs.position) aovs.position_image.data[3 * at + static_cast<std::size_t>(c)] = position[c];
-      }
-    }
-  }
-}
-
-void fill_aovs(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-               const ThreadPool& pool, FrameAovs& aovs) {
-  const PacketSource source(optics, world_from_display, order, SubPixel{});
-  allocate(aovs.depth_image, aovs.depth, optics.panel, 1, -kInfinity);
-  allocate(aovs.normal_image, aovs.normal, optics.panel, 3, 0.0f);
-  allocate(aovs.object_id_image, aovs.object_id, optics.panel, 1, -1.0f);
-  allocate(aovs.position_image, aovs.position, optics.panel, 3, 0.0f);
-  const Affine3f display_from_world = inverse(world_from_display);
-  pool.for_each(static_cast<std::size_t>(source.strips()), [&](std::size_t strip) {
-    fill_aovs_of_strip(source, scene.impl(), display_from_world, static_cast<int>(strip), aovs);
-  });
-}
-
 /// The first hits behind the centres of pixels whose samples lie elsewhere.
 void capture_points(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
                     const ThreadPool& pool, const PointCapture& capture) {
@@ -198,6 +156,18 @@ void capture_points(const DeviceScene& scene, const Optics& optics, const Affine
   });
 }
 
+/// Where the parts of the light go that are wanted.
+PathFilm allocated_light(const Panel& panel, FrameAovs& aovs) {
+  PathFilm film;
+  const auto part = [&](Aov aov) -> float* {
+    if (!aovs.wants(aov)) return nullptr;
+    aovs.allocate(aov, panel, 0.0f);
+    return aovs[aov].data.data();
+  };
+  film.direct = part(Aov::kDirect), film.indirect = part(Aov::kIndirect);
+  return film;
+}
+
 }  // namespace
 
 RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
@@ -207,6 +177,7 @@ RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affi
   film.width = optics.panel.width, film.height = optics.panel.height, film.channels = 3;
   film.data.resize(3 * pixels);
   FrameTracer tracer(scene, optics, world_from_display, params, film);
+  if (aovs) tracer.split_to(allocated_light(optics.panel, *aovs));
   std::optional<PointCapture> capture;
   if (points) {
     points->resize(pixels);
@@ -225,8 +196,6 @@ RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affi
   const RayCounts counts =
       trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_strip(s, {}); });
   if (capture && !along) capture_points(scene, optics, world_from_display, params.order, pool, *capture);
-  if (aovs && (aovs->depth || aovs->normal || aovs->object_id || aovs->position))
-    fill_aovs(scene, optics, world_from_display, params.order, pool, *aovs);
   return counts;
 }
 

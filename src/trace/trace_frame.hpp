@@ -10,18 +10,13 @@
 #include "image/image.hpp"
 #include "optics/angular_filter.hpp"
 #include "optics/optics.hpp"
+#include "trace/aovs.hpp"
 #include "trace/device_scene.hpp"
 #include "trace/primary_points.hpp"
+#include "trace/ray_order.hpp"
 #include "trace/touched_blocks.hpp"
 
 namespace lippmann {
-
-/// In which order the pixels of a frame are traced ("pixel-tracing style" in the paper); the picture is the same.
-enum class RayOrder {
-  kRows,       ///< pixel row by pixel row (the paper's horizontal style)
-  kColumns,    ///< column by column below each lens (the paper's vertical style)
-  kViewTiles,  ///< tiles of one directional view: neighbours in a packet share one direction
-};
 
 struct TraceParams {
   RayOrder order = RayOrder::kViewTiles;
@@ -44,18 +39,10 @@ inline void add(const RayCounts& more, RayCounts& counts) {
   counts.reflection += more.reflection, counts.indirect += more.indirect;
 }
 
-/// What the first hit of a pixel's centre ray (sample 0) was. Allocated to the panel's size where wanted, else empty.
-struct FrameAovs {
-  bool depth = false, normal = false, object_id = false, position = false;  ///< which to fill
-  Image depth_image;      ///< 1 channel: z in display mm (> 0 in front of the array); -inf where nothing was hit
-  Image normal_image;     ///< 3 channels: unit, world space, towards the ray; 0 where nothing was hit
-  Image object_id_image;  ///< 1 channel: index in Scene::instances; -1 where nothing was hit
-  Image position_image;   ///< 3 channels: world space; 0 where nothing was hit
-};
-
-/// Fills `film` (3 channels, linear, the panel's size) with the frame, and where given `points` with the first hits behind the
-/// pixels' centres (free at one sample per pixel, else a pass of its own) and in `touched` the blocks whose rays meet its
-/// boxes. The same bits for any number of threads. Returns early, film unfinished, when context.cancelled is set.
+/// Fills `film` (3 channels, linear, the panel's size) with the frame, and where given: of `aovs` the layers of light (paths
+/// only; others are found by find_first_hits, trace/aovs.hpp), `points` with the first hits behind the pixels' centres (free at
+/// one sample per pixel, else a pass of its own) and in `touched` the blocks whose rays meet its boxes. The same bits for any
+/// number of threads. Returns early, film unfinished, when context.cancelled is set.
 RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
                       const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film,
                       FrameAovs* aovs = nullptr, PrimaryPoints* points = nullptr, TouchedBlocks* touched = nullptr);

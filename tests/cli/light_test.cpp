@@ -46,6 +46,24 @@ TEST(Light, forward_reuse_of_paths_is_refused) {
   EXPECT_THAT(result.err, HasSubstr("--reuse: forward does not know path-traced frames"));
 }
 
+TEST(Light, layers_of_light_are_written_beside_others_and_sum_to_the_picture) {
+  const TempDir dir;
+  const Words layers{"--aov", "direct,indirect,albedo,motion,ray-depth", "--format", "exr", "--exr-pixels", "float"};
+  ASSERT_EQ(run_tool(dir, small_paths("out") + layers).exit_code, 0);
+  const std::filesystem::path file = dir / "out/frame_0001.exr";
+  const auto channel = [&](const std::string& name) { return read_channels(file, std::vector{name}).data; };
+  const std::vector<float> all = channel("R"), direct = channel("direct.R"), indirect = channel("indirect.R");
+  for (std::size_t i = 0; i < all.size(); ++i)
+    ASSERT_NEAR(direct[i] + indirect[i], all[i], 1e-3f * (0.1f + all[i])) << i;  // half floats have 11 bits
+  for (const char* name : {"albedo.B", "motion.X", "motion.Y", "ray.Z"}) EXPECT_EQ(channel(name).size(), all.size());
+}
+
+TEST(Light, layers_of_light_are_refused_without_paths) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("0", "out") + Words{"--aov", "direct"});
+  expect_refusal(result, 2, "--aov: direct and indirect are parts of the light that paths find");
+}
+
 TEST(Light, a_panorama_lights_by_its_strength) {
   const TempDir dir;
   write_panorama(dir / "sky.exr", 0.5f);

@@ -80,7 +80,7 @@ TEST(PosedMesh, mirrored_by_its_node_it_faces_as_before) {
   s.scene.nodes[0].morph_weights = {0.0f};
   s.add(mesh, s.material(test::matte(Vec3f(1.0f))), node);
   const Picture p = trace(s.scene, single_view(kSize));
-  EXPECT_EQ(p.aovs.normal_image.data[3 * (16 * kSize + 16) + 2], 1.0f);
+  EXPECT_EQ(p.aovs[Aov::kNormal].data[3 * (16 * kSize + 16) + 2], 1.0f);
 }
 
 TEST(PosedMesh, textures_follow_its_coordinates) {

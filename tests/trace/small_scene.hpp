@@ -146,8 +146,11 @@ inline Picture trace(const Scene& scene, const Optics& optics, TraceParams param
   device.update(evaluate(scene, time), pool);
   params.max_depth = scene.max_depth;
   Picture picture;
-  picture.aovs.depth = picture.aovs.normal = picture.aovs.object_id = picture.aovs.position = true;
+  for (const Aov aov : {Aov::kDepth, Aov::kNormal, Aov::kId, Aov::kPosition, Aov::kRayDepth, Aov::kAlbedo})
+    picture.aovs.want(aov);
+  if (integrator == Integrator::kPath) picture.aovs.want(Aov::kDirect), picture.aovs.want(Aov::kIndirect);
   picture.counts = trace_frame(device, optics, world_from_display, params, pool, context, picture.film, &picture.aovs);
+  find_first_hits(device, optics, world_from_display, params.order, nullptr, pool, picture.aovs);
   return picture;
 }
 

@@ -33,8 +33,9 @@ class TracePixels : public testing::Test {
 
   Traced whole() {
     Traced t;
-    t.aovs.depth = t.aovs.object_id = true;
-    trace_frame(device_, optics_, {}, params_, pool_, context_, t.film, &t.aovs, &t.points);
+    t.aovs.want(Aov::kDepth), t.aovs.want(Aov::kId);
+    trace_frame(device_, optics_, {}, params_, pool_, context_, t.film, nullptr, &t.points);
+    find_first_hits(device_, optics_, {}, params_.order, nullptr, pool_, t.aovs);
     return t;
   }
 
@@ -93,13 +94,13 @@ TEST_F(TracePixels, points_of_a_frame_are_its_depth_and_object_layers) {
       const bool is_light = object == s_.scene.instances.size() + 1;
       lights += is_light, background += object == kNoObject;
       const float id = object < s_.scene.instances.size() ? static_cast<float>(object) : -1.0f;
-      ASSERT_EQ(t.aovs.object_id_image.data[p], id) << p;
+      ASSERT_EQ(t.aovs[Aov::kId].data[p], id) << p;
       if (is_light)
         ASSERT_NEAR(t.points.z[p], 1.8f, 0.301f);  // on its sphere
       else if (object == kNoObject)
         ASSERT_EQ(t.points.z[p], -kInfinity);
       else
-        ASSERT_NEAR(t.points.z[p], t.aovs.depth_image.data[p], 1e-5f) << p;  // single precision of lengths around 10
+        ASSERT_NEAR(t.points.z[p], t.aovs[Aov::kDepth].data[p], 1e-5f) << p;  // single precision of lengths around 10
     }
     EXPECT_GT(lights, 0u);
     EXPECT_GT(background, 0u);

@@ -23,8 +23,8 @@ TEST(Whitted, empty_scene_shows_the_background) {
   s.scene.background.horizon = s.scene.background.zenith = {0.1f, 0.2f, 0.3f};
   const Picture p = trace(s.scene, single_view(kSize));
   expect_color(p.at(3, 5), {0.1f, 0.2f, 0.3f}, 0.0f);
-  EXPECT_EQ(p.aovs.object_id_image.data[0], -1.0f);
-  EXPECT_EQ(p.aovs.depth_image.data[0], -kInfinity);
+  EXPECT_EQ(p.aovs[Aov::kId].data[0], -1.0f);
+  EXPECT_EQ(p.aovs[Aov::kDepth].data[0], -kInfinity);
 }
 
 TEST(Whitted, background_gradient_blends_by_the_sine_of_elevation) {
@@ -164,7 +164,7 @@ TEST(Whitted, mirrored_node_shows_its_mesh_turned_over_and_lit_from_the_same_sid
       const Picture p = picture_of_corner(mirrored, smooth, moving);
       expect_color(p.at(kMiddle - 5, kMiddle - 5), Vec3f(0.5f), 1e-4f);
       expect_color(p.at(kMiddle + 5, kMiddle - 5), Vec3f(0.0f), 0.0f);
-      EXPECT_GT(p.aovs.normal_image.pixel(kMiddle - 5, kMiddle - 5)[2], 0.999f);
+      EXPECT_GT(p.aovs[Aov::kNormal].pixel(kMiddle - 5, kMiddle - 5)[2], 0.999f);
     }
 }
 
@@ -312,11 +312,11 @@ TEST(Whitted, aovs_hold_depth_normal_object_and_position) {
   const int ball = s.add(Spheres{{{0, 0, 1}, 0.5f}}, material);
   const Picture p = trace(s.scene, single_view(kSize));
   const std::size_t middle = kMiddle * kSize + kMiddle;
-  EXPECT_NEAR(p.aovs.depth_image.data[middle], 1.5f, 1e-5f);
-  EXPECT_EQ(p.aovs.object_id_image.data[middle], static_cast<float>(ball));
-  EXPECT_NEAR(p.aovs.normal_image.data[3 * middle + 2], 1.0f, 1e-6f);
-  EXPECT_NEAR(p.aovs.position_image.data[3 * middle + 2], 1.5f, 1e-5f);
-  EXPECT_NEAR(p.aovs.depth_image.data[0], -1.0f, 1e-5f);
+  EXPECT_NEAR(p.aovs[Aov::kDepth].data[middle], 1.5f, 1e-5f);
+  EXPECT_EQ(p.aovs[Aov::kId].data[middle], static_cast<float>(ball));
+  EXPECT_NEAR(p.aovs[Aov::kNormal].data[3 * middle + 2], 1.0f, 1e-6f);
+  EXPECT_NEAR(p.aovs[Aov::kPosition].data[3 * middle + 2], 1.5f, 1e-5f);
+  EXPECT_NEAR(p.aovs[Aov::kDepth].data[0], -1.0f, 1e-5f);
 }
 
 TEST(Whitted, back_side_is_shaded_like_the_front) {

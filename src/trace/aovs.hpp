@@ -1,0 +1,64 @@
+// Further layers of a frame: what the first hit behind every pixel's centre is, and parts of its light.
+//
+// Surfaces that are not there do not count as hit: what alpha masks cut away, and what blended surfaces cover to less than a
+// half. Everything else is as solid for these layers as stone, glass too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/math.hpp"
+#include "core/parallel.hpp"
+#include "image/image.hpp"
+#include "optics/optics.hpp"
+#include "scene/timeline.hpp"
+#include "trace/device_scene.hpp"
+#include "trace/ray_order.hpp"
+
+namespace lippmann {
+
+enum class Aov : std::uint8_t {
+  kDepth,     ///< 1 channel: z in display mm (> 0 in front of the array); -inf where nothing was hit
+  kNormal,    ///< 3 channels: unit, world space, towards the ray; 0 where nothing was hit
+  kId,        ///< 1 channel: index in Scene::instances; -1 where nothing was hit
+  kPosition,  ///< 3 channels: world space; 0 where nothing was hit
+  kRayDepth,  ///< 1 channel: mm along the ray from where it starts (resolved_z_front_mm): from the eye; inf: nothing was hit
+  kAlbedo,    ///< 3 channels: base colour, textures and vertex colours included; 0 where nothing was hit
+  kMotion,    ///< 2 channels: see place_in_view; pixels to the right and down since the frame before; 0 where nothing was hit
+  kDirect,    ///< 3 channels, of paths: what shines by itself and light that one surface has scattered
+  kIndirect,  ///< 3 channels, of paths: all other light; with kDirect the film, but for rounding
+};
+inline constexpr std::size_t kAovs = 9;
+
+int channels_of(Aov aov);
+
+/// Whether it is a part of the light and no property of what was hit.
+inline bool is_light(Aov aov) { return aov == Aov::kDirect || aov == Aov::kIndirect; }
+
+struct FrameAovs {
+  std::array<bool, kAovs> wanted{};
+  std::array<Image, kAovs> images;  ///< of the panel's size where wanted, else empty
+
+  bool wants(Aov aov) const { return wanted[static_cast<std::size_t>(aov)]; }
+  bool wants_any(bool light) const;
+  void want(Aov aov) { wanted[static_cast<std::size_t>(aov)] = true; }
+  Image& operator[](Aov aov) { return images[static_cast<std::size_t>(aov)]; }
+  const Image& operator[](Aov aov) const { return images[static_cast<std::size_t>(aov)]; }
+
+  /// Gives the image of a wanted layer the panel's size and this value.
+  void allocate(Aov aov, const Panel& panel, float value);
+};
+
+/// Where everything is in a frame, which is that of the device scene, and where it was in the frame before.
+struct FrameStep {
+  const ResolvedScene& now;
+  const ResolvedScene& before;
+  Affine3f world_from_display_before;
+};
+
+/// Fills the layers of `aovs` that are wanted and no light: one ray through the centre of every pixel. Without `step` nothing
+/// has moved. The same bits for any number of threads.
+void find_first_hits(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
+                     const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs);
+
+}  // namespace lippmann

@@ -1,0 +1,39 @@
+// Where the points that rays hit were in the frame before, as the display of then saw them. Private to src/trace.
+//
+// What moves with a node is taken back by the node's motion; of a mesh that changes its shape, the same place of the same
+// triangle is looked up in the former pose. Composed in double precision.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/affine3d.hpp"
+#include "scene/deform.hpp"
+#include "trace/aovs.hpp"
+#include "trace/surface.hpp"
+
+namespace lippmann {
+
+class FormerPlaces {
+ public:
+  /// The device scene is as it is `now`. All arguments must outlive this.
+  FormerPlaces(const DeviceScene::Impl& scene, const Affine3f& world_from_display, const FrameStep& step);
+
+  /// Display mm of the frame before, of lane i, whose surface is evaluated. None: the point has not moved before the display.
+  std::optional<Vec3f> of(const RayHitPacket& packet, const SurfacePacket& surface, int i) const;
+
+ private:
+  struct OfInstance {
+    bool still = true;
+    Affine3d display_from_world;    ///< of then, from world space of now
+    std::optional<MeshPose> pose{};  ///< of then, where the mesh changes its shape
+  };
+
+  Vec3f posed_point(const MeshPose& pose, const RayHitPacket& packet, const SurfacePacket& surface, int i) const;
+
+  const DeviceScene::Impl& scene_;
+  Affine3d display_before_from_world_;
+  std::vector<OfInstance> instances_;
+};
+
+}  // namespace lippmann
