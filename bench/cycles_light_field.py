@@ -25,7 +25,6 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "cycles"))
 import fixtures  # noqa: E402
-import glb_camera  # noqa: E402
 import peers  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
@@ -44,20 +43,12 @@ class LightField:
         self.scene = options.asset or work / "moving-room.gltf"
         if not options.asset:
             fixtures.moving_room().write(self.scene)
-        info = self.tool_json("info", self.scene)
-        if info["cameras"] == 0:
-            self.scene = glb_camera.with_camera(options.asset, info["array"], options.view, work / "with-camera.glb")
-        info = self.tool_json("info", self.scene, *self.optics())
+        self.scene = peers.with_camera(options.tool, self.scene, options.view, work)
+        info = peers.info(options.tool, self.scene, *self.optics())
         self.array, self.fps = info["array"], info["frames_per_second"]
         self.frames = min(options.frames, info["frames"])
         self.compared_frames = sorted({0, self.frames - 1})
         self.compared_views = [v * (VIEWS - 1) // (options.compared_views - 1) for v in range(options.compared_views)]
-
-    def tool_json(self, *words):
-        done = subprocess.run([str(w) for w in (self.options.tool, *words, "--json")], capture_output=True, text=True)
-        if done.returncode:
-            raise SystemExit(done.stderr)
-        return json.loads(done.stdout)
 
     def optics(self):
         return ["--optics", "multiview", "--views", f"{COLUMNS}x{ROWS}", "--view-angle", CONE_DEG,

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""Path tracing beside Blender's Cycles: the same scenes, cameras and lights, PSNR between both and samples per second of each.
+"""Path tracing beside Blender's Cycles: the same scenes, cameras and lights, PSNR between both and samples per CPU second of each.
 
-  bench/cycles_peers.py [NAME ...] [--asset FILE.glb ...] [--panorama FILE.hdr] [--size N] [--spp N] [--output DIR] [--tool PATH]
-                        [--threads N] [--json]
+  bench/cycles_peers.py [NAME ...] [--asset FILE.glb ...] [--panorama FILE.hdr] [--dark] [--view YAW PITCH] [--size N] [--spp N]
+                        [--output DIR] [--tool PATH] [--threads N] [--json]
 
 Scenes: those of bench/cycles/fixtures.py, and files of the user's own. Blender builds their materials from the file as glTF 2.0's
-appendix B has them (bench/cycles/inside_blender.py). PSNR is of 8-bit sRGB codes (lippmann compare). Speed: the seconds of `spp`
-samples less those of an eighth of them, so that neither side's set-up counts. Needs Debian's blender and python3-numpy.
+appendix B has them (bench/cycles/gltf_in_blender.py). PSNR is of 8-bit sRGB codes (lippmann compare). Speed: the CPU seconds of
+`spp` samples less those of an eighth of them, so that neither side's set-up counts. Files without a camera get one that looks at
+their middle from YAW and PITCH degrees, and must be .glb. Needs Debian's blender and python3-numpy.
 """
 
 import argparse
@@ -30,7 +31,7 @@ def ours(tool, scene, panorama, size, spp, folder, threads):
     if panorama:
         command += ["--environment", panorama]
     subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return json.loads((folder / "report.json").read_text())["frames"][0]["seconds"]
+    return json.loads((folder / "report.json").read_text())["frames"][0]["cpu_seconds"]
 
 
 def cycles(scene, panorama, size, spp, out, threads):
@@ -50,7 +51,7 @@ def measure(name, scene, panorama, bar, options, work):
     row = {"scene": name, "psnr_db": peers.psnr(options.tool, folder / "cycles.exr", folder / "ours" / "frame_0000.exr"), "bar_db": bar,
            "ours_msamples_s": samples / seconds * 1e-6, "cycles_msamples_s": samples / theirs * 1e-6, "speed_ratio": theirs / seconds}
     if not options.json:
-        print("{scene:14} {psnr_db:6.2f} dB (bar {bar_db:.0f})   {ours_msamples_s:6.2f} : {cycles_msamples_s:5.2f} Msamples/s = "
+        print("{scene:14} {psnr_db:6.2f} dB (bar {bar_db:.0f})   {ours_msamples_s:6.2f} : {cycles_msamples_s:5.2f} Msamples/CPU s = "
               "{speed_ratio:.2f} x".format(**row), flush=True)
     return row
 
@@ -60,6 +61,8 @@ def main():
     parser.add_argument("scenes", nargs="*", metavar="NAME", help="of: " + ", ".join(fixtures.FIXTURES))
     parser.add_argument("--asset", action="append", default=[], type=pathlib.Path)
     parser.add_argument("--panorama", type=pathlib.Path)
+    parser.add_argument("--dark", action="store_true", help="files of one's own get no panorama but the one said")
+    parser.add_argument("--view", type=float, nargs=2, default=(25.0, 15.0), metavar=("YAW", "PITCH"))
     parser.add_argument("--size", type=int, default=256)
     parser.add_argument("--spp", type=int, default=1024)
     parser.add_argument("--threads", type=int, default=2)
@@ -85,7 +88,8 @@ def main():
             make().write(scene)
             rows.append(measure(name, scene, panorama if lit_by_panorama else None, bar, options, work))
         for asset in options.asset:
-            rows.append(measure(asset.stem, asset, panorama, 30.0, options, work))
+            scene = peers.with_camera(options.tool, asset, options.view, work)
+            rows.append(measure(asset.stem, scene, options.panorama if options.dark else panorama, 30.0, options, work))
     if options.json:
         print(json.dumps({"bench": "cycles", "rows": rows}, indent=2))
 

@@ -5,6 +5,7 @@ Materials are built anew from the file: Blender's own Principled surface of 3.4 
 
 import json
 import math
+import resource
 
 import bpy
 import numpy as np
@@ -16,6 +17,27 @@ def image_of(name, color):
     image = bpy.data.images[name]
     image.colorspace_settings.name = "sRGB" if color else "Non-Color"
     return image
+
+
+def below_gloss(roughness, f0, stops=24):
+    """What a white GGX gloss does not reflect, at 1 - cosine of the view: [(place, share)]."""
+    alpha2 = max(roughness, 0.03)**4
+    u = (np.arange(4096) + 0.5) / 4096
+    turn = 2 * np.pi * ((np.arange(4096) * 0.6180339887) % 1.0)
+    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))  # facets by their distribution
+    sine_h = np.sqrt(1 - cosine_h**2)
+    shares = []
+    for place in np.linspace(0, 1, stops):
+        cosine = max(1 - place, 0.01)
+        sine = math.sqrt(1 - cosine**2)
+        view_h = sine * sine_h * np.cos(turn) + cosine * cosine_h
+        light = 2 * view_h * cosine_h - cosine
+        lit = (view_h > 0) & (light > 0)
+        lambdas = [0.5 * (np.sqrt(1 + alpha2 * (1 / np.maximum(c, 1e-4)**2 - 1)) - 1) for c in (cosine, light)]
+        weight = np.where(lit, view_h / (cosine * cosine_h * (1 + lambdas[0] + lambdas[1])), 0.0)
+        reflected = (weight * (f0 + (1 - f0) * np.clip(1 - view_h, 0, 1)**5)).mean()
+        shares.append((float(place), float(1 - reflected * (1 + f0 * (1 - weight.mean()) / weight.mean()))))
+    return shares
 
 
 class Surface:
@@ -80,18 +102,23 @@ class Surface:
     def diffuse(self, color, normal):
         return self.node("ShaderNodeBsdfDiffuse", {"Color": color, "Roughness": 0.0, "Normal": normal})
 
-    def gloss(self, color, roughness, normal):
-        return self.node("ShaderNodeBsdfGlossy", {"Color": color, "Roughness": roughness, "Normal": normal}, distribution="MULTI_GGX")
-
     def plastic(self, color, roughness, ior, normal):
-        fresnel = self.node("ShaderNodeFresnel", {"IOR": ior, "Normal": normal})
-        return self.node("ShaderNodeMixShader",
-                         {0: fresnel, 1: self.diffuse(color, normal), 2: self.gloss([1, 1, 1], roughness, normal)})
+        """Fresnel's share is of facets: the gloss of a black Principled surface, and below it what that leaves."""
+        f0 = ((ior - 1) / (ior + 1))**2
+        gloss = self.node("ShaderNodeBsdfPrincipled", {"Base Color": [0, 0, 0], "Specular": f0 / 0.08, "Roughness": roughness, "Normal": normal},
+                          distribution="MULTI_GGX")
+        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": normal}, output=1)  # 1 - cosine
+        left = self.node("ShaderNodeValToRGB", {0: facing})
+        ramp = left.node.color_ramp
+        for i, (place, value) in enumerate(below_gloss(roughness, f0)):
+            stop = ramp.elements[i] if i < 2 else ramp.elements.new(place)
+            stop.position, stop.color = place, (value, value, value, 1.0)
+        return self.node("ShaderNodeAddShader", {
+            0: gloss, 1: self.diffuse(self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: left}, blend_type="MULTIPLY"), normal)})
 
     def metal(self, color, roughness, normal):
-        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": normal}, output=1)
-        edge = self.node("ShaderNodeMath", {0: facing, 1: 5.0}, operation="POWER")
-        return self.gloss(self.node("ShaderNodeMixRGB", {0: edge, 1: color, 2: [1, 1, 1]}), roughness, normal)
+        return self.node("ShaderNodeBsdfPrincipled", {"Base Color": color, "Metallic": 1.0, "Roughness": roughness, "Normal": normal},
+                         distribution="MULTI_GGX")
 
     def covered(self, shader, source, factor, alpha):
         mode = source.get("alphaMode", "OPAQUE")
@@ -172,6 +199,12 @@ def render(scene, samples, seed, out):
     scene.cycles.samples, scene.cycles.seed = samples, seed
     scene.render.filepath = out
     bpy.ops.render.render(write_still=True)
+
+
+def cpu_seconds():
+    """Of all threads of this process."""
+    usage = resource.getrusage(resource.RUSAGE_SELF)
+    return usage.ru_utime + usage.ru_stime
 
 
 def camera():

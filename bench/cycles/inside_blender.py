@@ -1,11 +1,10 @@
-"""Run by Blender: renders one glTF file with Cycles and prints the seconds that it took.
+"""Run by Blender: renders one glTF file with Cycles and prints the CPU seconds that it took.
 
   blender -b -P inside_blender.py -- FILE.gltf OUT.exr WIDTH HEIGHT SAMPLES VERTICES THREADS SEED [PANORAMA]
 """
 
 import pathlib
 import sys
-import time
 
 import bpy
 
@@ -18,6 +17,6 @@ scene = bpy.context.scene
 gltf.surround(scene, *panorama or [None])
 gltf.set_up(scene, int(width), int(height), int(vertices), int(threads))
 scene.camera = gltf.camera()
-start = time.time()
+start = gltf.cpu_seconds()
 gltf.render(scene, int(samples), int(seed), out)
-print(f"CYCLES_SECONDS {time.time() - start:.3f}")
+print(f"CYCLES_SECONDS {gltf.cpu_seconds() - start:.3f}")

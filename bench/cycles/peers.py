@@ -8,6 +8,8 @@ import shutil
 import subprocess
 import sys
 
+import glb_camera
+
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = "/usr/bin:/bin"  # Blender's Python is Debian's, whatever else there is
 
@@ -28,6 +30,20 @@ def blender(script, words, mark):
     if done.returncode or not found:
         raise SystemExit(f"Blender could not run {script}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
     return found
+
+
+def info(tool, scene, *flags):
+    """What `lippmann info` says."""
+    done = subprocess.run([str(word) for word in (tool, "info", scene, *flags, "--json")], capture_output=True, text=True)
+    if done.returncode:
+        raise SystemExit(done.stderr)
+    return json.loads(done.stdout)
+
+
+def with_camera(tool, asset, view, work):
+    """The file, or a copy in the folder `work` that has a camera. view: as for glb_camera."""
+    found = info(tool, asset)
+    return asset if found["cameras"] else glb_camera.with_camera(asset, found["array"], view, work / asset.name)
 
 
 def mse(tool, reference, test):

@@ -10,7 +10,6 @@ view, samples, seed and out. Prints a line "VIEW {json}" for each. The scene sta
 import json
 import math
 import pathlib
-import resource
 import sys
 
 import bpy
@@ -18,11 +17,6 @@ from mathutils import Matrix
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import gltf_in_blender as gltf  # noqa: E402
-
-
-def cpu_seconds():
-    usage = resource.getrusage(resource.RUSAGE_SELF)
-    return usage.ru_utime + usage.ru_stime
 
 
 class Views:
@@ -61,9 +55,9 @@ def main():
     gltf.render(views.scene, 1, 0, warm["out"])
     for item in job["renders"]:
         views.show(item["frame"], item["view"])
-        before = cpu_seconds()
+        before = gltf.cpu_seconds()
         gltf.render(views.scene, item["samples"], item["seed"], item["out"])
-        print("VIEW", json.dumps({**item, "cpu_seconds": cpu_seconds() - before}), flush=True)
+        print("VIEW", json.dumps({**item, "cpu_seconds": gltf.cpu_seconds() - before}), flush=True)
 
 
 main()
