@@ -89,6 +89,14 @@ Json by_spp(const std::vector<TimedQuality>& measured) {
   return list;
 }
 
+/// At least; null: nothing is asked.
+Json bar_json(const std::optional<LightBar>& bar) {
+  if (!bar) return nullptr;
+  return {{"saving_total", bar->saving},
+          {"gain_db", bar->gain_db},
+          {"equal_time_gain_db", bar->equal_time_gain_db ? Json(*bar->equal_time_gain_db) : Json(nullptr)}};
+}
+
 Json row_of(const LightCase& wanted, const LightSettings& settings, const LightRun& run) {
   const LightFigures &full = run.full, &reuse = run.reuse;
   return {{"row", wanted.name},
@@ -120,7 +128,8 @@ Json row_of(const LightCase& wanted, const LightSettings& settings, const LightR
           {"full_rays", full.rays},
           {"rays", reuse.rays},
           {"stated_bytes", number(run.stated_bytes)},
-          {"grown_bytes", number(run.grown_bytes)}};
+          {"grown_bytes", number(run.grown_bytes)},
+          {"bar", bar_json(bar_of(wanted.name))}};
 }
 
 }  // namespace

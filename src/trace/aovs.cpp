@@ -10,8 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr Aov kOfHits[] = {Aov::kDepth,    Aov::kNormal, Aov::kId,    Aov::kPosition,
-                           Aov::kRayDepth, Aov::kAlbedo, Aov::kMotion};
+constexpr Aov kOfHits[] = {Aov::kDepth, Aov::kNormal, Aov::kId, Aov::kPosition, Aov::kRayDepth, Aov::kAlbedo, Aov::kMotion};
 
 /// However many holes lie behind one another: then whatever comes is taken.
 constexpr int kMostHoles = 64;

@@ -25,7 +25,7 @@ class FormerPlaces {
  private:
   struct OfInstance {
     bool still = true;
-    Affine3d display_from_world;    ///< of then, from world space of now
+    Affine3d display_from_world;     ///< of then, from world space of now
     std::optional<MeshPose> pose{};  ///< of then, where the mesh changes its shape
   };
 

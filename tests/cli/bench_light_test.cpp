@@ -20,7 +20,9 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0]["case"], "animation");
   EXPECT_EQ(rows[0]["frames"], 3);
+  EXPECT_TRUE(rows[0]["bar"].is_null());
   EXPECT_EQ(rows[1]["scene"], "room");
+  EXPECT_EQ(rows[1]["bar"]["saving_total"], 0.9);
   EXPECT_EQ(rows[1]["case"], "still quilt");
   EXPECT_EQ(rows[1]["frames"], 1);
   EXPECT_TRUE(rows[1]["frame_flicker"].is_null());

@@ -16,15 +16,16 @@ Vec2f place(const Optics& optics, Vec2f pixel, Vec3f point) {
 }
 
 /// The place of the pixel itself.
-Vec2f own_place(const Optics& optics, Vec2f pixel) {
-  return place(optics, pixel, at_depth(ray_of_pixel(optics, pixel), 0.0f));
-}
+Vec2f own_place(const Optics& optics, Vec2f pixel) { return place(optics, pixel, at_depth(ray_of_pixel(optics, pixel), 0.0f)); }
 
 std::vector<Optics> all_kinds(unsigned seed) {
   OpticsSampler random(seed);
-  return {random.lenticular(false),      random.lenticular(true),
-          random.microlens(LensPacking::kSquare), random.microlens(LensPacking::kHexagonal),
-          random.multi_view(),           random.single_view(),
+  return {random.lenticular(false),
+          random.lenticular(true),
+          random.microlens(LensPacking::kSquare),
+          random.microlens(LensPacking::kHexagonal),
+          random.multi_view(),
+          random.single_view(),
           random.slanted_panel()};
 }
 

@@ -200,7 +200,8 @@ TEST(Aovs, parts_of_the_light_leave_the_film_as_it_is) {
 
 TEST(Aovs, layers_are_the_same_on_any_number_of_threads) {
   const SmallScene s = busy_scene(5);
-  const Picture one = trace_paths(s.scene, single_view(kSize), 2, {}, 1), three = trace_paths(s.scene, single_view(kSize), 2, {}, 3);
+  const Picture one = trace_paths(s.scene, single_view(kSize), 2, {}, 1),
+                three = trace_paths(s.scene, single_view(kSize), 2, {}, 3);
   for (std::size_t i = 0; i < kAovs; ++i) EXPECT_EQ(one.aovs.images[i].data, three.aovs.images[i].data) << i;
 }
 
