@@ -63,6 +63,7 @@ std::vector<LightCase> wanted_cases(const Request& request, const Context& conte
   if (names.empty())
     for (const auto& [name, bar] : bars()) names.push_back(name);
   std::vector<LightCase> cases;
+  cases.reserve(names.size());
   for (const std::string& name : names)
     cases.push_back(name.ends_with(kQuilt) ? quilt_of(name, request) : animation_of(name, request, context));
   return cases;

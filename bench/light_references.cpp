@@ -36,9 +36,9 @@ std::vector<std::uint8_t> blocks_with_rows(const Optics& optics, const std::vect
 std::optional<Image8> read_kept(const std::filesystem::path& file, int width, std::size_t rows) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
-    const Picture picture = read_picture(file);
-    const auto* codes = std::get_if<Image8>(&picture);
-    if (codes && codes->width == width && static_cast<std::size_t>(codes->height) == rows) return *codes;
+    Picture picture = read_picture(file);
+    auto* codes = std::get_if<Image8>(&picture);
+    if (codes && codes->width == width && static_cast<std::size_t>(codes->height) == rows) return std::move(*codes);
   } catch (const Error&) {  // damaged: as if it were not there
   }
   return std::nullopt;
@@ -95,10 +95,10 @@ Image8 LightReferences::frame(int frame) {
   const auto file = folder_ / fmt::format("{}_{:04}_{:016x}.png", scene, frame, fingerprint_of(frame));
   if (auto codes = read_kept(file, film_.width, rows_.size())) {
     ++kept_;
-    return *codes;
+    return std::move(*codes);
   }
   if (say_) say_(fmt::format("{}, frame {}: rendering a reference of {} samples", scene, frame, samples_per_pixel(params_)));
-  const Image8 codes = trace(frame, samples_per_pixel(params_));
+  Image8 codes = trace(frame, samples_per_pixel(params_));
   if (context_.cancelled) return codes;
   std::error_code ignored;  // the writing below says what is wrong
   std::filesystem::create_directories(folder_, ignored);

@@ -15,20 +15,20 @@ std::string line_of(const std::string& what, const std::string& full, const std:
 }
 
 std::string saving_bar(const LightRun& run, const std::optional<LightBar>& bar) {
-  const std::string saved = fmt::format("saved {:.1f} %, x{:.2f}", 100.0 * run.saving(), run.time_ratio());
+  std::string saved = fmt::format("saved {:.1f} %, x{:.2f}", 100.0 * run.saving(), run.time_ratio());
   if (!bar) return saved;
   return fmt::format("{}; bar {:.0f} %: {}", saved, 100.0 * bar->saving, verdict(run.saving() >= bar->saving));
 }
 
 std::string gain_bar(const LightRun& run, const std::optional<LightBar>& bar) {
-  const std::string gain = fmt::format("{:+.2f} dB", run.gain_db());
+  std::string gain = fmt::format("{:+.2f} dB", run.gain_db());
   if (!bar) return gain;
   const std::string asked = bar->gain_db < 0.0 ? fmt::format("not more than {:.1f} dB below", -bar->gain_db) : "not below";
   return fmt::format("{}; bar {} the full render's: {}", gain, asked, verdict(run.gain_db() >= bar->gain_db));
 }
 
 std::string equal_time_bar(const LightRun& run, const std::optional<LightBar>& bar) {
-  const std::string gain = fmt::format("{:+.2f} dB", run.equal_time_gain_db());
+  std::string gain = fmt::format("{:+.2f} dB", run.equal_time_gain_db());
   if (!bar || !bar->equal_time_gain_db) return gain;
   const double asked = *bar->equal_time_gain_db;
   return fmt::format("{}; bar {:+.0f} dB: {}", gain, asked, verdict(run.equal_time_gain_db() >= asked));
@@ -41,7 +41,7 @@ std::string flicker_line(const char* what, double full, double reuse) {
 }
 
 std::string memory_bar(const LightRun& run) {
-  const std::string stated = fmt::format("states {:.1f}", 1e-6 * run.stated_bytes);
+  std::string stated = fmt::format("states {:.1f}", 1e-6 * run.stated_bytes);
   if (run.width * run.height > kMemoryBarPixels) return stated;
   return fmt::format("{}; bar {:.0f}: {}", stated, 1e-6 * kMemoryBar,
                      verdict(std::max(run.grown_bytes, run.stated_bytes) <= kMemoryBar));
