@@ -87,7 +87,24 @@ void count_nans(const Image& film, std::size_t* nan_count) {
   if (nan_count) *nan_count = std::count_if(film.data.begin(), film.data.end(), [](float v) { return std::isnan(v); });
 }
 
+template <class Code>
+std::vector<Code> linear_codes(const Image& alpha, float max_code) {
+  std::vector<Code> codes(alpha.data.size());
+  std::transform(alpha.data.begin(), alpha.data.end(), codes.begin(),
+                 [=](float a) { return static_cast<Code>(max_code * std::clamp(a, 0.0f, 1.0f) + 0.5f); });
+  return codes;
+}
+
 }  // namespace
+
+std::vector<unsigned char> alpha_codes(const Image& alpha) { return linear_codes<unsigned char>(alpha, 255.0f); }
+std::vector<std::uint16_t> alpha_codes16(const Image& alpha) { return linear_codes<std::uint16_t>(alpha, 65535.0f); }
+
+void divide_by_alpha(const Image& alpha, Image& film) {
+  assert(film.data.size() == 3 * alpha.data.size());
+  for (std::size_t i = 0; i < film.data.size(); ++i)
+    film.data[i] = alpha.data[i / 3] > 0.0f ? film.data[i] / alpha.data[i / 3] : 0.0f;
+}
 
 double srgb_from_linear(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;

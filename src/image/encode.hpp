@@ -18,6 +18,14 @@ namespace lippmann {
 Image8 to_codes(const Image& film, Encoding encoding, std::size_t* nan_count = nullptr);
 Image16 to_codes16(const Image& film, Encoding encoding, std::size_t* nan_count = nullptr);
 
+/// The codes of alpha, floor(max alpha + 1/2), for an Image of one channel.
+std::vector<unsigned char> alpha_codes(const Image& alpha);
+std::vector<std::uint16_t> alpha_codes16(const Image& alpha);
+
+/// Divides colours that are multiplied by alpha, as light is, by it; where alpha is 0 they become 0. Of equal size, 3 and 1
+/// channels.
+void divide_by_alpha(const Image& alpha, Image& film);
+
 /// The transfer curve of IEC 61966-2-1:1999 (sRGB) for linear values in [0, 1], and its inverse.
 double srgb_from_linear(double linear);
 double linear_from_srgb(double srgb);

@@ -61,6 +61,7 @@ std::vector<float> interleave(std::span<const ExrLayer> layers, std::size_t chan
 }  // namespace
 
 ExrLayer film_layer(const Image& film, ExrSample sample) { return {"", &film, {"R", "G", "B"}, sample}; }
+ExrLayer alpha_layer(const Image& alpha, ExrSample sample) { return {"", &alpha, {"A"}, sample}; }
 ExrLayer depth_layer(const Image& depth) { return {"", &depth, {"Z"}, ExrSample::kFloat}; }
 ExrLayer normal_layer(const Image& normal) { return {"N", &normal, {"X", "Y", "Z"}, ExrSample::kHalf}; }
 ExrLayer object_id_layer(const Image& object_id) { return {"", &object_id, {"id"}, ExrSample::kFloat}; }

@@ -30,6 +30,8 @@ struct ExrLayer {
 
 /// The layers of a frame. Depth, position, motion and ids are stored as float: half has not enough digits for them.
 ExrLayer film_layer(const Image& film, ExrSample sample = ExrSample::kHalf);
+/// Colours of the film are multiplied by it already, as the format wants it.
+ExrLayer alpha_layer(const Image& alpha, ExrSample sample = ExrSample::kHalf);
 ExrLayer depth_layer(const Image& depth);
 ExrLayer normal_layer(const Image& normal);
 ExrLayer object_id_layer(const Image& object_id);

@@ -22,12 +22,14 @@ struct Image {
 struct Image8 {
   int width = 0, height = 0;
   std::vector<unsigned char> rgb;
+  std::vector<unsigned char> alpha{};  ///< one per pixel; colours are not multiplied by it; empty: opaque
 };
 
 /// 16-bit codes, layout as in Image, 3 channels.
 struct Image16 {
   int width = 0, height = 0;
   std::vector<std::uint16_t> rgb;
+  std::vector<std::uint16_t> alpha{};  ///< as Image8::alpha
 };
 
 }  // namespace lippmann

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/atomic_file.hpp"
-#include "image/oiio.hpp"
+#include "image/rgba.hpp"
 
 namespace lippmann {
 namespace {
@@ -50,7 +50,9 @@ std::vector<std::byte> encode(const std::string& where, const AnyImage& image, O
   spec.attribute("png:compressionLevel", options.level);
   spec.attribute("compression", oiio_name(options.strategy));
   spec.attribute("png:filter", libpng_bits(options.filter));
-  return encode_with_oiio(where, "png", spec, type, image.rgb.data());
+  if (image.alpha.empty()) return encode_with_oiio(where, "png", spec, type, image.rgb.data());
+  add_alpha(spec);
+  return encode_with_oiio(where, "png", spec, type, interleaved(image.rgb, image.alpha).data());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Writes 8-bit and 16-bit RGB pictures as PNG, tagged sRGB. Equal pictures give equal bytes.
+// Writes 8-bit and 16-bit RGB pictures, with alpha where they have it, as PNG, tagged sRGB. Equal pictures give equal bytes.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "image/oiio.hpp"
+#include "image/rgba.hpp"
 
 namespace lippmann {
 namespace {
@@ -22,8 +22,9 @@ OIIO::ImageSpec spec_of(const Image8& image, double pixels_per_mm, TiffKind kind
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("compression", "zip");
   spec.attribute("tiff:zipquality", 1);
-  spec.attribute("tiff:bigtiff", kind == TiffKind::kBig || image.rgb.size() > kMaxClassicSamples ? 1 : 0);
+  spec.attribute("tiff:bigtiff", kind == TiffKind::kBig || image.rgb.size() + image.alpha.size() > kMaxClassicSamples ? 1 : 0);
   spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the time of writing: equal pictures would differ
+  if (!image.alpha.empty()) add_alpha(spec);
   if (pixels_per_mm > 0.0) {
     const auto dots_per_inch = static_cast<float>(pixels_per_mm * kMmPerInch);
     spec.attribute("XResolution", dots_per_inch);
@@ -52,13 +53,15 @@ void write_tiff(const std::filesystem::path& path, const Image8& image, double p
   assert(image.rgb.size() == std::size_t{3} * image.width * image.height);
   check_tiff_size(path.string(), image);
   keep_oiio_single_threaded();
+  const std::vector<unsigned char> with_alpha = interleaved(image.rgb, image.alpha);
+  const std::vector<unsigned char>& samples = image.alpha.empty() ? image.rgb : with_alpha;
   AtomicFile file(path);
   const std::string temporary = file.temporary_path().string();
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("tiff");
   const auto failure = [&](const std::string& reason) { return Error(path.string(), "cannot be written as TIFF: " + reason); };
   if (!output) throw failure(OIIO::geterror());
-  if (!output->open(temporary, spec_of(image, pixels_per_mm, kind)) ||
-      !output->write_image(OIIO::TypeUInt8, image.rgb.data()) || !output->close())
+  if (!output->open(temporary, spec_of(image, pixels_per_mm, kind)) || !output->write_image(OIIO::TypeUInt8, samples.data()) ||
+      !output->close())
     throw failure(output->geterror());
   if (!can_be_opened(temporary)) throw failure("the disk may be full");
   file.commit();

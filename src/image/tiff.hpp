@@ -1,5 +1,5 @@
-// Writes 8-bit RGB pictures as TIFF, tagged sRGB, with the resolution at which they are to be printed. Equal pictures give
-// equal bytes.
+// Writes 8-bit RGB pictures, with alpha (not associated) where they have it, as TIFF, tagged sRGB, with the resolution at which
+// they are to be printed. Equal pictures give equal bytes.
 #pragma once
 
 #include <cstdint>

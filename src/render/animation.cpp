@@ -53,7 +53,8 @@ void require_memory(const RenderParams& params, const Panel& panel, bool moves_p
   constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
   const double pixels = static_cast<double>(panel.width) * panel.height;
   const double films = (moves_pixels ? 2.0 : 1.0) + (params.precompensate ? 2.0 : 0.0);
-  const double frame = pixels * (films * kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size()));
+  const double frame =
+      pixels * (films * kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size() + params.transparent));
   const double needed = frame * frames_at_a_time + pixels * bytes_kept_per_pixel(params);
   const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   if (needed > available)

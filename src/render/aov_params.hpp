@@ -1,11 +1,12 @@
-// What the parameters say about extra layers.
+// What the parameters say about extra layers, alpha among them.
 #pragma once
 
 #include "render/params.hpp"
 
 namespace lippmann {
 
-/// Throws a usage Error for layers that the frames asked for do not have.
+/// Throws a usage Error for layers that the frames asked for do not have, and for alpha where pictures or videos cannot have
+/// it.
 void check_aovs(const RenderParams& params);
 
 /// Which layers a frame has to have.

@@ -49,15 +49,18 @@ ExrLayer layer_of(Aov aov, const Image& image) {
     case Aov::kDirect:
       return color_layer("direct", image);
     case Aov::kIndirect:
+      return color_layer("indirect", image);
+    case Aov::kAlpha:
       break;
   }
-  return color_layer("indirect", image);
+  return alpha_layer(image);
 }
 
+/// All but alpha, which belongs to the colours.
 std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
   std::vector<ExrLayer> layers;
   for (std::size_t i = 0; i < kAovs; ++i)
-    if (aovs.wanted[i]) layers.push_back(layer_of(static_cast<Aov>(i), aovs.images[i]));
+    if (aovs.wanted[i] && static_cast<Aov>(i) != Aov::kAlpha) layers.push_back(layer_of(static_cast<Aov>(i), aovs.images[i]));
   return layers;
 }
 
@@ -74,13 +77,15 @@ class PictureWriter {
         write_png(picture, pictures.codes);
         break;
       case PictureFormat::kPng16:
-        write_png(picture, to_codes16(pictures.film, encoding_));
+        write_png(picture, codes16(pictures));
         break;
       case PictureFormat::kTiff:
         write_tiff(picture, pictures.codes, pixels_per_mm_);
         break;
       case PictureFormat::kExr:
         layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(params_.exr_pixels)));
+        if (pictures.aovs.wants(Aov::kAlpha))
+          layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(params_.exr_pixels)));
         write_exr(picture, layers);
         return;
     }
@@ -88,6 +93,12 @@ class PictureWriter {
   }
 
  private:
+  Image16 codes16(const FramePictures& pictures) const {
+    Image16 codes = to_codes16(pictures.film, encoding_);
+    if (pictures.aovs.wants(Aov::kAlpha)) codes.alpha = alpha_codes16(pictures.aovs[Aov::kAlpha]);
+    return codes;
+  }
+
   PictureFormat format_;
   const RenderParams& params_;
   Encoding encoding_;
@@ -111,6 +122,7 @@ Image piece_of(const Image& image, int i, int count) {
 FramePictures piece_of(const FramePictures& all, int i, int count) {
   FramePictures piece{piece_of(all.film, i, count), all.aovs, {}};
   piece.codes = {all.codes.width, all.codes.height / count, piece_of(all.codes.rgb, i, count)};
+  piece.codes.alpha = piece_of(all.codes.alpha, i, count);
   for (Image& layer : piece.aovs.images) layer = piece_of(layer, i, count);
   return piece;
 }

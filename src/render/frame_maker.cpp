@@ -68,7 +68,7 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
     return std::make_unique<FlooredFrames>(stage, params, pool, context);
   if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
   // Extra layers are of every pixel of every frame: with them nothing is left to reuse. Paths have other noise in every frame.
-  if (params.reuse == Reuse::kExact && params.aov.empty() && params.integrator == Integrator::kWhitted)
+  if (params.reuse == Reuse::kExact && params.aov.empty() && !params.transparent && params.integrator == Integrator::kWhitted)
     return std::make_unique<ExactFrames>(stage, params, pool, context);
   return std::make_unique<TracedFrames>(stage, params, pool, context);
 }

@@ -68,6 +68,8 @@ struct FrameSink::Impl {
     Image as_traced;
     const Tone tone = tone_of(settings.params);
     const bool keeps_light = settings.layout.names().format == PictureFormat::kExr;
+    const bool has_alpha = pictures.aovs.wants(Aov::kAlpha);
+    if (!keeps_light && has_alpha) divide_by_alpha(pictures.aovs[Aov::kAlpha], pictures.film);
     if (!keeps_light) apply_tone(tone, pictures.film);
     if (!settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
     if (settings.layout.moves()) {
@@ -78,6 +80,7 @@ struct FrameSink::Impl {
     if (needs_codes(settings.layout.names().format, settings.params))
       pictures.codes =
           keeps_light && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
+    if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
     write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
                       settings.layout.pixels_per_mm(), pictures);
     if (const auto& quilt = settings.layout.quilt())

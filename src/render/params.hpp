@@ -80,6 +80,7 @@ struct RenderParams {
   std::string environment;                ///< panorama that surrounds the scene; empty: the scene's own background
   float environment_strength = 1.0f;      ///< factor
   float environment_rotation_deg = 0.0f;  ///< about the vertical
+  bool transparent = false;               ///< pictures have alpha: the surroundings light the scene but are not seen
   float exposure_ev = 0.0f;               ///< of pictures in codes and of videos; EXR stays as the light is
   ToneCurve tone = ToneCurve::kNone;      ///< likewise
 

@@ -30,8 +30,9 @@ constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 5> kLayoutNames{"integral", "quilt", "views", "native", "print"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
-constexpr std::array<std::string_view, kAovs> kAovNames{"depth",  "normal", "id",     "position", "ray-depth",
-                                                        "albedo", "motion", "direct", "indirect"};
+/// Of those that can be asked for; alpha comes with --transparent.
+constexpr std::array<std::string_view, kAovs - 1> kAovNames{"depth",  "normal", "id",     "position", "ray-depth",
+                                                            "albedo", "motion", "direct", "indirect"};
 
 constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in make_optics
 
@@ -282,6 +283,10 @@ std::vector<ParamInfo> rendering_rows() {
           {"environment-strength", "Rendering", "X", "Factor on the panorama's light"}),
       row(ParamKind::kNumber, &P::environment_rotation_deg, number<float>(-360.0, 360.0),
           {"environment-rotation", "Rendering", "DEG", "Turns the panorama about the vertical"}),
+      row(ParamKind::kFlag, &P::transparent, flag(),
+          {"transparent", "Rendering", "",
+           "Pictures with alpha, the share of a pixel's samples that hit something: the surroundings light the scene but are "
+           "not seen"}),
       row(ParamKind::kNumber, &P::exposure_ev, number<float>(-64.0, 64.0),
           {"exposure", "Rendering", "EV", "Doubles the light of pictures and videos EV times; EXR files stay as they are"}),
       row(ParamKind::kText, &P::tone, choice<ToneCurve>(kToneNames),

@@ -135,6 +135,7 @@ int channels_of(Aov aov) {
     case Aov::kDepth:
     case Aov::kId:
     case Aov::kRayDepth:
+    case Aov::kAlpha:
       return 1;
     case Aov::kMotion:
       return 2;

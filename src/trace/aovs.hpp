@@ -27,20 +27,22 @@ enum class Aov : std::uint8_t {
   kMotion,    ///< 2 channels: see place_in_view; pixels to the right and down since the frame before; 0 where nothing was hit
   kDirect,    ///< 3 channels, of paths: what shines by itself and light that one surface has scattered
   kIndirect,  ///< 3 channels, of paths: all other light; with kDirect the film, but for rounding
+  kAlpha,     ///< 1 channel: share of the pixel's samples that hit something, what alpha covers by its share; of the
+              ///< surroundings, that the others would see, the film is then free
 };
-inline constexpr std::size_t kAovs = 9;
+inline constexpr std::size_t kAovs = 10;
 
 int channels_of(Aov aov);
 
-/// Whether it is a part of the light and no property of what was hit.
-inline bool is_light(Aov aov) { return aov == Aov::kDirect || aov == Aov::kIndirect; }
+/// Whether it comes with the light, as a mean over all samples, and is no property of what is behind the pixel's centre.
+inline bool is_light(Aov aov) { return aov == Aov::kDirect || aov == Aov::kIndirect || aov == Aov::kAlpha; }
 
 struct FrameAovs {
   std::array<bool, kAovs> wanted{};
   std::array<Image, kAovs> images;  ///< of the panel's size where wanted, else empty
 
   bool wants(Aov aov) const { return wanted[static_cast<std::size_t>(aov)]; }
-  bool wants_any(bool light) const;
+  bool wants_any(bool light) const;  ///< for which is_light is so
   void want(Aov aov) { wanted[static_cast<std::size_t>(aov)] = true; }
   Image& operator[](Aov aov) { return images[static_cast<std::size_t>(aov)]; }
   const Image& operator[](Aov aov) const { return images[static_cast<std::size_t>(aov)]; }

@@ -87,6 +87,10 @@ void PathTracer::shade_sky(const RayHitPacket& packet, int i, const Ray& ray) {
     if (ray.density == kInfinity) end_path(ray, scene_.lights[id - kLightId].color, 1.0f);
     return;
   }
+  if (film_.open && ray.depth == 0) {
+    film_.open[ray.pixel] += 1.0f;
+    return;
+  }
   const LightTable& lights = *scene_.path->lights;
   const float share = ray.density == kInfinity ? 1.0f : power_heuristic(ray.density, lights.density_of_sky(ray.direction));
   end_path(ray, lights.environment().radiance(ray.direction), share);

@@ -27,6 +27,7 @@ struct PathFilm {
   float* all = nullptr;
   float* direct = nullptr;    ///< what shines by itself, and what one surface has scattered
   float* indirect = nullptr;  ///< the rest
+  float* open = nullptr;  ///< one channel: how many samples would see the surroundings, which they then do not
 };
 
 /// Tracing state of one thread at a time. Adds radiance to pixels of `film`; const inputs must outlive it.

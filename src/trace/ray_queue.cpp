@@ -14,7 +14,7 @@ constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
 /// The arrays of the queue from some ray on.
 struct QueueView {
-  float *org_x, *org_y, *org_z, *dir_x, *dir_y, *dir_z, *weight_x, *weight_y, *weight_z, *path_length, *tnear;
+  float *org_x, *org_y, *org_z, *dir_x, *dir_y, *dir_z, *weight_x, *weight_y, *weight_z, *path_length, *tnear, *open;
   std::uint32_t* pixel;
 };
 
@@ -55,14 +55,17 @@ LIPPMANN_MULTIVERSION void copy_branches(const SurfacePacket& s, const RayHitPac
   pick(bundle.weight.x.lane, lane, weight.x.lane);
   pick(bundle.weight.y.lane, lane, weight.y.lane);
   pick(bundle.weight.z.lane, lane, weight.z.lane);
-  Lanes path_length, ray_length;
+  Lanes path_length, ray_length, open, open_share;
   pick(bundle.path_length.lane, lane, path_length.lane);
   pick(packet.ray.tfar, lane, ray_length.lane);
+  pick(bundle.open.lane, lane, open.lane);
+  pick_of_two(branches.open, of_branch, open_share.lane);
   LIPPMANN_FOR_LANES(k) {
     to.weight_x[k] = weight.x[k] * share.x[k];
     to.weight_y[k] = weight.y[k] * share.y[k];
     to.weight_z[k] = weight.z[k] * share.z[k];
     to.path_length[k] = path_length[k] + ray_length[k];
+    to.open[k] = open[k] * open_share[k];
   }
   pick(s.t_near.lane, lane, to.tnear);
   pick(bundle.pixel, lane, to.pixel);
@@ -77,7 +80,7 @@ LIPPMANN_MULTIVERSION void fill_packet(const float* values, std::size_t stride, 
                                        RayHitPacket& packet, Bundle& bundle, LaneMask& active) {
   float* const to[] = {packet.ray.org_x,     packet.ray.org_y,        packet.ray.org_z,     packet.ray.dir_x,
                        packet.ray.dir_y,     packet.ray.dir_z,        bundle.weight.x.lane, bundle.weight.y.lane,
-                       bundle.weight.z.lane, bundle.path_length.lane, packet.ray.tnear};
+                       bundle.weight.z.lane, bundle.path_length.lane, packet.ray.tnear,     bundle.open.lane};
   for (std::size_t f = 0; f < std::size(to); ++f) copy_lanes(values + f * stride, to[f]);
   copy_lanes(pixel, bundle.pixel);
   LIPPMANN_FOR_LANES(i) {
@@ -93,8 +96,9 @@ void RayQueue::append(const SurfacePacket& surface, const RayHitPacket& packet, 
   if (size_ + Branches::kCount > capacity_) grow();
   for (int first = 0; first < count; first += kLanes) {
     const auto at = [&](std::size_t f) { return field(f) + size_ + first; };
-    copy_branches(surface, packet, bundle, branches, entry + first,
-                  {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), pixel_.get() + size_ + first});
+    copy_branches(
+        surface, packet, bundle, branches, entry + first,
+        {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), at(11), pixel_.get() + size_ + first});
   }
   size_ += static_cast<std::size_t>(count);
 }

@@ -12,6 +12,7 @@ namespace lippmann {
 struct Bundle {
   Lanes3 weight;      ///< what a lane's radiance counts in its pixel
   Lanes path_length;  ///< from the path's start to the origin of the lane's ray
+  Lanes open;         ///< share of a camera ray that only holes have been in the way of; 0: the ray has left its line
   alignas(64) std::uint32_t pixel[kLanes];
 };
 
@@ -21,6 +22,7 @@ struct Branches {
   static constexpr int kCount = 2 * kLanes;
   alignas(64) float dir_x[kCount], dir_y[kCount], dir_z[kCount];
   alignas(64) float share_x[kCount], share_y[kCount], share_z[kCount];  ///< of the radiance from there, that is sent on
+  alignas(64) float open[kCount];                                       ///< of Bundle::open, that stays
 };
 
 /// One array per quantity, so that a packet is filled by plain copies.
@@ -38,13 +40,14 @@ class RayQueue {
   void load(std::size_t first, RayHitPacket& packet, Bundle& bundle, LaneMask& active) const;
 
  private:
-  static constexpr std::size_t kFields = 11;
+  static constexpr std::size_t kFields = 12;
 
   float* field(std::size_t index) const { return values_.get() + index * capacity_; }
   void grow();
 
   std::size_t size_ = 0, capacity_ = 0;
-  std::unique_ptr<float[]> values_;  ///< kFields arrays of capacity_: origin, direction, weight, path length, tnear
+  std::unique_ptr<float[]> values_;  ///< kFields arrays of capacity_: origin, direction, weight, path length, tnear,
+                                     ///< open
   std::unique_ptr<std::uint32_t[]> pixel_;
 };
 

@@ -30,7 +30,7 @@ class FrameTracer {
         film_(film) {}
 
   void capture_to(const PointCapture* capture) { capture_ = capture; }
-  /// Parts of paths' light are added to these, too, which are 0 so far.
+  /// Light is also added to these, which are 0 so far; of Whitted's only what is open is known.
   void split_to(const PathFilm& parts) { parts_ = parts; }
   void probe_with(const TouchProbe* probe, TouchedBlocks* touched) { probe_ = probe, touched_ = touched; }
 
@@ -44,6 +44,7 @@ class FrameTracer {
     if (scene_.path) return trace_paths_of_strip(strip, wanted);
     WhittedTracer tracer(scene_, beam_, params_.max_depth, film_);
     tracer.capture_to(capture_);
+    tracer.leave_open(parts_.open);
     std::optional<BlockProbe> probe;
     if (probe_) tracer.tell(&probe.emplace(*probe_));
     for (std::size_t b = 0; b < blocks_per_strip(); ++b) {
@@ -61,7 +62,7 @@ class FrameTracer {
   /// trace_strip for paths, which no probe and no capture looks at.
   RayCounts trace_paths_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
     const PathParams paths{params_.max_depth, hash(params_.seed, params_.frame), params_.clamp_indirect};
-    PathTracer tracer(scene_, beam_, paths, {film_.data.data(), parts_.direct, parts_.indirect});
+    PathTracer tracer(scene_, beam_, paths, film());
     for (std::size_t b = 0; b < blocks_per_strip(); ++b)
       if (wanted.empty() || wanted[strip * blocks_per_strip() + b])
         trace_block(static_cast<int>(strip), static_cast<int>(b), tracer);
@@ -83,6 +84,12 @@ class FrameTracer {
   }
 
  private:
+  PathFilm film() const {
+    PathFilm film = parts_;
+    film.all = film_.data.data();
+    return film;
+  }
+
   template <class Tracer>
   void trace_block(int strip, int block, Tracer& tracer) const {
     std::array<int, kPacketsPerBlock> packets;
@@ -164,8 +171,14 @@ PathFilm allocated_light(const Panel& panel, FrameAovs& aovs) {
     aovs.allocate(aov, panel, 0.0f);
     return aovs[aov].data.data();
   };
-  film.direct = part(Aov::kDirect), film.indirect = part(Aov::kIndirect);
+  film.direct = part(Aov::kDirect), film.indirect = part(Aov::kIndirect), film.open = part(Aov::kAlpha);
   return film;
+}
+
+/// From how many samples are open to the share of those that are not.
+void finish_alpha(int spp, FrameAovs& aovs) {
+  if (!aovs.wants(Aov::kAlpha)) return;
+  for (float& alpha : aovs[Aov::kAlpha].data) alpha = std::max(0.0f, 1.0f - alpha / static_cast<float>(spp));
 }
 
 }  // namespace
@@ -195,6 +208,7 @@ RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affi
   }
   const RayCounts counts =
       trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_strip(s, {}); });
+  if (aovs) finish_alpha(params.spp, *aovs);
   if (capture && !along) capture_points(scene, optics, world_from_display, params.order, pool, *capture);
   return counts;
 }

@@ -45,6 +45,7 @@ LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket
     const int e = kLanes + i;
     const float through = 1.0f - s.opacity[i];
     branches.dir_x[e] = rays.dir_x[i], branches.dir_y[e] = rays.dir_y[i], branches.dir_z[e] = rays.dir_z[i];
+    branches.open[i] = branches.open[e] = 0.0f;
     branches.share_x[e] = branches.share_y[e] = branches.share_z[e] = through;
   }
 }
@@ -144,6 +145,15 @@ void end_in_panorama(const Environment& environment, const LaneMask& hit, const 
   }
 }
 
+/// What alpha does not cover is as if nothing were there; what glass lets through has met the glass.
+void keep_holes_open(const DeviceScene::Impl& scene, const SurfacePacket& s, Branches& branches) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!s.hit.lane[i] || !(s.opacity[i] < 1.0f)) continue;
+    const WhittedMaterial& material = scene.materials.materials[scene.material_of_instance[s.instance[i]]];
+    if (material.has_alpha && material.ior == 1.0f) branches.open[kLanes + i] = 1.0f - s.opacity[i];
+  }
+}
+
 }  // namespace
 
 WhittedTracer::WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, int max_depth, Image& film)
@@ -165,6 +175,7 @@ void WhittedTracer::primary(RayHitPacket& packet, const LaneMask& active, const 
   for (int i = 0; i < kLanes; ++i) {
     bundle.weight.x[i] = bundle.weight.y[i] = bundle.weight.z[i] = weight;
     bundle.path_length[i] = 0.0f;
+    bundle.open[i] = 1.0f;
     bundle.pixel[i] = pixel[i];
   }
   shade(packet, active, bundle, 1);
@@ -198,14 +209,22 @@ void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, co
     local_radiance(surface_, direct, scene_.tachyon, radiance);
     if (surface_.any_mirror || surface_.any_see_through) branch(packet, bundle, depth >= max_depth_, radiance);
   }
-  if (surface_.any_miss) {
-    if (scene_.scene->background.map)
-      see_panorama(*scene_.environment, packet, radiance);
-    else
-      see_sky(scene_.scene->background, packet, radiance);
-    if (scene_.any_visible_light) see_lights(scene_.lights, packet, radiance);
-  }
+  if (surface_.any_miss) see_surroundings(packet, active, bundle, radiance);
   add_to_film(active, bundle, radiance);
+}
+
+void WhittedTracer::see_surroundings(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle,
+                                     Lanes3& radiance) {
+  if (scene_.scene->background.map)
+    see_panorama(*scene_.environment, packet, radiance);
+  else
+    see_sky(scene_.scene->background, packet, radiance);
+  if (scene_.any_visible_light) see_lights(scene_.lights, packet, radiance);
+  for (int i = 0; open_ && i < kLanes; ++i) {
+    if (!active.lane[i] || packet.hit.geomID[i] != kNoId || !(bundle.open[i] > 0.0f)) continue;
+    radiance.set(i, Vec3f(0.0f));
+    open_[bundle.pixel[i]] += bundle.open[i];
+  }
 }
 
 void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct) {
@@ -241,6 +260,7 @@ void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, boo
     return;
   }
   if (surface_.any_see_through) refract(packet, branches);
+  if (open_ && surface_.any_see_through) keep_holes_open(scene_, surface_, branches);
   int entry[Branches::kCount + kLanes] = {};
   const int count = list_branches(surface_, entry);
   next_.append(surface_, packet, bundle, branches, entry, count);

@@ -34,6 +34,9 @@ class WhittedTracer {
 
   const RayCounts& counts() const { return counts_; }
 
+  /// From now on camera rays do not see the surroundings, but what of them would is added to `open`, by pixel, in samples.
+  void leave_open(float* open) { open_ = open; }
+
   /// From now on appends every traced packet to `log`.
   void log_to(RayLog* log) { log_ = log; }
 
@@ -47,6 +50,7 @@ class WhittedTracer {
   void shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth);
   void gather_light(const RayHitPacket& packet, DirectLight& direct);
   void branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance);
+  void see_surroundings(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, Lanes3& radiance);
   void refract(const RayHitPacket& packet, Branches& branches) const;
   void add_to_film(const LaneMask& active, const Bundle& bundle, const Lanes3& radiance);
 
@@ -54,6 +58,7 @@ class WhittedTracer {
   const BeamFootprint& beam_;
   int max_depth_;
   float* film_;
+  float* open_ = nullptr;
   RayCounts counts_;
   RayLog* log_ = nullptr;
   const PointCapture* capture_ = nullptr;

@@ -109,5 +109,54 @@ TEST(Light, exposure_of_a_stop_doubles_linear_light) {
   }
 }
 
+TEST(Light, transparent_pictures_have_alpha_in_every_format_and_layout) {
+  const TempDir dir;
+  for (const Words& format : {Words{"--format", "png"}, Words{"--format", "png16"}, Words{"--format", "tiff"},
+                              Words{"--format", "exr", "--integrator", "path", "--spp", "2"}, Words{"--layout", "views"},
+                              Words{"--layout", "quilt"}}) {
+    const RunResult result = run_tool(dir, small_teapot("0", "out") + Words{"--transparent"} + format);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    int pictures = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(dir / "out")) {
+      const std::string name = entry.path().extension().string();
+      if (name != ".png" && name != ".tif" && name != ".exr") continue;
+      EXPECT_EQ(channel_names(entry.path()), (std::vector<std::string>{"R", "G", "B", "A"})) << entry.path();
+      ++pictures;
+    }
+    EXPECT_GT(pictures, 0);
+    std::filesystem::remove_all(dir / "out");
+  }
+}
+
+TEST(Light, transparent_colours_are_multiplied_by_alpha_in_exr_files_and_not_in_others) {
+  const TempDir dir;
+  std::ofstream(dir / "sail.obj") << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+  const Words sail{"render", "sail.obj", "--lenses", "16", "--output", "out", "--transparent", "--spp", "4"};
+  ASSERT_EQ(run_tool(dir, sail + Words{"--format", "exr", "--exr-pixels", "float"}).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, sail + Words{"--format", "png16"}).exit_code, 0);
+  const Image light = read_image(dir / "out/frame_0000.exr"), codes = read_image(dir / "out/frame_0000.png");
+  int partly = 0;
+  for (std::size_t i = 0; i < light.data.size(); i += 4) {
+    const float a = light.data[i + 3];
+    ASSERT_NEAR(codes.data[i + 3], a, 1e-5f);
+    for (std::size_t c = 0; c < 3 && a > 0.0f; ++c) {
+      const double expected = srgb_from_linear(std::min(1.0, static_cast<double>(light.data[i + c]) / static_cast<double>(a)));
+      ASSERT_NEAR(codes.data[i + c], expected, 1e-4);
+    }
+    partly += a > 0.0f && a < 1.0f;
+  }
+  EXPECT_GT(partly, 0);
+}
+
+TEST(Light, transparent_is_refused_where_alpha_cannot_be_or_means_nothing) {
+  const TempDir dir;
+  const std::vector<std::pair<Words, std::string>> refused{{{"--video", "a.mp4"}, "none of the codecs"},
+                                                           {{"--reuse", "forward"}, "interpolated frames have no alpha"},
+                                                           {{"--layout", "print"}, "what a panel or paper"},
+                                                           {{"--precompensate", "--crosstalk", "0.4"}, "crosstalk mixes"}};
+  for (const auto& [flags, word] : refused)
+    expect_refusal(run_tool(dir, small_teapot("0", "out") + Words{"--transparent"} + flags), 2, "--transparent: " + word);
+}
+
 }  // namespace
 }  // namespace lippmann::test

@@ -110,6 +110,39 @@ TEST(Tiff, big_files_are_big_tiff_and_hold_the_same_codes) {
   EXPECT_EQ(read_image8(dir / "big.tif").rgb, codes.rgb);
 }
 
+TEST(Alpha, is_kept_beside_colours_that_it_does_not_multiply) {
+  const TempDir dir;
+  Image8 codes = noise_codes(5, 3);
+  Image16 wide = to_codes16(noise_image(5, 3, 3), Encoding::kSrgb);
+  for (int i = 0; i < 15; ++i) {
+    codes.alpha.push_back(static_cast<unsigned char>(17 * i));
+    wide.alpha.push_back(static_cast<std::uint16_t>(4369 * i));
+  }
+  write_png(dir / "a.png", codes);
+  write_tiff(dir / "a.tif", codes);
+  write_png(dir / "wide.png", wide);
+  for (const auto& [name, max] : {std::pair("a.png", 255.0), {"a.tif", 255.0}, {"wide.png", 65535.0}}) {
+    const Image read = read_image(dir / name);
+    ASSERT_EQ(read.channels, 4) << name;
+    for (std::size_t i = 0; i < 60; ++i) {
+      const std::size_t p = i / 4, c = i % 4;
+      const int code =
+          max == 255.0 ? (c == 3 ? codes.alpha[p] : codes.rgb[3 * p + c]) : (c == 3 ? wide.alpha[p] : wide.rgb[3 * p + c]);
+      EXPECT_EQ(std::lround(read.data[i] * max), code) << name << " " << i;
+    }
+  }
+}
+
+TEST(Alpha, divides_light_that_it_has_multiplied) {
+  Image film(3, 1, 3), alpha(3, 1, 1);
+  film.data = {0.25f, 0.5f, 0.0f, 0.5f, 0.25f, 1.0f, 0.0f, 0.0f, 0.0f};
+  alpha.data = {0.5f, 1.0f, 0.0f};
+  divide_by_alpha(alpha, film);
+  EXPECT_EQ(film.data, (std::vector<float>{0.5f, 1.0f, 0.0f, 0.5f, 0.25f, 1.0f, 0.0f, 0.0f, 0.0f}));
+  EXPECT_THAT(alpha_codes(alpha), ElementsAre(128, 255, 0));
+  EXPECT_THAT(alpha_codes16(alpha), ElementsAre(32768, 65535, 0));
+}
+
 TEST(Exr, float_layers_come_back_bit_by_bit_under_their_names) {
   const TempDir dir;
   const Image film = noise_image(13, 9, 3, 1), depth = noise_image(13, 9, 1, 2), normal = noise_image(13, 9, 3, 3),
