@@ -31,6 +31,7 @@ HERE = pathlib.Path(__file__).parent
 VERTICES = 8  # of a path, both sides
 COLUMNS, ROWS, CONE_DEG = 8, 6, 40.0
 VIEWS = COLUMNS * ROWS
+FAN = VIEWS // 3  # a row of so many views has the eyes of every third one: converged views of ours come from such rows
 LIKENESS_DB = 30.0
 BAR = 20.0
 
@@ -48,11 +49,15 @@ class LightField:
         self.array, self.fps = info["array"], info["frames_per_second"]
         self.frames = min(options.frames, info["frames"])
         self.compared_frames = sorted({0, self.frames - 1})
-        self.compared_views = [v * (VIEWS - 1) // (options.compared_views - 1) for v in range(options.compared_views)]
+        self.compared_views = [self.quilt_view(i * (FAN - 1) // (options.compared_views - 1)) for i in range(options.compared_views)]
 
-    def optics(self):
-        return ["--optics", "multiview", "--views", f"{COLUMNS}x{ROWS}", "--view-angle", CONE_DEG,
-                "--size", f"{COLUMNS * self.options.size}x{ROWS * self.options.size}"]
+    @staticmethod
+    def quilt_view(in_fan):
+        return 3 * in_fan + 1
+
+    def optics(self, columns=COLUMNS, rows=ROWS):
+        return ["--optics", "multiview", "--views", f"{columns}x{rows}", "--view-angle", CONE_DEG,
+                "--size", f"{columns * self.options.size}x{rows * self.options.size}"]
 
     def eyes(self):
         """To the right of the camera, from the leftmost view on."""
@@ -62,11 +67,11 @@ class LightField:
         return [(f, v) for f in self.compared_frames for v in self.compared_views]
 
 
-def ours(field, folder, frames, spp, *more):
+def ours(field, optics, folder, frames, spp, *more):
     """CPU seconds of the process."""
     options = field.options
-    command = [options.tool, "render", field.scene, *field.optics(), "--integrator", "path", "--spp", spp, "--frames", frames, "--layout",
-               "views", "--max-depth", VERTICES, "--format", "exr", "--exr-pixels", "float", "--threads", options.threads, "-o", folder, *more]
+    command = [options.tool, "render", field.scene, *optics, "--integrator", "path", "--spp", spp, "--frames", frames, "--layout", "views",
+               "--max-depth", VERTICES, "--format", "exr", "--exr-pixels", "float", "--threads", options.threads, "-o", folder, *more]
     if options.panorama:
         command += ["--environment", options.panorama]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -120,12 +125,12 @@ def measure(field):
     options, work = field.options, field.work
     mine, mine_converged, theirs = work / "ours", work / "ours-converged", work / "cycles"
     theirs.mkdir(parents=True, exist_ok=True)
-    seconds = ours(field, mine, f"0-{field.frames - 1}", options.spp, "--reuse", "exact")
+    seconds = ours(field, field.optics(), mine, f"0-{field.frames - 1}", options.spp, "--reuse", "exact")
     for frame in field.compared_frames:
-        ours(field, mine_converged, f"{frame}-{frame}", options.reference_spp, "--reuse", "none", "--seed", 1)
+        ours(field, field.optics(FAN, 1), mine_converged, f"{frame}-{frame}", options.reference_spp, "--reuse", "none", "--seed", 1)
     costs = cycles(field, theirs, options.levels, options.reference_spp)
 
-    converged = lambda f, v: our_view(mine_converged, f, v)
+    converged = lambda f, v: our_view(mine_converged, f, (v - 1) // 3)
     their_converged = lambda f, v: their_view(theirs, options.reference_spp, f, v)
     likeness = mean_psnr(field, their_converged, converged)
     if likeness < LIKENESS_DB:
@@ -158,11 +163,11 @@ def parse():
     parser.add_argument("--panorama", type=pathlib.Path)
     parser.add_argument("--view", type=float, nargs=2, default=(25.0, 15.0), metavar=("YAW", "PITCH"))
     parser.add_argument("--frames", type=int, default=4)
-    parser.add_argument("--size", type=int, default=128, help="of a view, pixels")
+    parser.add_argument("--size", type=int, default=96, help="of a view, pixels")
     parser.add_argument("--spp", type=int, default=64)
     parser.add_argument("--reference-spp", type=int, default=1024)
     parser.add_argument("--levels", type=int, nargs="+", default=[32, 128, 512], help="samples of Cycles")
-    parser.add_argument("--compared-views", type=int, default=6)
+    parser.add_argument("--compared-views", type=int, default=4)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--output", type=pathlib.Path)
     parser.add_argument("--tool", type=pathlib.Path, default=HERE.parent / "build" / "release" / "lippmann")
@@ -171,8 +176,8 @@ def parse():
     options.levels.sort()
     if len(set(options.levels)) < 2 or options.levels[0] < 1 or options.reference_spp in options.levels:
         parser.error("--levels must be at least two numbers of samples, none of them that of --reference-spp")
-    if not 2 <= options.compared_views <= VIEWS or options.frames < 1:
-        parser.error(f"--compared-views must be 2 to {VIEWS}, --frames at least 1")
+    if not 2 <= options.compared_views <= FAN or options.frames < 1:
+        parser.error(f"--compared-views must be 2 to {FAN}, --frames at least 1")
     return options
 
 
