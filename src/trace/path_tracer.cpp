@@ -114,6 +114,7 @@ void PathTracer::shade_surface(const RayHitPacket& packet, int i, const Ray& ray
     ++next_.back().events;
     return;
   }
+  if (film_.surfaces && ray.depth == 0 && point.scatters) add_first_surface(point, i, ray);
   if (point.emission != Vec3f(0.0f)) add_emission(packet, i, ray, point.emission);
   if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
   const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
@@ -194,6 +195,17 @@ void PathTracer::trace_shadow_rays() {
   shadow_rays_.clear();
 }
 
+void PathTracer::add_first_surface(const ShadingPoint& point, int i, const Ray& ray) {
+  const FirstSurfaces& to = *film_.surfaces;
+  const std::size_t pixel = ray.pixel;
+  for (int c = 0; c < 3; ++c) {
+    to.albedo[3 * pixel + static_cast<std::size_t>(c)] += weight_ * point.base_color[c];
+    to.normal[3 * pixel + static_cast<std::size_t>(c)] += weight_ * surface_.normal.get(i)[c];
+  }
+  to.z[pixel] += weight_ * glm::dot(to.display_z, Vec4f(point.position, 1.0f));
+  to.met[pixel] += weight_;
+}
+
 void PathTracer::end_path(const Ray& ray, Vec3f light, float share) {
   add(ray.pixel, clamped(ray.throughput * light * share, ray.depth), ray.depth);
 }
@@ -214,6 +226,8 @@ void PathTracer::add(std::uint32_t pixel, Vec3f radiance, int depth) {
   };
   add_to(film_.all);
   if (float* part = depth > 1 ? film_.indirect : film_.direct) add_to(part);
+  if (film_.seen && depth == 0) add_to(film_.seen);
+  if (film_.odd && (sample_ & 1u) != 0) add_to(film_.odd);
 }
 
 }  // namespace lippmann

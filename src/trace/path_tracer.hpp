@@ -22,11 +22,21 @@ struct PathParams {
   float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
 };
 
+/// What the camera rays' first surfaces are, weighted as their light: see NoisyFrame.
+struct FirstSurfaces {
+  float *albedo, *normal;                   ///< three channels
+  float *z, *met;                           ///< one
+  Vec4f display_z{0.0f, 0.0f, 0.0f, 0.0f};  ///< z in display mm = dot with (x, y, z, 1)
+};
+
 /// Where light goes: three channels a pixel each; null: nowhere.
 struct PathFilm {
   float* all = nullptr;
   float* direct = nullptr;    ///< what shines by itself, and what one surface has scattered
   float* indirect = nullptr;  ///< the rest
+  float* odd = nullptr;       ///< of samples with odd numbers
+  float* seen = nullptr;      ///< what has met no surface, or shines from the first
+  const FirstSurfaces* surfaces = nullptr;
   float* open = nullptr;  ///< one channel: how many samples would see the surroundings, which they then do not
 };
 
@@ -77,6 +87,7 @@ class PathTracer {
   void trace_shadow_rays();
   void load(std::size_t first, std::size_t count, RayHitPacket& packet, LaneMask& active) const;
   Vec3f clamped(Vec3f radiance, int depth) const;
+  void add_first_surface(const ShadingPoint& point, int lane, const Ray& ray);
   void end_path(const Ray& ray, Vec3f light, float share);
   void add(std::uint32_t pixel, Vec3f radiance, int depth);
 

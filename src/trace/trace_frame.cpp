@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "trace/noisy_frame.hpp"
 #include "trace/packet_source.hpp"
 #include "trace/path_tracer.hpp"
 #include "trace/scene_query.hpp"
@@ -181,7 +182,29 @@ void finish_alpha(int spp, FrameAovs& aovs) {
   for (float& alpha : aovs[Aov::kAlpha].data) alpha = std::max(0.0f, 1.0f - alpha / static_cast<float>(spp));
 }
 
+Image& cleared(Image& image, const Panel& panel, int channels) { return image = Image(panel.width, panel.height, channels); }
+
 }  // namespace
+
+RayCounts trace_noisy_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
+                            const TraceParams& params, const ThreadPool& pool, const Context& context, NoisyFrame& noisy,
+                            FrameAovs& aovs) {
+  const Panel& panel = optics.panel;
+  FrameTracer tracer(scene, optics, world_from_display, params, cleared(noisy.film, panel, 3));
+  PathFilm film = allocated_light(panel, aovs);
+  film.odd = cleared(noisy.odd, panel, 3).data.data();
+  film.seen = cleared(noisy.seen, panel, 3).data.data();
+  FirstSurfaces surfaces{cleared(noisy.albedo, panel, 3).data.data(), cleared(noisy.normal, panel, 3).data.data(),
+                         cleared(noisy.z, panel, 1).data.data(), cleared(noisy.met, panel, 1).data.data()};
+  const Affine3f to_display = inverse(world_from_display);
+  surfaces.display_z = {to_display.linear[0].z, to_display.linear[1].z, to_display.linear[2].z, to_display.translation.z};
+  film.surfaces = &surfaces;
+  tracer.split_to(film);
+  const RayCounts counts =
+      trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_strip(s, {}); });
+  finish_alpha(params.spp, aovs);
+  return counts;
+}
 
 RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
                       const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film, FrameAovs* aovs,

@@ -1,0 +1,25 @@
+// A path-traced frame as a denoiser wants it: its light in two halves, and what is known of the surfaces without noise.
+#pragma once
+
+#include "trace/trace_frame.hpp"
+
+namespace lippmann {
+
+/// Means over the samples of every pixel, so that edges are as smooth here as in the film. Surfaces are those that a camera ray
+/// meets first and that scatter light; what alpha does not cover counts as not met.
+struct NoisyFrame {
+  Image film;    ///< 3 channels: all light
+  Image odd;     ///< 3 channels: the odd samples' part of it: of two halves of the samples the second
+  Image seen;    ///< 3 channels: the part that has met no surface, or shines from the first: free of the noise of paths
+  Image albedo;  ///< 3 channels: base colour, 0 where no surface was met
+  Image normal;  ///< 3 channels: world space; shorter than 1 where samples differ
+  Image z;       ///< 1 channel: in display mm, 0 where no surface was met: to be divided by `met`
+  Image met;     ///< 1 channel: share of samples that met a surface
+};
+
+/// As trace_frame for the same scene, made for paths, at 2 or more samples per pixel: noisy.film has the bits of its film.
+RayCounts trace_noisy_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
+                            const TraceParams& params, const ThreadPool& pool, const Context& context, NoisyFrame& noisy,
+                            FrameAovs& aovs);
+
+}  // namespace lippmann
