@@ -1,0 +1,48 @@
+// The passes of the denoiser over one frame of stacked views (denoiser.hpp says how they go together). Private to src/denoise.
+#pragma once
+
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "denoise/view_geometry.hpp"
+
+namespace lippmann {
+
+/// A pixel of the stack: its light over its albedo, what is known of its noise, its surface. A cache line.
+struct alignas(64) Texel {
+  Vec3f light{0.0f};
+  float variance = 0.0f;  ///< of the mean over the samples, summed over the channels
+  Vec3f guide{0.0f};      ///< light, averaged over neighbours of the same surface: what is compared
+  float guide_variance = 0.0f;
+  Vec3f normal{0.0f};  ///< display frame, y down
+  float z = 0.0f;
+  Vec3f albedo{0.0f};
+  float met = 0.0f;
+};
+
+/// One channel triple and its variance, per pixel of the stack.
+struct Estimate {
+  Vec3f light{0.0f};
+  float variance = 0.0f;
+};
+
+/// A frame, and where its points were and will be.
+struct TexelFrame {
+  std::vector<Texel> texels;
+  std::vector<Vec2f> from_before, from_after;  ///< pixels that a point has come since the frame before, from the frame after
+  std::vector<Vec3f> seen, albedo_factor;      ///< picture = seen + factor x light
+};
+
+/// Averages light and variance over 5 x 5 neighbours of the same surface: Texel::guide; the variances of single pixels, each
+/// known from two numbers, become those of their neighbourhood.
+void make_guides(const ViewGeometry& views, const ThreadPool& pool, std::vector<Texel>& texels);
+
+/// For each pixel the mean of its own light and that of the same point in neighbouring views and frames (null: none).
+std::vector<Estimate> gather(const ViewGeometry& views, const TexelFrame* before, const TexelFrame& now,
+                             const TexelFrame* after, const ThreadPool& pool);
+
+/// One pass of 5 x 5 neighbours `step` pixels apart in the same view.
+std::vector<Estimate> smooth(const ViewGeometry& views, const std::vector<Texel>& texels, const std::vector<Estimate>& light,
+                             int step, const ThreadPool& pool);
+
+}  // namespace lippmann
