@@ -4,6 +4,7 @@ namespace lippmann::bench {
 
 const std::vector<Benchmark>& benchmarks() {
   static const std::vector<Benchmark> all{
+      {"denoise", "path-traced frames with and without --denoise: PSNR, flicker from view to view, time", measure_denoise},
       {"light", "path-traced light with reuse beside full path tracing: time, error, flicker and memory, and the bars",
        measure_light},
       {"native", "the own frame of a slanted panel beside one interlaced from 48 views, against 512 views", measure_native},

@@ -17,6 +17,7 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "render/aov_params.hpp"
+#include "render/denoised_frames.hpp"
 #include "render/finished_frames.hpp"
 #include "render/frame_maker.hpp"
 #include "render/frame_sink.hpp"
@@ -125,6 +126,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   const Stopwatch setup;
   check_reuse(params);
   check_aovs(params);
+  check_denoise(params);
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   Stage stage(params, pool, context);
   const FrameRange frames = frames_to_render(params, stage.scene.timeline);

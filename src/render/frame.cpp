@@ -51,9 +51,6 @@ Moment Stage::moment_at(int frame) const {
   return moment;
 }
 
-namespace {
-
-/// The layers that do not come with the light.
 void add_first_hits(const Stage& stage, const RenderParams& params, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs) {
   std::optional<Moment> before;
@@ -63,8 +60,6 @@ void add_first_hits(const Stage& stage, const RenderParams& params, const Moment
   find_first_hits(stage.device, stage.placed.optics, moment.world_from_display, params.order, step ? &*step : nullptr, pool,
                   aovs);
 }
-
-}  // namespace
 
 RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched) {

@@ -66,6 +66,10 @@ void check_angular_filter(const RenderParams& params, const Optics& optics);
 /// How the parameters have a frame traced.
 TraceParams trace_params(const RenderParams& params, const Scene& scene);
 
+/// Fills the layers that do not come with the light; the device scene is at the frame's `moment`.
+void add_first_hits(const Stage& stage, const RenderParams& params, const Moment& moment, int frame, const ThreadPool& pool,
+                    FrameAovs& aovs);
+
 /// Moves the device scene to the frame's time and traces it; `touched` as for trace_frame. Unfinished when context.cancelled is
 /// set meanwhile.
 RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context,

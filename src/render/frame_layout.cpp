@@ -13,18 +13,6 @@ namespace {
 
 constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;  ///< that PNG and EXR files are written and read with
 
-/// The views as they lie in a film.
-ViewLayout film_layout(const Optics& optics) {
-  if (const auto* views = std::get_if<MultiView>(&optics.model)) {
-    const ViewGrid tiles{views->columns, views->rows};
-    return {LayoutKind::kQuilt, views->baseline_mm > 0.0f ? tiles : ViewGrid{tiles.count(), 1}, tiles};
-  }
-  const Vec2i n = whole_pixels_per_lens(optics);
-  if (n.x > 0) return {LayoutKind::kIntegral, {n.x, n.y}, {}};
-  throw usage_error("--layout", "lenses that do not have a whole number of pixels make no views",
-                    "--layout integral, or whole --lens-pixels without --slant or hexagonal --packing");
-}
-
 ViewLayout wanted_layout(const RenderParams& params, PictureLayout layout, const ViewLayout& film) {
   const ViewGrid& grid = film.grid;
   if (layout == PictureLayout::kIntegral) return {LayoutKind::kIntegral, grid, {}};
@@ -71,6 +59,17 @@ Image mirrored(const Image& image) {
 
 }  // namespace
 
+ViewLayout film_layout(const Optics& optics, const char* flag) {
+  if (const auto* views = std::get_if<MultiView>(&optics.model)) {
+    const ViewGrid tiles{views->columns, views->rows};
+    return {LayoutKind::kQuilt, views->baseline_mm > 0.0f ? tiles : ViewGrid{tiles.count(), 1}, tiles};
+  }
+  const Vec2i n = whole_pixels_per_lens(optics);
+  if (n.x > 0) return {LayoutKind::kIntegral, {n.x, n.y}, {}};
+  throw usage_error(flag, "lenses that do not have a whole number of pixels make no views",
+                    "whole --lens-pixels without --slant or hexagonal --packing");
+}
+
 FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics, const Display* display)
     : film_(optics.panel.width, optics.panel.height), sub_pixels_(std::holds_alternative<SlantedPanel>(optics.model)) {
   const PictureLayout layout = params.layout.value_or(default_layout(optics, display));
@@ -109,12 +108,12 @@ void FrameLayout::check_picture_size(bool with_layers) const {
 void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
   if (layout != PictureLayout::kIntegral || !has_lenses(optics))
     throw usage_error("--pseudoscopic", "only what lies behind lenses can be turned round", "--layout integral");
-  const ViewLayout film = film_layout(optics);
+  const ViewLayout film = film_layout(optics, "--pseudoscopic");
   arrangement_.emplace(film, ViewLayout{LayoutKind::kEslf, film.grid, {}}, film_, "--pseudoscopic");
 }
 
 void FrameLayout::arrange_views(const RenderParams& params, PictureLayout layout, const Optics& optics) {
-  const ViewLayout film = film_layout(optics), wanted = wanted_layout(params, layout, film);
+  const ViewLayout film = film_layout(optics, "--layout"), wanted = wanted_layout(params, layout, film);
   if (wanted.kind == LayoutKind::kQuilt) {
     quilt_ = {wanted.tiles, display_aspect(optics)};
     names_.quilt = quilt_ending(*quilt_);

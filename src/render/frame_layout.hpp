@@ -7,11 +7,15 @@
 #include "display/display.hpp"
 #include "layout/arrangement.hpp"
 #include "layout/quilt_name.hpp"
+#include "layout/view_layout.hpp"
 #include "optics/optics.hpp"
 #include "render/frame_files.hpp"
 #include "render/params.hpp"
 
 namespace lippmann {
+
+/// The views as they lie in a film. Throws a usage Error naming `flag` where the optics have none of whole pixels.
+ViewLayout film_layout(const Optics& optics, const char* flag);
 
 class FrameLayout {
  public:

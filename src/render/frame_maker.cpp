@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/printable.hpp"
+#include "render/denoised_frames.hpp"
 #include "render/exact_frames.hpp"
 #include "render/floored_frames.hpp"
 #include "render/forward_frames.hpp"
@@ -67,6 +68,7 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
   if (params.reuse == Reuse::kForward && params.min_psnr_db)
     return std::make_unique<FlooredFrames>(stage, params, pool, context);
   if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
+  if (params.denoise) return std::make_unique<DenoisedFrames>(stage, params, pool, context);
   // Extra layers are of every pixel of every frame: with them nothing is left to reuse. Paths have other noise in every frame.
   if (params.reuse == Reuse::kExact && params.aov.empty() && !params.transparent && params.integrator == Integrator::kWhitted)
     return std::make_unique<ExactFrames>(stage, params, pool, context);
@@ -76,6 +78,7 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
 double bytes_kept_per_pixel(const RenderParams& params) {
   if (params.reuse == Reuse::kForward && params.min_psnr_db) return FlooredFrames::bytes_kept_per_pixel();
   if (params.reuse == Reuse::kForward) return ForwardFrames::bytes_kept_per_pixel(params);
+  if (params.denoise) return DenoisedFrames::bytes_kept_per_pixel();
   return params.reuse == Reuse::kExact ? ExactFrames::bytes_kept_per_pixel() : 0.0;
 }
 

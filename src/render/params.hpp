@@ -77,6 +77,7 @@ struct RenderParams {
   int max_depth = 0;                            ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
   float clamp_indirect = 0.0f;            ///< paths: the brightest indirect contribution to a sample; 0: any
+  bool denoise = false;                   ///< paths: frames are filtered (denoise/denoiser.hpp)
   std::string environment;                ///< panorama that surrounds the scene; empty: the scene's own background
   float environment_strength = 1.0f;      ///< factor
   float environment_rotation_deg = 0.0f;  ///< about the vertical

@@ -277,6 +277,9 @@ std::vector<ParamInfo> rendering_rows() {
           {"clamp-indirect", "Rendering", "X",
            "Paths: no indirect contribution to a sample is brighter than X, which removes bright specks and loses light; 0: "
            "off"}),
+      row(ParamKind::kFlag, &P::denoise, flag(),
+          {"denoise", "Rendering", "",
+           "Paths: take out noise by averaging over pixels, views and frames that show the same surface in the same light"}),
       path(row(ParamKind::kText, &P::environment, text(),
                {"environment", "Rendering", "FILE", "A panorama (.hdr, .exr) that surrounds and lights the scene"})),
       row(ParamKind::kNumber, &P::environment_strength, number<float>(0.0, 1e6),

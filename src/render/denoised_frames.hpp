@@ -1,0 +1,46 @@
+// Frames of path-traced light without its noise: each is traced once, kept while its neighbours need it, and filtered together
+// with the frames before and after it (denoise/denoiser.hpp).
+#pragma once
+
+#include <map>
+
+#include "denoise/denoiser.hpp"
+#include "render/frame_maker.hpp"
+
+namespace lippmann {
+
+/// Throws a usage Error where frames cannot be denoised as the parameters have them made.
+void check_denoise(const RenderParams& params);
+
+class DenoisedFrames final : public FrameMaker {
+ public:
+  /// Throws a usage Error where the optics have no views of whole pixels.
+  DenoisedFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
+
+  RenderedFrame make(int frame) override;
+  std::vector<FrameReport> sources() const override;
+
+  /// Three frames made ready, one as traced, and what filtering takes.
+  static double bytes_kept_per_pixel();
+
+ private:
+  struct Traced {
+    std::shared_ptr<const Denoiser::Frame> ready;
+    FrameAovs aovs;
+    FrameReport report;
+  };
+
+  /// Null beyond the animation's ends, and when the context was cancelled meanwhile.
+  Traced* traced(int frame);
+  Image motion_from(const Moment& now, int other);
+
+  Stage& stage_;
+  const RenderParams& params_;
+  const ThreadPool& pool_;
+  const Context& context_;
+  Denoiser denoiser_;
+  std::map<int, Traced> traced_;
+  std::map<int, FrameReport> unused_;  ///< reports of frames that were traced and not asked for so far
+};
+
+}  // namespace lippmann
