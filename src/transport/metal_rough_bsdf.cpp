@@ -71,7 +71,8 @@ void MetalRoughBsdf::set_gloss(const MetalRoughSurface& s, float dielectric) {
 
   const Vec3f mean = smooth(alpha_) ? dielectric_f0_ * (20.0f / 21.0f) + dielectric_f90_ / 21.0f
                                     : albedo_.mean(alpha_, dielectric_f0_, dielectric_f90_);
-  diffuse_color_ = dielectric * s.base_color * (Vec3f(1.0f) - dielectric_albedo_) / glm::max(Vec3f(1.0f) - mean, Vec3f(1e-3f));
+  diffuse_passes_ = glm::max(Vec3f(1.0f) - mean, Vec3f(1e-3f));
+  diffuse_color_ = dielectric * s.base_color * (Vec3f(1.0f) - dielectric_albedo_) / diffuse_passes_;
 }
 
 void MetalRoughBsdf::set_coat(const MetalRoughSurface& s) {
@@ -92,6 +93,10 @@ void MetalRoughBsdf::set_shares(Vec3f diffuse) {
   shares_.gloss = below_coat_ * luminance(gloss_albedo_);
   shares_.diffuse = below_coat_ * luminance(diffuse * (Vec3f(1.0f) - dielectric_albedo_));
   shares_.glass = below_coat_ * glass_share_ * std::max(0.1f, luminance(glass_));
+  scale_shares();
+}
+
+void MetalRoughBsdf::scale_shares() {
   const float sum = shares_.coat + shares_.gloss + shares_.diffuse + shares_.glass;
   if (sum > 0.0f) shares_.coat /= sum, shares_.gloss /= sum, shares_.diffuse /= sum, shares_.glass /= sum;
 }
@@ -102,6 +107,27 @@ Vec3f MetalRoughBsdf::diffuse_f(Vec3f light) const {
   if (dielectric_f90_ == Vec3f(0.0f)) return diffuse_color_ * (1.0f / kPi);
   const Vec2f single = single_albedo(light.z, alpha_);
   return diffuse_color_ * (Vec3f(1.0f) - GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_)) * (1.0f / kPi);
+}
+
+BsdfValue MetalRoughBsdf::evaluate_diffuse(Vec3f light_world) const {
+  const Vec3f light = frame_.to_local(light_world);
+  if (!(light.z > 0.0f)) return {Vec3f(0.0f), 0.0f, true};
+  const float cosine = light.z * (1.0f / kPi);
+  if (dielectric_f90_ == Vec3f(0.0f)) return {Vec3f(cosine), cosine, false};
+  const Vec3f reflected = GgxAlbedo::directional(single_albedo(light.z, alpha_), dielectric_f0_, dielectric_f90_);
+  return {cosine * (Vec3f(1.0f) - reflected) / diffuse_passes_, cosine, false};
+}
+
+bool MetalRoughBsdf::is_sharp() const {
+  return (smooth(alpha_) || (shares_.gloss == 0.0f && shares_.glass == 0.0f)) && (smooth(coat_alpha_) || coat_ == 0.0f);
+}
+
+MetalRoughBsdf MetalRoughBsdf::without_diffuse() const {
+  MetalRoughBsdf rest = *this;
+  rest.diffuse_color_ = Vec3f(0.0f);
+  rest.shares_.diffuse = 0.0f;
+  rest.scale_shares();
+  return rest;
 }
 
 Vec3f MetalRoughBsdf::gloss_f(Vec3f light) const {

@@ -40,6 +40,16 @@ class MetalRoughBsdf {
   /// A direction for `lobe` and `u` in [0, 1); none where the surface takes all.
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
+  /// The diffuse part alone, for those who know the light that arrives from all around: radiance is albedo x the mean over the
+  /// hemisphere of radiance x evaluate_diffuse().cosine_f.
+  Vec3f diffuse_albedo() const { return below_coat_ * diffuse_color_ * diffuse_passes_; }
+  float diffuse_share() const { return shares_.diffuse; }  ///< chance of sample() to draw it
+  BsdfValue evaluate_diffuse(Vec3f light) const;           ///< per albedo; density: of a cosine about normal()
+  Vec3f normal() const { return frame_.z; }
+  bool is_sharp() const;  ///< no lobe but the diffuse one has a width
+  /// What is left without it.
+  MetalRoughBsdf without_diffuse() const;
+
  private:
   struct Shares {
     float diffuse = 0.0f, gloss = 0.0f, glass = 0.0f, coat = 0.0f;  ///< probabilities of sample(); add up to 1 or are all 0
@@ -48,6 +58,7 @@ class MetalRoughBsdf {
   void set_gloss(const MetalRoughSurface& s, float dielectric);
   void set_coat(const MetalRoughSurface& s);
   void set_shares(Vec3f diffuse);
+  void scale_shares();
   Vec2f single_albedo(float cosine, float alpha) const;
 
   float gloss_density(Vec3f light) const;
@@ -63,6 +74,7 @@ class MetalRoughBsdf {
   float alpha_, coat_alpha_;
   float eta_;
   Vec3f diffuse_color_{0.0f};                         ///< albedo, the gloss's share taken out
+  Vec3f diffuse_passes_{1.0f};                        ///< share of diffuse light that the gloss lets in
   Vec3f dielectric_f0_{0.0f}, dielectric_f90_{0.0f};  ///< of the gloss above the diffuse part
   Vec3f gloss_f0_{0.0f}, gloss_f90_{0.0f};            ///< of dielectric and metal together, weighted
   Vec3f gloss_compensation_{1.0f}, gloss_albedo_{0.0f}, dielectric_albedo_{0.0f};

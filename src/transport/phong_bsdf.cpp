@@ -4,12 +4,27 @@ namespace lippmann {
 
 PhongBsdf::PhongBsdf(const PhongPoint& point, Vec3f normal, Vec3f view, bool entering)
     : point_(point), normal_(normal), view_(view), entering_(entering) {
-  const float diffuse = luminance(point.diffuse), mirror = luminance(point.mirror);
-  const float sum = diffuse + mirror + point.through;
-  if (!(sum > 0.0f)) return;
-  diffuse_share_ = diffuse / sum;
-  mirror_share_ = mirror / sum;
-  through_share_ = point.through / sum;
+  set_shares();
+}
+
+void PhongBsdf::set_shares() {
+  const float diffuse = luminance(point_.diffuse), mirror = luminance(point_.mirror);
+  const float sum = diffuse + mirror + point_.through;
+  diffuse_share_ = sum > 0.0f ? diffuse / sum : 0.0f;
+  mirror_share_ = sum > 0.0f ? mirror / sum : 0.0f;
+  through_share_ = sum > 0.0f ? point_.through / sum : 0.0f;
+}
+
+PhongBsdf PhongBsdf::without_diffuse() const {
+  PhongBsdf rest = *this;
+  rest.point_.diffuse = Vec3f(0.0f);
+  rest.set_shares();
+  return rest;
+}
+
+BsdfValue PhongBsdf::evaluate_diffuse(Vec3f light) const {
+  const float cosine = glm::dot(normal_, light) * (1.0f / kPi);
+  return cosine > 0.0f ? BsdfValue{Vec3f(cosine), cosine, false} : BsdfValue{Vec3f(0.0f), 0.0f, true};
 }
 
 BsdfValue PhongBsdf::evaluate(Vec3f light) const {

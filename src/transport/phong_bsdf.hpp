@@ -31,7 +31,19 @@ class PhongBsdf {
 
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
+  /// The diffuse part alone, for those who know the light that arrives from all around: radiance is albedo x the mean over the
+  /// hemisphere of radiance x evaluate_diffuse().cosine_f.
+  Vec3f diffuse_albedo() const { return point_.diffuse; }
+  float diffuse_share() const { return diffuse_share_; }  ///< chance of sample() to draw it
+  BsdfValue evaluate_diffuse(Vec3f light) const;          ///< per albedo; density: of a cosine about normal()
+  Vec3f normal() const { return normal_; }
+  static constexpr bool is_sharp() { return true; }  ///< no lobe but the diffuse one has a width
+  /// What is left without it; highlights stay.
+  PhongBsdf without_diffuse() const;
+
  private:
+  void set_shares();
+
   PhongPoint point_;
   Vec3f normal_, view_;
   bool entering_;
