@@ -10,6 +10,8 @@
 namespace lippmann {
 namespace {
 
+constexpr float kBelowOne = 1.0f - 0x1p-24f;
+
 bool has_phong(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const Material& m) { return std::holds_alternative<PhongSurface>(m.surface); });
@@ -53,7 +55,10 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
   for (float& p : powers)
     if (!std::isfinite(p)) p = 0.0f;
   chances_ = DiscreteDistribution(powers);
-  if (!chances_.empty()) sky_chance_ = chances_.probability(powers.size() - 1);
+  if (chances_.empty()) return;
+  sky_chance_ = chances_.probability(powers.size() - 1);
+  for (std::size_t i = points(); i < powers.size(); ++i) soft_chance_ += chances_.probability(i);
+  if (points() == 0) soft_chance_ = 1.0f;
 }
 
 void LightTable::add_triangles(std::vector<float>& powers) {
@@ -105,6 +110,24 @@ std::optional<LightSample> LightTable::sample(Vec3f from, float pick, Vec2f u) c
   if (!s) return std::nullopt;
   if (s->is_point()) s->radiance /= chance;
   s->density *= chance;
+  return s;
+}
+
+std::optional<LightSample> LightTable::sample_points(Vec3f from, float pick) const {
+  const float share = 1.0f - soft_chance_;
+  if (!(share > 0.0f)) return std::nullopt;
+  std::optional<LightSample> s = sample(from, pick * share, Vec2f(0.0f));
+  if (!s || !s->is_point()) return std::nullopt;
+  s->radiance *= share;
+  return s;
+}
+
+std::optional<LightSample> LightTable::sample_soft(Vec3f from, float pick, Vec2f u) const {
+  if (!(soft_chance_ > 0.0f)) return std::nullopt;
+  // Points come first.
+  std::optional<LightSample> s = sample(from, std::min(1.0f - soft_chance_ * (1.0f - pick), kBelowOne), u);
+  if (!s || s->is_point()) return std::nullopt;
+  s->density /= soft_chance_;
   return s;
 }
 

@@ -50,6 +50,18 @@ class LightTable {
   /// A light for a point: `pick` chooses which, `u` where on it. None where it is turned away or out of reach.
   std::optional<LightSample> sample(Vec3f from, float pick, Vec2f u) const;
 
+  /// Lights that are points, and one of them; none where it is turned away or out of reach.
+  std::size_t points() const { return sources_.lights.size(); }
+  std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(sources_.lights[light], from); }
+
+  /// As sample(), of these or of the others alone: triangles and the sky. Densities of the latter are those of sample() over
+  /// soft_chance().
+  std::optional<LightSample> sample_points(Vec3f from, float pick) const;
+  std::optional<LightSample> sample_soft(Vec3f from, float pick, Vec2f u) const;
+
+  /// The chance of sample() to choose none of the points.
+  float soft_chance() const { return soft_chance_; }
+
   /// Of sample(), had it chosen triangle `prim` of a record, which a ray of unit `direction` meets at `distance`; 0 where the
   /// triangle is none of its lights.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const;
@@ -77,7 +89,7 @@ class LightTable {
   std::vector<Triangle> triangles_;
   std::vector<int> first_triangle_;  ///< per record; -1: does not shine
   DiscreteDistribution chances_;     ///< point-like lights, triangles, the sky
-  float sky_chance_ = 0.0f;
+  float sky_chance_ = 0.0f, soft_chance_ = 0.0f;
 };
 
 }  // namespace lippmann

@@ -27,6 +27,7 @@ class SampleRays {
  public:
   SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel);
   const RayGenerator& of(int sample) const { return eyes_[eyes_.size() > 1 ? static_cast<std::size_t>(sample) : 0]; }
+  std::size_t eyes() const { return eyes_.size(); }
 
  private:
   std::vector<RayGenerator> eyes_;

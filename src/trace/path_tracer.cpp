@@ -10,14 +10,6 @@ namespace {
 
 /// Paths are first put to Russian roulette where they leave this vertex.
 constexpr int kRouletteDepth = 3;
-/// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.
-constexpr int kMostEvents = 1024;
-/// Pairs of random numbers at each vertex: which light and lobe; where on the light; which way; roulette and coverage.
-constexpr std::uint32_t kPairsPerEvent = 4;
-
-float largest(Vec3f v) { return std::max({v.x, v.y, v.z}); }
-
-bool is_finite(Vec3f v) { return std::isfinite(v.x + v.y + v.z); }
 
 }  // namespace
 
@@ -29,12 +21,11 @@ void PathTracer::primary(RayHitPacket& packet, const LaneMask& active, const std
   weight_ = weight;
   clear_hits(packet);
   intersect_scene(scene_, active, packet, Coherence::kCoherent);
-  Ray rays[kLanes];
+  PathRay rays[kLanes];
   for (int i = 0; i < kLanes; ++i) {
     counts_.primary += active.lane[i] != 0;
-    rays[i] = {Vec3f(0.0f), Vec3f(0.0f), Vec3f(1.0f), 0.0f, 0.0f, 0.0f, kInfinity, pixel[i], 0, 0};
-    rays[i].origin = {packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i]};
-    rays[i].direction = {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
+    rays[i] = primary_path_ray(packet, i, pixel[i]);
+    rays[i].seed = hash(params_.seed, pixel[i]), rays[i].index = sample_;
   }
   shade(packet, active, rays);
 }
@@ -47,7 +38,7 @@ void PathTracer::finish_batch() {
     RayHitPacket packet;
     LaneMask active;
     for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
-      load(first, std::min<std::size_t>(kLanes, wave_.size() - first), packet, active);
+      load_rays(&wave_[first], std::min<std::size_t>(kLanes, wave_.size() - first), packet, active);
       clear_hits(packet);
       intersect_scene(scene_, active, packet, Coherence::kIncoherent);
       shade(packet, active, wave_.data() + first);
@@ -56,19 +47,8 @@ void PathTracer::finish_batch() {
   }
 }
 
-void PathTracer::load(std::size_t first, std::size_t count, RayHitPacket& packet, LaneMask& active) const {
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const Ray& ray = wave_[first + std::min(i, count - 1)];
-    packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
-    packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
-    packet.ray.tnear[i] = ray.t_near;
-    packet.ray.tfar[i] = kInfinity;
-    active.lane[i] = i < count ? -1 : 0;
-  }
-}
-
 /// rays: of the active lanes.
-void PathTracer::shade(const RayHitPacket& packet, const LaneMask& active, const Ray* rays) {
+void PathTracer::shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
   Lanes path_length;
   for (int i = 0; i < kLanes; ++i) path_length[i] = active.lane[i] ? rays[i].path_length : 0.0f;
   evaluate_surfaces(scene_, packet, active, path_length, beam_, surface_);
@@ -81,7 +61,7 @@ void PathTracer::shade(const RayHitPacket& packet, const LaneMask& active, const
   }
 }
 
-void PathTracer::shade_sky(const RayHitPacket& packet, int i, const Ray& ray) {
+void PathTracer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray) {
   const unsigned id = packet.hit.geomID[i];
   if (id >= kLightId && id != kNoId) {  // a bulb: its light is gathered at surfaces, so only mirrors and lenses see it
     if (ray.density == kInfinity) end_path(ray, scene_.lights[id - kLightId].color, 1.0f);
@@ -96,9 +76,9 @@ void PathTracer::shade_sky(const RayHitPacket& packet, int i, const Ray& ray) {
   end_path(ray, lights.environment().radiance(ray.direction), share);
 }
 
-void PathTracer::shade_surface(const RayHitPacket& packet, int i, const Ray& ray) {
+void PathTracer::shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {
   const ShadingPoint point = shading_point(scene_, packet, surface_, i);
-  PathSampler sampler(hash(params_.seed, ray.pixel), sample_);
+  PathSampler sampler(ray.seed, ray.index);
   sampler.jump_to(kPairsPerEvent * ray.events);
   const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next();
   const float length = ray.path_length + packet.ray.tfar[i];
@@ -107,11 +87,7 @@ void PathTracer::shade_surface(const RayHitPacket& packet, int i, const Ray& ray
   const Vec2f chance = covered && ray.depth + 1 < kRouletteDepth ? Vec2f(0.0f) : sampler.next();
   if (!covered && !(chance.y < point.coverage)) {
     if (ray.events >= kMostEvents) return;
-    next_.push_back(ray);
-    next_.back().origin = point.position;
-    next_.back().t_near = point.t_near;
-    next_.back().path_length = length;
-    ++next_.back().events;
+    next_.push_back(passed(ray, point, length));
     return;
   }
   if (film_.surfaces && ray.depth == 0 && point.scatters) add_first_surface(point, i, ray);
@@ -122,7 +98,7 @@ void PathTracer::shade_surface(const RayHitPacket& packet, int i, const Ray& ray
   scatter(point, bsdf, ray, length, choice.y, chance.x, way);
 }
 
-void PathTracer::add_emission(const RayHitPacket& packet, int i, const Ray& ray, Vec3f emission) {
+void PathTracer::add_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission) {
   float share = 1.0f;
   if (ray.density != kInfinity && surface_.record[i] < kPlaneId) {
     const float distance = ray.path_length + packet.ray.tfar[i] - ray.scattered_at;
@@ -132,7 +108,7 @@ void PathTracer::add_emission(const RayHitPacket& packet, int i, const Ray& ray,
   end_path(ray, emission, share);
 }
 
-void PathTracer::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const Ray& ray, float pick, Vec2f u) {
+void PathTracer::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u) {
   const std::optional<LightSample> light = scene_.path->lights->sample(point.position, pick, u);
   if (!light) return;
   Vec3f radiance;
@@ -146,13 +122,11 @@ void PathTracer::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const
   }
   radiance *= ray.throughput;
   if (radiance == Vec3f(0.0f) || !is_finite(radiance)) return;
-  const float t_far = light->is_point() || light->distance == kInfinity ? light->distance : light->distance - point.t_near;
-  shadow_rays_.push_back(
-      {point.position, light->direction, clamped(radiance, ray.depth + 1), point.t_near, t_far, ray.pixel, ray.depth + 1});
+  shadow_rays_.push(point, *light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
 }
 
-void PathTracer::scatter(const ShadingPoint& point, const Bsdf& bsdf, const Ray& ray, float length, float lobe, float survival,
-                         Vec2f u) {
+void PathTracer::scatter(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, float lobe,
+                         float survival, Vec2f u) {
   const std::optional<BsdfSample> sample = bsdf.sample(lobe, u);
   if (!sample) return;
   if ((glm::dot(point.facet, sample->direction) < 0.0f) != sample->transmitted) return;
@@ -164,38 +138,35 @@ void PathTracer::scatter(const ShadingPoint& point, const Bsdf& bsdf, const Ray&
   }
   if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return;
   ++(sample->is_delta() ? counts_.reflection : counts_.indirect);
-  Ray& next = next_.emplace_back(ray);
-  next.origin = point.position, next.direction = sample->direction;
-  next.throughput = throughput;
-  next.t_near = point.t_near, next.path_length = length;
-  ++next.depth, ++next.events;
-  if (sample->straight) return;  // what shines behind is reached by the last vertex's shadow rays, too
-  next.density = sample->density, next.scattered_at = length;
+  next_.push_back(scattered(ray, point, *sample, throughput, length));
+}
+
+void PathTracer::gather_soft_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length,
+                                   const Numbers& numbers) {
+  const LightTable& lights = *scene_.path->lights;
+  if (const std::optional<LightSample> light = lights.sample_soft(point.position, numbers.pick, numbers.on_light)) {
+    const BsdfValue value = bsdf.evaluate_diffuse(light->direction);
+    const float share = power_heuristic(light->density, value.density) / light->density;
+    const Vec3f radiance = ray.throughput * value.cosine_f * light->radiance * share;
+    if (glm::dot(point.facet, light->direction) > 0.0f && radiance != Vec3f(0.0f) && is_finite(radiance))
+      shadow_rays_.push(point, *light, radiance, ray.pixel, ray.depth + 1);
+  }
+  BsdfSample sample;
+  sample.direction = Frame(bsdf.normal()).to_world(sample_cosine(numbers.way));
+  const BsdfValue value = bsdf.evaluate_diffuse(sample.direction);
+  if (!(value.density > 0.0f) || !(glm::dot(point.facet, sample.direction) > 0.0f)) return;
+  // What the path meets compares its density with that of sample(), whose light is a point-like one at times.
+  sample.density = lights.soft_chance() > 0.0f ? value.density * lights.soft_chance() : value.density;
+  ++counts_.indirect;
+  next_.push_back(scattered(ray, point, sample, ray.throughput * value.cosine_f / value.density, length));
 }
 
 void PathTracer::trace_shadow_rays() {
-  counts_.shadow += shadow_rays_.size();
-  for (std::size_t first = 0; first < shadow_rays_.size(); first += kLanes) {
-    const std::size_t count = std::min<std::size_t>(kLanes, shadow_rays_.size() - first);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const ShadowRay& ray = shadow_rays_[first + std::min(i, count - 1)];
-      shadow_.rays.org_x[i] = ray.origin.x, shadow_.rays.org_y[i] = ray.origin.y, shadow_.rays.org_z[i] = ray.origin.z;
-      shadow_.rays.dir_x[i] = ray.direction.x, shadow_.rays.dir_y[i] = ray.direction.y, shadow_.rays.dir_z[i] = ray.direction.z;
-      shadow_.rays.tnear[i] = ray.t_near, shadow_.rays.tfar[i] = ray.t_far;
-      shadow_.active.lane[i] = i < count ? -1 : 0;
-      shadow_.context.transmittance[i] = 1.0f;
-    }
-    trace_shadows(scene_, shadow_);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!shadow_.active.lane[i] || !(shadow_.rays.tfar[i] >= 0.0f)) continue;
-      const ShadowRay& ray = shadow_rays_[first + i];
-      add(ray.pixel, ray.radiance * shadow_.context.transmittance[i], ray.depth);
-    }
-  }
-  shadow_rays_.clear();
+  counts_.shadow +=
+      shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
 }
 
-void PathTracer::add_first_surface(const ShadingPoint& point, int i, const Ray& ray) {
+void PathTracer::add_first_surface(const ShadingPoint& point, int i, const PathRay& ray) {
   const FirstSurfaces& to = *film_.surfaces;
   const std::size_t pixel = ray.pixel;
   for (int c = 0; c < 3; ++c) {
@@ -206,7 +177,7 @@ void PathTracer::add_first_surface(const ShadingPoint& point, int i, const Ray& 
   to.met[pixel] += weight_;
 }
 
-void PathTracer::end_path(const Ray& ray, Vec3f light, float share) {
+void PathTracer::end_path(const PathRay& ray, Vec3f light, float share) {
   add(ray.pixel, clamped(ray.throughput * light * share, ray.depth), ray.depth);
 }
 

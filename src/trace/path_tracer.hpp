@@ -7,13 +7,11 @@
 
 #include <vector>
 
-#include "trace/direct_light.hpp"
+#include "trace/path_ray.hpp"
+#include "trace/shadow_queue.hpp"
 #include "trace/trace_frame.hpp"
 
 namespace lippmann {
-
-struct ShadingPoint;
-class Bsdf;
 
 /// What decides the random numbers of a frame's paths, and what becomes of them.
 struct PathParams {
@@ -53,42 +51,34 @@ class PathTracer {
   /// lane's pixel. What goes on from there waits for finish_batch().
   void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight);
 
+  /// Random numbers of a vertex.
+  struct Numbers {
+    float pick;  ///< which light
+    Vec2f on_light, way;
+  };
+
+  /// Begins to gather what a diffuse surface receives of all but point-like lights: of lamps with area and the sky by aiming at
+  /// them, of all else by a path. Adds throughput x what a white surface there would send on to ray.pixel of the film. `ray`
+  /// led to the point, `length` from its start.
+  void gather_soft_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, const Numbers& numbers);
+
   /// Traces everything that waits, wave by wave.
   void finish_batch();
 
   const RayCounts& counts() const { return counts_; }
 
  private:
-  /// A path on its way.
-  struct Ray {
-    Vec3f origin, direction, throughput;
-    float t_near, path_length;
-    float scattered_at;  ///< path length at the last scattering
-    float density;       ///< of `direction` as drawn at the last scattering; kInfinity: by a Dirac lobe, or from the lens
-    std::uint32_t pixel;
-    std::uint16_t depth;   ///< vertices on surfaces so far
-    std::uint16_t events;  ///< vertices, passed surfaces included: what the random numbers go by
-  };
-
-  /// A light that shines on a path's vertex, unless something lies between.
-  struct ShadowRay {
-    Vec3f origin, direction, radiance;
-    float t_near, t_far;
-    std::uint32_t pixel;
-    int depth;  ///< vertices that scatter it
-  };
-
-  void shade(const RayHitPacket& packet, const LaneMask& active, const Ray* rays);
-  void shade_sky(const RayHitPacket& packet, int lane, const Ray& ray);
-  void shade_surface(const RayHitPacket& packet, int lane, const Ray& ray);
-  void add_emission(const RayHitPacket& packet, int lane, const Ray& ray, Vec3f emission);
-  void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const Ray& ray, float pick, Vec2f u);
-  void scatter(const ShadingPoint& point, const Bsdf& bsdf, const Ray& ray, float length, float lobe, float survival, Vec2f u);
+  void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void shade_sky(const RayHitPacket& packet, int lane, const PathRay& ray);
+  void shade_surface(const RayHitPacket& packet, int lane, const PathRay& ray);
+  void add_emission(const RayHitPacket& packet, int lane, const PathRay& ray, Vec3f emission);
+  void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u);
+  void scatter(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, float lobe, float survival,
+               Vec2f u);
   void trace_shadow_rays();
-  void load(std::size_t first, std::size_t count, RayHitPacket& packet, LaneMask& active) const;
   Vec3f clamped(Vec3f radiance, int depth) const;
-  void add_first_surface(const ShadingPoint& point, int lane, const Ray& ray);
-  void end_path(const Ray& ray, Vec3f light, float share);
+  void add_first_surface(const ShadingPoint& point, int lane, const PathRay& ray);
+  void end_path(const PathRay& ray, Vec3f light, float share);
   void add(std::uint32_t pixel, Vec3f radiance, int depth);
 
   const DeviceScene::Impl& scene_;
@@ -98,10 +88,9 @@ class PathTracer {
   std::uint32_t sample_ = 0;
   float weight_ = 1.0f;  ///< of one sample
   RayCounts counts_;
-  std::vector<Ray> wave_, next_;
-  std::vector<ShadowRay> shadow_rays_;
+  std::vector<PathRay> wave_, next_;
+  ShadowQueue shadow_rays_;
   SurfacePacket surface_;
-  ShadowPacket shadow_;
 };
 
 }  // namespace lippmann

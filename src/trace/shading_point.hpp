@@ -27,6 +27,24 @@ class Bsdf {
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const {
     return std::visit([&](const auto& b) { return b.sample(lobe, u); }, bsdf_);
   }
+  Vec3f diffuse_albedo() const {
+    return std::visit([](const auto& b) { return b.diffuse_albedo(); }, bsdf_);
+  }
+  float diffuse_share() const {
+    return std::visit([](const auto& b) { return b.diffuse_share(); }, bsdf_);
+  }
+  BsdfValue evaluate_diffuse(Vec3f light) const {
+    return std::visit([&](const auto& b) { return b.evaluate_diffuse(light); }, bsdf_);
+  }
+  Vec3f normal() const {
+    return std::visit([](const auto& b) { return b.normal(); }, bsdf_);
+  }
+  bool is_sharp() const {
+    return std::visit([](const auto& b) { return b.is_sharp(); }, bsdf_);
+  }
+  Bsdf without_diffuse() const {
+    return std::visit([](const auto& b) { return Bsdf(b.without_diffuse()); }, bsdf_);
+  }
 
  private:
   std::variant<PhongBsdf, MetalRoughBsdf> bsdf_;

@@ -1,0 +1,49 @@
+// Path-traced frames at the price of a few samples: what is seen, mirrored and lit by point-like lights is traced, more often
+// where samples differ; soft light comes from a cache that all pixels, views and frames feed.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "scene/timeline.hpp"
+#include "trace/trace_frame.hpp"
+
+namespace lippmann {
+
+/// What is known of a frame's errors, from some of its blocks.
+struct CachedLightReport {
+  RayCounts rays;
+  bool traced = false;         ///< whole paths, as they were cheaper
+  double squared_error = 0.0;  ///< expected, of sRGB's codes (0 ... 1)
+};
+
+/// What pictures should be like.
+struct CachedLightGoal {
+  std::optional<float> squared_error;  ///< mean, of sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
+  bool provenance = false;             ///< pictures show where light came from: see trace/light_gatherer.hpp
+};
+
+class CachedLightTracer {
+ public:
+  /// `scene` was made for Integrator::kPath, and outlives it.
+  explicit CachedLightTracer(const DeviceScene& scene);
+  ~CachedLightTracer();
+
+  /// Forgets all frames: the next one begins a history.
+  void restart();
+
+  /// A frame, as trace_frame. `resolved` is what `scene` was updated with. What the frames before it, since restart(), have
+  /// found helps: they must be the same, in the same order, for the same bits.
+  CachedLightReport trace(const ResolvedScene& resolved, const Optics& optics, const Affine3f& world_from_display,
+                          const TraceParams& params, const CachedLightGoal& goal, const ThreadPool& pool,
+                          const Context& context, Image& film);
+
+  /// Kept from frame to frame at most, per pixel; less than two thousand more make up for it in small frames.
+  static double bytes_per_pixel();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lippmann

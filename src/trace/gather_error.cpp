@@ -1,0 +1,121 @@
+#include "trace/gather_error.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "core/random.hpp"
+#include "image/encode.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Blocks that are measured: enough for the mean error of a frame to be known within a decibel.
+constexpr std::size_t kMeasuredBlocks = 48;
+/// Of a small frame, no more than one block of so many.
+constexpr std::size_t kLeastPart = 16;
+/// Not to be below the goal by bad luck of the measurement.
+constexpr float kMargin = 0.92f;
+/// A hundredth part of the steps of 8-bit codes, which round by this, would be a waste: (1 / 255)^2 / 12.
+constexpr float kInvisible = 1.28e-6f;
+/// Errors that are tried, each half the last.
+constexpr float kCoarsest = 0.08f;
+constexpr int kTrials = 9;
+/// From this trial on, one that is not better than this many times the last ends them.
+constexpr int kLeastTrials = 4;
+constexpr float kStalled = 0.95f;
+/// Of the rays that paths need; above it they are traced.
+constexpr double kLargestShare = 0.9;
+
+float encoded(float linear) { return static_cast<float>(srgb_from_linear(std::clamp(linear, 0.0f, 1.0f))); }
+
+/// One block of each of as many equal parts of the frame, hashed so that they do not line up with lenses.
+std::vector<std::uint8_t> some_blocks(std::size_t blocks, std::uint32_t seed) {
+  std::vector<std::uint8_t> wanted(blocks, 0);
+  const std::size_t parts = std::clamp<std::size_t>(blocks / kLeastPart, 1, kMeasuredBlocks);
+  for (std::size_t p = 0; p < parts; ++p) {
+    const std::size_t first = p * blocks / parts, count = (p + 1) * blocks / parts - first;
+    wanted[first + hash(seed, static_cast<std::uint32_t>(p)) % count] = 1;
+  }
+  return wanted;
+}
+
+float mean_square(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = static_cast<double>(encoded(a[i])) - static_cast<double>(encoded(b[i]));
+    sum += d * d;
+  }
+  return a.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(a.size()));
+}
+
+std::vector<float> at(const std::vector<std::size_t>& places, const Image& film) {
+  std::vector<float> values;
+  values.reserve(places.size());
+  for (const std::size_t i : places) values.push_back(film.data[i]);
+  return values;
+}
+
+}  // namespace
+
+GatherMeasure::GatherMeasure(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
+                             const TraceParams& trace, std::optional<float> goal, const ThreadPool& pool)
+    : trace_(trace),
+      has_goal_(goal.has_value()),
+      pool_(pool),
+      wanted_(some_blocks(blocks_in_frame(optics, world_from_display, trace.order), hash(trace.seed, trace.frame))) {
+  // Twice half as many paths, with other random numbers: what they differ by is the error of their mean.
+  const Context quiet;  // a few blocks are no progress of the frame
+  Image film(optics.panel.width, optics.panel.height, 3);
+  std::fill(film.data.begin(), film.data.end(), std::nanf(""));
+  std::array<std::vector<float>, 2> halves;
+  for (std::uint32_t half = 0; half < 2; ++half) {
+    TraceParams params = trace;
+    params.seed = hash(trace.seed, 0x70617468u, half);
+    params.spp = std::max(1, trace.spp / 2);
+    add(trace_blocks(scene, optics, world_from_display, params, wanted_, pool, quiet, film), counts_);
+    if (half == 0)
+      for (std::size_t i = 0; i < film.data.size(); ++i)
+        if (!std::isnan(film.data[i])) places_.push_back(i);
+    halves[half] = at(places_, film);
+  }
+  rays_of_paths_ = static_cast<double>(counts_.total());
+  squared_error_of_paths_ = 0.25f * mean_square(halves[0], halves[1]);
+  squared_goal_ = goal.value_or(std::max(squared_error_of_paths_, kInvisible));
+  for (std::size_t i = 0; i < places_.size(); ++i) paths_.push_back(0.5f * (halves[0][i] + halves[1][i]));
+}
+
+int GatherMeasure::path_samples() const {
+  constexpr float kMostMore = 64.0f;
+  const float more = has_goal_ ? std::clamp(squared_error_of_paths_ / std::max(squared_goal_, 1e-12f), 1.0f, kMostMore) : 1.0f;
+  return static_cast<int>(std::ceil(more * static_cast<float>(trace_.spp)));
+}
+
+float GatherMeasure::squared_error(const Image& film) const {
+  // The paths' own error is none of ours. Nor is it known so well that the rest could be nothing.
+  return std::max(mean_square(at(places_, film), paths_) - squared_error_of_paths_, 0.02f * squared_goal_);
+}
+
+std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
+  const Context quiet;
+  const float enough = kMargin * squared_goal_;
+  Image film;
+  float last = kInfinity;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const float error = std::ldexp(kCoarsest, -trial);
+    const RayCounts rays = gather_frame(sources, {trace_, error}, wanted_, {}, pool_, quiet, film);
+    add(rays, counts_);
+    if (static_cast<double>(rays.total()) > kLargestShare * rays_of_paths_) return std::nullopt;
+    const float found = squared_error(film);
+    if (found <= enough) {
+      if (!(last > enough && last < kInfinity)) return GatherPlan{error, found};
+      // Between the last two, on a straight line in logarithms.
+      const float t = std::log(last / enough) / std::log(last / found);
+      return GatherPlan{2.0f * error * std::exp2(-t), enough};
+    }
+    if (trial >= kLeastTrials && found > kStalled * last) return std::nullopt;  // more samples do not help
+    last = found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace lippmann

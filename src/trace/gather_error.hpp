@@ -1,0 +1,50 @@
+// How good frames of cached light are, measured on some of their blocks against paths, and how many samples it takes to be as
+// good as is asked for. Private to src/trace.
+#pragma once
+
+#include <optional>
+
+#include "trace/gather_frame.hpp"
+
+namespace lippmann {
+
+struct GatherPlan {
+  float error = 0.01f;         ///< of GatherParams
+  float squared_error = 0.0f;  ///< to be expected of the frame: mean, of sRGB's codes (0 ... 1)
+};
+
+/// Some blocks of a frame, once traced by paths.
+class GatherMeasure {
+ public:
+  /// goal: the mean squared error that frames may have; none: that of paths with trace.spp samples. All arguments outlive it.
+  GatherMeasure(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, const TraceParams& trace,
+                std::optional<float> goal, const ThreadPool& pool);
+
+  float squared_goal() const { return squared_goal_; }
+
+  /// Paths a pixel that reach the goal.
+  int path_samples() const;
+
+  /// The largest error with which frames from these sources reach the goal, and fewer rays than paths are traced; none where
+  /// there is no such.
+  std::optional<GatherPlan> plan(const GatherSources& sources);
+
+  /// All that were traced.
+  const RayCounts& counts() const { return counts_; }
+
+ private:
+  float squared_error(const Image& film) const;
+
+  TraceParams trace_;
+  bool has_goal_;
+  const ThreadPool& pool_;
+  std::vector<std::uint8_t> wanted_;  ///< by block
+  std::vector<std::size_t> places_;   ///< values of a film that belong to these blocks
+  std::vector<float> paths_;          ///< there: the mean of all paths
+  float squared_error_of_paths_ = 0.0f;
+  float squared_goal_ = 0.0f;
+  double rays_of_paths_ = 0.0;
+  RayCounts counts_;
+};
+
+}  // namespace lippmann

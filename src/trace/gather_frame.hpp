@@ -1,0 +1,49 @@
+// All pixels of a frame by cached light: a few samples each, more of them where they differ. Private to src/trace.
+#pragma once
+
+#include <span>
+
+#include "trace/light_gatherer.hpp"
+
+namespace lippmann {
+
+struct GatherParams {
+  TraceParams trace;        ///< spp is not used: samples are as many as `error` asks for
+  float error = 0.01f;      ///< standard deviation of a sample, as sRGB's codes (0 ... 1) have it, at which one is enough
+  bool provenance = false;  ///< see LightGatherer::show_provenance
+};
+
+/// By how much the samples of each pixel scatter, as sRGB's codes have it, squared; by pixel index. Empty: not known.
+using Scatter = std::vector<float>;
+
+/// Of each pixel the most of itself and those near by, in its own view and in neighbouring ones: what moves a little from frame
+/// to frame stays within.
+Scatter widened(const Scatter& scatter, const Optics& optics, const ThreadPool& pool);
+
+/// Samples of a pixel at most.
+inline constexpr int kMostGatherSamples = 128;
+
+/// What a frame is gathered from. Outlives the calls that it is given to.
+struct GatherSources {
+  const DeviceScene::Impl& scene;
+  const LightCells& cells;
+  const LightCache& cache;
+  const Optics& optics;
+  const Affine3f& world_from_display;
+};
+
+/// Of the pixels that are to be gathered.
+struct GatherHistory {
+  const Scatter* before = nullptr;  ///< of the frame before, widened: where it was little, fewer samples do; null: not known
+  Scatter* now = nullptr;           ///< receives what this frame finds; null: nobody asks
+};
+
+/// Fills `film` (3 channels, linear, the panel's size), or of it only the blocks that are not 0 in `wanted` (by block, as in
+/// trace_blocks; empty: all). The same bits for any number of threads. Returns early when context.cancelled is set.
+RayCounts gather_frame(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
+                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film);
+
+/// Blocks of a frame, as trace_blocks and gather_frame count them.
+std::size_t blocks_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order);
+
+}  // namespace lippmann

@@ -1,0 +1,127 @@
+// Soft light on surfaces, remembered where it fell: what sky, lamps with area and other surfaces send to a point from all
+// around, as means over cells in the space of the thing that is lit, so that every pixel, view and frame feeds it and asks it.
+// Private to src/trace.
+//
+// Based on: N. Binder et al., "Fast Path Space Filtering by Jittered Spatial Hashing", SIGGRAPH Talks 2018 (cells found by
+// hashing); W. James, C. Stein, "Estimation with Quadratic Loss", 1961 (a mean of few samples is drawn towards one of many).
+//
+// A point has cells of several sizes, each twice as wide as the last. Small ones are sharp and noisy, large ones the reverse;
+// resolve() draws each towards the next larger one as far as its own samples do not speak against it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/math.hpp"
+#include "core/parallel.hpp"
+
+namespace lippmann {
+
+/// A point of a surface, for the cache.
+struct LightPlace {
+  Vec3f position{0.0f};     ///< moves with the thing: in its own space, world units long
+  std::uint32_t thing = 0;  ///< surfaces that never share light: other instances, other sides
+  std::uint32_t part = 0;   ///< parts of it that hang together; only large cells hold several
+  float size = 1.0f;        ///< > 0: edge that the smallest cell should have
+};
+
+/// Light that arrived at a place along one path: per albedo, as radiance that a white surface would send on.
+struct LightRecord {
+  LightPlace place;
+  Vec3f light{0.0f};
+};
+
+class LightCache {
+ public:
+  static constexpr int kLevels = 4;
+  static constexpr std::size_t kShards = 64;  ///< filled side by side, whatever the number of threads
+
+  /// Holds at most about so many cells. Where there is no room for a new one, larger ones or paths of its own serve a place.
+  explicit LightCache(std::size_t most_cells);
+
+  /// What was fed so far becomes the past. Where both contradict each other by more than chance explains, the past is forgotten
+  /// as far as that asks for.
+  void begin_frame(const ThreadPool& pool);
+
+  /// Feeds records, in this order whatever the threads.
+  void add(std::span<const std::vector<LightRecord>> records, const ThreadPool& pool);
+
+  /// Makes what look_up() gives from what was fed.
+  void resolve(const ThreadPool& pool);
+
+  /// The light at a place, interpolated, and in `w` how well that place is known: 0 not at all.
+  Vec4f look_up(const LightPlace& place) const;
+
+  /// The same, left to chance: of the cells that it is interpolated from, one. normal: of the surface, in the place's space.
+  Vec4f pick(const LightPlace& place, Vec3f normal, Vec2f u) const;
+
+  /// How much of what is known there comes from frames before, 0 ... 1.
+  float share_of_past(const LightPlace& place) const;
+
+  std::size_t cells() const;
+  std::size_t bytes() const;
+  /// Of a full cache.
+  static std::size_t bytes_per_cell();
+
+ private:
+  /// Sums over samples. Kept as means, so that long histories lose no digits.
+  struct Moments {
+    Vec3f mean{0.0f};
+    float square = 0.0f;  ///< mean of the squared luminance
+    float count = 0.0f;
+    void add(Vec3f light);
+    void add(const Moments& more);
+    float variance() const;  ///< of one sample's luminance
+  };
+  struct Cell {
+    Vec3f center;
+    std::uint32_t thing, part;
+    int exponent;  ///< edge 2^exponent
+    Moments now, past;
+    float samples = 0.0f;
+    float deviation = 0.0f;  ///< of one sample's luminance, squared
+    float variance = 0.0f;   ///< of the resolved value's luminance
+    float keep = 1.0f;
+    Vec3f wider{0.0f};  ///< what larger cells say of it
+    bool has_wider = false;
+    float spread = 0.0f;  ///< squared luminance by which cells within this one differ from what it says of them
+  };
+  /// Open addressing; what look_up() asks for lies in the slot itself.
+  struct Slot {
+    std::uint64_t key = 0;  ///< 0: empty
+    Vec3f light{0.0f};
+    std::uint32_t cell = 0;
+  };
+  struct Shard {
+    std::vector<Slot> slots;
+    std::vector<Cell> cells;
+    const Slot* find(std::uint64_t key) const;
+    Cell* find_or_add(std::uint64_t key, std::size_t most_cells, bool& is_new);
+    void reserve(std::size_t cells);
+    void put(std::uint64_t key, std::uint32_t cell);
+  };
+
+  const Slot* find(std::uint64_t key) const;
+  const Cell* cell_of(std::uint64_t key) const;
+  std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
+  const Cell* parent_of(const Cell& cell) const;
+  struct Interpolated {
+    Vec3f sum{0.0f};
+    float weight = 0.0f;
+    bool inside = false;  ///< the cell around the point itself is known
+  };
+  Interpolated interpolate(Vec3f p, std::uint64_t base, int exponent) const;
+  void exponents(int& least, int& most) const;
+  void for_each_of_size(const ThreadPool& pool, int exponent, const auto& fn);
+  void compare_with_wider(Cell& cell, Slot& slot) const;
+  void find_spreads(int exponent, const ThreadPool& pool);
+  void resolve(Cell& cell, Slot& slot) const;
+
+  std::vector<Shard> shards_;
+  std::size_t most_cells_;  ///< of a shard
+};
+
+}  // namespace lippmann

@@ -1,0 +1,110 @@
+#include "trace/light_feeder.hpp"
+
+#include "core/random.hpp"
+#include "trace/ray_order.hpp"
+#include "trace/scene_query.hpp"
+#include "transport/sampler.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Queries of a group: one for each ray at most.
+constexpr int kMostQueries = kPacketsPerBlock * kLanes;
+
+}  // namespace
+
+float LightCells::size(float path_length) const {
+  const Vec2f widths = beam.widths(path_length);
+  return samples_per_cell * std::max(std::min(widths.x, widths.y), 1e-20f);
+}
+
+LightFeeder::LightFeeder(const DeviceScene::Impl& scene, const LightCells& cells, const PathParams& params)
+    : scene_(scene),
+      cells_(cells),
+      params_(params),
+      light_(kMostQueries, 1, 3),
+      paths_(scene, cells.beam, params, {light_.data.data()}) {}
+
+void LightFeeder::begin_group(std::uint32_t group) {
+  group_ = group;
+  started_ = 0;
+}
+
+void LightFeeder::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel) {
+  clear_hits(packet);
+  intersect_scene(scene_, active, packet, Coherence::kCoherent);
+  PathRay rays[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    counts_.primary += active.lane[i] != 0;
+    if (!active.lane[i]) continue;
+    rays[i] = primary_path_ray(packet, i, pixel[i]);
+    rays[i].seed = hash(params_.seed, group_), rays[i].index = started_++;
+  }
+  shade(packet, active, rays);
+}
+
+void LightFeeder::finish_group(std::vector<LightRecord>& records) {
+  while (!next_.empty()) {
+    std::swap(wave_, next_);
+    next_.clear();
+    RayHitPacket packet;
+    LaneMask active;
+    for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
+      load_rays(&wave_[first], std::min<std::size_t>(kLanes, wave_.size() - first), packet, active);
+      clear_hits(packet);
+      intersect_scene(scene_, active, packet, Coherence::kIncoherent);
+      shade(packet, active, wave_.data() + first);
+    }
+  }
+  paths_.finish_batch();
+  for (std::size_t q = 0; q < asked_.size(); ++q) {
+    float* light = &light_.data[3 * q];
+    records.push_back({asked_[q], {light[0], light[1], light[2]}});
+    light[0] = light[1] = light[2] = 0.0f;
+  }
+  asked_.clear();
+}
+
+RayCounts LightFeeder::counts() const {
+  RayCounts all = counts_;
+  add(paths_.counts(), all);
+  return all;
+}
+
+void LightFeeder::shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+  Lanes path_length;
+  for (int i = 0; i < kLanes; ++i) path_length[i] = active.lane[i] ? rays[i].path_length : 0.0f;
+  evaluate_surfaces(scene_, packet, active, path_length, cells_.beam, surface_);
+  for (int i = 0; i < kLanes; ++i)
+    if (active.lane[i] && surface_.hit.lane[i]) shade_lane(packet, i, rays[i]);
+}
+
+void LightFeeder::shade_lane(const RayHitPacket& packet, int i, const PathRay& ray) {
+  const ShadingPoint point = shading_point(scene_, packet, surface_, i);
+  PathSampler sampler(ray.seed, ray.index);
+  sampler.jump_to(kPairsPerEvent * ray.events);
+  const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next(), chance = sampler.next();
+  const float length = ray.path_length + packet.ray.tfar[i];
+  if (chance.y >= point.coverage) {
+    if (ray.events < kMostEvents) next_.push_back(passed(ray, point, length));
+    return;
+  }
+  if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
+  const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
+  const float share = bsdf.diffuse_share();
+  if (choice.y < share) {
+    PathRay query = ray;
+    query.pixel = static_cast<std::uint32_t>(asked_.size());
+    query.throughput = Vec3f(1.0f);
+    Vec3f normal = bsdf.normal();
+    asked_.push_back(cells_.places(packet, surface_, i, normal, cells_.size(length)));
+    paths_.gather_soft_light(point, bsdf, query, length, {choice.x, on_light, way});
+    return;
+  }
+  const std::optional<BsdfSample> sample = bsdf.without_diffuse().sample((choice.y - share) / (1.0f - share), way);
+  if (!sample || (glm::dot(point.facet, sample->direction) < 0.0f) != sample->transmitted) return;
+  ++counts_.reflection;
+  next_.push_back(scattered(ray, point, *sample, Vec3f(1.0f), length));
+}
+
+}  // namespace lippmann

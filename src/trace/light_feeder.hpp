@@ -1,0 +1,51 @@
+// Feeds the light cache: follows rays from the lens array to the first surface that scatters diffusely, and from there one path
+// for the light that arrives. Private to src/trace.
+#pragma once
+
+#include "trace/path_tracer.hpp"
+#include "trace/surface_places.hpp"
+
+namespace lippmann {
+
+/// What feeding and asking the cache have in common.
+struct LightCells {
+  const SurfacePlaces& places;
+  const BeamFootprint& beam;
+  float samples_per_cell = 8.0f;  ///< across the smallest cell
+  /// Edge of the smallest cell at the end of a path of some length, world units.
+  float size(float path_length) const;
+};
+
+/// State of one thread at a time.
+class LightFeeder {
+ public:
+  LightFeeder(const DeviceScene::Impl& scene, const LightCells& cells, const PathParams& params);
+
+  /// From now on random numbers are those of this group of packets: another number for each.
+  void begin_group(std::uint32_t group);
+
+  /// Traces a packet of primary rays; queries that go on from there wait for finish_group().
+  void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel);
+
+  /// Traces all that waits, and appends what arrived.
+  void finish_group(std::vector<LightRecord>& records);
+
+  RayCounts counts() const;
+
+ private:
+  void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void shade_lane(const RayHitPacket& packet, int i, const PathRay& ray);
+
+  const DeviceScene::Impl& scene_;
+  const LightCells& cells_;
+  PathParams params_;
+  std::uint32_t group_ = 0, started_ = 0;  ///< of the group
+  RayCounts counts_;
+  Image light_;  ///< what arrives, by query of the group
+  PathTracer paths_;
+  std::vector<LightPlace> asked_;
+  std::vector<PathRay> wave_, next_;
+  SurfacePacket surface_;
+};
+
+}  // namespace lippmann

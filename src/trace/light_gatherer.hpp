@@ -1,0 +1,63 @@
+// Paths that end in the light cache: from the lens array to surfaces, mirrors and glass exactly, lights that are points by
+// shadow rays, all other light on diffuse surfaces from the cache. Private to src/trace.
+#pragma once
+
+#include <array>
+
+#include "trace/light_feeder.hpp"
+#include "transport/sampler.hpp"
+
+namespace lippmann {
+
+/// So many point-like lights are all asked at every point, and make no noise; of more of them, one.
+inline constexpr std::size_t kFewLights = 4;
+
+/// State of one thread at a time.
+class LightGatherer {
+ public:
+  /// Adds radiance to pixels of `film`. All arguments outlive it.
+  LightGatherer(const DeviceScene::Impl& scene, const LightCells& cells, const LightCache& cache, const PathParams& params,
+                Image& film);
+
+  /// From now on pictures show where light came from, in proportion to it: red what this frame traced, green what the cache was
+  /// fed in this frame, blue what frames before it have found.
+  void show_provenance() { shows_provenance_ = true; }
+
+  /// A primary ray per active lane: sample number sample[i] of pixel[i] of the panel, its light goes to slot[i] of the film.
+  void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, const std::uint32_t* sample,
+               const std::uint32_t* slot);
+
+  /// Traces everything that waits.
+  void finish_batch();
+
+  RayCounts counts() const;
+
+ private:
+  void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void shade_sky(const RayHitPacket& packet, int i, const PathRay& ray);
+  void shade_surface(const RayHitPacket& packet, int i, const PathRay& ray);
+  void add_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission);
+  void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, PathSampler& sampler);
+  void add_soft_gloss(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float pick, Vec2f u);
+  void reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length, Vec2f choice, Vec2f u);
+  void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
+  void trace_shadow_rays();
+  void add_cached(std::uint32_t slot, Vec3f radiance, const LightPlace& place);
+  void add(std::uint32_t slot, Vec3f radiance);
+  void deposit(std::uint32_t slot, Vec3f value);
+
+  const DeviceScene::Impl& scene_;
+  const LightCells& cells_;
+  const LightCache& cache_;
+  PathParams params_;
+  float* film_;
+  bool shows_provenance_ = false;
+  RayCounts counts_;
+  PathTracer paths_;  ///< where the cache knows nothing
+  std::vector<PathRay> wave_, next_;
+  std::array<ShadowQueue, kFewLights> to_point_;  ///< by light, where they are few: packets to one light stay together
+  ShadowQueue to_others_;
+  SurfacePacket surface_;
+};
+
+}  // namespace lippmann

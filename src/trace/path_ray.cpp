@@ -1,0 +1,42 @@
+#include "trace/path_ray.hpp"
+
+namespace lippmann {
+
+PathRay primary_path_ray(const RayHitPacket& packet, int i, std::uint32_t pixel) {
+  PathRay ray;
+  ray.origin = {packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i]};
+  ray.direction = {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
+  ray.pixel = pixel;
+  return ray;
+}
+
+PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
+  ray.origin = point.position;
+  ray.t_near = point.t_near;
+  ray.path_length = length;
+  ++ray.events;
+  return ray;
+}
+
+PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
+  ray.origin = point.position, ray.direction = sample.direction;
+  ray.throughput = throughput;
+  ray.t_near = point.t_near, ray.path_length = length;
+  ++ray.depth, ++ray.events;
+  // What shines straight behind is reached by the last vertex's shadow rays, too.
+  if (!sample.straight) ray.density = sample.density, ray.scattered_at = length;
+  return ray;
+}
+
+void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active) {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const PathRay& ray = rays[std::min(i, count - 1)];
+    packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
+    packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
+    packet.ray.tnear[i] = ray.t_near;
+    packet.ray.tfar[i] = kInfinity;
+    active.lane[i] = i < count ? -1 : 0;
+  }
+}
+
+}  // namespace lippmann

@@ -1,0 +1,42 @@
+// A path on its way between two surfaces, and packets of such. Private to src/trace.
+#pragma once
+
+#include <vector>
+
+#include "trace/shading_point.hpp"
+
+namespace lippmann {
+
+struct PathRay {
+  Vec3f origin{0.0f}, direction{0.0f}, throughput{1.0f};
+  float t_near = 0.0f, path_length = 0.0f;
+  float scattered_at = 0.0f;  ///< path length at the last scattering
+  float density = kInfinity;  ///< of `direction` as drawn at the last scattering; kInfinity: by a Dirac lobe, or from the lens
+  std::uint32_t pixel = 0;    ///< where its light goes
+  std::uint32_t seed = 0, index = 0;  ///< of its random numbers (transport/sampler.hpp)
+  std::uint16_t depth = 0;            ///< vertices on surfaces so far
+  std::uint16_t events = 0;           ///< vertices, passed surfaces included: what the random numbers go by
+};
+
+/// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.
+inline constexpr int kMostEvents = 1024;
+/// Pairs of random numbers at each vertex: which light and lobe; where on the light; which way; roulette and coverage.
+inline constexpr std::uint32_t kPairsPerEvent = 4;
+
+/// Lane i of a packet of primary rays.
+PathRay primary_path_ray(const RayHitPacket& packet, int i, std::uint32_t pixel);
+
+/// `ray` beyond a point that it passes as if nothing were there, `length` from the path's start.
+PathRay passed(PathRay ray, const ShadingPoint& point, float length);
+
+/// `ray` from a point at `length` on, in a direction that was drawn there; throughput as it is then.
+PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length);
+
+/// 1 to 16 rays into a packet; lanes beyond them get the last one's and are inactive.
+void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active);
+
+inline float largest(Vec3f v) { return std::max({v.x, v.y, v.z}); }
+
+inline bool is_finite(Vec3f v) { return std::isfinite(v.x + v.y + v.z); }
+
+}  // namespace lippmann

@@ -1,0 +1,24 @@
+#include "trace/shadow_queue.hpp"
+
+namespace lippmann {
+
+void ShadowQueue::push(const ShadingPoint& point, const LightSample& light, Vec3f radiance, std::uint32_t pixel, int depth) {
+  const float t_far = light.is_point() || light.distance == kInfinity ? light.distance : light.distance - point.t_near;
+  rays_.push_back({point.position, light.direction, radiance, point.t_near, t_far, pixel, depth});
+}
+
+std::size_t ShadowQueue::trace_packet(const DeviceScene::Impl& scene, std::size_t first) {
+  const std::size_t count = std::min<std::size_t>(kLanes, rays_.size() - first);
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const ShadowRay& ray = rays_[first + std::min(i, count - 1)];
+    packet_.rays.org_x[i] = ray.origin.x, packet_.rays.org_y[i] = ray.origin.y, packet_.rays.org_z[i] = ray.origin.z;
+    packet_.rays.dir_x[i] = ray.direction.x, packet_.rays.dir_y[i] = ray.direction.y, packet_.rays.dir_z[i] = ray.direction.z;
+    packet_.rays.tnear[i] = ray.t_near, packet_.rays.tfar[i] = ray.t_far;
+    packet_.active.lane[i] = i < count ? -1 : 0;
+    packet_.context.transmittance[i] = 1.0f;
+  }
+  trace_shadows(scene, packet_);
+  return count;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,48 @@
+// Lights that shine on vertices of paths unless something lies between: they wait until there are packets of them. Private to
+// src/trace.
+#pragma once
+
+#include <vector>
+
+#include "trace/direct_light.hpp"
+#include "trace/light_table.hpp"
+#include "trace/shading_point.hpp"
+
+namespace lippmann {
+
+struct ShadowRay {
+  Vec3f origin, direction, radiance;
+  float t_near, t_far;
+  std::uint32_t pixel;
+  int depth;  ///< vertices that scatter it
+};
+
+class ShadowQueue {
+ public:
+  /// From a point to a light; `radiance` arrives at `pixel` where nothing lies between, scattered by `depth` vertices.
+  void push(const ShadingPoint& point, const LightSample& light, Vec3f radiance, std::uint32_t pixel, int depth);
+
+  /// Traces all that wait, calls add(shadow ray, radiance) for what arrives, in the order of push(), and returns how many there
+  /// were.
+  template <class Add>
+  std::size_t trace(const DeviceScene::Impl& scene, const Add& add) {
+    for (std::size_t first = 0; first < rays_.size(); first += kLanes) {
+      const std::size_t count = trace_packet(scene, first);
+      for (std::size_t i = 0; i < count; ++i)
+        if (arrives(static_cast<int>(i))) add(rays_[first + i], rays_[first + i].radiance * transmittance(static_cast<int>(i)));
+    }
+    const std::size_t all = rays_.size();
+    rays_.clear();
+    return all;
+  }
+
+ private:
+  std::size_t trace_packet(const DeviceScene::Impl& scene, std::size_t first);
+  bool arrives(int i) const { return packet_.active.lane[i] && packet_.rays.tfar[i] >= 0.0f; }
+  float transmittance(int i) const { return packet_.context.transmittance[i]; }
+
+  std::vector<ShadowRay> rays_;
+  ShadowPacket packet_;
+};
+
+}  // namespace lippmann

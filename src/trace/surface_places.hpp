@@ -1,0 +1,43 @@
+// Where hits lie in the space of what they hit: things that move, turn or bend take along what is known of their surface.
+// Private to src/trace.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "scene/timeline.hpp"
+#include "trace/light_cache.hpp"
+#include "trace/surface.hpp"
+
+namespace lippmann {
+
+/// Of a mesh, by triangle: the first vertex of the part that it hangs together with.
+std::vector<std::uint32_t> connected_parts(const Mesh& mesh);
+
+class SurfacePlaces {
+ public:
+  /// `scene` outlives it; made once, as parts take a while.
+  explicit SurfacePlaces(const DeviceScene::Impl& scene);
+
+  /// Takes everything to where it is in a frame.
+  void update(const ResolvedScene& resolved);
+
+  /// Of lane i. normal: where light is asked for, world space, on the viewer's side; size: of the smallest cell, world units.
+  /// `normal` goes over to the place's space, unit length.
+  LightPlace operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal, float size) const;
+
+ private:
+  struct Space {
+    bool moves = false;
+    Affine3f own_from_world;  ///< lengths stay
+    Mat3f own_from_world_normal{1.0f};
+  };
+
+  const DeviceScene::Impl& scene_;
+  std::vector<Space> spaces_;                                       ///< by instance
+  std::map<const Mesh*, std::vector<std::uint32_t>> parts_;         ///< by mesh
+  std::vector<const std::vector<std::uint32_t>*> parts_of_record_;  ///< null: no mesh
+  std::vector<const Mesh*> rest_of_record_;                         ///< of posed meshes: unbent; else null
+};
+
+}  // namespace lippmann

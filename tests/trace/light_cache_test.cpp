@@ -1,0 +1,179 @@
+// The cache of soft light on its own: what it was fed against what it answers.
+#include "trace/light_cache.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "transport/bsdf.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr std::size_t kPlenty = 1u << 20;
+
+LightPlace place(float x, float y = 0.3f, std::uint32_t thing = 7) { return {{x, y, 0.1f}, thing, 1, 1.0f}; }
+
+/// `count` places spread over x in [0, 32), y in [0, 8), and light(x) on them, noise of deviation `noise` added.
+template <class Light>
+std::vector<LightRecord> spread(int count, float noise, unsigned seed, const Light& light) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform;
+  std::normal_distribution<float> normal;
+  std::vector<LightRecord> records;
+  for (int i = 0; i < count; ++i) {
+    const float x = 32.0f * uniform(random), y = 8.0f * uniform(random);
+    records.push_back({place(x, y), Vec3f(light(x) + noise * normal(random))});
+  }
+  return records;
+}
+
+void feed(LightCache& cache, const std::vector<LightRecord>& records, const ThreadPool& pool = ThreadPool(1)) {
+  const std::vector<std::vector<LightRecord>> pieces{records};
+  cache.add(pieces, pool);
+  cache.resolve(pool);
+}
+
+TEST(LightCache, a_place_that_was_never_fed_is_unknown) {
+  LightCache cache(kPlenty);
+  EXPECT_EQ(cache.look_up(place(3)).w, 0.0f);
+  EXPECT_EQ(cache.pick(place(3), {0, 0, 1}, Vec2f(0.5f)).w, 0.0f);
+}
+
+TEST(LightCache, a_place_that_was_fed_once_has_that_light_all_around) {
+  LightCache cache(kPlenty);
+  feed(cache, {{place(3), {1.0f, 2.0f, 3.0f}}});
+  for (const float x : {3.0f, 3.9f, 4.4f}) {  // its own cell, and what larger ones know
+    const Vec4f light = cache.look_up(place(x));
+    EXPECT_GT(light.w, 0.0f);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(light[c], static_cast<float>(c + 1), 1e-5f) << x;
+  }
+}
+
+TEST(LightCache, other_things_and_other_sides_share_nothing) {
+  LightCache cache(kPlenty);
+  feed(cache, {{place(3, 0.3f, 7), Vec3f(1.0f)}});
+  EXPECT_EQ(cache.look_up(place(3, 0.3f, 8)).w, 0.0f);
+}
+
+// 4,096 records on 256 cells: 16 each, whose mean alone scatters by 0.25.
+TEST(LightCache, noise_on_even_light_is_averaged_over_more_than_a_cell) {
+  LightCache cache(kPlenty);
+  feed(cache, spread(4096, 1.0f, 1, [](float) { return 5.0f; }));
+  double squares = 0.0;
+  int count = 0;
+  for (float x = 2.0f; x < 30.0f; x += 0.37f, ++count) {
+    const double d = static_cast<double>(cache.look_up(place(x, 4.0f)).x) - 5.0;
+    squares += d * d;
+  }
+  EXPECT_LT(std::sqrt(squares / count), 0.1);  // of 64 cells of the largest size it would be 0.03
+}
+
+TEST(LightCache, an_edge_of_light_stays_where_it_is) {
+  LightCache cache(kPlenty);
+  feed(cache, spread(16384, 0.1f, 2, [](float x) { return x < 16.0f ? 0.0f : 1.0f; }));
+  // One cell away, though the largest cells are eight wide.
+  EXPECT_NEAR(cache.look_up(place(14.4f, 4.0f)).x, 0.0f, 0.06f);
+  EXPECT_NEAR(cache.look_up(place(17.6f, 4.0f)).x, 1.0f, 0.06f);
+}
+
+TEST(LightCache, picking_gives_the_interpolated_light_on_average) {
+  LightCache cache(kPlenty);
+  feed(cache, spread(16384, 0.0f, 3, [](float x) { return x; }));
+  const LightPlace at = place(11.7f, 4.2f);
+  double sum = 0.0;
+  constexpr int kSide = 32;
+  for (int i = 0; i < kSide * kSide; ++i)
+    sum += static_cast<double>(
+        cache
+            .pick(at, {0, 0, 1},
+                  {(static_cast<float>(i % kSide) + 0.5f) / kSide, (static_cast<float>(i / kSide) + 0.5f) / kSide})
+            .x);
+  EXPECT_NEAR(sum / (kSide * kSide), static_cast<double>(cache.look_up(at).x), 0.02);
+}
+
+TEST(LightCache, frames_that_agree_add_up) {
+  const auto error_after = [](int frames) {
+    LightCache cache(kPlenty);
+    const ThreadPool pool(1);
+    for (int f = 0; f < frames; ++f) {
+      cache.begin_frame(pool);
+      feed(cache, spread(512, 1.0f, static_cast<unsigned>(f + 10), [](float) { return 5.0f; }));
+    }
+    double squares = 0.0;
+    for (float x = 1.0f; x < 31.0f; x += 0.25f)
+      squares += std::pow(static_cast<double>(cache.look_up(place(x, 4.0f)).x) - 5.0, 2);
+    return std::sqrt(squares / 120.0);
+  };
+  EXPECT_LT(error_after(16), 0.6 * error_after(1));  // a quarter, but for what larger cells know from the start
+}
+
+TEST(LightCache, light_that_goes_out_is_forgotten_within_two_frames) {
+  LightCache cache(kPlenty);
+  const ThreadPool pool(1);
+  for (int f = 0; f < 20; ++f) {
+    cache.begin_frame(pool);
+    feed(cache, spread(2048, 0.2f, static_cast<unsigned>(f), [](float) { return 1.0f; }));
+  }
+  for (int f = 0; f < 3; ++f) {
+    cache.begin_frame(pool);
+    feed(cache, spread(2048, 0.0f, static_cast<unsigned>(40 + f), [](float) { return 0.0f; }));
+  }
+  for (float x = 0.5f; x < 32.0f; x += 1.0f) EXPECT_LT(cache.look_up(place(x, 4.0f)).x, 0.05f) << x;
+}
+
+TEST(LightCache, share_of_past_tells_old_light_from_new) {
+  LightCache cache(kPlenty);
+  const ThreadPool pool(1);
+  feed(cache, {{place(3), Vec3f(1.0f)}});
+  EXPECT_EQ(cache.share_of_past(place(3)), 0.0f);
+  cache.begin_frame(pool);
+  EXPECT_EQ(cache.share_of_past(place(3)), 1.0f);
+  feed(cache, {{place(3), Vec3f(1.0f)}});
+  EXPECT_EQ(cache.share_of_past(place(3)), 0.5f);
+}
+
+TEST(LightCache, a_full_cache_takes_no_more_cells_and_keeps_what_it_has) {
+  LightCache cache(64 * 4);
+  feed(cache, spread(20000, 0.0f, 4, [](float) { return 1.0f; }));
+  EXPECT_LE(cache.cells(), 64u * 4u);
+  EXPECT_LE(cache.bytes(), 64u * 4u * LightCache::bytes_per_cell() + 64u * 64u * 24u);
+  int known = 0;
+  for (float x = 0.5f; x < 32.0f; x += 1.0f) {
+    const Vec4f light = cache.look_up(place(x, 4.0f));
+    if (!(light.w > 0.0f)) continue;
+    ++known;
+    EXPECT_NEAR(light.x, 1.0f, 1e-5f);
+  }
+  EXPECT_GT(known, 0);
+}
+
+TEST(LightCache, the_same_bits_on_any_number_of_threads) {
+  const auto answers = [](int threads) {
+    const ThreadPool pool(threads);
+    LightCache cache(kPlenty);
+    for (int f = 0; f < 3; ++f) {
+      cache.begin_frame(pool);
+      std::vector<std::vector<LightRecord>> pieces;
+      for (unsigned p = 0; p < 8; ++p)
+        pieces.push_back(spread(300, 1.0f, p + 100u * static_cast<unsigned>(f), [](float x) { return x; }));
+      cache.add(pieces, pool);
+      cache.resolve(pool);
+    }
+    std::vector<float> light;
+    for (float x = 0.0f; x < 32.0f; x += 0.1f) light.push_back(cache.look_up(place(x, 4.0f)).x);
+    return light;
+  };
+  EXPECT_EQ(answers(1), answers(3));
+}
+
+TEST(LightCache, places_far_beyond_any_scene_do_no_harm) {
+  LightCache cache(kPlenty);
+  LightPlace far = place(1e30f);
+  far.size = 1e-30f;
+  feed(cache, {{far, Vec3f(1.0f)}});
+  EXPECT_EQ(cache.pick(far, {0, 0, 1}, Vec2f(0.5f)).x, 1.0f);
+}
+
+}  // namespace
+}  // namespace lippmann
