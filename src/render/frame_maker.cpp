@@ -8,6 +8,7 @@
 #include "render/exact_frames.hpp"
 #include "render/floored_frames.hpp"
 #include "render/forward_frames.hpp"
+#include "render/lit_frames.hpp"
 #include "render/test_pattern.hpp"
 #include "scene/deform.hpp"
 
@@ -69,9 +70,10 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
     return std::make_unique<FlooredFrames>(stage, params, pool, context);
   if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
   if (params.denoise) return std::make_unique<DenoisedFrames>(stage, params, pool, context);
-  // Extra layers are of every pixel of every frame: with them nothing is left to reuse. Paths have other noise in every frame.
+  // Extra layers are of every pixel of every frame: with them nothing is left to reuse.
   if (params.reuse == Reuse::kExact && params.aov.empty() && !params.transparent && params.integrator == Integrator::kWhitted)
     return std::make_unique<ExactFrames>(stage, params, pool, context);
+  if (LitFrames::serves(params)) return std::make_unique<LitFrames>(stage, params, pool, context);
   return std::make_unique<TracedFrames>(stage, params, pool, context);
 }
 
@@ -79,6 +81,7 @@ double bytes_kept_per_pixel(const RenderParams& params) {
   if (params.reuse == Reuse::kForward && params.min_psnr_db) return FlooredFrames::bytes_kept_per_pixel();
   if (params.reuse == Reuse::kForward) return ForwardFrames::bytes_kept_per_pixel(params);
   if (params.denoise) return DenoisedFrames::bytes_kept_per_pixel();
+  if (LitFrames::serves(params)) return LitFrames::bytes_kept_per_pixel();
   return params.reuse == Reuse::kExact ? ExactFrames::bytes_kept_per_pixel() : 0.0;
 }
 

@@ -21,10 +21,11 @@ namespace lippmann {
 enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
 enum class Reuse {
   kNone,     ///< every frame is traced
-  kExact,    ///< pixels that provably stay as they are are copied from key frames: the same bits as kNone
+  kExact,    ///< Whitted: pixels that provably stay as they are are copied from key frames, the same bits as kNone; paths:
+             ///< soft light is shared by pixels, views and frames
   kForward,  ///< the paper's: frames between key frames are interpolated from these frames' points
 };
-enum class DebugPicture { kNone, kMissed };
+enum class DebugPicture { kNone, kMissed, kProvenance };
 enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 
 /// What each frame's picture holds (layout/view_layout.hpp).
@@ -93,7 +94,7 @@ struct RenderParams {
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only
   bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, to be looked at
-  DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black
+  DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black; kProvenance: where light came from
 
   // Files
   std::string output;                   ///< folder; empty: out/<scene name>

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 3> kReuseNames{"none", "exact", "forward"
 constexpr std::array<std::string_view, 2> kAngularNames{"none", "box"};
 constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
-constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
+constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provenance"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 5> kLayoutNames{"integral", "quilt", "views", "native", "print"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
@@ -318,8 +318,11 @@ std::vector<ParamInfo> reuse_rows() {
   return {
       row(ParamKind::kText, &P::reuse, choice<Reuse>(kReuseNames),
           {"reuse", "Reuse", "NAME",
-           "Between frames: exact (what provably stays as it is is copied: the same pictures as none), none, or forward (the "
-           "frames between key frames are interpolated)"}),
+           "exact (what provably stays as it is is copied: the same pictures as none; with paths, soft light is shared by "
+           "pixels, "
+           "views and frames, and pictures are as good as those of --spp paths), none, or forward (the frames between key "
+           "frames "
+           "are interpolated)"}),
       row(ParamKind::kText, &P::keyframes, keyframes,
           {"keyframes", "Reuse", "K|auto",
            "A key frame, which is traced whole, every K frames; auto: exact and forward with --min-psnr choose, else forward "
@@ -327,7 +330,7 @@ std::vector<ParamInfo> reuse_rows() {
       row(ParamKind::kNumber, &P::min_psnr_db, min_psnr,
           {"min-psnr", "Reuse", "DB",
            "Forward: pixels are traced wherever a frame's PSNR would otherwise fall below this, and key frames chosen to "
-           "suit"}),
+           "suit; exact with paths: as many samples as it takes, in place of --spp"}),
       row(ParamKind::kText, &P::splat, choice<SplatMode>(kSplatNames),
           {"splat", "Reuse", "WHERE", "Forward: points stay below their lens (the paper's) or in their directional view"}),
       row(ParamKind::kText, &P::fill, choice<MissedFill>(kFillNames),
@@ -338,7 +341,9 @@ std::vector<ParamInfo> reuse_rows() {
       row(ParamKind::kFlag, &P::no_z_buffer, flag(),
           {"no-z-buffer", "Reuse", "", "Forward: points overwrite each other in pixel order; wrong, to be looked at"}),
       row(ParamKind::kText, &P::debug, choice<DebugPicture>(kDebugNames),
-          {"debug", "Reuse", "PICTURE", "Forward: missed shows missed pixels black"}),
+          {"debug", "Reuse", "PICTURE",
+           "Forward: missed shows missed pixels black; exact with paths: provenance shows light that was traced red, that "
+           "of the cache green, what it knows from frames before blue"}),
   };
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "render/lit_frames.hpp"
 
 namespace lippmann {
 namespace {
@@ -14,7 +15,7 @@ std::string forward_only_flag(const RenderParams& params) {
   if (params.fill != defaults.fill) return "--fill";
   if (params.halving) return "--halving";
   if (params.no_z_buffer) return "--no-z-buffer";
-  if (params.debug != defaults.debug) return "--debug";
+  if (params.debug == DebugPicture::kMissed) return "--debug";
   return "";
 }
 
@@ -34,6 +35,9 @@ void check_reuse(const RenderParams& params) {
   const std::string stray = forward_only_flag(params);
   if (params.reuse != Reuse::kForward && !stray.empty())
     throw usage_error(stray, "means nothing without interpolated frames", "it together with --reuse forward");
+  if (params.debug == DebugPicture::kProvenance && !LitFrames::serves(params))
+    throw usage_error("--debug", "provenance shows where reused light came from, and none is",
+                      "--integrator path --reuse exact with it, 8 --spp or more, no --aov and no --transparent");
   if (params.reuse == Reuse::kNone && params.keyframes)
     throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse exact or forward");
   if (params.reuse == Reuse::kForward && params.integrator == Integrator::kPath)

@@ -31,6 +31,61 @@ TEST(Light, paths_give_the_same_pictures_on_any_number_of_threads_and_after_a_re
   EXPECT_EQ(one, rendered(dir, {"render", "one/job.toml", "--resume"}, "one"));
 }
 
+/// As small_paths, with enough samples for soft light to be shared.
+Words small_shared(const std::string& folder, const std::string& frames) {
+  return {"render", "teapot", "--lenses", "16", "--integrator", "path", "--spp", "32", "--frames", frames, "--output", folder};
+}
+
+// Frames 14 to 17 belong to two histories.
+TEST(Light, shared_light_gives_the_same_pictures_whole_in_parts_and_after_a_resume) {
+  const TempDir dir;
+  const Files whole = rendered(dir, small_shared("whole", "14-17"), "whole");
+  ASSERT_EQ(whole.size(), 4u);
+  for (const char* frame : {"15", "17"}) {
+    const Files part = rendered(dir, small_shared(frame, frame) + Words{"--threads", "3"}, frame);
+    for (const auto& [name, bytes] : part) EXPECT_EQ(bytes, whole.at(name)) << name;
+  }
+  std::filesystem::remove(dir / "whole/frame_0016.png");
+  EXPECT_EQ(whole, rendered(dir, {"render", "whole/job.toml", "--resume"}, "whole"));
+}
+
+TEST(Light, shared_light_saves_rays_and_tells_its_error) {
+  const TempDir dir;
+  const auto second_frame = [&](const std::string& reuse) {
+    return report_of(dir, small_shared("out", "0-1") + Words{"--reuse", reuse}).at("frames").at(1);
+  };
+  const nlohmann::json shared = second_frame("exact"), paths = second_frame("none");
+  const auto rays = [](const nlohmann::json& frame) {
+    std::int64_t sum = 0;
+    for (const auto& [kind, count] : frame.at("rays").items()) sum += count.get<std::int64_t>();
+    return sum;
+  };
+  EXPECT_LT(rays(shared), rays(paths) / 2);
+  EXPECT_GT(shared.at("estimated_psnr_db").get<double>(), 25.0);
+  EXPECT_TRUE(paths.at("estimated_psnr_db").is_null());
+}
+
+TEST(Light, a_floor_takes_more_rays_the_higher_it_is) {
+  const TempDir dir;
+  const auto primary = [&](const std::string& db) {
+    return report_of(dir, small_shared("out", "1") + Words{"--min-psnr", db})
+        .at("frames")
+        .at(0)
+        .at("rays")
+        .at("primary")
+        .get<int>();
+  };
+  EXPECT_LT(primary("30"), primary("40"));
+}
+
+TEST(Light, provenance_is_refused_where_no_light_is_reused) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, small_paths("out") + Words{"--debug", "provenance"}), 2,
+                 "--debug: provenance shows where reused light");
+  expect_refusal(run_tool(dir, small_teapot("0", "out") + Words{"--debug", "provenance"}), 2, "--debug: provenance");
+  EXPECT_EQ(run_tool(dir, small_shared("out", "0") + Words{"--debug", "provenance"}).exit_code, 0);
+}
+
 TEST(Light, paths_count_their_rays) {
   const TempDir dir;
   const nlohmann::json rays = report_of(dir, small_paths("out")).at("frames").at(0).at("rays");

@@ -1,0 +1,55 @@
+#include "render/lit_frames.hpp"
+
+#include <cmath>
+
+namespace lippmann {
+namespace {
+
+/// Frames that share what they find. Each such segment begins anew, whoever renders it: any split of an animation, and any
+/// resume, gives the same pictures.
+constexpr int kSegment = 16;
+
+/// Of fewer paths a pixel there is nothing to be saved.
+constexpr int kLeastPaths = 8;
+
+}  // namespace
+
+LitFrames::LitFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+    : stage_(stage), params_(params), pool_(pool), context_(context), tracer_(stage.device) {}
+
+bool LitFrames::serves(const RenderParams& params) {
+  return params.reuse == Reuse::kExact && params.integrator == Integrator::kPath && params.aov.empty() && !params.transparent &&
+         !params.denoise && (samples_per_pixel(params) >= kLeastPaths || params.min_psnr_db.has_value());
+}
+
+RenderedFrame LitFrames::make(int frame) {
+  const int start = frame / kSegment * kSegment;
+  if (next_ < start || next_ > frame) next_ = start;
+  RenderedFrame rendered;
+  while (next_ < frame && !context_.cancelled) visit(next_, rendered.pictures.film);
+  rendered.report = visit(frame, rendered.pictures.film);
+  return rendered;
+}
+
+FrameReport LitFrames::visit(int frame, Image& film) {
+  const FrameClock clock(pool_);
+  if (frame % kSegment == 0) tracer_.restart();
+  const Moment moment = stage_.moment_at(frame);
+  stage_.device.update(moment.resolved, pool_);
+  TraceParams trace = trace_params(params_, stage_.scene);
+  trace.frame = static_cast<std::uint32_t>(frame);
+  CachedLightGoal goal;
+  if (params_.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *params_.min_psnr_db));
+  goal.provenance = params_.debug == DebugPicture::kProvenance;
+  const CachedLightReport light =
+      tracer_.trace(moment.resolved, stage_.placed.optics, moment.world_from_display, trace, goal, pool_, context_, film);
+  next_ = frame + 1;
+  FrameReport report;
+  report.frame = frame;
+  report.rays = light.rays;
+  if (!light.traced) report.estimated_psnr_db = -10.0 * std::log10(light.squared_error);
+  clock.add_to(report);
+  return report;
+}
+
+}  // namespace lippmann

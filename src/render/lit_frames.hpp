@@ -1,0 +1,31 @@
+// Path-traced frames whose soft light is reused: across pixels, views and the frames of a segment.
+#pragma once
+
+#include "render/frame_maker.hpp"
+#include "trace/cached_light.hpp"
+
+namespace lippmann {
+
+class LitFrames final : public FrameMaker {
+ public:
+  LitFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
+
+  RenderedFrame make(int frame) override;
+
+  /// Whether it serves for these parameters.
+  static bool serves(const RenderParams& params);
+
+  static double bytes_kept_per_pixel() { return CachedLightTracer::bytes_per_pixel(); }
+
+ private:
+  FrameReport visit(int frame, Image& film);
+
+  Stage& stage_;
+  const RenderParams& params_;
+  const ThreadPool& pool_;
+  const Context& context_;
+  CachedLightTracer tracer_;
+  int next_ = -1;  ///< the frame that follows what the tracer has seen
+};
+
+}  // namespace lippmann
