@@ -26,7 +26,7 @@ RenderedFrame LitFrames::make(int frame) {
   const int start = frame / kSegment * kSegment;
   if (next_ < start || next_ > frame) next_ = start;
   RenderedFrame rendered;
-  while (next_ < frame && !context_.cancelled) visit(next_, rendered.pictures.film);
+  while (next_ < frame && !context_.cancelled) sources_.push_back(visit(next_, rendered.pictures.film));
   rendered.report = visit(frame, rendered.pictures.film);
   return rendered;
 }

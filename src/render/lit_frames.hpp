@@ -12,6 +12,9 @@ class LitFrames final : public FrameMaker {
 
   RenderedFrame make(int frame) override;
 
+  /// Earlier frames of a history, where only later ones were asked for.
+  std::vector<FrameReport> sources() const override { return sources_; }
+
   /// Whether it serves for these parameters.
   static bool serves(const RenderParams& params);
 
@@ -25,6 +28,7 @@ class LitFrames final : public FrameMaker {
   const ThreadPool& pool_;
   const Context& context_;
   CachedLightTracer tracer_;
+  std::vector<FrameReport> sources_;
   int next_ = -1;  ///< the frame that follows what the tracer has seen
 };
 

@@ -68,6 +68,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"display", {"portrait"}},
     {"mirror", {"true"}},
     {"pseudoscopic", {"true"}},
+    {"transparent", {"true"}},
 };
 
 const ParamInfo& param(std::string_view name) {
