@@ -69,6 +69,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"mirror", {"true"}},
     {"pseudoscopic", {"true"}},
     {"transparent", {"true"}},
+    {"denoise", {"true"}},
 };
 
 const ParamInfo& param(std::string_view name) {
