@@ -12,7 +12,8 @@ using Json = nlohmann::json;
 
 TEST(BenchDenoise, json_has_a_row_per_picture_and_number_of_samples) {
   const TempDir dir;
-  const RunResult result = run_tool(dir, {"bench", "denoise", "--scene", "teapot", "--quick", "--references", "refs", "--json"});
+  const RunResult result =
+      run_tool(dir, {"bench", "denoise", "--scene", "teapot", "--quick", "--references", "refs", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json rows = Json::parse(result.out)["rows"];
   ASSERT_EQ(rows.size(), 6u);
