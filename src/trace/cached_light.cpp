@@ -28,17 +28,8 @@ constexpr double kLeastCells = 65536.0;
 /// Sub-pixel places that these rays take in turn.
 constexpr int kPlaces = 16;
 
-}  // namespace
-
-struct CachedLightTracer::Impl {
-  explicit Impl(const DeviceScene& of) : device(of), scene(of.impl()), places(scene) {}
-
-  RayCounts feed(const LightCells& cells, const PacketSource& source, const TraceParams& params, int round,
-                 const ThreadPool& pool, const Context& context);
-
-  const DeviceScene& device;
-  const DeviceScene::Impl& scene;
-  SurfacePlaces places;
+/// What frames since restart() have found.
+struct History {
   std::optional<LightCache> cache;  ///< none: no frame yet
   float samples_per_cell = 0.0f;    ///< of LightCells, since the first frame
   int rounds = 1;                   ///< of feeding a frame, likewise
@@ -48,50 +39,145 @@ struct CachedLightTracer::Impl {
   Scatter scatter;                  ///< of the frame before, where it was gathered
 };
 
-/// One round of a frame's; rounds from kRounds on follow other rays of the same packets.
-RayCounts CachedLightTracer::Impl::feed(const LightCells& cells, const PacketSource& source, const TraceParams& params,
-                                        int round, const ThreadPool& pool, const Context& context) {
+/// One frame on its way.
+class CachedFrame {
+ public:
+  CachedFrame(const DeviceScene& device, const SurfacePlaces& places, const Optics& optics, const Affine3f& world_from_display,
+              const TraceParams& params, const ThreadPool& pool, const Context& context, History& history)
+      : device_(device),
+        places_(places),
+        optics_(optics),
+        world_from_display_(world_from_display),
+        params_(params),
+        pool_(pool),
+        context_(context),
+        history_(history),
+        beam_(optics, world_from_display),
+        source_(optics, world_from_display, params.order, SubPixel{params.seed, kPlaces, AngularFilter::kNone}) {}
+
+  void begin_history(const CachedLightGoal& goal);
+  void go_on() {
+    history_.cache->begin_frame(pool_);
+    feed(history_.rounds);
+  }
+  void gather(bool provenance, Image& film);
+  void trace_whole(Image& film);
+
+  const RayCounts& counts() const { return counts_; }
+
+ private:
+  void feed(int rounds);
+  std::vector<LightRecord> feed_strip(std::size_t strip, int round, RayCounts& counts) const;
+  LightCells cells() const { return {places_, beam_, history_.samples_per_cell}; }
+
+  const DeviceScene& device_;
+  const SurfacePlaces& places_;
+  const Optics& optics_;
+  const Affine3f& world_from_display_;
+  const TraceParams& params_;
+  const ThreadPool& pool_;
+  const Context& context_;
+  History& history_;
+  BeamFootprint beam_;
+  PacketSource source_;
+  int round_ = 0;  ///< of feeding
+  RayCounts counts_;
+};
+
+/// Rounds from kRounds on follow other rays of the same packets.
+std::vector<LightRecord> CachedFrame::feed_strip(std::size_t strip, int round, RayCounts& counts) const {
   const auto seed = static_cast<std::uint32_t>(round);
-  const PathParams paths{params.max_depth, hash(params.seed, params.frame, 0x6c696768u + seed), params.clamp_indirect};
-  const auto strips = static_cast<std::size_t>(source.strips());
-  const int place = static_cast<int>(hash(params.seed, params.frame, seed) % kPlaces);
-  const int first = static_cast<int>((params.frame + seed) % kRounds);
-  std::vector<std::vector<LightRecord>> records(strips);
-  std::vector<RayCounts> counts(strips);
-  pool.for_each(strips, [&](std::size_t strip) {
-    if (context.cancelled) return;
-    LightFeeder feeder(scene, cells, paths);
-    RayHitPacket packet;
-    LaneMask active;
-    alignas(64) std::uint32_t pixel[kLanes];
-    auto group = static_cast<std::uint32_t>(strip) << 16;
-    feeder.begin_group(group);
-    int waiting = 0;
-    for (int p = first; p < source.packets_per_strip(); p += kRounds) {
-      if (source.fill(static_cast<int>(strip), p, place, packet.ray, active, pixel) == 0) continue;
-      feeder.primary(packet, active, pixel);
-      if (++waiting < kPacketsPerBlock) continue;
-      feeder.finish_group(records[strip]);
-      feeder.begin_group(++group);
-      waiting = 0;
-    }
-    feeder.finish_group(records[strip]);
-    counts[strip] = feeder.counts();
-  });
-  cache->add(records, pool);
-  RayCounts total;
-  for (const RayCounts& c : counts) add(c, total);
-  return total;
+  const PathParams paths{params_.max_depth, hash(params_.seed, params_.frame, 0x6c696768u + seed), params_.clamp_indirect};
+  const int place = static_cast<int>(hash(params_.seed, params_.frame, seed) % kPlaces);
+  const int first = static_cast<int>((params_.frame + seed) % kRounds);
+  std::vector<LightRecord> records;
+  const LightCells in = cells();
+  LightFeeder feeder(device_.impl(), in, paths);
+  RayHitPacket packet;
+  LaneMask active;
+  alignas(64) std::uint32_t pixel[kLanes];
+  auto group = static_cast<std::uint32_t>(strip) << 16;
+  feeder.begin_group(group);
+  int waiting = 0;
+  for (int p = first; p < source_.packets_per_strip(); p += kRounds) {
+    if (source_.fill(static_cast<int>(strip), p, place, packet.ray, active, pixel) == 0) continue;
+    feeder.primary(packet, active, pixel);
+    if (++waiting < kPacketsPerBlock) continue;
+    feeder.finish_group(records);
+    feeder.begin_group(++group);
+    waiting = 0;
+  }
+  feeder.finish_group(records);
+  counts = feeder.counts();
+  return records;
 }
+
+void CachedFrame::feed(int rounds) {
+  const auto strips = static_cast<std::size_t>(source_.strips());
+  for (const int end = round_ + rounds; round_ < end && !context_.cancelled; ++round_) {
+    std::vector<std::vector<LightRecord>> records(strips);
+    std::vector<RayCounts> counts(strips);
+    pool_.for_each(strips, [&](std::size_t strip) {
+      if (!context_.cancelled) records[strip] = feed_strip(strip, round_, counts[strip]);
+    });
+    history_.cache->add(records, pool_);
+    for (const RayCounts& c : counts) add(c, counts_);
+  }
+  history_.cache->resolve(pool_);
+}
+
+void CachedFrame::begin_history(const CachedLightGoal& goal) {
+  GatherMeasure measure(device_, optics_, world_from_display_, params_, goal.squared_error, pool_);
+  history_.plan.reset();
+  for (const Beginning& beginning : kBeginnings) {
+    if (context_.cancelled || history_.plan) break;
+    if (!history_.cache || beginning.samples_per_cell != history_.samples_per_cell) {
+      const double pixels = static_cast<double>(optics_.panel.width) * static_cast<double>(optics_.panel.height);
+      history_.cache.emplace(static_cast<std::size_t>(std::max(kCellsPerPixel * pixels, kLeastCells)));
+      history_.samples_per_cell = beginning.samples_per_cell;
+      round_ = 0;
+    }
+    feed(beginning.rounds - round_);
+    history_.rounds = std::max(1, beginning.rounds / kRoundsOfFirst);
+    const LightCells in = cells();
+    history_.plan = measure.plan({device_.impl(), in, *history_.cache, optics_, world_from_display_});
+  }
+  history_.squared_goal = measure.squared_goal();
+  history_.path_samples = measure.path_samples();
+  add(measure.counts(), counts_);
+}
+
+void CachedFrame::gather(bool provenance, Image& film) {
+  if (!history_.scatter.empty()) history_.scatter = widened(history_.scatter, optics_, pool_);
+  Scatter now;
+  const LightCells in = cells();
+  const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
+  add(gather_frame(sources, {params_, history_.plan->error, provenance}, {}, {&history_.scatter, &now}, pool_, context_, film),
+      counts_);
+  history_.scatter = std::move(now);
+}
+
+void CachedFrame::trace_whole(Image& film) {
+  TraceParams whole = params_;
+  whole.spp = history_.path_samples;
+  add(trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, film), counts_);
+}
+
+}  // namespace
+
+struct CachedLightTracer::Impl {
+  explicit Impl(const DeviceScene& of) : device(of), places(of.impl()) {}
+
+  const DeviceScene& device;
+  SurfacePlaces places;
+  History history;
+};
 
 CachedLightTracer::CachedLightTracer(const DeviceScene& scene) : impl_(std::make_unique<Impl>(scene)) {}
 
 CachedLightTracer::~CachedLightTracer() = default;
 
-void CachedLightTracer::restart() {
-  impl_->cache.reset();
-  impl_->scatter.clear();
-}
+void CachedLightTracer::restart() { impl_->history = {}; }
 
 double CachedLightTracer::bytes_per_pixel() {
   return kCellsPerPixel * static_cast<double>(LightCache::bytes_per_cell()) + 2.0 * sizeof(float);
@@ -101,58 +187,23 @@ CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const 
                                            const Affine3f& world_from_display, const TraceParams& params,
                                            const CachedLightGoal& goal, const ThreadPool& pool, const Context& context,
                                            Image& film) {
-  Impl& impl = *impl_;
+  History& history = impl_->history;
+  impl_->places.update(resolved);
+  CachedFrame frame(impl_->device, impl_->places, optics, world_from_display, params, pool, context, history);
+  if (!history.cache)
+    frame.begin_history(goal);
+  else if (history.plan)
+    frame.go_on();
   CachedLightReport report;
-  impl.places.update(resolved);
-  const BeamFootprint beam(optics, world_from_display);
-  const PacketSource source(optics, world_from_display, params.order, SubPixel{params.seed, kPlaces, AngularFilter::kNone});
-  int round = 0;
-  const auto feed = [&](int rounds) {
-    const LightCells cells{impl.places, beam, impl.samples_per_cell};
-    for (const int end = round + rounds; round < end && !context.cancelled; ++round)
-      add(impl.feed(cells, source, params, round, pool, context), report.rays);
-    impl.cache->resolve(pool);
-  };
-  if (!impl.cache) {
-    GatherMeasure measure(impl.device, optics, world_from_display, params, goal.squared_error, pool);
-    impl.plan.reset();
-    for (const Beginning& beginning : kBeginnings) {
-      if (impl.plan || context.cancelled) break;
-      if (!impl.cache || beginning.samples_per_cell != impl.samples_per_cell) {
-        const double pixels = static_cast<double>(optics.panel.width) * static_cast<double>(optics.panel.height);
-        impl.cache.emplace(static_cast<std::size_t>(std::max(kCellsPerPixel * pixels, kLeastCells)));
-        impl.samples_per_cell = beginning.samples_per_cell;
-        round = 0;
-      }
-      feed(beginning.rounds - round);
-      impl.rounds = std::max(1, beginning.rounds / kRoundsOfFirst);
-      const LightCells cells{impl.places, beam, impl.samples_per_cell};
-      impl.plan = measure.plan({impl.scene, cells, *impl.cache, optics, world_from_display});
-    }
-    impl.squared_goal = measure.squared_goal();
-    impl.path_samples = measure.path_samples();
-    add(measure.counts(), report.rays);
-  } else if (impl.plan) {
-    impl.cache->begin_frame(pool);
-    feed(impl.rounds);
+  report.traced = !history.plan;
+  report.squared_error = static_cast<double>(report.traced ? history.squared_goal : history.plan->squared_error);
+  if (!context.cancelled) {
+    if (report.traced)
+      frame.trace_whole(film);
+    else
+      frame.gather(goal.provenance, film);
   }
-  if (context.cancelled) return report;
-  report.traced = !impl.plan;
-  if (report.traced) {
-    report.squared_error = static_cast<double>(impl.squared_goal);
-    TraceParams whole = params;
-    whole.spp = impl.path_samples;
-    add(trace_frame(impl.device, optics, world_from_display, whole, pool, context, film), report.rays);
-    return report;
-  }
-  report.squared_error = static_cast<double>(impl.plan->squared_error);
-  if (!impl.scatter.empty()) impl.scatter = widened(impl.scatter, optics, pool);
-  Scatter now;
-  const LightCells cells{impl.places, beam, impl.samples_per_cell};
-  const GatherSources sources{impl.scene, cells, *impl.cache, optics, world_from_display};
-  add(gather_frame(sources, {params, impl.plan->error, goal.provenance}, {}, {&impl.scatter, &now}, pool, context, film),
-      report.rays);
-  impl.scatter = std::move(now);
+  report.rays = frame.counts();
   return report;
 }
 

@@ -23,7 +23,10 @@ std::uint64_t mixed(std::uint64_t x) {  // Stafford's mix 13
   return x ^ (x >> 31);
 }
 
-int exponent_of(float size, int level) { return std::ilogb(std::clamp(size, 1e-30f, 1e30f)) + level; }
+int exponent_of(float size, int level) {
+  // What is not a number, too, ends at the least.
+  return std::ilogb(size > 1e-30f ? std::min(size, 1e30f) : 1e-30f) + level;
+}
 
 std::uint32_t part_at(std::uint32_t part, int level) { return level < kJointLevel ? part : kAllParts; }
 
@@ -143,6 +146,8 @@ void LightCache::add(std::span<const std::vector<LightRecord>> records, const Th
     for (std::size_t piece = 0; piece < records.size(); ++piece)
       for (const Target& target : targets[piece][s]) {
         const LightRecord& record = records[piece][target.record];
+        // Products of sound numbers may overflow on a path: one such would be seen wherever its cells are.
+        if (!std::isfinite(luminance(record.light))) continue;
         const int level = static_cast<int>(target.level);
         bool is_new = false;
         Cell* found = shards_[s].find_or_add(target.key, most_cells_, is_new);

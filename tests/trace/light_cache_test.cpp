@@ -167,6 +167,12 @@ TEST(LightCache, the_same_bits_on_any_number_of_threads) {
   EXPECT_EQ(answers(1), answers(3));
 }
 
+TEST(LightCache, light_that_is_no_number_is_left_out) {
+  LightCache cache(kPlenty);
+  feed(cache, {{place(3), Vec3f(1.0f)}, {place(3), Vec3f(kInfinity)}, {place(3), {0.0f, std::nanf(""), 0.0f}}});
+  EXPECT_NEAR(cache.look_up(place(3)).x, 1.0f, 1e-6f);
+}
+
 TEST(LightCache, places_far_beyond_any_scene_do_no_harm) {
   LightCache cache(kPlenty);
   LightPlace far = place(1e30f);
