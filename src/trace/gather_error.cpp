@@ -15,7 +15,7 @@ constexpr std::size_t kMeasuredBlocks = 48;
 constexpr std::size_t kLeastPart = 16;
 /// Not to be below the goal by bad luck of the measurement.
 constexpr float kMargin = 0.92f;
-/// A hundredth part of the steps of 8-bit codes, which round by this, would be a waste: (1 / 255)^2 / 12.
+/// What rounding to 8-bit codes adds by itself, (1 / 255)^2 / 12: to be better than that would be a waste.
 constexpr float kInvisible = 1.28e-6f;
 /// Errors that are tried, each half the last.
 constexpr float kCoarsest = 0.08f;

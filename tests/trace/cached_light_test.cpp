@@ -119,7 +119,8 @@ TEST(CachedLight, things_of_any_kind_vanish_in_a_white_furnace) {
   }
 }
 
-// Squares of 0.2 and 0.8 below a sky of 1, each 8 pixels wide: what lies one pixel off the edges is not touched by them.
+// Squares of 0.2 and 0.8 below a sky of 1, each 8 pixels wide and as wide as the smallest cells: were they blurred by those,
+// errors would be as large as their contrast. A tenth of it is left to the samples of pixels on edges.
 TEST(CachedLight, textures_stay_as_sharp_as_they_are) {
   SmallScene s;
   s.scene.max_depth = 2;
