@@ -47,14 +47,9 @@ void LightFeeder::finish_group(std::vector<LightRecord>& records) {
   while (!next_.empty()) {
     std::swap(wave_, next_);
     next_.clear();
-    RayHitPacket packet;
-    LaneMask active;
-    for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
-      load_rays(&wave_[first], std::min<std::size_t>(kLanes, wave_.size() - first), packet, active);
-      clear_hits(packet);
-      intersect_scene(scene_, active, packet, Coherence::kIncoherent);
-      shade(packet, active, wave_.data() + first);
-    }
+    trace_wave(scene_, wave_, [this](const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+      shade(packet, active, rays);
+    });
   }
   paths_.finish_batch();
   for (std::size_t q = 0; q < asked_.size(); ++q) {

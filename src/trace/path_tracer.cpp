@@ -35,14 +35,9 @@ void PathTracer::finish_batch() {
   while (!next_.empty()) {
     std::swap(wave_, next_);
     next_.clear();
-    RayHitPacket packet;
-    LaneMask active;
-    for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
-      load_rays(&wave_[first], std::min<std::size_t>(kLanes, wave_.size() - first), packet, active);
-      clear_hits(packet);
-      intersect_scene(scene_, active, packet, Coherence::kIncoherent);
-      shade(packet, active, wave_.data() + first);
-    }
+    trace_wave(scene_, wave_, [this](const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+      shade(packet, active, rays);
+    });
     trace_shadow_rays();
   }
 }
