@@ -2,12 +2,13 @@
 #include <fmt/core.h>
 #include <sys/utsname.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <memory>
 #include <string>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "bench/bench.hpp"
 #include "core/error.hpp"
 
@@ -103,46 +104,46 @@ int run(const Options& options, Context& context) {
                                 {"rows", report.rows},
                                 {"passed_checks", report.passed_checks}};
   if (!report.details.is_null()) result["details"] = report.details;
-  fmt::print("{}\n", result.dump(2));
+  print_json(result);
   return 0;
 }
 
 }  // namespace
 
-void add_bench_command(CLI::App& root, Action& chosen) {
+void add_bench_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   options->request.say = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
-  CLI::App& command = *root.add_subcommand("bench", "Measure speed on this machine, after checking the results");
+  const Command command = root.add_command("bench", "Measure speed on this machine, after checking the results");
   std::string footer = "Benchmarks:\n";
   for (const bench::Benchmark& benchmark : bench::benchmarks())
     footer += fmt::format("  {:<10} {}\n", benchmark.name, benchmark.description);
   command.footer(footer);
-  command.add_option("NAME", options->name, "Which benchmark")->required();
+  command.add_option("NAME", options->name, "Which benchmark").required();
   command
       .add_option("--scene", options->request.scenes,
                   "Only these scenes: built-in names or files, of light also room-quilt and tree-quilt; once for each")
-      ->type_name("NAME");
+      .type_name("NAME");
   command.add_option("--tachyon-scenes", options->request.tachyon_scenes, "The folder of Tachyon's own scenes")
-      ->type_name("DIR")
-      ->capture_default_str();
+      .type_name("DIR")
+      .show_default();
   command
       .add_option("--frames", options->request.frames,
                   "Of light, paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's), of light 12")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      .type_name("N")
+      .not_negative();
   command.add_flag("--large", options->request.large, "Of reuse: also the teapot at 3840x2160 pixels");
   command.add_flag("--quick", options->request.quick, "Of light: few small frames, to see that it works");
   command.add_option("--reference-spp", options->request.reference_spp, "Of light: samples per pixel of references; 0: 2048")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1 << 20));
+      .type_name("N")
+      .range(0, 1 << 20);
   command
       .add_option("--references", options->request.references,
                   "Of light: the folder where references are kept; default: lippmann/references in the user's cache")
-      ->type_name("DIR");
-  command.add_option("--plot", options->request.plot, "Of paper: also draw plots (PNG) into this folder")->type_name("DIR");
-  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
+      .type_name("DIR");
+  command.add_option("--plot", options->request.plot, "Of paper: also draw plots (PNG) into this folder").type_name("DIR");
+  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   command.add_flag("--json", options->json, "Print the result as JSON");
-  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 
 }  // namespace lippmann::app

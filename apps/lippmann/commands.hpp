@@ -1,13 +1,14 @@
 // The commands of the tool, one file each: it declares the command's flags, and what runs once they are parsed. No logic here.
 //
 // To add a command: write `add_NAME_command` in NAME_command.cpp, declare it below, call it in main.cpp. Inside, make a struct
-// of options on the heap (CLI11 keeps references to it), declare flags that write to it, and hand what is to run to `chosen`:
+// of options on the heap (the command line keeps references to it), declare flags that write to it, and hand what is to run to
+// `chosen`:
 //
 //   struct Options { std::string scene; bool json = false; };
 //   auto options = std::make_shared<Options>();
-//   CLI::App& command = *root.add_subcommand("info", "...");
-//   command.add_option("SCENE", options->scene, "...")->required();
-//   command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+//   const Command command = root.add_command("info", "...");
+//   command.add_option("SCENE", options->scene, "...").required();
+//   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 //
 // What runs returns the exit code (0), or throws Error: only main() catches. Results and --json go to stdout, and nothing else
 // does; messages and progress go to stderr.
@@ -17,23 +18,21 @@
 
 #include "core/context.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace lippmann::app {
+
+class Command;  // command_line.hpp
 
 /// What the command line asked for: runs it and returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
 
-void add_render_command(CLI::App& root, Action& chosen);
-void add_compare_command(CLI::App& root, Action& chosen);
-void add_convert_command(CLI::App& root, Action& chosen);
-void add_encode_command(CLI::App& root, Action& chosen);
-void add_info_command(CLI::App& root, Action& chosen);
-void add_replay_command(CLI::App& root, Action& chosen);
-void add_scenes_command(CLI::App& root, Action& chosen);
-void add_displays_command(CLI::App& root, Action& chosen);
-void add_bench_command(CLI::App& root, Action& chosen);
+void add_render_command(const Command& root, Action& chosen);
+void add_compare_command(const Command& root, Action& chosen);
+void add_convert_command(const Command& root, Action& chosen);
+void add_encode_command(const Command& root, Action& chosen);
+void add_info_command(const Command& root, Action& chosen);
+void add_replay_command(const Command& root, Action& chosen);
+void add_scenes_command(const Command& root, Action& chosen);
+void add_displays_command(const Command& root, Action& chosen);
+void add_bench_command(const Command& root, Action& chosen);
 
 }  // namespace lippmann::app

@@ -1,11 +1,11 @@
 // `lippmann compare REFERENCE TEST`: prints by how much pictures, folders of frames or videos differ.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <span>
 #include <string>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "compare/compare.hpp"
 #include "compare/comparison_text.hpp"
@@ -39,17 +39,17 @@ int run(const Options& options, Context& context) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& root, Action& chosen) {
+void add_compare_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = *root.add_subcommand(
-      "compare", "Print MSE, RMSE, PSNR and SSIM of pictures, folders of frames or videos, frame by frame");
-  command.add_option("REFERENCE", options->reference, "What is right: a picture, a folder or a video")->required();
-  command.add_option("TEST", options->test, "What to hold against it")->required();
+  const Command command =
+      root.add_command("compare", "Print MSE, RMSE, PSNR and SSIM of pictures, folders of frames or videos, frame by frame");
+  command.add_option("REFERENCE", options->reference, "What is right: a picture, a folder or a video").required();
+  command.add_option("TEST", options->test, "What to hold against it").required();
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.add_option("--csv", options->csv, "Also write one line per frame to this file");
   command.add_option("--plot", options->plot, "Also draw the PSNR of every frame into this PNG (needs gnuplot)");
-  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
-  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 
 }  // namespace lippmann::app

@@ -1,15 +1,16 @@
 // `lippmann convert IN OUT`: light fields of one format into another.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/crosstalk_flags.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "core/error.hpp"
 #include "display/load_display.hpp"
 #include "layout/convert.hpp"
@@ -79,7 +80,7 @@ int run(const Options& options, const Context& context) {
     const nlohmann::ordered_json result{{"views", {converted.views.columns, converted.views.rows}},
                                         {"view_size", {converted.view_size.x, converted.view_size.y}},
                                         {"files", files}};
-    fmt::print("{}\n", result.dump(2));
+    print_json(result);
     return 0;
   }
   fmt::print("{}x{} views of {}x{} pixels: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
@@ -96,39 +97,38 @@ std::string formats_help() {
 
 }  // namespace
 
-void add_convert_command(CLI::App& root, Action& chosen) {
+void add_convert_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = *root.add_subcommand("convert", "Turn light fields of one format into another, exactly");
-  command.add_option("IN", options->in, "A picture or folder of the format; or a folder of many, frame_0000...")->required();
+  const Command command = root.add_command("convert", "Turn light fields of one format into another, exactly");
+  command.add_option("IN", options->in, "A picture or folder of the format; or a folder of many, frame_0000...").required();
   command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
-      ->required();
+      .required();
   command.add_option("--from", options->from, "What IN is, see below; default: as its name or render's report.json says")
-      ->type_name("FORMAT");
+      .type_name("FORMAT");
   command.add_option("--to", options->to, "What OUT is to be; required but for --rotate-elemental, --spoc, --precompensate")
-      ->type_name("FORMAT");
+      .type_name("FORMAT");
   command.add_option("--views", options->views, "Views across and up; of an integral image: pixels below each lens")
-      ->type_name("CxR");
+      .type_name("CxR");
   command.add_option("--quilt", options->quilt, "Tiles of the quilt; default: as its name says, or as square as can be")
-      ->type_name("CxR");
-  command.add_option("--aspect", options->aspect, "Width / height of the display, for the name of a quilt")
-      ->check(CLI::PositiveNumber);
+      .type_name("CxR");
+  command.add_option("--aspect", options->aspect, "Width / height of the display, for the name of a quilt").positive();
   command
       .add_option("--keep", options->keep,
                   "Only these columns (from the left) and rows (from the lowest) of views, each N, A-B, A-B:STEP or all: "
                   "0-47:2, 2-6x2-6, allx4")
-      ->type_name("COLUMNS[xROWS]");
-  command.add_option("--crop", options->crop, "Only this window of every view, from its top left corner")->type_name("WxH+X+Y");
-  command.add_option("--bits", options->bits, "Of the codes of PPM files; default: as read")->check(CLI::Range(8, 16));
+      .type_name("COLUMNS[xROWS]");
+  command.add_option("--crop", options->crop, "Only this window of every view, from its top left corner").type_name("WxH+X+Y");
+  command.add_option("--bits", options->bits, "Of the codes of PPM files; default: as read").range(8, 16);
   command.add_option("--display", options->display,
                      "Whose frame native is: a name that 'displays' lists, a calibration .json, a .toml of your own");
   command.add_option("--filter", options->filter, "Of views, for --to native: nearest (default), linear or gaussian")
-      ->check(CLI::IsMember({"nearest", "linear", "gaussian"}));
-  command.add_option("--sigma", options->sigma, "Of --filter gaussian, in views; default 0.5")->check(CLI::Range(0.1, 10.0));
+      .one_of({"nearest", "linear", "gaussian"});
+  command.add_option("--sigma", options->sigma, "Of --filter gaussian, in views; default 0.5").range(0.1, 10.0);
   add_orthoscopic_flags(command, options->orthoscopic);
   add_crosstalk_flags(command, options->crosstalk);
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.footer(formats_help());
-  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 
 }  // namespace lippmann::app

@@ -2,10 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "core/error.hpp"
 #include "display/load_display.hpp"
 #include "optics/crosstalk.hpp"
@@ -13,9 +14,9 @@
 
 namespace lippmann::app {
 
-void add_crosstalk_flags(CLI::App& command, CrosstalkFlags& flags) {
-  CLI::Option_group& group = *command.add_option_group(
-      "Crosstalk", "Of pictures beside their report.json, or of native frames of --display; OUT is a folder");
+void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags) {
+  const Command group =
+      command.add_group("Crosstalk", "Of pictures beside their report.json, or of native frames of --display; OUT is a folder");
   group.add_flag(
       "--precompensate", flags.precompensate,
       "Pictures that crosstalk turns into those of IN, as far as light can be neither negative nor brighter than white");
@@ -24,7 +25,7 @@ void add_crosstalk_flags(CLI::App& command, CrosstalkFlags& flags) {
           "--crosstalk", flags.crosstalk,
           "Of --precompensate: a Gaussian of this sigma in pixels (quilts: views), or this share of each neighbour: 0.4 "
           "or 10%; default: the display's")
-      ->type_name("PIXELS|C%");
+      .type_name("PIXELS|C%");
 }
 
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
@@ -49,7 +50,7 @@ int run_precompensate(const CrosstalkFlags& flags, const std::string& display, c
     for (const auto& path : made.written) files.push_back(path.string());
     const nlohmann::ordered_json result{
         {"clipped_share", bound.clipped_share}, {"largest_residual", bound.largest_residual}, {"files", files}};
-    fmt::print("{}\n", result.dump(2));
+    print_json(result);
   } else if (!made.written.empty()) {
     fmt::print("{} ... {}: {}\n", made.written.front().string(), made.written.back().string(),
                describe_bound(bound.clipped_share, bound.largest_residual));

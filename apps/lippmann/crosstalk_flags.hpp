@@ -5,18 +5,16 @@
 
 #include "core/context.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace lippmann::app {
+
+class Command;  // command_line.hpp
 
 struct CrosstalkFlags {
   bool precompensate = false;
   std::string crosstalk;
 };
 
-void add_crosstalk_flags(CLI::App& command, CrosstalkFlags& flags);
+void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags);
 
 /// Where flags are given: converts, and prints the bound. `display`: whose own frames the pictures are; empty: as the
 /// report.json beside them says.

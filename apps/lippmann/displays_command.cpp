@@ -2,12 +2,13 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "display/display_json.hpp"
 #include "display/load_display.hpp"
 
@@ -67,7 +68,7 @@ int run(const Options& options) {
   if (options.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Display& display : displays) all.push_back(display_json(display));
-    fmt::print("{}\n", (one ? all.front() : all).dump(2));
+    print_json(one ? all.front() : all);
   } else if (one) {
     print_details(displays.front());
   } else {
@@ -78,12 +79,12 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_displays_command(CLI::App& root, Action& chosen) {
+void add_displays_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = *root.add_subcommand("displays", "List the displays that the tool knows, or tell all about one");
+  const Command command = root.add_command("displays", "List the displays that the tool knows, or tell all about one");
   command.add_option("DISPLAY", options->display, "A name from the list, a display's .toml, or a calibration's .json");
   command.add_flag("--json", options->json, "Print JSON on stdout");
-  command.callback([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
+  command.when_named([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
 }
 
 }  // namespace lippmann::app

@@ -1,14 +1,15 @@
 // `lippmann encode FROM OUT`: a video of finished frames.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/progress.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
@@ -57,7 +58,7 @@ int run(const Options& options, Context& context) {
   if (!whole) return 1;
   const auto bytes = fs::file_size(out);
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"file", out.string()}, {"frames", count}, {"bytes", bytes}}.dump(2));
+    print_json(nlohmann::ordered_json{{"file", out.string()}, {"frames", count}, {"bytes", bytes}});
   else
     fmt::print("{} frames, {:.2f} MB: {}\n", count, static_cast<double>(bytes) * 1e-6, out.string());
   return 0;
@@ -65,27 +66,27 @@ int run(const Options& options, Context& context) {
 
 }  // namespace
 
-void add_encode_command(CLI::App& root, Action& chosen) {
+void add_encode_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = *root.add_subcommand("encode", "Make a video of finished frames");
+  const Command command = root.add_command("encode", "Make a video of finished frames");
   command.add_option("FROM", options->from, "A folder of frame_0000.png, ..., or a pattern: dir/view_%03d.png, 'dir/*.png'")
-      ->required();
+      .required();
   command
       .add_option(
           "OUT", options->out,
           "The video: .mp4 (H.264; HEVC above 4096 pixels a side), .mov, .webm (VP9), .mkv (FFV1, lossless); frames that are "
           "quilts give it their quilt's name")
-      ->required();
+      .required();
   command.add_option("--codec", options->codec, "h264, hevc, vp9, av1 or ffv1; default: by OUT's ending and size")
-      ->type_name("NAME");
+      .type_name("NAME");
   command.add_option("--crf", options->crf, "Quality, 0 (best) to 51 (h264, hevc) or 63 (vp9, av1); default 18, 20, 24, 24")
-      ->type_name("N");
+      .type_name("N");
   command.add_option("--fps", options->fps, "Frames per second; default: as the report.json beside the frames says, else 25")
-      ->check(CLI::Range(0.001, 1000.0))
-      ->type_name("N");
-  command.add_option("--range", options->range, "Only frames A to B, both included")->type_name("A-B");
+      .range(0.001, 1000.0)
+      .type_name("N");
+  command.add_option("--range", options->range, "Only frames A to B, both included").type_name("A-B");
   command.add_flag("--json", options->json, "Print the result as JSON");
-  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 
 }  // namespace lippmann::app

@@ -1,12 +1,13 @@
 // `lippmann info SCENE`: what is in a scene and how the array was fitted to it.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/param_flags.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "render/scene_info.hpp"
 
 namespace lippmann::app {
@@ -20,7 +21,7 @@ struct Options {
 int run(const Options& options, const Context& context) {
   const SceneInfo info = describe_scene(options.flags.read(), context);
   if (options.json)
-    fmt::print("{}\n", to_json(info).dump(2));
+    print_json(to_json(info));
   else
     fmt::print("{}", to_text(info));
   return 0;
@@ -28,12 +29,12 @@ int run(const Options& options, const Context& context) {
 
 }  // namespace
 
-void add_info_command(CLI::App& root, Action& chosen) {
+void add_info_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = *root.add_subcommand("info", "Say what is in a scene and how the array is fitted to it");
+  const Command command = root.add_command("info", "Say what is in a scene and how the array is fitted to it");
   add_param_flags(command, options->flags, {"camera-path", "animation", "fps", "Optics"});
   command.add_flag("--json", options->json, "Print JSON on stdout");
-  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 
 }  // namespace lippmann::app

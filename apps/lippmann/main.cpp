@@ -2,59 +2,27 @@
 // 0 done, 1 the work failed (bad input, I/O), 2 wrong usage, 128 + n stopped by signal n.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <string>
-#include <vector>
+#include <optional>
+#include <string_view>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/interrupt.hpp"
 #include "core/error.hpp"
-#include "core/suggest.hpp"
 
 namespace lippmann::app {
 namespace {
 
-constexpr int kFailed = 1, kWrongUsage = 2;
-
-/// What was meant by a word that nothing on the command line takes: the nearest flag of the command, or command.
-std::string suggestion(const std::string& word, const CLI::App& command) {
-  std::vector<std::string> names;
-  if (word.starts_with("-")) {
-    for (const CLI::Option* option : command.get_options())
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  } else {
-    for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) names.push_back(sub->get_name());
-  }
-  const std::vector<std::string_view> candidates(names.begin(), names.end());
-  const std::string nearest = nearest_name(word.substr(0, word.find('=')), candidates);
-  return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", nearest);
-}
-
-/// CLI11's own answer: help and version are results (stdout, 0), anything else is a message (stderr, 2).
-int report(const CLI::ParseError& outcome, const CLI::App& root) {
-  if (outcome.get_exit_code() == 0) return root.exit(outcome);
-  const CLI::App* command = &root;
-  std::string name = "lippmann";
-  for (const CLI::App* chosen : root.get_subcommands()) command = chosen, name += " " + chosen->get_name();
-  std::string problem = outcome.what();
-  for (const std::string& word : root.remaining(true)) {
-    if (!word.starts_with("-") && command != &root) continue;
-    problem = fmt::format("there is no '{}'{}", word, suggestion(word, *command));
-    break;
-  }
-  fmt::print(stderr, "{}: {} (see {} --help)\n", name, problem, name);
-  return kWrongUsage;
-}
+constexpr int kFailed = 1;
 
 int run(int argc, char** argv) {
-  CLI::App root("Renders 3D integral images (light-field images) and their animation.", "lippmann");
-  root.set_version_flag("--version", "lippmann " LIPPMANN_VERSION, "Print the version and exit");
-  root.set_help_flag("-h,--help", "Print this help and exit");
-  root.require_subcommand(1);
+  CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
+                           "lippmann " LIPPMANN_VERSION);
+  const Command root = command_line.root();
   Action chosen;
   add_render_command(root, chosen);
   add_compare_command(root, chosen);
@@ -65,11 +33,7 @@ int run(int argc, char** argv) {
   add_scenes_command(root, chosen);
   add_displays_command(root, chosen);
   add_bench_command(root, chosen);
-  try {
-    root.parse(argc, argv);
-  } catch (const CLI::ParseError& outcome) {
-    return report(outcome, root);
-  }
+  if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;
   Context context;
   context.warn = [](std::string_view text) { fmt::print(stderr, "warning: {}\n", text); };
   const InterruptGuard interrupt(context.cancelled);

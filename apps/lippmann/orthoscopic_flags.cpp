@@ -2,34 +2,34 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "core/error.hpp"
 #include "replay/orthoscopic.hpp"
 
 namespace lippmann::app {
 
-void add_orthoscopic_flags(CLI::App& command, OrthoscopicFlags& flags) {
-  CLI::Option_group& group =
-      *command.add_option_group("Depth turned round", "Of pictures beside their report.json; OUT is a folder");
+void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags) {
+  const Command group = command.add_group("Depth turned round", "Of pictures beside their report.json; OUT is a folder");
   group.add_flag("--rotate-elemental", flags.rotate_elemental,
                  "Rotate every elemental image by 180 degrees: depth z becomes -z");
   group
       .add_option(
           "--spoc", flags.spoc_mm,
           "Smart conversion to orthoscopic: what stood this far before the recording array comes into the display's plane")
-      ->type_name("MM");
+      .type_name("MM");
   group.add_option("--reference-plane", flags.reference_mm, "Of --spoc: where the scene stays best; default: that distance")
-      ->type_name("MM");
+      .type_name("MM");
   group.add_option("--lens-pitch", flags.lens_pitch_mm, "Of --spoc: the display's lenses; default: as recorded")
-      ->type_name("MM");
+      .type_name("MM");
   group.add_option("--gap", flags.gap_mm, "Of --spoc: from the display's lenses to its pixels; default: as recorded")
-      ->type_name("MM");
+      .type_name("MM");
   group
       .add_option("--lens-pixels", flags.lens_pixels,
                   "Of --spoc: pixels below each of the display's lenses; default: as recorded")
-      ->type_name("N");
+      .type_name("N");
 }
 
 int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, bool json,
@@ -43,7 +43,7 @@ int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const 
   if (json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : written) files.push_back(path.string());
-    fmt::print("{}\n", nlohmann::ordered_json{{"files", files}}.dump(2));
+    print_json(nlohmann::ordered_json{{"files", files}});
   } else if (!written.empty()) {
     fmt::print("{} ... {}\n", written.front().string(), written.back().string());
   }

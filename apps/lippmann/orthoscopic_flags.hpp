@@ -6,11 +6,9 @@
 
 #include "core/context.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace lippmann::app {
+
+class Command;  // command_line.hpp
 
 struct OrthoscopicFlags {
   bool rotate_elemental = false;
@@ -20,7 +18,7 @@ struct OrthoscopicFlags {
   bool are_given() const { return rotate_elemental || spoc_mm; }
 };
 
-void add_orthoscopic_flags(CLI::App& command, OrthoscopicFlags& flags);
+void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags);
 
 /// Where flags are given: converts, and prints what was written.
 int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, bool json,

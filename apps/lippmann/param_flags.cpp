@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/lippmann/command_line.hpp"
 #include "core/error.hpp"
 #include "render/job_file.hpp"
 #include "render/params_table.hpp"
@@ -18,20 +18,20 @@ std::string default_text(const ParamInfo& info) {
   return values.empty() ? "" : fmt::format(" [{}]", values.front());
 }
 
-void add_param(CLI::App& command, const ParamInfo& info, std::vector<std::string>& values) {
+void add_param(const Command& command, const ParamInfo& info, std::vector<std::string>& values) {
   const std::string flag = fmt::format("{}--{}", info.name == "output" ? "-o," : "", info.name);
   const std::string group(info.group), doc(info.doc);
   if (info.kind == ParamKind::kFlag) {
     command
-        .add_flag_callback(
+        .add_flag(
             flag, [&values] { values = {"true"}; }, doc)
-        ->group(group);
+        .group(group);
     return;
   }
-  CLI::Option& option = *command.add_option(flag, values, doc + default_text(info));
-  option.type_name(std::string(info.type))->group(group);
-  if (info.kind != ParamKind::kList) option.expected(1);
-  option.allow_extra_args(false);
+  const Flag option = command.add_option(flag, values, doc + default_text(info));
+  option.type_name(std::string(info.type)).group(group);
+  if (info.kind != ParamKind::kList) option.single();
+  option.one_word_each();
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ RenderParams ParamFlags::read() const {
   return params;
 }
 
-void add_param_flags(CLI::App& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted) {
+void add_param_flags(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted) {
   command.add_option(
       "SCENE", flags.scene,
       "A built-in name (see: lippmann scenes), test-pattern, a file (.gltf, .glb, .dat, .nff, .obj, .ply), or a job (.toml)");
@@ -58,7 +58,7 @@ void add_param_flags(CLI::App& command, ParamFlags& flags, std::initializer_list
         std::any_of(wanted.begin(), wanted.end(), [&](auto word) { return word == info.name || word == info.group; });
     if ((listed || wanted.size() == 0) && info.name != "scene") add_param(command, info, flags.values[info.name]);
   }
-  command.add_option("--job", flags.job, "A job file for all that no flag says")->type_name("FILE")->group("Scene");
+  command.add_option("--job", flags.job, "A job file for all that no flag says").type_name("FILE").group("Scene");
 }
 
 }  // namespace lippmann::app

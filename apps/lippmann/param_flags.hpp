@@ -9,11 +9,9 @@
 
 #include "render/params.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace lippmann::app {
+
+class Command;  // command_line.hpp
 
 /// Filled while the command line is parsed; lives as long as the command.
 struct ParamFlags {
@@ -26,6 +24,6 @@ struct ParamFlags {
 };
 
 /// Declares SCENE, --job, and the parameters that are listed by name or by group (all if none is).
-void add_param_flags(CLI::App& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted = {});
+void add_param_flags(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted = {});
 
 }  // namespace lippmann::app

@@ -1,7 +1,6 @@
 // `lippmann render SCENE`: flags and job file into RenderParams, then render_animation; progress, and what was made.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -9,9 +8,11 @@
 #include <optional>
 #include <string>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/crosstalk_flags.hpp"
 #include "apps/lippmann/param_flags.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/progress.hpp"
 #include "optics/crosstalk.hpp"
 #include "render/animation.hpp"
@@ -128,26 +129,26 @@ int run(const Options& options, Context& context) {
   const RenderParams params = options.flags.read();
   if (!options.dump_job.empty()) write_job(options.dump_job, params);
   const RenderReport report = render(params, options.json, context);
-  if (options.json) fmt::print("{}\n", to_json(report).dump(2));
+  if (options.json) print_json(to_json(report));
   if (options.also == "single" && !report.interrupted) render(single_clip(params, report.optics), options.json, context);
   return 0;
 }
 
 }  // namespace
 
-void add_render_command(CLI::App& root, Action& chosen) {
+void add_render_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = *root.add_subcommand("render", "Render a scene's animation as integral images");
+  const Command command = root.add_command("render", "Render a scene's animation as integral images");
   add_param_flags(command, options->flags);
   command.add_option("--dump-job", options->dump_job, "Also write the job that reproduces this render")
-      ->type_name("FILE")
-      ->group("Running");
+      .type_name("FILE")
+      .group("Running");
   command.add_option("--also", options->also, "single: then the same frames as one eye sees them, into DIR/single")
-      ->check(CLI::IsMember({"single"}))
-      ->type_name("WHAT")
-      ->group("Files");
-  command.add_flag("--json", options->json, "Print the report as JSON on stdout")->group("Running");
-  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+      .one_of({"single"})
+      .type_name("WHAT")
+      .group("Files");
+  command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 
 }  // namespace lippmann::app

@@ -1,13 +1,14 @@
 // `lippmann replay IN`: what eyes see of a rendered light field through its lenses.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "core/error.hpp"
 #include "optics/crosstalk.hpp"
 #include "replay/replay.hpp"
@@ -66,7 +67,7 @@ int run(const Options& options, Context& context) {
     for (const auto& path : result.written) files.push_back(path.string());
     const nlohmann::ordered_json json{
         {"eye_mm", {result.eye_mm.x, result.eye_mm.y, result.eye_mm.z}}, {"out_of_zone", result.out_of_zone}, {"files", files}};
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
   } else if (!result.written.empty()) {
     fmt::print("eye at ({:.4g}, {:.4g}, {:.4g}) mm: {}{}\n", result.eye_mm.x, result.eye_mm.y, result.eye_mm.z,
                result.written.front().string(), result.written.size() > 1 ? " ... " + result.written.back().string() : "");
@@ -74,67 +75,66 @@ int run(const Options& options, Context& context) {
   return 0;
 }
 
-void add_eye_flags(CLI::App& command, Options& options) {
-  CLI::Option_group& group = *command.add_option_group("Eye");
+void add_eye_flags(const Command& command, Options& options) {
+  const Command group = command.add_group("Eye");
   group.add_option("--eye", options.eye, "Where the eye is, mm from the display's middle; default: where it is meant to be")
-      ->delimiter(',')
-      ->expected(3)
-      ->type_name("X,Y,Z");
-  group.add_option("--pupil", options.params.view.pupil_mm, "Diameter of the pupil; 0: a pinhole")->type_name("MM");
+      .values(3, ',')
+      .type_name("X,Y,Z");
+  group.add_option("--pupil", options.params.view.pupil_mm, "Diameter of the pupil; 0: a pinhole").type_name("MM");
   group.add_option("--focus", options.params.view.focus_mm, "Depth that a pupil is focused on; default: the display")
-      ->type_name("MM");
+      .type_name("MM");
   group
       .add_option("--crosstalk", options.crosstalk,
                   "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
                   "neighbour: 0.4 or 10%")
-      ->type_name("PIXELS|C%");
+      .type_name("PIXELS|C%");
   group.add_option("--filter", options.filter, "Between pixels below one lens, and between views: linear or nearest")
-      ->check(CLI::IsMember({"linear", "nearest"}))
-      ->capture_default_str();
+      .one_of({"linear", "nearest"})
+      .show_default();
   group.add_option("--size", options.size, "Of the pictures; 'lenses': one sample per lens; default: square pixels")
-      ->type_name("WxH");
+      .type_name("WxH");
 }
 
-void add_refocus_flags(CLI::App& command, Options& options) {
-  CLI::Option_group& group = *command.add_option_group("Refocusing");
+void add_refocus_flags(const Command& command, Options& options) {
+  const Command group = command.add_group("Refocusing");
   group.add_option("--refocus", options.params.refocus_mm, "Focused at this depth, above 0 in front of the lenses")
-      ->type_name("MM");
-  group.add_option("--focal-stack", options.focal_stack, "N pictures focused from depth Z0 to Z1")->type_name("Z0:Z1:N");
+      .type_name("MM");
+  group.add_option("--focal-stack", options.focal_stack, "N pictures focused from depth Z0 to Z1").type_name("Z0:Z1:N");
   group.add_flag("--all-in-focus", options.params.all_in_focus,
                  "Of a stack: every pixel where it is sharpest, and the depth at which that was");
   group.add_option("--epi", options.params.epi_row, "The epipolar-plane image of a row, from the top of the picture")
-      ->type_name("ROW");
+      .type_name("ROW");
   group.add_option("--epi-column", options.params.epi_column, "Likewise of a column, of displays with vertical parallax")
-      ->type_name("COLUMN");
+      .type_name("COLUMN");
 }
 
 }  // namespace
 
-void add_replay_command(CLI::App& root, Action& chosen) {
+void add_replay_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = *root.add_subcommand("replay", "Show what an eye sees of rendered pictures through their lenses");
+  const Command command = root.add_command("replay", "Show what an eye sees of rendered pictures through their lenses");
   command.footer("Lengths are in millimetres of the display, whose lens plane is z = 0; see docs/replay.md.");
-  command.add_option("IN", options->in, "A rendered picture, or a folder of frames, beside its report.json")->required();
+  command.add_option("IN", options->in, "A rendered picture, or a folder of frames, beside its report.json").required();
   command.add_option("-o,--output", options->folder, "Folder for the results; default: replay, beside the pictures")
-      ->type_name("DIR");
+      .type_name("DIR");
   add_eye_flags(command, *options);
   command.add_option("--ipd", options->params.ipd_mm, "Two eyes so far apart: left, right, and both side by side")
-      ->type_name("MM");
+      .type_name("MM");
   command.add_option("--sweep", options->params.sweep, "N eyes from one end of the viewing zone to the other")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000));
+      .type_name("N")
+      .range(1, 100000);
   add_refocus_flags(command, *options);
-  command.add_option("--video", options->video, "Also a video (.mp4, .mkv) of the views, pairs or sweep")->type_name("FILE");
+  command.add_option("--video", options->video, "Also a video (.mp4, .mkv) of the views, pairs or sweep").type_name("FILE");
   command.add_option("--fps", options->params.frames_per_second, "Of the video; default: as rendered")
-      ->type_name("N")
-      ->check(CLI::Range(0.01, 1000.0));
+      .type_name("N")
+      .range(0.01, 1000.0);
   command.add_option("--format", options->format, "Of the pictures: png (8 bit sRGB) or exr (linear)")
-      ->check(CLI::IsMember({"png", "exr"}))
-      ->capture_default_str();
-  command.add_option("--report", options->report, "The report.json, where it is not beside the pictures")->type_name("FILE");
-  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor")->check(CLI::Range(0, 4096));
+      .one_of({"png", "exr"})
+      .show_default();
+  command.add_option("--report", options->report, "The report.json, where it is not beside the pictures").type_name("FILE");
+  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   command.add_flag("--json", options->json, "Print the result as JSON");
-  command.callback([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 
 }  // namespace lippmann::app

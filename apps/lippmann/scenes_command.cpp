@@ -1,11 +1,12 @@
 // `lippmann scenes`: the built-in scenes.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/print_json.hpp"
 #include "scene/builtin.hpp"
 
 namespace lippmann::app {
@@ -19,17 +20,17 @@ int run(bool json) {
     else
       fmt::print("{:<12} {}\n", scene.name, scene.description);
   }
-  if (json) fmt::print("{}\n", rows.dump(2));
+  if (json) print_json(rows);
   return 0;
 }
 
 }  // namespace
 
-void add_scenes_command(CLI::App& root, Action& chosen) {
+void add_scenes_command(const Command& root, Action& chosen) {
   auto json = std::make_shared<bool>(false);
-  CLI::App& command = *root.add_subcommand("scenes", "List the built-in scenes");
+  const Command command = root.add_command("scenes", "List the built-in scenes");
   command.add_flag("--json", *json, "Print JSON on stdout");
-  command.callback([json, &chosen] { chosen = [json](Context&) { return run(*json); }; });
+  command.when_named([json, &chosen] { chosen = [json](Context&) { return run(*json); }; });
 }
 
 }  // namespace lippmann::app
