@@ -28,15 +28,4 @@ PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& samp
   return ray;
 }
 
-void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active) {
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const PathRay& ray = rays[std::min(i, count - 1)];
-    packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
-    packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
-    packet.ray.tnear[i] = ray.t_near;
-    packet.ray.tfar[i] = kInfinity;
-    active.lane[i] = i < count ? -1 : 0;
-  }
-}
-
 }  // namespace lippmann

@@ -1,7 +1,5 @@
-// A path on its way between two surfaces, and packets of such. Private to src/trace.
+// A path on its way between two surfaces. Private to src/trace.
 #pragma once
-
-#include <vector>
 
 #include "trace/scene_query.hpp"
 #include "trace/shading_point.hpp"
@@ -32,22 +30,6 @@ PathRay passed(PathRay ray, const ShadingPoint& point, float length);
 
 /// `ray` from a point at `length` on, in a direction that was drawn there; throughput as it is then.
 PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length);
-
-/// 1 to 16 rays into a packet; lanes beyond them get the last one's and are inactive.
-void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active);
-
-/// Meets `wave` with the scene, packet by packet: shade(packet, active, rays of the active lanes).
-template <class Shade>
-void trace_wave(const DeviceScene::Impl& scene, const std::vector<PathRay>& wave, const Shade& shade) {
-  RayHitPacket packet;
-  LaneMask active;
-  for (std::size_t first = 0; first < wave.size(); first += kLanes) {
-    load_rays(&wave[first], std::min<std::size_t>(kLanes, wave.size() - first), packet, active);
-    clear_hits(packet);
-    intersect_scene(scene, active, packet, Coherence::kIncoherent);
-    shade(packet, active, wave.data() + first);
-  }
-}
 
 inline float largest(Vec3f v) { return std::max({v.x, v.y, v.z}); }
 

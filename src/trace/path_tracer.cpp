@@ -3,7 +3,6 @@
 #include "core/random.hpp"
 #include "trace/scene_query.hpp"
 #include "trace/shading_point.hpp"
-#include "transport/sampler.hpp"
 
 namespace lippmann {
 namespace {
@@ -47,6 +46,7 @@ void PathTracer::shade(const RayHitPacket& packet, const LaneMask& active, const
   Lanes path_length;
   for (int i = 0; i < kLanes; ++i) path_length[i] = active.lane[i] ? rays[i].path_length : 0.0f;
   evaluate_surfaces(scene_, packet, active, path_length, beam_, surface_);
+  if (surface_.any_hit) draw_numbers(rays);
   for (int i = 0; i < kLanes; ++i) {
     if (!active.lane[i]) continue;
     if (surface_.hit.lane[i])
@@ -54,6 +54,22 @@ void PathTracer::shade(const RayHitPacket& packet, const LaneMask& active, const
     else
       shade_sky(packet, i, rays[i]);
   }
+}
+
+/// rays: of the lanes that have hit a surface.
+void PathTracer::draw_numbers(const PathRay* rays) {
+  PathPairs paths;
+  bool last = surface_.any_see_through;
+  for (int i = 0; i < kLanes; ++i) {
+    const bool hit = surface_.hit.lane[i] != 0;
+    paths.seed[i] = hit ? rays[i].seed : 0u;
+    paths.index[i] = hit ? rays[i].index : 0u;
+    paths.first[i] = hit ? kPairsPerEvent * rays[i].events : 0u;
+    last |= hit && rays[i].depth + 1 >= kRouletteDepth;
+  }
+  // The last pair is seldom asked for.
+  for (std::uint32_t p = 0; p < (last ? kPairsPerEvent : kPairsPerEvent - 1); ++p)
+    sample_pairs(paths, p, numbers_[p].x.lane, numbers_[p].y.lane);
 }
 
 void PathTracer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray) {
@@ -73,13 +89,11 @@ void PathTracer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray
 
 void PathTracer::shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {
   const ShadingPoint point = shading_point(scene_, packet, surface_, i);
-  PathSampler sampler(ray.seed, ray.index);
-  sampler.jump_to(kPairsPerEvent * ray.events);
-  const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next();
+  const auto pair = [&](std::size_t p) { return Vec2f(numbers_[p].x[i], numbers_[p].y[i]); };
+  const Vec2f choice = pair(0), on_light = pair(1), way = pair(2);
   const float length = ray.path_length + packet.ray.tfar[i];
-  // The last pair is seldom asked for.
   const bool covered = point.coverage >= 1.0f;
-  const Vec2f chance = covered && ray.depth + 1 < kRouletteDepth ? Vec2f(0.0f) : sampler.next();
+  const Vec2f chance = covered && ray.depth + 1 < kRouletteDepth ? Vec2f(0.0f) : pair(3);
   if (!covered && !(chance.y < point.coverage)) {
     if (ray.events >= kMostEvents) return;
     next_.push_back(passed(ray, point, length));

@@ -5,11 +5,13 @@
 // Simulation", 1997 (multiple importance sampling, the power heuristic; Russian roulette).
 #pragma once
 
+#include <array>
 #include <vector>
 
-#include "trace/path_ray.hpp"
+#include "trace/path_wave.hpp"
 #include "trace/shadow_queue.hpp"
 #include "trace/trace_frame.hpp"
+#include "transport/sampler.hpp"
 
 namespace lippmann {
 
@@ -69,6 +71,7 @@ class PathTracer {
 
  private:
   void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void draw_numbers(const PathRay* rays);
   void shade_sky(const RayHitPacket& packet, int lane, const PathRay& ray);
   void shade_surface(const RayHitPacket& packet, int lane, const PathRay& ray);
   void add_emission(const RayHitPacket& packet, int lane, const PathRay& ray, Vec3f emission);
@@ -91,6 +94,10 @@ class PathTracer {
   std::vector<PathRay> wave_, next_;
   ShadowQueue shadow_rays_;
   SurfacePacket surface_;
+  struct LanePairs {
+    Lanes x, y;
+  };
+  std::array<LanePairs, kPairsPerEvent> numbers_;  ///< of the surfaces' lanes
 };
 
 }  // namespace lippmann

@@ -128,13 +128,13 @@ Bsdf bsdf_at(const DeviceScene::Impl& scene, const RayHitPacket& packet, const S
     p.mirror = surface.mirror[i] * glm::mix(Vec3f(1.0f), color, surface.mirror_tint[i]);
     p.through = 1.0f - surface.opacity[i];
     p.ior = surface.ior[i];
-    return PhongBsdf(p, normal, view, entering);
+    return Bsdf(std::in_place_type<PhongBsdf>, p, normal, view, entering);
   }
   const Maps maps{scene, mesh_record(scene, surface, i), packet.hit.primID[i], {packet.hit.u[i], packet.hit.v[i]}};
   const float outer = entering ? 1.0f : -1.0f;
   const Vec3f bent = mapped_normal(maps, m->normal_map, m->normal_scale, normal, outer);
   const Vec3f coat = mapped_normal(maps, m->clearcoat_normal_map, m->clearcoat_normal_scale, normal, outer);
-  return MetalRoughBsdf(surface_at(*m, color, maps), scene.path->albedo, bent, coat, view, entering);
+  return Bsdf(std::in_place_type<MetalRoughBsdf>, surface_at(*m, color, maps), scene.path->albedo, bent, coat, view, entering);
 }
 
 }  // namespace lippmann

@@ -2,6 +2,7 @@
 // Private to src/trace.
 #pragma once
 
+#include <utility>
 #include <variant>
 
 #include "trace/surface.hpp"
@@ -15,6 +16,10 @@ class Bsdf {
  public:
   Bsdf(const PhongBsdf& bsdf) : bsdf_(bsdf) {}
   Bsdf(const MetalRoughBsdf& bsdf) : bsdf_(bsdf) {}
+  /// Of `kind`, made in place: they are large.
+  template <class Kind, class... Arguments>
+  explicit Bsdf(std::in_place_type_t<Kind> kind, Arguments&&... arguments)
+      : bsdf_(kind, std::forward<Arguments>(arguments)...) {}
 
   BsdfValue evaluate(Vec3f light) const {
     return std::visit([&](const auto& b) { return b.evaluate(light); }, bsdf_);

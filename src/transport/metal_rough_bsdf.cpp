@@ -37,9 +37,9 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
                                bool entering)
     : albedo_(albedo),
       frame_(normal),
-      coat_frame_(coat_normal),
+      coat_frame_(s.clearcoat > 0.0f ? Frame(coat_normal) : frame_),
       view_(lift(frame_.to_local(view))),
-      coat_view_(lift(coat_frame_.to_local(view))),
+      coat_view_(s.clearcoat > 0.0f ? lift(coat_frame_.to_local(view)) : view_),
       alpha_(squared(s.roughness)),
       coat_alpha_(squared(s.clearcoat_roughness)),
       eta_(entering ? s.ior : 1.0f / s.ior) {

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-std::uint32_t reversed_bits(std::uint32_t x) {
+LIPPMANN_INLINE std::uint32_t reversed_bits(std::uint32_t x) {
   x = __builtin_bswap32(x);
   x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
   x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
@@ -13,7 +13,7 @@ std::uint32_t reversed_bits(std::uint32_t x) {
 }
 
 /// Flips each bit by a hash of the bits below it (Laine and Karras; constants by N. Vegdahl, 2021).
-std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed) {
+LIPPMANN_INLINE std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
@@ -23,7 +23,7 @@ std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed) {
 }
 
 /// The second dimension of Sobol's sequence, its bits in reverse order: Pascal's triangle modulo 2, by halves.
-std::uint32_t second_sobol_reversed(std::uint32_t index) {
+LIPPMANN_INLINE std::uint32_t second_sobol_reversed(std::uint32_t index) {
   index ^= index >> 16;
   index ^= (index & 0xff00ff00u) >> 8;
   index ^= (index & 0xf0f0f0f0u) >> 4;
@@ -31,8 +31,12 @@ std::uint32_t second_sobol_reversed(std::uint32_t index) {
   return index ^ ((index & 0xaaaaaaaau) >> 1);
 }
 
+struct Point {
+  float x, y;
+};
+
 /// Scrambling is done on reversed bits, and the first dimension is the index's bits reversed: most reversals cancel.
-Vec2f point_of(std::uint32_t reversed_index, std::uint32_t seed) {
+LIPPMANN_INLINE Point point_of(std::uint32_t reversed_index, std::uint32_t seed) {
   // Shuffled: Owen's scrambling of the index itself, which keeps every aligned block of 2^k indices together.
   const std::uint32_t shuffled = reversed_bits(scrambled_upwards(reversed_index, seed));
   const std::uint32_t x = scrambled_upwards(shuffled, hash(seed));
@@ -42,10 +46,24 @@ Vec2f point_of(std::uint32_t reversed_index, std::uint32_t seed) {
 
 }  // namespace
 
-Vec2f scrambled_sobol(std::uint32_t index, std::uint32_t seed) { return point_of(reversed_bits(index), hash(seed)); }
+Vec2f scrambled_sobol(std::uint32_t index, std::uint32_t seed) {
+  const Point p = point_of(reversed_bits(index), hash(seed));
+  return {p.x, p.y};
+}
 
 PathSampler::PathSampler(std::uint32_t seed, std::uint32_t index) : seed_(seed), reversed_index_(reversed_bits(index)) {}
 
-Vec2f PathSampler::next() { return point_of(reversed_index_, hash(seed_, pair_++)); }
+Vec2f PathSampler::next() {
+  const Point p = point_of(reversed_index_, hash(seed_, pair_++));
+  return {p.x, p.y};
+}
+
+LIPPMANN_MULTIVERSION void sample_pairs(const PathPairs& paths, std::uint32_t pair, float* x, float* y) {
+#pragma GCC ivdep
+  for (int i = 0; i < PathPairs::kPaths; ++i) {
+    const Point p = point_of(reversed_bits(paths.index[i]), hash(paths.seed[i], paths.first[i] + pair));
+    x[i] = p.x, y[i] = p.y;
+  }
+}
 
 }  // namespace lippmann

@@ -30,4 +30,14 @@ class PathSampler {
   std::uint32_t seed_, reversed_index_, pair_ = 0;
 };
 
+/// Paths side by side, whose numbers are drawn together in a fraction of the time.
+struct PathPairs {
+  static constexpr int kPaths = 16;
+  alignas(64) std::uint32_t seed[kPaths], index[kPaths];  ///< as PathSampler's
+  alignas(64) std::uint32_t first[kPaths];                ///< the pair that they begin with
+};
+
+/// What PathSampler(seed, index) gives after jump_to(first + pair), for each of the paths.
+void sample_pairs(const PathPairs& paths, std::uint32_t pair, float* x, float* y);
+
 }  // namespace lippmann

@@ -1,0 +1,97 @@
+#include "trace/path_wave.hpp"
+
+#include <array>
+
+namespace lippmann {
+namespace {
+
+/// Things are told apart by this many of the lowest bits of their records: nearly always enough, and no table to keep.
+constexpr std::size_t kBuckets = 64;
+
+std::size_t packets_of(std::size_t rays) { return (rays + kLanes - 1) / kLanes; }
+
+/// Up to 16 rays into a packet; lanes beyond them get the last one's and are inactive.
+void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active) {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const PathRay& ray = rays[std::min(i, count - 1)];
+    packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
+    packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y, packet.ray.dir_z[i] = ray.direction.z;
+    packet.ray.tnear[i] = ray.t_near;
+    packet.ray.tfar[i] = kInfinity;
+    active.lane[i] = i < count ? -1 : 0;
+  }
+}
+
+std::size_t bucket_of(const RTCHit16& hit, std::size_t lane) {
+  const unsigned placed = hit.instID[0][lane];
+  return (placed != kNoId ? placed : hit.geomID[lane]) % kBuckets;
+}
+
+/// Where a field of a lane lies, counted from the first packet's first lane in steps of the field's size.
+constexpr std::size_t kStride = sizeof(RayHitPacket) / sizeof(float);
+
+template <class Word>
+LIPPMANN_INLINE void gather(const Word* from, const std::int32_t* place, Word* to) {
+  LIPPMANN_FOR_LANES(i) to[i] = from[place[i]];
+}
+
+/// Lane i from where place[i] says.
+LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int32_t* place, RayHitPacket& to) {
+  gather(met->ray.org_x, place, to.ray.org_x);
+  gather(met->ray.org_y, place, to.ray.org_y);
+  gather(met->ray.org_z, place, to.ray.org_z);
+  gather(met->ray.dir_x, place, to.ray.dir_x);
+  gather(met->ray.dir_y, place, to.ray.dir_y);
+  gather(met->ray.dir_z, place, to.ray.dir_z);
+  gather(met->ray.tfar, place, to.ray.tfar);
+  gather(met->hit.Ng_x, place, to.hit.Ng_x);
+  gather(met->hit.Ng_y, place, to.hit.Ng_y);
+  gather(met->hit.Ng_z, place, to.hit.Ng_z);
+  gather(met->hit.u, place, to.hit.u);
+  gather(met->hit.v, place, to.hit.v);
+  gather(met->hit.primID, place, to.hit.primID);
+  gather(met->hit.geomID, place, to.hit.geomID);
+  gather(met->hit.instID[0], place, to.hit.instID[0]);
+}
+
+}  // namespace
+
+PathWave::PathWave(const DeviceScene::Impl& scene, const std::vector<PathRay>& rays)
+    : rays_(rays),
+      packets_(packets_of(rays.size())),
+      met_(std::make_unique_for_overwrite<RayHitPacket[]>(packets_)),
+      order_(std::make_unique_for_overwrite<std::uint32_t[]>(rays.size())) {
+  for (std::size_t p = 0; p < packets_; ++p) {
+    load_rays(&rays[p * kLanes], std::min<std::size_t>(kLanes, rays.size() - p * kLanes), met_[p], active_);
+    clear_hits(met_[p]);
+    intersect_scene(scene, active_, met_[p], Coherence::kIncoherent);
+  }
+  sort();
+}
+
+void PathWave::sort() {
+  std::array<std::uint32_t, kBuckets> next{};
+  for (std::size_t r = 0; r < rays_.size(); ++r) ++next[bucket_of(met_[r / kLanes].hit, r % kLanes)];
+  std::uint32_t before = 0;
+  for (std::uint32_t& n : next) {  // from how many there are to where they begin
+    const std::uint32_t count = n;
+    n = before;
+    before += count;
+  }
+  for (std::size_t r = 0; r < rays_.size(); ++r)
+    order_[next[bucket_of(met_[r / kLanes].hit, r % kLanes)]++] = static_cast<std::uint32_t>(r);
+}
+
+void PathWave::load(std::size_t p) {
+  const std::size_t first = p * kLanes, count = std::min<std::size_t>(kLanes, rays_.size() - first);
+  alignas(64) std::int32_t place[kLanes];
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const std::size_t r = order_[first + std::min(i, count - 1)];
+    place[i] = static_cast<std::int32_t>(r / kLanes * kStride + r % kLanes);
+    active_.lane[i] = i < count ? -1 : 0;
+    if (i < count) lanes_[i] = rays_[r];
+  }
+  gather_packet(met_.get(), place, packet_);
+}
+
+}  // namespace lippmann
