@@ -47,6 +47,7 @@ void PathTracer::shade(const RayHitPacket& packet, const LaneMask& active, const
   for (int i = 0; i < kLanes; ++i) path_length[i] = active.lane[i] ? rays[i].path_length : 0.0f;
   evaluate_surfaces(scene_, packet, active, path_length, beam_, surface_);
   if (surface_.any_hit) draw_numbers(rays);
+  if (surface_.any_miss) look_at_sky(packet.ray);
   for (int i = 0; i < kLanes; ++i) {
     if (!active.lane[i]) continue;
     if (surface_.hit.lane[i])
@@ -72,6 +73,11 @@ void PathTracer::draw_numbers(const PathRay* rays) {
     sample_pairs(paths, p, numbers_[p].x.lane, numbers_[p].y.lane);
 }
 
+void PathTracer::look_at_sky(const RayPacket& rays) {
+  LIPPMANN_FOR_LANES(i) sky_.x[i] = rays.dir_x[i], sky_.y[i] = rays.dir_y[i], sky_.z[i] = rays.dir_z[i];
+  scene_.path->lights->environment().radiance(sky_);
+}
+
 void PathTracer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray) {
   const unsigned id = packet.hit.geomID[i];
   if (id >= kLightId && id != kNoId) {  // a bulb: its light is gathered at surfaces, so only mirrors and lenses see it
@@ -84,7 +90,7 @@ void PathTracer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray
   }
   const LightTable& lights = *scene_.path->lights;
   const float share = ray.density == kInfinity ? 1.0f : power_heuristic(ray.density, lights.density_of_sky(ray.direction));
-  end_path(ray, lights.environment().radiance(ray.direction), share);
+  end_path(ray, {sky_.red[i], sky_.green[i], sky_.blue[i]}, share);
 }
 
 void PathTracer::shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {

@@ -72,6 +72,7 @@ class PathTracer {
  private:
   void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void draw_numbers(const PathRay* rays);
+  void look_at_sky(const RayPacket& rays);
   void shade_sky(const RayHitPacket& packet, int lane, const PathRay& ray);
   void shade_surface(const RayHitPacket& packet, int lane, const PathRay& ray);
   void add_emission(const RayHitPacket& packet, int lane, const PathRay& ray, Vec3f emission);
@@ -94,6 +95,7 @@ class PathTracer {
   std::vector<PathRay> wave_, next_;
   ShadowQueue shadow_rays_;
   SurfacePacket surface_;
+  SkyRays sky_;  ///< of the packet's lanes
   struct LanePairs {
     Lanes x, y;
   };

@@ -1,6 +1,8 @@
 #include "transport/environment.hpp"
 
+#include "core/multiversion.hpp"
 #include "transport/bsdf.hpp"
+#include "transport/fast_angles.hpp"
 
 namespace lippmann {
 namespace {
@@ -8,11 +10,60 @@ namespace {
 /// A gradient's grid: fine enough that it is followed, small enough for a cache.
 constexpr int kGradientWidth = 64, kGradientHeight = 32;
 
-/// x, y in [0, 1).
+/// x, y in [0, 1].
+LIPPMANN_INLINE void find_place(float x, float y, float z, float rotation, float& across, float& down) {
+  const float turns = 0.5f + (fast_atan2(z, x) - rotation) * (0.5f / kPi), fraction = turns - std::floor(turns);
+  const float polar = fast_acos(std::min(std::max(y, -1.0f), 1.0f)) * (1.0f / kPi);
+  const bool known = (fraction < 1.0f) & (polar <= 1.0f);  // not rounded up, nor of a direction that is not a number
+  across = known ? fraction : 0.0f;
+  down = known ? polar : 0.0f;
+}
+
 Vec2f place_of(Vec3f d, float rotation) {
-  const float x = 0.5f + (std::atan2(d.z, d.x) - rotation) * (0.5f / kPi), fraction = x - std::floor(x);
-  if (!(fraction < 1.0f)) return Vec2f(0.0f);  // rounded up, or of a direction that is not a number
-  return {fraction, std::acos(std::clamp(d.y, -1.0f, 1.0f)) * (1.0f / kPi)};
+  Vec2f place;
+  find_place(d.x, d.y, d.z, rotation, place.x, place.y);
+  return place;
+}
+
+/// A panorama and how it is placed, as numbers for loops over directions.
+struct Panorama {
+  explicit Panorama(const EnvironmentMap& map)
+      : texels(map.radiance.data.data()),
+        width(map.radiance.width),
+        height(map.radiance.height),
+        strength(map.strength),
+        rotation(map.rotation) {}
+
+  const float* texels;
+  int width, height;
+  float strength, rotation;
+};
+
+/// Bilinear. Columns go round, rows end at the poles.
+LIPPMANN_INLINE void look_at(const Panorama map, float dx, float dy, float dz, float* light) {
+  float across, down;
+  find_place(dx, dy, dz, map.rotation, across, down);
+  const float x = across * static_cast<float>(map.width) - 0.5f, y = down * static_cast<float>(map.height) - 0.5f;
+  const float fx = std::floor(x), fy = std::floor(y), right = x - fx, below = y - fy;
+  const int column = static_cast<int>(fx), row = static_cast<int>(fy);
+  const int x0 = column < 0 ? map.width - 1 : column, x1 = column + 1 < map.width ? column + 1 : 0;
+  const int y0 = std::max(row, 0) * map.width, y1 = std::min(row + 1, map.height - 1) * map.width;
+  for (int c = 0; c < 3; ++c) {
+    const float* of = map.texels + c;
+    const float upper = of[3 * (y0 + x0)] * (1.0f - right) + of[3 * (y0 + x1)] * right;
+    const float lower = of[3 * (y1 + x0)] * (1.0f - right) + of[3 * (y1 + x1)] * right;
+    light[c] = map.strength * (upper * (1.0f - below) + lower * below);
+  }
+}
+
+/// As look_at; a loop over several directions is made of wide instructions.
+LIPPMANN_MULTIVERSION void look_at_all(const Panorama map, SkyRays& rays) {
+#pragma GCC ivdep
+  for (int i = 0; i < SkyRays::kRays; ++i) {
+    float light[3];
+    look_at(map, rays.x[i], rays.y[i], rays.z[i], light);
+    rays.red[i] = light[0], rays.green[i] = light[1], rays.blue[i] = light[2];
+  }
 }
 
 Vec3f direction_at(Vec2f place, float rotation) {
@@ -68,11 +119,17 @@ Vec3f Environment::texel(int x, int y) const {
 
 Vec3f Environment::radiance(Vec3f direction) const {
   if (!background_.map) return gradient(background_, direction);
-  const Vec2f at = place_of(direction, background_.map->rotation) * Vec2f(width_, height_) - Vec2f(0.5f);
-  const float fx = std::floor(at.x), fy = std::floor(at.y);
-  const int x = static_cast<int>(fx), y = static_cast<int>(fy);
-  const auto row = [&](int of_y) { return glm::mix(texel(x, of_y), texel(x + 1, of_y), at.x - fx); };
-  return glm::mix(row(y), row(y + 1), at.y - fy);
+  Vec3f light;
+  look_at(Panorama(*background_.map), direction.x, direction.y, direction.z, &light.x);
+  return light;
+}
+
+void Environment::radiance(SkyRays& rays) const {
+  if (background_.map) return look_at_all(Panorama(*background_.map), rays);
+  for (int i = 0; i < SkyRays::kRays; ++i) {
+    const Vec3f light = gradient(background_, {rays.x[i], rays.y[i], rays.z[i]});
+    rays.red[i] = light.x, rays.green[i] = light.y, rays.blue[i] = light.z;
+  }
 }
 
 Environment::Sample Environment::sample(Vec2f u) const {

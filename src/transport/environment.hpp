@@ -12,6 +12,13 @@
 
 namespace lippmann {
 
+/// Directions side by side, whose light is looked up together in a fraction of the time.
+struct SkyRays {
+  static constexpr int kRays = 16;
+  alignas(64) float x[kRays], y[kRays], z[kRays];           ///< unit vectors
+  alignas(64) float red[kRays], green[kRays], blue[kRays];  ///< the radiance along them
+};
+
 class Environment {
  public:
   /// `background` must outlive it.
@@ -19,6 +26,8 @@ class Environment {
 
   /// Along a unit vector; panoramas bilinear.
   Vec3f radiance(Vec3f direction) const;
+  /// Along all of `rays`, to the same bits.
+  void radiance(SkyRays& rays) const;
 
   struct Sample {
     Vec3f direction{0.0f};

