@@ -23,13 +23,33 @@ inline constexpr int kMostEvents = 1024;
 inline constexpr std::uint32_t kPairsPerEvent = 4;
 
 /// Lane i of a packet of primary rays.
-PathRay primary_path_ray(const RayHitPacket& packet, int i, std::uint32_t pixel);
+inline PathRay primary_path_ray(const RayHitPacket& packet, int i, std::uint32_t pixel) {
+  PathRay ray;
+  ray.origin = {packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i]};
+  ray.direction = {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
+  ray.pixel = pixel;
+  return ray;
+}
 
 /// `ray` beyond a point that it passes as if nothing were there, `length` from the path's start.
-PathRay passed(PathRay ray, const ShadingPoint& point, float length);
+inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
+  ray.origin = point.position;
+  ray.t_near = point.t_near;
+  ray.path_length = length;
+  ++ray.events;
+  return ray;
+}
 
 /// `ray` from a point at `length` on, in a direction that was drawn there; throughput as it is then.
-PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length);
+inline PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
+  ray.origin = point.position, ray.direction = sample.direction;
+  ray.throughput = throughput;
+  ray.t_near = point.t_near, ray.path_length = length;
+  ++ray.depth, ++ray.events;
+  // What shines straight behind is reached by the last vertex's shadow rays, too.
+  if (!sample.straight) ray.density = sample.density, ray.scattered_at = length;
+  return ray;
+}
 
 inline float largest(Vec3f v) { return std::max({v.x, v.y, v.z}); }
 

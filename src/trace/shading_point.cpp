@@ -60,9 +60,8 @@ bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f&
   return true;
 }
 
-/// `normal` bent as the map says. outer: 1 where the viewer is on the outer side, -1 where he is behind the surface.
+/// `normal` of a mesh bent as the map says. outer: 1 where the viewer is on the outer side, -1 where he is behind the surface.
 Vec3f mapped_normal(const Maps& maps, const TextureMap& map, float scale, Vec3f normal, float outer) {
-  if (map.texture < 0 || !maps.record) return normal;
   Vec3f tangent, bitangent;
   if (!tangent_frame(maps, map, outer * normal, tangent, bitangent)) return normal;
   const Vec3f n = 2.0f * Vec3f(maps(map)) - Vec3f(1.0f);
@@ -132,8 +131,10 @@ Bsdf bsdf_at(const DeviceScene::Impl& scene, const RayHitPacket& packet, const S
   }
   const Maps maps{scene, mesh_record(scene, surface, i), packet.hit.primID[i], {packet.hit.u[i], packet.hit.v[i]}};
   const float outer = entering ? 1.0f : -1.0f;
-  const Vec3f bent = mapped_normal(maps, m->normal_map, m->normal_scale, normal, outer);
-  const Vec3f coat = mapped_normal(maps, m->clearcoat_normal_map, m->clearcoat_normal_scale, normal, outer);
+  const auto mapped = [&](const TextureMap& map, float scale) {
+    return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, normal, outer) : normal;
+  };
+  const Vec3f bent = mapped(m->normal_map, m->normal_scale), coat = mapped(m->clearcoat_normal_map, m->clearcoat_normal_scale);
   return Bsdf(std::in_place_type<MetalRoughBsdf>, surface_at(*m, color, maps), scene.path->albedo, bent, coat, view, entering);
 }
 

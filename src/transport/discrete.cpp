@@ -21,24 +21,4 @@ DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
   }
 }
 
-std::size_t DiscreteDistribution::sample(float u, float& rest) const {
-  // The part of [0, 1) that u lies in; rounding may take it one too far.
-  const auto count = static_cast<float>(cumulative_.size());
-  auto part = std::min(static_cast<std::size_t>(u * count), cumulative_.size() - 1);
-  if (part > 0 && start_of(part) > u) --part;
-  std::size_t index = first_[part];
-  while (cumulative_[index] <= u) ++index;
-  const float below = index > 0 ? cumulative_[index - 1] : 0.0f;
-  rest = std::min((u - below) / (cumulative_[index] - below), 0x1.fffffep-1f);
-  return index;
-}
-
-float DiscreteDistribution::start_of(std::size_t part) const {
-  return static_cast<float>(part) / static_cast<float>(cumulative_.size());
-}
-
-float DiscreteDistribution::probability(std::size_t index) const {
-  return cumulative_[index] - (index > 0 ? cumulative_[index - 1] : 0.0f);
-}
-
 }  // namespace lippmann

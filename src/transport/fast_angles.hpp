@@ -11,10 +11,11 @@
 
 namespace lippmann {
 
-/// As std::atan2, but at (0, 0) the angle is 0 or pi, whatever the sign of y.
+/// As std::atan2 for numbers whose zeros have no sign.
 LIPPMANN_INLINE float fast_atan2(float y, float x) {
   const float ax = std::abs(x), ay = std::abs(y);
-  const float larger = ax > ay ? ax : ay, smaller = ax > ay ? ay : ax;
+  const bool flat = ax >= ay;
+  const float larger = flat ? ax : ay, smaller = flat ? ay : ax;
   const float t = smaller / (larger > 0.0f ? larger : 1.0f), z = t * t;
   const float p =
       -0.333329871f +
@@ -22,7 +23,7 @@ LIPPMANN_INLINE float fast_atan2(float y, float x) {
            z * (-0.141859753f +
                 z * (0.105739321f + z * (-0.073667062f + z * (0.041121861f + z * (-0.0151325369f + z * 0.00262224472f))))));
   const float first = t + t * z * p;  // of the first half quadrant
-  const float quadrant = ax > ay ? first : 0.5f * kPi - first;
+  const float quadrant = flat ? first : 0.5f * kPi - first;
   const float half = x < 0.0f ? kPi - quadrant : quadrant;
   return y < 0.0f ? -half : half;
 }

@@ -19,15 +19,25 @@ struct Ggx {
   float alpha = 1.0f;
 
   /// Density of facets' normals h, h.z > 0; its integral over h.z is 1.
-  float distribution(Vec3f h) const;
+  float distribution(Vec3f h) const {
+    const float a2 = alpha * alpha;
+    // sin^2 from x and y: 1 - cos^2 has no digits left where narrow lobes peak.
+    const float d = a2 * h.z * h.z + h.x * h.x + h.y * h.y;
+    return a2 / (kPi * d * d);
+  }
   /// The share of facets visible from v, v.z != 0 (Smith).
-  float masking(Vec3f v) const;
+  float masking(Vec3f v) const { return 1.0f / (1.0f + lambda(v)); }
   /// The share visible from both a and b (height-correlated).
-  float masking(Vec3f a, Vec3f b) const;
+  float masking(Vec3f a, Vec3f b) const { return 1.0f / (1.0f + lambda(a) + lambda(b)); }
   /// A facet's normal, as those that v sees are distributed, v.z > 0.
   Vec3f sample_visible(Vec3f v, Vec2f u) const;
   /// The density of sample_visible.
-  float visible_density(Vec3f v, Vec3f h) const;
+  float visible_density(Vec3f v, Vec3f h) const { return masking(v) * std::max(0.0f, glm::dot(v, h)) * distribution(h) / v.z; }
+  /// Smith's Lambda.
+  float lambda(Vec3f v) const {
+    const float cosine2 = v.z * v.z, tangent2 = std::max(0.0f, 1.0f - cosine2) / cosine2;
+    return 0.5f * (std::sqrt(1.0f + alpha * alpha * tangent2) - 1.0f);
+  }
 };
 
 /// (1 - cosine)^5.

@@ -2,13 +2,6 @@
 
 namespace lippmann {
 
-Frame::Frame(Vec3f z_axis) : z(z_axis) {
-  const float sign = std::copysign(1.0f, z.z);
-  const float a = -1.0f / (sign + z.z), b = z.x * z.y * a;
-  x = {1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x};
-  y = {b, sign + z.y * z.y * a, -z.y};
-}
-
 Vec2f sample_disc(Vec2f u) {
   const Vec2f p = 2.0f * u - Vec2f(1.0f);
   if (p.x == 0.0f && p.y == 0.0f) return Vec2f(0.0f);

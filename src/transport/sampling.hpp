@@ -10,7 +10,12 @@ namespace lippmann {
 
 /// A right-handed orthonormal basis around z; local directions have z along it.
 struct Frame {
-  explicit Frame(Vec3f z_axis);
+  explicit Frame(Vec3f z_axis) : z(z_axis) {
+    const float sign = std::copysign(1.0f, z.z);
+    const float a = -1.0f / (sign + z.z), b = z.x * z.y * a;
+    x = {1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x};
+    y = {b, sign + z.y * z.y * a, -z.y};
+  }
   Vec3f to_local(Vec3f v) const { return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)}; }
   Vec3f to_world(Vec3f v) const { return v.x * x + v.y * y + v.z * z; }
   Vec3f x, y, z;

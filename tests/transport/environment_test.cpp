@@ -4,6 +4,7 @@
 
 #include "chi_squared.hpp"
 #include "transport/sampler.hpp"
+#include "transport/sampling.hpp"
 
 namespace lippmann {
 namespace {
@@ -31,6 +32,24 @@ TEST(Environment, a_panorama_lies_as_documented) {
   EXPECT_NEAR(e.radiance({std::cos(quarter), 0.0f, std::sin(quarter)}).x, 6.0f, 1e-4f);  // beyond +z
   EXPECT_NEAR(e.radiance({0.0f, 1.0f, 0.0f}).y, 0.0f, 1e-4f);
   EXPECT_NEAR(e.radiance({0.0f, -1.0f, 0.0f}).y, 3.0f, 1e-4f);
+}
+
+TEST(Environment, directions_side_by_side_see_what_each_alone_sees) {
+  Background b = panorama(8, 4, [](int x, int y) { return Vec3f(static_cast<float>(x), static_cast<float>(y), 1.0f); });
+  b.map->rotation = 0.7f, b.map->strength = 1.5f;
+  Background sky;
+  sky.zenith = Vec3f(1.0f, 2.0f, 3.0f);
+  for (const Background* background : {&b, &sky}) {
+    const Environment e(*background);
+    SkyRays rays;
+    for (std::uint32_t i = 0; i < SkyRays::kRays; ++i) {
+      const Vec3f d = i < 2 ? Vec3f(0.0f, i == 0 ? 1.0f : -1.0f, 0.0f) : sample_cosine(scrambled_sobol(i, 3u));
+      rays.x[i] = d.x, rays.y[i] = d.y, rays.z[i] = d.z;
+    }
+    e.radiance(rays);
+    for (int i = 0; i < SkyRays::kRays; ++i)
+      EXPECT_EQ(e.radiance({rays.x[i], rays.y[i], rays.z[i]}), Vec3f(rays.red[i], rays.green[i], rays.blue[i])) << i;
+  }
 }
 
 TEST(Environment, turning_moves_what_lies_along_x_towards_z) {

@@ -53,5 +53,21 @@ TEST(Sampler, jumping_to_a_pair_gives_its_numbers) {
   EXPECT_EQ(straight.next(), jumping.next());
 }
 
+TEST(Sampler, paths_side_by_side_have_the_numbers_of_each_alone) {
+  PathPairs paths;
+  for (std::uint32_t i = 0; i < PathPairs::kPaths; ++i) {
+    paths.seed[i] = 1000u * i + 7u;
+    paths.index[i] = 3u * i;
+    paths.first[i] = 4u * (i % 5u);
+  }
+  float x[PathPairs::kPaths], y[PathPairs::kPaths];
+  sample_pairs(paths, 2, x, y);
+  for (int i = 0; i < PathPairs::kPaths; ++i) {
+    PathSampler alone(paths.seed[i], paths.index[i]);
+    alone.jump_to(paths.first[i] + 2);
+    EXPECT_EQ(alone.next(), Vec2f(x[i], y[i])) << i;
+  }
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -1,0 +1,66 @@
+#include "trace/path_wave.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+/// Two squares beside one another, one of them nearer, and nothing beyond x = 1.
+SmallScene two_squares() {
+  SmallScene s;
+  const int material = s.material(matte(Vec3f(0.5f)));
+  s.add(square(0.5f, 0.0f), material, s.node({Mat3f(1.0f), {-0.5f, 0.0f, 0.0f}}));
+  s.add(square(0.5f, 1.0f), material, s.node({Mat3f(1.0f), {0.5f, 0.0f, 0.0f}}));
+  return s;
+}
+
+/// Ray r, one of many, down from z = 5: on the left square, the right one, or beside both, in turns.
+PathRay ray_down(std::uint32_t r) {
+  PathRay ray;
+  ray.origin = {static_cast<float>(r % 3) - 0.5f, 0.1f, 5.0f};
+  ray.direction = {0.0f, 0.0f, -1.0f};
+  ray.pixel = r;
+  return ray;
+}
+
+TEST(PathWave, rays_come_back_once_each_with_what_they_have_hit) {
+  const SmallScene s = two_squares();
+  const ThreadPool pool(1);
+  DeviceScene device(s.scene, pool, Integrator::kPath);
+  device.update(evaluate(s.scene, 0.0), pool);
+  std::vector<PathRay> rays;
+  for (std::uint32_t r = 0; r < 100; ++r) rays.push_back(ray_down(r));
+  std::set<std::uint32_t> seen;
+  trace_wave(device.impl(), rays, [&](const RayHitPacket& packet, const LaneMask& active, const PathRay* of) {
+    for (int i = 0; i < kLanes; ++i) {
+      if (!active.lane[i]) continue;
+      EXPECT_TRUE(seen.insert(of[i].pixel).second) << of[i].pixel;
+      EXPECT_EQ(packet.ray.org_x[i], of[i].origin.x);
+      constexpr float kDistance[] = {5.0f, 4.0f, kInfinity};
+      EXPECT_FLOAT_EQ(packet.ray.tfar[i], kDistance[of[i].pixel % 3]);
+      EXPECT_EQ(packet.hit.geomID[i] == kNoId, of[i].pixel % 3 == 2);
+    }
+  });
+  EXPECT_EQ(seen.size(), rays.size());
+}
+
+TEST(PathWave, packets_are_of_rays_that_have_hit_the_same) {
+  const SmallScene s = two_squares();
+  const ThreadPool pool(1);
+  DeviceScene device(s.scene, pool, Integrator::kPath);
+  device.update(evaluate(s.scene, 0.0), pool);
+  std::vector<PathRay> rays;
+  for (std::uint32_t r = 0; r < 3 * kLanes; ++r) rays.push_back(ray_down(r));
+  trace_wave(device.impl(), rays, [&](const RayHitPacket&, const LaneMask&, const PathRay* of) {
+    for (int i = 1; i < kLanes; ++i) EXPECT_EQ(of[i].pixel % 3, of[0].pixel % 3);
+  });
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,37 @@
+#include "transport/fast_angles.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lippmann {
+namespace {
+
+// 3e-7: a little more than one unit of the last place of pi.
+constexpr float kTolerance = 3e-7f;
+
+TEST(FastAngles, arc_tangents_are_the_librarys_all_around) {
+  for (int i = 0; i < 100'000; ++i) {
+    const float angle = 2.0f * kPi * (static_cast<float>(i) + 0.5f) / 100'000.0f;
+    const float y = 3.0f * std::sin(angle), x = 3.0f * std::cos(angle);
+    ASSERT_NEAR(fast_atan2(y, x), std::atan2(y, x), kTolerance) << angle;
+  }
+}
+
+TEST(FastAngles, arc_tangents_on_the_axes_are_right) {
+  EXPECT_EQ(fast_atan2(0.0f, 2.0f), 0.0f);
+  EXPECT_EQ(fast_atan2(0.0f, -2.0f), kPi);
+  EXPECT_EQ(fast_atan2(2.0f, 0.0f), 0.5f * kPi);
+  EXPECT_EQ(fast_atan2(-2.0f, 0.0f), -0.5f * kPi);
+  EXPECT_EQ(fast_atan2(0.0f, 0.0f), 0.0f);
+}
+
+TEST(FastAngles, arc_cosines_are_the_librarys_from_pole_to_pole) {
+  for (int i = 0; i <= 100'000; ++i) {
+    const float x = static_cast<float>(i - 50'000) / 50'000.0f;
+    ASSERT_NEAR(fast_acos(x), std::acos(x), kTolerance) << x;
+  }
+  EXPECT_EQ(fast_acos(1.0f), 0.0f);
+  EXPECT_EQ(fast_acos(-1.0f), kPi);
+}
+
+}  // namespace
+}  // namespace lippmann
