@@ -14,6 +14,7 @@ struct PathRay {
   std::uint32_t pixel = 0;    ///< where its light goes
   std::uint32_t seed = 0, index = 0;  ///< of its random numbers (transport/sampler.hpp)
   std::uint16_t depth = 0;            ///< vertices on surfaces so far
+  bool spread = false;                ///< scattered by other than Dirac lobes: textures need not be sharp
   std::uint16_t events = 0;           ///< vertices, passed surfaces included: what the random numbers go by
 };
 
@@ -46,6 +47,7 @@ inline PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSampl
   ray.throughput = throughput;
   ray.t_near = point.t_near, ray.path_length = length;
   ++ray.depth, ++ray.events;
+  ray.spread |= !sample.is_delta();
   // What shines straight behind is reached by the last vertex's shadow rays, too.
   if (!sample.straight) ray.density = sample.density, ray.scattered_at = length;
   return ray;

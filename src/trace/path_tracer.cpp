@@ -44,8 +44,12 @@ void PathTracer::finish_batch() {
 /// rays: of the active lanes.
 void PathTracer::shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
   Lanes path_length;
-  for (int i = 0; i < kLanes; ++i) path_length[i] = active.lane[i] ? rays[i].path_length : 0.0f;
-  evaluate_surfaces(scene_, packet, active, path_length, beam_, surface_);
+  LaneMask spread;
+  for (int i = 0; i < kLanes; ++i) {
+    path_length[i] = active.lane[i] ? rays[i].path_length : 0.0f;
+    spread.lane[i] = active.lane[i] && rays[i].spread ? -1 : 0;
+  }
+  evaluate_surfaces(scene_, packet, active, path_length, beam_, surface_, &spread);
   if (surface_.any_hit) draw_numbers(rays);
   if (surface_.any_miss) look_at_sky(packet.ray);
   for (int i = 0; i < kLanes; ++i) {

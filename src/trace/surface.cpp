@@ -162,13 +162,13 @@ const GeometryRecord* evaluate_record(const DeviceScene::Impl& scene, unsigned i
 
 /// As evaluate_material, where the lanes' materials may differ.
 void evaluate_materials(const DeviceScene::Impl& scene, const GeometryRecord* record, const RayHitPacket& packet,
-                        const Lanes& path_length, const BeamFootprint& beam, LaneMask lanes, SurfacePacket& s) {
+                        const PacketBeams& beams, LaneMask lanes, SurfacePacket& s) {
   alignas(64) std::uint32_t material[kLanes];
   for (int i = 0; i < kLanes; ++i)
     if (lanes.lane[i]) material[i] = scene.material_of_instance[s.instance[i]];
   LaneMask group;
   for (int first; (first = take_group(material, lanes, group)) >= 0;)
-    evaluate_material(scene, scene.materials.materials[material[first]], record, packet, path_length, beam, group, s);
+    evaluate_material(scene, scene.materials.materials[material[first]], record, packet, beams, group, s);
 }
 
 }  // namespace
@@ -188,7 +188,8 @@ void evaluate_geometry(const DeviceScene::Impl& scene, const RayHitPacket& packe
 }
 
 void evaluate_surfaces(const DeviceScene::Impl& scene, const RayHitPacket& packet, const LaneMask& active,
-                       const Lanes& path_length, const BeamFootprint& beam, SurfacePacket& s) {
+                       const Lanes& path_length, const BeamFootprint& beam, SurfacePacket& s, const LaneMask* spread) {
+  const PacketBeams beams{beam, path_length, spread};
   place_hits(packet, active, scene.secondary_t_near, s);
   s.any_highlight = s.any_mirror = s.any_see_through = false;
   LaneMask left = s.hit, group;
@@ -196,9 +197,9 @@ void evaluate_surfaces(const DeviceScene::Impl& scene, const RayHitPacket& packe
     const GeometryRecord* record = evaluate_record(scene, s.record[first], packet, group, s);
     const std::uint32_t material = scene.material_of_instance[s.instance[first]];
     if (!record || record->one_material)
-      evaluate_material(scene, scene.materials.materials[material], record, packet, path_length, beam, group, s);
+      evaluate_material(scene, scene.materials.materials[material], record, packet, beams, group, s);
     else
-      evaluate_materials(scene, record, packet, path_length, beam, group, s);
+      evaluate_materials(scene, record, packet, beams, group, s);
   }
 }
 

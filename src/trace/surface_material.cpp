@@ -34,9 +34,9 @@ struct UvFootprint {
   Vec2f uv, a, b;
 };
 
-/// path_length: to the hit. set: of the mesh's uvs.
+/// set: of the mesh's uvs. widths: of the beam at the hit.
 UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, int set, const BeamFootprint& beam,
-                         float path_length) {
+                         Vec2f widths) {
   const Vec2f uv = at_hit(uvs_of(*record.mesh, set), record, packet, i);
   const UvGradient& gradient = (*record.uv_gradients[static_cast<std::size_t>(set)])[packet.hit.primID[i]];
   Vec3f du = gradient.du, dv = gradient.dv, n = gradient.normal;
@@ -51,7 +51,6 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
   // Seen edge-on a footprint grows without bound; 1/16 stops it at 16 widths.
   const float inverse = 1.0f / std::copysign(std::max(std::abs(across), 0.0625f), across);
   const float u_along = glm::dot(du, d) * inverse, v_along = glm::dot(dv, d) * inverse;
-  const Vec2f widths = beam.widths(path_length);
   // An axis is moved along the ray onto the facet: axis - d (n . axis) / (n . d).
   const auto change = [&](Vec3f axis, float width) {
     const float slide = glm::dot(n, axis);
@@ -61,11 +60,14 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
 }
 
 /// As the map looks its texture up.
-void uv_footprints(const GeometryRecord& record, const RayHitPacket& packet, const TextureMap& map, const Lanes& length,
-                   const BeamFootprint& beam, const LaneMask& lanes, UvLanes& uv) {
+void uv_footprints(const GeometryRecord& record, const RayHitPacket& packet, const TextureMap& map, const PacketBeams& beams,
+                   const LaneMask& lanes, UvLanes& uv) {
+  const BeamFootprint& beam = beams.footprint;
   for (int i = 0; i < kLanes; ++i) {
     if (!lanes.lane[i]) continue;
-    const UvFootprint f = uv_footprint(record, packet, i, map.uv_set, beam, length[i]);
+    const float length = beams.path_length[i] + packet.ray.tfar[i];
+    const Vec2f widths = beams.spread && beams.spread->lane[i] ? beam.widths(length) : beam.sample_widths(length);
+    const UvFootprint f = uv_footprint(record, packet, i, map.uv_set, beam, widths);
     const Vec2f at = map.offset + map.matrix * f.uv, a = map.matrix * f.a, b = map.matrix * f.b;
     uv.u[i] = at.x, uv.v[i] = at.y;
     uv.a_u[i] = a.x, uv.a_v[i] = a.y, uv.b_u[i] = b.x, uv.b_v[i] = b.y;
@@ -116,13 +118,12 @@ void apply_vertex_alphas(const GeometryRecord& record, const RayHitPacket& packe
 
 /// Colour, alpha and emission from textures by uv and from vertices.
 void apply_mesh(const DeviceScene::Impl& scene, const WhittedMaterial& m, const GeometryRecord& record,
-                const RayHitPacket& packet, const Lanes& length, const BeamFootprint& beam, const LaneMask& lanes,
-                SurfacePacket& s) {
+                const RayHitPacket& packet, const PacketBeams& beams, const LaneMask& lanes, SurfacePacket& s) {
   UvLanes uv;
   TexelLanes texels;
   LIPPMANN_FOR_LANES(i) texels.alpha[i] = 1.0f;
   if (m.projection < 0 && is_mapped(m.color_map, record)) {
-    uv_footprints(record, packet, m.color_map, length, beam, lanes, uv);
+    uv_footprints(record, packet, m.color_map, beams, lanes, uv);
     sample_uv(texture(scene, m.color_map.texture), uv, lanes, texels);
     scale_texels(texels, m.color, lanes, s.color);
   }
@@ -132,7 +133,7 @@ void apply_mesh(const DeviceScene::Impl& scene, const WhittedMaterial& m, const 
     apply_alpha(m, texels.alpha, lanes, s);
   }
   if (is_mapped(m.emission_map, record)) {
-    uv_footprints(record, packet, m.emission_map, length, beam, lanes, uv);
+    uv_footprints(record, packet, m.emission_map, beams, lanes, uv);
     sample_uv(texture(scene, m.emission_map.texture), uv, lanes, texels);
     scale_texels(texels, m.emission, lanes, s.emission);
   }
@@ -141,14 +142,15 @@ void apply_mesh(const DeviceScene::Impl& scene, const WhittedMaterial& m, const 
 }  // namespace
 
 void evaluate_material(const DeviceScene::Impl& scene, const WhittedMaterial& m, const GeometryRecord* record,
-                       const RayHitPacket& packet, const Lanes& path_length, const BeamFootprint& beam, const LaneMask& lanes,
-                       SurfacePacket& s) {
+                       const RayHitPacket& packet, const PacketBeams& beams, const LaneMask& lanes, SurfacePacket& s) {
   set_material(m, lanes, s);
   const bool of_mesh = record && record->kind == GeometryKind::kMesh;
-  Lanes length;
-  LIPPMANN_FOR_LANES(i) length[i] = path_length[i] + packet.ray.tfar[i];
-  if (m.projection >= 0 && m.color_map.texture >= 0) apply_projected(scene, m, length, lanes, s);
-  if (of_mesh) apply_mesh(scene, m, *record, packet, length, beam, lanes, s);
+  if (m.projection >= 0 && m.color_map.texture >= 0) {
+    Lanes length;
+    LIPPMANN_FOR_LANES(i) length[i] = beams.path_length[i] + packet.ray.tfar[i];
+    apply_projected(scene, m, length, lanes, s);
+  }
+  if (of_mesh) apply_mesh(scene, m, *record, packet, beams, lanes, s);
 }
 
 }  // namespace lippmann

@@ -13,10 +13,15 @@ Value at_hit(const std::vector<Value>& of_vertex, const GeometryRecord& record, 
   return (1.0f - u - v) * of_vertex[a] + u * of_vertex[b] + v * of_vertex[c];
 }
 
+/// The beams of a packet's rays.
+struct PacketBeams {
+  const BeamFootprint& footprint;
+  const Lanes& path_length;  ///< to the rays' origins
+  const LaneMask* spread;    ///< lanes as wide as a pixel, the others as a sample of it; null: none
+};
+
 /// Sets the material terms of `lanes`, which have all hit `record` (null: a plane) and are all made of `material`.
-/// path_length: to the origins of the rays in `packet`.
 void evaluate_material(const DeviceScene::Impl& scene, const WhittedMaterial& material, const GeometryRecord* record,
-                       const RayHitPacket& packet, const Lanes& path_length, const BeamFootprint& beam, const LaneMask& lanes,
-                       SurfacePacket& s);
+                       const RayHitPacket& packet, const PacketBeams& beams, const LaneMask& lanes, SurfacePacket& s);
 
 }  // namespace lippmann

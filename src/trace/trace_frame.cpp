@@ -26,7 +26,7 @@ class FrameTracer {
               Image& film)
       : scene_(scene.impl()),
         params_(params),
-        beam_(optics, world_from_display),
+        beam_(optics, world_from_display, params.spp),
         source_(optics, world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter}),
         film_(film) {}
 

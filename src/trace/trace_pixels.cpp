@@ -132,7 +132,7 @@ RayCounts trace_pixels(const DeviceScene& scene, const Optics& optics, const Aff
                        PrimaryPoints* points) {
   if (pixels.empty()) return {};
   const OrderedPixels ordered = in_ray_order(pixels, optics, params.order);
-  const BeamFootprint beam(optics, world_from_display);
+  const BeamFootprint beam(optics, world_from_display, params.spp);
   const SubPixel sub_pixel{params.seed, params.spp, params.angular_filter};
   const PixelPackets packets(optics, world_from_display, sub_pixel);
   std::optional<PointCapture> capture;

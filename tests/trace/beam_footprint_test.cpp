@@ -1,0 +1,89 @@
+// How sharp textures are. A square that fills 16 x 16 pixels, 4 texels to a pixel, black on its left and white on its right:
+// between texels' centres the grey grows evenly, so that 1 / 8 of a pixel before the edge it is 0 and at the edge 1 / 2.
+#include <gtest/gtest.h>
+
+#include "trace/device_scene_impl.hpp"
+#include "trace/scene_query.hpp"
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+constexpr int kPixels = 16, kTexels = 64;
+
+SmallScene edge() {
+  SmallScene s;
+  s.scene.max_depth = 2;
+  Texture t;
+  t.width = t.height = kTexels;
+  t.srgb = false;
+  t.wrap_u = t.wrap_v = Wrap::kClamp;
+  for (int i = 0; i < kTexels * kTexels; ++i)
+    for (int c = 0; c < 4; ++c) t.rgba.push_back(c == 3 || i % kTexels >= kTexels / 2 ? 255 : 0);
+  s.scene.textures.push_back(t);
+  MetallicRoughness surface;
+  surface.unlit = true;
+  surface.base_color_map.texture = 0;
+  s.add(square(2.0f, 0.0f), s.material(surface));
+  return s;
+}
+
+TEST(BeamFootprint, many_samples_find_the_mean_of_a_pixel) {
+  // The last eighth of the pixel has 1 / 4 on average, 1 / 32 of all of it. 64 columns of samples at an unknown shift u below
+  // 1 / 64, 8 of them in that eighth: 1 / 64 (32 u + 7 / 4), which is 1 / 32 +- 1 / 256.
+  TraceParams params;
+  params.spp = 64;
+  for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
+    const SmallScene s = edge();
+    const Picture p = trace(s.scene, single_view(kPixels), params, 1, 0.0, {}, integrator);
+    EXPECT_NEAR(p.at(7, 8).x, 1.0f / 32.0f, 1.0f / 256.0f + 1e-3f);
+    EXPECT_NEAR(p.at(8, 8).x, 31.0f / 32.0f, 1.0f / 256.0f + 1e-3f);
+    EXPECT_EQ(p.at(6, 8).x, 0.0f);
+  }
+}
+
+TEST(BeamFootprint, one_sample_stands_for_a_whole_pixel) {
+  // The level whose texels are pixels: black at the centre of the one, white at that of the other, and straight between them.
+  SmallScene s = edge();
+  std::get<MetallicRoughness>(s.scene.materials[0].surface).base_color_map.offset.x = 1.0f / (4.0f * kPixels);
+  const Picture p = trace(s.scene, single_view(kPixels), {});
+  EXPECT_NEAR(p.at(7, 8).x, 0.25f, 1e-3f);
+}
+
+TEST(BeamFootprint, a_pixels_width_is_divided_among_its_samples_down_to_an_eighth) {
+  const Optics optics = single_view(kPixels);
+  const float whole = BeamFootprint(optics, {}).widths(10.0f).x;
+  EXPECT_NEAR(whole, 0.25f, 1e-6f);
+  EXPECT_EQ(BeamFootprint(optics, {}).sample_widths(10.0f).x, whole);
+  EXPECT_EQ(BeamFootprint(optics, {}, 4).sample_widths(10.0f).x, whole / 2.0f);
+  EXPECT_EQ(BeamFootprint(optics, {}, 1000).sample_widths(10.0f).x, whole / 8.0f);
+  EXPECT_EQ(BeamFootprint(optics, {}, 1000).widths(10.0f).x, whole);
+}
+
+TEST(BeamFootprint, scattered_rays_are_as_wide_as_a_pixel) {
+  const SmallScene s = edge();
+  const ThreadPool pool(1);
+  DeviceScene device(s.scene, pool, Integrator::kPath);
+  device.update(evaluate(s.scene, 0.0), pool);
+  // A quarter of a pixel left of the edge: black among texels, a quarter of the way to white among pixels.
+  RayHitPacket packet;
+  LaneMask active, spread;
+  for (int i = 0; i < kLanes; ++i) {
+    packet.ray.org_x[i] = -0.0625f, packet.ray.org_y[i] = 0.1f, packet.ray.org_z[i] = 10.0f;
+    packet.ray.dir_x[i] = packet.ray.dir_y[i] = 0.0f, packet.ray.dir_z[i] = -1.0f;
+    packet.ray.tnear[i] = 0.0f, packet.ray.tfar[i] = kInfinity;
+    active.lane[i] = -1;
+    spread.lane[i] = i % 2 ? -1 : 0;
+  }
+  clear_hits(packet);
+  intersect_scene(device.impl(), active, packet, Coherence::kCoherent);
+  const Optics optics = single_view(kPixels);
+  SurfacePacket surface;
+  evaluate_surfaces(device.impl(), packet, active, Lanes{}, BeamFootprint(optics, {}, 64), surface, &spread);
+  for (int i = 0; i < kLanes; ++i) EXPECT_NEAR(surface.color.x[i], i % 2 ? 0.25f : 0.0f, 1e-3f) << i;
+}
+
+}  // namespace
+}  // namespace lippmann
