@@ -14,6 +14,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
 #include "layout/formats.hpp"
 #include "layout/hci_parameters.hpp"
@@ -73,7 +74,7 @@ void read_depth(const fs::path& folder, const HciParameters& parameters, LightFi
 }
 
 LightField read(const fs::path& folder, const FormatOptions& options) {
-  static const std::regex name("input_Cam([0-9]{1,6})\\.[^.]+");
+  static const TextPattern name("input_Cam([0-9]{1,6})\\.[^.]+");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "input_Cam000.png, input_Cam001.png, ...");
   const int count = static_cast<int>(files.size());
   if (files.front().numbers[0] != 0 || files.back().numbers[0] != count - 1)

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "core/error.hpp"
+#include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
 #include "layout/formats.hpp"
 #include "layout/view_files.hpp"
@@ -21,7 +22,7 @@ std::uint16_t rescaled(std::uint16_t code, int from_highest, int to_highest) {
 }
 
 LightField read(const fs::path& folder, const FormatOptions&) {
-  static const std::regex name("([0-9]{1,4})_([0-9]{1,4})\\.ppm");
+  static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.ppm");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "000_000.ppm, 000_001.ppm, ...");
   const ViewGrid grid = complete_grid(folder, files);
   std::vector<fs::path> by_view(files.size());

@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <regex>
 #include <string>
 
 #include "core/error.hpp"
+#include "core/text_pattern.hpp"
 
 namespace lippmann {
 namespace {
 
-const std::regex& pattern() {
-  static const std::regex quilt("_qs([0-9]{1,4})x([0-9]{1,4})a([0-9]*\\.?[0-9]+)(?:z[0-9.]+)?(?:f-?[0-9.]+)?$");
+const TextPattern& pattern() {
+  static const TextPattern quilt("_qs([0-9]{1,4})x([0-9]{1,4})a([0-9]*\\.?[0-9]+)(?:z[0-9.]+)?(?:f-?[0-9.]+)?$");
   return quilt;
 }
 
@@ -26,10 +26,10 @@ Number read(const std::string& digits) {
 }  // namespace
 
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path) {
-  const std::string stem = path.stem().string();
-  std::smatch found;
-  if (!std::regex_search(stem, found, pattern())) return std::nullopt;
-  const QuiltName name{{read<int>(found[1]), read<int>(found[2])}, read<double>(found[3])};
+  const std::optional<PatternMatch> found = pattern().search(path.stem().string());
+  if (!found) return std::nullopt;
+  const auto& group = found->groups;
+  const QuiltName name{{read<int>(group[1]), read<int>(group[2])}, read<double>(group[3])};
   if (name.tiles.columns < 1 || name.tiles.rows < 1 || !(name.aspect > 0.0))
     throw Error(path.string(), "its name speaks of a quilt without tiles or aspect", "a name such as room_qs8x6a0.75.png");
   return name;
@@ -40,7 +40,8 @@ std::string quilt_ending(const QuiltName& quilt) {
 }
 
 std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt) {
-  const std::string bare = std::regex_replace(path.stem().string(), pattern(), "");
+  std::string bare = path.stem().string();
+  if (const auto found = pattern().search(bare)) bare.resize(found->begin);
   return path.parent_path() / (bare + quilt_ending(quilt) + path.extension().string());
 }
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "core/error.hpp"
+#include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "optics/optics_json.hpp"
 
@@ -59,11 +59,10 @@ std::optional<Rendering> rendering_of(const fs::path& picture) {
 std::optional<Image> rendered_depth(const fs::path& picture) {
   static const std::array<std::string, 1> depth{"Z"};
   if (picture.extension() == ".exr" && has_depth(picture)) return read_channels(picture, depth);
-  static const std::regex numbered("(?:frame|view)_([0-9]+).*");
-  std::smatch found;
-  const std::string name = picture.filename().string();
-  if (!std::regex_match(name, found, numbered)) return std::nullopt;
-  const fs::path layers = picture.parent_path() / ("aov_" + found[1].str() + ".exr");
+  static const TextPattern numbered("(?:frame|view)_([0-9]+).*");
+  const auto found = numbered.match(picture.filename().string());
+  if (!found) return std::nullopt;
+  const fs::path layers = picture.parent_path() / ("aov_" + found->groups[1] + ".exr");
   std::error_code ignored;
   if (!fs::is_regular_file(layers, ignored) || !has_depth(layers)) return std::nullopt;
   return read_channels(layers, depth);

@@ -4,6 +4,7 @@
 // Without known cameras y and x are the row and the column; they are not read.
 #include <fmt/format.h>
 
+#include "core/text_pattern.hpp"
 #include "layout/formats.hpp"
 #include "layout/view_files.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 LightField read(const fs::path& folder, const FormatOptions&) {
-  static const std::regex name("out_([0-9]{1,5})_([0-9]{1,5})(?:_.*)?\\.(?:png|jpg|exr|ppm|tif|tiff)");
+  static const TextPattern name("out_([0-9]{1,5})_([0-9]{1,5})(?:_.*)?\\.(?:png|jpg|exr|ppm|tif|tiff)");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "out_00_00_<y>_<x>.png, ...");
   const ViewGrid grid = complete_grid(folder, files);
   std::vector<fs::path> by_view(files.size());

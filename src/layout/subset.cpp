@@ -3,17 +3,17 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <regex>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text_pattern.hpp"
 
 namespace lippmann {
 namespace {
 
-int number(const std::ssub_match& digits) {
+int number(const std::string& digits) {
   int value = 0;
-  std::from_chars(&*digits.first, &*digits.first + digits.length(), value);
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
   return value;
 }
 
@@ -41,25 +41,25 @@ LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
 }  // namespace
 
 Crop read_crop(const std::string& text, const std::string& flag) {
-  static const std::regex pattern("([0-9]{1,6})x([0-9]{1,6})\\+([0-9]{1,6})\\+([0-9]{1,6})");
-  std::smatch found;
-  if (!std::regex_match(text, found, pattern))
-    throw usage_error(flag, "'" + text + "' is no window", "WxH+X+Y in pixels, such as 512x512+64+0");
-  return {{number(found[1]), number(found[2])}, {number(found[3]), number(found[4])}};
+  static const TextPattern pattern("([0-9]{1,6})x([0-9]{1,6})\\+([0-9]{1,6})\\+([0-9]{1,6})");
+  const auto found = pattern.match(text);
+  if (!found) throw usage_error(flag, "'" + text + "' is no window", "WxH+X+Y in pixels, such as 512x512+64+0");
+  const auto& group = found->groups;
+  return {{number(group[1]), number(group[2])}, {number(group[3]), number(group[4])}};
 }
 
 KeptViews read_kept_views(const std::string& text, const std::string& flag) {
   static const std::string range = "(?:all|([0-9]{1,6})(?:-([0-9]{1,6})(?::([1-9][0-9]{0,5}))?)?)";
-  static const std::regex pattern(range + "(?:x" + range + ")?");
-  std::smatch found;
-  if (!std::regex_match(text, found, pattern))
-    throw usage_error(flag, "'" + text + "' names no views", "COLUMNS or COLUMNSxROWS, each N, A-B, A-B:STEP or all");
+  static const TextPattern pattern(range + "(?:x" + range + ")?");
+  const auto found = pattern.match(text);
+  if (!found) throw usage_error(flag, "'" + text + "' names no views", "COLUMNS or COLUMNSxROWS, each N, A-B, A-B:STEP or all");
   const auto read = [&](std::size_t group) {
+    const std::string &first = found->groups[group], &last = found->groups[group + 1], &step = found->groups[group + 2];
     ViewRange kept;
-    if (!found[group].matched) return kept;
-    kept.first = kept.last = number(found[group]);
-    if (found[group + 1].matched) kept.last = number(found[group + 1]);
-    if (found[group + 2].matched) kept.step = number(found[group + 2]);
+    if (first.empty()) return kept;
+    kept.first = kept.last = number(first);
+    if (!last.empty()) kept.last = number(last);
+    if (!step.empty()) kept.step = number(step);
     return kept;
   };
   return {read(1), read(4)};

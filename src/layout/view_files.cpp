@@ -11,17 +11,17 @@
 namespace lippmann {
 namespace fs = std::filesystem;
 
-std::vector<NumberedFile> numbered_files(const fs::path& folder, const std::regex& pattern, const std::string& accepted) {
+std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPattern& pattern, const std::string& accepted) {
   std::vector<NumberedFile> files;
   std::error_code problem;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
-    const std::string name = entry.path().filename().string();
-    std::smatch found;
-    if (!std::regex_match(name, found, pattern)) continue;
+    const std::optional<PatternMatch> found = pattern.match(entry.path().filename().string());
+    if (!found) continue;
     NumberedFile file{{}, entry.path()};
-    for (std::size_t group = 1; group < found.size(); ++group) {
+    for (std::size_t group = 1; group < found->groups.size(); ++group) {
+      const std::string& digits = found->groups[group];
       int number = -1;
-      std::from_chars(&*found[group].first, &*found[group].first + found[group].length(), number);
+      std::from_chars(digits.data(), digits.data() + digits.size(), number);
       file.numbers.push_back(number);
     }
     files.push_back(std::move(file));

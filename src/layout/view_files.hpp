@@ -3,10 +3,10 @@
 
 #include <filesystem>
 #include <functional>
-#include <regex>
 #include <string>
 #include <vector>
 
+#include "core/text_pattern.hpp"
 #include "layout/light_field.hpp"
 
 namespace lippmann {
@@ -19,7 +19,7 @@ struct NumberedFile {
 
 /// Throws Error naming the folder if it cannot be listed, has no such files (`accepted` says what they are called) or two with
 /// the same numbers.
-std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const std::regex& pattern,
+std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const TextPattern& pattern,
                                          const std::string& accepted);
 
 /// Of files with rows and columns, which may begin at any number: how many there are, if none is missing between the first

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/text_pattern.hpp"
 #include "layout/formats.hpp"
 #include "layout/rendered.hpp"
 #include "layout/view_files.hpp"
@@ -22,7 +23,7 @@ void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
 }
 
 LightField read(const fs::path& folder, const FormatOptions& options) {
-  static const std::regex name("view_([0-9]{1,6})\\.[^.]+");
+  static const TextPattern name("view_([0-9]{1,6})\\.[^.]+");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "view_000.png, view_001.png, ...");
   const int first = files.front().numbers[0], count = static_cast<int>(files.size());
   if (first > 1 || files.back().numbers[0] != first + count - 1)

@@ -6,10 +6,11 @@
 #include <charconv>
 #include <map>
 #include <memory>
-#include <regex>
+#include <string_view>
 
 #include "core/background.hpp"
 #include "core/error.hpp"
+#include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "layout/quilt_name.hpp"
 
@@ -21,52 +22,56 @@ namespace fs = std::filesystem;
 /// Files whose names differ in their number alone.
 using Series = std::map<int, fs::path>;
 
-struct Pattern {
+struct FrameNames {
   fs::path folder;
-  std::regex name;  ///< groups: what comes before the number, the number, what comes after
+  TextPattern name;  ///< groups: what comes before the number, the number, what comes after
 };
 
 std::string escaped(const std::string& text) {
-  static const std::regex special(R"([.^$|()\[\]{}*+?\\])");
-  return std::regex_replace(text, special, R"(\$&)");
+  std::string expression;
+  for (const char letter : text) {
+    if (std::string_view(R"(.^$|()[]{}*+?\)").find(letter) != std::string_view::npos) expression += '\\';
+    expression += letter;
+  }
+  return expression;
 }
 
-Pattern pattern_of(const std::string& from) {
+FrameNames names_of(const std::string& from) {
   std::error_code ignored;
   if (fs::is_directory(from, ignored))
     return {from,
-            std::regex(R"((.*?)([0-9]{1,9})((?:_qs[^.]*(?:\.[0-9]+)?[^.]*)?\.(?:png|exr|jpg|jpeg|tif|tiff|ppm|bmp|tga|webp)))",
-                       std::regex::icase)};
-  static const std::regex number(R"(\*|%0?[0-9]*d)");
+            TextPattern(R"((.*?)([0-9]{1,9})((?:_qs[^.]*(?:\.[0-9]+)?[^.]*)?\.(?:png|exr|jpg|jpeg|tif|tiff|ppm|bmp|tga|webp)))",
+                        TextPattern::Letters::kEitherCase)};
+  static const TextPattern number(R"(\*|%0?[0-9]*d)");
   const fs::path path(from);
   const std::string name = path.filename().string();
-  std::smatch found;
-  if (!std::regex_search(name, found, number))
+  const auto found = number.search(name);
+  if (!found)
     throw Error(from, "there is no such folder, and it is no pattern",
                 "a folder, or a pattern such as frame_%04d.png or 'frame_*.png'");
-  const std::string rest = found.suffix();
-  if (std::regex_search(rest, number)) throw Error(from, "has two places for the number", "one * or %04d");
+  const std::string before = name.substr(0, found->begin), after = name.substr(found->end);
+  if (number.search(after)) throw Error(from, "has two places for the number", "one * or %04d");
   return {path.parent_path().empty() ? fs::path(".") : path.parent_path(),
-          std::regex(fmt::format("({})([0-9]{{1,9}})({})", escaped(found.prefix()), escaped(rest)))};
+          TextPattern(fmt::format("({})([0-9]{{1,9}})({})", escaped(before), escaped(after)))};
 }
 
 /// By what stands before and after the number.
-std::map<std::string, Series> series_in(const Pattern& pattern) {
+std::map<std::string, Series> series_in(const FrameNames& names) {
   std::map<std::string, Series> all;
   std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(pattern.folder, problem)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(names.folder, problem)) {
     const std::string name = entry.path().filename().string();
-    std::smatch found;
-    if (name.starts_with(".") || !std::regex_match(name, found, pattern.name)) continue;
-    const std::string digits = found[2];
+    const auto found = names.name.match(name);
+    if (name.starts_with(".") || !found) continue;
+    const std::string& digits = found->groups[2];
     int number = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    const auto [at, is_new] = all[found[1].str() + "*" + found[3].str()].emplace(number, entry.path());
+    const auto [at, is_new] = all[found->groups[1] + "*" + found->groups[3]].emplace(number, entry.path());
     if (!is_new)
-      throw Error(pattern.folder.string(),
+      throw Error(names.folder.string(),
                   fmt::format("has two pictures for frame {}: {} and {}", number, at->second.filename().string(), name));
   }
-  if (problem) throw Error(pattern.folder.string(), "it cannot be listed (" + problem.message() + ")");
+  if (problem) throw Error(names.folder.string(), "it cannot be listed (" + problem.message() + ")");
   return all;
 }
 
@@ -88,7 +93,7 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
 }  // namespace
 
 std::vector<NumberedFrame> find_frames(const std::string& from, std::optional<int> first, std::optional<int> last) {
-  const std::map<std::string, Series> all = series_in(pattern_of(from));
+  const std::map<std::string, Series> all = series_in(names_of(from));
   const Series& series = chosen_series(from, all);
   const int begin = first.value_or(series.begin()->first), end = last.value_or(series.rbegin()->first);
   std::vector<NumberedFrame> frames;
