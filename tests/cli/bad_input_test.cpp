@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "cli/tool.hpp"
 
 namespace lippmann::test {

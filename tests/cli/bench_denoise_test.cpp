@@ -15,7 +15,7 @@ TEST(BenchDenoise, json_has_a_row_per_picture_and_number_of_samples) {
   const RunResult result =
       run_tool(dir, {"bench", "denoise", "--scene", "teapot", "--quick", "--references", "refs", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const Json rows = Json::parse(result.out)["rows"];
+  const Json rows = json_of(result.out)["rows"];
   ASSERT_EQ(rows.size(), 6u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i]["picture"], i < 3 ? "integral" : "quilt");

@@ -1,6 +1,7 @@
 // The figures of path-traced light with reuse, on a few small frames: what must be so whatever is saved.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"

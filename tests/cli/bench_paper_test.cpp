@@ -17,7 +17,7 @@ TEST(BenchPaper, json_has_a_row_per_method_and_the_frames_that_it_sums_up) {
   const RunResult result =
       run_tool(dir, {"bench", "paper", "--scene", "primitives", "--frames", "4", "--tachyon-scenes", "nowhere", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const Json report = Json::parse(result.out);
+  const Json report = json_of(result.out);
   EXPECT_EQ(report["passed_checks"], 2 + 1 + 1 + 1 + 1);  // key frames of the five runs
   ASSERT_EQ(report["rows"].size(), 5u);
   for (const Json& row : report["rows"]) {

@@ -15,7 +15,7 @@ TEST(BenchReuse, json_has_a_row_per_method_and_exact_frames_have_no_error) {
   const RunResult result =
       run_tool(dir, {"bench", "reuse", "--scene", "primitives", "--frames", "3", "--tachyon-scenes", "nowhere", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const Json report = Json::parse(result.out);
+  const Json report = json_of(result.out);
   ASSERT_EQ(report["rows"].size(), 2u);
   EXPECT_EQ(report["rows"][0]["method"], "exact");
   EXPECT_EQ(report["rows"][1]["method"], "forward, 50 dB");

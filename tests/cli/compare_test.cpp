@@ -30,7 +30,7 @@ TEST(CompareCommand, json_is_all_there_is_on_stdout) {
   const RunResult result = run_tool(dir, {"compare", "a", "b", "--json"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  const Json json = Json::parse(result.out);
+  const Json json = json_of(result.out);
   EXPECT_EQ(json["frames"].size(), 2u);
   EXPECT_TRUE(json["frames"][0]["psnr_db"].is_null());
   EXPECT_EQ(json["mean"]["psnr_db"], json["frames"][1]["psnr_db"]);

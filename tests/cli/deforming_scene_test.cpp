@@ -1,6 +1,7 @@
 // glTF scenes whose meshes change their shape, and whose file holds several animations, through the command line.
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "cli/tool.hpp"
 
@@ -66,7 +67,7 @@ TEST(Display, native_frame_has_the_panel_s_pixels) {
   EXPECT_EQ(report["optics"]["width"], 3 * 48);
   const RunResult compared = run_tool(dir, {"compare", "out", "a.mkv", "--json"});
   EXPECT_EQ(compared.exit_code, 0) << compared.err;  // 48 x 64, both
-  EXPECT_TRUE(nlohmann::json::parse(compared.out)["identical"]);
+  EXPECT_TRUE(json_of(compared.out)["identical"]);
 }
 
 TEST(Display, native_frames_are_reused_exactly) {
@@ -96,10 +97,8 @@ TEST(Display, print_is_a_tiff_at_the_sheet_s_resolution_and_may_be_mirrored) {
 
   ASSERT_EQ(run_tool(dir, teapot_on("sheet.toml", {"--layout", "print", "--mirror"}, "mirror")).exit_code, 0);
   ASSERT_EQ(run_tool(dir, teapot_on("sheet.toml", {}, "plain")).exit_code, 0);
-  EXPECT_FALSE(nlohmann::json::parse(
-      run_tool(dir, {"compare", "plain/frame_0003.png", "mirror/frame_0003.tif", "--json"}).out)["identical"]);
-  EXPECT_TRUE(nlohmann::json::parse(
-      run_tool(dir, {"compare", "plain/frame_0003.png", "out/frame_0003.tif", "--json"}).out)["identical"]);
+  EXPECT_FALSE(json_of(run_tool(dir, {"compare", "plain/frame_0003.png", "mirror/frame_0003.tif", "--json"}).out)["identical"]);
+  EXPECT_TRUE(json_of(run_tool(dir, {"compare", "plain/frame_0003.png", "out/frame_0003.tif", "--json"}).out)["identical"]);
 }
 
 TEST(Display, test_pattern_is_one_quilt_without_layers) {

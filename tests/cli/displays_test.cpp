@@ -1,6 +1,8 @@
 // `lippmann displays`, and `convert` to and from a slanted panel's own frame.
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "cli/tool.hpp"
 
 namespace lippmann::test {
@@ -13,7 +15,7 @@ TEST(Displays, list_names_presets_and_json_says_the_same) {
   const TempDir dir;
   const RunResult list = run_tool(dir, {"displays"}), json = run_tool(dir, {"displays", "--json"});
   EXPECT_EQ(list.exit_code, 0);
-  const auto displays = nlohmann::json::parse(json.out);
+  const auto displays = json_of(json.out);
   EXPECT_GE(displays.size(), 20u);
   for (const auto& display : displays) EXPECT_THAT(list.out, HasSubstr(display["name"].get<std::string>()));
 }
@@ -21,7 +23,7 @@ TEST(Displays, list_names_presets_and_json_says_the_same) {
 TEST(Displays, one_by_name_tells_its_lenses) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, {"displays", "portrait"}).out, HasSubstr("244.041"));
-  const auto json = nlohmann::json::parse(run_tool(dir, {"displays", "portrait", "--json"}).out);
+  const auto json = json_of(run_tool(dir, {"displays", "portrait", "--json"}).out);
   EXPECT_NEAR(json["periods"].get<double>(), 244.041, 5e-4);
   EXPECT_NEAR(json["tilt"].get<double>(), -0.190476, 5e-7);
 }
@@ -54,7 +56,7 @@ TEST(Displays, native_frame_of_a_quilt_for_a_calibration_taken_apart_and_made_ag
             0);
   EXPECT_EQ(files_in(dir / "views", ".png").size(), 8u);
   ASSERT_EQ(run_tool(dir, Words{"convert", "views", "again.png", "--from", "views", "--to", "native"} + panel).exit_code, 0);
-  EXPECT_EQ(nlohmann::json::parse(run_tool(dir, {"compare", "panel.png", "again.png", "--json"}).out)["identical"], true);
+  EXPECT_EQ(json_of(run_tool(dir, {"compare", "panel.png", "again.png", "--json"}).out)["identical"], true);
 }
 
 TEST(Displays, native_needs_a_slanted_panel) {

@@ -1,4 +1,6 @@
 // Videos of finished frames by the tool: names, what is said, what is refused.
+#include <gtest/gtest.h>
+
 #include "tool.hpp"
 
 namespace lippmann::test {

@@ -26,7 +26,7 @@ TEST(Floor, is_kept_by_nineteen_predicted_frames_of_twenty_over_all_scenes) {
     for (const std::string floor : {"32", "38"}) {
       const std::string folder = scene + floor;
       const Json report = render(folder, {"--reuse", "forward", "--min-psnr", floor});
-      const Json likeness = Json::parse(run_tool(dir, {"compare", scene, folder, "--json"}).out);
+      const Json likeness = json_of(run_tool(dir, {"compare", scene, folder, "--json"}).out);
       for (std::size_t i = 0; i < 9; ++i) {
         const Json &psnr = likeness["frames"][i]["psnr_db"], &figures = report["frames"][i];
         if (figures["kind"] != "in-between") {
@@ -114,7 +114,7 @@ TEST(Floor, every_kind_of_optics_keeps_it) {
     ASSERT_EQ(render("traced", {"--reuse", "none"}).exit_code, 0);
     const RunResult made = render("made", {"--reuse", "forward", "--keyframes", "2", "--min-psnr", "35"});
     ASSERT_EQ(made.exit_code, 0) << made.err;
-    const Json psnr = Json::parse(run_tool(dir, {"compare", "traced", "made", "--json"}).out)["frames"][1]["psnr_db"];
+    const Json psnr = json_of(run_tool(dir, {"compare", "traced", "made", "--json"}).out)["frames"][1]["psnr_db"];
     EXPECT_TRUE(psnr.is_null() || psnr.get<double>() >= 35.0) << kind[1] << ' ' << psnr;
     std::filesystem::remove_all(dir / "traced");
     std::filesystem::remove_all(dir / "made");

@@ -1,4 +1,6 @@
 // A rendered data set of vision research: pictures, depth, disparity and parameters agree with each other.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <vector>
 

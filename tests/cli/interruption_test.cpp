@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"
@@ -37,7 +38,7 @@ TEST(Interruption, killed_render_resumes_to_the_same_pictures_and_video) {
   EXPECT_LE(lines_of(resumed.err), 7u) << "at least three of ten frames were kept";
   EXPECT_EQ(files_in(dir / "parts", ".png"), files_in(dir / "whole", ".png"));
   EXPECT_EQ(bytes_of(dir / "parts.mkv"), bytes_of(dir / "whole.mkv"));
-  EXPECT_EQ(Json::parse(resumed.out)["frames"].size(), 10u);
+  EXPECT_EQ(json_of(resumed.out)["frames"].size(), 10u);
 }
 
 TEST(Interruption, files_left_half_written_by_a_killed_render_are_cleared_away_by_the_next_one) {
@@ -93,7 +94,7 @@ TEST(Interruption, ctrl_c_keeps_finished_frames_and_says_so) {
   running.signal(SIGINT);
   const RunResult result = running.wait();
   EXPECT_EQ(result.exit_code, 128 + SIGINT);
-  const Json report = Json::parse(result.out);
+  const Json report = json_of(result.out);
   EXPECT_TRUE(report["interrupted"].get<bool>());
   const auto pictures = files_in(dir / "a", ".png");
   EXPECT_EQ(pictures.size(), report["frames"].size());

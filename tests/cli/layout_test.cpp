@@ -102,7 +102,7 @@ TEST(Layout, tiff_pictures_hold_the_codes_of_png) {
   rendered(dir, small_array("out") + Words{"--format", "tiff"}, "out");
   const RunResult compared = run_tool(dir, {"compare", "out/frame_0003.png", "out/frame_0003.tif", "--json"});
   ASSERT_EQ(compared.exit_code, 0) << compared.err;
-  EXPECT_TRUE(nlohmann::json::parse(compared.out)["identical"]);
+  EXPECT_TRUE(json_of(compared.out)["identical"]);
 }
 
 TEST(Layout, tiff_pictures_written_twice_are_the_same_bytes) {

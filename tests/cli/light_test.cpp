@@ -1,6 +1,9 @@
 // Path tracing, panoramas, exposure and tone from the command line.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <fstream>
+
 #include "cli/tool.hpp"
 #include "image/encode.hpp"
 #include "image/exr.hpp"

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"
@@ -50,8 +51,8 @@ TEST(Render, json_is_the_report_and_nothing_else) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("3-4", "out") + Words{"--reuse", "none", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const Json report = Json::parse(result.out);
-  EXPECT_EQ(report, Json::parse(bytes_of(dir / "out/report.json")));
+  const Json report = json_of(result.out);
+  EXPECT_EQ(report, json_of(bytes_of(dir / "out/report.json")));
   for (const char* key : {"version", "scene", "optics", "settings", "frames", "totals"})
     EXPECT_TRUE(report.contains(key)) << key;
   ASSERT_EQ(report["frames"].size(), 2u);
@@ -113,7 +114,7 @@ TEST(Render, video_is_written_beside_the_pictures_with_every_frame) {
   ASSERT_EQ(run_tool(dir, small_teapot("0-3", "a") + Words{"--video", "a.mkv", "--video", "a.mp4"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(dir / "a.mp4"));
   const RunResult compared = run_tool(dir, {"compare", "a", "a.mkv", "--json"});
-  EXPECT_TRUE(Json::parse(compared.out)["identical"].get<bool>()) << "FFV1 holds the codes of the PNGs";
+  EXPECT_TRUE(json_of(compared.out)["identical"].get<bool>()) << "FFV1 holds the codes of the PNGs";
 }
 
 TEST(Render, exr_and_extra_layers_are_written_where_asked) {
@@ -136,7 +137,7 @@ TEST(Render, every_kind_of_optics_makes_a_picture_of_its_size) {
   for (const auto& [flags, size] : kinds) {
     const RunResult result = run_tool(dir, Words{"render", "teapot", "--frames", "0", "--output", "o", "--json"} + flags);
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    const Json optics = Json::parse(result.out)["optics"];
+    const Json optics = json_of(result.out)["optics"];
     EXPECT_EQ(optics["width"].dump(), size[0]);
     EXPECT_EQ(optics["height"].dump(), size[1]);
   }

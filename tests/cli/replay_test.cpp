@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "cli/tool.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
@@ -86,7 +88,7 @@ TEST(Replay, smart_conversion_makes_pictures_for_the_displays_own_lenses) {
   const TempDir dir;
   render_teapot(dir);
   rendered(dir, {"convert", "out", "smart", "--spoc", "8", "--lens-pixels", "12", "--gap", "3"}, "smart");
-  const nlohmann::json optics = nlohmann::json::parse(bytes_of(dir / "smart/report.json"))["optics"];
+  const nlohmann::json optics = json_of(bytes_of(dir / "smart/report.json"))["optics"];
   EXPECT_EQ(optics["gap_mm"], 3.0);
   EXPECT_EQ(read_image8(dir / "smart/frame_0003.png").width, optics["width"]);
   EXPECT_EQ(rendered(dir, {"replay", "smart", "--eye", "0,0,4000", "-o", "eye"}, "eye").size(), 2u);
@@ -135,7 +137,7 @@ TEST(Replay, folder_without_a_report_or_with_other_pictures_is_refused) {
 TEST(Replay, views_are_not_taken_for_what_lies_behind_lenses) {
   const TempDir dir;
   render_teapot(dir);
-  nlohmann::json report = nlohmann::json::parse(bytes_of(dir / "out/report.json"));
+  nlohmann::json report = json_of(bytes_of(dir / "out/report.json"));
   report["settings"]["layout"] = "quilt";
   std::ofstream(dir / "out/report.json") << report.dump();
   expect_refusal(run_tool(dir, {"replay", "out"}), 1, "'quilt'");

@@ -92,7 +92,7 @@ TEST(Reuse, retracing_missed_pixels_brings_the_frame_nearer_to_the_traced_one) {
   rendered(dir, turned_gears("filled", kSixteen), "filled");
   const Json report = report_of(dir, turned_gears("retraced", kSixteen + Words{"--fill", "retrace"}));
   const auto mse = [&](const char* folder) {
-    return Json::parse(run_tool(dir, {"compare", "traced", folder, "--json"}).out)["mean"]["mse"]["mean"].get<double>();
+    return json_of(run_tool(dir, {"compare", "traced", folder, "--json"}).out)["mean"]["mse"]["mean"].get<double>();
   };
   EXPECT_LT(mse("retraced"), mse("filled"));
   const Json& frame = report["frames"][0];

@@ -55,8 +55,8 @@ TEST(Tool, convert_says_what_it_made_and_refuses_what_is_no_grid) {
   const Words convert{"convert", "r/frame_0000.png", "q.png", "--from", "integral", "--to", "quilt"};
   const RunResult made = run_tool(dir, convert + Words{"--views", "8x1", "--json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  const Json report = Json::parse(made.out);
-  EXPECT_EQ(report["view_size"], Json::parse("[16, 128]"));
+  const Json report = json_of(made.out);
+  EXPECT_EQ(report["view_size"], json_of("[16, 128]"));
   EXPECT_TRUE(std::filesystem::exists(dir / report["files"][0].get<std::string>()));
   for (const char* grid : {"8", "8x", "x1", "0x1", "8x1x2", "-8x1", "99999x1"})
     expect_refusal(run_tool(dir, convert + Words{"--views", grid}), 2, "--views");
@@ -85,13 +85,13 @@ TEST(Tool, negative_value_is_a_value_and_not_a_flag) {
   const TempDir dir;
   const RunResult result = run_tool(dir, {"info", "teapot", "--slant", "-9.46", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NEAR(Json::parse(result.out)["optics"]["slant_deg"].get<double>(), -9.46, 1e-5);
+  EXPECT_NEAR(json_of(result.out)["optics"]["slant_deg"].get<double>(), -9.46, 1e-5);
 }
 
 TEST(Tool, scenes_lists_the_built_in_ones_as_text_and_json) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, {"scenes"}).out, HasSubstr("teapot"));
-  const Json scenes = Json::parse(run_tool(dir, {"scenes", "--json"}).out);
+  const Json scenes = json_of(run_tool(dir, {"scenes", "--json"}).out);
   EXPECT_EQ(scenes[0]["name"], "teapot");
   EXPECT_FALSE(scenes[0]["description"].get<std::string>().empty());
 }
@@ -101,7 +101,7 @@ TEST(Tool, info_tells_contents_animation_array_and_depth) {
   const RunResult text = run_tool(dir, {"info", "teapot"});
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_THAT(text.out, HasSubstr("480 frames"));
-  const Json info = Json::parse(run_tool(dir, {"info", "teapot", "--json"}).out);
+  const Json info = json_of(run_tool(dir, {"info", "teapot", "--json"}).out);
   EXPECT_EQ(info["frames"], 480);
   EXPECT_GT(info["triangles"].get<int>(), 1000);
   EXPECT_EQ(info["optics"]["kind"], "lenticular");
