@@ -11,6 +11,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "bench/bench.hpp"
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -40,7 +41,7 @@ nlohmann::ordered_json describe_machine(const Context& context) {
 
 std::string cell(const nlohmann::ordered_json& value) {
   if (value.is_number_float()) return fmt::format("{:.4g}", value.get<double>());
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_string() ? value.get<std::string>() : json_to_text(value, -1);
 }
 
 void print_table(const bench::Report& report) {

@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
+#include "core/json_text.hpp"
 
 namespace lippmann::app {
 
-void print_json(const nlohmann::ordered_json& json) { fmt::print("{}\n", json.dump(2)); }
+void print_json(const nlohmann::ordered_json& json) { fmt::print("{}\n", json_to_text(json)); }
 
 }  // namespace lippmann::app

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/json_text.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -47,7 +49,7 @@ std::string comparison_json(const Comparison& comparison) {
                   {"psnr_db", to_json(comparison.mean_psnr_db)},
                   {"ssim", to_json(comparison.mean_ssim)}};
   const Json whole{{"frames", frames}, {"mean", mean}, {"identical", comparison.identical}};
-  return whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_to_text(whole) + "\n";
 }
 
 std::string comparison_csv(const Comparison& comparison) {

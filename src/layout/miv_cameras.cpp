@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 #include "core/printable.hpp"
 
 namespace lippmann {
@@ -70,7 +71,7 @@ MivCamera camera_from(const Camera& json) {
 
 std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where) {
   constexpr std::size_t kMaxCameras = 4096;
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = json_from_text(text);
   if (json.is_discarded() || !json.is_object() || !json.contains("cameras") || !json["cameras"].is_array())
     throw Error(where, "is not JSON with a list of cameras");
   if (json["cameras"].empty() || json["cameras"].size() > kMaxCameras)
@@ -106,7 +107,7 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
   }
   const Json json{{"Version", "4.0"},        {"Content_name", content},    {"BoundingBox_center", {0, 0, 0}},
                   {"lengthsInMeters", true}, {"sourceCameraNames", names}, {"cameras", list}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json_to_text(json) + '\n';
 }
 
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,

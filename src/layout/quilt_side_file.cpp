@@ -10,6 +10,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 
 namespace lippmann {
 namespace {
@@ -39,7 +40,7 @@ std::optional<QuiltSideFile> read_quilt_side_file(const fs::path& image) {
 }
 
 std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, const std::string& where) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = json_from_text(text);
   if (json.is_discarded()) throw Error(where, "is not JSON");
   if (!json.is_object() || !json.contains("quilt_settings")) return std::nullopt;
   QuiltSideFile side;
@@ -73,7 +74,7 @@ void write_quilt_side_file(const fs::path& image, const QuiltSideFile& side) {
                     {"viewTotal", side.views},
                     {"aspect", side.quilt.aspect},
                     {"invertViews", side.inverted}}}};
-  const std::string text = json.dump(2) + '\n';
+  const std::string text = json_to_text(json) + '\n';
   write_file_atomically(quilt_side_path(image), std::as_bytes(std::span(text)));
 }
 

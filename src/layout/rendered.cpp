@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "optics/optics_json.hpp"
@@ -43,8 +45,9 @@ std::optional<Rendering> rendering_of(const fs::path& picture) {
   for (const fs::path& report : {picture / "report.json", folder / "report.json", folder.parent_path() / "report.json"}) {
     if (!fs::is_regular_file(report, ignored)) continue;
     if (fs::file_size(report, ignored) > kMaxReportBytes) throw Error(report.string(), "is too large for a report");
-    std::ifstream file(report);
-    const Json json = Json::parse(file, nullptr, false);
+    std::ifstream file(report, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const Json json = json_from_text(text);
     if (json.is_discarded() || !json.is_object()) throw Error(report.string(), "is not JSON, or not a report");
     if (!json.contains("optics")) return std::nullopt;
     Rendering rendering{optics_from_json(json["optics"], report.string())};

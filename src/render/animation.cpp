@@ -15,6 +15,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 #include "core/parallel.hpp"
 #include "render/aov_params.hpp"
 #include "render/denoised_frames.hpp"
@@ -116,7 +117,7 @@ int count_kept(const RenderParams& params, const FinishedFrames& finished, Frame
 }
 
 void write_report(const fs::path& file, const RenderReport& report) {
-  const std::string text = to_json(report).dump(2) + '\n';
+  const std::string text = json_to_text(to_json(report)) + '\n';
   write_file_atomically(file, std::as_bytes(std::span(text)));
 }
 

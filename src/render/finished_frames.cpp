@@ -12,6 +12,7 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/fingerprint.hpp"
+#include "core/json_text.hpp"
 #include "display/display_json.hpp"
 #include "render/params_table.hpp"
 #include "scene/fingerprint.hpp"
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string line_of(const Json& json) { return json.dump() + '\n'; }
+std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
 
 std::string header_line(const std::string& fingerprint) { return line_of({{"job", fingerprint}}); }
 
@@ -43,7 +44,7 @@ std::string job_fingerprint(const RenderParams& params, const Scene& scene, cons
     for (const std::string& value : info.get(params)) print.add(value);
   }
   print.add(fingerprint(scene));
-  if (display) print.add(display_json(*display).dump());
+  if (display) print.add(json_to_text(display_json(*display), -1));
   return fmt::format("{:016x}", print.value());
 }
 
@@ -55,7 +56,7 @@ FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, FrameNa
   const bool any_job = static_cast<bool>(std::getline(old, line)), same_job = any_job && line + '\n' == journal;
   took_over_ = any_job && !same_job;
   while (same_job && std::getline(old, line)) {
-    const Json json = Json::parse(line, nullptr, false);
+    const Json json = json_from_text(line);
     const std::optional<FrameReport> frame = frame_report_from_json(json);
     if (!frame || !json.contains("picture_bytes")) continue;
     if (json["picture_bytes"] != picture_bytes(folder_, names_, frame->frame)) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.hpp"
 #include "optics/crosstalk.hpp"
 #include "optics/optics_json.hpp"
 #include "render/params_table.hpp"
@@ -46,7 +47,7 @@ Json setting_json(const ParamInfo& info, const RenderParams& params) {
   if (info.kind == ParamKind::kList) return values;
   if (values.empty()) return nullptr;
   if (info.kind == ParamKind::kText) return values.front();
-  return Json::parse(values.front());  // numbers and flags are written as JSON writes them
+  return json_from_text(values.front());  // numbers and flags are written as JSON writes them
 }
 
 Json settings_json(const RenderParams& params) {

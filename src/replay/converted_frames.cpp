@@ -7,6 +7,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 #include "optics/optics_json.hpp"
 
 namespace lippmann {
@@ -19,7 +20,7 @@ void write_report(const fs::path& path, const RenderedFrames& frames, const Fram
   made.update(conversion.made());
   const nlohmann::ordered_json report{
       {"optics", optics_json(conversion.optics)}, {"frames_per_second", frames.frames_per_second}, {"made", std::move(made)}};
-  const std::string text = report.dump(2) + "\n";
+  const std::string text = json_to_text(report) + "\n";
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "core/error.hpp"
+#include "core/json_text.hpp"
 #include "core/printable.hpp"
 #include "image/picture_file.hpp"
 #include "layout/rendered.hpp"
@@ -32,7 +33,7 @@ Json read_report(const fs::path& path) {
   if (fs::file_size(path, ignored) > kMaxReportBytes) throw Error(path.string(), "is too large for a report");
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  Json json = Json::parse(text, nullptr, false);
+  Json json = json_from_text(text);
   if (!json.is_object()) throw Error(path.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
   if (!json.contains("optics"))
     throw Error(path.string(), "does not say for which optics the pictures were rendered", "an object \"optics\"");
