@@ -3,36 +3,44 @@
 #include <array>
 
 #include "core/random.hpp"
+#include "trace/feed_frame.hpp"
 #include "trace/gather_error.hpp"
-#include "trace/packet_source.hpp"
 
 namespace lippmann {
 namespace {
 
-/// Each round of feeding follows a ray of every fourth packet.
-constexpr int kRounds = 4;
-
-/// How a history may begin: samples across the smallest cells, and rounds of feeding. The first that is good enough is kept:
-/// more light where cells are too noisy, smaller ones where they blur.
+/// How a history may begin: samples across the smallest cells, in parts of what fits; rounds of feeding; the lights that the
+/// cache holds (LightCells). The first that is good enough is kept: more light where cells are too noisy, lamps and a sun asked
+/// at every point where cells blur their shadows, smaller ones where it is other light that they blur.
 struct Beginning {
-  float samples_per_cell;
+  float cell;
   int rounds;
+  LightGroup lights_from;
 };
-constexpr std::array<Beginning, 5> kBeginnings{{{8, 4}, {8, 16}, {4, 16}, {4, 48}, {2, 48}}};
-/// Frames after the first feed a sixteenth as much, but at least one round.
-constexpr int kRoundsOfFirst = 16;
+constexpr std::array<Beginning, 6> kBeginnings{{{1.0f, 4, LightGroup::kLamps},
+                                                {1.0f, 16, LightGroup::kLamps},
+                                                {1.0f, 4, LightGroup::kEnd},
+                                                {0.5f, 16, LightGroup::kLamps},
+                                                {0.5f, 48, LightGroup::kLamps},
+                                                {0.25f, 48, LightGroup::kLamps}}};
+/// Cells fit that are as small as the light fed to begin with allows: the more pixels see a place, the smaller.
+constexpr float kLargestCell = 8.0f, kSmallestCell = 2.0f;
+constexpr double kLeastPerCell = 8.0;
+
+/// Of the samples that the first frame's feeding gave cells on average: cells with less are fed as often again.
+constexpr float kScarce = 0.5f;
 
 /// The cache grows to so many cells; smooth scenes need 0.1 to 0.2 of a pixel's, leaves of a pixel's size 0.5.
 constexpr double kCellsPerPixel = 1.0;
 constexpr double kLeastCells = 65536.0;
-/// Sub-pixel places that these rays take in turn.
-constexpr int kPlaces = 16;
 
 /// What frames since restart() have found.
 struct History {
   std::optional<LightCache> cache;  ///< none: no frame yet
   float samples_per_cell = 0.0f;    ///< of LightCells, since the first frame
-  int rounds = 1;                   ///< of feeding a frame, likewise
+  LightGroup lights_from{};         ///< likewise
+  int rounds = 0;                   ///< of feeding the first frame
+  float enough = 0.0f;              ///< samples of a cell: half of what these gave it on average
   std::optional<GatherPlan> plan;   ///< likewise; none: frames are traced, with
   int path_samples = 1;             ///< so many paths a pixel
   float squared_goal = 0.0f;        ///< mean squared error that frames may have
@@ -53,22 +61,20 @@ class CachedFrame {
         context_(context),
         history_(history),
         beam_(optics, world_from_display),
-        source_(optics, world_from_display, params.order, SubPixel{params.seed, kPlaces, AngularFilter::kNone}) {}
+        feeder_(device.impl(), optics, world_from_display, params) {}
 
   void begin_history(const CachedLightGoal& goal);
-  void go_on() {
-    history_.cache->begin_frame(pool_);
-    feed(history_.rounds);
-  }
+  void go_on();
   void gather(bool provenance, Image& film);
   void trace_whole(Image& film);
 
   const RayCounts& counts() const { return counts_; }
 
  private:
+  void start_cache(float samples_per_cell, LightGroup lights_from);
+  float fitting_cell();
   void feed(int rounds);
-  std::vector<LightRecord> feed_strip(std::size_t strip, int round, RayCounts& counts) const;
-  LightCells cells() const { return {places_, beam_, history_.samples_per_cell}; }
+  LightCells cells() const { return {places_, beam_, history_.samples_per_cell, history_.lights_from}; }
 
   const DeviceScene& device_;
   const SurfacePlaces& places_;
@@ -79,66 +85,67 @@ class CachedFrame {
   const Context& context_;
   History& history_;
   BeamFootprint beam_;
-  PacketSource source_;
-  int round_ = 0;  ///< of feeding
+  FrameFeeder feeder_;
+  int round_ = 0;            ///< of feeding
+  std::size_t records_ = 0;  ///< fed since start_cache()
   RayCounts counts_;
 };
 
-/// Rounds from kRounds on follow other rays of the same packets.
-std::vector<LightRecord> CachedFrame::feed_strip(std::size_t strip, int round, RayCounts& counts) const {
-  const auto seed = static_cast<std::uint32_t>(round);
-  const PathParams paths{params_.max_depth, hash(params_.seed, params_.frame, 0x6c696768u + seed), params_.clamp_indirect};
-  const int place = static_cast<int>(hash(params_.seed, params_.frame, seed) % kPlaces);
-  const int first = static_cast<int>((params_.frame + seed) % kRounds);
-  std::vector<LightRecord> records;
-  const LightCells in = cells();
-  LightFeeder feeder(device_.impl(), in, paths);
-  RayHitPacket packet;
-  LaneMask active;
-  alignas(64) std::uint32_t pixel[kLanes];
-  auto group = static_cast<std::uint32_t>(strip) << 16;
-  feeder.begin_group(group);
-  int waiting = 0;
-  for (int p = first; p < source_.packets_per_strip(); p += kRounds) {
-    if (source_.fill(static_cast<int>(strip), p, place, packet.ray, active, pixel) == 0) continue;
-    feeder.primary(packet, active, pixel);
-    if (++waiting < kPacketsPerBlock) continue;
-    feeder.finish_group(records);
-    feeder.begin_group(++group);
-    waiting = 0;
-  }
-  feeder.finish_group(records);
-  counts = feeder.counts();
-  return records;
-}
-
 void CachedFrame::feed(int rounds) {
-  const auto strips = static_cast<std::size_t>(source_.strips());
+  const LightCells in = cells();
   for (const int end = round_ + rounds; round_ < end && !context_.cancelled; ++round_) {
-    std::vector<std::vector<LightRecord>> records(strips);
-    std::vector<RayCounts> counts(strips);
-    pool_.for_each(strips, [&](std::size_t strip) {
-      if (!context_.cancelled) records[strip] = feed_strip(strip, round_, counts[strip]);
-    });
-    history_.cache->add(records, pool_);
-    for (const RayCounts& c : counts) add(c, counts_);
+    const Fed fed = feeder_.feed({in, *history_.cache, pool_, context_}, round_);
+    add(fed.rays, counts_);
+    records_ += fed.records;
   }
   history_.cache->resolve(pool_);
 }
 
+/// A little everywhere, and as much as the first frame was given where little is known: what was hidden before, and what has
+/// changed.
+void CachedFrame::go_on() {
+  history_.cache->begin_frame([this](std::uint32_t thing, Vec3f at) { return places_.moved(thing, at); }, pool_);
+  const LightCells in = cells();
+  const FeedTarget target{in, *history_.cache, pool_, context_};
+  PacketGroups scarce;
+  add(feeder_.feed(target, 0, history_.enough, scarce).rays, counts_);
+  for (int round = 1; round < history_.rounds && !context_.cancelled; ++round)
+    add(feeder_.feed_scarce(target, round, history_.enough, scarce).rays, counts_);
+  history_.cache->resolve(pool_);
+}
+
+void CachedFrame::start_cache(float samples_per_cell, LightGroup lights_from) {
+  if (history_.cache && samples_per_cell == history_.samples_per_cell && lights_from == history_.lights_from) return;
+  const double pixels = static_cast<double>(optics_.panel.width) * static_cast<double>(optics_.panel.height);
+  history_.cache.emplace(static_cast<std::size_t>(std::max(kCellsPerPixel * pixels, kLeastCells)));
+  history_.samples_per_cell = samples_per_cell, history_.lights_from = lights_from;
+  round_ = 0, records_ = 0;
+}
+
+/// Samples across the smallest cells that fit (kLeastPerCell).
+float CachedFrame::fitting_cell() {
+  start_cache(kLargestCell, kBeginnings[0].lights_from);
+  feed(1);
+  float cell = kLargestCell;
+  double per_cell =
+      static_cast<double>(kRoundsPerFrame * records_) / static_cast<double>(std::max<std::size_t>(history_.cache->cells(), 1));
+  for (; cell > kSmallestCell && per_cell >= 4.0 * kLeastPerCell; per_cell /= 4.0) cell /= 2.0f;
+  return cell;
+}
+
 void CachedFrame::begin_history(const CachedLightGoal& goal) {
   GatherMeasure measure(device_, optics_, world_from_display_, params_, goal.squared_error, pool_);
+  const float fitting = fitting_cell();
+  const bool has_soft_lights = device_.impl().path->lights->chance({LightGroup::kLamps, LightGroup::kEnd}) > 0.0f;
   history_.plan.reset();
   for (const Beginning& beginning : kBeginnings) {
     if (context_.cancelled || history_.plan) break;
-    if (!history_.cache || beginning.samples_per_cell != history_.samples_per_cell) {
-      const double pixels = static_cast<double>(optics_.panel.width) * static_cast<double>(optics_.panel.height);
-      history_.cache.emplace(static_cast<std::size_t>(std::max(kCellsPerPixel * pixels, kLeastCells)));
-      history_.samples_per_cell = beginning.samples_per_cell;
-      round_ = 0;
-    }
+    if (beginning.lights_from != LightGroup::kLamps && !has_soft_lights) continue;
+    start_cache(beginning.cell * fitting, beginning.lights_from);
     feed(beginning.rounds - round_);
-    history_.rounds = std::max(1, beginning.rounds / kRoundsOfFirst);
+    history_.rounds = beginning.rounds;
+    history_.enough =
+        kScarce * static_cast<float>(records_) / static_cast<float>(std::max<std::size_t>(history_.cache->cells(), 1));
     const LightCells in = cells();
     history_.plan = measure.plan({device_.impl(), in, *history_.cache, optics_, world_from_display_});
   }

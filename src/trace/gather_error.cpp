@@ -42,16 +42,17 @@ std::vector<std::uint8_t> some_blocks(std::size_t blocks, std::uint32_t seed) {
 float mean_square(const std::vector<float>& a, const std::vector<float>& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = static_cast<double>(encoded(a[i])) - static_cast<double>(encoded(b[i]));
+    const double d = static_cast<double>(a[i]) - static_cast<double>(b[i]);
     sum += d * d;
   }
   return a.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(a.size()));
 }
 
+/// As sRGB's codes (0 ... 1).
 std::vector<float> at(const std::vector<std::size_t>& places, const Image& film) {
   std::vector<float> values;
   values.reserve(places.size());
-  for (const std::size_t i : places) values.push_back(film.data[i]);
+  for (const std::size_t i : places) values.push_back(encoded(film.data[i]));
   return values;
 }
 
@@ -81,6 +82,7 @@ GatherMeasure::GatherMeasure(const DeviceScene& scene, const Optics& optics, con
   rays_of_paths_ = static_cast<double>(counts_.total());
   squared_error_of_paths_ = 0.25f * mean_square(halves[0], halves[1]);
   squared_goal_ = goal.value_or(std::max(squared_error_of_paths_, kInvisible));
+  // The mean of the codes, as a single bright path may hide in one half's, but not in the mean light's.
   for (std::size_t i = 0; i < places_.size(); ++i) paths_.push_back(0.5f * (halves[0][i] + halves[1][i]));
 }
 

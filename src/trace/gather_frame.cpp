@@ -9,6 +9,14 @@
 namespace lippmann {
 namespace {
 
+/// Of sRGB's curve (0 ... 1), but for what is nearly black.
+float code_of(float luminance) { return 1.055f * std::pow(std::clamp(luminance, 0.003f, 1.0f), 1.0f / 2.4f) - 0.055f; }
+
+struct Encoded {
+  float luminance;
+  float code, variance;  ///< the mean's, and one sample's squared deviation from it, as sRGB's codes (0 ... 1) have them
+};
+
 /// What is known of a pixel so far.
 struct PixelEstimate {
   std::uint32_t pixel = 0;
@@ -23,13 +31,11 @@ struct PixelEstimate {
     luminance_sum += y;
     square_sum += y * y;
   }
-  /// Of one sample's luminance, squared deviation, as sRGB's codes have it.
-  float encoded_variance() const {
+  Encoded encoded() const {
     const auto n = static_cast<float>(samples);
     const float mean = luminance_sum / n, square = std::max(0.0f, square_sum / n - mean * mean);
-    const float y = std::clamp(mean, 0.003f, 1.0f);
-    const float slope = 0.44f * std::pow(y, -0.583f);  // of sRGB's curve, about
-    return slope * slope * square * n / (n - 1.0f);
+    const float code = code_of(mean), slope = (code + 0.055f) / (2.4f * std::clamp(mean, 0.003f, 1.0f));
+    return {mean, code, slope * slope * square * n / (n - 1.0f)};
   }
 };
 
@@ -81,6 +87,12 @@ class SamplePackets {
 /// A pixel's first samples, powers of two: where little is to be expected, and else.
 constexpr std::uint32_t kLeastSamples = 2, kUsualSamples = 4;
 
+/// What all samples of a pixel may have missed: about 1 / (samples + 2) of its area, as bright as a pixel beside it. Such
+/// misses count as this much of their square, found by trial.
+constexpr float kMissed = 0.05f;
+/// What a pixel's neighbours scatter says something of it while it has no more samples.
+constexpr std::uint32_t kFewSamples = 4;
+
 /// Errors of n evenly spread samples fall about as n^-1.6: for the least error of all pixels together, their number grows as
 /// the power 2 / 2.6 of how much they scatter.
 float samples_for(float variance, float error) { return std::pow(variance / (error * error), 0.385f); }
@@ -106,10 +118,13 @@ class BlockGatherer {
       for (std::uint32_t e = 0; e < estimates.size(); ++e)
         if (s < first_samples(estimates[e].pixel)) work.push_back({e, s});
     trace(work, estimates);
+    encoded_.resize(estimates.size());
     for (std::uint32_t have = kLeastSamples; have < kMostGatherSamples; have *= 2) {
       work.clear();
+      for (std::size_t e = 0; e < estimates.size(); ++e)
+        if (estimates[e].samples >= have || have == kLeastSamples) encoded_[e] = estimates[e].encoded();
       for (std::uint32_t e = 0; e < estimates.size(); ++e)
-        if (estimates[e].samples == have && wanted(estimates, e) > static_cast<float>(have))
+        if (estimates[e].samples == have && wanted(have, e) > static_cast<float>(have))
           for (std::uint32_t s = have; s < 2 * have; ++s) work.push_back({e, s});
       trace(work, estimates);
     }
@@ -122,18 +137,33 @@ class BlockGatherer {
     return before_ && samples_for(before_[pixel], error_) <= static_cast<float>(kLeastSamples) ? kLeastSamples : kUsualSamples;
   }
 
-  /// Samples that a pixel should have. A few of them may have missed an edge, which those around then know of.
-  float wanted(const std::vector<PixelEstimate>& estimates, std::size_t e) const {
-    float variance = estimates[e].encoded_variance();
-    if (estimates[e].samples <= 4) {
-      float around = 0.0f, count = 0.0f;
-      for (const std::size_t step : {std::size_t{1}, std::size_t{kLanes}}) {
-        if (e >= step) around += estimates[e - step].encoded_variance(), count += 1.0f;
-        if (e + step < estimates.size()) around += estimates[e + step].encoded_variance(), count += 1.0f;
-      }
-      if (count > 0.0f) variance = std::max(variance, 0.5f * (variance + around / count));
+  /// Samples that a pixel should have. What it has may have missed an edge, which those around then know of: by how much they
+  /// scatter, or as they are brighter or darker.
+  float wanted(std::uint32_t have, std::size_t e) const {
+    const Encoded& own = encoded_[e];
+    float around = 0.0f, count = 0.0f, least = own.luminance, most = own.luminance;
+    const auto look_at = [&](const Encoded& other) {
+      around += other.variance, count += 1.0f;
+      least = std::min(least, other.luminance), most = std::max(most, other.luminance);
+    };
+    for (const std::size_t step : {std::size_t{1}, std::size_t{kLanes}}) {
+      if (e >= step) look_at(encoded_[e - step]);
+      if (e + step < encoded_.size()) look_at(encoded_[e + step]);
     }
+    float variance = own.variance;
+    if (have <= kFewSamples && count > 0.0f) variance = std::max(variance, 0.5f * (variance + around / count));
+    variance += missed(own, most, have) + missed(own, least, have);
     return samples_for(variance, error_);
+  }
+
+  /// The scatter of which samples as many as these would leave the error of having missed light of another `luminance`.
+  static float missed(const Encoded& own, float luminance, std::uint32_t have) {
+    // A difference that is not seen.
+    constexpr float kSlight = 0.05f;
+    if (std::abs(luminance - own.luminance) <= kSlight * own.luminance) return 0.0f;
+    const auto n = static_cast<float>(have);
+    const float error = code_of(own.luminance + (luminance - own.luminance) / (n + 2.0f)) - own.code;
+    return kMissed * std::pow(n, 1.6f) * error * error;
   }
 
   void trace(std::span<const Work> work, std::vector<PixelEstimate>& estimates) {
@@ -162,6 +192,7 @@ class BlockGatherer {
   float error_;
   Image light_;
   LightGatherer gatherer_;
+  std::vector<Encoded> encoded_;  ///< by estimate
 };
 
 std::size_t blocks_per_strip(const PacketSource& source) {
@@ -234,7 +265,7 @@ RayCounts gather_frame(const GatherSources& sources, const GatherParams& params,
       list_pixels(source, strip, b, estimates);
       gatherer.gather(estimates);
       for (const PixelEstimate& e : estimates) {
-        if (history.now) (*history.now)[e.pixel] = e.encoded_variance();
+        if (history.now) (*history.now)[e.pixel] = e.encoded().variance;
         for (int c = 0; c < 3; ++c)
           film.data[3 * static_cast<std::size_t>(e.pixel) + static_cast<std::size_t>(c)] =
               e.sum[c] / static_cast<float>(e.samples);

@@ -179,28 +179,38 @@ void LightCache::for_each_of_size(const ThreadPool& pool, int exponent, const au
   });
 }
 
-void LightCache::begin_frame(const ThreadPool& pool) {
+/// What the past is still worth, 0 ... 1, where it and what was fed last differ by more than chance explains.
+float LightCache::contradicted(const Cell& cell) const {
+  if (!(cell.now.count > 0.0f && cell.past.count > 0.0f)) return 1.0f;
+  const float change = squared(luminance(cell.now.mean) - luminance(cell.past.mean));
+  const float by_chance = cell.deviation * (1.0f / cell.now.count + 1.0f / cell.past.count);
+  if (!(change > squared(kContradiction) * by_chance)) return 1.0f;
+  // So many samples are as uncertain as the past is wrong.
+  return std::min(1.0f, cell.deviation / (change - by_chance) / cell.past.count);
+}
+
+/// The same, where a cell has moved: light is taken to change as it does from cell to cell, whose centres are half a cell from
+/// their parent's (its variance grows by this, as that of a Kalman filter's state does).
+float LightCache::outdated(const Cell& cell, const Cell& parent, float moved) {
+  const float cells = std::min(1.0f, std::ldexp(moved, -cell.exponent));
+  const float change = 4.0f * parent.relief * squared(cells), count = cell.past.count + cell.now.count;
+  return change > 0.0f ? cell.deviation / (cell.deviation + count * change) : 1.0f;
+}
+
+void LightCache::begin_frame(const Motion& moved, const ThreadPool& pool) {
   int least = 0, most = -1;
   exponents(least, most);
   for (int exponent = most; exponent >= least; --exponent)
     for_each_of_size(pool, exponent, [&](Cell& cell, Slot&) {
       const Cell* parent = parent_of(cell);
-      cell.keep = parent ? parent->keep : 1.0f;
-      if (cell.now.count > 0.0f && cell.past.count > 0.0f) {
-        const float change = squared(luminance(cell.now.mean) - luminance(cell.past.mean));
-        const float by_chance = cell.deviation * (1.0f / cell.now.count + 1.0f / cell.past.count);
-        if (change > squared(kContradiction) * by_chance) {
-          // So many samples are as uncertain as the past is wrong.
-          const float worth = cell.deviation / (change - by_chance);
-          cell.keep = std::min(cell.keep, worth / cell.past.count);
-        }
-      }
+      cell.keep = std::min(parent ? parent->keep : 1.0f, contradicted(cell));
+      cell.keep_all = parent ? std::min(parent->keep_all, outdated(cell, *parent, moved(cell.thing, cell.center))) : 1.0f;
     });
   pool.for_each(kShards, [&](std::size_t s) {
     for (Cell& cell : shards_[s].cells) {
       cell.past.count *= cell.keep;
       cell.past.add(cell.now);
-      cell.past.count = std::min(cell.past.count, kLongestHistory);
+      cell.past.count = std::min(cell.past.count * cell.keep_all, kLongestHistory);
       cell.now = {};
     }
   });
@@ -216,6 +226,7 @@ void LightCache::compare_with_wider(Cell& cell, Slot& slot) const {
   cell.deviation = parent ? (all.count * own + kPrior * parent->deviation) / (all.count + kPrior) : own;
   cell.variance = cell.deviation / std::max(all.count, 1e-6f);
   cell.samples = all.count;
+  cell.luminance = luminance(all.mean);
   slot.light = all.mean;
   cell.has_wider = false;
   if (!parent) return;
@@ -229,7 +240,7 @@ void LightCache::compare_with_wider(Cell& cell, Slot& slot) const {
 void LightCache::find_spreads(int exponent, const ThreadPool& pool) {
   struct Difference {
     std::uint32_t cell;
-    float squares, chance, count;
+    float squares, from_mean, chance, count;
   };
   std::vector<std::array<std::vector<Difference>, kShards>> differences(kShards);
   pool.for_each(kShards, [&](std::size_t s) {
@@ -241,6 +252,7 @@ void LightCache::find_spreads(int exponent, const ThreadPool& pool) {
       const Cell& parent = shards_[shard].cells[index];
       const float share = std::min(1.0f, cell.samples / std::max(parent.samples, 1.0f));
       differences[s][shard].push_back({index, cell.samples * squared(luminance(slot.light) - luminance(cell.wider)),
+                                       cell.samples * squared(cell.luminance - parent.luminance),
                                        cell.deviation * (1.0f - share), cell.samples});
     }
   });
@@ -249,13 +261,14 @@ void LightCache::find_spreads(int exponent, const ThreadPool& pool) {
     for (std::size_t from = 0; from < kShards; ++from)
       for (const Difference& d : differences[from][s]) {
         Difference& sum = sums[d.cell];
-        sum.squares += d.squares, sum.chance += d.chance, sum.count += d.count;
+        sum.squares += d.squares, sum.from_mean += d.from_mean, sum.chance += d.chance, sum.count += d.count;
       }
     for (std::size_t c = 0; c < sums.size(); ++c) {
       Cell& cell = shards_[s].cells[c];
       if (cell.exponent != exponent + 1) continue;
       const float count = sums[c].count;
       const float found = count > 0.0f ? std::max(0.0f, sums[c].squares - sums[c].chance) / count : 0.0f;
+      cell.relief = count > 0.0f ? std::max(0.0f, sums[c].from_mean - sums[c].chance) / count : 0.0f;
       // Light that changes evenly differs a quarter as much over half the distance.
       constexpr float kPrior = 8.0f;
       const Cell* wider = parent_of(cell);
@@ -334,6 +347,13 @@ Vec4f LightCache::look_up(const LightPlace& place) const {
   }
   const float known = 1.0f - rest;
   return known > 0.0f ? Vec4f(sum / known, known) : Vec4f(0.0f);
+}
+
+float LightCache::samples(const LightPlace& place) const {
+  const int exponent = exponent_of(place.size, 0);
+  const Cell* cell = cell_of(
+      key_of(base_key(place.thing, part_at(place.part, 0), exponent), cell_at(place.position * std::ldexp(1.0f, -exponent))));
+  return cell ? cell->past.count + cell->now.count : 0.0f;
 }
 
 float LightCache::share_of_past(const LightPlace& place) const {

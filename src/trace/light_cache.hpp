@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,9 +43,12 @@ class LightCache {
   /// Holds at most about so many cells. Where there is no room for a new one, larger ones or paths of its own serve a place.
   explicit LightCache(std::size_t most_cells);
 
+  /// World units by which a point of a thing (LightPlace) has moved since the frame before.
+  using Motion = std::function<float(std::uint32_t thing, Vec3f position)>;
+
   /// What was fed so far becomes the past. Where both contradict each other by more than chance explains, the past is forgotten
-  /// as far as that asks for.
-  void begin_frame(const ThreadPool& pool);
+  /// as far as that asks for; and where things have moved, as far as light differs over such a distance.
+  void begin_frame(const Motion& moved, const ThreadPool& pool);
 
   /// Feeds records, in this order whatever the threads.
   void add(std::span<const std::vector<LightRecord>> records, const ThreadPool& pool);
@@ -57,6 +61,9 @@ class LightCache {
 
   /// The same, left to chance: of the cells that it is interpolated from, one. normal: of the surface, in the place's space.
   Vec4f pick(const LightPlace& place, Vec3f normal, Vec2f u) const;
+
+  /// How many samples the smallest cell there has.
+  float samples(const LightPlace& place) const;
 
   /// How much of what is known there comes from frames before, 0 ... 1.
   float share_of_past(const LightPlace& place) const;
@@ -84,10 +91,13 @@ class LightCache {
     float samples = 0.0f;
     float deviation = 0.0f;  ///< of one sample's luminance, squared
     float variance = 0.0f;   ///< of the resolved value's luminance
-    float keep = 1.0f;
-    Vec3f wider{0.0f};  ///< what larger cells say of it
+    float keep = 1.0f;       ///< of the past, when a frame begins
+    float keep_all = 1.0f;   ///< of what was fed last, too
+    Vec3f wider{0.0f};       ///< what larger cells say of it
     bool has_wider = false;
-    float spread = 0.0f;  ///< squared luminance by which cells within this one differ from what it says of them
+    float luminance = 0.0f;  ///< of the mean of its own samples
+    float spread = 0.0f;     ///< squared luminance by which cells within this one differ from what it says of them
+    float relief = 0.0f;     ///< and from its mean
   };
   /// Open addressing; what look_up() asks for lies in the slot itself.
   struct Slot {
@@ -108,6 +118,8 @@ class LightCache {
   const Cell* cell_of(std::uint64_t key) const;
   std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
   const Cell* parent_of(const Cell& cell) const;
+  float contradicted(const Cell& cell) const;
+  static float outdated(const Cell& cell, const Cell& parent, float moved);
   struct Interpolated {
     Vec3f sum{0.0f};
     float weight = 0.0f;

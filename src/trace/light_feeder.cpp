@@ -92,8 +92,14 @@ void LightFeeder::shade_lane(const RayHitPacket& packet, int i, const PathRay& r
     query.pixel = static_cast<std::uint32_t>(asked_.size());
     query.throughput = Vec3f(1.0f);
     Vec3f normal = bsdf.normal();
-    asked_.push_back(cells_.places(packet, surface_, i, normal, cells_.size(length)));
-    paths_.gather_soft_light(point, bsdf, query, length, {choice.x, on_light, way});
+    const LightPlace place = cells_.places(packet, surface_, i, normal, cells_.size(length));
+    if (scarce_) {
+      const bool is_scarce = scarce_->at(place);
+      scarce_places_ += is_scarce;
+      if (asks_only_there_ && !is_scarce) return;
+    }
+    asked_.push_back(place);
+    paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {choice.x, on_light, way});
     return;
   }
   const std::optional<BsdfSample> sample = bsdf.without_diffuse().sample((choice.y - share) / (1.0f - share), way);

@@ -11,9 +11,17 @@ namespace lippmann {
 struct LightCells {
   const SurfacePlaces& places;
   const BeamFootprint& beam;
-  float samples_per_cell = 8.0f;  ///< across the smallest cell
+  float samples_per_cell = 8.0f;                ///< across the smallest cell
+  LightGroup lights_from = LightGroup::kLamps;  ///< kinds of lights from here on; those before it are asked at every point
   /// Edge of the smallest cell at the end of a path of some length, world units.
   float size(float path_length) const;
+};
+
+/// Places of which too little is known.
+struct ScarceLight {
+  const LightCache& cache;
+  float enough;  ///< samples of a cell
+  bool at(const LightPlace& place) const { return cache.samples(place) < enough; }
 };
 
 /// State of one thread at a time.
@@ -23,6 +31,10 @@ class LightFeeder {
 
   /// From now on random numbers are those of this group of packets: another number for each.
   void begin_group(std::uint32_t group);
+
+  /// From now on counts the places of scarce light that are met; only_there: and asks nowhere else.
+  void look_for(const ScarceLight& scarce, bool only_there) { scarce_.emplace(scarce), asks_only_there_ = only_there; }
+  std::size_t scarce_places() const { return scarce_places_; }
 
   /// Traces a packet of primary rays; queries that go on from there wait for finish_group().
   void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel);
@@ -41,6 +53,9 @@ class LightFeeder {
   PathParams params_;
   std::uint32_t group_ = 0, started_ = 0;  ///< of the group
   RayCounts counts_;
+  std::optional<ScarceLight> scarce_;
+  bool asks_only_there_ = false;
+  std::size_t scarce_places_ = 0;
   Image light_;  ///< what arrives, by query of the group
   PathTracer paths_;
   std::vector<LightPlace> asked_;

@@ -17,6 +17,13 @@ Vec2f jitter(const PathRay& ray) {
   return {unit_float(shift + index * 3242174889u), unit_float(hash(shift) + index * 2447445414u)};
 }
 
+/// Random numbers of the vertex that the ray has met, from one of its pairs on.
+PathSampler sampler_at(const PathRay& ray, std::uint32_t pair) {
+  PathSampler sampler(ray.seed, ray.index);
+  sampler.jump_to(kPairsPerEvent * ray.events + pair);
+  return sampler;
+}
+
 }  // namespace
 
 LightGatherer::LightGatherer(const DeviceScene::Impl& scene, const LightCells& cells, const LightCache& cache,
@@ -89,7 +96,7 @@ void LightGatherer::shade_sky(const RayHitPacket& packet, int i, const PathRay& 
   const LightTable& lights = *scene_.path->lights;
   const float share = ray.density == kInfinity
                           ? 1.0f
-                          : power_heuristic(ray.density * lights.soft_chance(), lights.density_of_sky(ray.direction));
+                          : power_heuristic(ray.density * lights.chance(kSkyLight), lights.density_of_sky(ray.direction));
   add(ray.pixel, ray.throughput * lights.environment().radiance(ray.direction) * share);
 }
 
@@ -99,20 +106,16 @@ void LightGatherer::add_emission(const RayHitPacket& packet, int i, const PathRa
     const LightTable& lights = *scene_.path->lights;
     const float distance = ray.path_length + packet.ray.tfar[i] - ray.scattered_at;
     const float of_light = lights.density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction);
-    share = power_heuristic(ray.density * lights.soft_chance(), of_light);
+    share = power_heuristic(ray.density * lights.chance(kLamps), of_light);
   }
   add(ray.pixel, ray.throughput * emission * share);
 }
 
 void LightGatherer::shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {
   const ShadingPoint point = shading_point(scene_, packet, surface_, i);
-  PathSampler sampler(ray.seed, ray.index);
-  sampler.jump_to(kPairsPerEvent * ray.events);
   const float length = ray.path_length + packet.ray.tfar[i];
   if (point.coverage < 1.0f) {
-    PathSampler chance = sampler;
-    chance.jump_to(kPairsPerEvent * ray.events + 3);
-    if (!(chance.next().y < point.coverage)) {
+    if (!(sampler_at(ray, 3).next().y < point.coverage)) {
       if (ray.events < kMostEvents) next_.push_back(passed(ray, point, length));
       return;
     }
@@ -120,38 +123,36 @@ void LightGatherer::shade_surface(const RayHitPacket& packet, int i, const PathR
   if (point.emission != Vec3f(0.0f)) add_emission(packet, i, ray, point.emission);
   if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
   const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
+  add_points(point, bsdf, ray);
+  const bool has_gloss = bsdf.diffuse_share() < 1.0f;
+  const Bsdf gloss = has_gloss ? bsdf.without_diffuse() : bsdf;
+  const bool is_rough = has_gloss && !gloss.is_sharp();
   const Vec3f albedo = bsdf.diffuse_albedo();
-  add_points(point, bsdf, ray, sampler);
-  if (albedo != Vec3f(0.0f)) {
-    Vec3f normal = bsdf.normal();
-    const LightPlace place = cells_.places(packet, surface_, i, normal, cells_.size(length));
-    const Vec4f light = cache_.pick(place, normal, jitter(ray));
-    if (light.w > 0.0f) {
-      add_cached(ray.pixel, ray.throughput * albedo * Vec3f(light), place);
-    } else {
-      PathRay query = ray;
-      query.throughput *= albedo;
-      const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next();
-      paths_.gather_soft_light(point, bsdf, query, length, {choice.x, on_light, way});
-    }
-  }
-  if (bsdf.diffuse_share() >= 1.0f) return;
-  const Bsdf gloss = bsdf.without_diffuse();
-  sampler.jump_to(kPairsPerEvent * ray.events);
-  const Vec2f choice = sampler.next();
-  Vec2f way(0.0f);
-  if (!gloss.is_sharp()) {
-    const Vec2f on_light = sampler.next();
-    way = sampler.next();
-    add_soft_gloss(point, gloss, ray, choice.x, on_light);
-  }
-  reflect(point, gloss, ray, length, choice, way);
+  add_lights(kLamps, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
+  add_lights(kSkyLight, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
+  if (albedo != Vec3f(0.0f)) add_diffuse(packet, i, point, bsdf, ray, albedo, length);
+  if (has_gloss) reflect(point, gloss, ray, length);
 }
 
-void LightGatherer::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, PathSampler& sampler) {
+/// From the cache, and by a path where it knows nothing.
+void LightGatherer::add_diffuse(const RayHitPacket& packet, int i, const ShadingPoint& point, const Bsdf& bsdf,
+                                const PathRay& ray, Vec3f albedo, float length) {
+  Vec3f normal = bsdf.normal();
+  const LightPlace place = cells_.places(packet, surface_, i, normal, cells_.size(length));
+  const Vec4f light = cache_.pick(place, normal, jitter(ray));
+  if (light.w > 0.0f) return add_cached(ray.pixel, ray.throughput * albedo * Vec3f(light), place);
+  PathRay query = ray;
+  query.throughput *= albedo;
+  PathSampler sampler = sampler_at(ray, 0);
+  const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next();
+  paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {choice.x, on_light, way});
+}
+
+void LightGatherer::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
   const LightTable& lights = *scene_.path->lights;
   if (lights.points() > kFewLights) {
-    if (const std::optional<LightSample> light = lights.sample_points(point.position, sampler.next().x))
+    if (const std::optional<LightSample> light =
+            lights.sample(kPointLights, point.position, sampler_at(ray, 0).next().x, Vec2f(0.0f)))
       shine(point, bsdf, *light, ray, to_others_);
     return;
   }
@@ -168,20 +169,32 @@ void LightGatherer::shine(const ShadingPoint& point, const Bsdf& bsdf, const Lig
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) queue.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
 
-/// What sky and lamps with area send over the lobes that are not diffuse.
-void LightGatherer::add_soft_gloss(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float pick, Vec2f u) {
-  const std::optional<LightSample> light = scene_.path->lights->sample_soft(point.position, pick, u);
+/// One light of the kinds: over rough lobes, and where the cache does not hold it, over the diffuse one, too, which no ray that
+/// meets the light comes from.
+void LightGatherer::add_lights(LightGroups kinds, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
+                               const PathRay& ray) {
+  const bool is_diffuse = kinds.begin < cells_.lights_from && albedo != Vec3f(0.0f);
+  const LightTable& lights = *scene_.path->lights;
+  if (!(is_diffuse || gloss) || !(lights.chance(kinds) > 0.0f)) return;
+  PathSampler sampler = sampler_at(ray, 0);
+  const float pick = sampler.next().x;
+  const std::optional<LightSample> light = lights.sample(kinds, point.position, pick, sampler.next());
   if (!light) return;
-  const BsdfValue value = gloss.evaluate(light->direction);
-  if (!(value.density > 0.0f) || (glm::dot(point.facet, light->direction) < 0.0f) != value.transmitted) return;
-  const Vec3f radiance =
-      ray.throughput * value.cosine_f * light->radiance * (power_heuristic(light->density, value.density) / light->density);
+  const bool behind = glm::dot(point.facet, light->direction) < 0.0f;
+  Vec3f weight(0.0f);
+  if (is_diffuse && !behind) weight += albedo * bsdf.evaluate_diffuse(light->direction).cosine_f;
+  if (gloss) {
+    const BsdfValue value = gloss->evaluate(light->direction);
+    if (value.density > 0.0f && behind == value.transmitted)
+      weight += value.cosine_f * power_heuristic(light->density, value.density);
+  }
+  const Vec3f radiance = ray.throughput * weight * light->radiance / light->density;
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) to_others_.push(point, *light, radiance, ray.pixel, ray.depth + 1);
 }
 
-void LightGatherer::reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length, Vec2f choice,
-                            Vec2f u) {
-  const std::optional<BsdfSample> sample = gloss.sample(choice.y, u);
+void LightGatherer::reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length) {
+  const Vec2f choice = sampler_at(ray, 0).next();
+  const std::optional<BsdfSample> sample = gloss.sample(choice.y, gloss.is_sharp() ? Vec2f(0.0f) : sampler_at(ray, 2).next());
   if (!sample || (glm::dot(point.facet, sample->direction) < 0.0f) != sample->transmitted) return;
   Vec3f throughput = ray.throughput * sample->weight;
   const float chance = std::min(1.0f, kFaint * largest(throughput));

@@ -37,9 +37,12 @@ class LightGatherer {
   void shade_sky(const RayHitPacket& packet, int i, const PathRay& ray);
   void shade_surface(const RayHitPacket& packet, int i, const PathRay& ray);
   void add_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission);
-  void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, PathSampler& sampler);
-  void add_soft_gloss(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float pick, Vec2f u);
-  void reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length, Vec2f choice, Vec2f u);
+  void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);
+  void add_lights(LightGroups kinds, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
+                  const PathRay& ray);
+  void add_diffuse(const RayHitPacket& packet, int i, const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray,
+                   Vec3f albedo, float length);
+  void reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length);
   void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
   void trace_shadow_rays();
   void add_cached(std::uint32_t slot, Vec3f radiance, const LightPlace& place);

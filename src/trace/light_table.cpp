@@ -56,9 +56,7 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
     if (!std::isfinite(p)) p = 0.0f;
   chances_ = DiscreteDistribution(powers);
   if (chances_.empty()) return;
-  sky_chance_ = chances_.probability(powers.size() - 1);
-  for (std::size_t i = points(); i < powers.size(); ++i) soft_chance_ += chances_.probability(i);
-  if (points() == 0) soft_chance_ = 1.0f;
+  begins_ = {0.0f, chances_.probability_before(points()), chances_.probability_before(powers.size() - 1), 1.0f};
 }
 
 void LightTable::add_triangles(std::vector<float>& powers) {
@@ -113,21 +111,13 @@ std::optional<LightSample> LightTable::sample(Vec3f from, float pick, Vec2f u) c
   return s;
 }
 
-std::optional<LightSample> LightTable::sample_points(Vec3f from, float pick) const {
-  const float share = 1.0f - soft_chance_;
+std::optional<LightSample> LightTable::sample(LightGroups kinds, Vec3f from, float pick, Vec2f u) const {
+  const float share = chance(kinds), begin = begin_of(kinds.begin);
   if (!(share > 0.0f)) return std::nullopt;
-  std::optional<LightSample> s = sample(from, pick * share, Vec2f(0.0f));
-  if (!s || !s->is_point()) return std::nullopt;
-  s->radiance *= share;
-  return s;
-}
-
-std::optional<LightSample> LightTable::sample_soft(Vec3f from, float pick, Vec2f u) const {
-  if (!(soft_chance_ > 0.0f)) return std::nullopt;
-  // Points come first.
-  std::optional<LightSample> s = sample(from, std::min(1.0f - soft_chance_ * (1.0f - pick), kBelowOne), u);
-  if (!s || s->is_point()) return std::nullopt;
-  s->density /= soft_chance_;
+  std::optional<LightSample> s = sample(from, std::clamp(begin + share * pick, begin, begin_of(kinds.end) * kBelowOne), u);
+  if (!s) return std::nullopt;
+  s->density /= share;
+  if (s->is_point()) s->radiance *= share;
   return s;
 }
 
@@ -160,6 +150,13 @@ Vec3f LightTable::emission_at(const Triangle& t, Vec2f barycentric) const {
   const auto* surface = std::get_if<MetallicRoughness>(&sources_.scene.materials[material].surface);
   if (!surface) return factor;
   return factor * Vec3f(look_up(surface->emissive_map, sources_.textures, *record.mesh, t.prim, barycentric));
+}
+
+float LightTable::chance_of_record(std::size_t record) const {
+  if (first_triangle_[record] < 0 || chances_.empty()) return 0.0f;
+  const std::size_t first = points() + static_cast<std::size_t>(first_triangle_[record]);
+  return chances_.probability_before(first + sources_.records[record].mesh->triangles.size()) -
+         chances_.probability_before(first);
 }
 
 float LightTable::density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const {

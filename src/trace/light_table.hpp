@@ -9,6 +9,7 @@
 // Shapes that shine but are no meshes, and visible light bulbs, are met by rays alone.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +34,16 @@ struct LightSources {
   float size;  ///< of the scene: half its diagonal
 };
 
+/// Groups of lights, in the order that they are chosen from: point-like ones, triangles that shine, the surroundings.
+enum class LightGroup : std::uint8_t { kPoints, kLamps, kSky, kEnd };
+
+/// All groups from one on, up to another that is not of them.
+struct LightGroups {
+  LightGroup begin, end;
+};
+inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kLamps},
+    kLamps{LightGroup::kLamps, LightGroup::kSky}, kSkyLight{LightGroup::kSky, LightGroup::kEnd};
+
 /// One light, seen from a point.
 struct LightSample {
   Vec3f direction{0.0f};  ///< to the light, unit
@@ -54,20 +65,22 @@ class LightTable {
   std::size_t points() const { return sources_.lights.size(); }
   std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(sources_.lights[light], from); }
 
-  /// As sample(), of these or of the others alone: triangles and the sky. Densities of the latter are those of sample() over
-  /// soft_chance().
-  std::optional<LightSample> sample_points(Vec3f from, float pick) const;
-  std::optional<LightSample> sample_soft(Vec3f from, float pick, Vec2f u) const;
+  /// As sample(), of lights of these kinds alone. Densities are those of sample() over chance().
+  std::optional<LightSample> sample(LightGroups kinds, Vec3f from, float pick, Vec2f u) const;
 
-  /// The chance of sample() to choose none of the points.
-  float soft_chance() const { return soft_chance_; }
+  /// The chance of sample() to choose a light of these kinds.
+  float chance(LightGroups kinds) const { return begin_of(kinds.end) - begin_of(kinds.begin); }
 
   /// Of sample(), had it chosen triangle `prim` of a record, which a ray of unit `direction` meets at `distance`; 0 where the
   /// triangle is none of its lights.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const;
 
   /// Of sample(), had it chosen this direction into the sky.
-  float density_of_sky(Vec3f direction) const { return sky_chance_ * environment_.density(direction); }
+  float density_of_sky(Vec3f direction) const { return chance(kSkyLight) * environment_.density(direction); }
+
+  /// Of sample(), to choose a point-like light, and any triangle of a record.
+  float chance_of_point(std::size_t light) const { return chances_.empty() ? 0.0f : chances_.probability(light); }
+  float chance_of_record(std::size_t record) const;
 
   const Environment& environment() const { return environment_; }
 
@@ -78,6 +91,7 @@ class LightTable {
     std::uint32_t record, prim;
   };
 
+  float begin_of(LightGroup kind) const { return begins_[static_cast<std::size_t>(kind)]; }
   void add_triangles(std::vector<float>& powers);
   std::optional<LightSample> sample_point(const WhittedLight& light, Vec3f from) const;
   std::optional<LightSample> sample_triangle_light(const Triangle& triangle, Vec3f from, Vec2f u) const;
@@ -89,7 +103,7 @@ class LightTable {
   std::vector<Triangle> triangles_;
   std::vector<int> first_triangle_;  ///< per record; -1: does not shine
   DiscreteDistribution chances_;     ///< point-like lights, triangles, the sky
-  float sky_chance_ = 0.0f, soft_chance_ = 0.0f;
+  std::array<float, 4> begins_{};    ///< by kind: the chance of all before it
 };
 
 }  // namespace lippmann

@@ -92,6 +92,7 @@ void PathTracer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray
     film_.open[ray.pixel] += 1.0f;
     return;
   }
+  if (ray.lights_from > static_cast<std::uint16_t>(LightGroup::kSky)) return;
   const LightTable& lights = *scene_.path->lights;
   const float share = ray.density == kInfinity ? 1.0f : power_heuristic(ray.density, lights.density_of_sky(ray.direction));
   end_path(ray, {sky_.red[i], sky_.green[i], sky_.blue[i]}, share);
@@ -122,6 +123,7 @@ void PathTracer::add_emission(const RayHitPacket& packet, int i, const PathRay& 
   if (ray.density != kInfinity && surface_.record[i] < kPlaneId) {
     const float distance = ray.path_length + packet.ray.tfar[i] - ray.scattered_at;
     const float of_light = scene_.path->lights->density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction);
+    if (of_light > 0.0f && ray.lights_from > static_cast<std::uint16_t>(LightGroup::kLamps)) return;
     share = power_heuristic(ray.density, of_light);
   }
   end_path(ray, emission, share);
@@ -160,10 +162,11 @@ void PathTracer::scatter(const ShadingPoint& point, const Bsdf& bsdf, const Path
   next_.push_back(scattered(ray, point, *sample, throughput, length));
 }
 
-void PathTracer::gather_soft_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length,
-                                   const Numbers& numbers) {
+void PathTracer::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,
+                                const Numbers& numbers) {
   const LightTable& lights = *scene_.path->lights;
-  if (const std::optional<LightSample> light = lights.sample_soft(point.position, numbers.pick, numbers.on_light)) {
+  if (const std::optional<LightSample> light =
+          lights.sample({from, LightGroup::kEnd}, point.position, numbers.pick, numbers.on_light)) {
     const BsdfValue value = bsdf.evaluate_diffuse(light->direction);
     const float share = power_heuristic(light->density, value.density) / light->density;
     const Vec3f radiance = ray.throughput * value.cosine_f * light->radiance * share;
@@ -175,9 +178,11 @@ void PathTracer::gather_soft_light(const ShadingPoint& point, const Bsdf& bsdf, 
   const BsdfValue value = bsdf.evaluate_diffuse(sample.direction);
   if (!(value.density > 0.0f) || !(glm::dot(point.facet, sample.direction) > 0.0f)) return;
   // What the path meets compares its density with that of sample(), whose light is a point-like one at times.
-  sample.density = lights.soft_chance() > 0.0f ? value.density * lights.soft_chance() : value.density;
+  const float chance = lights.chance({from, LightGroup::kEnd});
+  sample.density = chance > 0.0f ? value.density * chance : value.density;
   ++counts_.indirect;
   next_.push_back(scattered(ray, point, sample, ray.throughput * value.cosine_f / value.density, length));
+  next_.back().lights_from = static_cast<std::uint16_t>(from);
 }
 
 void PathTracer::trace_shadow_rays() {

@@ -59,10 +59,11 @@ class PathTracer {
     Vec2f on_light, way;
   };
 
-  /// Begins to gather what a diffuse surface receives of all but point-like lights: of lamps with area and the sky by aiming at
-  /// them, of all else by a path. Adds throughput x what a white surface there would send on to ray.pixel of the film. `ray`
-  /// led to the point, `length` from its start.
-  void gather_soft_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, const Numbers& numbers);
+  /// Begins to gather what a diffuse surface receives but for lights of kinds before `from` (not kPoint): of other lights by
+  /// aiming at one, of all else by a path. Adds throughput x what a white surface there would send on to ray.pixel of the film.
+  /// `ray` led to the point, `length` from its start.
+  void gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,
+                      const Numbers& numbers);
 
   /// Traces everything that waits, wave by wave.
   void finish_batch();

@@ -12,6 +12,8 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
   return v;
 }
 
+constexpr std::uint32_t kSides = 6;
+
 /// Which of six directions a normal is nearest to. Around edges of boxes light changes abruptly, and with it the side.
 std::uint32_t side_of(Vec3f n) {
   const Vec3f a = glm::abs(n);
@@ -40,7 +42,11 @@ SurfacePlaces::SurfacePlaces(const DeviceScene::Impl& scene)
       spaces_(scene.scene->instances.size()),
       parts_of_record_(scene.records.size(), nullptr),
       rest_of_record_(scene.records.size(), nullptr) {
-  for (std::size_t i = 0; i < spaces_.size(); ++i) spaces_[i].moves = scene.instance_moves[i];
+  for (std::uint32_t i = 0; i < spaces_.size(); ++i) {
+    spaces_[i].moves = scene.instance_moves[i];
+    if (!spaces_[i].moves) continue;
+    for (std::uint32_t side = 0; side < kSides; ++side) instance_of_.emplace(hash(i, side), i);
+  }
   for (const std::unique_ptr<PosedMesh>& posed : scene.posed) {
     const Instance& instance = scene.scene->instances[scene.records[posed->record].instance];
     rest_of_record_[posed->record] = &std::get<Mesh>(scene.scene->shapes[static_cast<std::size_t>(instance.shape)]);
@@ -61,11 +67,43 @@ void SurfacePlaces::update(const ResolvedScene& resolved) {
     const Affine3f world_from_own = resolved.of(scene_.scene->instances[i].node);
     const float scale = uniform_scale(world_from_own);
     if (!(scale > 0.0f) || !std::isfinite(scale)) continue;  // nothing of it is seen
+    space.world_from_own_before = space.world_from_own;
+    space.world_from_own = world_from_own;
+    space.world_from_own.linear /= scale;
+    if (!space.was_seen) space.world_from_own_before = space.world_from_own;
+    space.was_seen = true;
     space.own_from_world = inverse(world_from_own);
     space.own_from_world.linear *= scale;
     space.own_from_world.translation *= scale;
     space.own_from_world_normal = glm::transpose(world_from_own.linear);
   }
+  update_lights();
+}
+
+void SurfacePlaces::update_lights() {
+  lights_moved_ = 0.0f;
+  const LightTable& table = *scene_.path->lights;
+  lights_.resize(scene_.lights.size(), Vec3f(std::nanf("")));
+  for (std::size_t l = 0; l < lights_.size(); ++l) {
+    const float moved = glm::length(scene_.lights[l].position - lights_[l]);
+    if (scene_.lights[l].at_place > 0.0f && std::isfinite(moved)) lights_moved_ += table.chance_of_point(l) * moved;
+    lights_[l] = scene_.lights[l].position;
+  }
+  for (std::size_t r = 0; r < scene_.records.size(); ++r) {
+    const float chance = table.chance_of_record(r);
+    if (!(chance > 0.0f)) continue;
+    const Space& space = spaces_[scene_.records[r].instance];
+    if (space.moves)
+      lights_moved_ += chance * glm::length(space.world_from_own.translation - space.world_from_own_before.translation);
+  }
+}
+
+float SurfacePlaces::moved(std::uint32_t thing, Vec3f position) const {
+  const auto found = instance_of_.find(thing);
+  if (found == instance_of_.end()) return lights_moved_;
+  const Space& space = spaces_[found->second];
+  return lights_moved_ +
+         glm::length(transform_point(space.world_from_own, position) - transform_point(space.world_from_own_before, position));
 }
 
 LightPlace SurfacePlaces::operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "scene/timeline.hpp"
@@ -22,6 +23,10 @@ class SurfacePlaces {
   /// Takes everything to where it is in a frame.
   void update(const ResolvedScene& resolved);
 
+  /// World units by which a point of a thing (both as a LightPlace has them) has moved since the update before, and lights,
+  /// each as far as it shares in all light.
+  float moved(std::uint32_t thing, Vec3f position) const;
+
   /// Of lane i. normal: where light is asked for, world space, on the viewer's side; size: of the smallest cell, world units.
   /// `normal` goes over to the place's space, unit length.
   LightPlace operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal, float size) const;
@@ -30,11 +35,18 @@ class SurfacePlaces {
   struct Space {
     bool moves = false;
     Affine3f own_from_world;  ///< lengths stay
+    Affine3f world_from_own, world_from_own_before;
+    bool was_seen = false;
     Mat3f own_from_world_normal{1.0f};
   };
 
+  void update_lights();
+
   const DeviceScene::Impl& scene_;
+  std::vector<Vec3f> lights_;  ///< where point-like lights are
+  float lights_moved_ = 0.0f;
   std::vector<Space> spaces_;                                       ///< by instance
+  std::unordered_map<std::uint32_t, std::uint32_t> instance_of_;    ///< by thing: those that move
   std::map<const Mesh*, std::vector<std::uint32_t>> parts_;         ///< by mesh
   std::vector<const std::vector<std::uint32_t>*> parts_of_record_;  ///< null: no mesh
   std::vector<const Mesh*> rest_of_record_;                         ///< of posed meshes: unbent; else null

@@ -28,13 +28,16 @@ class DiscreteDistribution {
     if (part > 0 && start_of(part) > u) --part;
     std::size_t index = first_[part];
     while (cumulative_[index] <= u) ++index;
-    const float below = index > 0 ? cumulative_[index - 1] : 0.0f;
+    const float below = probability_before(index);
     rest = std::min((u - below) / (cumulative_[index] - below), 0x1.fffffep-1f);
     return index;
   }
 
   /// The probability of an index.
-  float probability(std::size_t index) const { return cumulative_[index] - (index > 0 ? cumulative_[index - 1] : 0.0f); }
+  float probability(std::size_t index) const { return cumulative_[index] - probability_before(index); }
+
+  /// Of all indices before it.
+  float probability_before(std::size_t index) const { return index > 0 ? cumulative_[index - 1] : 0.0f; }
 
  private:
   float start_of(std::size_t part) const { return static_cast<float>(part) / static_cast<float>(cumulative_.size()); }

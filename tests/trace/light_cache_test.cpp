@@ -28,6 +28,8 @@ std::vector<LightRecord> spread(int count, float noise, unsigned seed, const Lig
   return records;
 }
 
+float still(std::uint32_t, Vec3f) { return 0.0f; }
+
 void feed(LightCache& cache, const std::vector<LightRecord>& records, const ThreadPool& pool = ThreadPool(1)) {
   const std::vector<std::vector<LightRecord>> pieces{records};
   cache.add(pieces, pool);
@@ -97,7 +99,7 @@ TEST(LightCache, frames_that_agree_add_up) {
     LightCache cache(kPlenty);
     const ThreadPool pool(1);
     for (int f = 0; f < frames; ++f) {
-      cache.begin_frame(pool);
+      cache.begin_frame(still, pool);
       feed(cache, spread(512, 1.0f, static_cast<unsigned>(f + 10), [](float) { return 5.0f; }));
     }
     double squares = 0.0;
@@ -112,14 +114,38 @@ TEST(LightCache, light_that_goes_out_is_forgotten_within_two_frames) {
   LightCache cache(kPlenty);
   const ThreadPool pool(1);
   for (int f = 0; f < 20; ++f) {
-    cache.begin_frame(pool);
+    cache.begin_frame(still, pool);
     feed(cache, spread(2048, 0.2f, static_cast<unsigned>(f), [](float) { return 1.0f; }));
   }
   for (int f = 0; f < 3; ++f) {
-    cache.begin_frame(pool);
+    cache.begin_frame(still, pool);
     feed(cache, spread(2048, 0.0f, static_cast<unsigned>(40 + f), [](float) { return 0.0f; }));
   }
   for (float x = 0.5f; x < 32.0f; x += 1.0f) EXPECT_LT(cache.look_up(place(x, 4.0f)).x, 0.05f) << x;
+}
+
+// Light that grows by 1 a unit, without noise but for the cells' own width: moved by a cell's width, the past is worth little.
+TEST(LightCache, things_that_move_forget_what_differs_around_them) {
+  const ThreadPool pool(1);
+  const auto past_of = [&](float moved, const auto& light) {
+    LightCache cache(kPlenty);
+    feed(cache, spread(8192, 0.0f, 3, light));
+    const float before = cache.samples(place(16.5f, 4.5f));
+    cache.begin_frame([&](std::uint32_t thing, Vec3f) { return thing == 7 ? moved : 0.0f; }, pool);
+    return cache.samples(place(16.5f, 4.5f)) / before;
+  };
+  const auto ramp = [](float x) { return 1.0f + x; };
+  EXPECT_FLOAT_EQ(past_of(0.0f, ramp), 1.0f);
+  EXPECT_LT(past_of(1.0f, ramp), 0.2f);
+  EXPECT_GT(past_of(0.1f, ramp), 2.0f * past_of(1.0f, ramp));
+  EXPECT_GT(past_of(1.0f, [](float) { return 1.0f; }), 0.99f);  // even light: it stays the same wherever things go
+}
+
+TEST(LightCache, samples_are_those_of_the_smallest_cell) {
+  LightCache cache(kPlenty);
+  EXPECT_EQ(cache.samples(place(3.5f)), 0.0f);
+  feed(cache, {{place(3.2f), Vec3f(1.0f)}, {place(3.7f), Vec3f(1.0f)}, {place(4.5f), Vec3f(1.0f)}});
+  EXPECT_EQ(cache.samples(place(3.5f)), 2.0f);
 }
 
 TEST(LightCache, share_of_past_tells_old_light_from_new) {
@@ -127,7 +153,7 @@ TEST(LightCache, share_of_past_tells_old_light_from_new) {
   const ThreadPool pool(1);
   feed(cache, {{place(3), Vec3f(1.0f)}});
   EXPECT_EQ(cache.share_of_past(place(3)), 0.0f);
-  cache.begin_frame(pool);
+  cache.begin_frame(still, pool);
   EXPECT_EQ(cache.share_of_past(place(3)), 1.0f);
   feed(cache, {{place(3), Vec3f(1.0f)}});
   EXPECT_EQ(cache.share_of_past(place(3)), 0.5f);
@@ -153,7 +179,7 @@ TEST(LightCache, the_same_bits_on_any_number_of_threads) {
     const ThreadPool pool(threads);
     LightCache cache(kPlenty);
     for (int f = 0; f < 3; ++f) {
-      cache.begin_frame(pool);
+      cache.begin_frame(still, pool);
       std::vector<std::vector<LightRecord>> pieces;
       for (unsigned p = 0; p < 8; ++p)
         pieces.push_back(spread(300, 1.0f, p + 100u * static_cast<unsigned>(f), [](float x) { return x; }));
