@@ -30,6 +30,10 @@ constexpr double kLeastPerCell = 8.0;
 /// Of the samples that the first frame's feeding gave cells on average: cells with less are fed as often again.
 constexpr float kScarce = 0.5f;
 
+/// Textures are filtered as of so many samples a pixel: wider, and they blur what paths show sharply; narrower, and pixels need
+/// more samples.
+constexpr int kTextureSamples = 16;
+
 /// The cache grows to so many cells; smooth scenes need 0.1 to 0.2 of a pixel's, leaves of a pixel's size 0.5.
 constexpr double kCellsPerPixel = 1.0;
 constexpr double kLeastCells = 65536.0;
@@ -60,7 +64,7 @@ class CachedFrame {
         pool_(pool),
         context_(context),
         history_(history),
-        beam_(optics, world_from_display),
+        beam_(optics, world_from_display, kTextureSamples),
         feeder_(device.impl(), optics, world_from_display, params) {}
 
   void begin_history(const CachedLightGoal& goal);
