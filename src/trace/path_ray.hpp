@@ -42,8 +42,8 @@ inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   return ray;
 }
 
-/// `ray` from a point at `length` on, in a direction that was drawn there; throughput as it is then.
-inline PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
+/// Sends `ray` on from a point at `length`, in a direction that was drawn there; throughput as it is then.
+inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
   ray.origin = point.position, ray.direction = sample.direction;
   ray.throughput = throughput;
   ray.t_near = point.t_near, ray.path_length = length;
@@ -51,6 +51,11 @@ inline PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSampl
   ray.spread |= !sample.is_delta();
   // What shines straight behind is reached by the last vertex's shadow rays, too.
   if (!sample.straight) ray.density = sample.density, ray.scattered_at = length, ray.lights_from = 0;
+}
+
+/// `ray`, sent on so.
+inline PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
+  scatter(ray, point, sample, throughput, length);
   return ray;
 }
 

@@ -159,7 +159,7 @@ void PathTracer::scatter(const ShadingPoint& point, const Bsdf& bsdf, const Path
   }
   if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return;
   ++(sample->is_delta() ? counts_.reflection : counts_.indirect);
-  next_.push_back(scattered(ray, point, *sample, throughput, length));
+  lippmann::scatter(next_.emplace_back(ray), point, *sample, throughput, length);
 }
 
 void PathTracer::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,

@@ -2,11 +2,6 @@
 
 namespace lippmann {
 
-void ShadowQueue::push(const ShadingPoint& point, const LightSample& light, Vec3f radiance, std::uint32_t pixel, int depth) {
-  const float t_far = light.is_point() || light.distance == kInfinity ? light.distance : light.distance - point.t_near;
-  rays_.push_back({point.position, light.direction, radiance, point.t_near, t_far, pixel, depth});
-}
-
 std::size_t ShadowQueue::trace_packet(const DeviceScene::Impl& scene, std::size_t first) {
   const std::size_t count = std::min<std::size_t>(kLanes, rays_.size() - first);
   for (std::size_t i = 0; i < kLanes; ++i) {

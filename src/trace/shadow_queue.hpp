@@ -20,7 +20,14 @@ struct ShadowRay {
 class ShadowQueue {
  public:
   /// From a point to a light; `radiance` arrives at `pixel` where nothing lies between, scattered by `depth` vertices.
-  void push(const ShadingPoint& point, const LightSample& light, Vec3f radiance, std::uint32_t pixel, int depth);
+  void push(const ShadingPoint& point, const LightSample& light, const Vec3f& radiance, std::uint32_t pixel, int depth) {
+    ShadowRay& ray = rays_.emplace_back();  // filled in place: copies of what has just been written wait for it
+    ray.origin = point.position, ray.direction = light.direction;
+    ray.radiance = radiance;
+    ray.t_near = point.t_near;
+    ray.t_far = light.is_point() || light.distance == kInfinity ? light.distance : light.distance - point.t_near;
+    ray.pixel = pixel, ray.depth = depth;
+  }
 
   /// Traces all that wait, calls add(shadow ray, radiance) for what arrives, in the order of push(), and returns how many there
   /// were.

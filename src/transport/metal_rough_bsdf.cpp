@@ -20,13 +20,13 @@ Vec3f lift(Vec3f local) {  // grazing views have no digits left for masking
 }
 
 /// Of a rough lobe, weight and density left open; of a smooth one, of Dirac's lobe with its weight. view: local to `frame`.
-std::optional<BsdfSample> sample_mirror(const Frame& frame, Vec3f view, float alpha, Vec3f smooth_weight, Vec2f u) {
+/// False where the surface takes all.
+bool sample_mirror(const Frame& frame, Vec3f view, float alpha, Vec3f smooth_weight, Vec2f u, BsdfSample& s) {
   const Vec3f light = mirrored(view, smooth(alpha) ? kUp : Ggx{alpha}.sample_visible(view, u));
-  if (!(light.z > 0.0f)) return std::nullopt;
-  BsdfSample s;
+  if (!(light.z > 0.0f)) return false;
   s.direction = frame.to_world(light);
   if (smooth(alpha)) s.density = kInfinity, s.weight = smooth_weight;
-  return s;
+  return true;
 }
 
 Vec3f half_vector(Vec3f a, Vec3f b) { return glm::normalize(a + b); }
@@ -37,9 +37,7 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
                                bool entering)
     : albedo_(albedo),
       frame_(normal),
-      coat_frame_(s.clearcoat > 0.0f ? Frame(coat_normal) : frame_),
       view_(lift(frame_.to_local(view))),
-      coat_view_(s.clearcoat > 0.0f ? lift(coat_frame_.to_local(view)) : view_),
       alpha_(squared(s.roughness)),
       coat_alpha_(squared(s.clearcoat_roughness)),
       eta_(entering ? s.ior : 1.0f / s.ior) {
@@ -56,7 +54,11 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
     set_gloss(s, dielectric);
   else
     diffuse_color_ = dielectric * s.base_color;
-  if (s.clearcoat > 0.0f) set_coat(s);
+  if (s.clearcoat > 0.0f) {
+    coat_frame_ = Frame(coat_normal);
+    coat_view_ = lift(coat_frame_.to_local(view));
+    set_coat(s);
+  }
   set_shares(dielectric * s.base_color);
 }
 
@@ -195,44 +197,54 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
 }
 
 /// Reflects with Fresnel's probability, else refracts, at the surface or at a facet. decision in [0, 1).
-std::optional<BsdfSample> MetalRoughBsdf::sample_glass(float decision, Vec2f u) const {
+bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const {
   const Vec3f facet = smooth(alpha_) ? kUp : Ggx{alpha_}.sample_visible(view_, u);
   const float fresnel = fresnel_dielectric(glm::dot(view_, facet), eta_);
-  BsdfSample s;
   s.transmitted = !(decision < fresnel);
   const Vec3f light = s.transmitted ? refracted_away(view_, facet, eta_) : mirrored(view_, facet);
-  if (light.z == 0.0f || (light.z < 0.0f) != s.transmitted) return std::nullopt;
+  if (light.z == 0.0f || (light.z < 0.0f) != s.transmitted) return false;
   s.direction = frame_.to_world(light);
   if (smooth(alpha_)) {
     s.density = kInfinity;
     s.weight = (below_coat_ * glass_share_ / shares_.glass) * (s.transmitted ? glass_ : Vec3f(1.0f));
   }
-  return s;
+  return true;
+}
+
+/// A direction; weight and density left open but of Dirac's lobes. False where the surface takes all.
+bool MetalRoughBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
+  const float below_gloss = shares_.diffuse, below_glass = below_gloss + shares_.gloss,
+              below_coat = below_glass + shares_.glass;
+  if (lobe < below_gloss) {
+    s.direction = frame_.to_world(sample_cosine(u));
+    return true;
+  }
+  if (lobe < below_glass) return sample_mirror(frame_, view_, alpha_, below_coat_ * gloss_albedo_ / shares_.gloss, u, s);
+  if (lobe < below_coat) return sample_glass((lobe - below_glass) / shares_.glass, u, s);
+  return shares_.coat > 0.0f &&
+         sample_mirror(coat_frame_, coat_view_, coat_alpha_, Vec3f((1.0f - below_coat_) / shares_.coat), u, s);
 }
 
 std::optional<BsdfSample> MetalRoughBsdf::sample(float lobe, Vec2f u) const {
-  const float below_gloss = shares_.diffuse, below_glass = below_gloss + shares_.gloss,
-              below_coat = below_glass + shares_.glass;
-  std::optional<BsdfSample> s;
-  if (lobe < below_gloss)
-    s.emplace().direction = frame_.to_world(sample_cosine(u));
-  else if (lobe < below_glass)
-    s = sample_mirror(frame_, view_, alpha_, below_coat_ * gloss_albedo_ / shares_.gloss, u);
-  else if (lobe < below_coat)
-    s = sample_glass((lobe - below_glass) / shares_.glass, u);
-  else if (shares_.coat > 0.0f)
-    s = sample_mirror(coat_frame_, coat_view_, coat_alpha_, Vec3f((1.0f - below_coat_) / shares_.coat), u);
-  if (!s || s->is_delta()) return s;
-  if (shares_.diffuse == 1.0f && dielectric_f90_ == Vec3f(0.0f)) {  // Lambert's law alone
-    s->weight = diffuse_color_;
-    s->density = glm::dot(s->direction, frame_.z) * (1.0f / kPi);
-    return s->density > 0.0f ? s : std::nullopt;
+  std::optional<BsdfSample> s(std::in_place);  // made where it goes: copies of what has just been written wait for it
+  if (!draw(lobe, u, *s)) {
+    s.reset();
+  } else if (!s->is_delta()) {
+    weigh(*s);
+    if (!(s->density > 0.0f)) s.reset();
   }
-  const BsdfValue value = evaluate(s->direction);
-  if (!(value.density > 0.0f)) return std::nullopt;
-  s->weight = value.cosine_f / value.density;
-  s->density = value.density;
   return s;
+}
+
+void MetalRoughBsdf::weigh(BsdfSample& s) const {
+  if (shares_.diffuse == 1.0f && dielectric_f90_ == Vec3f(0.0f)) {  // Lambert's law alone
+    s.weight = diffuse_color_;
+    s.density = glm::dot(s.direction, frame_.z) * (1.0f / kPi);
+    return;
+  }
+  const BsdfValue value = evaluate(s.direction);
+  s.weight = value.cosine_f / value.density;
+  s.density = value.density;
 }
 
 }  // namespace lippmann

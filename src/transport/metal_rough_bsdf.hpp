@@ -66,11 +66,13 @@ class MetalRoughBsdf {
   Vec3f diffuse_f(Vec3f light) const;
   void add_glass(Vec3f light, BsdfValue& value) const;
   void add_coat(Vec3f light, BsdfValue& value) const;
-  std::optional<BsdfSample> sample_glass(float decision, Vec2f u) const;
+  bool draw(float lobe, Vec2f u, BsdfSample& s) const;
+  void weigh(BsdfSample& s) const;
+  bool sample_glass(float decision, Vec2f u, BsdfSample& s) const;
 
   const GgxAlbedo& albedo_;
-  Frame frame_, coat_frame_;
-  Vec3f view_, coat_view_;  ///< local
+  Frame frame_, coat_frame_;  ///< the coat's are set where there is one
+  Vec3f view_, coat_view_;    ///< local
   float alpha_, coat_alpha_;
   float eta_;
   Vec3f diffuse_color_{0.0f};                         ///< albedo, the gloss's share taken out
