@@ -19,7 +19,7 @@ LitFrames::LitFrames(Stage& stage, const RenderParams& params, const ThreadPool&
 
 bool LitFrames::serves(const RenderParams& params) {
   return params.reuse == Reuse::kExact && params.integrator == Integrator::kPath && params.aov.empty() && !params.transparent &&
-         !params.denoise && (samples_per_pixel(params) >= kLeastPaths || params.min_psnr_db.has_value());
+         !params.denoise && (samples_per_pixel(params) >= kLeastPaths || params.min_psnr_db || params.time_budget_s);
 }
 
 RenderedFrame LitFrames::make(int frame) {
@@ -40,6 +40,7 @@ FrameReport LitFrames::visit(int frame, Image& film) {
   trace.frame = static_cast<std::uint32_t>(frame);
   CachedLightGoal goal;
   if (params_.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *params_.min_psnr_db));
+  goal.seconds = params_.time_budget_s;
   goal.provenance = params_.debug == DebugPicture::kProvenance;
   const CachedLightReport light =
       tracer_.trace(moment.resolved, stage_.placed.optics, moment.world_from_display, trace, goal, pool_, context_, film);

@@ -88,8 +88,9 @@ struct RenderParams {
 
   // Reuse between frames
   Reuse reuse = Reuse::kExact;
-  std::optional<int> keyframes;       ///< a key frame every K frames; none: exact chooses, forward takes kDefaultKeyframes
-  std::optional<double> min_psnr_db;  ///< of every frame, 8-bit codes; none: forward's errors are not bounded
+  std::optional<int> keyframes;         ///< a key frame every K frames; none: exact chooses, forward takes kDefaultKeyframes
+  std::optional<double> min_psnr_db;    ///< of every frame, 8-bit codes; none: forward's errors are not bounded
+  std::optional<double> time_budget_s;  ///< of a path-traced frame, about, on this machine; none: as long as it takes
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only

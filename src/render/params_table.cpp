@@ -315,6 +315,11 @@ std::vector<ParamInfo> reuse_rows() {
         return read_number(value, kLeastPsnr, kMostPsnr, where);
       },
       [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
+  const Codec<std::optional<double>> seconds{
+      [](std::string_view value, const std::string& where) -> std::optional<double> {
+        return read_number(value, kLeastBudgetS, kMostBudgetS, where);
+      },
+      [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   return {
       row(ParamKind::kText, &P::reuse, choice<Reuse>(kReuseNames),
           {"reuse", "Reuse", "NAME",
@@ -331,6 +336,10 @@ std::vector<ParamInfo> reuse_rows() {
           {"min-psnr", "Reuse", "DB",
            "Forward: pixels are traced wherever a frame's PSNR would otherwise fall below this, and key frames chosen to "
            "suit; exact with paths: as many samples as it takes, in place of --spp"}),
+      row(ParamKind::kNumber, &P::time_budget_s, seconds,
+          {"time-budget", "Reuse", "S",
+           "Exact with paths: frames as good as about S seconds on this machine allow, the first of every 16 aside, in place "
+           "of --spp; what they look like then depends on the machine"}),
       row(ParamKind::kText, &P::splat, choice<SplatMode>(kSplatNames),
           {"splat", "Reuse", "WHERE", "Forward: points stay below their lens (the paper's) or in their directional view"}),
       row(ParamKind::kText, &P::fill, choice<MissedFill>(kFillNames),

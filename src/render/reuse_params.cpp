@@ -42,6 +42,11 @@ void check_reuse(const RenderParams& params) {
     throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse exact or forward");
   if (params.reuse == Reuse::kForward && params.integrator == Integrator::kPath)
     throw usage_error("--reuse", "forward does not know path-traced frames", "none or exact, or --integrator whitted");
+  if (params.time_budget_s && !LitFrames::serves(params))
+    throw usage_error("--time-budget", "is for path-traced frames that share light",
+                      "--integrator path --reuse exact with it, no --aov, no --transparent and no --denoise");
+  if (params.time_budget_s && params.min_psnr_db)
+    throw usage_error("--time-budget", "and --min-psnr both say how good frames should be", "one of the two");
   if (params.reuse == Reuse::kNone && params.min_psnr_db)
     throw usage_error("--min-psnr", "means nothing where every frame is traced", "it together with --reuse forward");
   if (const std::string against = flag_against_floor(params); params.min_psnr_db && !against.empty())

@@ -7,7 +7,8 @@ namespace lippmann {
 
 inline constexpr int kDefaultKeyframes = 8;
 inline constexpr int kMaxKeyframes = 4096;
-inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;  ///< floors that can be asked for
+inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;            ///< floors that can be asked for
+inline constexpr double kLeastBudgetS = 0.001, kMostBudgetS = 86400.0;  ///< seconds of a frame, likewise
 
 /// Throws a usage Error for parameters of reuse that contradict each other, or that mean nothing in the mode asked for.
 void check_reuse(const RenderParams& params);

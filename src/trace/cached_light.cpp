@@ -1,6 +1,7 @@
 #include "trace/cached_light.hpp"
 
 #include <array>
+#include <chrono>
 
 #include "core/random.hpp"
 #include "trace/feed_frame.hpp"
@@ -75,6 +76,9 @@ class CachedFrame {
   const RayCounts& counts() const { return counts_; }
 
  private:
+  double seconds_for_pixels(double seconds) const;
+  void begin(const Beginning& beginning, float fitting_cell);
+  bool helps(const Beginning& beginning) const;
   void start_cache(float samples_per_cell, LightGroup lights_from);
   float fitting_cell();
   void feed(int rounds);
@@ -90,12 +94,15 @@ class CachedFrame {
   History& history_;
   BeamFootprint beam_;
   FrameFeeder feeder_;
-  int round_ = 0;            ///< of feeding
+  int round_ = 0;  ///< of feeding
+  double feeding_seconds_ = 0.0;
   std::size_t records_ = 0;  ///< fed since start_cache()
   RayCounts counts_;
 };
 
 void CachedFrame::feed(int rounds) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   const LightCells in = cells();
   for (const int end = round_ + rounds; round_ < end && !context_.cancelled; ++round_) {
     const Fed fed = feeder_.feed({in, *history_.cache, pool_, context_}, round_);
@@ -103,6 +110,7 @@ void CachedFrame::feed(int rounds) {
     records_ += fed.records;
   }
   history_.cache->resolve(pool_);
+  feeding_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// A little everywhere, and as much as the first frame was given where little is known: what was hidden before, and what has
@@ -123,7 +131,7 @@ void CachedFrame::start_cache(float samples_per_cell, LightGroup lights_from) {
   const double pixels = static_cast<double>(optics_.panel.width) * static_cast<double>(optics_.panel.height);
   history_.cache.emplace(static_cast<std::size_t>(std::max(kCellsPerPixel * pixels, kLeastCells)));
   history_.samples_per_cell = samples_per_cell, history_.lights_from = lights_from;
-  round_ = 0, records_ = 0;
+  round_ = 0, records_ = 0, feeding_seconds_ = 0.0;
 }
 
 /// Samples across the smallest cells that fit (kLeastPerCell).
@@ -137,25 +145,49 @@ float CachedFrame::fitting_cell() {
   return cell;
 }
 
+/// To ask lamps and the sky at every point, there must be some.
+bool CachedFrame::helps(const Beginning& beginning) const {
+  return beginning.lights_from == LightGroup::kLamps ||
+         device_.impl().path->lights->chance({LightGroup::kLamps, LightGroup::kEnd}) > 0.0f;
+}
+
+void CachedFrame::begin(const Beginning& beginning, float fitting_cell) {
+  start_cache(beginning.cell * fitting_cell, beginning.lights_from);
+  feed(beginning.rounds - round_);
+  history_.rounds = beginning.rounds;
+  history_.enough =
+      kScarce * static_cast<float>(records_) / static_cast<float>(std::max<std::size_t>(history_.cache->cells(), 1));
+}
+
 void CachedFrame::begin_history(const CachedLightGoal& goal) {
   GatherMeasure measure(device_, optics_, world_from_display_, params_, goal.squared_error, pool_);
   const float fitting = fitting_cell();
-  const bool has_soft_lights = device_.impl().path->lights->chance({LightGroup::kLamps, LightGroup::kEnd}) > 0.0f;
   history_.plan.reset();
+  bool is_done = false;
   for (const Beginning& beginning : kBeginnings) {
-    if (context_.cancelled || history_.plan) break;
-    if (beginning.lights_from != LightGroup::kLamps && !has_soft_lights) continue;
-    start_cache(beginning.cell * fitting, beginning.lights_from);
-    feed(beginning.rounds - round_);
-    history_.rounds = beginning.rounds;
-    history_.enough =
-        kScarce * static_cast<float>(records_) / static_cast<float>(std::max<std::size_t>(history_.cache->cells(), 1));
+    if (context_.cancelled || is_done) break;
+    if (!helps(beginning)) continue;
+    begin(beginning, fitting);
     const LightCells in = cells();
-    history_.plan = measure.plan({device_.impl(), in, *history_.cache, optics_, world_from_display_});
+    const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
+    if (goal.seconds) {
+      const GatherMeasure::Timed found = measure.plan_within(sources, seconds_for_pixels(*goal.seconds));
+      history_.plan = found.plan;
+      is_done = found.is_spent;  // else frames get better by what takes longer to begin with
+    } else {
+      history_.plan = measure.plan(sources);
+      is_done = history_.plan.has_value();
+    }
   }
   history_.squared_goal = measure.squared_goal();
   history_.path_samples = measure.path_samples();
   add(measure.counts(), counts_);
+}
+
+/// Of a frame's, what a round of feeding leaves.
+double CachedFrame::seconds_for_pixels(double seconds) const {
+  constexpr double kLeastShare = 0.2;
+  return std::max(kLeastShare * seconds, seconds - feeding_seconds_ / std::max(round_, 1));
 }
 
 void CachedFrame::gather(bool provenance, Image& film) {

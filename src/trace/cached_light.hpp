@@ -19,8 +19,9 @@ struct CachedLightReport {
 
 /// What pictures should be like.
 struct CachedLightGoal {
-  std::optional<float> squared_error;  ///< mean, of sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
-  bool provenance = false;             ///< pictures show where light came from: see trace/light_gatherer.hpp
+  std::optional<float> squared_error{};  ///< mean, of sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
+  bool provenance = false;               ///< pictures show where light came from: see trace/light_gatherer.hpp
+  std::optional<double> seconds{};  ///< of a frame on this machine, in place of an error: frames are as good as these allow
 };
 
 class CachedLightTracer {
@@ -33,7 +34,8 @@ class CachedLightTracer {
   void restart();
 
   /// A frame, as trace_frame. `resolved` is what `scene` was updated with. What the frames before it, since restart(), have
-  /// found helps: they must be the same, in the same order, for the same bits.
+  /// found helps: they must be the same, in the same order, for the same bits. Not so where the goal is a time: then samples
+  /// go by the clock.
   CachedLightReport trace(const ResolvedScene& resolved, const Optics& optics, const Affine3f& world_from_display,
                           const TraceParams& params, const CachedLightGoal& goal, const ThreadPool& pool,
                           const Context& context, Image& film);

@@ -1,6 +1,8 @@
 #include "trace/gather_error.hpp"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "core/random.hpp"
@@ -64,6 +66,8 @@ GatherMeasure::GatherMeasure(const DeviceScene& scene, const Optics& optics, con
       has_goal_(goal.has_value()),
       pool_(pool),
       wanted_(some_blocks(blocks_in_frame(optics, world_from_display, trace.order), hash(trace.seed, trace.frame))) {
+  of_frame_ = static_cast<double>(std::count(wanted_.begin(), wanted_.end(), 1)) /
+              static_cast<double>(std::max<std::size_t>(wanted_.size(), 1));
   // Twice half as many paths, with other random numbers: what they differ by is the error of their mean.
   const Context quiet;  // a few blocks are no progress of the frame
   Image film(optics.panel.width, optics.panel.height, 3);
@@ -118,6 +122,33 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
     last = found;
   }
   return std::nullopt;
+}
+
+GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const Context quiet;
+  Image film;
+  GatherPlan last;
+  double last_seconds = 0.0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const float error = std::ldexp(kCoarsest, -trial);
+    const Clock::time_point start = Clock::now();
+    add(gather_frame(sources, {trace_, error}, wanted_, {}, pool_, quiet, film), counts_);
+    const double taken = std::chrono::duration<double>(Clock::now() - start).count() / of_frame_;
+    const GatherPlan found{error, squared_error(film)};
+    if (taken > seconds) {
+      if (trial == 0) return {found, true};
+      // Between the last two, on a straight line in logarithms.
+      const double t = taken > last_seconds ? std::log(seconds / last_seconds) / std::log(taken / last_seconds) : 0.0;
+      const auto part = static_cast<float>(std::clamp(t, 0.0, 1.0));
+      return {{last.error * std::exp2(-part), last.squared_error * std::pow(found.squared_error / last.squared_error, part)},
+              true};
+    }
+    if (found.squared_error <= kInvisible || (trial >= kLeastTrials && found.squared_error > kStalled * last.squared_error))
+      return {found, false};
+    last = found, last_seconds = taken;
+  }
+  return {last, false};
 }
 
 }  // namespace lippmann

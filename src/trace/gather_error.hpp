@@ -29,6 +29,14 @@ class GatherMeasure {
   /// there is no such.
   std::optional<GatherPlan> plan(const GatherSources& sources);
 
+  struct Timed {
+    GatherPlan plan;
+    bool is_spent = true;  ///< false: the rest of the time would make frames no better
+  };
+  /// The smallest error with which a frame's pixels are gathered in about `seconds` on this machine; the largest that is tried
+  /// where even that takes longer.
+  Timed plan_within(const GatherSources& sources, double seconds);
+
   /// All that were traced.
   const RayCounts& counts() const { return counts_; }
 
@@ -39,6 +47,7 @@ class GatherMeasure {
   bool has_goal_;
   const ThreadPool& pool_;
   std::vector<std::uint8_t> wanted_;  ///< by block
+  double of_frame_ = 1.0;             ///< the wanted ones' share of all blocks
   std::vector<std::size_t> places_;   ///< values of a film that belong to these blocks
   std::vector<float> paths_;          ///< there: the mean of all paths
   float squared_error_of_paths_ = 0.0f;

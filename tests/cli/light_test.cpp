@@ -68,6 +68,15 @@ TEST(Light, shared_light_saves_rays_and_tells_its_error) {
   EXPECT_TRUE(paths.at("estimated_psnr_db").is_null());
 }
 
+TEST(Light, a_budget_of_time_makes_frames_that_tell_their_error) {
+  const TempDir dir;
+  const nlohmann::json report = report_of(dir, small_shared("out", "0-1") + Words{"--time-budget", "0.01"});
+  EXPECT_GT(report.at("frames").at(1).at("estimated_psnr_db").get<double>(), 20.0);
+  expect_refusal(run_tool(dir, small_shared("out", "0") + Words{"--time-budget", "1", "--reuse", "none"}), 2, "--time-budget");
+  expect_refusal(run_tool(dir, small_shared("out", "0") + Words{"--time-budget", "1", "--min-psnr", "40"}), 2,
+                 "one of the two");
+}
+
 TEST(Light, a_floor_takes_more_rays_the_higher_it_is) {
   const TempDir dir;
   const auto primary = [&](const std::string& db) {

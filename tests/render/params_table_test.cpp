@@ -51,6 +51,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"reuse", {"forward"}},
     {"keyframes", {"4"}},
     {"min-psnr", {"45.5"}},
+    {"time-budget", {"2.5"}},
     {"splat", {"lens"}},
     {"fill", {"retrace"}},
     {"no-z-buffer", {"true"}},
