@@ -1,0 +1,62 @@
+// Feeds bytes to the OBJ reader. Whatever they are, it either throws Error or gives a scene that validate() accepts.
+//
+// fuzz/obj_seeds SEEDS && fuzz_obj -dict=fuzz/obj.dict CORPUS SEEDS; or scripts/fuzz obj.
+// An input is a scene; what follows the first NUL byte, if there is one, is its materials, a.mtl. A texture, a.ppm, lies beside
+// them.
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "core/error.hpp"
+#include "scene/load.hpp"
+#include "scene/obj.hpp"
+
+namespace {
+
+using namespace lippmann;
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& contents) { std::ofstream(file, std::ios::binary) << contents; }
+
+/// Made once per process; removed when it exits.
+class Folder {
+ public:
+  Folder() : folder_((fs::temp_directory_path() / "lippmann-fuzz-XXXXXX").string()) {
+    if (!mkdtemp(folder_.data())) std::abort();
+    write(path("a.ppm"), "P6 2 1 255 abcdef");
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  fs::path path(const char* name) const { return fs::path(folder_) / name; }
+
+ private:
+  std::string folder_;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  static const Folder folder;
+  const std::string input(reinterpret_cast<const char*>(data), size);
+  const std::size_t end = std::min(input.find('\0'), size);
+  write(folder.path("a.obj"), input.substr(0, end));
+  write(folder.path("a.mtl"), end < size ? input.substr(end + 1) : "");
+  Scene scene;
+  try {
+    scene = load_obj(folder.path("a.obj"), Context{});
+  } catch (const Error&) {
+    return 0;
+  }
+  try {
+    validate(scene, "a.obj");
+  } catch (const Error& error) {
+    std::cerr << "the reader made a scene that is not valid: " << error.what() << '\n';
+    std::abort();
+  }
+  return 0;
+}
