@@ -1,5 +1,6 @@
 #include "trace/cached_light.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 
@@ -121,8 +122,18 @@ void CachedFrame::go_on() {
   const FeedTarget target{in, *history_.cache, pool_, context_};
   PacketGroups scarce;
   add(feeder_.feed(target, 0, history_.enough, scarce).rays, counts_);
-  for (int round = 1; round < history_.rounds && !context_.cancelled; ++round)
-    add(feeder_.feed_scarce(target, round, history_.enough, scarce).rays, counts_);
+  PacketGroups still(scarce.size());
+  for (int round = 1; round < history_.rounds && !context_.cancelled; ++round) {
+    add(feeder_.feed_scarce(target, round, history_.enough, scarce, still).rays, counts_);
+    if (round % kRoundsPerFrame == 0) {  // all packets of a group have had their turn
+      for (std::vector<std::uint32_t>& groups : still) {
+        std::sort(groups.begin(), groups.end());
+        groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+      }
+      scarce = std::move(still);
+      still.assign(scarce.size(), {});
+    }
+  }
   history_.cache->resolve(pool_);
 }
 

@@ -5,6 +5,9 @@
 namespace lippmann {
 namespace {
 
+/// Of a packet, to be worth a packet more: cells that a surface only grazes are always scarce.
+constexpr std::size_t kScarcePlaces = 4;
+
 /// Sub-pixel places that these rays take in turn.
 constexpr int kPlaces = 16;
 
@@ -23,8 +26,9 @@ Fed FrameFeeder::feed(const FeedTarget& target, int round, float enough, PacketG
   return feed(target, round, {enough, nullptr, &scarce});
 }
 
-Fed FrameFeeder::feed_scarce(const FeedTarget& target, int round, float enough, const PacketGroups& groups) const {
-  return feed(target, round, {enough, &groups, nullptr});
+Fed FrameFeeder::feed_scarce(const FeedTarget& target, int round, float enough, const PacketGroups& groups,
+                             PacketGroups& still_scarce) const {
+  return feed(target, round, {enough, &groups, &still_scarce});
 }
 
 Fed FrameFeeder::feed(const FeedTarget& target, int round, const Choice& choice) const {
@@ -67,7 +71,7 @@ std::vector<LightRecord> FrameFeeder::feed_strip(const FeedTarget& target, std::
       continue;
     const std::size_t scarce_before = feeder.scarce_places();
     feeder.primary(packet, active, pixel);
-    if (choice.found && feeder.scarce_places() > scarce_before) (*choice.found)[strip].push_back(group);
+    if (choice.found && feeder.scarce_places() - scarce_before >= kScarcePlaces) (*choice.found)[strip].push_back(group);
     if (++waiting < kPacketsPerBlock) continue;
     feeder.finish_group(records);
     feeder.begin_group(++random_group);

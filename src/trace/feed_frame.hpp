@@ -43,8 +43,9 @@ class FrameFeeder {
   /// The same; besides finds the groups of packets that meet cells of fewer than `enough` samples.
   Fed feed(const FeedTarget& target, int round, float enough, PacketGroups& scarce) const;
 
-  /// A round of some groups, only for such cells.
-  Fed feed_scarce(const FeedTarget& target, int round, float enough, const PacketGroups& groups) const;
+  /// A round of some groups, only for such cells; adds those that meet any to `still_scarce`, which is as long as `groups`.
+  Fed feed_scarce(const FeedTarget& target, int round, float enough, const PacketGroups& groups,
+                  PacketGroups& still_scarce) const;
 
  private:
   /// What a round does but for feeding all.

@@ -76,17 +76,21 @@ void LightFeeder::shade(const RayHitPacket& packet, const LaneMask& active, cons
 
 void LightFeeder::shade_lane(const RayHitPacket& packet, int i, const PathRay& ray) {
   const ShadingPoint point = shading_point(scene_, packet, surface_, i);
-  PathSampler sampler(ray.seed, ray.index);
-  sampler.jump_to(kPairsPerEvent * ray.events);
-  const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next(), chance = sampler.next();
+  // Drawn where they are asked for: most places are not scarce.
+  const auto numbers = [&](std::uint32_t pair) {
+    PathSampler sampler(ray.seed, ray.index);
+    sampler.jump_to(kPairsPerEvent * ray.events + pair);
+    return sampler.next();
+  };
   const float length = ray.path_length + packet.ray.tfar[i];
-  if (chance.y >= point.coverage) {
+  if (point.coverage < 1.0f && numbers(3).y >= point.coverage) {
     if (ray.events < kMostEvents) next_.push_back(passed(ray, point, length));
     return;
   }
   if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
   const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
   const float share = bsdf.diffuse_share();
+  const Vec2f choice = numbers(0);
   if (choice.y < share) {
     PathRay query = ray;
     query.pixel = static_cast<std::uint32_t>(asked_.size());
@@ -99,10 +103,10 @@ void LightFeeder::shade_lane(const RayHitPacket& packet, int i, const PathRay& r
       if (asks_only_there_ && !is_scarce) return;
     }
     asked_.push_back(place);
-    paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {choice.x, on_light, way});
+    paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {choice.x, numbers(1), numbers(2)});
     return;
   }
-  const std::optional<BsdfSample> sample = bsdf.without_diffuse().sample((choice.y - share) / (1.0f - share), way);
+  const std::optional<BsdfSample> sample = bsdf.without_diffuse().sample((choice.y - share) / (1.0f - share), numbers(2));
   if (!sample || (glm::dot(point.facet, sample->direction) < 0.0f) != sample->transmitted) return;
   ++counts_.reflection;
   next_.push_back(scattered(ray, point, *sample, Vec3f(1.0f), length));

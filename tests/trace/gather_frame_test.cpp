@@ -77,11 +77,14 @@ TEST(FeedFrame, scarce_places_are_found_and_fed_until_there_is_enough) {
   PacketGroups at_first, scarce;
   feeder.feed(target, 0, 3.0f, at_first);
   EXPECT_GT(count(at_first), 0u);
-  const std::size_t fed_first = feeder.feed_scarce(target, 1, 3.0f, at_first).records;
+  PacketGroups still(at_first.size()), at_last(at_first.size());
+  const std::size_t fed_first = feeder.feed_scarce(target, 1, 3.0f, at_first, still).records;
   EXPECT_GT(fed_first, 100u);
-  for (int round = 2; round < 32; ++round) feeder.feed_scarce(target, round, 3.0f, at_first);
+  EXPECT_GT(count(still), 0u);
+  for (int round = 2; round < 32; ++round) feeder.feed_scarce(target, round, 3.0f, at_first, still);
   // But for cells that are seldom met, there is enough now.
-  EXPECT_LT(feeder.feed_scarce(target, 32, 3.0f, at_first).records, fed_first / 20);
+  EXPECT_LT(feeder.feed_scarce(target, 32, 3.0f, at_first, at_last).records, fed_first / 20);
+  EXPECT_LT(count(at_last), count(at_first) / 2);
   feeder.feed(target, 33, 3.0f, scarce);
   EXPECT_LT(count(scarce), count(at_first) / 2);
 }
