@@ -47,7 +47,7 @@ struct History {
   LightGroup lights_from{};         ///< likewise
   int rounds = 0;                   ///< of feeding the first frame
   float enough = 0.0f;              ///< samples of a cell: half of what these gave it on average
-  std::optional<GatherPlan> plan;   ///< likewise; none: frames are traced, with
+  std::optional<GatherPlan> plan;   ///< since the first frame; none: frames are traced, with
   int path_samples = 1;             ///< so many paths a pixel
   float squared_goal = 0.0f;        ///< mean squared error that frames may have
   Scatter scatter;                  ///< of the frame before, where it was gathered
