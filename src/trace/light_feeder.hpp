@@ -12,7 +12,7 @@ struct LightCells {
   const SurfacePlaces& places;
   const BeamFootprint& beam;
   float samples_per_cell = 8.0f;                ///< across the smallest cell
-  LightGroup lights_from = LightGroup::kLamps;  ///< kinds of lights from here on; those before it are asked at every point
+  LightGroup lights_from = LightGroup::kLamps;  ///< groups of lights from here on; those before it are asked at every point
   /// Edge of the smallest cell at the end of a path of some length, world units.
   float size(float path_length) const;
 };

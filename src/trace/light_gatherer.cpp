@@ -169,16 +169,16 @@ void LightGatherer::shine(const ShadingPoint& point, const Bsdf& bsdf, const Lig
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) queue.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
 
-/// One light of the kinds: over rough lobes, and where the cache does not hold it, over the diffuse one, too, which no ray that
-/// meets the light comes from.
-void LightGatherer::add_lights(LightGroups kinds, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
+/// One light of the groups: over rough lobes, and where the cache does not hold it, over the diffuse one, too, which no ray
+/// that meets the light comes from.
+void LightGatherer::add_lights(LightGroups groups, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
                                const PathRay& ray) {
-  const bool is_diffuse = kinds.begin < cells_.lights_from && albedo != Vec3f(0.0f);
+  const bool is_diffuse = groups.begin < cells_.lights_from && albedo != Vec3f(0.0f);
   const LightTable& lights = *scene_.path->lights;
-  if (!(is_diffuse || gloss) || !(lights.chance(kinds) > 0.0f)) return;
+  if (!(is_diffuse || gloss) || !(lights.chance(groups) > 0.0f)) return;
   PathSampler sampler = sampler_at(ray, 0);
   const float pick = sampler.next().x;
-  const std::optional<LightSample> light = lights.sample(kinds, point.position, pick, sampler.next());
+  const std::optional<LightSample> light = lights.sample(groups, point.position, pick, sampler.next());
   if (!light) return;
   const bool behind = glm::dot(point.facet, light->direction) < 0.0f;
   Vec3f weight(0.0f);

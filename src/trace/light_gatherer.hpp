@@ -1,5 +1,5 @@
-// Paths that end in the light cache: from the lens array to surfaces, mirrors and glass exactly, lights that are points by
-// shadow rays, all other light on diffuse surfaces from the cache. Private to src/trace.
+// Paths that end in the light cache: from the lens array to surfaces, mirrors and glass exactly, lights that the cache does not
+// hold by shadow rays, all other light on diffuse surfaces from the cache. Private to src/trace.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ class LightGatherer {
   void shade_surface(const RayHitPacket& packet, int i, const PathRay& ray);
   void add_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission);
   void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);
-  void add_lights(LightGroups kinds, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
+  void add_lights(LightGroups groups, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
                   const PathRay& ray);
   void add_diffuse(const RayHitPacket& packet, int i, const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray,
                    Vec3f albedo, float length);

@@ -111,10 +111,10 @@ std::optional<LightSample> LightTable::sample(Vec3f from, float pick, Vec2f u) c
   return s;
 }
 
-std::optional<LightSample> LightTable::sample(LightGroups kinds, Vec3f from, float pick, Vec2f u) const {
-  const float share = chance(kinds), begin = begin_of(kinds.begin);
+std::optional<LightSample> LightTable::sample(LightGroups groups, Vec3f from, float pick, Vec2f u) const {
+  const float share = chance(groups), begin = begin_of(groups.begin);
   if (!(share > 0.0f)) return std::nullopt;
-  std::optional<LightSample> s = sample(from, std::clamp(begin + share * pick, begin, begin_of(kinds.end) * kBelowOne), u);
+  std::optional<LightSample> s = sample(from, std::clamp(begin + share * pick, begin, begin_of(groups.end) * kBelowOne), u);
   if (!s) return std::nullopt;
   s->density /= share;
   if (s->is_point()) s->radiance *= share;

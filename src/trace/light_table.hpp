@@ -65,11 +65,11 @@ class LightTable {
   std::size_t points() const { return sources_.lights.size(); }
   std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(sources_.lights[light], from); }
 
-  /// As sample(), of lights of these kinds alone. Densities are those of sample() over chance().
-  std::optional<LightSample> sample(LightGroups kinds, Vec3f from, float pick, Vec2f u) const;
+  /// As sample(), of lights of these groups alone. Densities are those of sample() over chance().
+  std::optional<LightSample> sample(LightGroups groups, Vec3f from, float pick, Vec2f u) const;
 
-  /// The chance of sample() to choose a light of these kinds.
-  float chance(LightGroups kinds) const { return begin_of(kinds.end) - begin_of(kinds.begin); }
+  /// The chance of sample() to choose a light of these groups.
+  float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
 
   /// Of sample(), had it chosen triangle `prim` of a record, which a ray of unit `direction` meets at `distance`; 0 where the
   /// triangle is none of its lights.
@@ -91,7 +91,7 @@ class LightTable {
     std::uint32_t record, prim;
   };
 
-  float begin_of(LightGroup kind) const { return begins_[static_cast<std::size_t>(kind)]; }
+  float begin_of(LightGroup group) const { return begins_[static_cast<std::size_t>(group)]; }
   void add_triangles(std::vector<float>& powers);
   std::optional<LightSample> sample_point(const WhittedLight& light, Vec3f from) const;
   std::optional<LightSample> sample_triangle_light(const Triangle& triangle, Vec3f from, Vec2f u) const;
@@ -103,7 +103,7 @@ class LightTable {
   std::vector<Triangle> triangles_;
   std::vector<int> first_triangle_;  ///< per record; -1: does not shine
   DiscreteDistribution chances_;     ///< point-like lights, triangles, the sky
-  std::array<float, 4> begins_{};    ///< by kind: the chance of all before it
+  std::array<float, 4> begins_{};    ///< by group: the chance of all before it
 };
 
 }  // namespace lippmann

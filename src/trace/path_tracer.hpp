@@ -59,7 +59,7 @@ class PathTracer {
     Vec2f on_light, way;
   };
 
-  /// Begins to gather what a diffuse surface receives but for lights of kinds before `from` (not kPoint): of other lights by
+  /// Begins to gather what a diffuse surface receives but for lights of groups before `from` (not kPoint): of other lights by
   /// aiming at one, of all else by a path. Adds throughput x what a white surface there would send on to ray.pixel of the film.
   /// `ray` led to the point, `length` from its start.
   void gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,

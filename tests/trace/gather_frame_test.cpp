@@ -11,7 +11,8 @@ namespace {
 
 using namespace test;
 
-/// A plastic ball and a post on a floor, below a lamp, a point-like light and a sky that is brighter above.
+/// A plastic ball and a post on a floor, below a lamp so wide that paths meet it often, a point-like light and a sky that is
+/// brighter above.
 SmallScene lit_by_all() {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -21,12 +22,12 @@ SmallScene lit_by_all() {
   MetallicRoughness plastic, chalk, lamp;
   plastic.metallic = 0.0f, plastic.roughness = 0.4f, plastic.base_color = {0.5f, 0.2f, 0.1f, 1.0f};
   chalk.metallic = 0.0f, chalk.roughness = 1.0f, chalk.base_color = {0.7f, 0.7f, 0.7f, 1.0f};
-  lamp.base_color = {0.0f, 0.0f, 0.0f, 1.0f}, lamp.emissive = Vec3f(6.0f);
+  lamp.base_color = {0.0f, 0.0f, 0.0f, 1.0f}, lamp.emissive = Vec3f(2.0f);
   s.add(Spheres{{{0.6f, -0.4f, 0.0f}, 0.6f}}, s.material(plastic));
   const int matt = s.material(chalk);
   s.add(Boxes{{{-4.0f, -1.2f, -4.0f}, {4.0f, -1.0f, 4.0f}}, {{-1.0f, -1.0f, -0.3f}, {-0.7f, 0.5f, 0.3f}}}, matt);
   Mesh shade;
-  shade.positions = {{-0.5f, 2.5f, -0.5f}, {0.5f, 2.5f, -0.5f}, {0.5f, 2.5f, 0.5f}, {-0.5f, 2.5f, 0.5f}};
+  shade.positions = {{-1.5f, 1.6f, -1.5f}, {1.5f, 1.6f, -1.5f}, {1.5f, 1.6f, 1.5f}, {-1.5f, 1.6f, 1.5f}};
   shade.triangles = {{0, 1, 2}, {0, 2, 3}};
   s.add(shade, s.material(lamp));
   s.point_light({2.0f, 3.0f, 3.0f}, Vec3f(1.0f));
@@ -90,7 +91,8 @@ TEST(FeedFrame, scarce_places_are_found_and_fed_until_there_is_enough) {
 }
 
 // Twelve renders each: |t| of the mean's difference below 4, which chance exceeds once in 1,500 tests of 22 degrees of freedom;
-// 0.3 % are allowed for what cells blur. The lamp is a third of the light, the sky another.
+// 0.3 % are allowed for what cells blur. Where paths that feed the cache meet the lamp although it was asked, and it counts
+// twice, the mean is 1.5 % higher; with the sky, 14 %.
 class GatheredLights : public testing::TestWithParam<LightGroup> {};
 
 TEST_P(GatheredLights, have_the_mean_of_paths_whether_they_are_cached_or_asked) {
