@@ -1,4 +1,4 @@
-// Logarithm and power of two in a form that vectorises, which the library's do not: good to 1e-6. Private to src/trace.
+// Logarithm and powers in a form that vectorises, which the library's do not: good to 1e-6. Private to src/trace.
 #pragma once
 
 #include <bit>
@@ -30,5 +30,14 @@ LIPPMANN_INLINE float fast_exp2(float x) {
       1.0f + f * (1.0f + f * (0.5f + f * (0.166666667f + f * (0.0416666667f + f * (0.00833333333f + f * 0.00138888889f)))));
   return std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23) * p;
 }
+
+/// x^y for x > 0, not denormal.
+LIPPMANN_INLINE float fast_pow(float x, float y) { return fast_exp2(y * fast_log2(x)); }
+
+/// The largest e with 2^e <= x, for x > 0, not denormal.
+LIPPMANN_INLINE int floor_log2(float x) { return (std::bit_cast<std::int32_t>(x) >> 23) - 127; }
+
+/// 2^e, for e in [-126, 127].
+LIPPMANN_INLINE float power_of_two(int e) { return std::bit_cast<float>((e + 127) << 23); }
 
 }  // namespace lippmann

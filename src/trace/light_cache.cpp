@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "trace/fast_math.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/sampling.hpp"
 
@@ -13,32 +14,54 @@ namespace {
 constexpr int kJointLevel = 2;
 constexpr std::uint32_t kAllParts = 0xFFFFFFFFu;
 
-std::uint64_t mixed(std::uint64_t x) {  // Stafford's mix 13
+LIPPMANN_INLINE std::uint64_t mixed(std::uint64_t x) {  // Stafford's mix 13
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
   return x ^ (x >> 31);
 }
 
-int exponent_of(float size, int level) {
+LIPPMANN_INLINE int exponent_of(float size, int level) {
   // What is not a number, too, ends at the least.
-  return std::ilogb(size > 1e-30f ? std::min(size, 1e30f) : 1e-30f) + level;
+  return floor_log2(size > 1e-30f ? std::min(size, 1e30f) : 1e-30f) + level;
 }
 
-std::uint32_t part_at(std::uint32_t part, int level) { return level < kJointLevel ? part : kAllParts; }
+LIPPMANN_INLINE std::uint32_t part_at(std::uint32_t part, int level) { return level < kJointLevel ? part : kAllParts; }
 
-std::uint64_t base_key(std::uint32_t thing, std::uint32_t part, int exponent) {
+LIPPMANN_INLINE std::uint64_t base_key(std::uint32_t thing, std::uint32_t part, int exponent) {
   return mixed((static_cast<std::uint64_t>(thing) << 32 | part) + mixed(static_cast<std::uint64_t>(exponent + 1024)));
 }
 
-std::uint64_t key_of(std::uint64_t base, glm::i64vec3 at) {
-  const auto x = static_cast<std::uint64_t>(at.x), y = static_cast<std::uint64_t>(at.y), z = static_cast<std::uint64_t>(at.z);
+LIPPMANN_INLINE std::uint64_t key_of(std::uint64_t base, std::uint64_t x, std::uint64_t y, std::uint64_t z) {
   return mixed(base + x * 0x9e3779b97f4a7c15ull + y * 0xc2b2ae3d27d4eb4full + z * 0x165667b19e3779f9ull) | 1u;
+}
+
+std::uint64_t key_of(std::uint64_t base, glm::i64vec3 at) {
+  return key_of(base, static_cast<std::uint64_t>(at.x), static_cast<std::uint64_t>(at.y), static_cast<std::uint64_t>(at.z));
 }
 
 std::size_t shard_of(std::uint64_t key) { return key >> 58; }
 
 /// Far beyond any scene's cells coordinates have no digits left for them: they all end in one.
-glm::i64vec3 cell_at(Vec3f p) { return glm::i64vec3(glm::clamp(glm::floor(p), Vec3f(-1e15f), Vec3f(1e15f))); }
+LIPPMANN_INLINE std::int64_t cell_at(float p) {
+  return static_cast<std::int64_t>(std::min(std::max(std::floor(p), -1e15f), 1e15f));
+}
+
+glm::i64vec3 cell_at(Vec3f p) { return {cell_at(p.x), cell_at(p.y), cell_at(p.z)}; }
+
+/// Of the queries' cells of a level: of places moved along the surface, by `reach` times half a cell at most.
+LIPPMANN_MULTIVERSION void find_keys(const LightQueries& q, int level, float reach, std::uint64_t* keys) {
+  LIPPMANN_FOR_LANES(i) {
+    const int exponent = exponent_of(q.size[i], level);
+    const float edge = power_of_two(exponent), scale = power_of_two(-exponent);
+    const Frame frame(q.normal.get(i));
+    const float x = reach * edge * (q.u[i] - 0.5f), y = reach * edge * (q.v[i] - 0.5f);
+    const std::int64_t at_x = cell_at((q.position.x[i] + (x * frame.x.x + y * frame.y.x)) * scale);
+    const std::int64_t at_y = cell_at((q.position.y[i] + (x * frame.x.y + y * frame.y.y)) * scale);
+    const std::int64_t at_z = cell_at((q.position.z[i] + (x * frame.x.z + y * frame.y.z)) * scale);
+    keys[i] = key_of(base_key(q.thing[i], part_at(q.part[i], level), exponent), static_cast<std::uint64_t>(at_x),
+                     static_cast<std::uint64_t>(at_y), static_cast<std::uint64_t>(at_z));
+  }
+}
 
 }  // namespace
 
@@ -142,19 +165,33 @@ void LightCache::add(std::span<const std::vector<LightRecord>> records, const Th
   });
 }
 
-Vec4f LightCache::pick(const LightPlace& place, Vec3f normal, Vec2f u) const {
-  const Frame frame(normal);
-  const Vec2f shift = u - 0.5f;
-  for (int level = 0; level < kLevels; ++level) {
-    const int exponent = exponent_of(place.size, level);
-    const float edge = std::ldexp(1.0f, exponent), scale = std::ldexp(1.0f, -exponent);
-    const std::uint64_t base = base_key(place.thing, part_at(place.part, level), exponent);
-    const Vec3f shifted = place.position + edge * (shift.x * frame.x + shift.y * frame.y);
-    const Slot* slot = find(key_of(base, cell_at(shifted * scale)));
-    if (!slot) slot = find(key_of(base, cell_at(place.position * scale)));
-    if (slot) return Vec4f(slot->light, 1.0f);
+/// Looks up the lanes of `left`: those whose cells are known leave it.
+void LightCache::find_all(const std::uint64_t* keys, LaneMask& left, LaneMask& known, Lanes3& light) const {
+  for (int i = 0; i < kLanes; ++i)
+    if (left.lane[i]) shards_[shard_of(keys[i])].prefetch(keys[i]);
+  for (int i = 0; i < kLanes; ++i) {
+    if (!left.lane[i]) continue;
+    const Slot* slot = find(keys[i]);
+    if (!slot) continue;
+    light.set(i, slot->light);
+    left.lane[i] = 0, known.lane[i] = -1;
   }
-  return Vec4f(0.0f);
+}
+
+LaneMask LightCache::pick(const LightQueries& queries, Lanes3& light) const {
+  LaneMask left = queries.active, known{};
+  alignas(64) std::uint64_t keys[kLanes];
+  for (int level = 0; level < kLevels; ++level) {
+    // Somewhere within half a cell; at its rim there may be none, and the cell around the place itself serves.
+    for (const float reach : {1.0f, 0.0f}) {
+      find_keys(queries, level, reach, keys);
+      find_all(keys, left, known, light);
+      int any = 0;
+      for (const int lane : left.lane) any |= lane;
+      if (!any) return known;
+    }
+  }
+  return known;
 }
 
 LightCache::Interpolated LightCache::interpolate(Vec3f p, std::uint64_t base, int exponent) const {

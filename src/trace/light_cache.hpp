@@ -12,12 +12,14 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/math.hpp"
 #include "core/parallel.hpp"
+#include "trace/lanes.hpp"
 
 namespace lippmann {
 
@@ -33,6 +35,26 @@ struct LightPlace {
 struct LightRecord {
   LightPlace place;
   Vec3f light{0.0f};
+};
+
+/// Places side by side, for LightCache::pick.
+struct LightQueries {
+  LaneMask active{};
+  Lanes3 position{};
+  alignas(64) std::uint32_t thing[kLanes]{}, part[kLanes]{};
+  Lanes size{};     ///< these four: LightPlace's
+  Lanes3 normal{};  ///< of the surface, in the place's space, unit length
+  Lanes u{}, v{};   ///< random numbers in [0, 1)
+
+  void set(int i, const LightPlace& place, Vec3f of_surface, Vec2f random) {
+    active.lane[i] = -1;
+    position.set(i, place.position);
+    thing[i] = place.thing, part[i] = place.part;
+    size[i] = place.size;
+    normal.set(i, of_surface);
+    u[i] = random.x, v[i] = random.y;
+  }
+  LightPlace place(int i) const { return {position.get(i), thing[i], part[i], size[i]}; }
 };
 
 class LightCache {
@@ -59,8 +81,9 @@ class LightCache {
   /// The light at a place, interpolated, and in `w` how well that place is known: 0 not at all.
   Vec4f look_up(const LightPlace& place) const;
 
-  /// The same, left to chance: of the cells that it is interpolated from, one. normal: of the surface, in the place's space.
-  Vec4f pick(const LightPlace& place, Vec3f normal, Vec2f u) const;
+  /// The same at the active lanes' places, left to chance: of the cells that it is interpolated from, one. Returns the lanes
+  /// whose light is known, and sets `light` there.
+  LaneMask pick(const LightQueries& queries, Lanes3& light) const;
 
   /// How many samples the smallest cell there has.
   float samples(const LightPlace& place) const;
@@ -109,12 +132,16 @@ class LightCache {
     std::vector<Slot> slots;
     std::vector<Cell> cells;
     const Slot* find(std::uint64_t key) const;
+    void prefetch(std::uint64_t key) const {
+      if (!slots.empty()) __builtin_prefetch(&slots[key & (slots.size() - 1)]);
+    }
     Cell* find_or_add(std::uint64_t key, std::size_t most_cells, bool& is_new);
     void reserve(std::size_t cells);
     void put(std::uint64_t key, std::uint32_t cell);
   };
 
   const Slot* find(std::uint64_t key) const;
+  void find_all(const std::uint64_t* keys, LaneMask& left, LaneMask& known, Lanes3& light) const;
   const Cell* cell_of(std::uint64_t key) const;
   std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
   const Cell* parent_of(const Cell& cell) const;
@@ -126,10 +153,13 @@ class LightCache {
     bool inside = false;  ///< the cell around the point itself is known
   };
   Interpolated interpolate(Vec3f p, std::uint64_t base, int exponent) const;
-  void exponents(int& least, int& most) const;
-  void for_each_of_size(const ThreadPool& pool, int exponent, const auto& fn);
+  /// Indices of slots in use, by shard; and by their cells' exponents, large cells first.
+  using SlotsOfShards = std::array<std::vector<std::uint32_t>, kShards>;
+  using SlotsBySize = std::map<int, SlotsOfShards, std::greater<>>;
+  SlotsBySize slots_by_size(const ThreadPool& pool) const;
+  void for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn);
   void compare_with_wider(Cell& cell, Slot& slot) const;
-  void find_spreads(int exponent, const ThreadPool& pool);
+  void find_spreads(const SlotsOfShards& slots, const SlotsOfShards* wider, const ThreadPool& pool);
   void resolve(Cell& cell, Slot& slot) const;
 
   std::vector<Shard> shards_;

@@ -75,7 +75,7 @@ void LightFeeder::shade(const RayHitPacket& packet, const LaneMask& active, cons
 }
 
 void LightFeeder::shade_lane(const RayHitPacket& packet, int i, const PathRay& ray) {
-  const ShadingPoint point = shading_point(scene_, packet, surface_, i);
+  const ShadingPoint point = shading_point(scene_, surface_, i);
   // Drawn where they are asked for: most places are not scarce.
   const auto numbers = [&](std::uint32_t pair) {
     PathSampler sampler(ray.seed, ray.index);

@@ -10,10 +10,13 @@ namespace {
 /// Reflections that are at most 1 / this of the picture are left to chance.
 constexpr float kFaint = 8.0f;
 
+/// Shadow rays of a packet are traced as they come where there are so many; fewer wait for others.
+constexpr int kNearlyFull = 12;
+
 /// Evenly spread over the samples of a pixel: multiples of the plastic number's powers (M. Roberts, 2018), the steps of the
 /// most even sequence of points that is a lattice.
-Vec2f jitter(const PathRay& ray) {
-  const std::uint32_t shift = hash(ray.seed + ray.events), index = ray.index;
+Vec2f jitter(const PathPairs& numbers, int i, int events) {
+  const std::uint32_t shift = hash(numbers.seed[i] + static_cast<std::uint32_t>(events)), index = numbers.index[i];
   return {unit_float(shift + index * 3242174889u), unit_float(hash(shift) + index * 2447445414u)};
 }
 
@@ -22,6 +25,12 @@ PathSampler sampler_at(const PathRay& ray, std::uint32_t pair) {
   PathSampler sampler(ray.seed, ray.index);
   sampler.jump_to(kPairsPerEvent * ray.events + pair);
   return sampler;
+}
+
+bool any(const LaneMask& lanes) {
+  int any = 0;
+  for (const int lane : lanes.lane) any |= lane;
+  return any != 0;
 }
 
 }  // namespace
@@ -33,20 +42,22 @@ LightGatherer::LightGatherer(const DeviceScene::Impl& scene, const LightCells& c
       cache_(cache),
       params_(params),
       film_(film.data.data()),
+      asks_points_alone_(scene.path->lights->points() <= kFewLights &&
+                         !(scene.path->lights->chance({LightGroup::kLamps, cells.lights_from}) > 0.0f)),
       paths_(scene, cells.beam, params, {film.data.data()}) {}
 
 void LightGatherer::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel,
                             const std::uint32_t* sample, const std::uint32_t* slot) {
   clear_hits(packet);
   intersect_scene(scene_, active, packet, Coherence::kCoherent);
-  PathRay rays[kLanes];
-  for (int i = 0; i < kLanes; ++i) {
-    if (!active.lane[i]) continue;
-    ++counts_.primary;
-    rays[i] = primary_path_ray(packet, i, slot[i]);
-    rays[i].seed = hash(params_.seed, pixel[i]), rays[i].index = sample[i];
+  lanes_.begin();
+  const std::uint32_t seed = params_.seed;
+  LIPPMANN_FOR_LANES(i) {
+    lanes_.pixel[i] = slot[i];
+    lanes_.numbers.seed[i] = hash(seed, pixel[i]), lanes_.numbers.index[i] = sample[i];
   }
-  shade(packet, active, rays);
+  for (const int lane : active.lane) counts_.primary += lane != 0;
+  shade(packet, active);
 }
 
 void LightGatherer::finish_batch() {
@@ -55,7 +66,9 @@ void LightGatherer::finish_batch() {
     std::swap(wave_, next_);
     next_.clear();
     trace_wave(scene_, wave_, [this](const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
-      shade(packet, active, rays);
+      for (int i = 0; i < kLanes; ++i)
+        if (active.lane[i]) lanes_.set(i, rays[i]);
+      shade(packet, active);
     });
     trace_shadow_rays();
   }
@@ -74,17 +87,32 @@ RayCounts LightGatherer::counts() const {
   return all;
 }
 
-void LightGatherer::shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+void LightGatherer::shade(const RayHitPacket& packet, const LaneMask& active) {
   Lanes path_length;
-  for (int i = 0; i < kLanes; ++i) path_length[i] = active.lane[i] ? rays[i].path_length : 0.0f;
+  LIPPMANN_FOR_LANES(i) path_length[i] = active.lane[i] != 0 ? lanes_.path_length[i] : 0.0f;
   evaluate_surfaces(scene_, packet, active, path_length, cells_.beam, surface_);
+  queries_.active = {};
+  const LaneMask phong = phong_lanes();
+  if (any(phong)) shade_phong(packet, phong);
   for (int i = 0; i < kLanes; ++i) {
-    if (!active.lane[i]) continue;
+    if (!active.lane[i] || phong.lane[i]) continue;
+    const PathRay ray = lanes_.at(packet.ray, i);
     if (surface_.hit.lane[i])
-      shade_surface(packet, i, rays[i]);
+      shade_surface(packet, i, ray);
     else
-      shade_sky(packet, i, rays[i]);
+      shade_sky(packet, i, ray);
   }
+  if (any(queries_.active)) add_asked(packet);
+}
+
+/// Those that are shaded side by side.
+LaneMask LightGatherer::phong_lanes() const {
+  LaneMask lanes{};
+  if (!asks_points_alone_ || !surface_.any_hit) return lanes;
+  for (int i = 0; i < kLanes; ++i)
+    if (surface_.hit.lane[i] && scene_.materials.materials[scene_.material_of_instance[surface_.instance[i]]].is_whole)
+      lanes.lane[i] = -1;
+  return lanes;
 }
 
 void LightGatherer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray) {
@@ -112,7 +140,7 @@ void LightGatherer::add_emission(const RayHitPacket& packet, int i, const PathRa
 }
 
 void LightGatherer::shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {
-  const ShadingPoint point = shading_point(scene_, packet, surface_, i);
+  const ShadingPoint point = shading_point(scene_, surface_, i);
   const float length = ray.path_length + packet.ray.tfar[i];
   if (point.coverage < 1.0f) {
     if (!(sampler_at(ray, 3).next().y < point.coverage)) {
@@ -130,22 +158,85 @@ void LightGatherer::shade_surface(const RayHitPacket& packet, int i, const PathR
   const Vec3f albedo = bsdf.diffuse_albedo();
   add_lights(kLamps, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
   add_lights(kSkyLight, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
-  if (albedo != Vec3f(0.0f)) add_diffuse(packet, i, point, bsdf, ray, albedo, length);
+  if (albedo != Vec3f(0.0f)) ask(packet, i, bsdf.normal(), albedo, length);
   if (has_gloss) reflect(point, gloss, ray, length);
 }
 
-/// From the cache, and by a path where it knows nothing.
-void LightGatherer::add_diffuse(const RayHitPacket& packet, int i, const ShadingPoint& point, const Bsdf& bsdf,
-                                const PathRay& ray, Vec3f albedo, float length) {
-  Vec3f normal = bsdf.normal();
+/// What shade_surface() does for one, for Phong's surfaces where all lights that are asked are points.
+void LightGatherer::shade_phong(const RayHitPacket& packet, LaneMask lanes) {
+  evaluate_phong(surface_, scene_.tachyon, lanes, phong_);
+  if (phong_.any_emission)
+    for (int i = 0; i < kLanes; ++i)
+      if (lanes.lane[i] && phong_.emission.get(i) != Vec3f(0.0f))
+        add_emission(packet, i, lanes_.at(packet.ray, i), phong_.emission.get(i));
+  LIPPMANN_FOR_LANES(i) lanes.lane[i] = lanes_.depth[i] < params_.max_depth ? lanes.lane[i] : 0;
+  for (std::size_t l = 0; l < scene_.lights.size(); ++l) light_phong(packet.ray, lanes, l);
+  for (int i = 0; i < kLanes; ++i)
+    if (lanes.lane[i] && phong_.diffuse.get(i) != Vec3f(0.0f))
+      ask(packet, i, surface_.normal.get(i), phong_.diffuse.get(i), lanes_.path_length[i] + packet.ray.tfar[i]);
+  if (phong_.any_gloss) reflect_phong(packet, lanes);
+}
+
+void LightGatherer::light_phong(const RayPacket& view, const LaneMask& lanes, std::size_t light) {
+  const WhittedLight& from = scene_.lights[light];
+  aim_at_light(from, surface_, 0.0f, shadow_);
+  Lanes3 radiance;
+  const Vec3f irradiance = scene_.path->lights->unit() * from.color;
+  const int count = reflect_light(surface_, phong_, lanes_, view, irradiance, lanes, shadow_, radiance);
+  if (count == 0) return;
+  if (count < kNearlyFull) {
+    for (int i = 0; i < kLanes; ++i)
+      if (shadow_.active.lane[i]) to_point_[light].push(shadow_, i, radiance.get(i), lanes_.pixel[i], lanes_.depth[i] + 1);
+    return;
+  }
+  counts_.shadow += static_cast<std::uint64_t>(count);
+  trace_shadows(scene_, shadow_);
+  for (int i = 0; i < kLanes; ++i)
+    if (shadow_.active.lane[i] && shadow_.rays.tfar[i] >= 0.0f)
+      add(lanes_.pixel[i], radiance.get(i) * shadow_.context.transmittance[i]);
+}
+
+void LightGatherer::reflect_phong(const RayHitPacket& packet, const LaneMask& lanes) {
+  Lanes survival, lobe;
+  sample_pairs(lanes_.numbers, 0, survival.lane, lobe.lane);
+  GlossyRays rays;
+  reflect_gloss(surface_, phong_, lanes_, packet.ray, lanes, lobe, survival, kFaint, rays);
+  for (int i = 0; i < kLanes; ++i) {
+    if (!rays.active.lane[i]) continue;
+    ++counts_.reflection;
+    BsdfSample sample;
+    sample.direction = rays.direction.get(i), sample.density = kInfinity, sample.straight = rays.straight.lane[i] != 0;
+    next_.push_back(scattered(lanes_.at(packet.ray, i), shading_point(scene_, surface_, i), sample, rays.throughput.get(i),
+                              lanes_.path_length[i] + packet.ray.tfar[i]));
+  }
+}
+
+/// For soft light on a diffuse surface: all that ask wait for add_asked().
+void LightGatherer::ask(const RayHitPacket& packet, int i, Vec3f normal, Vec3f albedo, float length) {
   const LightPlace place = cells_.places(packet, surface_, i, normal, cells_.size(length));
-  const Vec4f light = cache_.pick(place, normal, jitter(ray));
-  if (light.w > 0.0f) return add_cached(ray.pixel, ray.throughput * albedo * Vec3f(light), place);
-  PathRay query = ray;
-  query.throughput *= albedo;
-  PathSampler sampler = sampler_at(ray, 0);
+  queries_.set(i, place, normal, jitter(lanes_.numbers, i, lanes_.events[i]));
+  albedo_.set(i, albedo);
+}
+
+/// From the cache, and by a path where it knows nothing.
+void LightGatherer::add_asked(const RayHitPacket& packet) {
+  Lanes3 light;
+  const LaneMask known = cache_.pick(queries_, light);
+  for (int i = 0; i < kLanes; ++i) {
+    if (known.lane[i])
+      add_cached(lanes_.pixel[i], lanes_.throughput.get(i) * albedo_.get(i) * light.get(i), queries_.place(i));
+    else if (queries_.active.lane[i])
+      follow_path(packet, i);
+  }
+}
+
+void LightGatherer::follow_path(const RayHitPacket& packet, int i) {
+  PathRay query = lanes_.at(packet.ray, i);
+  PathSampler sampler = sampler_at(query, 0);
   const Vec2f choice = sampler.next(), on_light = sampler.next(), way = sampler.next();
-  paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {choice.x, on_light, way});
+  query.throughput *= albedo_.get(i);
+  paths_.gather_diffuse(shading_point(scene_, surface_, i), bsdf_at(scene_, packet, surface_, i), query,
+                        query.path_length + packet.ray.tfar[i], cells_.lights_from, {choice.x, on_light, way});
 }
 
 void LightGatherer::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {

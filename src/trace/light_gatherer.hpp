@@ -5,7 +5,7 @@
 #include <array>
 
 #include "trace/light_feeder.hpp"
-#include "transport/sampler.hpp"
+#include "trace/phong_lanes.hpp"
 
 namespace lippmann {
 
@@ -33,17 +33,24 @@ class LightGatherer {
   RayCounts counts() const;
 
  private:
-  void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void shade(const RayHitPacket& packet, const LaneMask& active);
   void shade_sky(const RayHitPacket& packet, int i, const PathRay& ray);
   void shade_surface(const RayHitPacket& packet, int i, const PathRay& ray);
   void add_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission);
   void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);
   void add_lights(LightGroups groups, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
                   const PathRay& ray);
-  void add_diffuse(const RayHitPacket& packet, int i, const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray,
-                   Vec3f albedo, float length);
   void reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length);
   void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
+
+  LaneMask phong_lanes() const;
+  void shade_phong(const RayHitPacket& packet, LaneMask lanes);
+  void light_phong(const RayPacket& view, const LaneMask& lanes, std::size_t light);
+  void reflect_phong(const RayHitPacket& packet, const LaneMask& lanes);
+
+  void ask(const RayHitPacket& packet, int i, Vec3f normal, Vec3f albedo, float length);
+  void add_asked(const RayHitPacket& packet);
+  void follow_path(const RayHitPacket& packet, int i);
   void trace_shadow_rays();
   void add_cached(std::uint32_t slot, Vec3f radiance, const LightPlace& place);
   void add(std::uint32_t slot, Vec3f radiance);
@@ -55,12 +62,19 @@ class LightGatherer {
   PathParams params_;
   float* film_;
   bool shows_provenance_ = false;
+  bool asks_points_alone_;  ///< lights that are asked at a diffuse surface are few and points
   RayCounts counts_;
   PathTracer paths_;  ///< where the cache knows nothing
   std::vector<PathRay> wave_, next_;
   std::array<ShadowQueue, kFewLights> to_point_;  ///< by light, where they are few: packets to one light stay together
   ShadowQueue to_others_;
+  // Of the packet that is being shaded.
+  PathLanes lanes_;
   SurfacePacket surface_;
+  PhongLanes phong_;
+  ShadowPacket shadow_;
+  LightQueries queries_;  ///< what it asks the cache for,
+  Lanes3 albedo_;         ///< and what becomes of that
 };
 
 }  // namespace lippmann

@@ -35,17 +35,23 @@ void LightCache::Moments::add(const Moments& more) {
 
 float LightCache::Moments::variance() const { return std::max(0.0f, square - squared(luminance(mean))); }
 
-void LightCache::exponents(int& least, int& most) const {
-  least = 4096, most = -4096;
-  for (const Shard& shard : shards_)
-    for (const Cell& cell : shard.cells) least = std::min(least, cell.exponent), most = std::max(most, cell.exponent);
+LightCache::SlotsBySize LightCache::slots_by_size(const ThreadPool& pool) const {
+  std::array<std::map<int, std::vector<std::uint32_t>>, kShards> of_shard;
+  pool.for_each(kShards, [&](std::size_t s) {
+    const Shard& shard = shards_[s];
+    for (std::uint32_t i = 0; i < shard.slots.size(); ++i)
+      if (shard.slots[i].key != 0) of_shard[s][shard.cells[shard.slots[i].cell].exponent].push_back(i);
+  });
+  SlotsBySize all;
+  for (std::size_t s = 0; s < kShards; ++s)
+    for (auto& [exponent, slots] : of_shard[s]) all[exponent][s] = std::move(slots);
+  return all;
 }
 
 /// fn(cell, slot) for every cell of a size, side by side.
-void LightCache::for_each_of_size(const ThreadPool& pool, int exponent, const auto& fn) {
+void LightCache::for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn) {
   pool.for_each(kShards, [&](std::size_t s) {
-    for (Slot& slot : shards_[s].slots)
-      if (slot.key != 0 && shards_[s].cells[slot.cell].exponent == exponent) fn(shards_[s].cells[slot.cell], slot);
+    for (const std::uint32_t i : slots[s]) fn(shards_[s].cells[shards_[s].slots[i].cell], shards_[s].slots[i]);
   });
 }
 
@@ -68,10 +74,8 @@ float LightCache::outdated(const Cell& cell, const Cell& parent, float moved) {
 }
 
 void LightCache::begin_frame(const Motion& moved, const ThreadPool& pool) {
-  int least = 0, most = -1;
-  exponents(least, most);
-  for (int exponent = most; exponent >= least; --exponent)
-    for_each_of_size(pool, exponent, [&](Cell& cell, Slot&) {
+  for (const auto& [exponent, slots] : slots_by_size(pool))
+    for_each_of_size(pool, slots, [&](Cell& cell, Slot&) {
       const Cell* parent = parent_of(cell);
       cell.keep = std::min(parent ? parent->keep : 1.0f, contradicted(cell));
       cell.keep_all = parent ? std::min(parent->keep_all, outdated(cell, *parent, moved(cell.thing, cell.center))) : 1.0f;
@@ -107,17 +111,17 @@ void LightCache::compare_with_wider(Cell& cell, Slot& slot) const {
 
 /// By what the cells of a size differ from what larger ones say of them, beyond what chance explains (analysis of variance):
 /// the spread of the larger ones.
-void LightCache::find_spreads(int exponent, const ThreadPool& pool) {
+void LightCache::find_spreads(const SlotsOfShards& slots, const SlotsOfShards* wider, const ThreadPool& pool) {
   struct Difference {
     std::uint32_t cell;
     float squares, from_mean, chance, count;
   };
   std::vector<std::array<std::vector<Difference>, kShards>> differences(kShards);
   pool.for_each(kShards, [&](std::size_t s) {
-    for (const Slot& slot : shards_[s].slots) {
-      if (slot.key == 0) continue;
+    for (const std::uint32_t i : slots[s]) {
+      const Slot& slot = shards_[s].slots[i];
       const Cell& cell = shards_[s].cells[slot.cell];
-      if (cell.exponent != exponent || !cell.has_wider) continue;
+      if (!cell.has_wider) continue;
       const auto [shard, index] = parent_index(cell);
       const Cell& parent = shards_[shard].cells[index];
       const float share = std::min(1.0f, cell.samples / std::max(parent.samples, 1.0f));
@@ -126,6 +130,7 @@ void LightCache::find_spreads(int exponent, const ThreadPool& pool) {
                                        cell.deviation * (1.0f - share), cell.samples});
     }
   });
+  if (!wider) return;
   pool.for_each(kShards, [&](std::size_t s) {
     std::vector<Difference> sums(shards_[s].cells.size());
     for (std::size_t from = 0; from < kShards; ++from)
@@ -133,9 +138,9 @@ void LightCache::find_spreads(int exponent, const ThreadPool& pool) {
         Difference& sum = sums[d.cell];
         sum.squares += d.squares, sum.from_mean += d.from_mean, sum.chance += d.chance, sum.count += d.count;
       }
-    for (std::size_t c = 0; c < sums.size(); ++c) {
+    for (const std::uint32_t i : (*wider)[s]) {
+      const std::uint32_t c = shards_[s].slots[i].cell;
       Cell& cell = shards_[s].cells[c];
-      if (cell.exponent != exponent + 1) continue;
       const float count = sums[c].count;
       const float found = count > 0.0f ? std::max(0.0f, sums[c].squares - sums[c].chance) / count : 0.0f;
       cell.relief = count > 0.0f ? std::max(0.0f, sums[c].from_mean - sums[c].chance) / count : 0.0f;
@@ -158,12 +163,12 @@ void LightCache::resolve(Cell& cell, Slot& slot) const {
 }
 
 void LightCache::resolve(const ThreadPool& pool) {
-  int least = 0, most = -1;
-  exponents(least, most);
-  for (int exponent = most; exponent >= least; --exponent) {
-    for_each_of_size(pool, exponent, [&](Cell& cell, Slot& slot) { compare_with_wider(cell, slot); });
-    find_spreads(exponent, pool);
-    for_each_of_size(pool, exponent, [&](Cell& cell, Slot& slot) { resolve(cell, slot); });
+  const SlotsBySize by_size = slots_by_size(pool);
+  for (const auto& [exponent, slots] : by_size) {
+    for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) { compare_with_wider(cell, slot); });
+    const auto wider = by_size.find(exponent + 1);
+    find_spreads(slots, wider != by_size.end() ? &wider->second : nullptr, pool);
+    for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) { resolve(cell, slot); });
   }
 }
 

@@ -65,6 +65,9 @@ class LightTable {
   std::size_t points() const { return sources_.lights.size(); }
   std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(sources_.lights[light], from); }
 
+  /// Irradiance across per colour of such a light.
+  float unit() const { return unit_; }
+
   /// As sample(), of lights of these groups alone. Densities are those of sample() over chance().
   std::optional<LightSample> sample(LightGroups groups, Vec3f from, float pick, Vec2f u) const;
 
@@ -99,7 +102,7 @@ class LightTable {
 
   LightSources sources_;
   const Environment& environment_;
-  float unit_;  ///< irradiance per colour of a point-like light
+  float unit_;
   std::vector<Triangle> triangles_;
   std::vector<int> first_triangle_;  ///< per record; -1: does not shine
   DiscreteDistribution chances_;     ///< point-like lights, triangles, the sky

@@ -69,11 +69,25 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   return m;
 }
 
+/// Whether nothing but its colour scatters light.
+bool is_matt(const MetallicRoughness& s) {
+  return !s.unlit && s.metallic == 0.0f && s.specular == 0.0f && s.transmission == 0.0f && s.clearcoat == 0.0f &&
+         s.normal_map.texture < 0;
+}
+
 void prepare_for_paths(const Material& material, WhittedMaterial& m) {
-  if (const auto* surface = std::get_if<MetallicRoughness>(&material.surface))
-    m.opacity = surface->blend ? surface->base_color.a : 1.0f;
-  else
+  const auto* surface = std::get_if<MetallicRoughness>(&material.surface);
+  if (!surface) {
     m.blocks_light = m.ior != 1.0f;
+    m.is_whole = true;
+    return;
+  }
+  m.opacity = surface->blend ? surface->base_color.a : 1.0f;
+  if (!is_matt(*surface) || m.has_alpha) return;
+  m.is_whole = true;
+  m.diffuse = 1.0f;
+  m.ambient = Vec3f(0.0f);
+  m.highlight = m.mirror = 0.0f;
 }
 
 }  // namespace

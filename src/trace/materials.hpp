@@ -27,6 +27,7 @@ struct WhittedMaterial {
   float opacity = 1.0f;
   float ior = 1.0f;
   bool blocks_light = false;  ///< whatever the opacity says, for shadow rays
+  bool is_whole = false;      ///< for paths: these terms say how the surface scatters; else its BSDF alone does
   Vec3f emission{0.0f};
   TextureMap color_map, emission_map;
   int projection = -1;        ///< of the color map: index into the table's projections, or -1: by uv
@@ -41,8 +42,8 @@ struct MaterialTable {
 };
 
 /// For paths, opacity is coverage and the share that comes straight or refracted through Phong surfaces; what glass transmits
-/// is left to its BSDF, and all that refracts blocks the straight way to lights.
-/// surroundings: the mean radiance of the scene's background.
+/// is left to its BSDF, and all that refracts blocks the straight way to lights. Whole are Phong surfaces, and
+/// metallic-roughness ones where Lambert's law is all there is. surroundings: the mean radiance of the scene's background.
 MaterialTable make_material_table(const Scene& scene, Vec3f surroundings, Integrator integrator);
 
 /// Opacity as shadow rays see it: how much light passes the whole surface (texture alpha is not looked up).

@@ -99,7 +99,7 @@ void PathTracer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray
 }
 
 void PathTracer::shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {
-  const ShadingPoint point = shading_point(scene_, packet, surface_, i);
+  const ShadingPoint point = shading_point(scene_, surface_, i);
   const auto pair = [&](std::size_t p) { return Vec2f(numbers_[p].x[i], numbers_[p].y[i]); };
   const Vec2f choice = pair(0), on_light = pair(1), way = pair(2);
   const float length = ray.path_length + packet.ray.tfar[i];

@@ -84,20 +84,12 @@ MetalRoughSurface surface_at(const MetallicRoughness& m, Vec3f base_color, const
   return s;
 }
 
-Vec3f facet_of(const GeometryRecord* record, const RayHitPacket& packet, const SurfacePacket& surface, int i) {
-  if (!record) return surface.normal.get(i);
-  const Vec3f n = record->normal_from_mesh * Vec3f(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]);
-  const float length = glm::length(n);
-  if (!(length > 0.0f)) return surface.normal.get(i);
-  return (surface.entering.lane[i] ? 1.0f : -1.0f) / length * n;
-}
-
 }  // namespace
 
-ShadingPoint shading_point(const DeviceScene::Impl& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i) {
+ShadingPoint shading_point(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i) {
   ShadingPoint p;
   p.position = surface.position.get(i);
-  p.facet = facet_of(mesh_record(scene, surface, i), packet, surface, i);
+  p.facet = surface.facet.get(i);
   p.base_color = surface.color.get(i);
   p.emission = surface.emission.get(i);
   p.t_near = surface.t_near[i];

@@ -57,7 +57,7 @@ class Bsdf {
 
 struct ShadingPoint {
   Vec3f position{0.0f};
-  Vec3f facet{0.0f};  ///< normal of the facet, unit, towards the viewer
+  Vec3f facet{0.0f};  ///< normal of the facet, of any length, towards the viewer
   Vec3f emission{0.0f};
   Vec3f base_color{0.0f};  ///< textures looked up
   float coverage = 1.0f;   ///< the rest of the light passes as if nothing were here
@@ -65,8 +65,8 @@ struct ShadingPoint {
   float t_near = 0.0f;     ///< rays that leave start so far away
 };
 
-/// Lane i of what `packet` has hit, surface evaluated (of paths: DeviceScene for Integrator::kPath).
-ShadingPoint shading_point(const DeviceScene::Impl& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
+/// Lane i of surfaces that were hit (of paths: DeviceScene for Integrator::kPath).
+ShadingPoint shading_point(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i);
 
 /// How the point scatters.
 Bsdf bsdf_at(const DeviceScene::Impl& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);

@@ -29,6 +29,16 @@ class ShadowQueue {
     ray.pixel = pixel, ray.depth = depth;
   }
 
+  /// Lane i of rays that were aimed at a light.
+  void push(const ShadowPacket& aimed, int i, const Vec3f& radiance, std::uint32_t pixel, int depth) {
+    ShadowRay& ray = rays_.emplace_back();
+    ray.origin = {aimed.rays.org_x[i], aimed.rays.org_y[i], aimed.rays.org_z[i]};
+    ray.direction = {aimed.rays.dir_x[i], aimed.rays.dir_y[i], aimed.rays.dir_z[i]};
+    ray.radiance = radiance;
+    ray.t_near = aimed.rays.tnear[i], ray.t_far = aimed.rays.tfar[i];
+    ray.pixel = pixel, ray.depth = depth;
+  }
+
   /// Traces all that wait, calls add(shadow ray, radiance) for what arrives, in the order of push(), and returns how many there
   /// were.
   template <class Add>

@@ -52,16 +52,20 @@ LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, L
 /// small triangles in large units have squares far below 1.
 constexpr float kLeastSquare = std::numeric_limits<float>::min();
 
-/// Makes a normal unit length and turns it to the side of the facet that the ray came from.
+/// Makes a normal unit length and turns it, and the facet's own, to the side of the facet that the ray came from.
 LIPPMANN_INLINE void face_ray(const RayPacket& rays, const LaneMask& lanes, int i, Vec3f facet, Vec3f n, SurfacePacket& s) {
   const bool behind = facet.x * rays.dir_x[i] + facet.y * rays.dir_y[i] + facet.z * rays.dir_z[i] > 0.0f;
-  const float scale = (behind ? -1.0f : 1.0f) / std::sqrt(std::max(n.x * n.x + n.y * n.y + n.z * n.z, kLeastSquare));
+  const float side = behind ? -1.0f : 1.0f;
+  const float scale = side / std::sqrt(std::max(n.x * n.x + n.y * n.y + n.z * n.z, kLeastSquare));
   const bool wanted = lanes.lane[i] != 0;
   const int entering = behind ? 0 : -1;
   s.entering.lane[i] = wanted ? entering : s.entering.lane[i];
   s.normal.x[i] = wanted ? n.x * scale : s.normal.x[i];
   s.normal.y[i] = wanted ? n.y * scale : s.normal.y[i];
   s.normal.z[i] = wanted ? n.z * scale : s.normal.z[i];
+  s.facet.x[i] = wanted ? facet.x * side : s.facet.x[i];
+  s.facet.y[i] = wanted ? facet.y * side : s.facet.y[i];
+  s.facet.z[i] = wanted ? facet.z * side : s.facet.z[i];
 }
 
 LIPPMANN_MULTIVERSION void set_plane(const WorldPlaneRecord& record, const RayPacket& rays, const LaneMask& lanes,

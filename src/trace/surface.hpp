@@ -15,6 +15,7 @@ struct SurfacePacket {
   bool any_hit = false, any_miss = false;  ///< of the active lanes
   Lanes3 position;
   Lanes3 normal;      ///< shading normal, unit length, on the ray's side of the geometric one
+  Lanes3 facet;       ///< normal of the facet on the ray's side, of any length
   Lanes t_near;       ///< how far rays that leave the point have to start from it: beyond the rounding of the point itself
   LaneMask entering;  ///< -1 where the ray meets the outer side of the surface
   alignas(64) std::uint32_t instance[kLanes];

@@ -30,6 +30,15 @@ std::vector<LightRecord> spread(int count, float noise, unsigned seed, const Lig
 
 float still(std::uint32_t, Vec3f) { return 0.0f; }
 
+Vec4f pick(const LightCache& cache, const LightPlace& place, Vec2f u) {
+  LightQueries queries;
+  queries.set(3, place, {0, 0, 1}, u);
+  Lanes3 light;
+  const LaneMask known = cache.pick(queries, light);
+  for (int i = 0; i < kLanes; ++i) EXPECT_TRUE(i == 3 || known.lane[i] == 0) << "a lane that did not ask";
+  return known.lane[3] ? Vec4f(light.get(3), 1.0f) : Vec4f(0.0f);
+}
+
 void feed(LightCache& cache, const std::vector<LightRecord>& records, const ThreadPool& pool = ThreadPool(1)) {
   const std::vector<std::vector<LightRecord>> pieces{records};
   cache.add(pieces, pool);
@@ -39,7 +48,7 @@ void feed(LightCache& cache, const std::vector<LightRecord>& records, const Thre
 TEST(LightCache, a_place_that_was_never_fed_is_unknown) {
   LightCache cache(kPlenty);
   EXPECT_EQ(cache.look_up(place(3)).w, 0.0f);
-  EXPECT_EQ(cache.pick(place(3), {0, 0, 1}, Vec2f(0.5f)).w, 0.0f);
+  EXPECT_EQ(pick(cache, place(3), Vec2f(0.5f)).w, 0.0f);
 }
 
 TEST(LightCache, a_place_that_was_fed_once_has_that_light_all_around) {
@@ -87,11 +96,24 @@ TEST(LightCache, picking_gives_the_interpolated_light_on_average) {
   constexpr int kSide = 32;
   for (int i = 0; i < kSide * kSide; ++i)
     sum += static_cast<double>(
-        cache
-            .pick(at, {0, 0, 1},
-                  {(static_cast<float>(i % kSide) + 0.5f) / kSide, (static_cast<float>(i / kSide) + 0.5f) / kSide})
-            .x);
+        pick(cache, at, {(static_cast<float>(i % kSide) + 0.5f) / kSide, (static_cast<float>(i / kSide) + 0.5f) / kSide}).x);
   EXPECT_NEAR(sum / (kSide * kSide), static_cast<double>(cache.look_up(at).x), 0.02);
+}
+
+TEST(LightCache, lanes_are_picked_as_each_alone) {
+  LightCache cache(kPlenty);
+  feed(cache, spread(600, 0.5f, 5, [](float x) { return x; }));  // many smallest cells stay unknown
+  LightQueries queries;
+  for (int i = 0; i < kLanes; ++i)
+    if (i % 5 != 4) queries.set(i, place(1.7f * static_cast<float>(i), 3.1f), {0, 0, 1}, {0.05f * static_cast<float>(i), 0.3f});
+  Lanes3 together;
+  const LaneMask known = cache.pick(queries, together);
+  for (int i = 0; i < kLanes; ++i) {
+    if (i % 5 == 4) continue;
+    const Vec4f alone = pick(cache, queries.place(i), {queries.u[i], queries.v[i]});
+    EXPECT_EQ(known.lane[i] != 0, alone.w > 0.0f) << i;
+    EXPECT_TRUE(!known.lane[i] || together.get(i) == Vec3f(alone)) << i;
+  }
 }
 
 TEST(LightCache, frames_that_agree_add_up) {
@@ -204,7 +226,7 @@ TEST(LightCache, places_far_beyond_any_scene_do_no_harm) {
   LightPlace far = place(1e30f);
   far.size = 1e-30f;
   feed(cache, {{far, Vec3f(1.0f)}});
-  EXPECT_EQ(cache.pick(far, {0, 0, 1}, Vec2f(0.5f)).x, 1.0f);
+  EXPECT_EQ(pick(cache, far, Vec2f(0.5f)).x, 1.0f);
 }
 
 }  // namespace

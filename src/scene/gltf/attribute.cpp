@@ -49,7 +49,7 @@ void read_colors(Document& document, PrimitiveId id, Mesh& mesh) {
       mesh.alphas.push_back(std::clamp(rgba.a, 0.0f, 1.0f));
     }
   }
-  for (Vec3f& color : mesh.colors) color = glm::max(color, Vec3f(0.0f));
+  for (Vec3f& color : mesh.colors) color = glm::clamp(color, Vec3f(0.0f), Vec3f(1.0f));
   if (std::all_of(mesh.colors.begin(), mesh.colors.end(), [](Vec3f c) { return c == Vec3f(1.0f); })) mesh.colors.clear();
   if (std::all_of(mesh.alphas.begin(), mesh.alphas.end(), [](float a) { return a == 1.0f; })) mesh.alphas.clear();
 }
