@@ -19,7 +19,7 @@ struct Beginning {
   int rounds;
   LightGroup lights_from;
 };
-constexpr std::array<Beginning, 6> kBeginnings{{{1.0f, 4, LightGroup::kLamps},
+constexpr std::array<Beginning, 6> kBeginnings{{{1.0f, 8, LightGroup::kLamps},
                                                 {1.0f, 16, LightGroup::kLamps},
                                                 {1.0f, 4, LightGroup::kEnd},
                                                 {0.5f, 16, LightGroup::kLamps},
@@ -29,8 +29,9 @@ constexpr std::array<Beginning, 6> kBeginnings{{{1.0f, 4, LightGroup::kLamps},
 constexpr float kLargestCell = 8.0f, kSmallestCell = 2.0f;
 constexpr double kLeastPerCell = 8.0;
 
-/// Of the samples that the first frame's feeding gave cells on average: cells with less are fed as often again.
-constexpr float kScarce = 0.5f;
+/// Of the samples that the first frame's feeding gave cells on average: cells with less are fed as often again, in every frame.
+/// More than once, as what moves and what changes forgets: with less, frames get worse from the first on.
+constexpr float kScarce = 4.0f;
 
 /// Textures are filtered as of so many samples a pixel: wider, and they blur what paths show sharply; narrower, and pixels need
 /// more samples.
@@ -46,7 +47,7 @@ struct History {
   float samples_per_cell = 0.0f;    ///< of LightCells, since the first frame
   LightGroup lights_from{};         ///< likewise
   int rounds = 0;                   ///< of feeding the first frame
-  float enough = 0.0f;              ///< samples of a cell: half of what these gave it on average
+  float enough = 0.0f;              ///< samples of a cell (kScarce)
   std::optional<GatherPlan> plan;   ///< since the first frame; none: frames are traced, with
   int path_samples = 1;             ///< so many paths a pixel
   float squared_goal = 0.0f;        ///< mean squared error that frames may have
@@ -202,13 +203,11 @@ double CachedFrame::seconds_for_pixels(double seconds) const {
 }
 
 void CachedFrame::gather(bool provenance, Image& film) {
-  if (!history_.scatter.empty()) history_.scatter = widened(history_.scatter, optics_, pool_);
-  Scatter now;
+  const Scatter before = smoothed(history_.scatter, optics_, pool_);
   const LightCells in = cells();
   const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
-  add(gather_frame(sources, {params_, history_.plan->error, provenance}, {}, {&history_.scatter, &now}, pool_, context_, film),
-      counts_);
-  history_.scatter = std::move(now);
+  const float error = before.empty() ? history_.plan->error_alone : history_.plan->error;
+  add(gather_frame(sources, {params_, error, provenance}, {}, {&before, &history_.scatter}, pool_, context_, film), counts_);
 }
 
 void CachedFrame::trace_whole(Image& film) {

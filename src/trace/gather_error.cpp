@@ -11,10 +11,11 @@
 namespace lippmann {
 namespace {
 
-/// Blocks that are measured: enough for the mean error of a frame to be known within a decibel.
-constexpr std::size_t kMeasuredBlocks = 48;
-/// Of a small frame, no more than one block of so many.
-constexpr std::size_t kLeastPart = 16;
+/// Blocks that are measured: enough for the mean error of a frame to be known within a decibel; of large frames, which can
+/// afford it, within half of one.
+constexpr std::size_t kMeasuredBlocks = 48, kMostMeasuredBlocks = 192;
+/// Of a small frame no more than one block of so many, of a large one no fewer than one of so many.
+constexpr std::size_t kLeastPart = 16, kUsualPart = 24;
 /// Not to be below the goal by bad luck of the measurement.
 constexpr float kMargin = 0.92f;
 /// What rounding to 8-bit codes adds by itself, (1 / 255)^2 / 12: to be better than that would be a waste.
@@ -33,7 +34,8 @@ float encoded(float linear) { return static_cast<float>(srgb_from_linear(std::cl
 /// One block of each of as many equal parts of the frame, hashed so that they do not line up with lenses.
 std::vector<std::uint8_t> some_blocks(std::size_t blocks, std::uint32_t seed) {
   std::vector<std::uint8_t> wanted(blocks, 0);
-  const std::size_t parts = std::clamp<std::size_t>(blocks / kLeastPart, 1, kMeasuredBlocks);
+  const std::size_t most = std::clamp(blocks / kUsualPart, kMeasuredBlocks, kMostMeasuredBlocks);
+  const std::size_t parts = std::clamp<std::size_t>(blocks / kLeastPart, 1, most);
   for (std::size_t p = 0; p < parts; ++p) {
     const std::size_t first = p * blocks / parts, count = (p + 1) * blocks / parts - first;
     wanted[first + hash(seed, static_cast<std::uint32_t>(p)) % count] = 1;
@@ -48,6 +50,18 @@ float mean_square(const std::vector<float>& a, const std::vector<float>& b) {
     sum += d * d;
   }
   return a.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(a.size()));
+}
+
+/// Between a trial that was not good enough and one with half its error that was: where the squared error is `enough`, on a
+/// straight line in logarithms.
+struct Trial {
+  float error, squared_error;
+};
+float error_between(const Trial& coarse, const Trial& fine, float enough) {
+  if (coarse.squared_error <= enough) return coarse.error;
+  if (fine.squared_error >= enough) return fine.error;
+  return coarse.error *
+         std::exp2(-std::log(coarse.squared_error / enough) / std::log(coarse.squared_error / fine.squared_error));
 }
 
 /// As sRGB's codes (0 ... 1).
@@ -101,48 +115,68 @@ float GatherMeasure::squared_error(const Image& film) const {
   return std::max(mean_square(at(places_, film), paths_) - squared_error_of_paths_, 0.02f * squared_goal_);
 }
 
-std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
+float GatherMeasure::gather(const GatherSources& sources, float error, const GatherHistory& history, std::uint32_t frame) {
   const Context quiet;
-  const float enough = kMargin * squared_goal_;
   Image film;
-  float last = kInfinity;
+  TraceParams trace = trace_;
+  trace.frame += frame;
+  const RayCounts rays = gather_frame(sources, {trace, error}, wanted_, history, pool_, quiet, film);
+  add(rays, counts_);
+  rays_of_last_ = static_cast<double>(rays.total());
+  return squared_error(film);
+}
+
+std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
+  const float enough = kMargin * squared_goal_;
+  std::optional<Trial> coarse;
   for (int trial = 0; trial < kTrials; ++trial) {
     const float error = std::ldexp(kCoarsest, -trial);
-    const RayCounts rays = gather_frame(sources, {trace_, error}, wanted_, {}, pool_, quiet, film);
-    add(rays, counts_);
-    if (static_cast<double>(rays.total()) > kLargestShare * rays_of_paths_) return std::nullopt;
-    const float found = squared_error(film);
-    if (found <= enough) {
-      if (!(last > enough && last < kInfinity)) return GatherPlan{error, found};
-      // Between the last two, on a straight line in logarithms.
-      const float t = std::log(last / enough) / std::log(last / found);
-      return GatherPlan{2.0f * error * std::exp2(-t), enough};
+    const Trial fine{error, gather(sources, error, {})};
+    if (rays_of_last_ > kLargestShare * rays_of_paths_) return std::nullopt;
+    if (fine.squared_error <= enough) {
+      if (!coarse) return GatherPlan{error, error, fine.squared_error};
+      return GatherPlan{error_in_a_row(sources, error, enough), error_between(*coarse, fine, enough), enough};
     }
-    if (trial >= kLeastTrials && found > kStalled * last) return std::nullopt;  // more samples do not help
-    last = found;
+    if (trial >= kLeastTrials && fine.squared_error > kStalled * coarse->squared_error)
+      return std::nullopt;  // more samples do not help
+    coarse = fine;
   }
   return std::nullopt;
 }
 
+/// Of frames that know the one before, if those that do not need `error` for it.
+float GatherMeasure::error_in_a_row(const GatherSources& sources, float error, float enough) {
+  Scatter scatter;
+  gather(sources, error, {nullptr, &scatter}, 1);
+  const Scatter before = smoothed(scatter, sources.optics, pool_);
+  Trial fine{error, gather(sources, error, {&before, nullptr})};
+  while (fine.squared_error <= enough && fine.error < kCoarsest) {
+    const Trial coarse{2.0f * fine.error, gather(sources, 2.0f * fine.error, {&before, nullptr})};
+    if (coarse.squared_error > enough) return error_between(coarse, fine, enough);
+    fine = coarse;
+  }
+  return fine.error;
+}
+
 GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, double seconds) {
   using Clock = std::chrono::steady_clock;
-  const Context quiet;
-  Image film;
   GatherPlan last;
   double last_seconds = 0.0;
+  Scatter before, scatter;
   for (int trial = 0; trial < kTrials; ++trial) {
     const float error = std::ldexp(kCoarsest, -trial);
     const Clock::time_point start = Clock::now();
-    add(gather_frame(sources, {trace_, error}, wanted_, {}, pool_, quiet, film), counts_);
+    const float squared_error = gather(sources, error, {&before, &scatter});
     const double taken = std::chrono::duration<double>(Clock::now() - start).count() / of_frame_;
-    const GatherPlan found{error, squared_error(film)};
+    before = smoothed(scatter, sources.optics, pool_);
+    const GatherPlan found{error, error, squared_error};
     if (taken > seconds) {
       if (trial == 0) return {found, true};
       // Between the last two, on a straight line in logarithms.
       const double t = taken > last_seconds ? std::log(seconds / last_seconds) / std::log(taken / last_seconds) : 0.0;
       const auto part = static_cast<float>(std::clamp(t, 0.0, 1.0));
-      return {{last.error * std::exp2(-part), last.squared_error * std::pow(found.squared_error / last.squared_error, part)},
-              true};
+      const float between = last.error * std::exp2(-part);
+      return {{between, between, last.squared_error * std::pow(found.squared_error / last.squared_error, part)}, true};
     }
     if (found.squared_error <= kInvisible || (trial >= kLeastTrials && found.squared_error > kStalled * last.squared_error))
       return {found, false};

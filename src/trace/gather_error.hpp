@@ -9,7 +9,8 @@
 namespace lippmann {
 
 struct GatherPlan {
-  float error = 0.01f;         ///< of GatherParams
+  float error = 0.01f;         ///< of GatherParams, where the frame before is known
+  float error_alone = 0.01f;   ///< and where not
   float squared_error = 0.0f;  ///< to be expected of the frame: mean, of sRGB's codes (0 ... 1)
 };
 
@@ -42,6 +43,8 @@ class GatherMeasure {
 
  private:
   float squared_error(const Image& film) const;
+  float gather(const GatherSources& sources, float error, const GatherHistory& history, std::uint32_t frame = 0);
+  float error_in_a_row(const GatherSources& sources, float error, float enough);
 
   TraceParams trace_;
   bool has_goal_;
@@ -52,7 +55,7 @@ class GatherMeasure {
   std::vector<float> paths_;          ///< there: the mean of all paths
   float squared_error_of_paths_ = 0.0f;
   float squared_goal_ = 0.0f;
-  double rays_of_paths_ = 0.0;
+  double rays_of_paths_ = 0.0, rays_of_last_ = 0.0;  ///< in the measured blocks; the latter, of what was gathered last
   RayCounts counts_;
 };
 

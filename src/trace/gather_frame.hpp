@@ -13,12 +13,13 @@ struct GatherParams {
   bool provenance = false;  ///< see LightGatherer::show_provenance
 };
 
-/// By how much the samples of each pixel scatter, as sRGB's codes have it, squared; by pixel index. Empty: not known.
+/// By how much the samples of each pixel scatter, as sRGB's codes have it, squared; by pixel index, < 0: not known of this one.
+/// Empty: of none.
 using Scatter = std::vector<float>;
 
-/// Of each pixel the most of itself and those near by, in its own view and in neighbouring ones: what moves a little from frame
-/// to frame stays within.
-Scatter widened(const Scatter& scatter, const Optics& optics, const ThreadPool& pool);
+/// Of each pixel half itself, as what stands still scatters again, and half the mean of those near by, in its own view and in
+/// neighbouring ones: a few samples' scatter is mostly chance, and what moves a little from frame to frame stays within.
+Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool& pool);
 
 /// Samples of a pixel at most.
 inline constexpr int kMostGatherSamples = 128;
@@ -34,8 +35,8 @@ struct GatherSources {
 
 /// Of the pixels that are to be gathered.
 struct GatherHistory {
-  const Scatter* before = nullptr;  ///< of the frame before, widened: where it was little, fewer samples do; null: not known
-  Scatter* now = nullptr;           ///< receives what this frame finds; null: nobody asks
+  const Scatter* before = nullptr;  ///< of the frame before, smoothed: pixels scatter as much again; null: not known
+  Scatter* now = nullptr;           ///< receives what this frame finds, of the gathered pixels; null: nobody asks
 };
 
 /// Fills `film` (3 channels, linear, the panel's size), or of it only the blocks that are not 0 in `wanted` (by block, as in

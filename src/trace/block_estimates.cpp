@@ -1,0 +1,92 @@
+#include "trace/block_estimates.hpp"
+
+#include <limits>
+
+#include "trace/fast_math.hpp"
+#include "transport/bsdf.hpp"
+
+namespace lippmann {
+namespace {
+
+/// What all samples of a pixel may have missed: about 1 / (samples + 2) of its area, as bright as a pixel beside it. Such
+/// misses count as this much of their square, found by trial.
+constexpr float kMissed = 0.05f;
+/// A difference of luminance that is not seen.
+constexpr float kSlight = 0.05f;
+/// What a pixel's neighbours scatter says something of it while it has no more samples.
+constexpr float kFewSamples = 4.0f;
+/// Errors of n evenly spread samples fall about as n^-kFall: for the least error of all pixels together, their number grows as
+/// the power 2 / (1 + kFall) of how much they scatter.
+constexpr float kFall = 1.6f, kGrowth = 1.0f / (1.0f + kFall);
+
+/// Luminance above it, as far as codes tell it apart: white is white, and black black.
+constexpr float kBlack = 0.003f;
+
+LIPPMANN_INLINE float shown(float luminance) { return std::min(std::max(luminance, kBlack), 1.0f); }
+
+/// Of sRGB's curve (0 ... 1), but for what is nearly black.
+LIPPMANN_INLINE float code_of(float luminance) { return 1.055f * fast_pow(shown(luminance), 1.0f / 2.4f) - 0.055f; }
+
+/// The scatter of which n samples would leave the error of having missed light of an `other` luminance.
+LIPPMANN_INLINE float missed(float own, float other, float n, float weight) {
+  const float error = code_of(own + (other - own) / (n + 2.0f)) - code_of(own);
+  return std::abs(other - own) <= kSlight * own ? 0.0f : weight * error * error;
+}
+
+std::size_t whole_packets(std::size_t size) { return (size + kLanes - 1) / kLanes * kLanes; }
+
+}  // namespace
+
+void BlockEstimates::push_back(std::uint32_t of_pixel, float scatter_before) {
+  const std::size_t e = size++;
+  pixel[e] = of_pixel;
+  before[e] = scatter_before;
+  samples[e] = red[e] = green[e] = blue[e] = luminance[e] = square[e] = 0.0f;
+}
+
+void BlockEstimates::add(std::size_t e, Vec3f radiance) {
+  const float y = lippmann::luminance(radiance);
+  samples[e] += 1.0f;
+  red[e] += radiance.x, green[e] += radiance.y, blue[e] += radiance.z;
+  luminance[e] += y, square[e] += y * y;
+}
+
+LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
+  const std::size_t count = whole_packets(block.size);
+#pragma GCC ivdep
+  for (std::size_t e = 0; e < count; ++e) {
+    const float n = block.samples[e], mean = block.luminance[e] / n;
+    const float square = std::max(0.0f, block.square[e] / n - mean * mean);
+    const float visible = shown(mean), slope = 1.055f * fast_pow(visible, 1.0f / 2.4f) / (2.4f * visible);
+    block.mean[kLanes + e] = mean;
+    block.scatter[kLanes + e] = slope * slope * square * n / (n - 1.0f);
+  }
+}
+
+LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& block) {
+  const auto size = static_cast<int>(block.size), count = static_cast<int>(whole_packets(block.size));
+  const float weight = kMissed * fast_pow(have, kFall), inverse = 1.0f / (error * error);
+  const float few = have <= kFewSamples ? 1.0f : 0.0f;
+#pragma GCC ivdep
+  for (int e = 0; e < count; ++e) {
+    const float* mean = block.mean + kLanes + e;
+    const float* scatter = block.scatter + kLanes + e;
+    const float own = mean[0];
+    float around = 0.0f, known = 0.0f, least = own, most = own;
+    for (const int step : {-1, 1, -kLanes, kLanes}) {
+      const bool inside = (e + step >= 0) & (e + step < size);
+      around += inside ? scatter[step] : 0.0f;
+      known += inside ? 1.0f : 0.0f;
+      least = std::min(least, inside ? mean[step] : own);
+      most = std::max(most, inside ? mean[step] : own);
+    }
+    float variance = scatter[0];
+    const float smooth = 0.5f * (variance + around / std::max(known, 1.0f));
+    variance = std::max(variance, few * smooth);
+    variance += missed(own, most, have, weight) + missed(own, least, have, weight);
+    variance = std::max(std::max(variance, block.before[e]), std::numeric_limits<float>::min());
+    block.wanted[e] = fast_pow(variance * inverse, kGrowth);
+  }
+}
+
+}  // namespace lippmann

@@ -1,0 +1,42 @@
+// What samples say of the pixels of a block so far, and how many of them each pixel should have. Private to src/trace.
+#pragma once
+
+#include "trace/lanes.hpp"
+#include "trace/ray_order.hpp"
+#include "trace/trace_packets.hpp"
+
+namespace lippmann {
+
+/// An array per quantity; pixels lie in the order of rays. Scatter and errors are as sRGB's codes (0 ... 1) have them.
+struct BlockEstimates {
+  static constexpr std::size_t kMost = kPacketsPerBlock * kLanes;
+  using Values = float[kMost];
+  /// With room for the packets that neighbours of the outermost pixels would lie in: of pixel e at kLanes + e.
+  using PaddedValues = float[kLanes + kMost + kLanes];
+
+  std::size_t size = 0;
+  alignas(64) std::uint32_t pixel[kMost];
+  alignas(64) Values samples;                              ///< how many
+  alignas(64) Values red, green, blue, luminance, square;  ///< their sums
+  alignas(64) Values before;  ///< scatter of a sample of this pixel in the frame before, squared; 0: not known
+  // As of the last encode().
+  alignas(64) PaddedValues mean;     ///< luminance
+  alignas(64) PaddedValues scatter;  ///< squared deviation of one sample from the mean
+  alignas(64) Values wanted;         ///< samples that each pixel should have
+
+  void push_back(std::uint32_t of_pixel, float scatter_before);
+  void add(std::size_t e, Vec3f radiance);
+  Vec3f radiance(std::size_t e) const { return Vec3f(red[e], green[e], blue[e]) / samples[e]; }
+};
+
+/// Sets mean and scatter; all pixels have at least two samples.
+void encode(BlockEstimates& block);
+
+/// Sets `wanted` so that those pixels that have `have` samples now get the same error as all others, on average: that of one
+/// sample of scatter `error`. After encode().
+///
+/// What a pixel's samples have may have missed an edge, which those around then know of: by how much they scatter, or as they
+/// are brighter or darker, and the frame before, too.
+void find_wanted(float have, float error, BlockEstimates& block);
+
+}  // namespace lippmann
