@@ -18,20 +18,24 @@ struct Beginning {
   float cell;
   int rounds;
   LightGroup lights_from;
+  float of_cells;  ///< share of the error that cells may make: where it is more, the next beginning's feeding saves more
+                   ///< samples than it costs
 };
-constexpr std::array<Beginning, 6> kBeginnings{{{1.0f, 8, LightGroup::kLamps},
-                                                {1.0f, 16, LightGroup::kLamps},
-                                                {1.0f, 4, LightGroup::kEnd},
-                                                {0.5f, 16, LightGroup::kLamps},
-                                                {0.5f, 48, LightGroup::kLamps},
-                                                {0.25f, 48, LightGroup::kLamps}}};
+constexpr std::array<Beginning, 7> kBeginnings{{{1.0f, 4, LightGroup::kLamps, 0.4f},
+                                                {1.0f, 8, LightGroup::kLamps, 0.7f},
+                                                {1.0f, 16, LightGroup::kLamps, 1.0f},
+                                                {1.0f, 4, LightGroup::kEnd, 1.0f},
+                                                {0.5f, 16, LightGroup::kLamps, 1.0f},
+                                                {0.5f, 48, LightGroup::kLamps, 1.0f},
+                                                {0.25f, 48, LightGroup::kLamps, 1.0f}}};
 /// Cells fit that are as small as the light fed to begin with allows: the more pixels see a place, the smaller.
 constexpr float kLargestCell = 8.0f, kSmallestCell = 2.0f;
 constexpr double kLeastPerCell = 8.0;
 
 /// Of the samples that the first frame's feeding gave cells on average: cells with less are fed as often again, in every frame.
-/// More than once, as what moves and what changes forgets: with less, frames get worse from the first on.
-constexpr float kScarce = 4.0f;
+/// More than once, as what moves and what changes forgets: with less, frames get worse from the first on. But more than once no
+/// more than kPlenty.
+constexpr float kScarce = 4.0f, kPlenty = 48.0f;
 
 /// Textures are filtered as of so many samples a pixel: wider, and they blur what paths show sharply; narrower, and pixels need
 /// more samples.
@@ -82,6 +86,7 @@ class CachedFrame {
   void begin(const Beginning& beginning, float fitting_cell);
   bool helps(const Beginning& beginning) const;
   void start_cache(float samples_per_cell, LightGroup lights_from);
+  double samples_per_cell() const;
   float fitting_cell();
   void feed(int rounds);
   LightCells cells() const { return {places_, beam_, history_.samples_per_cell, history_.lights_from}; }
@@ -111,7 +116,6 @@ void CachedFrame::feed(int rounds) {
     add(fed.rays, counts_);
     records_ += fed.records;
   }
-  history_.cache->resolve(pool_);
   feeding_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
@@ -146,13 +150,17 @@ void CachedFrame::start_cache(float samples_per_cell, LightGroup lights_from) {
   round_ = 0, records_ = 0, feeding_seconds_ = 0.0;
 }
 
+/// What was fed, on average.
+double CachedFrame::samples_per_cell() const {
+  return static_cast<double>(records_) / static_cast<double>(std::max<std::size_t>(history_.cache->cells(), 1));
+}
+
 /// Samples across the smallest cells that fit (kLeastPerCell).
 float CachedFrame::fitting_cell() {
   start_cache(kLargestCell, kBeginnings[0].lights_from);
   feed(1);
   float cell = kLargestCell;
-  double per_cell =
-      static_cast<double>(kRoundsPerFrame * records_) / static_cast<double>(std::max<std::size_t>(history_.cache->cells(), 1));
+  double per_cell = kRoundsPerFrame * samples_per_cell();
   for (; cell > kSmallestCell && per_cell >= 4.0 * kLeastPerCell; per_cell /= 4.0) cell /= 2.0f;
   return cell;
 }
@@ -166,9 +174,10 @@ bool CachedFrame::helps(const Beginning& beginning) const {
 void CachedFrame::begin(const Beginning& beginning, float fitting_cell) {
   start_cache(beginning.cell * fitting_cell, beginning.lights_from);
   feed(beginning.rounds - round_);
-  history_.rounds = beginning.rounds;
-  history_.enough =
-      kScarce * static_cast<float>(records_) / static_cast<float>(std::max<std::size_t>(history_.cache->cells(), 1));
+  history_.cache->resolve(pool_);
+  history_.rounds = round_;
+  const auto mean = static_cast<float>(samples_per_cell());
+  history_.enough = std::max(mean, std::min(kScarce * mean, kPlenty));
 }
 
 void CachedFrame::begin_history(const CachedLightGoal& goal) {
@@ -187,9 +196,13 @@ void CachedFrame::begin_history(const CachedLightGoal& goal) {
       history_.plan = found.plan;
       is_done = found.is_spent;  // else frames get better by what takes longer to begin with
     } else {
-      history_.plan = measure.plan(sources);
-      is_done = history_.plan.has_value();
+      if (const std::optional<GatherPlan> found = measure.plan(sources)) history_.plan = found;
+      is_done = history_.plan && history_.plan->of_cells <= beginning.of_cells;
     }
+  }
+  if (history_.plan && !goal.seconds && !context_.cancelled) {
+    const LightCells in = cells();
+    measure.plan_frames_in_a_row({device_.impl(), in, *history_.cache, optics_, world_from_display_}, *history_.plan);
   }
   history_.squared_goal = measure.squared_goal();
   history_.path_samples = measure.path_samples();

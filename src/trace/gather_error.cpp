@@ -7,23 +7,25 @@
 
 #include "core/random.hpp"
 #include "image/encode.hpp"
+#include "trace/trace_packets.hpp"
 
 namespace lippmann {
 namespace {
 
-/// Blocks that are measured: enough for the mean error of a frame to be known within a decibel; of large frames, which can
-/// afford it, within half of one.
-constexpr std::size_t kMeasuredBlocks = 48, kMostMeasuredBlocks = 192;
-/// Of a small frame no more than one block of so many, of a large one no fewer than one of so many.
-constexpr std::size_t kLeastPart = 16, kUsualPart = 24;
+/// Patches of neighbouring packets are measured: small ones, as what lies near by errs alike.
+constexpr std::size_t kPatch = 4;
+/// So many: enough for the mean error of a frame to be known within a decibel.
+constexpr std::size_t kMeasuredPatches = 192;
+/// Of a small frame no more than one of so many, of a large one no fewer than one of so many.
+constexpr std::size_t kLeastPart = 16, kUsualPart = 48;
 /// Not to be below the goal by bad luck of the measurement.
-constexpr float kMargin = 0.92f;
+constexpr float kMargin = 0.9f;
 /// What rounding to 8-bit codes adds by itself, (1 / 255)^2 / 12: to be better than that would be a waste.
 constexpr float kInvisible = 1.28e-6f;
 /// Errors that are tried, each half the last.
 constexpr float kCoarsest = 0.08f;
 constexpr int kTrials = 9;
-/// From this trial on, one that is not better than this many times the last ends them.
+/// After this trial, one that is not better than this many times the last ends them.
 constexpr int kLeastTrials = 4;
 constexpr float kStalled = 0.95f;
 /// Of the rays that paths need; above it they are traced.
@@ -31,14 +33,16 @@ constexpr double kLargestShare = 0.9;
 
 float encoded(float linear) { return static_cast<float>(srgb_from_linear(std::clamp(linear, 0.0f, 1.0f))); }
 
-/// One block of each of as many equal parts of the frame, hashed so that they do not line up with lenses.
-std::vector<std::uint8_t> some_blocks(std::size_t blocks, std::uint32_t seed) {
-  std::vector<std::uint8_t> wanted(blocks, 0);
-  const std::size_t most = std::clamp(blocks / kUsualPart, kMeasuredBlocks, kMostMeasuredBlocks);
-  const std::size_t parts = std::clamp<std::size_t>(blocks / kLeastPart, 1, most);
-  for (std::size_t p = 0; p < parts; ++p) {
-    const std::size_t first = p * blocks / parts, count = (p + 1) * blocks / parts - first;
-    wanted[first + hash(seed, static_cast<std::uint32_t>(p)) % count] = 1;
+/// By packet: one patch of each of as many equal parts of the frame, hashed so that they do not line up with lenses.
+std::vector<std::uint8_t> some_packets(const FramePackets& frame, std::uint32_t seed) {
+  std::vector<std::uint8_t> wanted(frame.strips * frame.per_strip, 0);
+  const std::size_t per_strip = (frame.per_strip + kPatch - 1) / kPatch, patches = frame.strips * per_strip;
+  const std::size_t parts = std::clamp<std::size_t>(patches / kLeastPart, 1, std::max(kMeasuredPatches, patches / kUsualPart));
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t begin = part * patches / parts, count = (part + 1) * patches / parts - begin;
+    const std::size_t patch = begin + hash(seed, static_cast<std::uint32_t>(part)) % count;
+    const std::size_t first = patch % per_strip * kPatch, strip = patch / per_strip * frame.per_strip;
+    for (std::size_t p = first; p < std::min(first + kPatch, frame.per_strip); ++p) wanted[strip + p] = 1;
   }
   return wanted;
 }
@@ -64,6 +68,13 @@ float error_between(const Trial& coarse, const Trial& fine, float enough) {
          std::exp2(-std::log(coarse.squared_error / enough) / std::log(coarse.squared_error / fine.squared_error));
 }
 
+/// What is left of the squared error however many samples there are. Half the error takes 2^(2 / 2.6) times the samples, and
+/// what these scatter falls as their number to the power 1.6 (block_estimates.cpp).
+float error_of_cells(const Trial& coarse, const Trial& fine) {
+  constexpr float kLeft = 0.426f;  // 2^(-1.6 * 2 / 2.6)
+  return std::max(0.0f, fine.squared_error - kLeft * coarse.squared_error) / (1.0f - kLeft);
+}
+
 /// As sRGB's codes (0 ... 1).
 std::vector<float> at(const std::vector<std::size_t>& places, const Image& film) {
   std::vector<float> values;
@@ -79,11 +90,11 @@ GatherMeasure::GatherMeasure(const DeviceScene& scene, const Optics& optics, con
     : trace_(trace),
       has_goal_(goal.has_value()),
       pool_(pool),
-      wanted_(some_blocks(blocks_in_frame(optics, world_from_display, trace.order), hash(trace.seed, trace.frame))) {
+      wanted_(some_packets(packets_in_frame(optics, world_from_display, trace.order), hash(trace.seed, trace.frame))) {
   of_frame_ = static_cast<double>(std::count(wanted_.begin(), wanted_.end(), 1)) /
               static_cast<double>(std::max<std::size_t>(wanted_.size(), 1));
   // Twice half as many paths, with other random numbers: what they differ by is the error of their mean.
-  const Context quiet;  // a few blocks are no progress of the frame
+  const Context quiet;  // a few patches are no progress of the frame
   Image film(optics.panel.width, optics.panel.height, 3);
   std::fill(film.data.begin(), film.data.end(), std::nanf(""));
   std::array<std::vector<float>, 2> halves;
@@ -91,7 +102,7 @@ GatherMeasure::GatherMeasure(const DeviceScene& scene, const Optics& optics, con
     TraceParams params = trace;
     params.seed = hash(trace.seed, 0x70617468u, half);
     params.spp = std::max(1, trace.spp / 2);
-    add(trace_blocks(scene, optics, world_from_display, params, wanted_, pool, quiet, film), counts_);
+    add(trace_packets(scene, optics, world_from_display, params, wanted_, pool, quiet, film), counts_);
     if (half == 0)
       for (std::size_t i = 0; i < film.data.size(); ++i)
         if (!std::isnan(film.data[i])) places_.push_back(i);
@@ -128,23 +139,34 @@ float GatherMeasure::gather(const GatherSources& sources, float error, const Gat
 
 std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
   const float enough = kMargin * squared_goal_;
-  std::optional<Trial> coarse;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const float error = std::ldexp(kCoarsest, -trial);
-    const Trial fine{error, gather(sources, error, {})};
-    if (rays_of_last_ > kLargestShare * rays_of_paths_) return std::nullopt;
-    if (fine.squared_error <= enough) {
-      if (!coarse) return GatherPlan{error, error, fine.squared_error};
-      return GatherPlan{error_in_a_row(sources, error, enough), error_between(*coarse, fine, enough), enough};
+  std::optional<Trial> coarse, fine;  // the finest that was not good enough, the coarsest that was
+  double rays_of_fine = 0.0;
+  while (!coarse || !fine) {
+    const float error = std::ldexp(kCoarsest, -next_trial_);
+    const Trial found{error, gather(sources, error, {})};
+    if (found.squared_error <= enough) {
+      fine = found, rays_of_fine = rays_of_last_;
+      if (next_trial_ == 0) break;
+      if (!coarse) --next_trial_;
+    } else {
+      const bool stalled = coarse && next_trial_ > kLeastTrials && found.squared_error > kStalled * coarse->squared_error;
+      coarse = found;
+      if (fine) break;
+      if (rays_of_last_ > kLargestShare * rays_of_paths_ || stalled || next_trial_ + 1 == kTrials) return std::nullopt;
+      ++next_trial_;
     }
-    if (trial >= kLeastTrials && fine.squared_error > kStalled * coarse->squared_error)
-      return std::nullopt;  // more samples do not help
-    coarse = fine;
   }
-  return std::nullopt;
+  if (rays_of_fine > kLargestShare * rays_of_paths_) return std::nullopt;
+  if (!coarse) return GatherPlan{fine->error, fine->error, 0.0f, fine->squared_error};
+  const float error = error_between(*coarse, *fine, enough);
+  return GatherPlan{error, error, error_of_cells(*coarse, *fine) / enough, enough};
 }
 
-/// Of frames that know the one before, if those that do not need `error` for it.
+void GatherMeasure::plan_frames_in_a_row(const GatherSources& sources, GatherPlan& plan) {
+  plan.error = error_in_a_row(sources, plan.error_alone, kMargin * squared_goal_);
+}
+
+/// Of frames that know the one before, if those that do not need `error` to be good enough.
 float GatherMeasure::error_in_a_row(const GatherSources& sources, float error, float enough) {
   Scatter scatter;
   gather(sources, error, {nullptr, &scatter}, 1);
@@ -169,16 +191,16 @@ GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, do
     const float squared_error = gather(sources, error, {&before, &scatter});
     const double taken = std::chrono::duration<double>(Clock::now() - start).count() / of_frame_;
     before = smoothed(scatter, sources.optics, pool_);
-    const GatherPlan found{error, error, squared_error};
+    const GatherPlan found{error, error, 0.0f, squared_error};
     if (taken > seconds) {
       if (trial == 0) return {found, true};
       // Between the last two, on a straight line in logarithms.
       const double t = taken > last_seconds ? std::log(seconds / last_seconds) / std::log(taken / last_seconds) : 0.0;
       const auto part = static_cast<float>(std::clamp(t, 0.0, 1.0));
       const float between = last.error * std::exp2(-part);
-      return {{between, between, last.squared_error * std::pow(found.squared_error / last.squared_error, part)}, true};
+      return {{between, between, 0.0f, last.squared_error * std::pow(found.squared_error / last.squared_error, part)}, true};
     }
-    if (found.squared_error <= kInvisible || (trial >= kLeastTrials && found.squared_error > kStalled * last.squared_error))
+    if (found.squared_error <= kInvisible || (trial > kLeastTrials && found.squared_error > kStalled * last.squared_error))
       return {found, false};
     last = found, last_seconds = taken;
   }

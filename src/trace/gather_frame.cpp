@@ -138,15 +138,17 @@ std::size_t blocks_per_strip(const PacketSource& source) {
   return static_cast<std::size_t>((source.packets_per_strip() + kPacketsPerBlock - 1) / kPacketsPerBlock);
 }
 
-/// The pixels of a block. before: of the frame; empty: not known.
-void list_pixels(const PacketSource& source, std::size_t strip, std::size_t block, const Scatter& before,
-                 BlockEstimates& estimates) {
+/// The pixels of a block, or of its wanted packets alone. before: of the frame; empty: not known.
+void list_pixels(const PacketSource& source, std::size_t strip, std::size_t block, std::span<const std::uint8_t> wanted,
+                 const Scatter& before, BlockEstimates& estimates) {
   RayPacket rays;
   LaneMask active;
   alignas(64) std::uint32_t pixel[kLanes];
   estimates.size = 0;
   const int first = static_cast<int>(block) * kPacketsPerBlock;
+  const auto of_strip = strip * static_cast<std::size_t>(source.packets_per_strip());
   for (int p = first; p < std::min(source.packets_per_strip(), first + kPacketsPerBlock); ++p) {
+    if (!wanted.empty() && !wanted[of_strip + static_cast<std::size_t>(p)]) continue;
     if (source.fill(static_cast<int>(strip), p, 0, rays, active, pixel) == 0) continue;
     for (int i = 0; i < kLanes; ++i)
       if (active.lane[i]) estimates.push_back(pixel[i], before.empty() ? 0.0f : before[pixel[i]]);
@@ -155,9 +157,9 @@ void list_pixels(const PacketSource& source, std::size_t strip, std::size_t bloc
 
 }  // namespace
 
-std::size_t blocks_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order) {
+FramePackets packets_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order) {
   const PacketSource source(optics, world_from_display, order, SubPixel{});
-  return static_cast<std::size_t>(source.strips()) * blocks_per_strip(source);
+  return {static_cast<std::size_t>(source.strips()), static_cast<std::size_t>(source.packets_per_strip())};
 }
 
 Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool& pool) {
@@ -206,8 +208,8 @@ RayCounts gather_frame(const GatherSources& sources, const GatherParams& params,
     BlockGatherer gatherer(sources, packets, params);
     const auto block = std::make_unique<BlockEstimates>();
     for (std::size_t b = 0; b < blocks && !context.cancelled; ++b) {
-      if (!wanted.empty() && !wanted[strip * blocks + b]) continue;
-      list_pixels(source, strip, b, history.before ? *history.before : unknown, *block);
+      list_pixels(source, strip, b, wanted, history.before ? *history.before : unknown, *block);
+      if (block->size == 0) continue;
       gatherer.gather(*block);
       for (std::size_t e = 0; e < block->size; ++e) {
         const std::size_t pixel = block->pixel[e];

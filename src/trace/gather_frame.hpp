@@ -39,12 +39,15 @@ struct GatherHistory {
   Scatter* now = nullptr;           ///< receives what this frame finds, of the gathered pixels; null: nobody asks
 };
 
-/// Fills `film` (3 channels, linear, the panel's size), or of it only the blocks that are not 0 in `wanted` (by block, as in
-/// trace_blocks; empty: all). The same bits for any number of threads. Returns early when context.cancelled is set.
+/// Fills `film` (3 channels, linear, the panel's size), or of it only the packets that are not 0 in `wanted` (by packet, as in
+/// trace_packets; empty: all). The same bits for any number of threads. Returns early when context.cancelled is set.
 RayCounts gather_frame(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
                        const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film);
 
-/// Blocks of a frame, as trace_blocks and gather_frame count them.
-std::size_t blocks_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order);
+/// Packets of a frame, as trace_packets and gather_frame count them.
+struct FramePackets {
+  std::size_t strips, per_strip;
+};
+FramePackets packets_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order);
 
 }  // namespace lippmann

@@ -62,8 +62,7 @@ class FrameTracer {
 
   /// trace_strip for paths, which no probe and no capture looks at.
   RayCounts trace_paths_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
-    const PathParams paths{params_.max_depth, hash(params_.seed, params_.frame), params_.clamp_indirect};
-    PathTracer tracer(scene_, beam_, paths, film());
+    PathTracer tracer(scene_, beam_, path_params(), film());
     for (std::size_t b = 0; b < blocks_per_strip(); ++b)
       if (wanted.empty() || wanted[strip * blocks_per_strip() + b])
         trace_block(static_cast<int>(strip), static_cast<int>(b), tracer);
@@ -72,7 +71,19 @@ class FrameTracer {
 
   /// Traces the packets of a strip that are in `wanted`, by packet of the frame; as many together as a block has.
   RayCounts trace_packets_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
-    WhittedTracer tracer(scene_, beam_, params_.max_depth, film_);
+    if (!scene_.path) {
+      WhittedTracer tracer(scene_, beam_, params_.max_depth, film_);
+      return trace_packets_of_strip(strip, wanted, tracer);
+    }
+    PathTracer tracer(scene_, beam_, path_params(), film());
+    return trace_packets_of_strip(strip, wanted, tracer);
+  }
+
+ private:
+  PathParams path_params() const { return {params_.max_depth, hash(params_.seed, params_.frame), params_.clamp_indirect}; }
+
+  template <class Tracer>
+  RayCounts trace_packets_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted, Tracer& tracer) const {
     std::vector<int> packets;
     const int count = source_.packets_per_strip();
     for (int p = 0; p < count; ++p) {
@@ -84,7 +95,6 @@ class FrameTracer {
     return tracer.counts();
   }
 
- private:
   PathFilm film() const {
     PathFilm film = parts_;
     film.all = film_.data.data();

@@ -34,25 +34,89 @@ SmallScene lit_by_all() {
   return s;
 }
 
+/// A scene whose soft light was fed 16 rounds.
+class FedScene {
+ public:
+  FedScene(const Scene& scene, const Optics& optics, LightGroup lights_from, std::uint32_t seed)
+      : optics_(optics), device_(scene, pool_, Integrator::kPath), places_(device_.impl()), beam_(optics, {}) {
+    const ResolvedScene resolved = evaluate(scene, 0.0);
+    device_.update(resolved, pool_);
+    places_.update(resolved);
+    cells_.emplace(LightCells{places_, beam_, 2.0f, lights_from});
+    params_.max_depth = scene.max_depth, params_.seed = seed;
+    const FrameFeeder feeder(device_.impl(), optics, {}, params_);
+    for (int round = 0; round < 16; ++round) feeder.feed({*cells_, cache_, pool_, context_}, round);
+    cache_.resolve(pool_);
+  }
+
+  RayCounts gather(Image& film, std::span<const std::uint8_t> wanted = {}, const GatherHistory& history = {}) const {
+    return gather_frame({device_.impl(), *cells_, cache_, optics_, {}}, {params_, 0.01f}, wanted, history, pool_, context_,
+                        film);
+  }
+
+ private:
+  ThreadPool pool_{1};
+  Context context_;
+  Optics optics_;
+  DeviceScene device_;
+  SurfacePlaces places_;
+  BeamFootprint beam_;
+  std::optional<LightCells> cells_;
+  TraceParams params_;
+  LightCache cache_{1u << 16};
+};
+
 Image gathered(const Scene& scene, const Optics& optics, LightGroup lights_from, std::uint32_t seed) {
-  const ThreadPool pool(1);
-  const Context context;
-  DeviceScene device(scene, pool, Integrator::kPath);
-  const ResolvedScene resolved = evaluate(scene, 0.0);
-  device.update(resolved, pool);
-  SurfacePlaces places(device.impl());
-  places.update(resolved);
-  const BeamFootprint beam(optics, {});
-  const LightCells cells{places, beam, 2.0f, lights_from};
-  TraceParams params;
-  params.max_depth = scene.max_depth, params.seed = seed;
-  LightCache cache(1u << 16);
-  const FrameFeeder feeder(device.impl(), optics, {}, params);
-  for (int round = 0; round < 16; ++round) feeder.feed({cells, cache, pool, context}, round);
-  cache.resolve(pool);
   Image film;
-  gather_frame({device.impl(), cells, cache, optics, {}}, {params, 0.01f}, {}, {}, pool, context, film);
+  FedScene(scene, optics, lights_from, seed).gather(film);
   return film;
+}
+
+TEST(GatherFrame, fills_wanted_packets_alone) {
+  const SmallScene s = lit_by_all();
+  const Optics optics = single_view(48);
+  const FedScene fed(s.scene, optics, LightGroup::kLamps, 1);
+  const FramePackets packets = packets_in_frame(optics, {}, TraceParams{}.order);
+  std::vector<std::uint8_t> wanted(packets.strips * packets.per_strip, 0);
+  wanted[5] = wanted[6] = 1;
+  Image film(48, 48, 3);
+  std::fill(film.data.begin(), film.data.end(), -1.0f);
+  Scatter scatter;
+  fed.gather(film, wanted, {nullptr, &scatter});
+  EXPECT_EQ(std::count_if(film.data.begin(), film.data.end(), [](float v) { return v >= 0.0f; }), 2 * kLanes * 3);
+  for (std::size_t p = 0; p < scatter.size(); ++p) EXPECT_EQ(scatter[p] >= 0.0f, film.data[3 * p] >= 0.0f) << p;
+}
+
+// Scatter of a hundred times the error, squared, asks for (100^2)^(1 / 2.6) = 35 samples of every pixel, and gets 64.
+TEST(GatherFrame, takes_the_frame_before_at_its_word) {
+  const SmallScene s = lit_by_all();
+  const FedScene fed(s.scene, single_view(48), LightGroup::kLamps, 1);
+  Image film;
+  const Scatter before(48 * 48, 1.0f);  // error 0.01
+  EXPECT_EQ(fed.gather(film, {}, {&before, nullptr}).primary, 48u * 48u * 64u);
+  EXPECT_LT(fed.gather(film).primary, 48u * 48u * 16u);
+}
+
+TEST(Scatter, is_half_its_own_and_half_that_of_those_near_by) {
+  const ThreadPool pool(1);
+  const Optics optics = single_view(9);
+  Scatter one(81, 0.0f);
+  one[4 * 9 + 4] = 25.0f;
+  const Scatter smooth = smoothed(one, optics, pool);
+  // Five pixels across and five down; a single view has no neighbour, and its columns beside count twice.
+  EXPECT_FLOAT_EQ(smooth[4 * 9 + 4], 0.5f * 25.0f + 0.5f * 25.0f / 25.0f);
+  EXPECT_FLOAT_EQ(smooth[6 * 9 + 5], 0.5f * 25.0f * (2.0f / 5.0f) * (1.0f / 5.0f));
+  EXPECT_EQ(smooth[7 * 9 + 4], 0.0f);
+}
+
+TEST(Scatter, that_is_not_known_does_not_count) {
+  const ThreadPool pool(1);
+  Scatter one(81, -1.0f);
+  one[4 * 9 + 4] = 25.0f;
+  const Scatter smooth = smoothed(one, single_view(9), pool);
+  EXPECT_FLOAT_EQ(smooth[6 * 9 + 5], 25.0f);
+  EXPECT_LT(smooth[0], 0.0f);
+  EXPECT_TRUE(smoothed({}, single_view(9), pool).empty());
 }
 
 TEST(FeedFrame, scarce_places_are_found_and_fed_until_there_is_enough) {

@@ -105,6 +105,33 @@ TEST_P(TraceBlocks, packets_traced_alone_are_as_in_the_frame) {
     }
 }
 
+TEST(TracePackets, of_paths_are_as_in_the_frame) {
+  SmallScene s;
+  s.scene.max_depth = 4;
+  s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.5f);
+  s.add(Spheres{{{0.0f, 0.0f, 0.0f}, 1.0f}}, s.material(matte(Vec3f(0.6f))));
+  s.add(square(3, -1), s.material(mirror(0.5f)));
+  TraceParams params;
+  params.max_depth = 4, params.spp = 4;
+  const Picture whole = trace_paths(s.scene, single_view(64), 4, params);
+  const ThreadPool pool(1);
+  const Context context;
+  DeviceScene device(s.scene, pool, Integrator::kPath);
+  device.update(evaluate(s.scene, 0.0), pool);
+  std::vector<std::uint8_t> wanted(64 * 64 / 16, 0);
+  for (std::size_t p = 0; p < wanted.size(); p += 3) wanted[p] = 1;
+  Image film(64, 64, 3);
+  std::fill(film.data.begin(), film.data.end(), -1.0f);
+  trace_packets(device, single_view(64), {}, params, wanted, pool, context, film);
+  std::size_t traced = 0;
+  for (std::size_t i = 0; i < film.data.size(); ++i) {
+    if (film.data[i] < 0.0f) continue;
+    ++traced;
+    EXPECT_NEAR(film.data[i], whole.film.data[i], 1e-5f) << i;
+  }
+  EXPECT_EQ(traced, 3 * 16 * ((wanted.size() + 2) / 3));
+}
+
 INSTANTIATE_TEST_SUITE_P(Orders, TraceBlocks, testing::Values(RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles),
                          [](const auto& order) {
                            return std::string(order.param == RayOrder::kViewTiles ? "view_tiles" : to_string(order.param));
