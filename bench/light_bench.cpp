@@ -83,6 +83,12 @@ double to_digits(double value) { return std::round(value * 1e4) / 1e4; }
 
 Json number(double value) { return std::isfinite(value) ? Json(to_digits(value)) : Json(nullptr); }
 
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
 Json by_spp(const std::vector<TimedQuality>& measured) {
   Json list = Json::array();
   for (const TimedQuality& m : measured)
@@ -119,6 +125,9 @@ Json row_of(const LightCase& wanted, const LightSettings& settings, const LightR
           {"full_psnr_db", number(full.psnr_db)},
           {"psnr_db", number(reuse.psnr_db)},
           {"gain_db", number(run.gain_db())},
+          {"cpu_seconds_by_frame", numbers(reuse.seconds_by_frame)},
+          {"full_psnr_db_by_frame", numbers(full.psnr_db_by_frame)},
+          {"psnr_db_by_frame", numbers(reuse.psnr_db_by_frame)},
           {"full_by_spp", by_spp(run.full_by_spp)},
           {"equal_time_psnr_db", number(run.equal_time_psnr_db)},
           {"equal_time_gain_db", number(run.equal_time_gain_db())},

@@ -92,12 +92,15 @@ class LightBench {
     LightFigures& figures = made.figures;
     if (made.frames.size() == 1) figures.first_seconds = frame.report.cpu_seconds;
     figures.seconds += frame.report.cpu_seconds;
+    figures.seconds_by_frame.push_back(frame.report.cpu_seconds);
     figures.rays += frame.report.rays.total();
   }
 
   LightFigures judge(const Made& made) const {
     LightFigures figures = made.figures;
     figures.psnr_db = psnr_db(mean_squared_error(references_, made.frames));
+    for (std::size_t f = 0; f < made.frames.size(); ++f)
+      figures.psnr_db_by_frame.push_back(psnr_db(mean_squared_error({references_[f]}, {made.frames[f]})));
     figures.view_flicker = view_flicker(made.frames, views_) - view_flicker(references_, views_);
     figures.frame_flicker = frame_flicker(made.frames) - frame_flicker(references_);
     return figures;
