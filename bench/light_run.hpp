@@ -33,9 +33,9 @@ struct LightSettings {
 
 /// Of one way to render the frames.
 struct LightFigures {
-  double seconds = 0.0;                            ///< CPU, all frames
-  double first_seconds = 0.0;                      ///< of the first one
-  double psnr_db = 0.0;                            ///< of the mean squared error of all frames
+  double seconds = 0.0;        ///< CPU, all frames
+  double first_seconds = 0.0;  ///< of the first one
+  double psnr_db = 0.0;        ///< of the mean squared error of all frames
   std::vector<double> seconds_by_frame, psnr_db_by_frame;
   double view_flicker = 0.0, frame_flicker = 0.0;  ///< beyond the reference's, codes; not a number where there is none
   std::uint64_t rays = 0;

@@ -13,11 +13,12 @@ namespace lippmann {
 namespace {
 
 /// Patches of neighbouring packets are measured: small ones, as what lies near by errs alike.
-constexpr std::size_t kPatch = 4;
+constexpr std::size_t kPatch = 2;
 /// So many: enough for the mean error of a frame to be known within a decibel.
 constexpr std::size_t kMeasuredPatches = 192;
-/// Of a small frame no more than one of so many, of a large one no fewer than one of so many.
-constexpr std::size_t kLeastPart = 16, kUsualPart = 48;
+/// Of a small frame no more than one of so many, but some; of a large one no fewer than one of so many.
+constexpr std::size_t kLeastPatches = 8;
+constexpr std::size_t kLeastPart = 16, kUsualPart = 96;
 /// Not to be below the goal by bad luck of the measurement.
 constexpr float kMargin = 0.9f;
 /// What rounding to 8-bit codes adds by itself, (1 / 255)^2 / 12: to be better than that would be a waste.
@@ -37,7 +38,8 @@ float encoded(float linear) { return static_cast<float>(srgb_from_linear(std::cl
 std::vector<std::uint8_t> some_packets(const FramePackets& frame, std::uint32_t seed) {
   std::vector<std::uint8_t> wanted(frame.strips * frame.per_strip, 0);
   const std::size_t per_strip = (frame.per_strip + kPatch - 1) / kPatch, patches = frame.strips * per_strip;
-  const std::size_t parts = std::clamp<std::size_t>(patches / kLeastPart, 1, std::max(kMeasuredPatches, patches / kUsualPart));
+  const std::size_t some = std::clamp(patches / kLeastPart, kLeastPatches, std::max(kMeasuredPatches, patches / kUsualPart));
+  const std::size_t parts = std::min(some, patches);
   for (std::size_t part = 0; part < parts; ++part) {
     const std::size_t begin = part * patches / parts, count = (part + 1) * patches / parts - begin;
     const std::size_t patch = begin + hash(seed, static_cast<std::uint32_t>(part)) % count;
@@ -93,26 +95,26 @@ GatherMeasure::GatherMeasure(const DeviceScene& scene, const Optics& optics, con
       wanted_(some_packets(packets_in_frame(optics, world_from_display, trace.order), hash(trace.seed, trace.frame))) {
   of_frame_ = static_cast<double>(std::count(wanted_.begin(), wanted_.end(), 1)) /
               static_cast<double>(std::max<std::size_t>(wanted_.size(), 1));
-  // Twice half as many paths, with other random numbers: what they differ by is the error of their mean.
+  // Twice as many paths as a full render has, with other random numbers: what they differ by tells the error of each, and of
+  // their mean. Halves of a render would not do: evenly spread samples are better than two sets of half as many.
   const Context quiet;  // a few patches are no progress of the frame
   Image film(optics.panel.width, optics.panel.height, 3);
   std::fill(film.data.begin(), film.data.end(), std::nanf(""));
-  std::array<std::vector<float>, 2> halves;
-  for (std::uint32_t half = 0; half < 2; ++half) {
+  std::array<std::vector<float>, 2> sets;
+  for (std::uint32_t set = 0; set < 2; ++set) {
     TraceParams params = trace;
-    params.seed = hash(trace.seed, 0x70617468u, half);
-    params.spp = std::max(1, trace.spp / 2);
+    params.seed = hash(trace.seed, 0x70617468u, set);
     add(trace_packets(scene, optics, world_from_display, params, wanted_, pool, quiet, film), counts_);
-    if (half == 0)
+    if (set == 0)
       for (std::size_t i = 0; i < film.data.size(); ++i)
         if (!std::isnan(film.data[i])) places_.push_back(i);
-    halves[half] = at(places_, film);
+    sets[set] = at(places_, film);
   }
-  rays_of_paths_ = static_cast<double>(counts_.total());
-  squared_error_of_paths_ = 0.25f * mean_square(halves[0], halves[1]);
+  rays_of_paths_ = 0.5 * static_cast<double>(counts_.total());
+  squared_error_of_paths_ = 0.5f * mean_square(sets[0], sets[1]);
   squared_goal_ = goal.value_or(std::max(squared_error_of_paths_, kInvisible));
-  // The mean of the codes, as a single bright path may hide in one half's, but not in the mean light's.
-  for (std::size_t i = 0; i < places_.size(); ++i) paths_.push_back(0.5f * (halves[0][i] + halves[1][i]));
+  // The mean of the codes, as a single bright path may hide in one set's, but not in the mean light's.
+  for (std::size_t i = 0; i < places_.size(); ++i) paths_.push_back(0.5f * (sets[0][i] + sets[1][i]));
 }
 
 int GatherMeasure::path_samples() const {
@@ -123,7 +125,7 @@ int GatherMeasure::path_samples() const {
 
 float GatherMeasure::squared_error(const Image& film) const {
   // The paths' own error is none of ours. Nor is it known so well that the rest could be nothing.
-  return std::max(mean_square(at(places_, film), paths_) - squared_error_of_paths_, 0.02f * squared_goal_);
+  return std::max(mean_square(at(places_, film), paths_) - 0.5f * squared_error_of_paths_, 0.02f * squared_goal_);
 }
 
 float GatherMeasure::gather(const GatherSources& sources, float error, const GatherHistory& history, std::uint32_t frame) {

@@ -51,11 +51,11 @@ class GatherMeasure {
   TraceParams trace_;
   bool has_goal_;
   const ThreadPool& pool_;
-  std::vector<std::uint8_t> wanted_;  ///< by packet
-  double of_frame_ = 1.0;             ///< the wanted ones' share of all packets
-  std::vector<std::size_t> places_;   ///< values of a film that belong to these packets
-  std::vector<float> paths_;          ///< there: the mean of all paths
-  float squared_error_of_paths_ = 0.0f;
+  std::vector<std::uint8_t> wanted_;     ///< by packet
+  double of_frame_ = 1.0;                ///< the wanted ones' share of all packets
+  std::vector<std::size_t> places_;      ///< values of a film that belong to these packets
+  std::vector<float> paths_;             ///< there: the mean of all paths
+  float squared_error_of_paths_ = 0.0f;  ///< of trace.spp; of all of them half that
   float squared_goal_ = 0.0f;
   double rays_of_paths_ = 0.0, rays_of_last_ = 0.0;  ///< in the measured patches; the latter, of what was gathered last
   RayCounts counts_;
