@@ -72,6 +72,28 @@ Image gathered(const Scene& scene, const Optics& optics, LightGroup lights_from,
   return film;
 }
 
+// Of metallic-roughness surfaces without gloss and of Phong's: both are shaded in lanes. Lamps shine pi times as bright on the
+// latter.
+TEST(GatherFrame, matt_surfaces_of_either_kind_are_alike) {
+  const auto ball_of = [](int material, SmallScene& s, float light) {
+    s.scene.max_depth = 4;
+    s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.3f);
+    s.add(Spheres{{{0.0f, 0.0f, 0.0f}, 1.0f}}, material);
+    s.add(Boxes{{{-4.0f, -1.2f, -4.0f}, {4.0f, -1.0f, 4.0f}}}, material);
+    s.point_light({2.0f, 3.0f, 3.0f}, Vec3f(light));
+  };
+  MetallicRoughness matt;
+  matt.metallic = matt.specular = 0.0f, matt.base_color = {0.6f, 0.6f, 0.6f, 1.0f};
+  SmallScene a, b;
+  ball_of(a.material(matt), a, kPi);
+  ball_of(b.material(matte(Vec3f(0.6f))), b, 1.0f);
+  const Image of_a = gathered(a.scene, single_view(48), LightGroup::kLamps, 1),
+              of_b = gathered(b.scene, single_view(48), LightGroup::kLamps, 1);
+  for (std::size_t i = 0; i < of_a.data.size(); ++i) ASSERT_NEAR(of_a.data[i], of_b.data[i], 0.02f) << i;
+  EXPECT_NEAR(mean(of_a), mean(of_b), 1e-3 * mean(of_b));
+  EXPECT_NEAR(mean(of_a), mean(trace_paths(a.scene, single_view(48), 64).film), 0.01 * mean(of_b));
+}
+
 TEST(GatherFrame, fills_wanted_packets_alone) {
   const SmallScene s = lit_by_all();
   const Optics optics = single_view(48);
