@@ -3,7 +3,6 @@
 
 #include "trace/lanes.hpp"
 #include "trace/ray_order.hpp"
-#include "trace/trace_packets.hpp"
 
 namespace lippmann {
 
