@@ -39,7 +39,7 @@ Scene fast_point_light() {
   add_post(scene);
   const int light = add_node(scene, -1);
   move(scene, light, place_on_flight);
-  add_point_light(scene, Vec3f(0.75f, 0.7f, 0.6f), light);
+  add_point_light(scene, Vec3f(1.3f, 1.2f, 1.0f), light);
   look_into_room(scene);
   return scene;
 }
@@ -57,19 +57,20 @@ Scene tiny_lamp() {
 }
 
 Scene flashing_lamps() {
-  constexpr std::array<bool, kHistoryFrames> kOn{true,  true,  true,  false, false, true, false, true,
-                                                 true,  false, false, false, true,  true, false, true};
+  constexpr std::array<bool, kHistoryFrames> kOn{true, true,  true,  false, false, true, false, true,
+                                                 true, false, false, false, true,  true, false, true};
   constexpr Vec3f kAway(0.0f, 50.0f, 0.0f);  // outside the room, which is closed
   Scene scene = empty_scene("flash");
   add_room(scene, painted_room(scene));
   add_post(scene);
   const int lamp = add_node(scene, -1);
   move(
-      scene, lamp, [&](float frame) { return kOn[static_cast<std::size_t>(frame)] ? Vec3f(0.0f) : kAway; }, Interpolation::kStep);
+      scene, lamp, [&](float frame) { return kOn[static_cast<std::size_t>(frame)] ? Vec3f(0.0f) : kAway; },
+      Interpolation::kStep);
   add_lamp(scene, {0.4f, 1.95f, -0.2f}, 0.25f, Vec3f(14.0f, 13.0f, 11.0f), lamp);
   const int ball = add_node(scene, -1);
   move(scene, ball, [](float frame) { return Vec3f(-1.2f + 0.15f * frame, 0.35f, 0.1f); });
-  add_ball_lamp(scene, 0.12f, Vec3f(3.0f, 5.0f, 9.0f), ball);
+  add_ball_lamp(scene, 0.12f, Vec3f(5.0f, 8.0f, 14.0f), ball);
   look_into_room(scene);
   return scene;
 }

@@ -124,7 +124,8 @@ void show(Scene& scene, Shape shape, int material, int node) {
 }
 
 void add_floor(Scene& scene, float half_size, int material, float tile) {
-  show(scene, rectangle(Vec3f(0.0f), {half_size, 0.0f, 0.0f}, {0.0f, 0.0f, -half_size}, Vec2f(2.0f * half_size / tile)), material);
+  show(scene, rectangle(Vec3f(0.0f), {half_size, 0.0f, 0.0f}, {0.0f, 0.0f, -half_size}, Vec2f(2.0f * half_size / tile)),
+       material);
 }
 
 void add_room(Scene& scene, const Room& room) {
@@ -153,7 +154,11 @@ Room painted_room(Scene& scene) {
 }
 
 void add_lamp(Scene& scene, Vec3f center, float half_size, Vec3f radiance, int node) {
-  show(scene, rectangle(center, {half_size, 0.0f, 0.0f}, {0.0f, 0.0f, half_size}), add_material(scene, glowing(radiance)), node);
+  const auto square = [](Vec3f middle, float half) { return rectangle(middle, {half, 0.0f, 0.0f}, {0.0f, 0.0f, half}); };
+  show(scene, square(center, half_size), add_material(scene, glowing(radiance)), node);
+  MetallicRoughness black = matte(Vec3f(0.0f));
+  black.specular = 0.0f;
+  show(scene, square(center + Vec3f(0.0f, 0.005f, 0.0f), 1.03f * half_size), add_material(scene, black), node);
 }
 
 void add_ball_lamp(Scene& scene, float radius, Vec3f radiance, int node) {

@@ -42,8 +42,8 @@ void show(Scene& scene, Shape shape, int material, int node = -1);
 /// A floor in y = 0 around the origin; its texture repeats every `tile`.
 void add_floor(Scene& scene, float half_size, int material, float tile = 1.0f);
 
-/// Six walls seen from inside: floor y = 0, ceiling y = height, the viewer's end at z = front. Materials: of which -1 leaves the
-/// wall out.
+/// Six walls seen from inside: floor y = 0, ceiling y = height, the viewer's end at z = front. Materials: of which -1 leaves
+/// the wall out.
 struct Room {
   float half_width = 1.6f, height = 2.0f, back = -1.5f, front = 4.0f;
   int floor = -1, ceiling = -1, left = -1, right = -1, rear = -1, viewer_end = -1;
@@ -53,7 +53,7 @@ void add_room(Scene& scene, const Room& room);
 /// All walls light but for a red one on the left and a green one on the right.
 Room painted_room(Scene& scene);
 
-/// A square that shines downwards, of that half size.
+/// A square of that half size that shines downwards: its back, as faces shine on both sides, is covered.
 void add_lamp(Scene& scene, Vec3f center, float half_size, Vec3f radiance, int node = -1);
 /// A ball that shines.
 void add_ball_lamp(Scene& scene, float radius, Vec3f radiance, int node);

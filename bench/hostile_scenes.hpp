@@ -1,7 +1,7 @@
 // Scenes on which sharing light between pixels, views and frames is hard, built in code: of each, one thing that goes wrong.
 //
-// Lengths are metres, +y is up, materials are glTF's. Each is an animation of one history: 16 frames, 25 a second, in which what
-// moves does so by several pixels a frame.
+// Lengths are metres, +y is up, materials are glTF's. Each is an animation of one history: 16 frames, 25 a second, in which
+// what moves does so by several pixels a frame.
 #pragma once
 
 #include <functional>

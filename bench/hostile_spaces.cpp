@@ -69,7 +69,8 @@ Scene flight_through_room() {
   for (const float z : {1.5f, -1.0f, -3.0f}) add_lamp(scene, {0.0f, 1.98f, z}, 0.25f, Vec3f(9.0f, 8.5f, 7.5f));
   const Vec3f colors[] = {{0.7f, 0.4f, 0.2f}, {0.2f, 0.4f, 0.7f}, {0.7f, 0.65f, 0.2f}};
   for (int i = 0; i < 6; ++i) {
-    const float side = i % 2 == 0 ? -1.0f : 1.0f, step = static_cast<float>(i), height = 0.5f + 0.2f * static_cast<float>(i % 3);
+    const float side = i % 2 == 0 ? -1.0f : 1.0f, step = static_cast<float>(i),
+                height = 0.5f + 0.2f * static_cast<float>(i % 3);
     show(scene, box_mesh({side * (0.75f + 0.1f * step), 0.5f * height, 0.6f - 0.7f * step}, {0.4f, height, 0.4f}),
          add_material(scene, matte(colors[i % 3])));
   }
@@ -88,7 +89,7 @@ Scene walker() {
   add_lamp(scene, {-0.8f, 2.2f, 0.6f}, 0.25f, Vec3f(28.0f, 26.0f, 22.0f));
   Skin skin;
   int parent = add_node(scene, -1);
-  move(scene, parent, [](float frame) { return Vec3f(-0.7f + 0.09f * frame, 0.0f, 0.0f); });
+  move(scene, parent, [](float frame) { return Vec3f(-0.4f + 0.06f * frame, 0.0f, 0.0f); });
   for (int joint = 0; joint < kJoints; ++joint) {
     const float step = kHeight / (kJoints - 1), y = joint > 0 ? step : 0.0f, phase = 0.5f * static_cast<float>(joint);
     parent = add_node(scene, parent, {0.0f, y, 0.0f});
@@ -101,7 +102,7 @@ Scene walker() {
   bind_to_joints(body, kHeight, kJoints);
   show(scene, std::move(body), add_material(scene, matte({0.75f, 0.35f, 0.15f})));
   scene.instances.back().skin = 0;
-  look_at(scene, {0.0f, 0.55f, 0.0f}, radians(12.0f), radians(20.0f), 1.7f, 4.0f);
+  look_at(scene, {0.0f, 0.55f, 0.0f}, radians(12.0f), radians(24.0f), 1.7f, 4.0f);
   return scene;
 }
 
@@ -112,9 +113,10 @@ Scene furnished_room() {
   room.right = -1;  // where the sun comes in
   room.floor = add_material(scene, matte({0.5f, 0.35f, 0.2f}));
   add_room(scene, room);
-  const int wood = add_material(scene, glossy({0.4f, 0.22f, 0.1f}, 0.5f)), cloth = add_material(scene, matte({0.15f, 0.3f, 0.5f}));
+  const int wood = add_material(scene, glossy({0.4f, 0.22f, 0.1f}, 0.5f)),
+            cloth = add_material(scene, matte({0.15f, 0.3f, 0.5f}));
   add_furniture(scene, wood, cloth);
-  add_aimed_light(scene, LightKind::kDirectional, {3.0f, 3.0f, 0.6f}, {0.0f, 0.4f, 0.0f}, Vec3f(4.5f, 4.1f, 3.5f));
+  add_aimed_light(scene, LightKind::kDirectional, {3.0f, 3.0f, 0.6f}, {0.0f, 0.4f, 0.0f}, Vec3f(7.0f, 6.4f, 5.5f));
   add_aimed_light(scene, LightKind::kSpot, {-0.7f, 1.7f, -0.3f}, {-0.7f, 0.4f, -0.5f}, Vec3f(2.0f, 1.8f, 1.4f));
   scene.background = {{0.25f, 0.3f, 0.4f}, {0.2f, 0.3f, 0.5f}};
   const int door = add_node(scene, -1);
@@ -123,7 +125,7 @@ Scene furnished_room() {
   const int cart = add_node(scene, -1);
   move(scene, cart, [](float frame) { return kRight * (0.9f - 0.05f * frame) + Vec3f(0.0f, 0.2f, 0.35f); });
   show(scene, box_mesh(Vec3f(0.0f), {0.4f, 0.4f, 0.3f}), cloth, cart);
-  look_at(scene, {0.0f, 0.95f, -0.2f}, 0.0f, radians(4.0f), 2.1f, 3.6f);
+  look_at(scene, {0.0f, 1.05f, -0.2f}, 0.0f, radians(-3.0f), 2.2f, 3.6f);
   return scene;
 }
 

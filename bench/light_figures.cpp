@@ -202,6 +202,19 @@ double frame_flicker(const Frames& frames) {
   return sum / static_cast<double>(count);
 }
 
+EstimateFigures judge_estimates(const std::vector<std::optional<double>>& estimates_db, const std::vector<double>& true_db) {
+  double sum = 0.0, excess = 0.0, largest = 0.0;
+  int count = 0;
+  for (std::size_t f = 0; f < estimates_db.size(); ++f) {
+    if (!estimates_db[f] || !std::isfinite(true_db[f])) continue;
+    const double error = *estimates_db[f] - true_db[f];
+    sum += *estimates_db[f], excess += error, ++count;
+    largest = std::max(largest, std::abs(error));
+  }
+  if (count == 0) return {std::nan(""), std::nan(""), std::nan("")};
+  return {sum / count, excess / count, largest};
+}
+
 double psnr_at_time(std::vector<TimedQuality> measured, double seconds) {
   std::sort(measured.begin(), measured.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
   if (seconds <= measured.front().seconds) return measured.front().psnr_db;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "image/image.hpp"
@@ -56,6 +57,16 @@ double mean_light_ratio(const Frames& reference, const Frames& test);
 /// three.
 double view_flicker(const Frames& frames, const std::vector<ViewTriple>& views);
 double frame_flicker(const Frames& frames);
+
+/// What a program estimates the PSNR of its frames to be beside what it is, in dB, over the frames that have an estimate and
+/// differ from their references. Not numbers where there is no such frame.
+struct EstimateFigures {
+  double mean_db = 0.0;         ///< of the estimates
+  double mean_excess_db = 0.0;  ///< estimate less truth: above 0 it promises too much
+  double largest_error_db = 0.0;
+};
+/// As many of both.
+EstimateFigures judge_estimates(const std::vector<std::optional<double>>& estimates_db, const std::vector<double>& true_db);
 
 /// Full renders at several numbers of samples: what their PSNR would be at a time between them, in proportion to the logarithm
 /// of time. Beyond the ends: that of the nearest.

@@ -19,8 +19,8 @@ Image8 error_picture(const Image8& reference, const Image8& test);
 /// The same of block means, every block filled with its own; what belongs to no block is mid-grey.
 Image8 block_error_picture(const Image8& reference, const Image8& test, const std::vector<Block>& blocks);
 
-/// Writes FOLDER/NAME_reference.png, _full, _reuse, and of the reuse _error and _block_error. Makes the folder; throws Error where
-/// a file cannot be written.
+/// Writes FOLDER/NAME_reference.png, _full, _reuse, and of the reuse _error and _block_error. Makes the folder; throws Error
+/// where a file cannot be written.
 void write_light_pictures(const std::filesystem::path& folder, const std::string& name, const Image8& reference,
                           const Image8& full, const Image8& reuse, const std::vector<Block>& blocks);
 

@@ -24,9 +24,9 @@ struct QuietRow {
 };
 
 const std::vector<QuietRow>& quiet_rows() {
-  static const std::vector<QuietRow> all{{"teapot", {0.96, 0.0, 10.0, {}, {}}},      {"room", {0.96, 0.0, 10.0, {}, {}}},
-                                         {"small-balls", {0.86, 0.0, {}, {}, {}}},   {"tree", {0.75, -0.5, {}, {}, {}}},
-                                         {"room-quilt", {0.90, 0.0, {}, {}, {}}}, {"tree-quilt", {0.60, 0.0, {}, {}, {}}}};
+  static const std::vector<QuietRow> all{{"teapot", {0.96, 0.0, 10.0, {}, {}}},    {"room", {0.96, 0.0, 10.0, {}, {}}},
+                                         {"small-balls", {0.86, 0.0, {}, {}, {}}}, {"tree", {0.75, -0.5, {}, {}, {}}},
+                                         {"room-quilt", {0.90, 0.0, {}, {}, {}}},  {"tree-quilt", {0.60, 0.0, {}, {}, {}}}};
   return all;
 }
 

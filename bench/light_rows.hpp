@@ -1,7 +1,7 @@
 // The rows of `lippmann bench light`: what each renders, and the bars that it has to clear.
 //
-// Quiet rows are built-in scenes as animations, and as still quilts where their names end in -quilt; a file makes such rows, too.
-// Hostile rows are those of hostile_scenes.hpp.
+// Quiet rows are built-in scenes as animations, and as still quilts where their names end in -quilt; a file makes such rows,
+// too. Hostile rows are those of hostile_scenes.hpp.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct LightBar {
   std::optional<double> gain_db;             ///< PSNR over the full render's, at least
   std::optional<double> equal_time_gain_db;  ///< PSNR over that of a full render of the same time, at least
   std::optional<double> block_gain_db;       ///< as gain_db, of block means
-  std::optional<double> mean_light;          ///< share by which it differs from the reference's and from the full render's, at most
+  std::optional<double> mean_light;  ///< share by which it differs from the reference's and from the full render's, at most
 };
 
 inline constexpr double kMemoryBar = 300e6;  ///< bytes beyond a full render, of pictures of

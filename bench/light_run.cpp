@@ -57,21 +57,6 @@ Scene scene_of(const LightCase& wanted, const Context& context) {
 
 double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
-/// Of a frame that is equal to its reference, of infinite PSNR, the estimate cannot be off by a number: it is left out.
-EstimateFigures judge_estimates(const Made& made) {
-  double sum = 0.0, excess = 0.0, largest = 0.0;
-  int count = 0;
-  for (std::size_t f = 0; f < made.frames.size(); ++f) {
-    const double truth = made.figures.psnr_db_by_frame[f];
-    if (!made.estimates_db[f] || !std::isfinite(truth)) continue;
-    const double estimate = *made.estimates_db[f];
-    sum += estimate, excess += estimate - truth, ++count;
-    largest = std::max(largest, std::abs(estimate - truth));
-  }
-  if (count == 0) return {std::nan(""), std::nan(""), std::nan("")};
-  return {sum / count, excess / count, largest};
-}
-
 class LightBench {
  public:
   LightBench(const LightCase& wanted, const LightSettings& settings, const Context& context)
@@ -172,7 +157,7 @@ class LightBench {
     if (context_.cancelled) return;
     judge(full), judge(reuse);
     run_.full = full.figures, run_.reuse = reuse.figures;
-    run_.estimate = judge_estimates(reuse);
+    run_.estimate = judge_estimates(reuse.estimates_db, reuse.figures.psnr_db_by_frame);
     run_.stated_bytes = bytes_kept_per_pixel(reuse_params_) * run_.width * run_.height;
     run_.full_by_spp.push_back({samples_per_pixel(full_params_), run_.full.seconds, run_.full.psnr_db});
     if (!settings_.pictures.empty()) write_pictures(full.frames, reuse.frames);

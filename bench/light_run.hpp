@@ -53,14 +53,6 @@ struct LightFigures {
   double rays = 0.0;                               ///< as seconds
 };
 
-/// What the reuse itself estimates its PSNR to be beside what it is, in dB, over compared frames that have an estimate: not
-/// numbers where none has.
-struct EstimateFigures {
-  double mean_db = 0.0;         ///< of the estimates
-  double mean_excess_db = 0.0;  ///< estimate less truth: above 0 it promises too much
-  double largest_error_db = 0.0;
-};
-
 struct LightRun {
   int width = 0, height = 0;
   int compared_frames = 0;
