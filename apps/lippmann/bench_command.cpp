@@ -135,7 +135,7 @@ void add_bench_command(const Command& root, Action& chosen) {
       .show_default();
   command
       .add_option("--frames", options->request.frames,
-                  "Of light, paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's), of light 12")
+                  "Of light, paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's), of light 12 (hostile rows 16)")
       .type_name("N")
       .not_negative();
   command.add_flag("--large", options->request.large, "Of reuse: also the teapot at 3840x2160 pixels");

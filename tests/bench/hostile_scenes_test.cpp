@@ -22,7 +22,8 @@ Scene scene_named(const std::string& name) {
 /// The longest way, in shares of the array's height and relative to the array, that a node which shows or lights something
 /// goes from the frame before, or a point beside it that turns with it does.
 float largest_step(const Scene& scene, int frame) {
-  const ResolvedScene before = evaluate(scene, scene.timeline.time(frame - 1)), after = evaluate(scene, scene.timeline.time(frame));
+  const ResolvedScene before = evaluate(scene, scene.timeline.time(frame - 1)),
+                      after = evaluate(scene, scene.timeline.time(frame));
   const float height = scene.display->plane_height, reach = height / 6.0f;
   const Affine3f array_moved = after.of(scene.display->node) * inverse(before.of(scene.display->node));
   float largest = 0.0f;
