@@ -46,6 +46,7 @@ Json light_json(const LightCase& wanted, const LightRun& run, const std::optiona
           {"height", run.height},
           {"frames", wanted.count},
           {"compared_frames", run.compared_frames},
+          {"reference_step", wanted.reference_step},
           {"spp", samples_per_pixel(wanted.params)},
           {"reference_spp", wanted.reference_spp},
           {"compared_pixels", run.compared_pixels},
