@@ -28,6 +28,8 @@ struct Request {
   int reference_spp = 0;                      ///< samples of references; 0: the benchmark's own choice
   std::string references;                     ///< folder where they are kept; empty: the user's cache
   std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
+  std::string pictures;                       ///< folder for pictures of what was compared; empty: none
+  bool list = false;                          ///< say what scenes there are, and measure nothing
   std::string plot;                           ///< folder for plots; empty: none
   std::vector<std::string> scenes;            ///< by name; empty: all that the benchmark has
   std::string tachyon_scenes = "/usr/share/doc/tachyon/examples/scenes";  ///< the folder of Tachyon's teapot.dat and others

@@ -3,20 +3,68 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "core/random.hpp"
+#include "image/encode.hpp"
 
 namespace lippmann::bench {
 namespace {
 
 const MultiView* views_of(const Optics& optics) { return std::get_if<MultiView>(&optics.model); }
 
-/// Rows of a strip of the panel, from `top` on.
-void append_drawn_rows(int top, int height, int share, std::vector<int>& rows) {
-  for (int k = 0; k * share < height; ++k) {
-    const int row = k * share + static_cast<int>(hash(static_cast<std::uint32_t>(k)) % static_cast<std::uint32_t>(share));
-    rows.push_back(top + std::min(row, height - 1));
+/// Rows of a strip of the panel, from `top` on: a band in each of its stretches.
+void append_drawn_rows(int top, int height, int band, int share, std::vector<int>& rows) {
+  const int stretch = band * share;
+  for (int k = 0; k * stretch < height; ++k) {
+    const int length = std::min(stretch, height - k * stretch), places = std::max(1, length - band + 1);
+    const int offset = static_cast<int>(hash(static_cast<std::uint32_t>(k)) % static_cast<std::uint32_t>(places));
+    for (int y = 0; y < std::min(band, length); ++y) rows.push_back(top + k * stretch + offset + y);
   }
+}
+
+/// From a pixel to the next one of the same view; none where pixels have no whole lenses.
+std::optional<Vec2i> step_within_view(const Optics& optics) {
+  const Vec2i step = whole_pixels_per_lens(optics);
+  if (step.x < 1 || step.y < 1) return std::nullopt;
+  return step;
+}
+
+/// Views side by side whose pixels are `step` apart; `x` and `y` are the first view's upper left pixel.
+struct ViewArea {
+  int x = 0, y = 0, width = 0, height = 0;
+  Vec2i step{1};
+};
+
+/// The areas of the picture of compared rows: its tiles, or all of it.
+std::vector<ViewArea> view_areas(const Optics& optics, int rows) {
+  const auto step = step_within_view(optics);
+  if (!step) return {};
+  const MultiView* views = views_of(optics);
+  const Vec2i tiles = views ? Vec2i(views->columns, views->rows) : Vec2i(1);
+  const int width = optics.panel.width / tiles.x, height = rows / tiles.y;
+  std::vector<ViewArea> areas;
+  for (int row = 0; row < tiles.y; ++row)
+    for (int column = 0; column < tiles.x; ++column) areas.push_back({column * width, row * height, width, height, *step});
+  return areas;
+}
+
+Block block_at(Vec2i corner, Vec2i step, int picture_width) {
+  Block block;
+  for (int y = 0; y < kBlockSide; ++y)
+    for (int x = 0; x < kBlockSide; ++x)
+      block[static_cast<std::size_t>(y * kBlockSide + x)] =
+          static_cast<std::uint32_t>((corner.y + y * step.y) * picture_width + corner.x + x * step.x);
+  return block;
+}
+
+/// The blocks of a band of rows of an area: of each of its views one beside the other.
+void append_blocks(const ViewArea& area, int top, int picture_width, std::vector<Block>& blocks) {
+  const Vec2i size = kBlockSide * area.step;
+  for (int left = 0; left + size.x <= area.width; left += size.x)
+    for (int v = 0; v < area.step.y; ++v)
+      for (int u = 0; u < area.step.x; ++u)
+        blocks.push_back(block_at({area.x + left + u, area.y + top + v}, area.step, picture_width));
 }
 
 std::vector<ViewTriple> neighbours_below_lenses(int lens_pixels, int width, int rows) {
@@ -56,7 +104,9 @@ std::vector<int> rows_to_compare(const Optics& optics, int share) {
   const MultiView* views = views_of(optics);
   const int bands = views ? views->rows : 1, height = optics.panel.height / bands;
   const int padding = optics.panel.height - bands * height;
-  for (int band = 0; band < bands; ++band) append_drawn_rows(padding + band * height, height, share, rows);
+  const auto step = step_within_view(optics);
+  const int block_rows = kBlockSide * (step ? step->y : 1);
+  for (int band = 0; band < bands; ++band) append_drawn_rows(padding + band * height, height, block_rows, share, rows);
   return rows;
 }
 
@@ -75,6 +125,29 @@ std::vector<ViewTriple> neighbouring_views(const Optics& optics, const std::vect
   return lens_pixels > 2 ? neighbours_below_lenses(lens_pixels, optics.panel.width, count) : std::vector<ViewTriple>{};
 }
 
+std::vector<Block> view_blocks(const Optics& optics, const std::vector<int>& rows) {
+  std::vector<Block> blocks;
+  for (const ViewArea& area : view_areas(optics, static_cast<int>(rows.size()))) {
+    const int high = kBlockSide * area.step.y;
+    const auto row_at = [&](int y) { return rows[static_cast<std::size_t>(area.y + y)]; };
+    for (int top = 0; top + high <= area.height; top += high)
+      if (row_at(top + high - 1) == row_at(top) + high - 1) append_blocks(area, top, optics.panel.width, blocks);
+  }
+  return blocks;
+}
+
+std::vector<double> block_means(const Image8& picture, const std::vector<Block>& blocks) {
+  std::vector<double> means;
+  means.reserve(3 * blocks.size());
+  for (const Block& block : blocks)
+    for (std::size_t c = 0; c < 3; ++c) {
+      int sum = 0;
+      for (const std::uint32_t pixel : block) sum += picture.rgb[3 * pixel + c];
+      means.push_back(sum / static_cast<double>(block.size()));
+    }
+  return means;
+}
+
 double mean_squared_error(const Frames& reference, const Frames& test) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -86,6 +159,27 @@ double mean_squared_error(const Frames& reference, const Frames& test) {
     count += reference[f].rgb.size();
   }
   return sum / static_cast<double>(count);
+}
+
+double block_squared_error(const Frames& reference, const Frames& test, const std::vector<Block>& blocks) {
+  double sum = 0.0;
+  for (std::size_t f = 0; f < reference.size(); ++f) {
+    const std::vector<double> wanted = block_means(reference[f], blocks), made = block_means(test[f], blocks);
+    for (std::size_t i = 0; i < wanted.size(); ++i) sum += (wanted[i] - made[i]) * (wanted[i] - made[i]);
+  }
+  return sum / static_cast<double>(3 * blocks.size() * reference.size());
+}
+
+double mean_light_ratio(const Frames& reference, const Frames& test) {
+  std::array<double, 256> light;
+  for (std::size_t code = 0; code < light.size(); ++code) light[code] = linear_from_srgb(static_cast<double>(code) / 255.0);
+  const auto light_of = [&](const Frames& frames) {
+    double sum = 0.0;
+    for (const Image8& frame : frames)
+      for (const unsigned char code : frame.rgb) sum += light[code];
+    return sum;
+  };
+  return light_of(test) / light_of(reference);
 }
 
 double view_flicker(const Frames& frames, const std::vector<ViewTriple>& views) {
@@ -106,6 +200,19 @@ double frame_flicker(const Frames& frames) {
     count += frames[f].rgb.size();
   }
   return sum / static_cast<double>(count);
+}
+
+EstimateFigures judge_estimates(const std::vector<std::optional<double>>& estimates_db, const std::vector<double>& true_db) {
+  double sum = 0.0, excess = 0.0, largest = 0.0;
+  int count = 0;
+  for (std::size_t f = 0; f < estimates_db.size(); ++f) {
+    if (!estimates_db[f] || !std::isfinite(true_db[f])) continue;
+    const double error = *estimates_db[f] - true_db[f];
+    sum += *estimates_db[f], excess += error, ++count;
+    largest = std::max(largest, std::abs(error));
+  }
+  if (count == 0) return {std::nan(""), std::nan(""), std::nan("")};
+  return {sum / count, excess / count, largest};
 }
 
 double psnr_at_time(std::vector<TimedQuality> measured, double seconds) {

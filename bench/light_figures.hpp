@@ -1,9 +1,15 @@
-// How far frames are from their references, and how much they flicker from view to view and from frame to frame. All of 8-bit
-// codes, on some rows of each frame: references of thousands of samples a pixel are too dear for all of them.
+// How far frames are from their references, pixel by pixel and in means of blocks, and how much they flicker from view to view
+// and from frame to frame. All of 8-bit codes, on some rows of each frame: references of thousands of samples a pixel take too
+// long for all of them.
+//
+// A block is 8 x 8 neighbouring pixels of one directional view: 8 neighbouring lenses by 8 rows below a lenticular sheet, 8 x 8
+// pixels of a tile of a quilt. Noise of independent pixels is 8 times weaker in a block's mean than in a pixel, an error that
+// neighbours share is as strong.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "image/image.hpp"
@@ -11,8 +17,10 @@
 
 namespace lippmann::bench {
 
-/// One panel row of every `share`, drawn evenly and always the same, ascending. Of quilts the same rows of every tile, so that
-/// neighbouring views can be compared.
+inline constexpr int kBlockSide = 8;
+
+/// One panel row of every `share`, in bands as high as a block, drawn evenly and always the same, ascending; at least one band.
+/// Of quilts the same rows of every tile, so that neighbouring views can be compared.
 std::vector<int> rows_to_compare(const Optics& optics, int share);
 
 /// Those rows, one below the other.
@@ -23,16 +31,42 @@ Image8 take_rows(const Image8& picture, const std::vector<int>& rows);
 using ViewTriple = std::array<std::uint32_t, 3>;
 std::vector<ViewTriple> neighbouring_views(const Optics& optics, const std::vector<int>& rows);
 
+/// The pixels of a block, row by row, by their index in the picture of the compared rows.
+using Block = std::array<std::uint32_t, kBlockSide * kBlockSide>;
+/// Blocks side by side from the upper left corner of every view; what is left over at its edges belongs to none. None for
+/// optics whose pixels have no whole lenses.
+std::vector<Block> view_blocks(const Optics& optics, const std::vector<int>& rows);
+
+/// The mean code of every block, three channels each.
+std::vector<double> block_means(const Image8& picture, const std::vector<Block>& blocks);
+
 /// Frames of an animation, the compared rows of each.
 using Frames = std::vector<Image8>;
 
 /// Over all frames, pixels and channels; in codes squared. As many frames in both, of one size.
 double mean_squared_error(const Frames& reference, const Frames& test);
 
+/// The same of block means. Not a number where there is no block.
+double block_squared_error(const Frames& reference, const Frames& test, const std::vector<Block>& blocks);
+
+/// Linear light of the test over that of the reference, sums over all frames, pixels and channels of what sRGB codes show:
+/// light beyond the brightest code is not seen. Not a number where the reference is black.
+double mean_light_ratio(const Frames& reference, const Frames& test);
+
 /// Mean of |a - 2 b + c| in codes over neighbouring views, and over three frames at a pixel. Not a number where there are no
 /// three.
 double view_flicker(const Frames& frames, const std::vector<ViewTriple>& views);
 double frame_flicker(const Frames& frames);
+
+/// What a program estimates the PSNR of its frames to be beside what it is, in dB, over the frames that have an estimate and
+/// differ from their references. Not numbers where there is no such frame.
+struct EstimateFigures {
+  double mean_db = 0.0;         ///< of the estimates
+  double mean_excess_db = 0.0;  ///< estimate less truth: above 0 it promises too much
+  double largest_error_db = 0.0;
+};
+/// As many of both.
+EstimateFigures judge_estimates(const std::vector<std::optional<double>>& estimates_db, const std::vector<double>& true_db);
 
 /// Full renders at several numbers of samples: what their PSNR would be at a time between them, in proportion to the logarithm
 /// of time. Beyond the ends: that of the nearest.

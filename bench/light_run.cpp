@@ -7,14 +7,18 @@
 #include <cmath>
 #include <fstream>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <utility>
 
+#include "bench/light_pictures.hpp"
 #include "bench/light_references.hpp"
 #include "core/error.hpp"
 #include "image/encode.hpp"
 #include "image/metrics.hpp"
 #include "render/frame_maker.hpp"
 #include "render/reuse_params.hpp"
+#include "scene/load.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -40,8 +44,18 @@ RenderParams reference_params(RenderParams params, int spp) {
 /// What one way to render has made so far.
 struct Made {
   LightFigures figures;
-  Frames frames;
+  Frames frames;                                    ///< compared ones
+  std::vector<std::optional<double>> estimates_db;  ///< of their PSNR, by the program itself
 };
+
+Scene scene_of(const LightCase& wanted, const Context& context) {
+  if (!wanted.build) return wanted_scene(wanted.params, context);
+  Scene scene = wanted.build();
+  validate(scene, wanted.name);
+  return scene;
+}
+
+double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
 class LightBench {
  public:
@@ -52,9 +66,10 @@ class LightBench {
         pool_(resolved_threads(context)),
         full_params_(with_reuse(wanted.params, Reuse::kNone)),
         reuse_params_(with_reuse(wanted.params, Reuse::kExact)),
-        stage_(full_params_, pool_, context),
-        rows_(rows_to_compare(stage_.placed.optics, settings.row_share)),
-        views_(neighbouring_views(stage_.placed.optics, rows_)) {
+        stage_(scene_of(wanted, context), full_params_, pool_),
+        rows_(rows_to_compare(stage_.placed.optics, wanted.row_share)),
+        views_(neighbouring_views(stage_.placed.optics, rows_)),
+        blocks_(view_blocks(stage_.placed.optics, rows_)) {
     check_reuse(reuse_params_);
     run_.width = stage_.placed.optics.panel.width, run_.height = stage_.placed.optics.panel.height;
     run_.compared_pixels = rows_.size() * static_cast<std::size_t>(run_.width);
@@ -63,47 +78,66 @@ class LightBench {
   LightRun run() {
     prepare_references();
     if (!context_.cancelled) render_in_turn();
-    if (!context_.cancelled) measure_equal_time();
+    run_.equal_time_psnr_db = std::nan("");
+    if (!context_.cancelled && wanted_.equal_time) measure_equal_time();
     return run_;
   }
 
  private:
   int end() const { return wanted_.first + wanted_.count; }
+  bool is_compared(int frame) const { return (frame - wanted_.first) % wanted_.reference_step == 0; }
 
   void say(const std::string& line) const {
     if (settings_.say) settings_.say(line);
   }
 
   void prepare_references() {
-    const RenderParams params = reference_params(full_params_, settings_.reference_spp);
+    const RenderParams params = reference_params(full_params_, wanted_.reference_spp);
     LightReferences references(stage_, params, rows_, settings_.references, pool_, context_, settings_.say);
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame)
-      references_.push_back(references.frame(frame));
+      if (is_compared(frame)) references_.push_back(references.frame(frame));
     run_.references_rendered = references.rendered(), run_.references_kept = references.kept();
+    run_.compared_frames = static_cast<int>(references_.size());
   }
 
   void add(const RenderedFrame& frame, Made& made) {
     std::size_t nan_count = 0;
-    made.frames.push_back(take_rows(to_codes(frame.pictures.film, stage_.scene.encoding, &nan_count), rows_));
+    Image8 codes = to_codes(frame.pictures.film, stage_.scene.encoding, &nan_count);
     if (nan_count > 0)
       throw Error("bench light",
                   fmt::format("{}, frame {}: {} samples are not numbers", wanted_.name, frame.report.frame, nan_count));
     ++run_.passed_checks;
+    if (is_compared(frame.report.frame)) {
+      made.frames.push_back(take_rows(codes, rows_));
+      made.estimates_db.push_back(frame.report.estimated_psnr_db);
+    }
     LightFigures& figures = made.figures;
-    if (made.frames.size() == 1) figures.first_seconds = frame.report.cpu_seconds;
-    figures.seconds += frame.report.cpu_seconds;
+    if (figures.seconds_by_frame.empty()) figures.first_seconds = frame.report.cpu_seconds;
     figures.seconds_by_frame.push_back(frame.report.cpu_seconds);
-    figures.rays += frame.report.rays.total();
+    figures.rays += static_cast<double>(frame.report.rays.total());
   }
 
-  LightFigures judge(const Made& made) const {
-    LightFigures figures = made.figures;
+  /// Sums of the frames that were rendered become those of all, errors those of the compared ones.
+  void judge(Made& made) const {
+    LightFigures& figures = made.figures;
+    const double rendered = static_cast<double>(figures.seconds_by_frame.size()), all = wanted_.count;
+    const std::vector<double>& seconds = figures.seconds_by_frame;
+    figures.seconds = std::accumulate(seconds.begin(), seconds.end(), 0.0) * all / rendered;
+    figures.rays *= all / rendered;
     figures.psnr_db = psnr_db(mean_squared_error(references_, made.frames));
-    for (std::size_t f = 0; f < made.frames.size(); ++f)
-      figures.psnr_db_by_frame.push_back(psnr_db(mean_squared_error({references_[f]}, {made.frames[f]})));
+    figures.block_psnr_db = psnr_db(block_squared_error(references_, made.frames, blocks_));
+    figures.mean_light = mean_light_ratio(references_, made.frames);
+    for (std::size_t f = 0; f < made.frames.size(); ++f) {
+      const Frames reference{references_[f]}, frame{made.frames[f]};
+      figures.psnr_db_by_frame.push_back(psnr_db(mean_squared_error(reference, frame)));
+      figures.block_psnr_db_by_frame.push_back(psnr_db(block_squared_error(reference, frame, blocks_)));
+      figures.mean_light_by_frame.push_back(mean_light_ratio(reference, frame));
+    }
+    figures.worst_psnr_db = least(figures.psnr_db_by_frame);
+    figures.worst_block_psnr_db = least(figures.block_psnr_db_by_frame);
     figures.view_flicker = view_flicker(made.frames, views_) - view_flicker(references_, views_);
-    figures.frame_flicker = frame_flicker(made.frames) - frame_flicker(references_);
-    return figures;
+    figures.frame_flicker =
+        wanted_.reference_step == 1 ? frame_flicker(made.frames) - frame_flicker(references_) : std::nan("");
   }
 
   void render_in_turn() {
@@ -113,17 +147,28 @@ class LightBench {
     const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, reuse_params_, pool_, context_);
     Made full, reuse;
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame) {
-      say(fmt::format("{}, frame {}: rendering with reuse and in full", wanted_.name, frame));
+      say(fmt::format("{}, frame {}: rendering with reuse{}", wanted_.name, frame, is_compared(frame) ? " and in full" : ""));
       RenderedFrame made = maker->make(frame);
       run_.grown_bytes = std::max(run_.grown_bytes, resident_bytes() - before);
       add(made, reuse);
       maker->recycle(std::move(made.pictures.film));
-      add(render_frame(stage_, full_params_, frame, pool_, context_), full);
+      if (is_compared(frame)) add(render_frame(stage_, full_params_, frame, pool_, context_), full);
     }
     if (context_.cancelled) return;
-    run_.full = judge(full), run_.reuse = judge(reuse);
+    judge(full), judge(reuse);
+    run_.full = full.figures, run_.reuse = reuse.figures;
+    run_.estimate = judge_estimates(reuse.estimates_db, reuse.figures.psnr_db_by_frame);
     run_.stated_bytes = bytes_kept_per_pixel(reuse_params_) * run_.width * run_.height;
     run_.full_by_spp.push_back({samples_per_pixel(full_params_), run_.full.seconds, run_.full.psnr_db});
+    if (!settings_.pictures.empty()) write_pictures(full.frames, reuse.frames);
+  }
+
+  void write_pictures(const Frames& full, const Frames& reuse) const {
+    for (std::size_t f = 0; f < references_.size(); ++f) {
+      const int frame = wanted_.first + static_cast<int>(f) * wanted_.reference_step;
+      write_light_pictures(settings_.pictures, fmt::format("{}_{:04}", wanted_.name, frame), references_[f], full[f], reuse[f],
+                           blocks_);
+    }
   }
 
   /// Full renders at two powers of 2, of which one takes less time than the reuse did, if any does, and one more.
@@ -146,10 +191,10 @@ class LightBench {
     params.spp = spp;
     Made made;
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame)
-      add(render_frame(stage_, params, frame, pool_, context_), made);
+      if (is_compared(frame)) add(render_frame(stage_, params, frame, pool_, context_), made);
     if (context_.cancelled) return;
-    const LightFigures figures = judge(made);
-    run_.full_by_spp.push_back({spp, figures.seconds, figures.psnr_db});
+    judge(made);
+    run_.full_by_spp.push_back({spp, made.figures.seconds, made.figures.psnr_db});
   }
 
   const LightCase& wanted_;
@@ -160,6 +205,7 @@ class LightBench {
   Stage stage_;
   std::vector<int> rows_;
   std::vector<ViewTriple> views_;
+  std::vector<Block> blocks_;
   Frames references_;
   LightRun run_;
 };

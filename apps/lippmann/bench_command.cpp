@@ -121,20 +121,28 @@ void add_bench_command(const Command& root, Action& chosen) {
   command.footer(footer);
   command.add_option("NAME", options->name, "Which benchmark").required();
   command
-      .add_option("--scene", options->request.scenes,
-                  "Only these scenes: built-in names or files, of light also room-quilt and tree-quilt; once for each")
-      .type_name("NAME");
+      .add_option("SCENE,--scene", options->request.scenes,
+                  "Only these scenes: built-in names or files, of light also the rows that --list names; several, or --scene "
+                  "again for each")
+      .type_name("SCENE");
+  command.add_flag("--list", options->request.list, "Of light: say what rows there are, and measure nothing");
+  command
+      .add_option("--pictures", options->request.pictures,
+                  "Of light: also write what was compared and the errors as PNG into this folder")
+      .type_name("DIR");
   command.add_option("--tachyon-scenes", options->request.tachyon_scenes, "The folder of Tachyon's own scenes")
       .type_name("DIR")
       .show_default();
   command
       .add_option("--frames", options->request.frames,
-                  "Of light, paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's), of light 12")
+                  "Of light, paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's), of light 12 (hostile rows 16)")
       .type_name("N")
       .not_negative();
   command.add_flag("--large", options->request.large, "Of reuse: also the teapot at 3840x2160 pixels");
   command.add_flag("--quick", options->request.quick, "Of light: few small frames, to see that it works");
-  command.add_option("--reference-spp", options->request.reference_spp, "Of light: samples per pixel of references; 0: 2048")
+  command
+      .add_option("--reference-spp", options->request.reference_spp,
+                  "Of light: samples per pixel of references; 0: 2048, of hostile rows 1024")
       .type_name("N")
       .range(0, 1 << 20);
   command

@@ -1,6 +1,7 @@
 #include "render/frame.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "render/aov_params.hpp"
@@ -39,8 +40,11 @@ TraceParams trace_params(const RenderParams& params, const Scene& scene) {
 }
 
 Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& context)
+    : Stage(wanted_scene(params, context), params, pool) {}
+
+Stage::Stage(Scene described, const RenderParams& params, const ThreadPool& pool)
     : display(wanted_display(params)),
-      scene(wanted_scene(params, context)),
+      scene(std::move(described)),
       array(fit_array(scene, window_aspect(params, scene.resolution, display.get()))),
       placed(make_optics(params, scene, array, display.get())),
       device(scene, pool, params.integrator) {}

@@ -27,6 +27,9 @@ struct Stage {
 
   /// Loads the scene, fits the array and builds what rays are traced against. Throws Error.
   Stage(const RenderParams& params, const ThreadPool& pool, const Context& context);
+  /// The same for a scene that is there already and passes validate(); it is lit by what it holds, whatever environment the
+  /// parameters name. Throws Error.
+  Stage(Scene scene, const RenderParams& params, const ThreadPool& pool);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 

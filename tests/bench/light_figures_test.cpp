@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
+#include "bench/light_pictures.hpp"
 #include "image/metrics.hpp"
 
 namespace lippmann::bench {
@@ -75,19 +77,119 @@ TEST(LightFigures, flicker_of_two_frames_is_not_a_number) {
   EXPECT_TRUE(std::isnan(frame_flicker({picture(1, 1, {10}), picture(1, 1, {20})})));
 }
 
-TEST(LightFigures, compared_rows_are_one_of_every_share) {
-  const std::vector<int> rows = rows_to_compare(lenticular(8, 64, 8), 16);
-  ASSERT_EQ(rows.size(), 4u);
-  for (int k = 0; k < 4; ++k) EXPECT_EQ(rows[static_cast<std::size_t>(k)] / 16, k);
+TEST(LightFigures, compared_rows_are_one_band_of_every_share) {
+  const std::vector<int> rows = rows_to_compare(lenticular(8, 512, 8), 16);
+  ASSERT_EQ(rows.size(), 4u * kBlockSide);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i] / 128, static_cast<int>(i) / kBlockSide);
+    EXPECT_EQ(rows[i], rows[i / kBlockSide * kBlockSide] + static_cast<int>(i) % kBlockSide);
+  }
+}
+
+TEST(LightFigures, compared_rows_of_a_share_of_one_are_all) {
+  const std::vector<int> rows = rows_to_compare(quilt(2, 2, 20), 1);
+  ASSERT_EQ(rows.size(), 40u);
+  for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i], static_cast<int>(i));
+}
+
+TEST(LightFigures, compared_rows_of_a_picture_lower_than_its_share_are_one_band) {
+  EXPECT_EQ(rows_to_compare(lenticular(8, 64, 8), 32).size(), 8u);
 }
 
 TEST(LightFigures, compared_rows_of_a_quilt_are_the_same_in_every_tile) {
-  const std::vector<int> rows = rows_to_compare(quilt(2, 3, 32), 16);
-  ASSERT_EQ(rows.size(), 6u);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(rows[i] + 32, rows[i + 2]);
-    EXPECT_EQ(rows[i] + 64, rows[i + 4]);
+  const std::vector<int> rows = rows_to_compare(quilt(2, 3, 64), 4);
+  ASSERT_EQ(rows.size(), 3u * 2u * kBlockSide);
+  for (std::size_t i = 0; i < 16; ++i) {
+    EXPECT_EQ(rows[i] + 64, rows[i + 16]);
+    EXPECT_EQ(rows[i] + 128, rows[i + 32]);
   }
+}
+
+TEST(LightFigures, block_below_lenses_is_of_one_view_and_neighbouring_lenses) {
+  const Optics optics = lenticular(64, 8, 4);  // 16 lenses: two blocks of each of four views
+  const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
+  ASSERT_EQ(blocks.size(), 8u);
+  for (std::size_t b = 0; b < 8; ++b)
+    for (std::size_t i = 0; i < 64; ++i)
+      EXPECT_EQ(blocks[b][i], i / 8 * 64 + b / 4 * 32 + i % 8 * 4 + b % 4) << "block " << b << ", pixel " << i;
+}
+
+TEST(LightFigures, blocks_of_a_quilt_stay_within_tiles_and_leave_out_their_edges) {
+  const Optics optics = quilt(2, 2, 12);
+  const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
+  ASSERT_EQ(blocks.size(), 4u);  // one of each tile, from its upper left corner
+  const std::uint32_t corners[] = {0, 12, 12 * 24, 12 * 24 + 12};
+  for (std::size_t b = 0; b < 4; ++b)
+    for (std::size_t i = 0; i < 64; ++i) EXPECT_EQ(blocks[b][i], corners[b] + i / 8 * 24 + i % 8) << b << ", " << i;
+}
+
+TEST(LightFigures, every_band_has_blocks_of_its_own) {
+  const Optics optics = lenticular(8, 512, 1);
+  const std::vector<int> rows = rows_to_compare(optics, 16);
+  const std::vector<Block> blocks = view_blocks(optics, rows);
+  ASSERT_EQ(blocks.size(), 4u);
+  for (std::size_t b = 0; b < 4; ++b) EXPECT_EQ(blocks[b].front(), 64 * b);
+}
+
+TEST(LightFigures, checkers_of_equal_mean_are_an_error_of_pixels_alone) {
+  const Optics optics = quilt(1, 1, 8);
+  const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
+  std::vector<unsigned char> checkers;
+  for (int i = 0; i < 64; ++i) checkers.push_back((i + i / 8) % 2 == 0 ? 90 : 110);
+  const Frames reference{picture(8, 8, std::vector<unsigned char>(64, 100))}, test{picture(8, 8, checkers)};
+  EXPECT_DOUBLE_EQ(mean_squared_error(reference, test), 100.0);  // 28.1 dB
+  EXPECT_EQ(block_squared_error(reference, test, blocks), 0.0);
+  EXPECT_TRUE(std::isinf(psnr_db(block_squared_error(reference, test, blocks))));
+}
+
+TEST(LightFigures, offset_of_two_codes_is_an_error_of_blocks_as_of_pixels) {
+  const Optics optics = quilt(1, 1, 8);
+  const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
+  const Frames reference{picture(8, 8, std::vector<unsigned char>(64, 100))},
+      test{picture(8, 8, std::vector<unsigned char>(64, 102))};
+  EXPECT_DOUBLE_EQ(block_squared_error(reference, test, blocks), 4.0);
+  EXPECT_NEAR(psnr_db(block_squared_error(reference, test, blocks)), 42.110, 1e-3);  // 10 log10(255^2 / 4)
+}
+
+TEST(LightFigures, block_error_is_not_a_number_without_blocks) {
+  const Frames frames{picture(2, 1, {10, 20})};
+  EXPECT_TRUE(std::isnan(block_squared_error(frames, frames, {})));
+}
+
+TEST(LightFigures, mean_light_is_linear_in_light) {
+  // Codes up to 10 are in the straight part of the sRGB curve.
+  EXPECT_NEAR(mean_light_ratio({picture(2, 1, {10, 10})}, {picture(2, 1, {5, 10})}), 0.75, 1e-12);
+  // 188 shows half the light of 255: ((188 / 255 + 0.055) / 1.055)^2.4 = 0.5029.
+  EXPECT_NEAR(mean_light_ratio({picture(1, 1, {255})}, {picture(1, 1, {188})}), 0.5029, 5e-5);
+}
+
+TEST(LightFigures, error_pictures_show_differences_around_mid_grey) {
+  const Image8 reference = picture(3, 1, {100, 100, 0}), test = picture(3, 1, {100, 97, 255});
+  const Image8 error = error_picture(reference, test);
+  EXPECT_EQ(error.rgb[0], 128);
+  EXPECT_EQ(error.rgb[3], 128 - 3 * 8);
+  EXPECT_EQ(error.rgb[6], 255);
+}
+
+TEST(LightFigures, block_error_picture_fills_blocks_with_the_difference_of_their_means) {
+  const Optics optics = quilt(1, 1, 9);
+  const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
+  const Image8 reference = picture(9, 9, std::vector<unsigned char>(81, 100));
+  Image8 test = reference;
+  for (std::size_t c = 0; c < 3; ++c) test.rgb[c] = 132;  // of one pixel of 64: half a code of the mean
+  const Image8 error = block_error_picture(reference, test, blocks);
+  EXPECT_EQ(error.rgb[0], 128 + 4);
+  EXPECT_EQ(error.rgb[3 * 7], 128 + 4);
+  EXPECT_EQ(error.rgb[3 * 8], 128);
+}
+
+TEST(LightFigures, estimates_are_held_against_frames_that_have_one_and_differ) {
+  const EstimateFigures figures =
+      judge_estimates({40.0, std::nullopt, 36.0, 50.0}, {34.0, 30.0, 38.0, std::numeric_limits<double>::infinity()});
+  EXPECT_DOUBLE_EQ(figures.mean_db, 38.0);
+  EXPECT_DOUBLE_EQ(figures.mean_excess_db, 2.0);  // 6 too much, 2 too little
+  EXPECT_DOUBLE_EQ(figures.largest_error_db, 6.0);
+  EXPECT_TRUE(std::isnan(judge_estimates({std::nullopt}, {30.0}).mean_db));
 }
 
 TEST(LightFigures, psnr_at_a_time_between_two_goes_with_the_logarithm) {

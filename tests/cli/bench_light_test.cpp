@@ -73,5 +73,29 @@ TEST(BenchLight, unknown_scene_is_refused) {
   EXPECT_NE(result.err.find("teapot"), std::string::npos) << result.err;
 }
 
+TEST(BenchLight, hostile_row_has_its_figures_and_bars) {
+  const TempDir dir;
+  const Json row = light_rows(dir, {"bar-lamp", "--pictures", (dir / "pictures").string()})[0];
+  EXPECT_EQ(row["row"], "bar-lamp");
+  EXPECT_EQ(row["frames"], 3);
+  EXPECT_EQ(row["compared_frames"], 3);
+  EXPECT_TRUE(row["equal_time_psnr_db"].is_null());
+  EXPECT_EQ(row["bar"]["block_gain_db"], -3.0);
+  for (const char* key : {"block_psnr_db", "full_block_psnr_db", "worst_psnr_db", "worst_block_psnr_db"})
+    EXPECT_TRUE(row[key].is_number()) << key;
+  EXPECT_GT(row["full_block_psnr_db"], row["full_psnr_db"]);  // noise is weaker in means
+  EXPECT_NEAR(row["full_mean_light"].get<double>(), 1.0, 0.05);
+  for (const char* what : {"reference", "full", "reuse", "error", "block_error"})
+    EXPECT_TRUE(std::filesystem::exists(dir / "pictures" / (std::string("bar-lamp_0002_") + what + ".png"))) << what;
+}
+
+TEST(BenchLight, list_names_all_rows_and_measures_none) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {"bench", "light", "--list"});
+  EXPECT_EQ(result.exit_code, 0);
+  for (const char* row : {"teapot", "tree-quilt", "bar-sun", "large"})
+    EXPECT_NE(result.out.find(row), std::string::npos) << row;
+}
+
 }  // namespace
 }  // namespace lippmann::test

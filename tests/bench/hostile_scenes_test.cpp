@@ -1,0 +1,91 @@
+// The scenes on which sharing light is hard: that they are sound, and that things move in them.
+#include "bench/hostile_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "render/make_optics.hpp"
+#include "scene/load.hpp"
+#include "scene/timeline.hpp"
+
+namespace lippmann::bench {
+namespace {
+
+Scene scene_named(const std::string& name) {
+  const auto& all = hostile_scenes();
+  return std::find_if(all.begin(), all.end(), [&](const HostileScene& scene) { return scene.name == name; })->build();
+}
+
+/// The longest way, in shares of the array's height and relative to the array, that a node which shows or lights something
+/// goes from the frame before, or a point beside it that turns with it does.
+float largest_step(const Scene& scene, int frame) {
+  const ResolvedScene before = evaluate(scene, scene.timeline.time(frame - 1)),
+                      after = evaluate(scene, scene.timeline.time(frame));
+  const float height = scene.display->plane_height, reach = height / 6.0f;
+  const Affine3f array_moved = after.of(scene.display->node) * inverse(before.of(scene.display->node));
+  float largest = 0.0f;
+  for (const Instance& instance : scene.instances)
+    for (const Vec3f& offset : {Vec3f(0.0f), Vec3f(reach, 0.0f, 0.0f), Vec3f(0.0f, reach, 0.0f), Vec3f(0.0f, 0.0f, reach)}) {
+      std::vector<int> nodes{instance.node};
+      if (instance.skin >= 0) nodes = scene.skins[static_cast<std::size_t>(instance.skin)].joints;
+      for (const int node : nodes) {
+        const Vec3f kept = transform_point(array_moved, transform_point(before.of(node), offset));
+        largest = std::max(largest, glm::length(transform_point(after.of(node), offset) - kept));
+      }
+    }
+  for (const Light& light : scene.lights)
+    largest = std::max(largest, glm::length(after.of(light.node).translation - before.of(light.node).translation));
+  return largest / height;
+}
+
+TEST(HostileScenes, have_names_of_their_own_and_say_what_is_hard) {
+  std::set<std::string> names;
+  for (const HostileScene& scene : hostile_scenes()) {
+    EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+    EXPECT_FALSE(scene.difficulty.empty()) << scene.name;
+    EXPECT_EQ(scene.difficulty.find('\n'), std::string::npos) << scene.name;
+  }
+}
+
+TEST(HostileScenes, pass_validation) {
+  for (const HostileScene& scene : hostile_scenes()) EXPECT_NO_THROW(validate(scene.build(), scene.name)) << scene.name;
+}
+
+TEST(HostileScenes, have_the_optics_that_they_ask_for) {
+  for (const HostileScene& hostile : hostile_scenes()) {
+    const Scene scene = hostile.build();
+    const FittedArray array = fit_array(scene);
+    const PlacedOptics placed = make_optics(hostile.params, scene, array);
+    EXPECT_NO_THROW(validate(placed.optics)) << hostile.name;
+    EXPECT_EQ(hostile.params.integrator, Integrator::kPath) << hostile.name;
+  }
+}
+
+TEST(HostileScenes, compare_their_first_frame_and_their_last) {
+  for (const HostileScene& scene : hostile_scenes()) EXPECT_EQ((scene.frames - 1) % scene.reference_step, 0) << scene.name;
+}
+
+TEST(HostileScenes, move_from_every_frame_to_the_next) {
+  for (const HostileScene& hostile : hostile_scenes()) {
+    const Scene scene = hostile.build();
+    EXPECT_EQ(scene.timeline.frames_per_second, 25.0) << hostile.name;
+    for (int frame = 1; frame < hostile.frames; ++frame) {
+      // A pixel of 120; thin things move by a part of one.
+      const float least = hostile.name == "thin" ? 0.2f / 120.0f : 1.0f / 120.0f;
+      EXPECT_GT(largest_step(scene, frame), least) << hostile.name << ", frame " << frame;
+    }
+  }
+}
+
+TEST(HostileScenes, of_another_unit_are_the_same_scene_scaled) {
+  const Scene scene = scene_named("bar-lamp"), small = scene_named("millimetres");
+  const Bounds3f bounds = finite_bounds(scene, evaluate(scene, 0.2)), small_bounds = finite_bounds(small, evaluate(small, 0.2));
+  EXPECT_NEAR(glm::length(small_bounds.size()), 1e-3f * glm::length(bounds.size()), 1e-6f);
+  EXPECT_FLOAT_EQ(small.display->plane_height, 1e-3f * scene.display->plane_height);
+}
+
+}  // namespace
+}  // namespace lippmann::bench
