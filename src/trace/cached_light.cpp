@@ -12,8 +12,9 @@ namespace lippmann {
 namespace {
 
 /// How a history may begin: samples across the smallest cells, in parts of what fits; rounds of feeding; the lights that the
-/// cache holds (LightCells). The first that is good enough is kept: more light where cells are too noisy, lamps and a sun asked
-/// at every point where cells blur their shadows, smaller ones where it is other light that they blur.
+/// cache holds (LightCells), of which a sun is never one. The first that is good enough is kept: more light where cells are too
+/// noisy, lamps and then the sky asked at every point where cells blur their shadows, smaller ones where it is other light that
+/// they blur.
 struct Beginning {
   float cell;
   int rounds;
@@ -21,9 +22,10 @@ struct Beginning {
   float of_cells;  ///< share of the error that cells may make: where it is more, the next beginning's feeding saves more
                    ///< samples than it costs
 };
-constexpr std::array<Beginning, 7> kBeginnings{{{1.0f, 4, LightGroup::kLamps, 0.4f},
+constexpr std::array<Beginning, 8> kBeginnings{{{1.0f, 4, LightGroup::kLamps, 0.4f},
                                                 {1.0f, 8, LightGroup::kLamps, 0.7f},
                                                 {1.0f, 16, LightGroup::kLamps, 1.0f},
+                                                {1.0f, 4, LightGroup::kSky, 1.0f},
                                                 {1.0f, 4, LightGroup::kEnd, 1.0f},
                                                 {0.5f, 16, LightGroup::kLamps, 1.0f},
                                                 {0.5f, 48, LightGroup::kLamps, 1.0f},
@@ -165,10 +167,12 @@ float CachedFrame::fitting_cell() {
   return cell;
 }
 
-/// To ask lamps and the sky at every point, there must be some.
+/// To ask lamps or the sky at every point, there must be some: else another beginning asks for as much.
 bool CachedFrame::helps(const Beginning& beginning) const {
-  return beginning.lights_from == LightGroup::kLamps ||
-         device_.impl().path->lights->chance({LightGroup::kLamps, LightGroup::kEnd}) > 0.0f;
+  const LightTable& lights = *device_.impl().path->lights;
+  if (beginning.lights_from == LightGroup::kSky) return lights.chance(kLamps) > 0.0f;
+  if (beginning.lights_from == LightGroup::kEnd) return lights.chance(kSkyLight) > 0.0f;
+  return true;
 }
 
 void CachedFrame::begin(const Beginning& beginning, float fitting_cell) {
