@@ -78,8 +78,8 @@ class CachedFrame {
 
   void begin_history(const CachedLightGoal& goal);
   void go_on();
-  void gather(bool provenance, Image& film);
-  void trace_whole(Image& film);
+  void gather(bool provenance, Image& film, FrameAovs& aovs);
+  void trace_whole(Image& film, FrameAovs& aovs);
 
   const RayCounts& counts() const { return counts_; }
 
@@ -219,18 +219,21 @@ double CachedFrame::seconds_for_pixels(double seconds) const {
   return std::max(kLeastShare * seconds, seconds - feeding_seconds_ / std::max(round_, 1));
 }
 
-void CachedFrame::gather(bool provenance, Image& film) {
+void CachedFrame::gather(bool provenance, Image& film, FrameAovs& aovs) {
   const Scatter before = smoothed(history_.scatter, optics_, pool_);
   const LightCells in = cells();
   const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
+  if (aovs.wants(Aov::kAlpha)) aovs.allocate(Aov::kAlpha, optics_.panel, 0.0f);
+  Image* const alpha = aovs.wants(Aov::kAlpha) ? &aovs[Aov::kAlpha] : nullptr;
   const float error = before.empty() ? history_.plan->error_alone : history_.plan->error;
-  add(gather_frame(sources, {params_, error, provenance}, {}, {&before, &history_.scatter}, pool_, context_, film), counts_);
+  add(gather_frame(sources, {params_, error, provenance}, {}, {&before, &history_.scatter}, pool_, context_, film, alpha),
+      counts_);
 }
 
-void CachedFrame::trace_whole(Image& film) {
+void CachedFrame::trace_whole(Image& film, FrameAovs& aovs) {
   TraceParams whole = params_;
   whole.spp = history_.path_samples;
-  add(trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, film), counts_);
+  add(trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, film, &aovs), counts_);
 }
 
 }  // namespace
@@ -256,7 +259,7 @@ double CachedLightTracer::bytes_per_pixel() {
 CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const Optics& optics,
                                            const Affine3f& world_from_display, const TraceParams& params,
                                            const CachedLightGoal& goal, const ThreadPool& pool, const Context& context,
-                                           Image& film) {
+                                           Image& film, FrameAovs* aovs) {
   History& history = impl_->history;
   impl_->places.update(resolved);
   CachedFrame frame(impl_->device, impl_->places, optics, world_from_display, params, pool, context, history);
@@ -267,11 +270,13 @@ CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const 
   CachedLightReport report;
   report.traced = !history.plan;
   report.squared_error = static_cast<double>(report.traced ? history.squared_goal : history.plan->squared_error);
+  FrameAovs none;
+  FrameAovs& layers = aovs ? *aovs : none;
   if (!context.cancelled) {
     if (report.traced)
-      frame.trace_whole(film);
+      frame.trace_whole(film, layers);
     else
-      frame.gather(goal.provenance, film);
+      frame.gather(goal.provenance, film, layers);
   }
   report.rays = frame.counts();
   return report;

@@ -121,6 +121,10 @@ void LightGatherer::shade_sky(const RayHitPacket& packet, int i, const PathRay& 
     if (ray.density == kInfinity) add(ray.pixel, ray.throughput * scene_.lights[id - kLightId].color);
     return;
   }
+  if (open_ && ray.depth == 0) {
+    open_[ray.pixel] += 1.0f;
+    return;
+  }
   const LightTable& lights = *scene_.path->lights;
   float share = 1.0f;
   if (ray.density != kInfinity) {
