@@ -48,6 +48,13 @@ class PatternFrames final : public FrameMaker {
   const ThreadPool& pool_;
 };
 
+/// What is asked for needs whole paths, so that no light is shared although it would be by default.
+void warn_of_whole_paths(const RenderParams& params, const Context& context) {
+  if (!LitFrames::is_wanted(params) || LitFrames::serves(params)) return;
+  context.warning(params.denoise ? "--denoise averages whole paths: no light is shared by --reuse exact"
+                                 : "--aov direct and indirect are parts of whole paths: no light is shared by --reuse exact");
+}
+
 /// Points are carried from frame to frame with their nodes, which says nothing of meshes that change their shape.
 void refuse_deforming_meshes(const Scene& scene) {
   const std::vector<bool> moves = moving_instances(scene);
@@ -69,6 +76,7 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
   if (params.reuse == Reuse::kForward && params.min_psnr_db)
     return std::make_unique<FlooredFrames>(stage, params, pool, context);
   if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
+  warn_of_whole_paths(params, context);
   if (params.denoise) return std::make_unique<DenoisedFrames>(stage, params, pool, context);
   // Extra layers are of every pixel of every frame: with them nothing is left to reuse.
   if (params.reuse == Reuse::kExact && params.aov.empty() && !params.transparent && params.integrator == Integrator::kWhitted)

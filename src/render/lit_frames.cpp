@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "render/aov_params.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -17,21 +19,30 @@ constexpr int kLeastPaths = 8;
 LitFrames::LitFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
     : stage_(stage), params_(params), pool_(pool), context_(context), tracer_(stage.device) {}
 
+bool LitFrames::is_wanted(const RenderParams& params) {
+  return params.reuse == Reuse::kExact && params.integrator == Integrator::kPath &&
+         (samples_per_pixel(params) >= kLeastPaths || params.min_psnr_db || params.time_budget_s);
+}
+
 bool LitFrames::serves(const RenderParams& params) {
-  return params.reuse == Reuse::kExact && params.integrator == Integrator::kPath && params.aov.empty() && !params.transparent &&
-         !params.denoise && (samples_per_pixel(params) >= kLeastPaths || params.min_psnr_db || params.time_budget_s);
+  const FrameAovs aovs = wanted_aovs(params);
+  return is_wanted(params) && !params.denoise && !aovs.wants(Aov::kDirect) && !aovs.wants(Aov::kIndirect);
 }
 
 RenderedFrame LitFrames::make(int frame) {
   const int start = frame / kSegment * kSegment;
   if (next_ < start || next_ > frame) next_ = start;
   RenderedFrame rendered;
-  while (next_ < frame && !context_.cancelled) sources_.push_back(visit(next_, rendered.pictures.film));
-  rendered.report = visit(frame, rendered.pictures.film);
+  rendered.pictures.aovs = wanted_aovs(params_);
+  while (next_ < frame && !context_.cancelled) sources_.push_back(visit(next_, rendered.pictures));
+  rendered.report = visit(frame, rendered.pictures);
+  const FrameClock clock(pool_);
+  if (!context_.cancelled) add_first_hits(stage_, params_, stage_.moment_at(frame), frame, pool_, rendered.pictures.aovs);
+  clock.add_to(rendered.report);
   return rendered;
 }
 
-FrameReport LitFrames::visit(int frame, Image& film) {
+FrameReport LitFrames::visit(int frame, FramePictures& pictures) {
   const FrameClock clock(pool_);
   if (frame % kSegment == 0) tracer_.restart();
   const Moment moment = stage_.moment_at(frame);
@@ -42,8 +53,8 @@ FrameReport LitFrames::visit(int frame, Image& film) {
   if (params_.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *params_.min_psnr_db));
   goal.seconds = params_.time_budget_s;
   goal.provenance = params_.debug == DebugPicture::kProvenance;
-  const CachedLightReport light =
-      tracer_.trace(moment.resolved, stage_.placed.optics, moment.world_from_display, trace, goal, pool_, context_, film);
+  const CachedLightReport light = tracer_.trace(moment.resolved, stage_.placed.optics, moment.world_from_display, trace, goal,
+                                                pool_, context_, pictures.film, &pictures.aovs);
   next_ = frame + 1;
   FrameReport report;
   report.frame = frame;

@@ -15,13 +15,14 @@ class LitFrames final : public FrameMaker {
   /// Earlier frames of a history, where only later ones were asked for.
   std::vector<FrameReport> sources() const override { return sources_; }
 
-  /// Whether it serves for these parameters.
+  /// Whether these parameters ask for it, and whether it can do what they ask for.
+  static bool is_wanted(const RenderParams& params);
   static bool serves(const RenderParams& params);
 
   static double bytes_kept_per_pixel() { return CachedLightTracer::bytes_per_pixel(); }
 
  private:
-  FrameReport visit(int frame, Image& film);
+  FrameReport visit(int frame, FramePictures& pictures);
 
   Stage& stage_;
   const RenderParams& params_;

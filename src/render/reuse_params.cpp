@@ -37,14 +37,14 @@ void check_reuse(const RenderParams& params) {
     throw usage_error(stray, "means nothing without interpolated frames", "it together with --reuse forward");
   if (params.debug == DebugPicture::kProvenance && !LitFrames::serves(params))
     throw usage_error("--debug", "provenance shows where reused light came from, and none is",
-                      "--integrator path --reuse exact with it, 8 --spp or more, no --aov and no --transparent");
+                      "--integrator path --reuse exact with it, 8 --spp or more, no --denoise and no --aov direct or indirect");
   if (params.reuse == Reuse::kNone && params.keyframes)
     throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse exact or forward");
   if (params.reuse == Reuse::kForward && params.integrator == Integrator::kPath)
     throw usage_error("--reuse", "forward does not know path-traced frames", "none or exact, or --integrator whitted");
   if (params.time_budget_s && !LitFrames::serves(params))
     throw usage_error("--time-budget", "is for path-traced frames that share light",
-                      "--integrator path --reuse exact with it, no --aov, no --transparent and no --denoise");
+                      "--integrator path --reuse exact with it, no --denoise and no --aov direct or indirect");
   if (params.time_budget_s && params.min_psnr_db)
     throw usage_error("--time-budget", "and --min-psnr both say how good frames should be", "one of the two");
   if (params.reuse == Reuse::kNone && params.min_psnr_db)

@@ -41,14 +41,15 @@ void BlockEstimates::push_back(std::uint32_t of_pixel, float scatter_before) {
   const std::size_t e = size++;
   pixel[e] = of_pixel;
   before[e] = scatter_before;
-  samples[e] = red[e] = green[e] = blue[e] = luminance[e] = square[e] = 0.0f;
+  samples[e] = red[e] = green[e] = blue[e] = luminance[e] = square[e] = open[e] = 0.0f;
 }
 
-void BlockEstimates::add(std::size_t e, Vec3f radiance) {
+void BlockEstimates::add(std::size_t e, Vec3f radiance, float opens) {
   const float y = lippmann::luminance(radiance);
   samples[e] += 1.0f;
   red[e] += radiance.x, green[e] += radiance.y, blue[e] += radiance.z;
   luminance[e] += y, square[e] += y * y;
+  open[e] += opens;
 }
 
 LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
@@ -59,7 +60,9 @@ LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
     const float square = std::max(0.0f, block.square[e] / n - mean * mean);
     const float visible = shown(mean), slope = 1.055f * fast_pow(visible, 1.0f / 2.4f) / (2.4f * visible);
     block.mean[kLanes + e] = mean;
-    block.scatter[kLanes + e] = slope * slope * square * n / (n - 1.0f);
+    const float clear = block.open[e] / n;
+    block.clear[kLanes + e] = clear;
+    block.scatter[kLanes + e] = (slope * slope * square + block.alpha_weight * clear * (1.0f - clear)) * n / (n - 1.0f);
   }
 }
 
@@ -71,19 +74,23 @@ LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& 
   for (int e = 0; e < count; ++e) {
     const float* mean = block.mean + kLanes + e;
     const float* scatter = block.scatter + kLanes + e;
+    const float* clear = block.clear + kLanes + e;
     const float own = mean[0];
-    float around = 0.0f, known = 0.0f, least = own, most = own;
+    float around = 0.0f, known = 0.0f, least = own, most = own, edge = 0.0f;
     for (const int step : {-1, 1, -kLanes, kLanes}) {
       const bool inside = (e + step >= 0) & (e + step < size);
       around += inside ? scatter[step] : 0.0f;
       known += inside ? 1.0f : 0.0f;
       least = std::min(least, inside ? mean[step] : own);
       most = std::max(most, inside ? mean[step] : own);
+      edge = std::max(edge, inside ? std::abs(clear[step] - clear[0]) : 0.0f);
     }
     float variance = scatter[0];
     const float smooth = 0.5f * (variance + around / std::max(known, 1.0f));
     variance = std::max(variance, few * smooth);
     variance += missed(own, most, have, weight) + missed(own, least, have, weight);
+    edge /= have + 2.0f;
+    variance += block.alpha_weight * weight * edge * edge;
     variance = std::max(std::max(variance, block.before[e]), std::numeric_limits<float>::min());
     block.wanted[e] = fast_pow(variance * inverse, kGrowth);
   }

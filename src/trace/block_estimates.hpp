@@ -14,17 +14,21 @@ struct BlockEstimates {
   using PaddedValues = float[kLanes + kMost + kLanes];
 
   std::size_t size = 0;
+  float alpha_weight = 1.0f;  ///< of squared errors of alpha beside those of light
   alignas(64) std::uint32_t pixel[kMost];
   alignas(64) Values samples;                              ///< how many
   alignas(64) Values red, green, blue, luminance, square;  ///< their sums
+  alignas(64) Values open;                                 ///< how many see the surroundings, where pictures do not; else 0
   alignas(64) Values before;  ///< scatter of a sample of this pixel in the frame before, squared; 0: not known
   // As of the last encode().
   alignas(64) PaddedValues mean;     ///< luminance
-  alignas(64) PaddedValues scatter;  ///< squared deviation of one sample from the mean
+  alignas(64) PaddedValues clear;    ///< share of open samples: 1 less alpha
+  alignas(64) PaddedValues scatter;  ///< squared deviation of one sample from the mean, of alpha added
   alignas(64) Values wanted;         ///< samples that each pixel should have
 
   void push_back(std::uint32_t of_pixel, float scatter_before);
-  void add(std::size_t e, Vec3f radiance);
+  void add(std::size_t e, Vec3f radiance, float opens = 0.0f);
+  float alpha(std::size_t e) const { return 1.0f - open[e] / samples[e]; }
   Vec3f radiance(std::size_t e) const { return Vec3f(red[e], green[e], blue[e]) / samples[e]; }
 };
 

@@ -12,8 +12,9 @@ namespace lippmann {
 namespace {
 
 /// How a history may begin: samples across the smallest cells, in parts of what fits; rounds of feeding; the lights that the
-/// cache holds (LightCells). The first that is good enough is kept: more light where cells are too noisy, lamps and a sun asked
-/// at every point where cells blur their shadows, smaller ones where it is other light that they blur.
+/// cache holds (LightCells), of which a sun is never one. The first that is good enough is kept: more light where cells are too
+/// noisy, lamps and then the sky asked at every point where cells blur their shadows, smaller ones where it is other light that
+/// they blur.
 struct Beginning {
   float cell;
   int rounds;
@@ -21,9 +22,10 @@ struct Beginning {
   float of_cells;  ///< share of the error that cells may make: where it is more, the next beginning's feeding saves more
                    ///< samples than it costs
 };
-constexpr std::array<Beginning, 7> kBeginnings{{{1.0f, 4, LightGroup::kLamps, 0.4f},
+constexpr std::array<Beginning, 8> kBeginnings{{{1.0f, 4, LightGroup::kLamps, 0.4f},
                                                 {1.0f, 8, LightGroup::kLamps, 0.7f},
                                                 {1.0f, 16, LightGroup::kLamps, 1.0f},
+                                                {1.0f, 4, LightGroup::kSky, 1.0f},
                                                 {1.0f, 4, LightGroup::kEnd, 1.0f},
                                                 {0.5f, 16, LightGroup::kLamps, 1.0f},
                                                 {0.5f, 48, LightGroup::kLamps, 1.0f},
@@ -76,8 +78,8 @@ class CachedFrame {
 
   void begin_history(const CachedLightGoal& goal);
   void go_on();
-  void gather(bool provenance, Image& film);
-  void trace_whole(Image& film);
+  void gather(bool provenance, Image& film, FrameAovs& aovs);
+  void trace_whole(Image& film, FrameAovs& aovs);
 
   const RayCounts& counts() const { return counts_; }
 
@@ -165,10 +167,12 @@ float CachedFrame::fitting_cell() {
   return cell;
 }
 
-/// To ask lamps and the sky at every point, there must be some.
+/// To ask lamps or the sky at every point, there must be some: else another beginning asks for as much.
 bool CachedFrame::helps(const Beginning& beginning) const {
-  return beginning.lights_from == LightGroup::kLamps ||
-         device_.impl().path->lights->chance({LightGroup::kLamps, LightGroup::kEnd}) > 0.0f;
+  const LightTable& lights = *device_.impl().path->lights;
+  if (beginning.lights_from == LightGroup::kSky) return lights.chance(kLamps) > 0.0f;
+  if (beginning.lights_from == LightGroup::kEnd) return lights.chance(kSkyLight) > 0.0f;
+  return true;
 }
 
 void CachedFrame::begin(const Beginning& beginning, float fitting_cell) {
@@ -215,18 +219,21 @@ double CachedFrame::seconds_for_pixels(double seconds) const {
   return std::max(kLeastShare * seconds, seconds - feeding_seconds_ / std::max(round_, 1));
 }
 
-void CachedFrame::gather(bool provenance, Image& film) {
+void CachedFrame::gather(bool provenance, Image& film, FrameAovs& aovs) {
   const Scatter before = smoothed(history_.scatter, optics_, pool_);
   const LightCells in = cells();
   const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
+  if (aovs.wants(Aov::kAlpha)) aovs.allocate(Aov::kAlpha, optics_.panel, 0.0f);
+  Image* const alpha = aovs.wants(Aov::kAlpha) ? &aovs[Aov::kAlpha] : nullptr;
   const float error = before.empty() ? history_.plan->error_alone : history_.plan->error;
-  add(gather_frame(sources, {params_, error, provenance}, {}, {&before, &history_.scatter}, pool_, context_, film), counts_);
+  add(gather_frame(sources, {params_, error, provenance}, {}, {&before, &history_.scatter}, pool_, context_, film, alpha),
+      counts_);
 }
 
-void CachedFrame::trace_whole(Image& film) {
+void CachedFrame::trace_whole(Image& film, FrameAovs& aovs) {
   TraceParams whole = params_;
   whole.spp = history_.path_samples;
-  add(trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, film), counts_);
+  add(trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, film, &aovs), counts_);
 }
 
 }  // namespace
@@ -252,7 +259,7 @@ double CachedLightTracer::bytes_per_pixel() {
 CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const Optics& optics,
                                            const Affine3f& world_from_display, const TraceParams& params,
                                            const CachedLightGoal& goal, const ThreadPool& pool, const Context& context,
-                                           Image& film) {
+                                           Image& film, FrameAovs* aovs) {
   History& history = impl_->history;
   impl_->places.update(resolved);
   CachedFrame frame(impl_->device, impl_->places, optics, world_from_display, params, pool, context, history);
@@ -263,11 +270,13 @@ CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const 
   CachedLightReport report;
   report.traced = !history.plan;
   report.squared_error = static_cast<double>(report.traced ? history.squared_goal : history.plan->squared_error);
+  FrameAovs none;
+  FrameAovs& layers = aovs ? *aovs : none;
   if (!context.cancelled) {
     if (report.traced)
-      frame.trace_whole(film);
+      frame.trace_whole(film, layers);
     else
-      frame.gather(goal.provenance, film);
+      frame.gather(goal.provenance, film, layers);
   }
   report.rays = frame.counts();
   return report;

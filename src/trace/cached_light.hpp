@@ -35,10 +35,11 @@ class CachedLightTracer {
 
   /// A frame, as trace_frame. `resolved` is what `scene` was updated with. What the frames before it, since restart(), have
   /// found helps: they must be the same, in the same order, for the same bits. Not so where the goal is a time: then samples
-  /// go by the clock.
+  /// go by the clock. aovs: of them, alpha is filled where it is wanted, which must be the same for all frames of a history;
+  /// errors are those of pictures that show the surroundings.
   CachedLightReport trace(const ResolvedScene& resolved, const Optics& optics, const Affine3f& world_from_display,
                           const TraceParams& params, const CachedLightGoal& goal, const ThreadPool& pool,
-                          const Context& context, Image& film);
+                          const Context& context, Image& film, FrameAovs* aovs = nullptr);
 
   /// Kept from frame to frame at most, per pixel; less than two thousand more make up for it in small frames.
   static double bytes_per_pixel();

@@ -1,5 +1,6 @@
 #include "trace/gather_frame.hpp"
 
+#include <array>
 #include <atomic>
 #include <memory>
 
@@ -73,19 +74,24 @@ class SamplePackets {
 /// A pixel's first samples, a power of two.
 constexpr std::uint32_t kFirstSamples = 2;
 
+/// As GatherParams::error, of alpha: the error that light may have is found from pictures that alpha's edges may not show in.
+constexpr float kAlphaError = 0.01f;
+
 class BlockGatherer {
  public:
-  BlockGatherer(const GatherSources& sources, const SamplePackets& packets, const GatherParams& params)
+  BlockGatherer(const GatherSources& sources, const SamplePackets& packets, const GatherParams& params, bool is_transparent)
       : packets_(packets),
         error_(params.error),
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
         gatherer_(sources.scene, sources.cells, sources.cache,
                   {params.trace.max_depth, hash(params.trace.seed, params.trace.frame), params.trace.clamp_indirect}, light_) {
     if (params.provenance) gatherer_.show_provenance();
+    if (is_transparent) gatherer_.leave_open(open_.data());
   }
 
   /// Fills a block whose pixels are listed.
   void gather(BlockEstimates& block) {
+    block.alpha_weight = std::max(1.0f, error_ * error_ / (kAlphaError * kAlphaError));
     std::vector<Work> work;
     for (std::uint32_t s = 0; s < kFirstSamples; ++s)
       for (std::uint32_t e = 0; e < block.size; ++e) work.push_back({e, s});
@@ -122,8 +128,8 @@ class BlockGatherer {
       gatherer_.finish_batch();
       for (std::size_t w = begin; w < end; ++w) {
         float* light = &light_.data[3 * (w - begin)];
-        block.add(work[w].estimate, {light[0], light[1], light[2]});
-        light[0] = light[1] = light[2] = 0.0f;
+        block.add(work[w].estimate, {light[0], light[1], light[2]}, open_[w - begin]);
+        light[0] = light[1] = light[2] = open_[w - begin] = 0.0f;
       }
     }
   }
@@ -131,6 +137,7 @@ class BlockGatherer {
   const SamplePackets& packets_;
   float error_;
   Image light_;
+  std::array<float, BlockEstimates::kMost> open_{};
   LightGatherer gatherer_;
 };
 
@@ -190,7 +197,8 @@ Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool&
 }
 
 RayCounts gather_frame(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
-                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film) {
+                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film,
+                       Image* alpha) {
   if (history.now)
     history.now->assign(
         static_cast<std::size_t>(sources.optics.panel.width) * static_cast<std::size_t>(sources.optics.panel.height), -1.0f);
@@ -205,7 +213,7 @@ RayCounts gather_frame(const GatherSources& sources, const GatherParams& params,
   std::atomic<std::size_t> done{0};
   const Scatter unknown;
   pool.for_each(strips, [&](std::size_t strip) {
-    BlockGatherer gatherer(sources, packets, params);
+    BlockGatherer gatherer(sources, packets, params, alpha != nullptr);
     const auto block = std::make_unique<BlockEstimates>();
     for (std::size_t b = 0; b < blocks && !context.cancelled; ++b) {
       list_pixels(source, strip, b, wanted, history.before ? *history.before : unknown, *block);
@@ -214,6 +222,7 @@ RayCounts gather_frame(const GatherSources& sources, const GatherParams& params,
       for (std::size_t e = 0; e < block->size; ++e) {
         const std::size_t pixel = block->pixel[e];
         if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
+        if (alpha) alpha->data[pixel] = block->alpha(e);
         const Vec3f radiance = block->radiance(e);
         std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
       }

@@ -40,9 +40,11 @@ struct GatherHistory {
 };
 
 /// Fills `film` (3 channels, linear, the panel's size), or of it only the packets that are not 0 in `wanted` (by packet, as in
-/// trace_packets; empty: all). The same bits for any number of threads. Returns early when context.cancelled is set.
+/// trace_packets; empty: all). alpha: null, or as large as the film with 1 channel; then receives Aov::kAlpha, and the film is
+/// free of the surroundings. The same bits for any number of threads. Returns early when context.cancelled is set.
 RayCounts gather_frame(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
-                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film);
+                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film,
+                       Image* alpha = nullptr);
 
 /// Packets of a frame, as trace_packets and gather_frame count them.
 struct FramePackets {

@@ -43,7 +43,7 @@ LightGatherer::LightGatherer(const DeviceScene::Impl& scene, const LightCells& c
       params_(params),
       film_(film.data.data()),
       asks_points_alone_(scene.path->lights->points() <= kFewLights &&
-                         !(scene.path->lights->chance({LightGroup::kLamps, cells.lights_from}) > 0.0f)),
+                         !(scene.path->lights->chance({LightGroup::kSun, cells.lights_from}) > 0.0f)),
       paths_(scene, cells.beam, params, {film.data.data()}) {}
 
 void LightGatherer::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel,
@@ -121,10 +121,16 @@ void LightGatherer::shade_sky(const RayHitPacket& packet, int i, const PathRay& 
     if (ray.density == kInfinity) add(ray.pixel, ray.throughput * scene_.lights[id - kLightId].color);
     return;
   }
+  if (open_ && ray.depth == 0) {
+    open_[ray.pixel] += 1.0f;
+    return;
+  }
   const LightTable& lights = *scene_.path->lights;
-  const float share = ray.density == kInfinity
-                          ? 1.0f
-                          : power_heuristic(ray.density * lights.chance(kSkyLight), lights.density_of_sky(ray.direction));
+  float share = 1.0f;
+  if (ray.density != kInfinity) {
+    const LightTable::Sky sky = lights.sky(ray.direction);
+    share = power_heuristic(ray.density * lights.chance(sky.group), sky.density);
+  }
   add(ray.pixel, ray.throughput * lights.environment().radiance(ray.direction) * share);
 }
 
@@ -156,6 +162,7 @@ void LightGatherer::shade_surface(const RayHitPacket& packet, int i, const PathR
   const Bsdf gloss = has_gloss ? bsdf.without_diffuse() : bsdf;
   const bool is_rough = has_gloss && !gloss.is_sharp();
   const Vec3f albedo = bsdf.diffuse_albedo();
+  add_lights(kSun, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
   add_lights(kLamps, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
   add_lights(kSkyLight, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
   if (albedo != Vec3f(0.0f)) ask(packet, i, bsdf.normal(), albedo, length);

@@ -23,6 +23,9 @@ class LightGatherer {
   /// fed in this frame, blue what frames before it have found.
   void show_provenance() { shows_provenance_ = true; }
 
+  /// From now on the surroundings light surfaces, but where a sample would see them it adds 1 to its slot here instead.
+  void leave_open(float* open) { open_ = open; }
+
   /// A primary ray per active lane: sample number sample[i] of pixel[i] of the panel, its light goes to slot[i] of the film.
   void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, const std::uint32_t* sample,
                const std::uint32_t* slot);
@@ -61,6 +64,7 @@ class LightGatherer {
   const LightCache& cache_;
   PathParams params_;
   float* film_;
+  float* open_ = nullptr;  ///< by slot, too
   bool shows_provenance_ = false;
   bool asks_points_alone_;  ///< lights that are asked at a diffuse surface are few and points
   RayCounts counts_;

@@ -50,13 +50,16 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
       first_triangle_(sources.records.size(), -1) {
   std::vector<float> powers;
   for (const WhittedLight& light : sources_.lights) powers.push_back(power(light, unit_, sources_.size));
+  const float of_sky = 4.0f * kPi * kPi * sources_.size * sources_.size * luminance(environment_.mean_radiance());
+  powers.push_back(of_sky * environment_.sun_share());
   add_triangles(powers);
-  powers.push_back(4.0f * kPi * kPi * sources_.size * sources_.size * luminance(environment_.mean_radiance()));
+  powers.push_back(of_sky * (1.0f - environment_.sun_share()));
   for (float& p : powers)
     if (!std::isfinite(p)) p = 0.0f;
   chances_ = DiscreteDistribution(powers);
   if (chances_.empty()) return;
-  begins_ = {0.0f, chances_.probability_before(points()), chances_.probability_before(powers.size() - 1), 1.0f};
+  begins_ = {0.0f, chances_.probability_before(sun()), chances_.probability_before(first_triangle()),
+             chances_.probability_before(powers.size() - 1), 1.0f};
 }
 
 void LightTable::add_triangles(std::vector<float>& powers) {
@@ -95,16 +98,15 @@ std::optional<LightSample> LightTable::sample(Vec3f from, float pick, Vec2f u) c
   float rest = 0.0f;
   const std::size_t chosen = chances_.sample(pick, rest);
   const float chance = chances_.probability(chosen);
-  const std::size_t points = sources_.lights.size();
   std::optional<LightSample> s;
-  if (chosen < points) {
+  if (chosen < points())
     s = sample_point(sources_.lights[chosen], from);
-  } else if (chosen < points + triangles_.size()) {
-    s = sample_triangle_light(triangles_[chosen - points], from, u);
-  } else {
-    const Environment::Sample sky = environment_.sample(u);
-    if (sky.density > 0.0f) s = {sky.direction, kInfinity, environment_.radiance(sky.direction), sky.density};
-  }
+  else if (chosen == sun())
+    s = sample_sky(environment_.sample_sun(u));
+  else if (chosen < first_triangle() + triangles_.size())
+    s = sample_triangle_light(triangles_[chosen - first_triangle()], from, u);
+  else
+    s = sample_sky(environment_.sample_rest(u));
   if (!s) return std::nullopt;
   if (s->is_point()) s->radiance /= chance;
   s->density *= chance;
@@ -131,6 +133,11 @@ std::optional<LightSample> LightTable::sample_point(const WhittedLight& light, V
   return LightSample{direction, distance, unit_ * s * light.color, kInfinity};
 }
 
+std::optional<LightSample> LightTable::sample_sky(const Environment::Sample& sky) const {
+  if (!(sky.density > 0.0f)) return std::nullopt;
+  return LightSample{sky.direction, kInfinity, environment_.radiance(sky.direction), sky.density};
+}
+
 std::optional<LightSample> LightTable::sample_triangle_light(const Triangle& t, Vec3f from, Vec2f u) const {
   const Vec2f at = sample_triangle(u);
   const Vec3f to = t.origin + at.x * t.edge_b + at.y * t.edge_c - from;
@@ -154,9 +161,15 @@ Vec3f LightTable::emission_at(const Triangle& t, Vec2f barycentric) const {
 
 float LightTable::chance_of_record(std::size_t record) const {
   if (first_triangle_[record] < 0 || chances_.empty()) return 0.0f;
-  const std::size_t first = points() + static_cast<std::size_t>(first_triangle_[record]);
+  const std::size_t first = first_triangle() + static_cast<std::size_t>(first_triangle_[record]);
   return chances_.probability_before(first + sources_.records[record].mesh->triangles.size()) -
          chances_.probability_before(first);
+}
+
+LightTable::Sky LightTable::sky(Vec3f direction) const {
+  const Environment::Density density = environment_.density(direction);
+  const LightGroups group = density.of_sun ? kSun : kSkyLight;
+  return {group, chance(group) * density.value};
 }
 
 float LightTable::density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const {
@@ -165,7 +178,7 @@ float LightTable::density_of(std::uint32_t record, std::uint32_t prim, float dis
   const Triangle& t = triangles_[index];
   const float cosine = std::abs(glm::dot(direction, t.normal));
   if (!(cosine > 0.0f)) return 0.0f;
-  return chances_.probability(sources_.lights.size() + index) * distance * distance / (cosine * t.area);
+  return chances_.probability(first_triangle() + index) * distance * distance / (cosine * t.area);
 }
 
 }  // namespace lippmann

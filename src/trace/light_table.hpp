@@ -1,4 +1,5 @@
-// The lights of a scene as paths see them: point-like lights, triangles that shine, the sky; one of them drawn by its power.
+// The lights of a scene as paths see them: point-like lights, the sky's sun, triangles that shine, the rest of the sky; one of
+// them drawn by its power.
 // Private to src/trace.
 //
 // Based on: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997 (next-event estimation, and the
@@ -34,14 +35,15 @@ struct LightSources {
   float size;  ///< of the scene: half its diagonal
 };
 
-/// Groups of lights, in the order that they are chosen from: point-like ones, triangles that shine, the surroundings.
-enum class LightGroup : std::uint8_t { kPoints, kLamps, kSky, kEnd };
+/// Groups of lights, in the order that they are chosen from: point-like ones, the surroundings' sun (Environment::has_sun),
+/// triangles that shine, the rest of the surroundings. The later, the softer the shadows.
+enum class LightGroup : std::uint8_t { kPoints, kSun, kLamps, kSky, kEnd };
 
 /// All groups from one on, up to another that is not of them.
 struct LightGroups {
   LightGroup begin, end;
 };
-inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kLamps},
+inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kSun}, kSun{LightGroup::kSun, LightGroup::kLamps},
     kLamps{LightGroup::kLamps, LightGroup::kSky}, kSkyLight{LightGroup::kSky, LightGroup::kEnd};
 
 /// One light, seen from a point.
@@ -78,8 +80,12 @@ class LightTable {
   /// triangle is none of its lights.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const;
 
-  /// Of sample(), had it chosen this direction into the sky.
-  float density_of_sky(Vec3f direction) const { return chance(kSkyLight) * environment_.density(direction); }
+  /// Of a direction into the sky.
+  struct Sky {
+    LightGroups group;     ///< kSun or kSkyLight
+    float density = 0.0f;  ///< of sample(), had it chosen this direction
+  };
+  Sky sky(Vec3f direction) const;
 
   /// Of sample(), to choose a point-like light, and any triangle of a record.
   float chance_of_point(std::size_t light) const { return chances_.empty() ? 0.0f : chances_.probability(light); }
@@ -94,9 +100,12 @@ class LightTable {
     std::uint32_t record, prim;
   };
 
+  std::size_t sun() const { return points(); }  ///< its index, also where there is none
+  std::size_t first_triangle() const { return sun() + 1; }
   float begin_of(LightGroup group) const { return begins_[static_cast<std::size_t>(group)]; }
   void add_triangles(std::vector<float>& powers);
   std::optional<LightSample> sample_point(const WhittedLight& light, Vec3f from) const;
+  std::optional<LightSample> sample_sky(const Environment::Sample& sky) const;
   std::optional<LightSample> sample_triangle_light(const Triangle& triangle, Vec3f from, Vec2f u) const;
   Vec3f emission_at(const Triangle& triangle, Vec2f barycentric) const;
 
@@ -105,8 +114,8 @@ class LightTable {
   float unit_;
   std::vector<Triangle> triangles_;
   std::vector<int> first_triangle_;  ///< per record; -1: does not shine
-  DiscreteDistribution chances_;     ///< point-like lights, triangles, the sky
-  std::array<float, 4> begins_{};    ///< by group: the chance of all before it
+  DiscreteDistribution chances_;     ///< point-like lights, the sun, triangles, the rest of the sky
+  std::array<float, 5> begins_{};    ///< by group: the chance of all before it
 };
 
 }  // namespace lippmann

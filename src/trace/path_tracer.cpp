@@ -93,8 +93,12 @@ void PathTracer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray
     return;
   }
   if (ray.lights_from > static_cast<std::uint16_t>(LightGroup::kSky)) return;
-  const LightTable& lights = *scene_.path->lights;
-  const float share = ray.density == kInfinity ? 1.0f : power_heuristic(ray.density, lights.density_of_sky(ray.direction));
+  float share = 1.0f;
+  if (ray.density != kInfinity) {
+    const LightTable::Sky sky = scene_.path->lights->sky(ray.direction);
+    if (ray.lights_from > static_cast<std::uint16_t>(sky.group.begin)) return;
+    share = power_heuristic(ray.density, sky.density);
+  }
   end_path(ray, {sky_.red[i], sky_.green[i], sky_.blue[i]}, share);
 }
 

@@ -81,39 +81,39 @@ Vec3f gradient(const Background& b, Vec3f d) {
 
 Environment::Environment(const Background& background)
     : background_(background),
-      width_(background.map ? background.map->radiance.width : kGradientWidth),
-      height_(background.map ? background.map->radiance.height : kGradientHeight) {
-  const float step = kPi / static_cast<float>(height_);
-  for (int y = 0; y <= height_; ++y) cosines_.push_back(std::cos(step * static_cast<float>(y)));
-  for (std::size_t y = 0; y + 1 < cosines_.size(); ++y)
-    solid_angles_.push_back((cosines_[y] - cosines_[y + 1]) * 2.0f * kPi / static_cast<float>(width_));
-  std::vector<float> row_weights;
-  const auto columns = static_cast<std::size_t>(width_);
-  for (int y = 0; y < height_; ++y) {
-    std::vector<float> weights(columns);
-    for (int x = 0; x < width_; ++x) {
-      // A texel's light reaches into its neighbours, where it is looked up bilinearly; no light may have no chance.
-      Vec3f sum(0.0f);
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) sum += texel(x + dx, y + dy);
-      weights[static_cast<std::size_t>(x)] = luminance(sum) / 9.0f;
-      mean_radiance_ += texel(x, y) * (solid_angles_[static_cast<std::size_t>(y)] / (4.0f * kPi));
+      patches_(background.map ? background.map->radiance.width : kGradientWidth,
+               background.map ? background.map->radiance.height : kGradientHeight) {
+  for (int y = 0; y < patches_.height(); ++y)
+    for (int x = 0; x < patches_.width(); ++x) {
+      Vec3f light = texel(x, y);
+      mean_radiance_ += light * (patches_.texel_solid_angle(y) / (4.0f * kPi));
+      if (!background.map) {  // a gradient may begin between texels, and no light may have no chance
+        light = Vec3f(0.0f);
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) light += texel(x + dx, y + dy) / 9.0f;
+      }
+      patches_.set(x, y, luminance(light));
     }
-    columns_.emplace_back(weights);
-    row_weights.push_back(static_cast<float>(columns_.back().total()) * solid_angles_[static_cast<std::size_t>(y)]);
-  }
-  rows_ = DiscreteDistribution(row_weights);
+  const PatchMask sun = background.map ? find_sun(patches_) : PatchMask{};
+  sun_ = PatchChoice(patches_, [&](std::size_t patch) { return !sun.empty() && sun[patch]; });
+  rest_ = PatchChoice(patches_, [&](std::size_t patch) { return sun.empty() || !sun[patch]; });
+}
+
+float Environment::sun_share() const {
+  const double all = sun_.total() + rest_.total();
+  return all > 0.0 ? static_cast<float>(sun_.total() / all) : 0.0f;
 }
 
 /// Columns go round, rows end at the poles.
 Vec3f Environment::texel(int x, int y) const {
-  x = (x + width_) % width_, y = std::clamp(y, 0, height_ - 1);
+  const int width = patches_.width(), height = patches_.height();
+  x = (x + width) % width, y = std::clamp(y, 0, height - 1);
   if (background_.map) {
     const float* p = background_.map->radiance.pixel(x, y);
     return background_.map->strength * Vec3f(p[0], p[1], p[2]);
   }
-  const Vec2f place((static_cast<float>(x) + 0.5f) / static_cast<float>(width_),
-                    (static_cast<float>(y) + 0.5f) / static_cast<float>(height_));
+  const Vec2f place((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                    (static_cast<float>(y) + 0.5f) / static_cast<float>(height));
   return gradient(background_, direction_at(place, 0.0f));
 }
 
@@ -132,24 +132,17 @@ void Environment::radiance(SkyRays& rays) const {
   }
 }
 
-Environment::Sample Environment::sample(Vec2f u) const {
-  Vec2f within;
-  const std::size_t y = rows_.sample(u.y, within.y), x = columns_[y].sample(u.x, within.x);
-  // Even in solid angle within the texel: in the cosine of the polar angle.
-  const float cosine = glm::mix(cosines_[y], cosines_[y + 1], within.y);
-  const Vec2f place((static_cast<float>(x) + within.x) / static_cast<float>(width_),
-                    std::acos(std::clamp(cosine, -1.0f, 1.0f)) / kPi);
-  const float chance = rows_.probability(y) * columns_[y].probability(x);
-  return {direction_at(place, background_.map ? background_.map->rotation : 0.0f), chance / solid_angles_[y]};
+Environment::Sample Environment::sample(const PatchChoice& patches, Vec2f u) const {
+  if (patches.is_dark()) return {};
+  const PatchChoice::Chosen chosen = patches.sample(patches_, u);
+  const Vec2f place(chosen.across, std::acos(std::clamp(chosen.cosine, -1.0f, 1.0f)) / kPi);
+  return {direction_at(place, rotation()), chosen.density};
 }
 
-float Environment::density(Vec3f direction) const {
-  if (is_dark()) return 0.0f;
-  const Vec2f place = place_of(direction, background_.map ? background_.map->rotation : 0.0f) * Vec2f(width_, height_);
-  const auto x = std::min(static_cast<std::size_t>(place.x), static_cast<std::size_t>(width_ - 1));
-  const auto y = std::min(static_cast<std::size_t>(place.y), static_cast<std::size_t>(height_ - 1));
-  if (columns_[y].empty()) return 0.0f;
-  return rows_.probability(y) * columns_[y].probability(x) / solid_angles_[y];
+Environment::Density Environment::density(Vec3f direction) const {
+  const SkyPatches::Place place = patches_.at(place_of(direction, rotation()), direction.y);
+  if (const float of_sun = sun_.density(patches_, place); of_sun > 0.0f) return {of_sun, true};
+  return {rest_.density(patches_, place), false};
 }
 
 }  // namespace lippmann

@@ -5,10 +5,8 @@
 // Blender shows them to a scene that it has imported from glTF).
 #pragma once
 
-#include <vector>
-
 #include "scene/scene.hpp"
-#include "transport/discrete.hpp"
+#include "transport/sky_patches.hpp"
 
 namespace lippmann {
 
@@ -29,28 +27,40 @@ class Environment {
   /// Along all of `rays`, to the same bits.
   void radiance(SkyRays& rays) const;
 
+  /// Few directions that hold so much of the light that they cast shadows of their own: a panorama's sun, or its lamps. Found
+  /// by find_sun() (sky_patches.hpp); gradients have none. All other directions are the rest of the sky.
+  bool has_sun() const { return sun_.total() > 0.0; }
+  /// The share of all light that comes from the sun.
+  float sun_share() const;
+
   struct Sample {
     Vec3f direction{0.0f};
     float density = 0.0f;  ///< per steradian
   };
-  /// Not where is_dark().
-  Sample sample(Vec2f u) const;
-  /// The density of sample() along a unit vector, per steradian; 0 where is_dark().
-  float density(Vec3f direction) const;
+  /// A direction of the sun, where has_sun().
+  Sample sample_sun(Vec2f u) const { return sample(sun_, u); }
+  /// One of the rest of the sky; its density is 0 where that is dark.
+  Sample sample_rest(Vec2f u) const { return sample(rest_, u); }
 
-  bool is_dark() const { return rows_.empty(); }
+  struct Density {
+    float value = 0.0f;   ///< per steradian
+    bool of_sun = false;  ///< where the direction lies: of sample_sun(), else of sample_rest()
+  };
+  /// Along a unit vector.
+  Density density(Vec3f direction) const;
+
+  bool is_dark() const { return sun_.is_dark() && rest_.is_dark(); }
   /// Mean over all directions.
   Vec3f mean_radiance() const { return mean_radiance_; }
 
  private:
   Vec3f texel(int x, int y) const;
+  float rotation() const { return background_.map ? background_.map->rotation : 0.0f; }
+  Sample sample(const PatchChoice& patches, Vec2f u) const;
 
   const Background& background_;
-  int width_, height_;  ///< of the sampling grid: that of the panorama
-  DiscreteDistribution rows_;
-  std::vector<DiscreteDistribution> columns_;  ///< per row
-  std::vector<float> cosines_;                 ///< of the polar angle at the top of each row, and at the bottom of the last
-  std::vector<float> solid_angles_;            ///< of one texel, per row
+  SkyPatches patches_;  ///< of the panorama, or of a grid that follows the gradient
+  PatchChoice sun_, rest_;
   Vec3f mean_radiance_{0.0f};
 };
 

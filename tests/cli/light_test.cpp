@@ -52,6 +52,35 @@ TEST(Light, shared_light_gives_the_same_pictures_whole_in_parts_and_after_a_resu
   EXPECT_EQ(whole, rendered(dir, {"render", "whole/job.toml", "--resume"}, "whole"));
 }
 
+TEST(Light, shared_light_makes_the_same_picture_with_layers_and_the_layers_of_traced_frames) {
+  const TempDir dir;
+  const Words layers{"--aov", "depth,motion"};
+  const Files alone = rendered(dir, small_shared("alone", "1"), "alone"),
+              layered = rendered(dir, small_shared("layered", "1") + layers, "layered"),
+              traced = rendered(dir, small_shared("traced", "1") + layers + Words{"--reuse", "none"}, "traced");
+  EXPECT_EQ(layered.at("frame_0001.png"), alone.at("frame_0001.png"));
+  EXPECT_NE(layered.at("frame_0001.png"), traced.at("frame_0001.png"));
+  const std::vector<std::string> channels{"Z", "motion.X", "motion.Y"};
+  EXPECT_EQ(read_channels(dir / "layered/aov_0001.exr", channels).data,
+            read_channels(dir / "traced/aov_0001.exr", channels).data);
+}
+
+TEST(Light, shared_light_before_nothing_gives_the_same_pictures_whole_and_in_parts) {
+  const TempDir dir;
+  const Files whole = rendered(dir, small_shared("whole", "0-2") + Words{"--transparent"}, "whole");
+  const Files part = rendered(dir, small_shared("part", "2") + Words{"--transparent"}, "part");
+  EXPECT_EQ(part.at("frame_0002.png"), whole.at("frame_0002.png"));
+  EXPECT_EQ(channel_names(dir / "part/frame_0002.png"), (std::vector<std::string>{"R", "G", "B", "A"}));
+}
+
+TEST(Light, frames_that_are_traced_although_light_could_be_shared_say_so) {
+  const TempDir dir;
+  for (const Words& flags : {Words{"--aov", "direct"}, Words{"--denoise"}})
+    EXPECT_THAT(run_tool(dir, small_shared("out", "0") + flags).err, HasSubstr("no light is shared"));
+  for (const Words& flags : {Words{"--aov", "depth"}, Words{"--transparent"}, Words{"--reuse", "none", "--aov", "direct"}})
+    EXPECT_EQ(run_tool(dir, small_shared("out", "0") + flags).err.find("no light is shared"), std::string::npos);
+}
+
 TEST(Light, shared_light_saves_rays_and_tells_its_error) {
   const TempDir dir;
   const auto second_frame = [&](const std::string& reuse) {

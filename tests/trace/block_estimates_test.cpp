@@ -47,6 +47,19 @@ TEST(BlockEstimates, scatter_is_that_of_one_sample_as_codes_have_it) {
   EXPECT_NEAR(static_cast<double>(block->scatter[kLanes + 7]), slope * slope * 2.0 / 3.0 * 1e-4, 1e-6);
 }
 
+// Of four samples one is open: alpha scatters by 3/4 x 1/4 x 4/3. The light of all is the same.
+TEST(BlockEstimates, alpha_scatters_as_a_channel_of_its_own) {
+  auto block = even(4);
+  block->push_back(200, 0.0f);
+  for (int s = 0; s < 4; ++s) block->add(kPixels, Vec3f(0.2f), s == 0 ? 1.0f : 0.0f);
+  look(*block, 4.0f);
+  EXPECT_FLOAT_EQ(block->alpha(kPixels), 0.75f);
+  EXPECT_FLOAT_EQ(block->scatter[kLanes + kPixels], 0.25f);
+  EXPECT_FLOAT_EQ(block->alpha(7), 1.0f);
+  EXPECT_GT(block->wanted[kPixels - 1], 1.0f) << "its neighbour may have missed the edge";
+  EXPECT_LT(block->wanted[7], 0.01f);
+}
+
 // A scatter of s^2 wants (s / error)^(2 / 2.6) samples.
 TEST(BlockEstimates, samples_grow_with_scatter) {
   auto block = even(8);

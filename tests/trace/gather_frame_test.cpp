@@ -34,6 +34,13 @@ SmallScene lit_by_all() {
   return s;
 }
 
+/// With a sun in the sky, too.
+SmallScene lit_by_a_sun_and_all() {
+  SmallScene s = lit_by_all();
+  s.scene.background.map = sunny_sky({0.1f, 0.15f, 0.2f}, {-2.0f, 3.0f, 3.0f}, Vec3f(2.0f));
+  return s;
+}
+
 /// A scene whose soft light was fed 16 rounds.
 class FedScene {
  public:
@@ -180,17 +187,17 @@ TEST(FeedFrame, scarce_places_are_found_and_fed_until_there_is_enough) {
 // Twelve renders each: |t| of the mean's difference below 4, which chance exceeds once in 1,500 tests of 22 degrees of freedom;
 // 0.3 % are allowed for what cells blur. Where paths that feed the cache meet the lamp although it was asked, and it counts
 // twice, the mean is 1.5 % higher; with the sky, 14 %.
-class GatheredLights : public testing::TestWithParam<LightGroup> {};
+class GatheredLights : public testing::TestWithParam<std::tuple<SmallScene (*)(), LightGroup>> {};
 
 TEST_P(GatheredLights, have_the_mean_of_paths_whether_they_are_cached_or_asked) {
-  const SmallScene s = lit_by_all();
+  const SmallScene s = std::get<0>(GetParam())();
   constexpr int kRenders = 12;
   double mean_of[2] = {0.0, 0.0}, square_of[2] = {0.0, 0.0};
   for (std::uint32_t seed = 0; seed < kRenders; ++seed) {
     TraceParams params;
     params.seed = 100 + seed;
     const double means[2] = {mean(trace_paths(s.scene, single_view(48), 32, params).film),
-                             mean(gathered(s.scene, single_view(48), GetParam(), seed))};
+                             mean(gathered(s.scene, single_view(48), std::get<1>(GetParam()), seed))};
     for (int k = 0; k < 2; ++k) mean_of[k] += means[k] / kRenders, square_of[k] += means[k] * means[k] / kRenders;
   }
   const auto variance = [&](int k) { return (square_of[k] - mean_of[k] * mean_of[k]) / (kRenders - 1); };
@@ -198,7 +205,50 @@ TEST_P(GatheredLights, have_the_mean_of_paths_whether_they_are_cached_or_asked) 
       << mean_of[0] << " and " << mean_of[1];
 }
 
-INSTANTIATE_TEST_SUITE_P(GatherFrame, GatheredLights, testing::Values(LightGroup::kLamps, LightGroup::kSky, LightGroup::kEnd));
+INSTANTIATE_TEST_SUITE_P(GatherFrame, GatheredLights,
+                         testing::Combine(testing::Values(lit_by_all),
+                                          testing::Values(LightGroup::kLamps, LightGroup::kSky, LightGroup::kEnd)));
+INSTANTIATE_TEST_SUITE_P(GatherFrameBelowASun, GatheredLights,
+                         testing::Combine(testing::Values(lit_by_a_sun_and_all),
+                                          testing::Values(LightGroup::kSun, LightGroup::kLamps, LightGroup::kSky,
+                                                          LightGroup::kEnd)));
+
+// A floor below a sun of irradiance 2 at an angle, and a sky of 0.25: radiance 2 cos / pi + 0.25. The squares' shares of the
+// sky that the texel takes are too small to count.
+TEST(GatherFrame, a_floor_below_a_sun_has_its_irradiance_by_paths_and_from_the_cache) {
+  SmallScene s;
+  s.scene.max_depth = 3;
+  const Vec3f toward = glm::normalize(Vec3f(-1.0f, 0.5f, 2.0f));
+  s.scene.background.map = sunny_sky(Vec3f(0.25f), toward, Vec3f(2.0f));
+  s.add(square(3, 0), s.material(matte(Vec3f(1.0f))));
+  const double expected = 2.0 * static_cast<double>(toward.z) / M_PI + 0.25;
+  // The sun's texel is up to 0.7 degrees away from `toward`: 1 % of its light at this angle.
+  EXPECT_NEAR(mean(trace_paths(s.scene, single_view(32), 256).film), expected, 0.01 * expected);
+  for (const LightGroup from : {LightGroup::kSun, LightGroup::kLamps, LightGroup::kEnd})
+    EXPECT_NEAR(mean(gathered(s.scene, single_view(32), from, 1)), expected, 0.01 * expected);
+}
+
+// A post of half a unit before a floor: its shadow's edges cross all rows. Cells of two samples blur them where they hold the
+// sun; where it is asked, a row of pixels is that of paths but for the noise that it may have: samples of error 0.01, whose
+// error is a little more at edges.
+TEST(GatherFrame, the_shadows_of_a_sun_are_as_sharp_as_those_of_paths) {
+  SmallScene s;
+  s.scene.max_depth = 2;
+  s.scene.background.map = sunny_sky(Vec3f(0.1f), {-1.0f, 0.0f, 1.0f}, Vec3f(3.0f));
+  s.add(square(4, 0), s.material(matte(Vec3f(0.8f))));
+  s.add(Boxes{{{-0.7f, -4.0f, 0.3f}, {-0.2f, 4.0f, 0.6f}}}, s.material(matte(Vec3f(0.1f))));
+  const Image paths = trace_paths(s.scene, single_view(64), 1024).film;
+  const auto error = [&](LightGroup from) {
+    const Image film = gathered(s.scene, single_view(64), from, 1);
+    double squares = 0.0;
+    for (int x = 0; x < 64; ++x)
+      squares += std::pow(
+          std::sqrt(static_cast<double>(film.pixel(x, 32)[0])) - std::sqrt(static_cast<double>(paths.pixel(x, 32)[0])), 2);
+    return std::sqrt(squares / 64.0);
+  };
+  EXPECT_LT(error(LightGroup::kLamps), 0.015);
+  EXPECT_GT(error(LightGroup::kSun), 0.025);
+}
 
 }  // namespace
 }  // namespace lippmann

@@ -79,6 +79,22 @@ inline PhongSurface mirror(float share) {
   return s;
 }
 
+/// A sky of `light` with a sun of one texel of 1.4 degrees, which adds `irradiance` to what faces it and lies close to a
+/// direction with z > 0.
+inline EnvironmentMap sunny_sky(Vec3f light, Vec3f toward, Vec3f irradiance) {
+  constexpr int kWidth = 256, kHeight = 128;
+  constexpr double kStep = M_PI / kHeight;
+  EnvironmentMap map{Image(kWidth, kHeight, 3)};
+  for (std::size_t i = 0; i < map.radiance.data.size(); ++i) map.radiance.data[i] = light[static_cast<int>(i % 3)];
+  const Vec3f d = glm::normalize(toward);
+  const auto x = static_cast<int>((0.5 + std::atan2(static_cast<double>(d.z), static_cast<double>(d.x)) * 0.5 / M_PI) * kWidth);
+  const auto y = static_cast<int>(std::acos(static_cast<double>(d.y)) / kStep);
+  // A bilinear texel's solid angle: two texels wide either way, weight 1/4 on average.
+  const auto inverse = static_cast<float>(1.0 / (kStep * kStep * std::sin((y + 0.5) * kStep)));
+  for (int c = 0; c < 3; ++c) map.radiance.pixel(x, y)[c] += irradiance[c] * inverse;
+  return map;
+}
+
 /// Two triangles in the plane z = `z`, facing +z, corners at +-half, uv from (0, 0) at the top left to (1, 1).
 inline Mesh square(float half, float z) {
   Mesh m;

@@ -59,6 +59,26 @@ TEST(Environment, turning_moves_what_lies_along_x_towards_z) {
   EXPECT_NEAR(Environment(b).radiance({std::cos(angle), 0.0f, std::sin(angle)}).x, 1.0f, 1e-4f);
 }
 
+/// Light of 1 but for one texel, which has as much light again. Texels of 1.4 degrees.
+Background sunny(int sun_x, int sun_y) {
+  constexpr int kWidth = 256, kHeight = 128;
+  const double step = M_PI / kHeight, texel = (std::cos(step * sun_y) - std::cos(step * (sun_y + 1))) * 2.0 * M_PI / kWidth;
+  return panorama(kWidth, kHeight, [&](int x, int y) {
+    return Vec3f(x == sun_x && y == sun_y ? static_cast<float>(4.0 * M_PI / texel) : 1.0f);
+  });
+}
+
+/// fn(direction, its share of the sphere) for a grid of directions, `within` times as fine as a panorama.
+void for_each_direction(const Background& b, int within, const std::function<void(Vec3f, double)>& fn) {
+  const int width = b.map->radiance.width * within, height = b.map->radiance.height * within;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double polar = M_PI * (y + 0.5) / height, azimuth = 2.0 * M_PI * (x + 0.5) / width - M_PI;
+      fn(Vec3f(std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)),
+         std::sin(polar) * M_PI / height * 2.0 * M_PI / width);
+    }
+}
+
 TEST(Environment, directions_are_drawn_as_their_density_says) {
   Background b =
       panorama(16, 8, [](int x, int y) { return Vec3f(x == 3 && y == 2 ? 50.0f : static_cast<float>((x * 7 + y) % 5)); });
@@ -68,9 +88,10 @@ TEST(Environment, directions_are_drawn_as_their_density_says) {
   for (const Background* background : {&b, &sky}) {
     const Environment e(*background);
     const auto draw = [&](int i) -> std::optional<Vec3f> {
-      return e.sample(scrambled_sobol(0, static_cast<std::uint32_t>(i))).direction;
+      return e.sample_rest(scrambled_sobol(0, static_cast<std::uint32_t>(i))).direction;
     };
-    EXPECT_LT(test::chi_squared(200'000, draw, [&](Vec3f d) { return static_cast<double>(e.density(d)); }).deviations(), 4.0);
+    const auto density = [&](Vec3f d) { return static_cast<double>(e.density(d).value); };
+    EXPECT_LT(test::chi_squared(200'000, draw, density).deviations(), 4.0);
   }
 }
 
@@ -78,8 +99,76 @@ TEST(Environment, a_samples_density_is_that_of_its_direction) {
   const Background b = panorama(16, 8, [](int x, int y) { return Vec3f(static_cast<float>(1 + (x * 5 + y * 3) % 7)); });
   const Environment e(b);
   for (std::uint32_t i = 0; i < 200; ++i) {
-    const Environment::Sample s = e.sample(scrambled_sobol(i, 4u));
-    EXPECT_NEAR(s.density, e.density(s.direction), 1e-3f * s.density) << i;
+    const Environment::Sample s = e.sample_rest(scrambled_sobol(i, 4u));
+    EXPECT_NEAR(s.density, e.density(s.direction).value, 1e-3f * s.density) << i;
+  }
+}
+
+TEST(Environment, a_sun_of_one_texel_is_found_wherever_it_lies) {
+  for (const Vec2i at : {Vec2i(100, 40), Vec2i(0, 64), Vec2i(255, 64), Vec2i(30, 0), Vec2i(255, 0), Vec2i(0, 127)}) {
+    const Background b = sunny(at.x, at.y);
+    const Environment e(b);
+    ASSERT_TRUE(e.has_sun()) << at.x << ", " << at.y;
+    // At a pole, light reaches further than its texel: the half row beside the pole has 1 / 4 of that row's solid angle and the
+    // next one twice it at half the light, 5 / 4 together.
+    EXPECT_NEAR(e.sun_share(), at.y % 127 == 0 ? 1.25f / 2.25f : 0.5f, 0.002f) << at.x << ", " << at.y;
+    double solid_angle = 0.0;
+    for_each_direction(b, 3, [&](Vec3f d, double steradian) {
+      const bool of_sun = e.density(d).of_sun;
+      solid_angle += of_sun ? steradian : 0.0;
+      EXPECT_TRUE(of_sun || e.radiance(d).y <= 1.01f) << "the sun's light reaches beyond it, at " << at.x << ", " << at.y;
+    });
+    EXPECT_LT(solid_angle, 0.0025);  // two texels by two
+  }
+}
+
+// By quadrature over a grid of 6 x 6 points a texel.
+TEST(Environment, densities_of_sun_and_rest_integrate_to_one_and_their_light_is_all) {
+  Background b = sunny(200, 50);
+  b.map->rotation = 0.3f;
+  const Environment e(b);
+  double of_sun = 0.0, of_rest = 0.0, light = 0.0;
+  for_each_direction(b, 6, [&](Vec3f d, double steradian) {
+    const Environment::Density density = e.density(d);
+    (density.of_sun ? of_sun : of_rest) += static_cast<double>(density.value) * steradian;
+    light += static_cast<double>(e.radiance(d).y) * steradian;
+  });
+  EXPECT_NEAR(of_sun, 1.0, 0.01);
+  EXPECT_NEAR(of_rest, 1.0, 0.001);
+  constexpr int kSamples = 4096;
+  double sampled = 0.0;
+  for (std::uint32_t i = 0; i < kSamples; ++i)
+    for (const Environment::Sample& s : {e.sample_sun(scrambled_sobol(i, 5u)), e.sample_rest(scrambled_sobol(i, 6u))})
+      sampled += static_cast<double>(e.radiance(s.direction).y / s.density) / kSamples;
+  EXPECT_NEAR(sampled, light, 0.002 * light);
+}
+
+// What is looked up is as bright as the density says, wherever: a sample of the sun tells as much as all of them do.
+TEST(Environment, samples_of_a_sun_have_no_noise) {
+  const Background b = sunny(200, 50);
+  const Environment e(b);
+  const double of_sun = static_cast<double>(e.sun_share() * e.mean_radiance().y) * 4.0 * M_PI;
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    const Environment::Sample s = e.sample_sun(scrambled_sobol(i, 7u));
+    ASSERT_TRUE(e.density(s.direction).of_sun) << i;
+    EXPECT_NEAR(static_cast<double>(e.radiance(s.direction).y / s.density), of_sun, 0.02 * of_sun) << i;
+  }
+}
+
+TEST(Environment, soft_skies_have_no_sun) {
+  Background gradient;
+  gradient.zenith = Vec3f(1.0f), gradient.horizon_at = 0.99f;
+  const Background even = panorama(256, 128, [](int, int) { return Vec3f(2.0f); }),
+                   dark = panorama(256, 128, [](int, int) { return Vec3f(0.0f); }),
+                   // 0.15 steradian, which have nearly all the light
+      window = panorama(256, 128, [](int x, int y) { return Vec3f(x < 16 && y > 56 && y < 72 ? 1000.0f : 0.1f); }),
+                   // a hundred times as bright as the rest, but a hundredth of its light
+      veiled = panorama(256, 128, [](int x, int y) { return Vec3f(x == 9 && y == 60 ? 200.0f : 1.0f); });
+  for (const Background* b : std::initializer_list<const Background*>{&gradient, &even, &dark, &window, &veiled}) {
+    const Environment e(*b);
+    EXPECT_FALSE(e.has_sun());
+    EXPECT_EQ(e.sun_share(), 0.0f);
+    EXPECT_FALSE(e.density({0.0f, 0.0f, 1.0f}).of_sun);
   }
 }
 
@@ -88,7 +177,7 @@ TEST(Environment, an_even_one_has_its_radiance_as_mean_and_a_dark_one_says_so) {
   even.horizon = even.zenith = Vec3f(0.5f);
   EXPECT_NEAR(Environment(even).mean_radiance().y, 0.5f, 1e-4f);
   EXPECT_TRUE(Environment(Background{}).is_dark());
-  EXPECT_EQ(Environment(Background{}).density({0.0f, 1.0f, 0.0f}), 0.0f);
+  EXPECT_EQ(Environment(Background{}).density({0.0f, 1.0f, 0.0f}).value, 0.0f);
 }
 
 }  // namespace
