@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -54,6 +55,24 @@ std::string describe_exact_reuse(const RenderReport& report) {
                      100.0 * reused / (pixels * static_cast<double>(report.frames.size())));
 }
 
+/// How many path-traced frames share light, and how good they are.
+std::string describe_shared_light(const RenderReport& report) {
+  double squares = 0.0;
+  const FrameReport* worst = nullptr;
+  int shared = 0;
+  for (const FrameReport& frame : report.frames) {
+    if (!frame.estimated_psnr_db) continue;
+    ++shared;
+    squares += std::pow(10.0, -0.1 * *frame.estimated_psnr_db);
+    if (!worst || *frame.estimated_psnr_db < *worst->estimated_psnr_db) worst = &frame;
+  }
+  if (!worst) return "every frame was traced whole";
+  std::string text = fmt::format("{} of {} frames share light, PSNR {:.1f} dB as measured", shared, report.frames.size(),
+                                 -10.0 * std::log10(squares / shared));
+  if (shared > 1) text += fmt::format(", frame {} {:.1f} dB", worst->frame, *worst->estimated_psnr_db);
+  return text;
+}
+
 /// How much was traced and how much interpolated from that.
 std::string describe_forward_reuse(const RenderReport& report) {
   std::uint64_t keys = report.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
@@ -87,7 +106,10 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     for (const std::string& video : report.videos)
       if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
-    if (report.params.reuse == Reuse::kExact && frames > 1) line("reuse", describe_exact_reuse(report));
+    if (report.params.reuse == Reuse::kExact && report.params.integrator == Integrator::kPath)
+      line("reuse", describe_shared_light(report));
+    else if (report.params.reuse == Reuse::kExact && frames > 1)
+      line("reuse", describe_exact_reuse(report));
     if (has_lenses(report.optics))
       line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
   }

@@ -1,5 +1,6 @@
 #include "render/lit_frames.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/aov_params.hpp"
@@ -11,13 +12,16 @@ namespace {
 /// resume, gives the same pictures.
 constexpr int kSegment = 16;
 
+/// Standard deviations above which an error lies in one of twenty cases.
+constexpr double kOneSided = 1.645;
+
 /// Of fewer paths a pixel there is nothing to be saved.
 constexpr int kLeastPaths = 8;
 
 }  // namespace
 
 LitFrames::LitFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
-    : stage_(stage), params_(params), pool_(pool), context_(context), tracer_(stage.device) {}
+    : stage_(stage), params_(params), pool_(pool), context_(context), swept_(stage.scene, -1), tracer_(stage.device) {}
 
 bool LitFrames::is_wanted(const RenderParams& params) {
   return params.reuse == Reuse::kExact && params.integrator == Integrator::kPath &&
@@ -52,14 +56,21 @@ FrameReport LitFrames::visit(int frame, FramePictures& pictures) {
   CachedLightGoal goal;
   if (params_.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *params_.min_psnr_db));
   goal.seconds = params_.time_budget_s;
+  goal.frames = std::min(kSegment, stage_.scene.timeline.frame_count - frame / kSegment * kSegment);
   goal.provenance = params_.debug == DebugPicture::kProvenance;
+  constexpr int kTwoFrames[] = {2};
+  const std::vector<HorizonBox> moving =
+      frame % kSegment > 0 ? swept_.around(frame - 1, kTwoFrames, frame) : std::vector<HorizonBox>{};
   const CachedLightReport light = tracer_.trace(moment.resolved, stage_.placed.optics, moment.world_from_display, trace, goal,
-                                                pool_, context_, pictures.film, &pictures.aovs);
+                                                moving, pool_, context_, pictures.film, &pictures.aovs);
   next_ = frame + 1;
   FrameReport report;
   report.frame = frame;
   report.rays = light.rays;
-  if (!light.traced) report.estimated_psnr_db = -10.0 * std::log10(light.squared_error);
+  if (!light.traced) {
+    report.estimated_psnr_db = -10.0 * std::log10(light.squared_error);
+    report.psnr_at_least_db = -10.0 * std::log10(light.squared_error + kOneSided * light.uncertainty);
+  }
   clock.add_to(report);
   return report;
 }

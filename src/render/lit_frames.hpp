@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/frame_maker.hpp"
+#include "reuse/swept_boxes.hpp"
 #include "trace/cached_light.hpp"
 
 namespace lippmann {
@@ -28,6 +29,7 @@ class LitFrames final : public FrameMaker {
   const RenderParams& params_;
   const ThreadPool& pool_;
   const Context& context_;
+  SweptBoxes swept_;
   CachedLightTracer tracer_;
   std::vector<FrameReport> sources_;
   int next_ = -1;  ///< the frame that follows what the tracer has seen

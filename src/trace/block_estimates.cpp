@@ -13,8 +13,10 @@ namespace {
 constexpr float kMissed = 0.05f;
 /// A difference of luminance that is not seen.
 constexpr float kSlight = 0.05f;
-/// What a pixel's neighbours scatter says something of it while it has no more samples.
-constexpr float kFewSamples = 4.0f;
+/// With fewer samples a pixel has no say in how many more it gets: its neighbours and the frame before have. Else those whose
+/// first samples happen to have missed something bright would be left with that, while those that have met it are set right,
+/// and the picture would be too dark by it.
+constexpr float kOwnSamples = 8.0f;
 /// Errors of n evenly spread samples fall about as n^-kFall: for the least error of all pixels together, their number grows as
 /// the power 2 / (1 + kFall) of how much they scatter.
 constexpr float kFall = 1.6f, kGrowth = 1.0f / (1.0f + kFall);
@@ -69,26 +71,33 @@ LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
 LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& block) {
   const auto size = static_cast<int>(block.size), count = static_cast<int>(whole_packets(block.size));
   const float weight = kMissed * fast_pow(have, kFall), inverse = 1.0f / (error * error);
-  const float few = have <= kFewSamples ? 1.0f : 0.0f;
+  const float own_share = have >= kOwnSamples ? 1.0f : 0.0f;
 #pragma GCC ivdep
   for (int e = 0; e < count; ++e) {
     const float* mean = block.mean + kLanes + e;
     const float* scatter = block.scatter + kLanes + e;
     const float* clear = block.clear + kLanes + e;
-    const float own = mean[0];
-    float around = 0.0f, known = 0.0f, least = own, most = own, edge = 0.0f;
+    float around = 0.0f, level = 0.0f, known = 0.0f, clear_around = 0.0f, edge = 0.0f;
+    float least = std::numeric_limits<float>::max(), most = 0.0f;
     for (const int step : {-1, 1, -kLanes, kLanes}) {
       const bool inside = (e + step >= 0) & (e + step < size);
       around += inside ? scatter[step] : 0.0f;
+      level += inside ? mean[step] : 0.0f;
       known += inside ? 1.0f : 0.0f;
-      least = std::min(least, inside ? mean[step] : own);
-      most = std::max(most, inside ? mean[step] : own);
-      edge = std::max(edge, inside ? std::abs(clear[step] - clear[0]) : 0.0f);
+      clear_around += inside ? clear[step] : 0.0f;
+      least = std::min(least, inside ? mean[step] : least);
+      most = std::max(most, inside ? mean[step] : most);
     }
-    float variance = scatter[0];
-    const float smooth = 0.5f * (variance + around / std::max(known, 1.0f));
-    variance = std::max(variance, few * smooth);
-    variance += missed(own, most, have, weight) + missed(own, least, have, weight);
+    const float each = 1.0f / std::max(known, 1.0f);
+    around *= each, level *= each, clear_around *= each;
+    // What the pixel is taken to be like: itself, once it has a say, or else what is around it.
+    const float like = own_share > 0.0f ? mean[0] : level, clear_like = own_share > 0.0f ? clear[0] : clear_around;
+    for (const int step : {-1, 1, -kLanes, kLanes}) {
+      const bool inside = (e + step >= 0) & (e + step < size);
+      edge = std::max(edge, inside ? std::abs(clear[step] - clear_like) : 0.0f);
+    }
+    float variance = own_share > 0.0f ? scatter[0] : around;
+    variance += known > 0.0f ? missed(like, most, have, weight) + missed(like, least, have, weight) : 0.0f;
     edge /= have + 2.0f;
     variance += block.alpha_weight * weight * edge * edge;
     variance = std::max(std::max(variance, block.before[e]), std::numeric_limits<float>::min());

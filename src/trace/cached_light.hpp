@@ -13,13 +13,16 @@ namespace lippmann {
 /// What is known of a frame's errors, from some of its blocks.
 struct CachedLightReport {
   RayCounts rays;
-  bool traced = false;         ///< whole paths, as they were cheaper
-  double squared_error = 0.0;  ///< expected, of sRGB's codes (0 ... 1)
+  bool traced = false;               ///< whole paths, as they were cheaper
+  double squared_error = 0.0;        ///< of pixels, as measured: mean, of sRGB's codes (0 ... 1)
+  double uncertainty = 0.0;          ///< its standard deviation
+  double block_squared_error = 0.0;  ///< of means over 64 pixels
 };
 
 /// What pictures should be like.
 struct CachedLightGoal {
   std::optional<float> squared_error{};  ///< mean, of sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
+  int frames = 1;                        ///< that a history will have
   bool provenance = false;               ///< pictures show where light came from: see trace/light_gatherer.hpp
   std::optional<double> seconds{};  ///< of a frame on this machine, in place of an error: frames are as good as these allow
 };
@@ -35,11 +38,12 @@ class CachedLightTracer {
 
   /// A frame, as trace_frame. `resolved` is what `scene` was updated with. What the frames before it, since restart(), have
   /// found helps: they must be the same, in the same order, for the same bits. Not so where the goal is a time: then samples
-  /// go by the clock. aovs: of them, alpha is filled where it is wanted, which must be the same for all frames of a history;
-  /// errors are those of pictures that show the surroundings.
+  /// go by the clock. moving: boxes around everything that has moved since the frame before, at both places; without end: light
+  /// may have changed everywhere. aovs: of them, alpha is filled where it is wanted, which must be the same for all frames of a
+  /// history; errors are those of pictures that show the surroundings.
   CachedLightReport trace(const ResolvedScene& resolved, const Optics& optics, const Affine3f& world_from_display,
-                          const TraceParams& params, const CachedLightGoal& goal, const ThreadPool& pool,
-                          const Context& context, Image& film, FrameAovs* aovs = nullptr);
+                          const TraceParams& params, const CachedLightGoal& goal, const std::vector<HorizonBox>& moving,
+                          const ThreadPool& pool, const Context& context, Image& film, FrameAovs* aovs = nullptr);
 
   /// Kept from frame to frame at most, per pixel; less than two thousand more make up for it in small frames.
   static double bytes_per_pixel();

@@ -2,8 +2,6 @@
 // src/trace.
 #pragma once
 
-#include <optional>
-
 #include "trace/light_feeder.hpp"
 #include "trace/packet_source.hpp"
 
@@ -18,14 +16,17 @@ struct FeedTarget {
   LightCache& cache;
   const ThreadPool& pool;
   const Context& context;
+  const TouchProbe* moved = nullptr;  ///< boxes around what has moved since the frame before; null: nothing is doubtful
 };
 
 /// By strip: groups of kRoundsPerFrame packets.
 using PacketGroups = std::vector<std::vector<std::uint32_t>>;
 
+/// By strip; of every place the group of packets that has met it.
 struct Fed {
   RayCounts rays;
-  std::size_t records = 0;
+  std::vector<FedLight> strips;
+  std::size_t records() const;
 };
 
 /// Outlived by what it was made with.
@@ -40,27 +41,24 @@ class FrameFeeder {
   /// context.cancelled is set.
   Fed feed(const FeedTarget& target, int round) const;
 
-  /// The same; besides finds the groups of packets that meet cells of fewer than `enough` samples.
-  Fed feed(const FeedTarget& target, int round, float enough, PacketGroups& scarce) const;
-
-  /// A round of some groups, only for such cells; adds those that meet any to `still_scarce`, which is as long as `groups`.
-  Fed feed_scarce(const FeedTarget& target, int round, float enough, const PacketGroups& groups,
-                  PacketGroups& still_scarce) const;
+  /// A round of some groups, only for cells of fewer than `enough` samples.
+  Fed feed_scarce(const FeedTarget& target, int round, float enough, const PacketGroups& groups) const;
 
  private:
   /// What a round does but for feeding all.
   struct Choice {
-    std::optional<float> enough;
+    float enough = 0.0f;
     const PacketGroups* only = nullptr;  ///< these, and only scarce cells; null: all
-    PacketGroups* found = nullptr;
   };
   Fed feed(const FeedTarget& target, int round, const Choice& choice) const;
-  std::vector<LightRecord> feed_strip(const FeedTarget& target, std::size_t strip, int round, const Choice& choice,
-                                      RayCounts& counts) const;
+  FedLight feed_strip(const FeedTarget& target, std::size_t strip, int round, const Choice& choice, RayCounts& counts) const;
 
   const DeviceScene::Impl& scene_;
   TraceParams params_;
   PacketSource source_;
 };
+
+/// Adds to `groups` (by strip, ascending, each once) those that have met cells which now have fewer than `enough` samples.
+void add_scarce_groups(const Fed& fed, const LightCache& cache, float enough, PacketGroups& groups);
 
 }  // namespace lippmann

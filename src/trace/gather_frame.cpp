@@ -17,12 +17,15 @@ struct Work {
   std::uint32_t estimate, sample;
 };
 
+/// Where a sample lies must have nothing to do with what is decided along its path.
+constexpr std::uint32_t kPlacesSalt = 0x706c6163u;
+
 /// Rays of any samples of any pixels.
 class SamplePackets {
  public:
   SamplePackets(const Optics& optics, const Affine3f& world_from_display, const TraceParams& params)
       : rays_(optics, world_from_display, SubPixel{params.seed, kMostGatherSamples, params.angular_filter}),
-        seed_(hash(params.seed, params.frame)),
+        seed_(hash(params.seed, params.frame, kPlacesSalt)),
         width_(static_cast<std::uint32_t>(optics.panel.width)) {}
 
   void fill(std::span<const Work> work, const BlockEstimates& block, RayPacket& rays, LaneMask& active, std::uint32_t* pixel,
@@ -167,6 +170,35 @@ void list_pixels(const PacketSource& source, std::size_t strip, std::size_t bloc
 FramePackets packets_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order) {
   const PacketSource source(optics, world_from_display, order, SubPixel{});
   return {static_cast<std::size_t>(source.strips()), static_cast<std::size_t>(source.packets_per_strip())};
+}
+
+void append_pixels(const Optics& optics, const Affine3f& world_from_display, RayOrder order, std::size_t first, std::size_t end,
+                   std::vector<std::uint32_t>& pixels) {
+  const PacketSource source(optics, world_from_display, order, SubPixel{});
+  const auto per_strip = static_cast<std::size_t>(source.packets_per_strip());
+  RayPacket rays;
+  LaneMask active;
+  alignas(64) std::uint32_t pixel[kLanes];
+  for (std::size_t p = first; p < end; ++p) {
+    if (source.fill(static_cast<int>(p / per_strip), static_cast<int>(p % per_strip), 0, rays, active, pixel) == 0) continue;
+    for (int i = 0; i < kLanes; ++i)
+      if (active.lane[i]) pixels.push_back(pixel[i]);
+  }
+}
+
+void for_each_pixel(const Optics& optics, const Affine3f& world_from_display, RayOrder order,
+                    const std::function<void(std::size_t, std::uint32_t)>& fn) {
+  const PacketSource source(optics, world_from_display, order, SubPixel{});
+  RayPacket rays;
+  LaneMask active;
+  alignas(64) std::uint32_t pixel[kLanes];
+  std::size_t packet = 0;
+  for (int strip = 0; strip < source.strips(); ++strip)
+    for (int p = 0; p < source.packets_per_strip(); ++p, ++packet) {
+      if (source.fill(strip, p, 0, rays, active, pixel) == 0) continue;
+      for (int i = 0; i < kLanes; ++i)
+        if (active.lane[i]) fn(packet, pixel[i]);
+    }
 }
 
 Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool& pool) {

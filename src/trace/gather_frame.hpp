@@ -1,6 +1,7 @@
 // All pixels of a frame by cached light: a few samples each, more of them where they differ. Private to src/trace.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "trace/light_gatherer.hpp"
@@ -51,5 +52,13 @@ struct FramePackets {
   std::size_t strips, per_strip;
 };
 FramePackets packets_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order);
+
+/// Appends the pixels of packets first ... end - 1, all of one strip.
+void append_pixels(const Optics& optics, const Affine3f& world_from_display, RayOrder order, std::size_t first, std::size_t end,
+                   std::vector<std::uint32_t>& pixels);
+
+/// Calls fn(packet, pixel) for all pixels of a frame.
+void for_each_pixel(const Optics& optics, const Affine3f& world_from_display, RayOrder order,
+                    const std::function<void(std::size_t, std::uint32_t)>& fn);
 
 }  // namespace lippmann

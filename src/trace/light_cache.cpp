@@ -110,11 +110,13 @@ const LightCache::Cell* LightCache::cell_of(std::uint64_t key) const {
   return slot ? &shards_[shard_of(key)].cells[slot->cell] : nullptr;
 }
 
+/// A cell around another knows at least what that knows, unless it belongs to places that are seen from farther away.
 std::pair<std::size_t, std::uint32_t> LightCache::parent_index(const Cell& cell) const {
   const glm::i64vec3 at = cell_at(cell.center * std::ldexp(1.0f, -(cell.exponent + 1)));
   for (const std::uint32_t part : {cell.part, kAllParts}) {
     const std::uint64_t key = key_of(base_key(cell.thing, part, cell.exponent + 1), at);
-    if (const Slot* slot = find(key)) return {shard_of(key), slot->cell};
+    const Slot* slot = find(key);
+    if (slot && shards_[shard_of(key)].cells[slot->cell].fed >= cell.fed) return {shard_of(key), slot->cell};
   }
   return {kShards, 0};
 }
@@ -124,7 +126,7 @@ const LightCache::Cell* LightCache::parent_of(const Cell& cell) const {
   return shard < kShards ? &shards_[shard].cells[index] : nullptr;
 }
 
-void LightCache::add(std::span<const std::vector<LightRecord>> records, const ThreadPool& pool) {
+void LightCache::add(std::span<const std::span<const LightRecord>> records, const ThreadPool& pool) {
   struct Target {
     std::uint64_t key;
     std::uint32_t record;
@@ -161,6 +163,10 @@ void LightCache::add(std::span<const std::vector<LightRecord>> records, const Th
           cell.center = (Vec3f(cell_at(record.place.position / edge)) + 0.5f) * edge;
         }
         cell.now.add(record.light);
+        cell.fed += 1.0f;
+        const float share = 1.0f / cell.now.count;
+        cell.doubt_fed.light += share * (record.doubtful_light - cell.doubt_fed.light);
+        cell.doubt_fed.share += share * (record.doubtful_share - cell.doubt_fed.share);
       }
   });
 }

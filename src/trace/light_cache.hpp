@@ -35,6 +35,9 @@ struct LightPlace {
 struct LightRecord {
   LightPlace place;
   Vec3f light{0.0f};
+  /// What has moved since the frame before may have changed so much of it: luminance that lamps and the sky would bring along
+  /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it.
+  float doubtful_light = 0.0f, doubtful_share = 0.0f;
 };
 
 /// Places side by side, for LightCache::pick.
@@ -68,12 +71,17 @@ class LightCache {
   /// World units by which a point of a thing (LightPlace) has moved since the frame before.
   using Motion = std::function<float(std::uint32_t thing, Vec3f position)>;
 
-  /// What was fed so far becomes the past. Where both contradict each other by more than chance explains, the past is forgotten
-  /// as far as that asks for; and where things have moved, as far as light differs over such a distance.
+  /// What was fed so far becomes the past. It is forgotten where things have moved, as far as light differs over such a
+  /// distance.
   void begin_frame(const Motion& moved, const ThreadPool& pool);
 
   /// Feeds records, in this order whatever the threads.
-  void add(std::span<const std::vector<LightRecord>> records, const ThreadPool& pool);
+  void add(std::span<const std::span<const LightRecord>> records, const ThreadPool& pool);
+
+  /// Forgets the past as far as what was fed in this frame asks for: where both contradict each other by more than chance
+  /// explains, and where what moves may have changed the light (LightRecord). May be called again when more has been fed.
+  /// Returns the share of all that was known when the frame began, 0 ... 1, that is forgotten.
+  float forget(const ThreadPool& pool);
 
   /// Makes what look_up() gives from what was fed.
   void resolve(const ThreadPool& pool);
@@ -101,23 +109,45 @@ class LightCache {
   struct Moments {
     Vec3f mean{0.0f};
     float square = 0.0f;  ///< mean of the squared luminance
+    /// Mean of the fourth root of the luminance, and of its square: a single bright sample moves them little, so that means of
+    /// few samples can be compared.
+    float root = 0.0f, root_square = 0.0f;
     float count = 0.0f;
     void add(Vec3f light);
     void add(const Moments& more);
-    float variance() const;  ///< of one sample's luminance
+    float variance() const;       ///< of one sample's luminance
+    float root_variance() const;  ///< of its fourth root
+  };
+  /// As LightRecord has it.
+  struct Doubt {
+    float light = 0.0f, share = 0.0f;
+  };
+  /// Squared deviations: of the luminance, and of its fourth root.
+  struct Scatter {
+    float light = 0.0f, root = 0.0f;
   };
   struct Cell {
     Vec3f center;
     std::uint32_t thing, part;
     int exponent;  ///< edge 2^exponent
     Moments now, past;
+    float inherited = 0.0f;  ///< samples of the past before forget()
+    float fed = 0.0f;        ///< samples ever
+    Doubt doubt_fed;         ///< mean of what `now` holds
+    Doubt doubt;             ///< the same, with what larger cells say of it
     float samples = 0.0f;
-    float deviation = 0.0f;  ///< of one sample's luminance, squared
-    float variance = 0.0f;   ///< of the resolved value's luminance
-    float keep = 1.0f;       ///< of the past, when a frame begins
-    float keep_all = 1.0f;   ///< of what was fed last, too
-    Vec3f wider{0.0f};       ///< what larger cells say of it
+    float root = 0.0f;      ///< mean fourth root of the luminance
+    Scatter scatter;        ///< of one sample
+    Scatter relative;       ///< the same over the cell's level
+    Scatter within;         ///< and of one sample about the mean of its cell, in the cells within this one
+    float variance = 0.0f;  ///< of the resolved value's luminance
+    float keep = 1.0f;      ///< of the past
+    Vec3f own{0.0f};        ///< mean of its own samples
+    Vec3f wider{0.0f};      ///< what larger cells say of it
     bool has_wider = false;
+    float drawn = 0.0f;      ///< towards that, 0 ... 1
+    Vec3f shift{0.0f};       ///< what it was resolved to, less its own
+    Vec3f balance{0.0f};     ///< what cells within it are given back, as far as they are drawn
     float luminance = 0.0f;  ///< of the mean of its own samples
     float spread = 0.0f;     ///< squared luminance by which cells within this one differ from what it says of them
     float relief = 0.0f;     ///< and from its mean
@@ -145,7 +175,9 @@ class LightCache {
   const Cell* cell_of(std::uint64_t key) const;
   std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
   const Cell* parent_of(const Cell& cell) const;
-  float contradicted(const Cell& cell) const;
+  static float contradicted(const Cell& cell);
+  static float doubted(const Cell& cell);
+  static float level(const Cell& cell, const Cell* parent);
   static float outdated(const Cell& cell, const Cell& parent, float moved);
   struct Interpolated {
     Vec3f sum{0.0f};
@@ -158,9 +190,13 @@ class LightCache {
   using SlotsBySize = std::map<int, SlotsOfShards, std::greater<>>;
   SlotsBySize slots_by_size(const ThreadPool& pool) const;
   void for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn);
-  void compare_with_wider(Cell& cell, Slot& slot) const;
-  void find_spreads(const SlotsOfShards& slots, const SlotsOfShards* wider, const ThreadPool& pool);
+  void sum_into_parents(const SlotsOfShards& slots, const SlotsOfShards& parents, const ThreadPool& pool, const auto& of_cell,
+                        const auto& use);
+  void find_scatter(const SlotsOfShards& slots, const SlotsOfShards* wider, const ThreadPool& pool);
+  void compare_with_wider(Cell& cell) const;
+  void find_spreads(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
   void resolve(Cell& cell, Slot& slot) const;
+  void balance(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
 
   std::vector<Shard> shards_;
   std::size_t most_cells_;  ///< of a shard

@@ -23,6 +23,7 @@ LightFeeder::LightFeeder(const DeviceScene::Impl& scene, const LightCells& cells
       cells_(cells),
       params_(params),
       light_(kMostQueries, 1, 3),
+      doubts_(kMostQueries),
       paths_(scene, cells.beam, params, {light_.data.data()}) {}
 
 void LightFeeder::begin_group(std::uint32_t group) {
@@ -30,20 +31,20 @@ void LightFeeder::begin_group(std::uint32_t group) {
   started_ = 0;
 }
 
-void LightFeeder::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel) {
+void LightFeeder::primary(RayHitPacket& packet, const LaneMask& active, std::uint32_t source) {
   clear_hits(packet);
   intersect_scene(scene_, active, packet, Coherence::kCoherent);
   PathRay rays[kLanes];
   for (int i = 0; i < kLanes; ++i) {
     counts_.primary += active.lane[i] != 0;
     if (!active.lane[i]) continue;
-    rays[i] = primary_path_ray(packet, i, pixel[i]);
+    rays[i] = primary_path_ray(packet, i, source);
     rays[i].seed = hash(params_.seed, group_), rays[i].index = started_++;
   }
   shade(packet, active, rays);
 }
 
-void LightFeeder::finish_group(std::vector<LightRecord>& records) {
+void LightFeeder::finish_group(FedLight& fed) {
   while (!next_.empty()) {
     std::swap(wave_, next_);
     next_.clear();
@@ -54,8 +55,15 @@ void LightFeeder::finish_group(std::vector<LightRecord>& records) {
   paths_.finish_batch();
   for (std::size_t q = 0; q < asked_.size(); ++q) {
     float* light = &light_.data[3 * q];
-    records.push_back({asked_[q], {light[0], light[1], light[2]}});
+    LightRecord& record = fed.records.emplace_back();
+    record.place = asked_[q].place;
+    record.light = {light[0], light[1], light[2]};
+    // What moves by itself passes its own box with every ray: how far it has moved tells what is doubtful (LightCache::Motion).
+    if (watches_ && !asked_[q].moves)
+      record.doubtful_light = doubts_[q].light, record.doubtful_share = std::min(1.0f, doubts_[q].share);
+    fed.sources.push_back(asked_[q].source);
     light[0] = light[1] = light[2] = 0.0f;
+    doubts_[q] = {};
   }
   asked_.clear();
 }
@@ -97,12 +105,8 @@ void LightFeeder::shade_lane(const RayHitPacket& packet, int i, const PathRay& r
     query.throughput = Vec3f(1.0f);
     Vec3f normal = bsdf.normal();
     const LightPlace place = cells_.places(packet, surface_, i, normal, cells_.size(length));
-    if (scarce_) {
-      const bool is_scarce = scarce_->at(place);
-      scarce_places_ += is_scarce;
-      if (asks_only_there_ && !is_scarce) return;
-    }
-    asked_.push_back(place);
+    if (scarce_ && !scarce_->at(place)) return;
+    asked_.push_back({place, ray.pixel, cells_.places.moves(surface_.instance[i])});
     paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {choice.x, numbers(1), numbers(2)});
     return;
   }

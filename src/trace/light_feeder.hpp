@@ -24,6 +24,12 @@ struct ScarceLight {
   bool at(const LightPlace& place) const { return cache.samples(place) < enough; }
 };
 
+/// What was fed, and by which primary rays (LightFeeder::primary).
+struct FedLight {
+  std::vector<LightRecord> records;
+  std::vector<std::uint32_t> sources;
+};
+
 /// State of one thread at a time.
 class LightFeeder {
  public:
@@ -32,15 +38,17 @@ class LightFeeder {
   /// From now on random numbers are those of this group of packets: another number for each.
   void begin_group(std::uint32_t group);
 
-  /// From now on counts the places of scarce light that are met; only_there: and asks nowhere else.
-  void look_for(const ScarceLight& scarce, bool only_there) { scarce_.emplace(scarce), asks_only_there_ = only_there; }
-  std::size_t scarce_places() const { return scarce_places_; }
+  /// From now on asks only where light is scarce.
+  void ask_only(const ScarceLight& scarce) { scarce_.emplace(scarce); }
 
-  /// Traces a packet of primary rays; queries that go on from there wait for finish_group().
-  void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel);
+  /// From now on tells what is doubtful (LightRecord): boxes are around what has moved since the frame before.
+  void watch(const TouchProbe& moved) { paths_.watch(moved, doubts_), watches_ = true; }
+
+  /// Traces a packet of primary rays; queries that go on from there wait for finish_group(). source: a number of the caller's.
+  void primary(RayHitPacket& packet, const LaneMask& active, std::uint32_t source);
 
   /// Traces all that waits, and appends what arrived.
-  void finish_group(std::vector<LightRecord>& records);
+  void finish_group(FedLight& fed);
 
   RayCounts counts() const;
 
@@ -54,11 +62,16 @@ class LightFeeder {
   std::uint32_t group_ = 0, started_ = 0;  ///< of the group
   RayCounts counts_;
   std::optional<ScarceLight> scarce_;
-  bool asks_only_there_ = false;
-  std::size_t scarce_places_ = 0;
+  bool watches_ = false;
+  struct Query {
+    LightPlace place;
+    std::uint32_t source;
+    bool moves;  ///< with the thing that it lies on
+  };
   Image light_;  ///< what arrives, by query of the group
+  std::vector<PathTracer::Doubt> doubts_;
   PathTracer paths_;
-  std::vector<LightPlace> asked_;
+  std::vector<Query> asked_;
   std::vector<PathRay> wave_, next_;
   SurfacePacket surface_;
 };

@@ -35,10 +35,17 @@ void PathTracer::finish_batch() {
     std::swap(wave_, next_);
     next_.clear();
     trace_wave(scene_, wave_, [this](const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+      if (probe_) watch_wave(packet, active, rays);
       shade(packet, active, rays);
     });
     trace_shadow_rays();
   }
+}
+
+void PathTracer::watch_wave(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+  const LaneMask met = probe_->met(packet.ray, active);
+  for (int i = 0; i < kLanes; ++i)
+    if (met.lane[i]) (*doubts_)[rays[i].pixel].share += luminance(rays[i].throughput);
 }
 
 /// rays: of the active lanes.
@@ -190,6 +197,8 @@ void PathTracer::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, con
 }
 
 void PathTracer::trace_shadow_rays() {
+  if (probe_)
+    shadow_rays_.probe(*probe_, [this](const ShadowRay& ray) { (*doubts_)[ray.pixel].light += luminance(ray.radiance); });
   counts_.shadow +=
       shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
 }

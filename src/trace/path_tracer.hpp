@@ -65,6 +65,14 @@ class PathTracer {
   void gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,
                       const Numbers& numbers);
 
+  /// What has to do with what moves, by pixel of the film: see LightRecord.
+  struct Doubt {
+    float light = 0.0f, share = 0.0f;
+  };
+  /// From now on every ray that gather_diffuse() leads to is tested against the probe's boxes; `doubts`, one for each pixel of
+  /// the film, receives what those that meet one stand for. Both outlive this.
+  void watch(const TouchProbe& probe, std::vector<Doubt>& doubts) { probe_ = &probe, doubts_ = &doubts; }
+
   /// Traces everything that waits, wave by wave.
   void finish_batch();
 
@@ -72,6 +80,7 @@ class PathTracer {
 
  private:
   void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void watch_wave(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void draw_numbers(const PathRay* rays);
   void look_at_sky(const RayPacket& rays);
   void shade_sky(const RayHitPacket& packet, int lane, const PathRay& ray);
@@ -90,6 +99,8 @@ class PathTracer {
   const BeamFootprint& beam_;
   PathParams params_;
   PathFilm film_;
+  const TouchProbe* probe_ = nullptr;  ///< null: nothing is watched
+  std::vector<Doubt>* doubts_ = nullptr;
   std::uint32_t sample_ = 0;
   float weight_ = 1.0f;  ///< of one sample
   RayCounts counts_;

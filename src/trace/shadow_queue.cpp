@@ -2,7 +2,7 @@
 
 namespace lippmann {
 
-std::size_t ShadowQueue::trace_packet(const DeviceScene::Impl& scene, std::size_t first) {
+std::size_t ShadowQueue::fill_packet(std::size_t first) {
   const std::size_t count = std::min<std::size_t>(kLanes, rays_.size() - first);
   for (std::size_t i = 0; i < kLanes; ++i) {
     const ShadowRay& ray = rays_[first + std::min(i, count - 1)];
@@ -12,6 +12,11 @@ std::size_t ShadowQueue::trace_packet(const DeviceScene::Impl& scene, std::size_
     packet_.active.lane[i] = i < count ? -1 : 0;
     packet_.context.transmittance[i] = 1.0f;
   }
+  return count;
+}
+
+std::size_t ShadowQueue::trace_packet(const DeviceScene::Impl& scene, std::size_t first) {
+  const std::size_t count = fill_packet(first);
   trace_shadows(scene, packet_);
   return count;
 }

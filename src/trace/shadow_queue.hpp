@@ -7,6 +7,7 @@
 #include "trace/direct_light.hpp"
 #include "trace/light_table.hpp"
 #include "trace/shading_point.hpp"
+#include "trace/touch_probe.hpp"
 
 namespace lippmann {
 
@@ -39,6 +40,17 @@ class ShadowQueue {
     ray.pixel = pixel, ray.depth = depth;
   }
 
+  /// Calls met(shadow ray) for all that wait and would pass one of the probe's boxes on their way to the light.
+  template <class Met>
+  void probe(const TouchProbe& probe, const Met& met) {
+    for (std::size_t first = 0; first < rays_.size(); first += kLanes) {
+      const std::size_t count = fill_packet(first);
+      const LaneMask lanes = probe.met(packet_.rays, packet_.active);
+      for (std::size_t i = 0; i < count; ++i)
+        if (lanes.lane[i]) met(rays_[first + i]);
+    }
+  }
+
   /// Traces all that wait, calls add(shadow ray, radiance) for what arrives, in the order of push(), and returns how many there
   /// were.
   template <class Add>
@@ -54,6 +66,7 @@ class ShadowQueue {
   }
 
  private:
+  std::size_t fill_packet(std::size_t first);
   std::size_t trace_packet(const DeviceScene::Impl& scene, std::size_t first);
   bool arrives(int i) const { return packet_.active.lane[i] && packet_.rays.tfar[i] >= 0.0f; }
   float transmittance(int i) const { return packet_.context.transmittance[i]; }

@@ -27,6 +27,9 @@ class SurfacePlaces {
   /// each as far as it shares in all light.
   float moved(std::uint32_t thing, Vec3f position) const;
 
+  /// Whether an instance moves, as a whole or in itself.
+  bool moves(std::uint32_t instance) const { return spaces_[instance].moves; }
+
   /// Of lane i. normal: where light is asked for, world space, on the viewer's side; size: of the smallest cell, world units.
   /// `normal` goes over to the place's space, unit length.
   LightPlace operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal, float size) const;

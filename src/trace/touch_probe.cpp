@@ -75,18 +75,32 @@ TouchProbe::TouchProbe(RTCDevice device, int native_width, const std::vector<Hor
   rtcCommitScene(scene_.get());
 }
 
-std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& active) const {
-  if (boxes_.empty()) return everything_;
+void TouchProbe::find_lowest(const RayPacket& rays, const LaneMask& active, float* lowest) const {
   RayPacket packet = rays;
   ShadowContext context;
   for (int i = 0; i < kLanes; ++i) {
     packet.id[i] = static_cast<unsigned>(i);
+    packet.time[i] = 0.0f, packet.mask[i] = ~0u, packet.flags[i] = 0;  // rays that wait for a shadow test have none yet
     context.transmittance[i] = everything_;
   }
-  occluded(scene_.get(), native_width_, sound_lanes(packet, kEmbreeReach, active), packet, context);
+  if (!boxes_.empty()) occluded(scene_.get(), native_width_, sound_lanes(packet, kEmbreeReach, active), packet, context);
+  std::copy_n(context.transmittance, kLanes, lowest);
+}
+
+std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& active) const {
+  float of_lanes[kLanes];
+  find_lowest(rays, active, of_lanes);
   float lowest = everything_;
-  for (int i = 0; i < kLanes; ++i) lowest = std::min(lowest, active.lane[i] ? context.transmittance[i] : lowest);
+  for (int i = 0; i < kLanes; ++i) lowest = std::min(lowest, active.lane[i] ? of_lanes[i] : lowest);
   return static_cast<std::uint8_t>(lowest);
+}
+
+LaneMask TouchProbe::met(const RayPacket& rays, const LaneMask& active) const {
+  float of_lanes[kLanes];
+  find_lowest(rays, active, of_lanes);
+  LaneMask met{};
+  for (int i = 0; i < kLanes; ++i) met.lane[i] = active.lane[i] && of_lanes[i] < TouchedBlocks::kNever ? -1 : 0;
+  return met;
 }
 
 }  // namespace lippmann

@@ -18,11 +18,15 @@ class TouchProbe {
   /// The lowest horizon of the boxes that the active rays meet from tnear to tfar: how far they went, or are about to go.
   std::uint8_t lowest_met(const RayPacket& rays, const LaneMask& active) const;
 
+  /// Those of the active rays that meet any box.
+  LaneMask met(const RayPacket& rays, const LaneMask& active) const;
+
  private:
   struct Box {
     Vec3f lower, upper;
     float horizon;
   };
+  void find_lowest(const RayPacket& rays, const LaneMask& active, float* lowest) const;
   static void bounds(const RTCBoundsFunctionArguments* args);
   static void meet(const RTCOccludedFunctionNArguments* args);
 

@@ -97,6 +97,14 @@ TEST(Light, shared_light_saves_rays_and_tells_its_error) {
   EXPECT_TRUE(paths.at("estimated_psnr_db").is_null());
 }
 
+TEST(Light, the_summary_says_how_many_frames_share_light) {
+  const TempDir dir;
+  const RunResult shared = run_tool(dir, small_shared("shared", "0-1"));
+  EXPECT_THAT(shared.out, HasSubstr("of 2 frames share light, PSNR "));
+  EXPECT_THAT(shared.out, testing::Not(HasSubstr("key frames")));
+  EXPECT_THAT(run_tool(dir, small_paths("traced")).out, HasSubstr("every frame was traced whole"));
+}
+
 TEST(Light, a_budget_of_time_makes_frames_that_tell_their_error) {
   const TempDir dir;
   const nlohmann::json report = report_of(dir, small_shared("out", "0-1") + Words{"--time-budget", "0.01"});

@@ -1,0 +1,30 @@
+// What the frames of a history have measured of their errors, and whether that is too much. Private to src/trace.
+#pragma once
+
+#include "trace/gather_error.hpp"
+
+namespace lippmann {
+
+/// Whether an error is larger than it may be.
+enum class Excess { kNone, kProbable, kSure };
+
+/// Errors of frames before count less and less: light changes, but a few patches know little.
+class FrameErrors {
+ public:
+  /// The latest frame's, and what it may be.
+  void add(const FrameError& now, const FrameError& may);
+
+  const FrameError& found() const { return found_; }
+  const FrameError& allowed() const { return allowed_; }
+
+  /// Of the latest frame.
+  Excess pixels() const { return pixels_; }
+  Excess blocks() const { return blocks_; }
+
+ private:
+  FrameError found_, allowed_;  ///< weighted means
+  float weight_ = 0.0f;
+  Excess pixels_ = Excess::kNone, blocks_ = Excess::kNone;
+};
+
+}  // namespace lippmann
