@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/metrics.hpp"
 #include "render/aov_params.hpp"
 
 namespace lippmann {
@@ -12,11 +13,23 @@ namespace {
 /// resume, gives the same pictures.
 constexpr int kSegment = 16;
 
-/// Standard deviations above which an error lies in one of twenty cases.
+/// Standard deviations above its estimate that an error exceeds in one of twenty cases.
 constexpr double kOneSided = 1.645;
 
 /// Of fewer paths a pixel there is nothing to be saved.
 constexpr int kLeastPaths = 8;
+
+/// Of a mean squared error of codes from 0 to 1.
+double psnr_of(double squared_error) { return psnr_db(255.0 * 255.0 * squared_error); }
+
+/// The kind and the errors of a frame. A frame of whole paths is a traced one like any other, and has no errors of its own.
+void tell_errors(const CachedLightReport& light, FrameReport& report) {
+  if (light.traced) return;
+  report.kind = "shared";
+  report.estimated_psnr_db = psnr_of(light.squared_error);
+  report.psnr_at_least_db = psnr_of(light.squared_error + kOneSided * light.uncertainty);
+  report.estimated_block_psnr_db = psnr_of(light.block_squared_error);
+}
 
 }  // namespace
 
@@ -67,10 +80,7 @@ FrameReport LitFrames::visit(int frame, FramePictures& pictures) {
   FrameReport report;
   report.frame = frame;
   report.rays = light.rays;
-  if (!light.traced) {
-    report.estimated_psnr_db = -10.0 * std::log10(light.squared_error);
-    report.psnr_at_least_db = -10.0 * std::log10(light.squared_error + kOneSided * light.uncertainty);
-  }
+  tell_errors(light, report);
   clock.add_to(report);
   return report;
 }

@@ -106,6 +106,7 @@ Json to_json(const FrameReport& frame) {
           {"reused_pixels", frame.reused_pixels},
           {"estimated_psnr_db", number_or_null(frame.estimated_psnr_db)},
           {"psnr_at_least_db", number_or_null(frame.psnr_at_least_db)},
+          {"estimated_block_psnr_db", number_or_null(frame.estimated_block_psnr_db)},
           {"precompensation", precompensation_json(frame.precompensation)}};
 }
 
@@ -143,7 +144,10 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   json.at("reused_pixels").get_to(frame.reused_pixels);
   frame.estimated_psnr_db = number_or_none(json.at("estimated_psnr_db"));
   frame.psnr_at_least_db = number_or_none(json.at("psnr_at_least_db"));
+  frame.estimated_block_psnr_db = number_or_none(json.at("estimated_block_psnr_db"));
   frame.precompensation = precompensation_from_json(json.at("precompensation"));
+  const bool is_measured = frame.estimated_psnr_db && frame.psnr_at_least_db && frame.estimated_block_psnr_db;
+  if (frame.kind == "shared" && !is_measured) return std::nullopt;
   return frame;
 } catch (const nlohmann::json::exception&) {
   return std::nullopt;

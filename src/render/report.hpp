@@ -18,16 +18,19 @@ namespace lippmann {
 
 struct FrameReport {
   int frame = 0;
-  std::string kind = "full";  ///< full: traced; key: traced, and others are made from it; in-between: made from others
-  double seconds = 0.0;       ///< wall time of rendering, without writing files
-  double cpu_seconds = 0.0;   ///< of all threads, likewise
+  /// full: traced; key: traced, and others are made from it; in-between: made from others; shared: path-traced, with soft light
+  /// from the cache.
+  std::string kind = "full";
+  double seconds = 0.0;      ///< wall time of rendering, without writing files
+  double cpu_seconds = 0.0;  ///< of all threads, without writing files
   RayCounts rays;
   std::uint64_t missed_pixels = 0;  ///< onto which no point of another frame projected; for one of two causes:
   std::uint64_t newly_visible_pixels = 0, not_covered_pixels = 0;
   std::uint64_t retraced_pixels = 0;
   std::uint64_t reused_pixels = 0;
   std::optional<double> estimated_psnr_db;         ///< from held-out pixels; none: exact, or not estimated
-  std::optional<double> psnr_at_least_db;          ///< at 95 % confidence, from the same; likewise
+  std::optional<double> psnr_at_least_db;          ///< lower bound of it at 95 % confidence; none where there is no estimate
+  std::optional<double> estimated_block_psnr_db;   ///< of means over 64 neighbouring pixels; shared frames only
   std::optional<Precompensation> precompensation;  ///< of crosstalk; none: not asked for
 };
 
@@ -55,7 +58,7 @@ std::optional<Precompensation> precompensation_of(const RenderReport& report);
 nlohmann::ordered_json to_json(const FrameReport& frame);
 nlohmann::ordered_json to_json(const RenderReport& report);
 
-/// The inverse for a frame; none if anything is missing or of the wrong type.
+/// The inverse for a frame; none if anything is missing or of the wrong type, or if a shared frame has no errors.
 std::optional<FrameReport> frame_report_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace lippmann

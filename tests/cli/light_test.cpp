@@ -97,6 +97,51 @@ TEST(Light, shared_light_saves_rays_and_tells_its_error) {
   EXPECT_TRUE(paths.at("estimated_psnr_db").is_null());
 }
 
+/// What is told of a frame that shares light; every frame is one.
+void expect_errors(const nlohmann::json& frame) {
+  EXPECT_EQ(frame.at("kind"), "shared");
+  EXPECT_LT(frame.at("psnr_at_least_db"), frame.at("estimated_psnr_db"));
+  // Noise of pixels averages out in means over 64.
+  EXPECT_GT(frame.at("estimated_block_psnr_db"), frame.at("estimated_psnr_db"));
+}
+
+void expect_no_errors(const nlohmann::json& frame) {
+  EXPECT_EQ(frame.at("kind"), "full");
+  for (const char* key : {"estimated_psnr_db", "psnr_at_least_db", "estimated_block_psnr_db"})
+    EXPECT_TRUE(frame.at(key).is_null()) << key;
+}
+
+TEST(Light, every_frame_of_shared_light_tells_its_errors_and_traced_ones_none) {
+  const TempDir dir;
+  for (const Words& goal : {Words{}, Words{"--min-psnr", "30"}, Words{"--time-budget", "0.01"}}) {
+    const nlohmann::json shared = report_of(dir, small_shared("shared", "0-2") + goal).at("frames");
+    EXPECT_EQ(shared.size(), 3u);
+    for (const nlohmann::json& frame : shared) expect_errors(frame);
+  }
+  for (const nlohmann::json& frame : report_of(dir, small_shared("traced", "0-1") + Words{"--reuse", "none"}).at("frames"))
+    expect_no_errors(frame);
+}
+
+// 70 dB are an error of 0.08 codes, which is less than cells are known to.
+TEST(Light, frames_that_were_to_share_light_and_are_traced_whole_say_so) {
+  const TempDir dir;
+  const Words traced{"render", "teapot",   "--lenses", "4",          "--integrator", "path",     "--spp",
+                     "8",      "--frames", "0-1",      "--min-psnr", "70",           "--output", "out"};
+  for (const nlohmann::json& frame : report_of(dir, traced).at("frames")) expect_no_errors(frame);
+}
+
+TEST(Light, a_resume_keeps_the_errors_of_frames_that_share_light) {
+  const TempDir dir;
+  const nlohmann::json whole = report_of(dir, small_shared("out", "0-2")).at("frames");
+  std::filesystem::remove(dir / "out/frame_0001.png");
+  const nlohmann::json resumed = report_of(dir, {"render", "out/job.toml", "--resume"}).at("frames");
+  ASSERT_EQ(resumed.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    for (const char* key : {"kind", "estimated_psnr_db", "psnr_at_least_db", "estimated_block_psnr_db"})
+      EXPECT_EQ(resumed.at(i).at(key), whole.at(i).at(key)) << "frame " << i << ' ' << key;
+  EXPECT_EQ(resumed.at(0), whole.at(0));
+}
+
 TEST(Light, the_summary_says_how_many_frames_share_light) {
   const TempDir dir;
   const RunResult shared = run_tool(dir, small_shared("shared", "0-1"));

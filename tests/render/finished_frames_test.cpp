@@ -35,6 +35,21 @@ TEST(FinishedFrames, recorded_frame_is_found_by_the_same_job_with_its_figures) {
   EXPECT_FALSE(again.find(5).has_value());
 }
 
+TEST(FinishedFrames, recorded_frame_that_shares_light_is_found_with_its_errors) {
+  const test::TempDir dir;
+  make_picture(dir, 4);
+  FrameReport shared = report_of(4);
+  shared.kind = "shared";
+  shared.estimated_psnr_db = 40.5, shared.psnr_at_least_db = 39.25, shared.estimated_block_psnr_db = 55.75;
+  FinishedFrames(dir.path(), "job-a", kPng).add(shared);
+  const auto found = FinishedFrames(dir.path(), "job-a", kPng).find(4);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->kind, "shared");
+  EXPECT_EQ(found->estimated_psnr_db, 40.5);
+  EXPECT_EQ(found->psnr_at_least_db, 39.25);
+  EXPECT_EQ(found->estimated_block_psnr_db, 55.75);
+}
+
 TEST(FinishedFrames, another_job_finds_nothing_and_takes_the_folder_over) {
   const test::TempDir dir;
   make_picture(dir, 4);
