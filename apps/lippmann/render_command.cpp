@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,6 +18,7 @@
 #include "render/animation.hpp"
 #include "render/frame.hpp"
 #include "render/job_file.hpp"
+#include "render/shared_light.hpp"
 #include "render/single_clip.hpp"
 
 namespace lippmann::app {
@@ -55,24 +55,6 @@ std::string describe_exact_reuse(const RenderReport& report) {
                      100.0 * reused / (pixels * static_cast<double>(report.frames.size())));
 }
 
-/// How many path-traced frames share light, and how good they are.
-std::string describe_shared_light(const RenderReport& report) {
-  double squares = 0.0;
-  const FrameReport* worst = nullptr;
-  int shared = 0;
-  for (const FrameReport& frame : report.frames) {
-    if (!frame.estimated_psnr_db) continue;
-    ++shared;
-    squares += std::pow(10.0, -0.1 * *frame.estimated_psnr_db);
-    if (!worst || *frame.estimated_psnr_db < *worst->estimated_psnr_db) worst = &frame;
-  }
-  if (!worst) return "every frame was traced whole";
-  std::string text = fmt::format("{} of {} frames share light, PSNR {:.1f} dB as measured", shared, report.frames.size(),
-                                 -10.0 * std::log10(squares / shared));
-  if (shared > 1) text += fmt::format(", frame {} {:.1f} dB", worst->frame, *worst->estimated_psnr_db);
-  return text;
-}
-
 /// How much was traced and how much interpolated from that.
 std::string describe_forward_reuse(const RenderReport& report) {
   std::uint64_t keys = report.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
@@ -106,10 +88,15 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     for (const std::string& video : report.videos)
       if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
-    if (report.params.reuse == Reuse::kExact && report.params.integrator == Integrator::kPath)
-      line("reuse", describe_shared_light(report));
-    else if (report.params.reuse == Reuse::kExact && frames > 1)
+    if (report.params.reuse == Reuse::kExact && report.params.integrator == Integrator::kPath) {
+      line("reuse", shared_light_sentence(report.frames));
+      if (const std::optional<double> floor = report.params.min_psnr_db)
+        for (const std::string& warning :
+             {below_floor_sentence(report.frames, *floor), unmeasured_sentence(report.frames, *floor)})
+          if (!warning.empty()) line("warning", warning);
+    } else if (report.params.reuse == Reuse::kExact && frames > 1) {
       line("reuse", describe_exact_reuse(report));
+    }
     if (has_lenses(report.optics))
       line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
   }

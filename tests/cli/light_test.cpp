@@ -128,6 +128,9 @@ TEST(Light, frames_that_were_to_share_light_and_are_traced_whole_say_so) {
   const Words traced{"render", "teapot",   "--lenses", "4",          "--integrator", "path",     "--spp",
                      "8",      "--frames", "0-1",      "--min-psnr", "70",           "--output", "out"};
   for (const nlohmann::json& frame : report_of(dir, traced).at("frames")) expect_no_errors(frame);
+  const std::string summary = run_tool(dir, traced).out;
+  EXPECT_THAT(summary, HasSubstr("every frame was traced whole"));
+  EXPECT_THAT(summary, HasSubstr("  warning   frames 0, 1 were traced whole and not measured"));
 }
 
 TEST(Light, a_resume_keeps_the_errors_of_frames_that_share_light) {
@@ -146,8 +149,24 @@ TEST(Light, the_summary_says_how_many_frames_share_light) {
   const TempDir dir;
   const RunResult shared = run_tool(dir, small_shared("shared", "0-1"));
   EXPECT_THAT(shared.out, HasSubstr("of 2 frames share light, PSNR "));
+  EXPECT_THAT(shared.out, HasSubstr("dB on average, "));
+  EXPECT_THAT(shared.out, HasSubstr("dB at worst of means over 64 pixels (frame "));
   EXPECT_THAT(shared.out, testing::Not(HasSubstr("key frames")));
   EXPECT_THAT(run_tool(dir, small_paths("traced")).out, HasSubstr("every frame was traced whole"));
+}
+
+TEST(Light, the_summary_warns_of_frames_that_may_fall_short_of_a_floor) {
+  const TempDir dir;
+  const auto summary = [&](const std::string& db) {
+    return run_tool(dir, small_shared("out", "0-5") + Words{"--min-psnr", db}).out;
+  };
+  const nlohmann::json frames = report_of(dir, small_shared("told", "0-5") + Words{"--min-psnr", "40"}).at("frames");
+  std::string below;
+  for (const nlohmann::json& frame : frames)
+    if (below.empty() && frame.at("psnr_at_least_db") < 40.0) below = frame.at("frame").dump();
+  ASSERT_NE(below, "");
+  EXPECT_THAT(summary("40"), testing::ContainsRegex("  warning   frames? " + below + "[ ,].*may fall short of --min-psnr 40 "));
+  EXPECT_THAT(summary("30"), testing::Not(HasSubstr("may fall short")));
 }
 
 TEST(Light, a_budget_of_time_makes_frames_that_tell_their_error) {
