@@ -44,7 +44,7 @@ class DenoiseCase {
   }
 
   /// Beyond that of the reference.
-  double flicker_of(const Frames& frames) const { return view_flicker(frames, triples_) - view_flicker(reference_, triples_); }
+  double flicker_of(const Frames& frames) const { return view_flicker(frames, triples_) - view_flicker({mean_of(reference_[0])}, triples_); }
 
   Measured measure(int spp, bool denoise) {
     RenderParams params = params_;
@@ -63,7 +63,7 @@ class DenoiseCase {
   Stage stage_;
   std::vector<int> rows_;
   std::vector<ViewTriple> triples_;
-  Frames reference_;
+  References reference_;
 };
 
 /// Eight views of 128 x 128 pixels.

@@ -148,38 +148,48 @@ std::vector<double> block_means(const Image8& picture, const std::vector<Block>&
   return means;
 }
 
-double mean_squared_error(const Frames& reference, const Frames& test) {
+Image8 mean_of(const Reference& reference) {
+  Image8 mean = reference[0];
+  for (std::size_t i = 0; i < mean.rgb.size(); ++i)
+    mean.rgb[i] = static_cast<unsigned char>((reference[0].rgb[i] + reference[1].rgb[i]) / 2);
+  return mean;
+}
+
+double mean_squared_error(const References& references, const Frames& test) {
   double sum = 0.0;
   std::size_t count = 0;
-  for (std::size_t f = 0; f < reference.size(); ++f) {
-    for (std::size_t i = 0; i < reference[f].rgb.size(); ++i) {
-      const double difference = reference[f].rgb[i] - test[f].rgb[i];
-      sum += difference * difference;
-    }
-    count += reference[f].rgb.size();
+  for (std::size_t f = 0; f < references.size(); ++f) {
+    const auto& [first, second] = references[f];
+    for (std::size_t i = 0; i < first.rgb.size(); ++i)
+      sum += (test[f].rgb[i] - first.rgb[i]) * (test[f].rgb[i] - second.rgb[i]);
+    count += first.rgb.size();
   }
-  return sum / static_cast<double>(count);
+  return std::max(0.0, sum / static_cast<double>(count));
 }
 
-double block_squared_error(const Frames& reference, const Frames& test, const std::vector<Block>& blocks) {
+double block_squared_error(const References& references, const Frames& test, const std::vector<Block>& blocks) {
+  if (blocks.empty()) return std::nan("");
   double sum = 0.0;
-  for (std::size_t f = 0; f < reference.size(); ++f) {
-    const std::vector<double> wanted = block_means(reference[f], blocks), made = block_means(test[f], blocks);
-    for (std::size_t i = 0; i < wanted.size(); ++i) sum += (wanted[i] - made[i]) * (wanted[i] - made[i]);
+  for (std::size_t f = 0; f < references.size(); ++f) {
+    const std::vector<double> first = block_means(references[f][0], blocks), second = block_means(references[f][1], blocks),
+                              made = block_means(test[f], blocks);
+    for (std::size_t i = 0; i < made.size(); ++i) sum += (made[i] - first[i]) * (made[i] - second[i]);
   }
-  return sum / static_cast<double>(3 * blocks.size() * reference.size());
+  return std::max(0.0, sum / static_cast<double>(3 * blocks.size() * references.size()));
 }
 
-double mean_light_ratio(const Frames& reference, const Frames& test) {
+double mean_light_ratio(const References& references, const Frames& test) {
   std::array<double, 256> light;
   for (std::size_t code = 0; code < light.size(); ++code) light[code] = linear_from_srgb(static_cast<double>(code) / 255.0);
-  const auto light_of = [&](const Frames& frames) {
+  const auto light_of = [&](const Image8& frame) {
     double sum = 0.0;
-    for (const Image8& frame : frames)
-      for (const unsigned char code : frame.rgb) sum += light[code];
+    for (const unsigned char code : frame.rgb) sum += light[code];
     return sum;
   };
-  return light_of(test) / light_of(reference);
+  double truth = 0.0, made = 0.0;
+  for (const auto& [first, second] : references) truth += 0.5 * (light_of(first) + light_of(second));
+  for (const Image8& frame : test) made += light_of(frame);
+  return made / truth;
 }
 
 double view_flicker(const Frames& frames, const std::vector<ViewTriple>& views) {
@@ -203,16 +213,18 @@ double frame_flicker(const Frames& frames) {
 }
 
 EstimateFigures judge_estimates(const std::vector<std::optional<double>>& estimates_db, const std::vector<double>& true_db) {
-  double sum = 0.0, excess = 0.0, largest = 0.0;
-  int count = 0;
+  double sum = 0.0, excess = 0.0;
+  EstimateFigures figures;
   for (std::size_t f = 0; f < estimates_db.size(); ++f) {
     if (!estimates_db[f] || !std::isfinite(true_db[f])) continue;
     const double error = *estimates_db[f] - true_db[f];
-    sum += *estimates_db[f], excess += error, ++count;
-    largest = std::max(largest, std::abs(error));
+    sum += *estimates_db[f], excess += error, ++figures.frames;
+    if (std::abs(error) <= kCloseDb) ++figures.close;
+    figures.largest_error_db = std::max(figures.largest_error_db, std::abs(error));
   }
-  if (count == 0) return {std::nan(""), std::nan(""), std::nan("")};
-  return {sum / count, excess / count, largest};
+  figures.mean_db = sum / figures.frames, figures.mean_excess_db = excess / figures.frames;  // of none: not a number
+  if (figures.frames == 0) figures.largest_error_db = std::nan("");
+  return figures;
 }
 
 double psnr_at_time(std::vector<TimedQuality> measured, double seconds) {

@@ -43,15 +43,23 @@ std::vector<double> block_means(const Image8& picture, const std::vector<Block>&
 /// Frames of an animation, the compared rows of each.
 using Frames = std::vector<Image8>;
 
-/// Over all frames, pixels and channels; in codes squared. As many frames in both, of one size.
-double mean_squared_error(const Frames& reference, const Frames& test);
+/// A converged frame, rendered twice with random numbers that have nothing to do with each other. What a frame differs by from
+/// the one times what it differs by from the other is its squared error on average: the references' own noise drops out.
+using Reference = std::array<Image8, 2>;
+using References = std::vector<Reference>;
+
+/// The mean of both.
+Image8 mean_of(const Reference& reference);
+
+/// Over all frames, pixels and channels; in codes squared, never below 0. As many frames in both, of one size.
+double mean_squared_error(const References& references, const Frames& test);
 
 /// The same of block means. Not a number where there is no block.
-double block_squared_error(const Frames& reference, const Frames& test, const std::vector<Block>& blocks);
+double block_squared_error(const References& references, const Frames& test, const std::vector<Block>& blocks);
 
-/// Linear light of the test over that of the reference, sums over all frames, pixels and channels of what sRGB codes show:
-/// light beyond the brightest code is not seen. Not a number where the reference is black.
-double mean_light_ratio(const Frames& reference, const Frames& test);
+/// Linear light of the test over that of the references, sums over all frames, pixels and channels of what sRGB codes show:
+/// light beyond the brightest code is not seen. Not a number where the references are black.
+double mean_light_ratio(const References& references, const Frames& test);
 
 /// Mean of |a - 2 b + c| in codes over neighbouring views, and over three frames at a pixel. Not a number where there are no
 /// three.
@@ -64,7 +72,11 @@ struct EstimateFigures {
   double mean_db = 0.0;         ///< of the estimates
   double mean_excess_db = 0.0;  ///< estimate less truth: above 0 it promises too much
   double largest_error_db = 0.0;
+  int frames = 0;  ///< that were judged
+  int close = 0;   ///< of them, frames whose estimate is within kCloseDb of the truth
 };
+inline constexpr double kCloseDb = 0.5;
+
 /// As many of both.
 EstimateFigures judge_estimates(const std::vector<std::optional<double>>& estimates_db, const std::vector<double>& true_db);
 

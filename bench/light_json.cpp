@@ -17,6 +17,12 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
+Json estimates(const std::vector<std::optional<double>>& values) {
+  Json list = Json::array();
+  for (const std::optional<double>& value : values) list.push_back(value ? number(*value) : Json(nullptr));
+  return list;
+}
+
 Json by_spp(const std::vector<TimedQuality>& measured) {
   Json list = Json::array();
   for (const TimedQuality& m : measured)
@@ -72,6 +78,9 @@ Json light_json(const LightCase& wanted, const LightRun& run, const std::optiona
           {"said_psnr_db", number(run.estimate.mean_db)},
           {"said_excess_db", number(run.estimate.mean_excess_db)},
           {"said_error_db", number(run.estimate.largest_error_db)},
+          {"said_frames", run.estimate.frames},
+          {"said_within_half_db", run.estimate.close},
+          {"said_psnr_db_by_frame", estimates(run.estimates_db)},
           {"cpu_seconds_by_frame", numbers(reuse.seconds_by_frame)},
           {"full_psnr_db_by_frame", numbers(full.psnr_db_by_frame)},
           {"psnr_db_by_frame", numbers(reuse.psnr_db_by_frame)},

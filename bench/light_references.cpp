@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <system_error>
@@ -66,9 +67,9 @@ LightReferences::LightReferences(Stage& stage, const RenderParams& params, std::
       wanted_(blocks_with_rows(stage.placed.optics, rows_)),
       film_(stage.placed.optics.panel.width, stage.placed.optics.panel.height, 3) {}
 
-Image8 LightReferences::trace(int frame, int spp) {
+Image8 LightReferences::trace(const RenderParams& params, int frame, int spp) {
   const Moment moment = stage_.moment_at(frame);
-  TraceParams trace = trace_params(params_, stage_.scene);
+  TraceParams trace = trace_params(params, stage_.scene);
   trace.order = RayOrder::kRows;
   trace.frame = static_cast<std::uint32_t>(frame);
   trace.spp = spp;
@@ -78,27 +79,35 @@ Image8 LightReferences::trace(int frame, int spp) {
 
 /// Whatever changes light or rays, be it in the scene, in the optics or in this program, changes some bit of a few samples of
 /// some thousands of pixels.
-std::uint64_t LightReferences::fingerprint_of(int frame) {
-  trace(frame, kProbeSamples);
+std::uint64_t LightReferences::fingerprint_of(const RenderParams& params, int frame) {
+  trace(params, frame, kProbeSamples);
   Fingerprint print;
   for (const int row : rows_) print.add_bytes(film_.pixel(0, row), 3 * sizeof(float) * static_cast<std::size_t>(film_.width));
-  const TraceParams trace = trace_params(params_, stage_.scene);
+  const TraceParams trace = trace_params(params, stage_.scene);
   print.add(trace.spp);
   print.add(trace.max_depth);
   print.add(stage_.scene.encoding);
   return print.value();
 }
 
-Image8 LightReferences::frame(int frame) {
+Reference LightReferences::frame(int frame) {
   stage_.device.update(stage_.moment_at(frame).resolved, pool_);
+  RenderParams first = params_;
+  first.spp = std::max(1, samples_per_pixel(params_) / 2);
+  RenderParams second = first;
+  second.seed += 1;
+  return {half(first, frame), half(second, frame)};
+}
+
+Image8 LightReferences::half(const RenderParams& params, int frame) {
   const std::string scene = std::filesystem::path(params_.scene).stem().string();
-  const auto file = folder_ / fmt::format("{}_{:04}_{:016x}.png", scene, frame, fingerprint_of(frame));
+  const auto file = folder_ / fmt::format("{}_{:04}_{:016x}.png", scene, frame, fingerprint_of(params, frame));
   if (auto codes = read_kept(file, film_.width, rows_.size())) {
     ++kept_;
     return std::move(*codes);
   }
-  if (say_) say_(fmt::format("{}, frame {}: rendering a reference of {} samples", scene, frame, samples_per_pixel(params_)));
-  Image8 codes = trace(frame, samples_per_pixel(params_));
+  if (say_) say_(fmt::format("{}, frame {}: rendering a reference of {} samples", scene, frame, samples_per_pixel(params)));
+  Image8 codes = trace(params, frame, samples_per_pixel(params));
   if (context_.cancelled) return codes;
   std::error_code ignored;  // the writing below says what is wrong
   std::filesystem::create_directories(folder_, ignored);

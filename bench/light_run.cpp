@@ -37,7 +37,7 @@ RenderParams with_reuse(RenderParams params, Reuse reuse) {
 
 RenderParams reference_params(RenderParams params, int spp) {
   params.spp = spp;
-  params.seed += 1;  // a reference must not share the noise of what is held against it
+  params.seed += 1;  // references must not share the noise of what is held against them
   return params;
 }
 
@@ -128,16 +128,23 @@ class LightBench {
     figures.block_psnr_db = psnr_db(block_squared_error(references_, made.frames, blocks_));
     figures.mean_light = mean_light_ratio(references_, made.frames);
     for (std::size_t f = 0; f < made.frames.size(); ++f) {
-      const Frames reference{references_[f]}, frame{made.frames[f]};
+      const References reference{references_[f]};
+      const Frames frame{made.frames[f]};
       figures.psnr_db_by_frame.push_back(psnr_db(mean_squared_error(reference, frame)));
       figures.block_psnr_db_by_frame.push_back(psnr_db(block_squared_error(reference, frame, blocks_)));
       figures.mean_light_by_frame.push_back(mean_light_ratio(reference, frame));
     }
     figures.worst_psnr_db = least(figures.psnr_db_by_frame);
     figures.worst_block_psnr_db = least(figures.block_psnr_db_by_frame);
-    figures.view_flicker = view_flicker(made.frames, views_) - view_flicker(references_, views_);
-    figures.frame_flicker =
-        wanted_.reference_step == 1 ? frame_flicker(made.frames) - frame_flicker(references_) : std::nan("");
+    const Frames converged = converged_frames();
+    figures.view_flicker = view_flicker(made.frames, views_) - view_flicker(converged, views_);
+    figures.frame_flicker = wanted_.reference_step == 1 ? frame_flicker(made.frames) - frame_flicker(converged) : std::nan("");
+  }
+
+  Frames converged_frames() const {
+    Frames frames;
+    for (const Reference& reference : references_) frames.push_back(mean_of(reference));
+    return frames;
   }
 
   void render_in_turn() {
@@ -157,6 +164,7 @@ class LightBench {
     if (context_.cancelled) return;
     judge(full), judge(reuse);
     run_.full = full.figures, run_.reuse = reuse.figures;
+    run_.estimates_db = reuse.estimates_db;
     run_.estimate = judge_estimates(reuse.estimates_db, reuse.figures.psnr_db_by_frame);
     run_.stated_bytes = bytes_kept_per_pixel(reuse_params_) * run_.width * run_.height;
     run_.full_by_spp.push_back({samples_per_pixel(full_params_), run_.full.seconds, run_.full.psnr_db});
@@ -164,9 +172,10 @@ class LightBench {
   }
 
   void write_pictures(const Frames& full, const Frames& reuse) const {
-    for (std::size_t f = 0; f < references_.size(); ++f) {
+    const Frames converged = converged_frames();
+    for (std::size_t f = 0; f < converged.size(); ++f) {
       const int frame = wanted_.first + static_cast<int>(f) * wanted_.reference_step;
-      write_light_pictures(settings_.pictures, fmt::format("{}_{:04}", wanted_.name, frame), references_[f], full[f], reuse[f],
+      write_light_pictures(settings_.pictures, fmt::format("{}_{:04}", wanted_.name, frame), converged[f], full[f], reuse[f],
                            blocks_);
     }
   }
@@ -206,7 +215,7 @@ class LightBench {
   std::vector<int> rows_;
   std::vector<ViewTriple> views_;
   std::vector<Block> blocks_;
-  Frames references_;
+  References references_;
   LightRun run_;
 };
 

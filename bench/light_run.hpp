@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,7 @@ struct LightRun {
   int references_rendered = 0, references_kept = 0;
   LightFigures full, reuse;
   EstimateFigures estimate;
+  std::vector<std::optional<double>> estimates_db;  ///< of compared frames, by the reuse itself
   std::vector<TimedQuality> full_by_spp;  ///< ascending; the full render's own samples last
   double equal_time_psnr_db = 0.0;        ///< of a full render that takes as long as the reuse, of at least 1 sample; not a
                                           ///< number where that is not measured

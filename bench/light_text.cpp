@@ -51,7 +51,8 @@ std::string estimate_line(const EstimateFigures& estimate) {
   if (!std::isfinite(estimate.mean_db)) return "";
   return line_of(
       "PSNR by its own estimate, dB", "", fmt::format("{:.2f}", estimate.mean_db),
-      fmt::format("{:+.2f} dB beside the true one, at most {:.2f} off", estimate.mean_excess_db, estimate.largest_error_db));
+      fmt::format("{:+.2f} dB beside the true one, at most {:.2f} off; within {:.1f} dB in {} of {} frames",
+                  estimate.mean_excess_db, estimate.largest_error_db, kCloseDb, estimate.close, estimate.frames));
 }
 
 std::string equal_time_bar(const LightRun& run, const std::optional<LightBar>& bar) {

@@ -21,6 +21,13 @@ Image8 picture(int width, int height, const std::vector<unsigned char>& greys) {
   return image;
 }
 
+/// Frames without noise: both halves are the same.
+References exact(const Frames& frames) {
+  References references;
+  for (const Image8& frame : frames) references.push_back({frame, frame});
+  return references;
+}
+
 Optics lenticular(int width, int height, int lens_pixels) {
   Optics optics;
   optics.panel = {width, height, 1.0f / static_cast<float>(lens_pixels)};
@@ -42,13 +49,25 @@ Optics quilt(int columns, int rows, int tile) {
 
 TEST(LightFigures, a_reference_against_itself_has_infinite_psnr) {
   const Frames frames{picture(2, 1, {3, 200}), picture(2, 1, {0, 255})};
-  EXPECT_TRUE(std::isinf(psnr_db(mean_squared_error(frames, frames))));
+  EXPECT_TRUE(std::isinf(psnr_db(mean_squared_error(exact(frames), frames))));
 }
 
 TEST(LightFigures, error_is_the_mean_over_all_frames) {
   const Frames reference{picture(2, 1, {10, 20}), picture(2, 1, {30, 40})};
   const Frames test{picture(2, 1, {12, 20}), picture(2, 1, {30, 44})};
-  EXPECT_DOUBLE_EQ(mean_squared_error(reference, test), (4.0 + 16.0) / 4.0);
+  EXPECT_DOUBLE_EQ(mean_squared_error(exact(reference), test), (4.0 + 16.0) / 4.0);
+}
+
+TEST(LightFigures, noise_of_references_is_no_error_of_the_test) {
+  // The halves err by 4 and by 6: a test that is right differs from both, but its products vanish on average.
+  const References references{{picture(4, 1, {104, 96, 104, 96}), picture(4, 1, {106, 106, 94, 94})}};
+  EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {100, 100, 100, 100})}), 0.0);
+  EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {103, 103, 103, 103})}), 9.0);
+}
+
+TEST(LightFigures, light_is_held_against_the_mean_of_both_halves) {
+  // Codes up to 10 are in the straight part of the sRGB curve.
+  EXPECT_NEAR(mean_light_ratio({{picture(1, 1, {4}), picture(1, 1, {8})}}, {picture(1, 1, {6})}), 1.0, 1e-12);
 }
 
 TEST(LightFigures, view_flicker_is_the_second_difference_below_a_lens_and_not_across_lenses) {
@@ -137,9 +156,9 @@ TEST(LightFigures, checkers_of_equal_mean_are_an_error_of_pixels_alone) {
   std::vector<unsigned char> checkers;
   for (int i = 0; i < 64; ++i) checkers.push_back((i + i / 8) % 2 == 0 ? 90 : 110);
   const Frames reference{picture(8, 8, std::vector<unsigned char>(64, 100))}, test{picture(8, 8, checkers)};
-  EXPECT_DOUBLE_EQ(mean_squared_error(reference, test), 100.0);  // 28.1 dB
-  EXPECT_EQ(block_squared_error(reference, test, blocks), 0.0);
-  EXPECT_TRUE(std::isinf(psnr_db(block_squared_error(reference, test, blocks))));
+  EXPECT_DOUBLE_EQ(mean_squared_error(exact(reference), test), 100.0);  // 28.1 dB
+  EXPECT_EQ(block_squared_error(exact(reference), test, blocks), 0.0);
+  EXPECT_TRUE(std::isinf(psnr_db(block_squared_error(exact(reference), test, blocks))));
 }
 
 TEST(LightFigures, offset_of_two_codes_is_an_error_of_blocks_as_of_pixels) {
@@ -147,20 +166,20 @@ TEST(LightFigures, offset_of_two_codes_is_an_error_of_blocks_as_of_pixels) {
   const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
   const Frames reference{picture(8, 8, std::vector<unsigned char>(64, 100))},
       test{picture(8, 8, std::vector<unsigned char>(64, 102))};
-  EXPECT_DOUBLE_EQ(block_squared_error(reference, test, blocks), 4.0);
-  EXPECT_NEAR(psnr_db(block_squared_error(reference, test, blocks)), 42.110, 1e-3);  // 10 log10(255^2 / 4)
+  EXPECT_DOUBLE_EQ(block_squared_error(exact(reference), test, blocks), 4.0);
+  EXPECT_NEAR(psnr_db(block_squared_error(exact(reference), test, blocks)), 42.110, 1e-3);  // 10 log10(255^2 / 4)
 }
 
 TEST(LightFigures, block_error_is_not_a_number_without_blocks) {
   const Frames frames{picture(2, 1, {10, 20})};
-  EXPECT_TRUE(std::isnan(block_squared_error(frames, frames, {})));
+  EXPECT_TRUE(std::isnan(block_squared_error(exact(frames), frames, {})));
 }
 
 TEST(LightFigures, mean_light_is_linear_in_light) {
   // Codes up to 10 are in the straight part of the sRGB curve.
-  EXPECT_NEAR(mean_light_ratio({picture(2, 1, {10, 10})}, {picture(2, 1, {5, 10})}), 0.75, 1e-12);
+  EXPECT_NEAR(mean_light_ratio(exact({picture(2, 1, {10, 10})}), {picture(2, 1, {5, 10})}), 0.75, 1e-12);
   // 188 shows half the light of 255: ((188 / 255 + 0.055) / 1.055)^2.4 = 0.5029.
-  EXPECT_NEAR(mean_light_ratio({picture(1, 1, {255})}, {picture(1, 1, {188})}), 0.5029, 5e-5);
+  EXPECT_NEAR(mean_light_ratio(exact({picture(1, 1, {255})}), {picture(1, 1, {188})}), 0.5029, 5e-5);
 }
 
 TEST(LightFigures, error_pictures_show_differences_around_mid_grey) {
@@ -189,6 +208,9 @@ TEST(LightFigures, estimates_are_held_against_frames_that_have_one_and_differ) {
   EXPECT_DOUBLE_EQ(figures.mean_db, 38.0);
   EXPECT_DOUBLE_EQ(figures.mean_excess_db, 2.0);  // 6 too much, 2 too little
   EXPECT_DOUBLE_EQ(figures.largest_error_db, 6.0);
+  EXPECT_EQ(figures.frames, 2);
+  EXPECT_EQ(figures.close, 0);
+  EXPECT_EQ(judge_estimates({40.0, 36.0}, {40.5, 36.6}).close, 1);
   EXPECT_TRUE(std::isnan(judge_estimates({std::nullopt}, {30.0}).mean_db));
 }
 
