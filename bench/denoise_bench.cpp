@@ -44,7 +44,9 @@ class DenoiseCase {
   }
 
   /// Beyond that of the reference.
-  double flicker_of(const Frames& frames) const { return view_flicker(frames, triples_) - view_flicker({mean_of(reference_[0])}, triples_); }
+  double flicker_of(const Frames& frames) const {
+    return view_flicker(frames, triples_) - view_flicker({mean_of(reference_[0])}, triples_);
+  }
 
   Measured measure(int spp, bool denoise) {
     RenderParams params = params_;

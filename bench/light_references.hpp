@@ -1,4 +1,5 @@
-// Converged frames, each in two independent halves, to hold others against, kept in a folder: they take hours where the rest takes minutes.
+// Converged frames, each in two independent halves, to hold others against, kept in a folder: they take hours where the rest
+// takes minutes.
 #pragma once
 
 #include <filesystem>

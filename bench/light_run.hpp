@@ -62,12 +62,12 @@ struct LightRun {
   LightFigures full, reuse;
   EstimateFigures estimate;
   std::vector<std::optional<double>> estimates_db;  ///< of compared frames, by the reuse itself
-  std::vector<TimedQuality> full_by_spp;  ///< ascending; the full render's own samples last
-  double equal_time_psnr_db = 0.0;        ///< of a full render that takes as long as the reuse, of at least 1 sample; not a
-                                          ///< number where that is not measured
-  double stated_bytes = 0.0;              ///< that the reuse keeps from frame to frame, as it says itself
-  double grown_bytes = 0.0;               ///< resident memory, from before its first frame to the most after one of its frames
-  int passed_checks = 0;                  ///< frames without a sample that is not a number
+  std::vector<TimedQuality> full_by_spp;            ///< ascending; the full render's own samples last
+  double equal_time_psnr_db = 0.0;  ///< of a full render that takes as long as the reuse, of at least 1 sample; not a
+                                    ///< number where that is not measured
+  double stated_bytes = 0.0;        ///< that the reuse keeps from frame to frame, as it says itself
+  double grown_bytes = 0.0;         ///< resident memory, from before its first frame to the most after one of its frames
+  int passed_checks = 0;            ///< frames without a sample that is not a number
 
   double saving() const { return 1.0 - reuse.seconds / full.seconds; }
   double time_ratio() const { return full.seconds / reuse.seconds; }

@@ -49,10 +49,9 @@ std::string mean_light_bar(const LightRun& run, const std::optional<LightBar>& b
 /// Nothing where the program estimates no error.
 std::string estimate_line(const EstimateFigures& estimate) {
   if (!std::isfinite(estimate.mean_db)) return "";
-  return line_of(
-      "PSNR by its own estimate, dB", "", fmt::format("{:.2f}", estimate.mean_db),
-      fmt::format("{:+.2f} dB beside the true one, at most {:.2f} off; within {:.1f} dB in {} of {} frames",
-                  estimate.mean_excess_db, estimate.largest_error_db, kCloseDb, estimate.close, estimate.frames));
+  return line_of("PSNR by its own estimate, dB", "", fmt::format("{:.2f}", estimate.mean_db),
+                 fmt::format("{:+.2f} dB beside the true one, at most {:.2f} off; within {:.1f} dB in {} of {} frames",
+                             estimate.mean_excess_db, estimate.largest_error_db, kCloseDb, estimate.close, estimate.frames));
 }
 
 std::string equal_time_bar(const LightRun& run, const std::optional<LightBar>& bar) {
