@@ -106,6 +106,19 @@ TEST(BlockEstimates, pixels_beside_another_brightness_may_have_missed_an_edge) {
   EXPECT_LT(block->wanted[35], 0.01f);
 }
 
+// Two of four neighbours are so bright that the mean of all would be white, which no light that was missed makes brighter. As
+// shown, it is 0.6: two samples may have missed a quarter of what is white whatever is added, or of what is 0.2.
+TEST(BlockEstimates, pixels_beside_overexposed_ones_may_have_missed_an_edge) {
+  auto block = even(0);
+  for (std::size_t e = 0; e < kPixels; ++e)
+    for (int s = 0; s < 2; ++s) block->add(e, Vec3f(e == 19 || e == 21 ? 14.0f : 0.2f));
+  look(*block, 2.0f);
+  const double brighter = 1.0 - code(0.6), darker = code(0.6) - code(0.5);
+  const double missed = 0.05 * std::pow(2.0, 1.6) * (brighter * brighter + darker * darker);
+  const double expected = std::pow(missed / (kError * kError), 1.0 / 2.6);
+  EXPECT_NEAR(static_cast<double>(block->wanted[20]), expected, 0.01 * expected);
+}
+
 // A bright thing that covers an eighth of every pixel of a row, sampled at random. The mean of all pixels is right whatever
 // they are given: 400 blocks of 40 pixels, deviation of a sample 0.33; of n samples at least 2, that of the mean below 0.0019.
 TEST(BlockEstimates, small_bright_things_lose_no_light) {
