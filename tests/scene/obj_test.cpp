@@ -156,6 +156,18 @@ TEST_F(Obj, errors_name_the_line) {
   EXPECT_THAT(error_of("v 0 0"), HasSubstr("the file ends"));
 }
 
+TEST_F(Obj, faces_wound_against_their_normals_are_turned_over) {
+  const std::string normal = kTriangle + "vn 0 0 1\n";
+  const Scene with = load(normal + "f 1//1 2//1 3//1\n"), against = load(normal + "f 1//1 3//1 2//1\n");
+  const auto facet = [&](const Scene& scene) {
+    const auto& [a, b, c] = mesh(scene).triangles.at(0);
+    const std::vector<Vec3f>& p = mesh(scene).positions;
+    return glm::cross(p[b] - p[a], p[c] - p[a]);
+  };
+  EXPECT_EQ(facet(with), Vec3f(0, 0, 1));
+  EXPECT_EQ(facet(against), Vec3f(0, 0, 1));
+}
+
 TEST_F(Obj, other_statements_are_left_out_with_one_warning) {
   EXPECT_TRUE(load("g a\ns 1\ncstype bezier\ncurv 0 1 1 2\n").instances.empty());
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.obj:3: 2 statements")));

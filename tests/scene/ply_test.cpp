@@ -85,6 +85,12 @@ TEST(Ply, faces_of_many_corners_become_triangles) {
   EXPECT_EQ(mesh(scene).triangles.size(), 2u);
 }
 
+TEST(Ply, faces_wound_against_their_normals_are_turned_over) {
+  const std::string text = header("ascii", "property float nx\nproperty float ny\nproperty float nz\n");
+  const Scene scene = parse(text + "0 0 0 0 0 -1\n2 0 0 0 0 -1\n0 2 0 0 0 -1\n3 0 1 2\n");
+  EXPECT_EQ(mesh(scene).triangles.at(0), (std::array<std::uint32_t, 3>{0, 2, 1}));
+}
+
 TEST(Ply, other_elements_are_left_out) {
   const Scene scene = parse(
       "ply\nformat ascii 1.0\nelement material 1\nproperty int a\nproperty list uchar int b\nelement vertex 3\nproperty float "

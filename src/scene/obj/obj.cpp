@@ -19,6 +19,7 @@
 #include "scene/obj/materials.hpp"
 #include "scene/polygon.hpp"
 #include "scene/text_file.hpp"
+#include "scene/wind_by_normals.hpp"
 
 namespace lippmann {
 namespace obj {
@@ -185,6 +186,7 @@ class Reader {
       context_.warning(fmt::format("{}: {} statements that are not about polygons are left out.", first_skipped_, skipped_));
     for (auto& [key, part] : parts_) {
       if (part.mesh.triangles.empty()) continue;
+      wind_by_normals(part.mesh);
       if (!part.mesh.colors.empty()) part.mesh.colors.resize(part.mesh.positions.size(), Vec3f(1.0f));
       Instance instance;
       instance.name = std::get<0>(key);

@@ -16,6 +16,7 @@
 #include "scene/ply/header.hpp"
 #include "scene/polygon.hpp"
 #include "scene/text_file.hpp"
+#include "scene/wind_by_normals.hpp"
 
 namespace lippmann {
 namespace ply {
@@ -145,6 +146,7 @@ class Reader {
     const auto is_zero = [](Vec3f n) { return n == Vec3f(0.0f); };
     if (std::any_of(mesh_.normals.begin(), mesh_.normals.end(), is_zero)) mesh_.normals.clear();
     for (Vec3f& normal : mesh_.normals) normal = direction_of(normal);
+    wind_by_normals(mesh_);
     return std::move(mesh_);
   }
 
