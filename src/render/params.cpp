@@ -25,6 +25,7 @@ Scene wanted_scene(const RenderParams& params, const Context& context) {
   options.frames_per_second = params.fps;
   options.animation = params.animation;
   Scene scene = load_scene(params.scene, options, context);
+  for (Light& light : scene.lights) light.color *= params.light_scale;
   if (!params.environment.empty()) {
     scene.background.map = read_environment(params.environment, params.environment_strength, params.environment_rotation_deg);
   } else if (lacks_light(scene, params.integrator == Integrator::kPath)) {

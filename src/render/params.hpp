@@ -52,6 +52,7 @@ struct RenderParams {
   std::string camera_path;           ///< a Tachyon .cam file for a .dat scene; empty: none
   std::string animation;             ///< name or index of the one to show, of scenes that hold several; empty: the first
   std::optional<FrameRange> frames;  ///< none: the whole animation
+  float light_scale = 1.0f;          ///< factor on the light of the file's lamps
   double fps = 0.0;                  ///< frames per second of the animation and of videos; 0: the scene's own
 
   // Optics

@@ -205,6 +205,8 @@ std::vector<ParamInfo> scene_rows() {
       frames_row(),
       row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),
+      runs_only(row(ParamKind::kNumber, &P::light_scale, number<float>(0.0, 1e6),
+                    {"light-scale", "Scene", "X", "Factor on the light of the scene's lamps, for files in other units"})),
   };
 }
 

@@ -21,6 +21,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"animation", {"Walk"}},
     {"frames", {"3-7"}},
     {"fps", {"29.97"}},
+    {"light-scale", {"0.25"}},
     {"optics", {"microlens"}},
     {"packing", {"hexagonal"}},
     {"lenses", {"32x16"}},
