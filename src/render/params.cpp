@@ -24,6 +24,7 @@ Scene wanted_scene(const RenderParams& params, const Context& context) {
   if (!params.camera_path.empty()) options.camera_path = params.camera_path;
   options.frames_per_second = params.fps;
   options.animation = params.animation;
+  options.asset_root = params.asset_root;
   Scene scene = load_scene(params.scene, options, context);
   for (Light& light : scene.lights) light.color *= params.light_scale;
   if (!params.environment.empty()) {

@@ -51,6 +51,7 @@ struct RenderParams {
   std::string scene;                 ///< a built-in name or a file
   std::string camera_path;           ///< a Tachyon .cam file for a .dat scene; empty: none
   std::string animation;             ///< name or index of the one to show, of scenes that hold several; empty: the first
+  std::string asset_root;            ///< files that the scene names may lie below it; empty: in its own folder only
   std::optional<FrameRange> frames;  ///< none: the whole animation
   float light_scale = 1.0f;          ///< factor on the light of the file's lamps
   double fps = 0.0;                  ///< frames per second of the animation and of videos; 0: the scene's own

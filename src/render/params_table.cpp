@@ -202,6 +202,9 @@ std::vector<ParamInfo> scene_rows() {
       runs_only(row(
           ParamKind::kText, &P::animation, text(),
           {"animation", "Scene", "NAME|INDEX", "Which of a glTF file's animations; the first by default ('info' lists them)"})),
+      path(runs_only(row(ParamKind::kText, &P::asset_root, text(),
+                         {"asset-root", "Scene", "DIR",
+                          "Textures and other files that the scene names may lie below this folder; default: in its own"}))),
       frames_row(),
       row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),

@@ -19,6 +19,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"scene", {"room"}},
     {"camera-path", {"room.cam"}},
     {"animation", {"Walk"}},
+    {"asset-root", {"models"}},
     {"frames", {"3-7"}},
     {"fps", {"29.97"}},
     {"light-scale", {"0.25"}},

@@ -39,5 +39,21 @@ TEST(LoadScene, unknown_extension_lists_what_is_accepted) {
   EXPECT_THAT(text, HasSubstr(".dat"));
 }
 
+TEST(LoadScene, scene_without_surfaces_is_an_error) {
+  const test::TempDir dir;
+  std::ofstream(dir / "points.obj") << "v 0 0 0\nv 1 0 0\np 1 2\nl 1 2\n";
+  std::ofstream(dir / "empty.gltf") << R"({"asset":{"version":"2.0"},"scenes":[{}],"nodes":[{}]})";
+  for (const char* name : {"points.obj", "empty.gltf"})
+    EXPECT_THAT(error_of((dir / name).string()), HasSubstr(std::string(name) + ": has no surfaces to show; accepted: "));
+}
+
+TEST(LoadScene, asset_root_must_be_a_folder) {
+  const test::TempDir dir;
+  std::ofstream(dir / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  LoadOptions options;
+  options.asset_root = dir / "none";
+  EXPECT_THAT(error_of((dir / "a.obj").string(), options), HasSubstr("--asset-root: "));
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -140,10 +140,23 @@ TEST_F(Obj, missing_files_and_materials_are_warnings) {
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("'none.png' does not exist")));
 }
 
-TEST_F(Obj, files_outside_the_folder_are_refused) {
-  EXPECT_THAT(error_of("mtllib ../a.mtl\n"), HasSubstr("a.obj:1: '../a.mtl' is not a file of this scene's folder"));
-  write("b.mtl", "newmtl m\nmap_Kd /etc/hostname\n");
-  EXPECT_THAT(error_of("mtllib b.mtl\n"), HasSubstr("b.mtl:2: '/etc/hostname' is not a file of this scene's folder"));
+TEST_F(Obj, files_outside_the_folder_are_not_opened_and_warnings_name_the_flag) {
+  const auto refused = [](const std::string& name) {
+    return testing::AllOf(HasSubstr("'" + name + "' is not a file of this scene's folder"), HasSubstr("--asset-root DIR"));
+  };
+  load("mtllib ../a.mtl\n" + kTriangle + "f 1 2 3\n");
+  EXPECT_THAT(warnings, ElementsAre(refused("../a.mtl")));
+  warnings.clear();
+  EXPECT_EQ(surface_of("map_Kd /etc/hostname\nKd 1 0 0").base_color_map.texture, -1);
+  EXPECT_THAT(warnings, ElementsAre(refused("/etc/hostname")));
+}
+
+TEST_F(Obj, files_below_the_asset_root_are_opened) {
+  std::filesystem::create_directory(dir_ / "model");
+  write("above.mtl", "newmtl m\nPm 0.5\n");
+  write("model/b.obj", "mtllib ../above.mtl\n" + kTriangle + "usemtl m\nf 1 2 3\n");
+  const Scene scene = load_obj(dir_ / "model/b.obj", Context{}, dir_.path());
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials.at(0).surface).metallic, 0.5f);
 }
 
 TEST_F(Obj, errors_name_the_line) {
