@@ -18,7 +18,7 @@ bool is_builtin_scene(const std::string& scene) {
   return false;
 }
 
-Scene wanted_scene(const RenderParams& params, const Context& context) {
+Scene wanted_scene(const RenderParams& params, const Context& context, std::vector<std::string>* names) {
   if (params.scene == kTestPattern) return test_pattern_scene();
   LoadOptions options;
   if (!params.camera_path.empty()) options.camera_path = params.camera_path;
@@ -26,6 +26,9 @@ Scene wanted_scene(const RenderParams& params, const Context& context) {
   options.animation = params.animation;
   options.asset_root = params.asset_root;
   Scene scene = load_scene(params.scene, options, context);
+  if (names) *names = camera_names(scene);
+  choose_camera(scene, params.camera);
+  turn_upright(scene, params.up);
   for (Light& light : scene.lights) light.color *= params.light_scale;
   if (!params.environment.empty()) {
     scene.background.map = read_environment(params.environment, params.environment_strength, params.environment_rotation_deg);

@@ -11,6 +11,7 @@
 #include "core/math.hpp"
 #include "image/tone.hpp"
 #include "optics/optics.hpp"
+#include "render/choose_camera.hpp"
 #include "reuse/in_between.hpp"
 #include "scene/load.hpp"
 #include "trace/trace_frame.hpp"
@@ -52,6 +53,8 @@ struct RenderParams {
   std::string camera_path;           ///< a Tachyon .cam file for a .dat scene; empty: none
   std::string animation;             ///< name or index of the one to show, of scenes that hold several; empty: the first
   std::string asset_root;            ///< files that the scene names may lie below it; empty: in its own folder only
+  std::string camera;                ///< name or index of the one that decides the view; empty: the first
+  UpAxis up = UpAxis::kY;            ///< the axis of the scene's file that points upwards
   std::optional<FrameRange> frames;  ///< none: the whole animation
   float light_scale = 1.0f;          ///< factor on the light of the file's lamps
   double fps = 0.0;                  ///< frames per second of the animation and of videos; 0: the scene's own
@@ -133,8 +136,9 @@ inline OpticsKind optics_kind(const RenderParams& params) { return params.optics
 bool is_builtin_scene(const std::string& scene);
 
 /// The scene that the parameters name, loaded as they say, or nothing but a display for the test pattern (test_pattern.hpp).
-/// Throws Error.
-Scene wanted_scene(const RenderParams& params, const Context& context);
+/// The camera that decides the view is its first. Throws Error.
+/// camera_names: if it is given, gets the names of the cameras in the file's order.
+Scene wanted_scene(const RenderParams& params, const Context& context, std::vector<std::string>* camera_names = nullptr);
 
 /// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);

@@ -18,6 +18,7 @@ namespace {
 using Values = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens", "multiview", "single"};
+constexpr std::array<std::string_view, 6> kUpNames{"y", "x", "z", "-x", "-y", "-z"};
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 2> kIntegratorNames{"whitted", "path"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
@@ -205,6 +206,11 @@ std::vector<ParamInfo> scene_rows() {
       path(runs_only(row(ParamKind::kText, &P::asset_root, text(),
                          {"asset-root", "Scene", "DIR",
                           "Textures and other files that the scene names may lie below this folder; default: in its own"}))),
+      runs_only(row(ParamKind::kText, &P::camera, text(),
+                    {"camera", "Scene", "NAME|INDEX",
+                     "The camera that decides the view; default: the file's first ('info' lists them)"})),
+      runs_only(row(ParamKind::kText, &P::up, choice<UpAxis>(kUpNames),
+                    {"up", "Scene", "AXIS", "The axis of the file that points upwards: x, y, z, -x, -y or -z"})),
       frames_row(),
       row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),

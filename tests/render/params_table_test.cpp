@@ -20,6 +20,8 @@ const std::map<std::string_view, Values> kOtherValues{
     {"camera-path", {"room.cam"}},
     {"animation", {"Walk"}},
     {"asset-root", {"models"}},
+    {"camera", {"Front"}},
+    {"up", {"-z"}},
     {"frames", {"3-7"}},
     {"fps", {"29.97"}},
     {"light-scale", {"0.25"}},
