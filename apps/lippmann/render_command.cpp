@@ -121,7 +121,7 @@ RenderReport render(const RenderParams& params, bool json, Context& context) {
     folder = plan.folder;
     names = plan.names;
     kept = plan.kept;
-    progress.emplace(plan.frames.last - plan.frames.first + 1 - plan.kept, Progress::stderr_is_terminal());
+    progress.emplace(static_cast<int>(plan.frames.size()) - plan.kept, Progress::stderr_is_terminal());
   };
   observer.traced = [&](const FrameReport& frame) { progress->step(frame_line(frame, params.reuse)); };
   context.frame_progress = [&](double share) {

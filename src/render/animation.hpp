@@ -18,8 +18,8 @@ struct RenderPlan {
   const Stage& stage;
   std::filesystem::path folder;
   FrameNames names;
-  FrameRange frames;
-  int kept = 0;  ///< of these frames, finished before by the same job
+  std::vector<int> frames;  ///< ascending
+  int kept = 0;             ///< of these frames, finished before by the same job
 };
 
 /// Hears how a render goes, in the thread that called render_animation. Both may be empty.

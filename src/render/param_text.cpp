@@ -33,6 +33,18 @@ Extent<T> parse_extent(std::string_view text, T lowest, T highest, const std::st
   return {*x, *y};
 }
 
+/// A, A-B or A-B:S.
+std::optional<FrameRange> parse_range(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view ends = text.substr(0, colon);
+  const std::size_t dash = ends.find('-');
+  const auto first = parse<int>(ends.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : parse<int>(ends.substr(dash + 1));
+  const auto step = colon == std::string_view::npos ? 1 : parse<int>(text.substr(colon + 1));
+  if (!first || !last || !step || *first < 0 || *last < *first || *step < 1) return std::nullopt;
+  return FrameRange{*first, *last, *step};
+}
+
 template <class T>
 std::string format_extent(const Extent<T>& extent) {
   return extent.y == 0 ? fmt::format("{}", extent.x) : fmt::format("{}x{}", extent.x, extent.y);
@@ -70,16 +82,29 @@ Extent<float> read_extent(std::string_view text, float lowest, float highest, co
 std::string write_extent(const Extent<int>& extent) { return format_extent(extent); }
 std::string write_extent(const Extent<float>& extent) { return format_extent(extent); }
 
-FrameRange read_frames(std::string_view text, const std::string& where) {
-  const std::size_t dash = text.find('-');
-  const auto first = parse<int>(text.substr(0, dash));
-  const auto last = dash == std::string_view::npos ? first : parse<int>(text.substr(dash + 1));
-  if (!first || !last || *first < 0 || *last < *first)
-    throw usage_error(where, fmt::format("'{}' is no range of frames", text), "A-B with 0 <= A <= B, or one frame A");
-  return {*first, *last};
+FrameRanges read_frames(std::string_view text, const std::string& where) {
+  FrameRanges ranges;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    const std::optional<FrameRange> range = parse_range(text.substr(start, comma - start));
+    if (!range)
+      throw usage_error(where, fmt::format("'{}' does not say which frames", text),
+                        "A-B with 0 <= A <= B, one frame A, every S-th as A-B:S, or several of these: 0,2,4-8,10-20:5");
+    ranges.push_back(*range);
+    start = comma + 1;
+  }
+  return ranges;
 }
 
-std::string write_frames(const FrameRange& frames) { return fmt::format("{}-{}", frames.first, frames.last); }
+std::string write_frames(const FrameRanges& frames) {
+  std::string text;
+  for (const FrameRange& range : frames) {
+    text += fmt::format("{}{}", text.empty() ? "" : ",", range.first);
+    if (range.last != range.first) text += fmt::format("-{}", range.last);
+    if (range.step != 1) text += fmt::format(":{}", range.step);
+  }
+  return text;
+}
 
 std::optional<float> read_distance(std::string_view text, const std::string& where) {
   if (text == "auto") return std::nullopt;

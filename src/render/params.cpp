@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "render/environment_file.hpp"
@@ -16,6 +17,15 @@ bool is_builtin_scene(const std::string& scene) {
   for (const BuiltinScene& builtin : builtin_scenes())
     if (builtin.name == scene) return true;
   return false;
+}
+
+std::vector<int> frames_of(const FrameRanges& ranges) {
+  std::vector<int> frames;
+  for (const FrameRange& range : ranges)
+    for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) frames.push_back(static_cast<int>(frame));
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  return frames;
 }
 
 Scene wanted_scene(const RenderParams& params, const Context& context, std::vector<std::string>* names) {

@@ -33,12 +33,19 @@ enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint };
 enum class ExrPixels { kHalf, kFloat };
 
-/// Frames first ... last of an animation, both included.
+/// Every step-th frame of an animation from `first` on, up to `last`.
 struct FrameRange {
   int first = 0;
   int last = 0;
+  int step = 1;  ///< >= 1
   bool operator==(const FrameRange&) const = default;
 };
+
+/// Frames as they are said, in any order: 0,2,4 or 0-10:2,20.
+using FrameRanges = std::vector<FrameRange>;
+
+/// The frames of the ranges, each once, ascending.
+std::vector<int> frames_of(const FrameRanges& ranges);
 
 /// How many across and down; a 0 means "not said": it follows from the rest (render/panel_size.hpp).
 template <class T>
@@ -49,15 +56,15 @@ struct Extent {
 
 struct RenderParams {
   // Scene
-  std::string scene;                 ///< a built-in name or a file
-  std::string camera_path;           ///< a Tachyon .cam file for a .dat scene; empty: none
-  std::string animation;             ///< name or index of the one to show, of scenes that hold several; empty: the first
-  std::string asset_root;            ///< files that the scene names may lie below it; empty: in its own folder only
-  std::string camera;                ///< name or index of the one that decides the view; empty: the first
-  UpAxis up = UpAxis::kY;            ///< the axis of the scene's file that points upwards
-  std::optional<FrameRange> frames;  ///< none: the whole animation
-  float light_scale = 1.0f;          ///< factor on the light of the file's lamps
-  double fps = 0.0;                  ///< frames per second of the animation and of videos; 0: the scene's own
+  std::string scene;                  ///< a built-in name or a file
+  std::string camera_path;            ///< a Tachyon .cam file for a .dat scene; empty: none
+  std::string animation;              ///< name or index of the one to show, of scenes that hold several; empty: the first
+  std::string asset_root;             ///< files that the scene names may lie below it; empty: in its own folder only
+  std::string camera;                 ///< name or index of the one that decides the view; empty: the first
+  UpAxis up = UpAxis::kY;             ///< the axis of the scene's file that points upwards
+  std::optional<FrameRanges> frames;  ///< none: the whole animation
+  float light_scale = 1.0f;           ///< factor on the light of the file's lamps
+  double fps = 0.0;                   ///< frames per second of the animation and of videos; 0: the scene's own
 
   // Optics
   std::string display;                         ///< a preset, a file of one's own or a calibration; empty: none

@@ -138,9 +138,15 @@ ParamInfo path(ParamInfo info) {
 }
 
 ParamInfo frames_row() {
-  ParamInfo info{
-      "frames", "Scene", "A-B", "Frames A to B, both included, from 0; default: the whole animation", ParamKind::kText, false,
-      false,    {},      {}};
+  ParamInfo info{"frames",
+                 "Scene",
+                 "A-B",
+                 "Frames A to B, both included, from 0; lists and steps: 0,2,4 or 0-10:2; default: the whole animation",
+                 ParamKind::kText,
+                 false,
+                 false,
+                 {},
+                 {}};
   info.set = [](RenderParams& params, const Values& values, const std::string& where) {
     params.frames = read_frames(values.empty() ? "" : values.back(), where);
   };
