@@ -79,6 +79,27 @@ TEST_F(Obj, concave_face_is_cut_into_triangles_inside_it) {
   EXPECT_EQ(area, 10.0f);  // 16 - 6
 }
 
+TEST_F(Obj, text_may_be_in_utf_16_or_begin_with_a_mark) {
+  const std::string text = kTriangle + "o \xc3\xa9\nf 1 2 3\n";  // an e with an acute accent: U+00E9
+  const auto utf16 = [&](bool low_first) {
+    std::string wide;
+    for (const char c : kTriangle + "o \xe9\nf 1 2 3\n") wide += low_first ? std::string{c, '\0'} : std::string{'\0', c};
+    return wide;
+  };
+  for (const std::string& file :
+       {text, "\xef\xbb\xbf" + text, "\xff\xfe" + utf16(true), "\xfe\xff" + utf16(false), utf16(true), utf16(false)}) {
+    const Scene scene = load(file);
+    ASSERT_EQ(scene.instances.size(), 1u);
+    EXPECT_EQ(scene.instances[0].name, "\xc3\xa9");
+    EXPECT_EQ(mesh(scene).triangles.size(), 1u);
+  }
+}
+
+TEST_F(Obj, points_and_lines_beside_faces_are_left_out) {
+  EXPECT_EQ(mesh(load(kTriangle + "p 1 2\nl 1 2 3\nf 1 2 3\n")).triangles.size(), 1u);
+  EXPECT_THAT(warnings, IsEmpty());
+}
+
 TEST_F(Obj, one_instance_per_object_and_material) {
   const Scene scene = load(kTriangle + "o one\nf 1 2 3\no two\nf 1 2 3\nf 3 2 1\no one\nf 1 3 2\n");
   ASSERT_EQ(scene.instances.size(), 2u);

@@ -102,6 +102,14 @@ TEST(Ply, strips_are_triangles_that_wind_the_same_way) {
   EXPECT_THAT(error_of(text + "3 0 1 5\n"), HasSubstr("tristrips 0: a vertex is 5; accepted: 0 to 4"));
 }
 
+TEST(Ply, comments_may_lack_their_word_but_misspelt_statements_are_errors) {
+  std::string text = header("ascii") + "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n";
+  text.insert(text.find("element"), "Created by a scanner\nVCGLIB generated\n");
+  EXPECT_EQ(mesh(parse(text)).triangles.size(), 1u);
+  text.insert(text.find("element"), "elment face 1\n");
+  EXPECT_THAT(error_of(text), HasSubstr("'elment' is not a statement of the header"));
+}
+
 TEST(Ply, other_elements_are_left_out) {
   const Scene scene = parse(
       "ply\nformat ascii 1.0\nelement material 1\nproperty int a\nproperty list uchar int b\nelement vertex 3\nproperty float "

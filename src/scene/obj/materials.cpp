@@ -136,7 +136,7 @@ void Materials::read_file(const std::string& name, const std::string& where) {
   if (!file.problem.empty()) return context_.warning(fmt::format("{}: {}; its surfaces are grey.", where, file.problem));
   std::string text = read_text_file(file.path, where, text_left_, "at most 64 MiB of materials");
   text_left_ -= text.size();
-  Lexer lexer(file.path.string(), std::move(text));
+  Lexer lexer(file.path.string(), utf8_text(std::move(text)));
   int index = -1;
   Draft draft;
   const auto finish = [&] {

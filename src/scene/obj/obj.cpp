@@ -227,7 +227,7 @@ void join_lines(std::string& text) {
 }  // namespace obj
 
 Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root) {
-  std::string text = read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text");
+  std::string text = utf8_text(read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text"));
   obj::join_lines(text);
   Lexer lexer(path.string(), std::move(text));
   Scene scene;

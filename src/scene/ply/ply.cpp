@@ -325,7 +325,7 @@ Scene parse_ply(const std::string& name, const std::string& contents, const Cont
 
 Scene load_ply(const std::filesystem::path& path, const Context& context) {
   const std::string name = path.string();
-  Scene scene = parse_ply(name, read_text_file(path, name, ply::kLargestFile, "at most 1 GiB"), context);
+  Scene scene = parse_ply(name, utf8_text(read_text_file(path, name, ply::kLargestFile, "at most 1 GiB")), context);
   scene.name = path.stem().string();
   return scene;
 }

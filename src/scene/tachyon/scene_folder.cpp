@@ -1,5 +1,7 @@
 #include "scene/tachyon/scene_folder.hpp"
 
+#include <utility>
+
 #include "scene/text_file.hpp"
 
 namespace lippmann::tachyon {
@@ -20,7 +22,7 @@ fs::path SceneFolder::resolve(std::string_view name, const std::string& where) c
 std::string SceneFolder::read_text(const fs::path& file, const std::string& where) {
   std::string text = read_text_file(file, where, budget_bytes_, "at most 1 GiB of text, included files counted");
   budget_bytes_ -= text.size();
-  return text;
+  return utf8_text(std::move(text));
 }
 
 }  // namespace lippmann::tachyon
