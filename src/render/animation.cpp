@@ -125,6 +125,16 @@ void write_report(const fs::path& file, const RenderReport& report) {
 
 }  // namespace
 
+std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels) {
+  const auto channel_bytes = [&]() -> std::uint64_t {
+    if (plan.names.format == PictureFormat::kExr) return exr_pixels == ExrPixels::kFloat ? 4 : 2;
+    return plan.names.format == PictureFormat::kPng16 ? 2 : 1;
+  };
+  const auto pixels = static_cast<std::uint64_t>(plan.picture_size.x) * static_cast<std::uint64_t>(plan.picture_size.y);
+  const auto pictures = plan.frames.size() * static_cast<std::size_t>(std::max(1, plan.names.views));
+  return 3 * channel_bytes() * pixels * pictures;
+}
+
 RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {
   const Stopwatch setup;
   check_reuse(params);
@@ -142,6 +152,10 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
   const fs::path folder = output_folder(params);
+  if (observer.only_plan) {
+    if (observer.planned) observer.planned({stage, folder, layout.names(), frames, 0, layout.picture_size()});
+    return {};
+  }
   if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
   std::vector<std::string> videos;
   for (const std::string& said : params.video) videos.push_back(layout.video_path(said).string());
@@ -157,7 +171,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   fs::remove(folder / "report.json");  // it would speak of another render
   FinishedFrames finished(folder, job_fingerprint(params, stage.scene, stage.display.get()), layout.names());
   if (finished.took_over()) warn_of_strangers(folder, layout.names(), frames, context);
-  const RenderPlan plan{stage, folder, layout.names(), frames, count_kept(params, finished, frames)};
+  const RenderPlan plan{stage, folder, layout.names(), frames, count_kept(params, finished, frames), layout.picture_size()};
 
   RenderReport report;
   report.scene = params.scene;

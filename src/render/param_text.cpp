@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/suggest.hpp"
 
 namespace lippmann {
 namespace {
@@ -28,7 +29,7 @@ Extent<T> parse_extent(std::string_view text, T lowest, T highest, const std::st
   const std::optional<T> y = cross == std::string_view::npos ? T{0} : parse<T>(text.substr(cross + 1));
   const auto fits = [&](T value) { return value >= lowest && value <= highest; };
   if (!x || !y || !fits(*x) || (cross != std::string_view::npos && !fits(*y)))
-    throw usage_error(where, fmt::format("'{}' is no such size", text),
+    throw usage_error(where, fmt::format("'{}' is not a size in this range", text),
                       fmt::format("N or NxM, each from {} to {}", lowest, highest));
   return {*x, *y};
 }
@@ -55,7 +56,7 @@ std::string format_extent(const Extent<T>& extent) {
 std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where) {
   const auto value = parse<std::int64_t>(text);
   if (!value || *value < lowest || *value > highest)
-    throw usage_error(where, fmt::format("'{}' is out of range or no whole number", text),
+    throw usage_error(where, fmt::format("'{}' is out of range or not a whole number", text),
                       fmt::format("a whole number from {} to {}", lowest, highest));
   return *value;
 }
@@ -63,13 +64,14 @@ std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64
 double read_number(std::string_view text, double lowest, double highest, const std::string& where) {
   const auto value = parse<double>(text);
   if (!value || !(*value >= lowest && *value <= highest))
-    throw usage_error(where, fmt::format("'{}' is out of range or no number", text),
+    throw usage_error(where, fmt::format("'{}' is out of range or not a number", text),
                       fmt::format("a number from {} to {}", lowest, highest));
   return *value;
 }
 
 bool read_flag(std::string_view text, const std::string& where) {
-  if (text != "true" && text != "false") throw usage_error(where, fmt::format("'{}' is neither", text), "true or false");
+  if (text != "true" && text != "false")
+    throw usage_error(where, fmt::format("'{}' is neither true nor false", text), "true or false");
   return text == "true";
 }
 
@@ -111,7 +113,7 @@ std::optional<float> read_distance(std::string_view text, const std::string& whe
   if (text == "inf") return kInfinity;
   const auto value = parse<float>(text);
   if (!value || !(*value > 0.0f) || !std::isfinite(*value))
-    throw usage_error(where, fmt::format("'{}' is no such distance", text), "millimetres above 0, inf, or auto");
+    throw usage_error(where, fmt::format("'{}' is not a distance", text), "millimetres above 0, inf, or auto");
   return *value;
 }
 
@@ -120,7 +122,10 @@ std::string write_distance(std::optional<float> distance_mm) { return distance_m
 std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == text) return i;
-  throw usage_error(where, fmt::format("'{}' is none of its values", text), fmt::format("{}", fmt::join(names, ", ")));
+  const std::string nearest = nearest_name(text, names);
+  throw usage_error(
+      where, fmt::format("there is no '{}'{}", text, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
+      fmt::format("{}", fmt::join(names, ", ")));
 }
 
 }  // namespace lippmann

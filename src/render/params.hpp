@@ -106,7 +106,7 @@ struct RenderParams {
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only
-  bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, to be looked at
+  bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, for study
   DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black; kProvenance: where light came from
 
   // Files

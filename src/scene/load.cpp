@@ -7,8 +7,10 @@
 #include <cmath>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "core/error.hpp"
+#include "core/suggest.hpp"
 #include "scene/builtin.hpp"
 #include "scene/gltf.hpp"
 #include "scene/nff.hpp"
@@ -77,10 +79,19 @@ std::string accepted_names() {
   return names;
 }
 
+/// A misspelt name of a built-in scene has neither folder nor ending.
+std::string meant_builtin(const fs::path& path) {
+  if (path.has_parent_path() || path.has_extension()) return {};
+  std::vector<std::string_view> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
+  const std::string nearest = nearest_name(path.string(), names);
+  return nearest.empty() ? std::string() : fmt::format("; did you mean '{}'?", nearest);
+}
+
 void require_readable_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw Error(path.string(), "there is no such file", accepted_names());
+  if (!fs::exists(status)) throw Error(path.string(), "there is no such file" + meant_builtin(path), accepted_names());
   if (fs::is_directory(status)) throw Error(path.string(), "is a folder", accepted_names());
 }
 

@@ -26,6 +26,10 @@ TEST(LoadScene, missing_file_is_named) {
   EXPECT_THAT(error_of("/nowhere/a.dat"), HasSubstr("/nowhere/a.dat: there is no such file"));
 }
 
+TEST(LoadScene, misspelt_builtin_name_is_suggested) {
+  EXPECT_THAT(error_of("teapott"), HasSubstr("teapott: there is no such file; did you mean 'teapot'?"));
+}
+
 TEST(LoadScene, folder_is_refused) {
   const test::TempDir dir;
   EXPECT_THAT(error_of(dir.path().string()), HasSubstr("is a folder"));
