@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "core/suggest.hpp"
@@ -18,13 +20,59 @@ std::string suggestion(const std::string& word, const CLI::App& command) {
   std::vector<std::string> names;
   if (word.starts_with("-")) {
     for (const CLI::Option* option : command.get_options())
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      for (const std::string& name : option->get_lnames()) names.push_back(name);
   } else {
     for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) names.push_back(sub->get_name());
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  const std::string nearest = nearest_name(word.substr(0, word.find('=')), candidates);
-  return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", nearest);
+  // Dashes count for nothing: as letters that agree they would make any two short flags alike.
+  const std::string_view dashes = word.starts_with("-") ? "--" : "";
+  const std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+  const std::string nearest = nearest_name(name.substr(0, name.find('=')), candidates);
+  return nearest.empty() ? std::string() : fmt::format(", did you mean '{}{}'?", dashes, nearest);
+}
+
+/// Help of two lengths: examples and the flags that most people need, or all.
+class ShortHelp : public CLI::Formatter {
+ public:
+  ShortHelp(std::vector<std::string> flags, std::string examples) : flags_(std::move(flags)), examples_(std::move(examples)) {}
+
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    if (mode == CLI::AppFormatMode::Sub) return CLI::Formatter::make_help(app, std::move(name), mode);
+    std::string text = make_description(app) + make_usage(app, std::move(name)) + "\n" + examples_ + make_positionals(app);
+    if (mode == CLI::AppFormatMode::All) return text + make_groups(app, mode);
+    text +=
+        make_group("Common options", false, app->get_options([this](const CLI::Option* option) { return is_common(*option); }));
+    return text + "\nAll options, by group: --help-all\n";
+  }
+
+ private:
+  bool is_common(const CLI::Option& option) const {
+    for (const std::string& name : option.get_lnames())
+      if (std::find(flags_.begin(), flags_.end(), "--" + name) != flags_.end()) return true;
+    return false;
+  }
+
+  std::vector<std::string> flags_;
+  std::string examples_;
+};
+
+bool is_command(const CLI::App& root, const std::string& name) {
+  return !root.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; }).empty();
+}
+
+/// For what is no command.
+int refuse(const CLI::App& root, const std::string& word) {
+  fmt::print(stderr, "{}: there is no '{}'{} (see {} --help)\n", root.get_name(), word, suggestion(word, root),
+             root.get_name());
+  return kWrongUsage;
+}
+
+/// "help" and "help COMMAND" as "--help" and "COMMAND --help".
+std::vector<std::string> help_words(std::vector<std::string> words) {
+  if (words.empty() || words.front() != "help") return words;
+  if (words.size() == 1) return {"--help"};
+  return {words[1], words.size() > 2 ? words[2] : "--help"};
 }
 
 /// CLI11's own answer: help and version are results (stdout, 0), anything else is a message (stderr, 2).
@@ -89,20 +137,31 @@ Flag Command::add_flag(const std::string& names, std::function<void()> when_give
 
 void Command::footer(const std::string& text) const { app_->footer(text); }
 
+void Command::short_help(std::vector<std::string> flags, std::string examples) const {
+  app_->set_help_all_flag("--help-all", "Print all options and exit");
+  app_->formatter(std::make_shared<ShortHelp>(std::move(flags), std::move(examples)));
+}
+
 void Command::when_named(std::function<void()> then) const { app_->callback(std::move(then)); }
 
 CommandLine::CommandLine(const std::string& name, const std::string& doc, const std::string& version)
     : app_(std::make_unique<CLI::App>(doc, name)) {
-  app_->set_version_flag("--version", version, "Print the version and exit");
+  app_->set_version_flag("-v,-V,--version", version, "Print the version and exit");
   app_->set_help_flag("-h,--help", "Print this help and exit");
   app_->require_subcommand(1);
+  app_->footer("lippmann help COMMAND, or lippmann COMMAND --help, explains a command.");
 }
 
 CommandLine::~CommandLine() = default;
 
 std::optional<int> CommandLine::parse(int argc, char** argv) {
   try {
-    app_->parse(argc, argv);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool about_command = words.size() > 1 && words.front() == "help";
+    if (about_command && !is_command(*app_, words[1])) return refuse(*app_, words[1]);
+    words = help_words(words);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    app_->parse(std::move(words));
   } catch (const CLI::ParseError& outcome) {
     return report(outcome, *app_);
   }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -50,7 +51,9 @@ class Command {
   Flag add_option(const std::string& names, Value& value, const std::string& doc) const;
   Flag add_flag(const std::string& names, bool& value, const std::string& doc) const;
   Flag add_flag(const std::string& names, std::function<void()> when_given, const std::string& doc) const;
-  void footer(const std::string& text) const;         ///< ends --help
+  void footer(const std::string& text) const;  ///< ends --help
+  /// Adds --help-all; --help then lists these flags alone, below the examples.
+  void short_help(std::vector<std::string> flags, std::string examples) const;
   void when_named(std::function<void()> then) const;  ///< called once all is parsed
 
  private:

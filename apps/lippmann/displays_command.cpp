@@ -1,4 +1,4 @@
-// `lippmann displays`: the displays that the tool knows, or all about one of them.
+// `lippmann displays`: the displays that the tool knows, or describes one of them.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -81,7 +81,7 @@ int run(const Options& options) {
 
 void add_displays_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  const Command command = root.add_command("displays", "List the displays that the tool knows, or tell all about one");
+  const Command command = root.add_command("displays", "List the known displays, or describe one of them");
   command.add_option("DISPLAY", options->display, "A name from the list, a display's .toml, or a calibration's .json");
   command.add_flag("--json", options->json, "Print JSON on stdout");
   command.when_named([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });

@@ -27,7 +27,7 @@ constexpr int kEncoderThreads = 4;
 constexpr double kUsualRate = 25.0;
 
 struct Options {
-  std::string from, out, codec, range;
+  std::string from, out, codec, frames;
   std::optional<int> crf;
   std::optional<double> fps;
   bool json = false;
@@ -40,13 +40,22 @@ double rate_of(const Options& options, const std::vector<NumberedFrame>& frames)
   return rendering ? rendering->frames_per_second.value_or(kUsualRate) : kUsualRate;
 }
 
+/// All of the folder's, or those that are said; none of them may be missing.
+std::vector<NumberedFrame> wanted_frames(const Options& options) {
+  if (options.frames.empty()) return find_frames(options.from, std::nullopt, std::nullopt);
+  const std::vector<int> said = frames_of(read_frames(options.frames, "--frames"));
+  std::vector<NumberedFrame> found;
+  for (std::size_t first = 0, last = 0; first < said.size(); first = last + 1) {
+    for (last = first; last + 1 < said.size() && said[last + 1] == said[last] + 1;) ++last;
+    for (NumberedFrame& frame : find_frames(options.from, said[first], said[last])) found.push_back(std::move(frame));
+  }
+  return found;
+}
+
 int run(const Options& options, Context& context) {
   VideoOptions video{.rate = {}, .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
   if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
-  std::optional<FrameRange> range;
-  if (!options.range.empty()) range = read_frames(options.range, "--range");
-  const std::vector<NumberedFrame> frames = find_frames(options.from, range ? std::optional(range->first) : std::nullopt,
-                                                        range ? std::optional(range->last) : std::nullopt);
+  const std::vector<NumberedFrame> frames = wanted_frames(options);
   video.rate = frame_rate(rate_of(options, frames));
   const fs::path out = video_path(options.out, frames);
   remove_stale_temporaries(out.parent_path().empty() ? fs::path(".") : out.parent_path(), out.filename());
@@ -84,7 +93,10 @@ void add_encode_command(const Command& root, Action& chosen) {
   command.add_option("--fps", options->fps, "Frames per second; default: as the report.json beside the frames says, else 25")
       .range(0.001, 1000.0)
       .type_name("N");
-  command.add_option("--range", options->range, "Only frames A to B, both included").type_name("A-B");
+  command
+      .add_option("--frames,--range", options->frames,
+                  "Only frames A to B, both included; lists and steps: 0,2,4 or 0-10:2; default: all")
+      .type_name("A-B");
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

@@ -58,7 +58,7 @@ void add_param_flags(const Command& command, ParamFlags& flags, std::initializer
         std::any_of(wanted.begin(), wanted.end(), [&](auto word) { return word == info.name || word == info.group; });
     if ((listed || wanted.size() == 0) && info.name != "scene") add_param(command, info, flags.values[info.name]);
   }
-  command.add_option("--job", flags.job, "A job file for all that no flag says").type_name("FILE").group("Scene");
+  command.add_option("--job", flags.job, "A job file (.toml); flags override what it says").type_name("FILE").group("Scene");
 }
 
 }  // namespace lippmann::app

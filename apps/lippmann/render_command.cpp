@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 struct Options {
   ParamFlags flags;
   std::string dump_job, also;
-  bool json = false;
+  bool json = false, quiet = false, dry_run = false;
 };
 
 std::string describe_optics(const Optics& optics) {
@@ -41,7 +41,8 @@ std::string frame_line(const FrameReport& frame, Reuse reuse) {
     return fmt::format("frame {}: {:.3f} s, between key frames, {} pixels missed", frame.frame, frame.seconds,
                        frame.missed_pixels);
   if (frame.kind == "in-between")
-    return fmt::format("frame {}: {:.3f} s, {} pixels as in the key frame", frame.frame, frame.seconds, frame.reused_pixels);
+    return fmt::format("frame {}: {:.3f} s, {} pixels copied from the key frame", frame.frame, frame.seconds,
+                       frame.reused_pixels);
   return fmt::format("frame {}: {:.3f} s, {:.2f} million rays", frame.frame, frame.seconds,
                      static_cast<double>(frame.rays.total()) * 1e-6);
 }
@@ -110,8 +111,40 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
        "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));
 }
 
-/// Renders, with progress on stderr, and says what was made.
-RenderReport render(const RenderParams& params, bool json, Context& context) {
+/// "3 frames (0 to 8)".
+std::string describe_frames(const std::vector<int>& frames) {
+  if (frames.size() == 1) return fmt::format("1 frame ({})", frames.front());
+  return fmt::format("{} frames ({} to {})", frames.size(), frames.front(), frames.back());
+}
+
+void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
+  const std::uint64_t bytes = largest_picture_bytes(plan, params.exr_pixels);
+  const int pictures = std::max(1, plan.names.views);
+  if (json)
+    return print_json({{"dry_run", true},
+                       {"folder", plan.folder.string()},
+                       {"frames", plan.frames},
+                       {"picture_size", {plan.picture_size.x, plan.picture_size.y}},
+                       {"pictures_per_frame", pictures},
+                       {"largest_bytes", bytes}});
+  fmt::print("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
+  fmt::print("  {:<9} {}{}x{} pixels\n", "pictures", pictures > 1 ? fmt::format("{} a frame, ", pictures) : "",
+             plan.picture_size.x, plan.picture_size.y);
+  fmt::print("  {:<9} {} ... {}\n", "files", frame_name(plan.names, plan.frames.front()),
+             frame_name(plan.names, plan.frames.back()));
+  fmt::print("  {:<9} at most {:.1f} MB, before compression\n", "size", static_cast<double>(bytes) * 1e-6);
+}
+
+/// Says what a render would make, and makes nothing.
+void plan_only(const RenderParams& params, bool json, Context& context) {
+  RenderObserver observer;
+  observer.only_plan = true;
+  observer.planned = [&](const RenderPlan& plan) { print_plan(plan, params, json); };
+  render_animation(params, context, observer);
+}
+
+/// Renders, with progress on stderr, and says what was made; quiet: neither.
+RenderReport render(const RenderParams& params, bool json, bool quiet, Context& context) {
   std::optional<Progress> progress;
   fs::path folder;
   FrameNames names;
@@ -121,25 +154,29 @@ RenderReport render(const RenderParams& params, bool json, Context& context) {
     folder = plan.folder;
     names = plan.names;
     kept = plan.kept;
-    progress.emplace(plan.frames.last - plan.frames.first + 1 - plan.kept, Progress::stderr_is_terminal());
+    if (!quiet) progress.emplace(static_cast<int>(plan.frames.size()) - plan.kept, Progress::stderr_is_terminal());
   };
-  observer.traced = [&](const FrameReport& frame) { progress->step(frame_line(frame, params.reuse)); };
+  observer.traced = [&](const FrameReport& frame) {
+    if (progress) progress->step(frame_line(frame, params.reuse));
+  };
   context.frame_progress = [&](double share) {
     if (progress) progress->within(share);
   };
   const RenderReport report = render_animation(params, context, observer);
   context.frame_progress = nullptr;
   progress.reset();
-  if (!json) print_summary(report, folder, names, kept);
+  if (!json && !quiet) print_summary(report, folder, names, kept);
   return report;
 }
 
 int run(const Options& options, Context& context) {
   const RenderParams params = options.flags.read();
   if (!options.dump_job.empty()) write_job(options.dump_job, params);
-  const RenderReport report = render(params, options.json, context);
+  if (options.dry_run) return plan_only(params, options.json, context), 0;
+  const RenderReport report = render(params, options.json, options.quiet, context);
   if (options.json) print_json(to_json(report));
-  if (options.also == "single" && !report.interrupted) render(single_clip(params, report.optics), options.json, context);
+  if (options.also == "single" && !report.interrupted)
+    render(single_clip(params, report.optics), options.json, options.quiet, context);
   return 0;
 }
 
@@ -157,6 +194,21 @@ void add_render_command(const Command& root, Action& chosen) {
       .type_name("WHAT")
       .group("Files");
   command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
+  command.add_flag("-q,--quiet", options->quiet, "Print neither progress nor a summary; warnings and errors remain")
+      .group("Running");
+  command
+      .add_flag("-n,--dry-run", options->dry_run,
+                "Check everything, say what would be made and how large it is, and make nothing")
+      .group("Running");
+  command.short_help({"--output", "--frames", "--camera", "--display",    "--optics", "--lenses",      "--lens-pixels",
+                      "--size",   "--views",  "--layout", "--integrator", "--spp",    "--environment", "--exposure",
+                      "--format", "--video",  "--resume", "--dry-run",    "--quiet",  "--json"},
+                     "Examples:\n"
+                     "  lippmann render teapot                                    all frames, into out/teapot\n"
+                     "  lippmann render model.glb --integrator path --frames 0    one frame, with all light\n"
+                     "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
+                     "  lippmann render tree --display portrait --video tree.mp4  for a display (see: lippmann displays)\n"
+                     "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

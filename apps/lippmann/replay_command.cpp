@@ -104,7 +104,9 @@ void add_refocus_flags(const Command& command, Options& options) {
                  "Of a stack: every pixel where it is sharpest, and the depth at which that was");
   group.add_option("--epi", options.params.epi_row, "The epipolar-plane image of a row, from the top of the picture")
       .type_name("ROW");
-  group.add_option("--epi-column", options.params.epi_column, "Likewise of a column, of displays with vertical parallax")
+  group
+      .add_option("--epi-column", options.params.epi_column,
+                  "The epipolar-plane image of a column, for displays with vertical parallax")
       .type_name("COLUMN");
 }
 

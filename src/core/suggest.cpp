@@ -20,6 +20,24 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+namespace {
+
+std::string without_dashes(std::string_view name) {
+  std::string letters(name);
+  std::erase(letters, '-');
+  return letters;
+}
+
+std::string first_containing(std::string_view name, std::span<const std::string_view> candidates) {
+  const std::string part = without_dashes(name);
+  if (part.size() < 3) return {};
+  for (const std::string_view candidate : candidates)
+    if (without_dashes(candidate).find(part) != std::string::npos) return std::string(candidate);
+  return {};
+}
+
+}  // namespace
+
 std::string nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
   int best_distance = static_cast<int>(name.size()) / 2;
   std::string best;
@@ -29,7 +47,7 @@ std::string nearest_name(std::string_view name, std::span<const std::string_view
     best_distance = distance;
     best = candidate;
   }
-  return best;
+  return best.empty() ? first_containing(name, candidates) : best;
 }
 
 }  // namespace lippmann

@@ -23,6 +23,7 @@
 #include "render/frame_maker.hpp"
 #include "render/frame_sink.hpp"
 #include "render/job_file.hpp"
+#include "render/param_text.hpp"
 #include "render/reuse_params.hpp"
 #include "render/undo_crosstalk.hpp"
 #include "video/video_writer.hpp"
@@ -41,13 +42,14 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-FrameRange frames_to_render(const RenderParams& params, const Timeline& timeline) {
-  const FrameRange all{0, timeline.frame_count - 1};
-  if (!params.frames) return all;
-  if (params.frames->last > all.last)
-    throw usage_error("--frames", fmt::format("{}-{} is outside the animation", params.frames->first, params.frames->last),
-                      fmt::format("frames from 0 to {}", all.last));
-  return *params.frames;
+std::vector<int> frames_to_render(const RenderParams& params, const Timeline& timeline) {
+  const int last = timeline.frame_count - 1;
+  const FrameRanges ranges = params.frames.value_or(FrameRanges{{0, last}});
+  for (const FrameRange& range : ranges)
+    if (range.last > last)
+      throw usage_error("--frames", fmt::format("{} is outside the animation", write_frames({range})),
+                        fmt::format("frames from 0 to {}", last));
+  return frames_of(ranges);
 }
 
 /// Refuses what cannot succeed before hours are spent on it: frames that the machine's memory does not hold.
@@ -74,14 +76,15 @@ void make_folder(const fs::path& folder) {
 }
 
 /// Pictures in the folder that this render will not replace: after a take-over they are of other settings.
-void warn_of_strangers(const fs::path& folder, const FrameNames& names, FrameRange frames, const Context& context) {
+void warn_of_strangers(const fs::path& folder, const FrameNames& names, const std::vector<int>& frames,
+                       const Context& context) {
   const std::string ending = fs::path(frame_name(names, 0)).extension().string();
   int strangers = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     int frame = 0;
     const std::string name = entry.path().filename().string();
     if (std::sscanf(name.c_str(), "frame_%d.", &frame) != 1 || entry.path().extension() != ending) continue;
-    strangers += frame < frames.first || frame > frames.last;
+    strangers += !std::binary_search(frames.begin(), frames.end(), frame);
   }
   if (strangers > 0)
     context.warning(fmt::format("{} holds {} pictures that another job has made and this one leaves as they are",
@@ -109,11 +112,10 @@ bool keeps_frames(const RenderParams& params) {
   return params.resume && (params.video.empty() || params.format == PictureFormat::kPng);
 }
 
-int count_kept(const RenderParams& params, const FinishedFrames& finished, FrameRange frames) {
-  int kept = 0;
-  for (int frame = frames.first; keeps_frames(params) && frame <= frames.last; ++frame)
-    kept += finished.find(frame).has_value();
-  return kept;
+int count_kept(const RenderParams& params, const FinishedFrames& finished, const std::vector<int>& frames) {
+  if (!keeps_frames(params)) return 0;
+  const auto is_kept = [&](int frame) { return finished.find(frame).has_value(); };
+  return static_cast<int>(std::count_if(frames.begin(), frames.end(), is_kept));
 }
 
 void write_report(const fs::path& file, const RenderReport& report) {
@@ -123,6 +125,16 @@ void write_report(const fs::path& file, const RenderReport& report) {
 
 }  // namespace
 
+std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels) {
+  const auto channel_bytes = [&]() -> std::uint64_t {
+    if (plan.names.format == PictureFormat::kExr) return exr_pixels == ExrPixels::kFloat ? 4 : 2;
+    return plan.names.format == PictureFormat::kPng16 ? 2 : 1;
+  };
+  const auto pixels = static_cast<std::uint64_t>(plan.picture_size.x) * static_cast<std::uint64_t>(plan.picture_size.y);
+  const auto pictures = plan.frames.size() * static_cast<std::size_t>(std::max(1, plan.names.views));
+  return 3 * channel_bytes() * pixels * pictures;
+}
+
 RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {
   const Stopwatch setup;
   check_reuse(params);
@@ -130,16 +142,20 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   check_denoise(params);
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   Stage stage(params, pool, context);
-  const FrameRange frames = frames_to_render(params, stage.scene.timeline);
+  const std::vector<int> frames = frames_to_render(params, stage.scene.timeline);
   const FrameLayout layout(params, stage.placed.optics, stage.display.get());
   layout.check_picture_size(!params.aov.empty());
   require_memory(params, stage.placed.optics.panel, layout.moves(),
-                 std::min(FrameSink::frames_in_memory(pool.threads()), frames.last - frames.first + 1));
+                 std::min(FrameSink::frames_in_memory(pool.threads()), static_cast<int>(frames.size())));
 
   check_angular_filter(params, stage.placed.optics);
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
   const fs::path folder = output_folder(params);
+  if (observer.only_plan) {
+    if (observer.planned) observer.planned({stage, folder, layout.names(), frames, 0, layout.picture_size()});
+    return {};
+  }
   if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
   std::vector<std::string> videos;
   for (const std::string& said : params.video) videos.push_back(layout.video_path(said).string());
@@ -155,7 +171,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   fs::remove(folder / "report.json");  // it would speak of another render
   FinishedFrames finished(folder, job_fingerprint(params, stage.scene, stage.display.get()), layout.names());
   if (finished.took_over()) warn_of_strangers(folder, layout.names(), frames, context);
-  const RenderPlan plan{stage, folder, layout.names(), frames, count_kept(params, finished, frames)};
+  const RenderPlan plan{stage, folder, layout.names(), frames, count_kept(params, finished, frames), layout.picture_size()};
 
   RenderReport report;
   report.scene = params.scene;
@@ -175,7 +191,8 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   if (observer.planned) observer.planned(plan);
   report.setup_seconds = setup.seconds();
 
-  for (int frame = frames.first; frame <= frames.last && !context.cancelled; ++frame) {
+  for (const int frame : frames) {
+    if (context.cancelled) break;
     if (const auto kept = keeps_frames(params) ? finished.find(frame) : std::nullopt) {
       report.frames.push_back(*kept);
       sink.add_kept(frame);
@@ -192,7 +209,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   for (FrameReport& frame : report.frames)
     if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
       frame.precompensation = done->second;
-  report.interrupted = static_cast<int>(report.frames.size()) <= frames.last - frames.first;
+  report.interrupted = report.frames.size() < frames.size();
   if (!report.interrupted) sink.finish_videos();
   report.write_seconds = sink.write_seconds();
   report.peak_memory_bytes = peak_memory_bytes();

@@ -18,14 +18,20 @@ struct RenderPlan {
   const Stage& stage;
   std::filesystem::path folder;
   FrameNames names;
-  FrameRange frames;
-  int kept = 0;  ///< of these frames, finished before by the same job
+  std::vector<int> frames;  ///< ascending
+  int kept = 0;             ///< of these frames, finished before by the same job
+  Vec2i picture_size{0, 0};
 };
 
-/// Hears how a render goes, in the thread that called render_animation. Both may be empty.
+/// Bytes of all pictures of a plan before compression: more than what PNG and EXR files take. Layers and videos are not
+/// counted.
+std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels);
+
+/// Hears how a render goes, in the thread that called render_animation. Both functions may be empty.
 struct RenderObserver {
   std::function<void(const RenderPlan&)> planned;
   std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
+  bool only_plan = false;  ///< stop once `planned` was called, before anything is written; kept frames are not looked for
 };
 
 /// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte

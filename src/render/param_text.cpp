@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/suggest.hpp"
 
 namespace lippmann {
 namespace {
@@ -28,9 +29,21 @@ Extent<T> parse_extent(std::string_view text, T lowest, T highest, const std::st
   const std::optional<T> y = cross == std::string_view::npos ? T{0} : parse<T>(text.substr(cross + 1));
   const auto fits = [&](T value) { return value >= lowest && value <= highest; };
   if (!x || !y || !fits(*x) || (cross != std::string_view::npos && !fits(*y)))
-    throw usage_error(where, fmt::format("'{}' is no such size", text),
+    throw usage_error(where, fmt::format("'{}' is not a size in this range", text),
                       fmt::format("N or NxM, each from {} to {}", lowest, highest));
   return {*x, *y};
+}
+
+/// A, A-B or A-B:S.
+std::optional<FrameRange> parse_range(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view ends = text.substr(0, colon);
+  const std::size_t dash = ends.find('-');
+  const auto first = parse<int>(ends.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : parse<int>(ends.substr(dash + 1));
+  const auto step = colon == std::string_view::npos ? 1 : parse<int>(text.substr(colon + 1));
+  if (!first || !last || !step || *first < 0 || *last < *first || *step < 1) return std::nullopt;
+  return FrameRange{*first, *last, *step};
 }
 
 template <class T>
@@ -43,7 +56,7 @@ std::string format_extent(const Extent<T>& extent) {
 std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where) {
   const auto value = parse<std::int64_t>(text);
   if (!value || *value < lowest || *value > highest)
-    throw usage_error(where, fmt::format("'{}' is out of range or no whole number", text),
+    throw usage_error(where, fmt::format("'{}' is out of range or not a whole number", text),
                       fmt::format("a whole number from {} to {}", lowest, highest));
   return *value;
 }
@@ -51,13 +64,14 @@ std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64
 double read_number(std::string_view text, double lowest, double highest, const std::string& where) {
   const auto value = parse<double>(text);
   if (!value || !(*value >= lowest && *value <= highest))
-    throw usage_error(where, fmt::format("'{}' is out of range or no number", text),
+    throw usage_error(where, fmt::format("'{}' is out of range or not a number", text),
                       fmt::format("a number from {} to {}", lowest, highest));
   return *value;
 }
 
 bool read_flag(std::string_view text, const std::string& where) {
-  if (text != "true" && text != "false") throw usage_error(where, fmt::format("'{}' is neither", text), "true or false");
+  if (text != "true" && text != "false")
+    throw usage_error(where, fmt::format("'{}' is neither true nor false", text), "true or false");
   return text == "true";
 }
 
@@ -70,23 +84,36 @@ Extent<float> read_extent(std::string_view text, float lowest, float highest, co
 std::string write_extent(const Extent<int>& extent) { return format_extent(extent); }
 std::string write_extent(const Extent<float>& extent) { return format_extent(extent); }
 
-FrameRange read_frames(std::string_view text, const std::string& where) {
-  const std::size_t dash = text.find('-');
-  const auto first = parse<int>(text.substr(0, dash));
-  const auto last = dash == std::string_view::npos ? first : parse<int>(text.substr(dash + 1));
-  if (!first || !last || *first < 0 || *last < *first)
-    throw usage_error(where, fmt::format("'{}' is no range of frames", text), "A-B with 0 <= A <= B, or one frame A");
-  return {*first, *last};
+FrameRanges read_frames(std::string_view text, const std::string& where) {
+  FrameRanges ranges;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    const std::optional<FrameRange> range = parse_range(text.substr(start, comma - start));
+    if (!range)
+      throw usage_error(where, fmt::format("'{}' does not say which frames", text),
+                        "A-B with 0 <= A <= B, one frame A, every S-th as A-B:S, or several of these: 0,2,4-8,10-20:5");
+    ranges.push_back(*range);
+    start = comma + 1;
+  }
+  return ranges;
 }
 
-std::string write_frames(const FrameRange& frames) { return fmt::format("{}-{}", frames.first, frames.last); }
+std::string write_frames(const FrameRanges& frames) {
+  std::string text;
+  for (const FrameRange& range : frames) {
+    text += fmt::format("{}{}", text.empty() ? "" : ",", range.first);
+    if (range.last != range.first) text += fmt::format("-{}", range.last);
+    if (range.step != 1) text += fmt::format(":{}", range.step);
+  }
+  return text;
+}
 
 std::optional<float> read_distance(std::string_view text, const std::string& where) {
   if (text == "auto") return std::nullopt;
   if (text == "inf") return kInfinity;
   const auto value = parse<float>(text);
   if (!value || !(*value > 0.0f) || !std::isfinite(*value))
-    throw usage_error(where, fmt::format("'{}' is no such distance", text), "millimetres above 0, inf, or auto");
+    throw usage_error(where, fmt::format("'{}' is not a distance", text), "millimetres above 0, inf, or auto");
   return *value;
 }
 
@@ -95,7 +122,10 @@ std::string write_distance(std::optional<float> distance_mm) { return distance_m
 std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == text) return i;
-  throw usage_error(where, fmt::format("'{}' is none of its values", text), fmt::format("{}", fmt::join(names, ", ")));
+  const std::string nearest = nearest_name(text, names);
+  throw usage_error(
+      where, fmt::format("there is no '{}'{}", text, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
+      fmt::format("{}", fmt::join(names, ", ")));
 }
 
 }  // namespace lippmann

@@ -29,9 +29,9 @@ Extent<float> read_extent(std::string_view text, float lowest, float highest, co
 std::string write_extent(const Extent<int>& extent);
 std::string write_extent(const Extent<float>& extent);
 
-/// "3-7", or "3" for one frame.
-FrameRange read_frames(std::string_view text, const std::string& where);
-std::string write_frames(const FrameRange& frames);
+/// "3-7", "3" for one frame, "0-10:2" for every second one, and several of these with commas between.
+FrameRanges read_frames(std::string_view text, const std::string& where);
+std::string write_frames(const FrameRanges& frames);
 
 /// Millimetres > 0, "inf", or "auto" (none).
 std::optional<float> read_distance(std::string_view text, const std::string& where);

@@ -11,6 +11,7 @@
 #include "core/math.hpp"
 #include "image/tone.hpp"
 #include "optics/optics.hpp"
+#include "render/choose_camera.hpp"
 #include "reuse/in_between.hpp"
 #include "scene/load.hpp"
 #include "trace/trace_frame.hpp"
@@ -32,12 +33,19 @@ enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint };
 enum class ExrPixels { kHalf, kFloat };
 
-/// Frames first ... last of an animation, both included.
+/// Every step-th frame of an animation from `first` on, up to `last`.
 struct FrameRange {
   int first = 0;
   int last = 0;
+  int step = 1;  ///< >= 1
   bool operator==(const FrameRange&) const = default;
 };
+
+/// Frames as they are said, in any order: 0,2,4 or 0-10:2,20.
+using FrameRanges = std::vector<FrameRange>;
+
+/// The frames of the ranges, each once, ascending.
+std::vector<int> frames_of(const FrameRanges& ranges);
 
 /// How many across and down; a 0 means "not said": it follows from the rest (render/panel_size.hpp).
 template <class T>
@@ -48,11 +56,15 @@ struct Extent {
 
 struct RenderParams {
   // Scene
-  std::string scene;                 ///< a built-in name or a file
-  std::string camera_path;           ///< a Tachyon .cam file for a .dat scene; empty: none
-  std::string animation;             ///< name or index of the one to show, of scenes that hold several; empty: the first
-  std::optional<FrameRange> frames;  ///< none: the whole animation
-  double fps = 0.0;                  ///< frames per second of the animation and of videos; 0: the scene's own
+  std::string scene;                  ///< a built-in name or a file
+  std::string camera_path;            ///< a Tachyon .cam file for a .dat scene; empty: none
+  std::string animation;              ///< name or index of the one to show, of scenes that hold several; empty: the first
+  std::string asset_root;             ///< files that the scene names may lie below it; empty: in its own folder only
+  std::string camera;                 ///< name or index of the one that decides the view; empty: the first
+  UpAxis up = UpAxis::kY;             ///< the axis of the scene's file that points upwards
+  std::optional<FrameRanges> frames;  ///< none: the whole animation
+  float light_scale = 1.0f;           ///< factor on the light of the file's lamps
+  double fps = 0.0;                   ///< frames per second of the animation and of videos; 0: the scene's own
 
   // Optics
   std::string display;                         ///< a preset, a file of one's own or a calibration; empty: none
@@ -94,7 +106,7 @@ struct RenderParams {
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only
-  bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, to be looked at
+  bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, for study
   DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black; kProvenance: where light came from
 
   // Files
@@ -131,8 +143,9 @@ inline OpticsKind optics_kind(const RenderParams& params) { return params.optics
 bool is_builtin_scene(const std::string& scene);
 
 /// The scene that the parameters name, loaded as they say, or nothing but a display for the test pattern (test_pattern.hpp).
-/// Throws Error.
-Scene wanted_scene(const RenderParams& params, const Context& context);
+/// The camera that decides the view is its first. Throws Error.
+/// camera_names: if it is given, gets the names of the cameras in the file's order.
+Scene wanted_scene(const RenderParams& params, const Context& context, std::vector<std::string>* camera_names = nullptr);
 
 /// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);

@@ -18,6 +18,7 @@ namespace {
 using Values = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens", "multiview", "single"};
+constexpr std::array<std::string_view, 6> kUpNames{"y", "x", "z", "-x", "-y", "-z"};
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 2> kIntegratorNames{"whitted", "path"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
@@ -137,9 +138,15 @@ ParamInfo path(ParamInfo info) {
 }
 
 ParamInfo frames_row() {
-  ParamInfo info{
-      "frames", "Scene", "A-B", "Frames A to B, both included, from 0; default: the whole animation", ParamKind::kText, false,
-      false,    {},      {}};
+  ParamInfo info{"frames",
+                 "Scene",
+                 "A-B",
+                 "Frames A to B, both included, from 0; lists and steps: 0,2,4 or 0-10:2; default: the whole animation",
+                 ParamKind::kText,
+                 false,
+                 false,
+                 {},
+                 {}};
   info.set = [](RenderParams& params, const Values& values, const std::string& where) {
     params.frames = read_frames(values.empty() ? "" : values.back(), where);
   };
@@ -202,9 +209,19 @@ std::vector<ParamInfo> scene_rows() {
       runs_only(row(
           ParamKind::kText, &P::animation, text(),
           {"animation", "Scene", "NAME|INDEX", "Which of a glTF file's animations; the first by default ('info' lists them)"})),
+      path(runs_only(row(ParamKind::kText, &P::asset_root, text(),
+                         {"asset-root", "Scene", "DIR",
+                          "Textures and other files that the scene names may lie below this folder; default: in its own"}))),
+      runs_only(row(ParamKind::kText, &P::camera, text(),
+                    {"camera", "Scene", "NAME|INDEX",
+                     "The camera that decides the view; default: the file's first ('info' lists them)"})),
+      runs_only(row(ParamKind::kText, &P::up, choice<UpAxis>(kUpNames),
+                    {"up", "Scene", "AXIS", "The axis of the file that points upwards: x, y, z, -x, -y or -z"})),
       frames_row(),
       row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),
+      runs_only(row(ParamKind::kNumber, &P::light_scale, number<float>(0.0, 1e6),
+                    {"light-scale", "Scene", "X", "Factor on the light of the scene's lamps, for files in other units"})),
   };
 }
 
@@ -215,16 +232,16 @@ std::vector<ParamInfo> optics_rows() {
       [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   const Codec<std::optional<float>> distance{read_distance, [](const std::optional<float>& v) { return write_distance(v); }};
   return {
-      path(runs_only(
-          row(ParamKind::kText, &P::display, text(),
-              {"display", "Optics", "NAME|FILE",
-               "A display (see: lippmann displays), a .toml of one's own or a calibration .json: sets what it knows"}))),
+      path(runs_only(row(
+          ParamKind::kText, &P::display, text(),
+          {"display", "Optics", "NAME|FILE",
+           "The display to render for: a name (see: lippmann displays), a .toml file of your own, or a calibration .json"}))),
       row(ParamKind::kText, &P::optics, optional_choice<OpticsKind>(kOpticsNames),
           {"optics", "Optics", "KIND",
            "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view); default: the display's, else "
            "lenticular"}),
       row(ParamKind::kText, &P::packing, choice<LensPacking>(kPackingNames),
-          {"packing", "Optics", "KIND", "Of microlenses: square or hexagonal"}),
+          {"packing", "Optics", "KIND", "How microlenses are packed: square or hexagonal"}),
       row(ParamKind::kText, &P::lenses, extent(1, kMaxCount),
           {"lenses", "Optics", "N[xM]", "Lenses across and down; default 64, and as many down as make the panel square"}),
       row(ParamKind::kText, &P::lens_pixels, extent(1.0f, static_cast<float>(kMaxCount)),
@@ -243,7 +260,7 @@ std::vector<ParamInfo> optics_rows() {
           {"viewing-distance", "Optics", "MM|inf|auto",
            "Where the lenses' cells converge; auto: the display's, else where the camera stands"}),
       row(ParamKind::kNumber, &P::slant_deg, number<float>(-80.0, 80.0),
-          {"slant", "Optics", "DEG", "Of a lenticular sheet's lenses, from the vertical"}),
+          {"slant", "Optics", "DEG", "Angle of a lenticular sheet's lenses from the vertical"}),
       row(ParamKind::kText, &P::crosstalk_px, crosstalk,
           {"crosstalk", "Optics", "PIXELS|C%",
            "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
@@ -270,9 +287,9 @@ std::vector<ParamInfo> rendering_rows() {
            "the "
            "other (box): what lies beyond the depth budget blurs and does not double; default: box for quilts of a --display"}),
       row(ParamKind::kNumber, &P::max_depth, integer<int>(0, 1024),
-          {"max-depth", "Rendering", "N", "Vertices of a path at most, 1: no mirrors; 0: the scene's own limit"}),
+          {"max-depth", "Rendering", "N", "The most vertices that a path may have; 1: no mirrors; 0: the scene's own limit"}),
       row(ParamKind::kNumber, &P::seed, integer<std::uint32_t>(0, std::numeric_limits<std::uint32_t>::max()),
-          {"seed", "Rendering", "N", "Of the positions of samples within their pixels, and of paths"}),
+          {"seed", "Rendering", "N", "Seed of the random numbers: where samples lie within their pixels, and paths"}),
       row(ParamKind::kNumber, &P::clamp_indirect, number<float>(0.0, 1e6),
           {"clamp-indirect", "Rendering", "X",
            "Paths: no indirect contribution to a sample is brighter than X, which removes bright specks and loses light; 0: "
@@ -294,11 +311,13 @@ std::vector<ParamInfo> rendering_rows() {
           {"exposure", "Rendering", "EV", "Doubles the light of pictures and videos EV times; EXR files stay as they are"}),
       row(ParamKind::kText, &P::tone, choice<ToneCurve>(kToneNames),
           {"tone", "Rendering", "CURVE",
-           "How light brighter than white is shown, but in EXR files: cut off (none), compressed with colours kept (neutral), "
+           "How light brighter than white is shown, except in EXR files: cut off (none), compressed with colours kept "
+           "(neutral), "
            "or as film does (agx)"}),
-      runs_only(row(ParamKind::kText, &P::order, choice<RayOrder>(kOrderNames),
-                    {"order", "Rendering", "ORDER",
-                     "Order of tracing, the picture is the same: rows, columns (below a lens), view-tiles"})),
+      runs_only(
+          row(ParamKind::kText, &P::order, choice<RayOrder>(kOrderNames),
+              {"order", "Rendering", "ORDER",
+               "The order in which pixels are traced, which changes only speed: rows, columns (below a lens), view-tiles"})),
   };
 }
 
@@ -323,7 +342,8 @@ std::vector<ParamInfo> reuse_rows() {
   return {
       row(ParamKind::kText, &P::reuse, choice<Reuse>(kReuseNames),
           {"reuse", "Reuse", "NAME",
-           "exact (what provably stays as it is is copied: the same pictures as none; with paths, soft light is shared by "
+           "exact (pixels that provably stay the same are copied: the same pictures as none; with paths, soft light is shared "
+           "by "
            "pixels, "
            "views and frames, and pictures are as good as those of --spp paths), none, or forward (the frames between key "
            "frames "
@@ -348,7 +368,8 @@ std::vector<ParamInfo> reuse_rows() {
           {"halving", "Reuse", "",
            "Forward: make the middle frame first, then the others from it too (the paper's recursion)"}),
       row(ParamKind::kFlag, &P::no_z_buffer, flag(),
-          {"no-z-buffer", "Reuse", "", "Forward: points overwrite each other in pixel order; wrong, to be looked at"}),
+          {"no-z-buffer", "Reuse", "",
+           "Forward: points overwrite each other in pixel order, without regard to depth: wrong pictures, for study"}),
       row(ParamKind::kText, &P::debug, choice<DebugPicture>(kDebugNames),
           {"debug", "Reuse", "PICTURE",
            "Forward: missed shows missed pixels black; exact with paths: provenance shows light that was traced red, that "
@@ -370,7 +391,7 @@ std::vector<ParamInfo> file_rows() {
       [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   return {
       path(runs_only(row(ParamKind::kText, &P::output, text(),
-                         {"output", "Files", "DIR", "Folder for what is made; default out/<scene name>"}))),
+                         {"output", "Files", "DIR", "The folder that everything is written to; default out/<scene name>"}))),
       row(ParamKind::kText, &P::layout, optional_choice<PictureLayout>(kLayoutNames),
           {"layout", "Files", "LAYOUT",
            "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
@@ -385,15 +406,16 @@ std::vector<ParamInfo> file_rows() {
           {"quilt", "Files", "CxR", "Tiles of --layout quilt; default: as the views lie, or as square as can be"}),
       row(ParamKind::kText, &P::format, choice<PictureFormat>(kFormatNames),
           {"format", "Files", "FORMAT",
-           "Of the pictures: png (8 bit), png16, tiff (8 bit, says its resolution) or exr (linear)"}),
+           "File format of the pictures: png (8 bit), png16, tiff (8 bit, says its resolution) or exr (linear)"}),
       row(ParamKind::kText, &P::exr_pixels, choice<ExrPixels>(kExrPixelNames),
-          {"exr-pixels", "Files", "TYPE", "Samples of EXR colours: half or float"}),
+          {"exr-pixels", "Files", "TYPE", "Number type of EXR colours: half or float"}),
       aov_row(),
       video_row(),
-      runs_only(row(ParamKind::kText, &P::video_codec, video_codec,
-                    {"video-codec", "Files", "NAME",
-                     "Of videos: h264, hevc, vp9, av1 or ffv1; default: .mp4 h264, above 4096 pixels a side hevc; .webm vp9; "
-                     ".mkv ffv1"})),
+      runs_only(
+          row(ParamKind::kText, &P::video_codec, video_codec,
+              {"video-codec", "Files", "NAME",
+               "Codec of videos: h264, hevc, vp9, av1 or ffv1; default: .mp4 h264, above 4096 pixels a side hevc; .webm vp9; "
+               ".mkv ffv1"})),
       runs_only(
           row(ParamKind::kText, &P::crf, crf,
               {"crf", "Files", "N", "Quality of videos, 0 (best) to 51 (h264, hevc) or 63; default 18, hevc 20, else 24"})),

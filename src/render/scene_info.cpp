@@ -74,6 +74,14 @@ std::string list_animations(const SceneInfo& info) {
   return text;
 }
 
+/// "Front (0), Side (1)".
+std::string list_cameras(const SceneInfo& info) {
+  std::string text;
+  for (std::size_t i = 0; i < info.camera_names.size(); ++i)
+    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", printable(info.camera_names[i]), i);
+  return text;
+}
+
 /// "3 meshes, 1 light": what there is at all.
 std::string list_counts(std::initializer_list<std::pair<std::size_t, std::string_view>> counts) {
   std::string text;
@@ -92,7 +100,7 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   Context collecting;
   collecting.threads = context.threads;
   collecting.warn = [&](std::string_view text) { info.warnings.emplace_back(text); };
-  const Scene scene = wanted_scene(params, collecting);
+  const Scene scene = wanted_scene(params, collecting, &info.camera_names);
   info.name = scene.name;
   info.animations = scene.animation_names, info.animation = scene.animation;
   info.frames = scene.timeline.frame_count;
@@ -125,6 +133,7 @@ Json to_json(const SceneInfo& info) {
           {"textures", info.textures},
           {"lights", info.lights},
           {"cameras", info.cameras},
+          {"camera_names", info.camera_names},
           {"animations", info.animations},
           {"animation", info.animation < 0 ? Json(nullptr) : Json(info.animation)},
           {"frames", info.frames},
@@ -158,6 +167,7 @@ std::string to_text(const SceneInfo& info) {
                               {info.textures, "texture"},
                               {info.lights, "light"},
                               {info.cameras, "camera"}}));
+  if (info.cameras > 1) line("cameras", list_cameras(info) + "; --camera chooses");
   line("animation",
        fmt::format("{} frames at {:g} a second = {:.1f} s; {} of {} instances move", info.frames, info.frames_per_second,
                    info.frames / info.frames_per_second, info.moving_instances, info.instances));

@@ -9,7 +9,7 @@
 // requires and that is not in the list above is an Error.
 //
 // Nothing in a file is trusted: every index, count and byte range is checked before it is used, memory grows with the bytes
-// that are really there and never beyond GltfLimits, and no file outside the scene's own folder is opened.
+// that are really there and never beyond GltfLimits, and no file outside the scene's own folder and the asset root is opened.
 #pragma once
 
 #include <cstddef>
@@ -39,12 +39,13 @@ struct GltfLimits {
 
 /// Throws Error naming the file and the element ("Box.glb: accessors[3]: ..."). frames_per_second > 0: the timeline shows frame
 /// f at f / frames_per_second and has as many frames as fit the animation's length (so that it loops), at least one.
-/// animation: the name or the index of the one to show; empty: the first.
+/// animation: the name or the index of the one to show; empty: the first. asset_root: files may lie below it, too.
 Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context,
-                const GltfLimits& limits = {}, const std::string& animation = {});
+                const GltfLimits& limits = {}, const std::string& animation = {}, const std::filesystem::path& asset_root = {});
 
 /// The same of a file's contents; `path` names it in messages, and the files that it refers to lie in its folder.
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
-                 const Context& context, const GltfLimits& limits = {}, const std::string& animation = {});
+                 const Context& context, const GltfLimits& limits = {}, const std::string& animation = {},
+                 const std::filesystem::path& asset_root = {});
 
 }  // namespace lippmann

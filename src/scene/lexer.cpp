@@ -20,9 +20,25 @@ std::string_view without_plus(std::string_view word) {
   return word;
 }
 
-/// A finite number that fills the whole word; too small for a float: zero.
+/// What other programs read over behind a number: a C suffix, or an exponent whose sign stands before its e.
+bool is_harmless_rest(std::string_view rest) {
+  if (rest == "f" || rest == "F") return true;
+  if (rest.size() < 3 || (rest[0] != '+' && rest[0] != '-') || upper(rest[1]) != 'E') return false;
+  return rest.find_first_not_of("0123456789", 2) == std::string_view::npos;
+}
+
+/// The number that a word begins with, where what follows is harmless; else the whole word.
+std::string_view without_rest(std::string_view word) {
+  double ignored = 0.0;
+  const char* const end = word.data() + word.size();
+  const char* const rest = std::from_chars(word.data(), end, ignored).ptr;
+  const bool has_rest = rest != word.data() && is_harmless_rest({rest, static_cast<std::size_t>(end - rest)});
+  return has_rest ? word.substr(0, static_cast<std::size_t>(rest - word.data())) : word;
+}
+
+/// A finite number; too small for a float: zero.
 std::optional<float> parse_float(std::string_view word) {
-  word = without_plus(word);
+  word = without_rest(without_plus(word));
   float value = 0.0f;
   const char* const end = word.data() + word.size();
   const auto [rest, failure] = std::from_chars(word.data(), end, value);

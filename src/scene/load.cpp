@@ -7,8 +7,10 @@
 #include <cmath>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "core/error.hpp"
+#include "core/suggest.hpp"
 #include "scene/builtin.hpp"
 #include "scene/gltf.hpp"
 #include "scene/nff.hpp"
@@ -29,12 +31,12 @@ Scene at_rate(Scene scene, const LoadOptions& options) {
 
 Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& context) {
   const double fps = options.frames_per_second > 0.0 ? options.frames_per_second : kTachyonFramesPerSecond;
-  return load_tachyon(path, options.camera_path, context, fps);
+  return load_tachyon(path, options.camera_path, context, fps, options.asset_root);
 }
 
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
   return load_gltf(path, options.frames_per_second > 0.0 ? options.frames_per_second : kGltfFramesPerSecond, context, {},
-                   options.animation);
+                   options.animation, options.asset_root);
 }
 
 Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context) {
@@ -42,7 +44,7 @@ Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Cont
 }
 
 Scene load_obj_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return at_rate(load_obj(path, context), options);
+  return at_rate(load_obj(path, context, options.asset_root), options);
 }
 
 Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Context& context) {
@@ -53,12 +55,14 @@ Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Cont
 struct Format {
   std::string_view extension;  ///< lower case, with its dot
   bool takes_camera_path, has_animations;
+  bool may_be_empty;  ///< a background alone is a scene
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&);
 };
 
 constexpr Format kFormats[] = {
-    {".dat", true, false, load_dat},       {".glb", false, true, load_gltf_file}, {".gltf", false, true, load_gltf_file},
-    {".nff", false, false, load_nff_file}, {".obj", false, false, load_obj_file}, {".ply", false, false, load_ply_file},
+    {".dat", true, false, true, load_dat},         {".glb", false, true, false, load_gltf_file},
+    {".gltf", false, true, false, load_gltf_file}, {".nff", false, false, false, load_nff_file},
+    {".obj", false, false, false, load_obj_file},  {".ply", false, false, false, load_ply_file},
 };
 
 std::string lower_extension(const fs::path& path) {
@@ -75,11 +79,39 @@ std::string accepted_names() {
   return names;
 }
 
+/// A misspelt name of a built-in scene has neither folder nor ending.
+std::string meant_builtin(const fs::path& path) {
+  if (path.has_parent_path() || path.has_extension()) return {};
+  std::vector<std::string_view> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
+  const std::string nearest = nearest_name(path.string(), names);
+  return nearest.empty() ? std::string() : fmt::format("; did you mean '{}'?", nearest);
+}
+
 void require_readable_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw Error(path.string(), "there is no such file", accepted_names());
+  if (!fs::exists(status)) throw Error(path.string(), "there is no such file" + meant_builtin(path), accepted_names());
   if (fs::is_directory(status)) throw Error(path.string(), "is a folder", accepted_names());
+}
+
+void require_folder(const fs::path& asset_root) {
+  std::error_code failure;
+  if (!asset_root.empty() && !fs::is_directory(asset_root, failure))
+    throw usage_error("--asset-root", fmt::format("{} is not a folder", asset_root.string()),
+                      "the folder of a scene's textures");
+}
+
+/// Lamps that are seen are something to see, too.
+void require_surfaces(const Scene& scene, const fs::path& path) {
+  const auto has_faces = [&](const Instance& instance) {
+    const Mesh* mesh = std::get_if<Mesh>(&scene.shapes[static_cast<std::size_t>(instance.shape)]);
+    return !mesh || !mesh->triangles.empty();
+  };
+  const auto is_seen = [](const Light& light) { return light.visible_radius > 0.0f; };
+  if (std::any_of(scene.instances.begin(), scene.instances.end(), has_faces)) return;
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_seen)) return;
+  throw Error(path.string(), "has no surfaces to show", "a scene with faces or solid shapes; points and lines are not shown");
 }
 
 Scene load_file(const fs::path& path, const LoadOptions& options, const Context& context) {
@@ -87,12 +119,15 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
   const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
                                     [&](const Format& candidate) { return candidate.extension == extension; });
   require_readable_file(path);
+  require_folder(options.asset_root);
   if (format == std::end(kFormats)) throw Error(path.string(), "is not a scene format that is known", accepted_names());
   if (options.camera_path && !format->takes_camera_path)
     throw usage_error("--camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
   if (!options.animation.empty() && !format->has_animations)
     throw usage_error("--animation", fmt::format("{} has no animations to choose from", path.string()), "a glTF scene");
-  return format->load(path, options, context);
+  Scene scene = format->load(path, options, context);
+  if (!format->may_be_empty) require_surfaces(scene, path);
+  return scene;
 }
 
 const BuiltinScene* find_builtin(const std::string& name) {

@@ -13,7 +13,8 @@ namespace lippmann {
 struct LoadOptions {
   std::optional<std::filesystem::path> camera_path;  ///< a Tachyon .cam file, for .dat scenes only
   double frames_per_second = 0.0;                    ///< 0: the format's default
-  std::string animation{};  ///< name or index of the one to show, of files that hold several; empty: the first
+  std::filesystem::path asset_root{};  ///< the files that a scene names may lie below it; empty: in the scene's folder only
+  std::string animation{};             ///< name or index of the one to show, of files that hold several; empty: the first
 };
 
 /// `name` is a built-in scene (builtin.hpp) or a file: .gltf, .glb, .dat, .nff, .obj, .ply. Throws Error; what is read but not

@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// Materials and textures are looked for beside the file and never outside its folder; where they are missing, the context is
-/// warned. Throws Error, naming file and line, for what cannot be read.
-Scene load_obj(const std::filesystem::path& path, const Context& context);
+/// Materials and textures are looked for in the file's folder and, where it is given, below asset_root; the context is warned
+/// of those that are missing or lie elsewhere. Throws Error, naming file and line, for what cannot be read.
+Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root = {});
 
 }  // namespace lippmann

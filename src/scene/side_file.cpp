@@ -19,20 +19,44 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
+/// `folder` without links; empty stays empty.
+fs::path canonical_folder(const fs::path& folder, const std::string& where) {
+  if (folder.empty()) return {};
+  std::error_code failure;
+  fs::path home = fs::canonical(folder, failure);
+  if (failure) throw Error(where, fmt::format("the folder {} cannot be read: {}", folder.string(), failure.message()));
+  return home;
+}
+
+fs::path folder_of(const SideFolders& folders) { return folders.folder.empty() ? fs::path(".") : folders.folder; }
+
+/// Whether `name` lies where a scene's files may lie.
+bool is_allowed(const SideFolders& folders, std::string_view name, const std::string& where) {
+  if (name.empty() || name.find('\0') != name.npos) return false;
+  const fs::path home = canonical_folder(folder_of(folders), where), root = canonical_folder(folders.asset_root, where);
+  const auto allowed = [&](const fs::path& path) { return lies_in(path, home) || (!root.empty() && lies_in(path, root)); };
+  if (!allowed((home / name).lexically_normal())) return false;
+  std::error_code failure;
+  const fs::path target = fs::weakly_canonical(home / name, failure);
+  return !failure && allowed(target);
+}
+
 }  // namespace
 
-fs::path side_file(const fs::path& folder, std::string_view name, const std::string& where) {
-  const Error outside(where, fmt::format("{} is not a file of this scene's folder", shown(name)),
-                      "a file in the scene's own folder or below it, by a relative path without '..'");
-  const fs::path relative(name), base = folder.empty() ? fs::path(".") : folder;
-  if (name.empty() || name.find('\0') != name.npos || relative.is_absolute()) throw outside;
-  if (std::find(relative.begin(), relative.end(), "..") != relative.end()) throw outside;
-  std::error_code failure;
-  const fs::path home = fs::canonical(base, failure);
-  if (failure) throw Error(where, fmt::format("the folder {} cannot be read: {}", base.string(), failure.message()));
-  const fs::path target = fs::weakly_canonical(home / relative, failure);
-  if (failure || !lies_in(target, home)) throw outside;
-  return base / relative;
+fs::path side_file(const SideFolders& folders, std::string_view name, const std::string& where) {
+  if (!is_allowed(folders, name, where))
+    throw Error(where, fmt::format("{} is not a file of this scene's folder", shown(name)),
+                "a file in the scene's own folder or below it; --asset-root DIR also allows files below DIR");
+  return folder_of(folders) / name;
+}
+
+SideFile find_side_file(const SideFolders& folders, std::string_view name, const std::string& where) {
+  if (!is_allowed(folders, name, where))
+    return {{}, fmt::format("{} is not a file of this scene's folder (--asset-root DIR allows files below DIR)", shown(name))};
+  const fs::path path = folder_of(folders) / name;
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return {{}, fmt::format("{} does not exist", shown(name))};
+  return {path, {}};
 }
 
 }  // namespace lippmann

@@ -15,10 +15,11 @@ namespace lippmann {
 /// Frames per second of a camera path, which does not say; Tachyon itself only writes numbered pictures.
 inline constexpr double kTachyonFramesPerSecond = 25.0;
 
-/// Side files (INCLUDE, TPOLYFILE, image maps) are looked for beside the .dat file and never outside its folder.
-/// A camera path of N lines gives N + 1 frames, the last line twice, so that frame numbers agree with Tachyon's own pictures.
-/// Throws Error, naming file, line and keyword, for what cannot be read and for what a Scene cannot express.
+/// Side files (INCLUDE, TPOLYFILE, image maps) are looked for in the .dat file's folder and, where it is given, below
+/// asset_root. A camera path of N lines gives N + 1 frames, the last line twice, so that frame numbers agree with Tachyon's own
+/// pictures. Throws Error, naming file, line and keyword, for what cannot be read and for what a Scene cannot express.
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
-                   const Context& context, double frames_per_second = kTachyonFramesPerSecond);
+                   const Context& context, double frames_per_second = kTachyonFramesPerSecond,
+                   const std::filesystem::path& asset_root = {});
 
 }  // namespace lippmann

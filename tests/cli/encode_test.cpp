@@ -19,6 +19,7 @@ TEST(Encode, frames_of_a_quilt_become_a_video_with_its_name) {
   EXPECT_EQ(report["frames"], 3);
   EXPECT_TRUE(std::filesystem::exists(dir / "gears_qs2x2a1.webm"));
   EXPECT_EQ(report_of(dir, {"encode", "r", "part.mkv", "--range", "1-2"})["frames"], 2);
+  EXPECT_EQ(report_of(dir, {"encode", "r", "part.mkv", "--frames", "0,2"})["frames"], 2);
 }
 
 TEST(Encode, rate_is_that_of_the_render_unless_one_is_said) {

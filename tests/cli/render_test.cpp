@@ -22,6 +22,16 @@ TEST(Render, makes_pictures_job_and_report_and_says_where) {
   EXPECT_THAT(result.out, HasSubstr("out/frame_0000.png"));
 }
 
+TEST(Render, frames_of_a_list_are_those_that_are_made_and_resumed) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0-4", "all")).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, small_teapot("4,0-2:2", "some")).exit_code, 0);
+  const Files all = files_in(dir / "all", ".png"), some = files_in(dir / "some", ".png");
+  ASSERT_EQ(some.size(), 3u);
+  for (const auto& [name, bytes] : some) EXPECT_TRUE(all.at(name) == bytes) << name;
+  EXPECT_THAT(run_tool(dir, small_teapot("0-4:2", "some") + Words{"--resume"}).out, HasSubstr("3 kept from before"));
+}
+
 TEST(Render, without_output_writes_to_out_slash_scene) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, {"render", "teapot", "--lenses", "4", "--frames", "7"}).exit_code, 0);
@@ -105,7 +115,7 @@ TEST(Render, flags_go_over_the_job_and_dump_job_writes_both) {
   ASSERT_EQ(run_tool(dir, {"render", "--job", "in.toml", "--frames", "1", "--output", "a", "--dump-job", "out.toml"}).exit_code,
             0);
   EXPECT_EQ(files_in(dir / "a", ".png").size(), 1u);
-  EXPECT_THAT(bytes_of(dir / "out.toml"), HasSubstr("frames = \"1-1\""));
+  EXPECT_THAT(bytes_of(dir / "out.toml"), HasSubstr("frames = \"1\""));
   EXPECT_THAT(bytes_of(dir / "out.toml"), HasSubstr("lenses = \"4\""));
 }
 

@@ -20,9 +20,54 @@ TEST(Tool, help_lists_the_commands_and_exits_with_0) {
     EXPECT_THAT(result.out, HasSubstr(command));
 }
 
-TEST(Tool, render_help_names_every_parameter) {
+TEST(Tool, render_help_is_short_and_shows_examples_first) {
   const TempDir dir;
   const RunResult result = run_tool(dir, {"render", "--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_LE(lines_of(result.out), 60u);
+  EXPECT_LT(result.out.find("lippmann render teapot"), result.out.find("--frames"));
+  EXPECT_THAT(result.out, HasSubstr("--help-all"));
+  EXPECT_THAT(result.out, testing::Not(HasSubstr("--halving")));
+}
+
+TEST(Tool, help_of_a_command_is_its_help_flag) {
+  const TempDir dir;
+  EXPECT_EQ(run_tool(dir, {"help"}).out, run_tool(dir, {"--help"}).out);
+  EXPECT_EQ(run_tool(dir, {"help", "compare"}).out, run_tool(dir, {"compare", "--help"}).out);
+  expect_refusal(run_tool(dir, {"help", "rendre"}), 2, "did you mean 'render'?");
+}
+
+TEST(Tool, misspelt_values_are_answered_with_the_nearest) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {"render", "teapot", "--optics", "lentcular"}), 2, "did you mean 'lenticular'?");
+  expect_refusal(run_tool(dir, {"render", "teapott"}), 1, "did you mean 'teapot'?");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--display", "60lpi"}), 2, "did you mean '");
+  EXPECT_THAT(run_tool(dir, {"render", "teapot", "--print"}).err, testing::Not(HasSubstr("--slant")));
+}
+
+TEST(Tool, dry_run_says_what_would_be_made_and_makes_nothing) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("0-8:4", "r") + Words{"-n"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("3 frames (0 to 8)"));
+  EXPECT_THAT(result.out, HasSubstr("128x128 pixels"));
+  EXPECT_FALSE(std::filesystem::exists(dir / "r"));
+  const Json plan = report_of(dir, small_teapot("0-8:4", "r") + Words{"--dry-run"});
+  EXPECT_EQ(plan["frames"], json_of("[0, 4, 8]"));
+  EXPECT_EQ(plan["largest_bytes"], 3 * 3 * 128 * 128);
+}
+
+TEST(Tool, quiet_render_prints_nothing) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("0", "r") + Words{"-q"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out + result.err, "");
+  EXPECT_TRUE(std::filesystem::exists(dir / "r" / "frame_0000.png"));
+}
+
+TEST(Tool, render_help_all_names_every_parameter) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {"render", "--help-all"});
   EXPECT_EQ(result.exit_code, 0);
   for (const ParamInfo& info : params_table())
     if (info.name != "scene") {
@@ -33,6 +78,7 @@ TEST(Tool, render_help_names_every_parameter) {
 TEST(Tool, version_names_itself_and_a_number) {
   const TempDir dir;
   const RunResult result = run_tool(dir, {"--version"});
+  for (const char* flag : {"-v", "-V"}) EXPECT_EQ(run_tool(dir, {flag}).out, result.out);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, testing::MatchesRegex("lippmann [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }

@@ -26,5 +26,12 @@ TEST(NearestName, unrelated_name_finds_nothing) {
   EXPECT_EQ(nearest_name("quux", kNames), "");
 }
 
+TEST(NearestName, name_that_contains_the_word_is_suggested_where_none_is_near) {
+  constexpr std::string_view kNames[] = {"lenticular-40lpi-600dpi", "lenticular-60lpi-600dpi", "lenticular-60lpi-720dpi"};
+  EXPECT_EQ(nearest_name("60lpi", kNames), "lenticular-60lpi-600dpi");
+  EXPECT_EQ(nearest_name("60-lpi", kNames), "lenticular-60lpi-600dpi");
+  EXPECT_EQ(nearest_name("le", kNames), "") << "two letters are in too many names";
+}
+
 }  // namespace
 }  // namespace lippmann

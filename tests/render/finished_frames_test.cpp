@@ -98,7 +98,7 @@ TEST(JobFingerprint, differs_for_what_changes_pictures_and_for_nothing_else) {
   RenderParams elsewhere = params;
   elsewhere.output = "elsewhere";
   elsewhere.threads = 7;
-  elsewhere.frames = FrameRange{0, 1};
+  elsewhere.frames = FrameRanges{{0, 1}};
   elsewhere.video = {"a.mp4"};
   elsewhere.resume = true;
   elsewhere.order = RayOrder::kRows;

@@ -45,7 +45,7 @@ RenderParams unusual_params(const test::TempDir& dir) {
   RenderParams params;
   params.scene = (dir / "a \"quoted\" scene\\with\ttab.dat").string();
   params.camera_path = (dir / "path.cam").string();
-  params.frames = FrameRange{3, 7};
+  params.frames = FrameRanges{{3, 7}};
   params.fps = 29.97;
   params.optics = OpticsKind::kMicrolens;
   params.packing = LensPacking::kHexagonal;
@@ -88,7 +88,7 @@ TEST(JobFile, values_may_be_toml_numbers_flags_and_lists) {
   EXPECT_EQ(params.spp, 4);
   EXPECT_TRUE(params.resume);
   EXPECT_EQ(params.aov.size(), 2u);
-  EXPECT_EQ(params.frames, (FrameRange{5, 5}));
+  EXPECT_EQ(params.frames, (FrameRanges{{5, 5}}));
 }
 
 TEST(JobFile, keys_that_are_absent_leave_the_params_alone) {

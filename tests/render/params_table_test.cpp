@@ -19,8 +19,12 @@ const std::map<std::string_view, Values> kOtherValues{
     {"scene", {"room"}},
     {"camera-path", {"room.cam"}},
     {"animation", {"Walk"}},
+    {"asset-root", {"models"}},
+    {"camera", {"Front"}},
+    {"up", {"-z"}},
     {"frames", {"3-7"}},
     {"fps", {"29.97"}},
+    {"light-scale", {"0.25"}},
     {"optics", {"microlens"}},
     {"packing", {"hexagonal"}},
     {"lenses", {"32x16"}},
@@ -162,9 +166,16 @@ TEST(ParamsTable, extent_with_one_number_leaves_the_other_unsaid) {
 TEST(ParamsTable, frames_accept_a_range_or_one_and_refuse_the_rest) {
   RenderParams params;
   param("frames").set(params, {"5"}, "test");
-  EXPECT_EQ(params.frames, (FrameRange{5, 5}));
-  for (const char* bad : {"7-3", "-1-3", "a-b", "3-", ""})
+  EXPECT_EQ(params.frames, (FrameRanges{{5, 5}}));
+  for (const char* bad : {"7-3", "-1-3", "a-b", "3-", "", "0-4:0", "0-4:", "1,", ",1", "0;2"})
     EXPECT_THAT(message_of_setting("frames", bad), HasSubstr("0 <= A <= B"));
+}
+
+TEST(ParamsTable, frames_accept_lists_and_steps) {
+  RenderParams params;
+  param("frames").set(params, {"20,0-9:3,4,4-5"}, "test");
+  EXPECT_EQ(frames_of(*params.frames), (std::vector<int>{0, 3, 4, 5, 6, 9, 20}));
+  EXPECT_EQ(param("frames").get(params), Values{"20,0-9:3,4,4-5"});
 }
 
 TEST(ParamsTable, viewing_distance_reads_auto_inf_and_millimetres) {

@@ -39,6 +39,13 @@ END_SCENE
   EXPECT_EQ(to_json(info)["spheres"], 2);
 }
 
+TEST(SceneInfo, several_cameras_are_listed) {
+  SceneInfo info;
+  info.cameras = 2;
+  info.camera_names = {"Front", "Side"};
+  EXPECT_THAT(to_text(info), testing::HasSubstr("Front (0), Side (1); --camera chooses"));
+}
+
 TEST(SceneInfo, animated_scene_says_what_moves) {
   RenderParams params;
   params.scene = "gears";

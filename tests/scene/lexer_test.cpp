@@ -94,7 +94,8 @@ INSTANTIATE_TEST_SUITE_P(Forms, TachyonLexerNumber,
                          testing::Values(NumberCase{"1", 1.0f}, NumberCase{"-0.5", -0.5f}, NumberCase{"+2.5", 2.5f},
                                          NumberCase{"0.", 0.0f}, NumberCase{".25", 0.25f}, NumberCase{"1e3", 1000.0f},
                                          NumberCase{"-1.5E-2", -0.015f}, NumberCase{"1.11022e-16", 1.11022e-16f},
-                                         NumberCase{"1e-60", 0.0f}, NumberCase{"-1e-60", 0.0f}, NumberCase{"3.4e38", 3.4e38f}));
+                                         NumberCase{"1e-60", 0.0f}, NumberCase{"-1e-60", 0.0f}, NumberCase{"3.4e38", 3.4e38f},
+                                         NumberCase{"0.5f", 0.5f}, NumberCase{"3.1+e2", 3.1f}, NumberCase{"-3.1-E2", -3.1f}));
 
 class TachyonLexerBadNumber : public testing::TestWithParam<const char*> {};
 
@@ -111,7 +112,8 @@ TEST_P(TachyonLexerBadNumber, text_is_an_error_that_shows_it) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, TachyonLexerBadNumber,
                          testing::Values("nan", "NaN", "inf", "-inf", "infinity", "1e39", "-1e39", "1e999", "1e9999999999",
-                                         "1,5", "1.0,", "0x10", "--1", "+-1", "+", "-", ".", "one", "1e", "1.2.3", "1_0"));
+                                         "1,5", "1.0,", "0x10", "--1", "+-1", "+", "-", ".", "one", "1e", "1+e", "1+2", "nanf",
+                                         "f", "1.2.3", "1_0"));
 
 TEST(Lexer, integer_takes_whole_numbers_within_its_range) {
   Lexer lexer("a", "0 +7 -3");

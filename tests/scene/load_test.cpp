@@ -26,6 +26,10 @@ TEST(LoadScene, missing_file_is_named) {
   EXPECT_THAT(error_of("/nowhere/a.dat"), HasSubstr("/nowhere/a.dat: there is no such file"));
 }
 
+TEST(LoadScene, misspelt_builtin_name_is_suggested) {
+  EXPECT_THAT(error_of("teapott"), HasSubstr("teapott: there is no such file; did you mean 'teapot'?"));
+}
+
 TEST(LoadScene, folder_is_refused) {
   const test::TempDir dir;
   EXPECT_THAT(error_of(dir.path().string()), HasSubstr("is a folder"));
@@ -37,6 +41,22 @@ TEST(LoadScene, unknown_extension_lists_what_is_accepted) {
   const std::string text = error_of((dir / "a.xyz").string());
   EXPECT_THAT(text, HasSubstr("a.xyz"));
   EXPECT_THAT(text, HasSubstr(".dat"));
+}
+
+TEST(LoadScene, scene_without_surfaces_is_an_error) {
+  const test::TempDir dir;
+  std::ofstream(dir / "points.obj") << "v 0 0 0\nv 1 0 0\np 1 2\nl 1 2\n";
+  std::ofstream(dir / "empty.gltf") << R"({"asset":{"version":"2.0"},"scenes":[{}],"nodes":[{}]})";
+  for (const char* name : {"points.obj", "empty.gltf"})
+    EXPECT_THAT(error_of((dir / name).string()), HasSubstr(std::string(name) + ": has no surfaces to show; accepted: "));
+}
+
+TEST(LoadScene, asset_root_must_be_a_folder) {
+  const test::TempDir dir;
+  std::ofstream(dir / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  LoadOptions options;
+  options.asset_root = dir / "none";
+  EXPECT_THAT(error_of((dir / "a.obj").string(), options), HasSubstr("--asset-root: "));
 }
 
 }  // namespace

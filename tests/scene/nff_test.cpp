@@ -112,6 +112,11 @@ TEST(Nff, polygon_is_faceted_and_patch_has_its_normals) {
   EXPECT_EQ(patch.normals[2], Vec3f(0, 0, 1));  // that of the facet
 }
 
+TEST(Nff, patch_wound_against_its_normals_is_turned_over) {
+  const Scene scene = parse("pp 3  0 0 0 0 0 -1  1 0 0 0 0 -1  0 1 0 0 0 -1\n");
+  EXPECT_EQ(shape<Mesh>(scene, 0).triangles.at(0), (std::array<std::uint32_t, 3>{0, 2, 1}));
+}
+
 TEST(Nff, lights_without_a_colour_share_what_they_give) {
   const Scene scene = parse("l 1 2 3\nl 4 5 6 0.5 0.25 1 # comment\nl 0 0 0\nl 0 0 1\ns 0 0 0 1");
   ASSERT_EQ(scene.lights.size(), 4u);

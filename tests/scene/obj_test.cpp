@@ -79,6 +79,27 @@ TEST_F(Obj, concave_face_is_cut_into_triangles_inside_it) {
   EXPECT_EQ(area, 10.0f);  // 16 - 6
 }
 
+TEST_F(Obj, text_may_be_in_utf_16_or_begin_with_a_mark) {
+  const std::string text = kTriangle + "o \xc3\xa9\nf 1 2 3\n";  // an e with an acute accent: U+00E9
+  const auto utf16 = [&](bool low_first) {
+    std::string wide;
+    for (const char c : kTriangle + "o \xe9\nf 1 2 3\n") wide += low_first ? std::string{c, '\0'} : std::string{'\0', c};
+    return wide;
+  };
+  for (const std::string& file :
+       {text, "\xef\xbb\xbf" + text, "\xff\xfe" + utf16(true), "\xfe\xff" + utf16(false), utf16(true), utf16(false)}) {
+    const Scene scene = load(file);
+    ASSERT_EQ(scene.instances.size(), 1u);
+    EXPECT_EQ(scene.instances[0].name, "\xc3\xa9");
+    EXPECT_EQ(mesh(scene).triangles.size(), 1u);
+  }
+}
+
+TEST_F(Obj, points_and_lines_beside_faces_are_left_out) {
+  EXPECT_EQ(mesh(load(kTriangle + "p 1 2\nl 1 2 3\nf 1 2 3\n")).triangles.size(), 1u);
+  EXPECT_THAT(warnings, IsEmpty());
+}
+
 TEST_F(Obj, one_instance_per_object_and_material) {
   const Scene scene = load(kTriangle + "o one\nf 1 2 3\no two\nf 1 2 3\nf 3 2 1\no one\nf 1 3 2\n");
   ASSERT_EQ(scene.instances.size(), 2u);
@@ -140,10 +161,23 @@ TEST_F(Obj, missing_files_and_materials_are_warnings) {
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("'none.png' does not exist")));
 }
 
-TEST_F(Obj, files_outside_the_folder_are_refused) {
-  EXPECT_THAT(error_of("mtllib ../a.mtl\n"), HasSubstr("a.obj:1: '../a.mtl' is not a file of this scene's folder"));
-  write("b.mtl", "newmtl m\nmap_Kd /etc/hostname\n");
-  EXPECT_THAT(error_of("mtllib b.mtl\n"), HasSubstr("b.mtl:2: '/etc/hostname' is not a file of this scene's folder"));
+TEST_F(Obj, files_outside_the_folder_are_not_opened_and_warnings_name_the_flag) {
+  const auto refused = [](const std::string& name) {
+    return testing::AllOf(HasSubstr("'" + name + "' is not a file of this scene's folder"), HasSubstr("--asset-root DIR"));
+  };
+  load("mtllib ../a.mtl\n" + kTriangle + "f 1 2 3\n");
+  EXPECT_THAT(warnings, ElementsAre(refused("../a.mtl")));
+  warnings.clear();
+  EXPECT_EQ(surface_of("map_Kd /etc/hostname\nKd 1 0 0").base_color_map.texture, -1);
+  EXPECT_THAT(warnings, ElementsAre(refused("/etc/hostname")));
+}
+
+TEST_F(Obj, files_below_the_asset_root_are_opened) {
+  std::filesystem::create_directory(dir_ / "model");
+  write("above.mtl", "newmtl m\nPm 0.5\n");
+  write("model/b.obj", "mtllib ../above.mtl\n" + kTriangle + "usemtl m\nf 1 2 3\n");
+  const Scene scene = load_obj(dir_ / "model/b.obj", Context{}, dir_.path());
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials.at(0).surface).metallic, 0.5f);
 }
 
 TEST_F(Obj, errors_name_the_line) {
@@ -154,6 +188,18 @@ TEST_F(Obj, errors_name_the_line) {
   EXPECT_THAT(error_of(kTriangle + "f 1 2\n"), HasSubstr("a.obj:4: a face has 2 corners"));
   EXPECT_THAT(error_of("v 0 0 nan\n"), HasSubstr("a.obj:1: 'nan' is not a number"));
   EXPECT_THAT(error_of("v 0 0"), HasSubstr("the file ends"));
+}
+
+TEST_F(Obj, faces_wound_against_their_normals_are_turned_over) {
+  const std::string normal = kTriangle + "vn 0 0 1\n";
+  const Scene with = load(normal + "f 1//1 2//1 3//1\n"), against = load(normal + "f 1//1 3//1 2//1\n");
+  const auto facet = [&](const Scene& scene) {
+    const auto& [a, b, c] = mesh(scene).triangles.at(0);
+    const std::vector<Vec3f>& p = mesh(scene).positions;
+    return glm::cross(p[b] - p[a], p[c] - p[a]);
+  };
+  EXPECT_EQ(facet(with), Vec3f(0, 0, 1));
+  EXPECT_EQ(facet(against), Vec3f(0, 0, 1));
 }
 
 TEST_F(Obj, other_statements_are_left_out_with_one_warning) {

@@ -85,6 +85,31 @@ TEST(Ply, faces_of_many_corners_become_triangles) {
   EXPECT_EQ(mesh(scene).triangles.size(), 2u);
 }
 
+TEST(Ply, faces_wound_against_their_normals_are_turned_over) {
+  const std::string text = header("ascii", "property float nx\nproperty float ny\nproperty float nz\n");
+  const Scene scene = parse(text + "0 0 0 0 0 -1\n2 0 0 0 0 -1\n0 2 0 0 0 -1\n3 0 1 2\n");
+  EXPECT_EQ(mesh(scene).triangles.at(0), (std::array<std::uint32_t, 3>{0, 2, 1}));
+}
+
+TEST(Ply, strips_are_triangles_that_wind_the_same_way) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n";
+  using Corners = std::array<std::uint32_t, 3>;
+  EXPECT_THAT(mesh(parse(text + "9 0 1 2 3 -1 1 4 3 3\n")).triangles,
+              testing::ElementsAre(Corners{0, 1, 2}, Corners{2, 1, 3}, Corners{1, 4, 3}));
+  EXPECT_THAT(error_of(text + "3 0 1 5\n"), HasSubstr("tristrips 0: a vertex is 5; accepted: 0 to 4"));
+}
+
+TEST(Ply, comments_may_lack_their_word_but_misspelt_statements_are_errors) {
+  std::string text = header("ascii") + "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n";
+  text.insert(text.find("element"), "Created by a scanner\nVCGLIB generated\n");
+  EXPECT_EQ(mesh(parse(text)).triangles.size(), 1u);
+  text.insert(text.find("element"), "elment face 1\n");
+  EXPECT_THAT(error_of(text), HasSubstr("'elment' is not a statement of the header"));
+}
+
 TEST(Ply, other_elements_are_left_out) {
   const Scene scene = parse(
       "ply\nformat ascii 1.0\nelement material 1\nproperty int a\nproperty list uchar int b\nelement vertex 3\nproperty float "

@@ -178,13 +178,16 @@ TEST_F(Tachyon, image_of_another_kind_is_an_error) {
               HasSubstr("scene.dat:4: 'a.txt' is not an image map of a known kind"));
 }
 
-TEST_F(Tachyon, side_file_outside_the_folder_is_refused) {
+TEST_F(Tachyon, picture_outside_the_folder_is_not_opened_and_white) {
   std::filesystem::create_directory(files.path("below"));
   std::filesystem::create_symlink("/", files.path("link"));
-  for (const std::string name : {"/etc/passwd.ppm", "../a.ppm", "below/../../a.ppm", "link/etc/passwd.ppm", ".."})
-    EXPECT_THAT(files.error_of_statements(planar(name)),
-                testing::AllOf(HasSubstr("scene.dat:4: '" + name + "' is not a file of this scene's folder"),
-                               HasSubstr("accepted: a file in the scene's own folder")));
+  for (const std::string name : {"/etc/passwd.ppm", "../a.ppm", "below/../../a.ppm", "link/etc/passwd.ppm", ".."}) {
+    files.warnings.clear();
+    const Scene scene = files.load_statements(planar(name));
+    EXPECT_THAT(files.warnings, ElementsAre(testing::AllOf(HasSubstr("'" + name + "' is not a file of this scene's folder"),
+                                                           HasSubstr("--asset-root DIR"))));
+    EXPECT_EQ(scene.textures.at(0).rgba.at(0), 255);
+  }
 }
 
 TEST_F(Tachyon, imagedef_in_all_digit_widths_becomes_a_texture) {

@@ -59,7 +59,7 @@ void check_extensions(const Json& root, std::set<std::string> used, Report& repo
 /// What a buffer refers to; `left` counts down the bytes that buffers may still load.
 Bytes fetch_buffer(const Json& buffer, const std::string& where, std::uint64_t& left, Document& document) {
   const std::string& uri = buffer.at("uri").get_ref<const std::string&>();
-  document.loaded.push_back(fetch(uri, document.folder, left, where, document.report));
+  document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));
   left -= std::min<std::uint64_t>(left, document.loaded.back().size());
   return document.loaded.back();
 }
@@ -136,6 +136,12 @@ void read_document(std::vector<std::byte> contents, Document& document) {
   check_accessors(document);
 }
 
+std::string image_problem(const Document& document, std::size_t image) {
+  const ImageSource& source = document.images[image];
+  if (source.buffer_view >= 0 || source.uri.empty()) return {};
+  return uri_problem(source.uri, document.folders, document.report.where(element("images", image)));
+}
+
 Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage) {
   const ImageSource& source = document.images[image];
   const std::string where = element("images", image);
@@ -144,7 +150,7 @@ Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::
     return document.buffers[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength);
   }
   if (source.uri.empty()) document.report.fail(where, "has neither a uri nor a buffer view");
-  storage = fetch(source.uri, document.folder, document.limits.file_bytes, where, document.report);
+  storage = fetch(source.uri, document.folders, document.limits.file_bytes, where, document.report);
   return storage;
 }
 

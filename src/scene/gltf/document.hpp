@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/gltf.hpp"
 #include "scene/gltf/container.hpp"
 #include "scene/gltf/report.hpp"
+#include "scene/side_file.hpp"
 
 namespace lippmann::gltf {
 
@@ -43,10 +45,13 @@ struct PackedView {
 /// Holds: every index in `model` refers to something that exists, every buffer view lies within its buffer, every accessor
 /// within its buffer views. `model` has neither buffers nor images; they are here.
 struct Document {
-  Document(const std::filesystem::path& path, const Context& context, const GltfLimits& file_limits)
-      : folder(path.parent_path()), limits(file_limits), report(path.string(), context), unpacked(limits.unpacked_bytes) {}
+  Document(SideFolders side_folders, const std::filesystem::path& path, const Context& context, const GltfLimits& file_limits)
+      : folders(std::move(side_folders)),
+        limits(file_limits),
+        report(path.string(), context),
+        unpacked(limits.unpacked_bytes) {}
 
-  std::filesystem::path folder;
+  SideFolders folders;
   GltfLimits limits;
   Report report;
   Budget unpacked;
@@ -61,6 +66,9 @@ struct Document {
 
 /// Fills a document from a file's contents. Warns about extensions that are not read.
 void read_document(std::vector<std::byte> contents, Document& document);
+
+/// Why the file of an image cannot be used: it is missing, or not one that may be opened; empty: nothing speaks against it.
+std::string image_problem(const Document& document, std::size_t image);
 
 /// The encoded bytes of an image; `storage` keeps them where they are not in a buffer.
 Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage);

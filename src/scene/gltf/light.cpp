@@ -2,6 +2,10 @@
 // the squared distance, directional ones an illuminance in lux; all shine along their node's -z.
 #include "scene/gltf/light.hpp"
 
+#include <array>
+#include <charconv>
+#include <string_view>
+
 namespace lippmann::gltf {
 namespace {
 
@@ -9,7 +13,32 @@ namespace {
 /// told otherwise), and emission not: taken as they are, its lamps would outshine everything.
 constexpr float kLumensPerWatt = 683.0f;
 
-bool is_of_blender(const tinygltf::Model& model) { return model.asset.generator.find("Blender I/O") != std::string::npos; }
+using Version = std::array<int, 3>;
+
+/// The first exporter that converts units (October 2022, released with Blender 3.4). Those before wrote Blender's own numbers:
+/// watts of point and spot lamps, which shine into 4 pi steradians, and watts per square metre of suns.
+constexpr Version kFirstInLumens{3, 4, 39};
+
+/// "3.4.50" in "... v3.4.50"; numbers that are missing are 0.
+Version version_in(std::string_view generator) {
+  Version version{};
+  const std::size_t v = generator.rfind(" v");
+  if (v == generator.npos) return version;
+  const char *at = generator.data() + v + 2, *const end = generator.data() + generator.size();
+  for (int& number : version) {
+    at = std::from_chars(at, end, number).ptr;
+    if (at != end && *at == '.') ++at;
+  }
+  return version;
+}
+
+/// What a light's intensity is multiplied by, so that lamps are as bright beside emission as where the file was made.
+float scale_of(std::string_view generator, LightKind kind) {
+  const bool unnumbered = generator.find("Khronos Blender glTF 2.0 I/O") != generator.npos;  // before version 1.0.0
+  if (!unnumbered && generator.find("Blender I/O") == generator.npos) return 1.0f;
+  if (!unnumbered && version_in(generator) >= kFirstInLumens) return 1.0f / kLumensPerWatt;
+  return kind == LightKind::kDirectional ? 1.0f : 1.0f / (4.0f * kPi);
+}
 
 Light read_light(const tinygltf::Light& from, const std::string& where, const Report& report) {
   Light light;
@@ -38,9 +67,10 @@ void read_lights(Document& document, const NodeMap& nodes, Scene& scene) {
     const auto extension = node.extensions.find("KHR_lights_punctual");
     if (extension == node.extensions.end()) continue;
     const std::size_t index = static_cast<std::size_t>(extension->second.Get("light").GetNumberAsInt());
-    scene.lights.push_back(read_light(document.model.lights[index], element("lights", index), document.report));
-    scene.lights.back().node = static_cast<int>(i);
-    if (is_of_blender(document.model)) scene.lights.back().color /= kLumensPerWatt;
+    Light light = read_light(document.model.lights[index], element("lights", index), document.report);
+    light.node = static_cast<int>(i);
+    light.color *= scale_of(document.model.asset.generator, light.kind);
+    scene.lights.push_back(std::move(light));
   }
 }
 

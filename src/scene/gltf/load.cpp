@@ -125,10 +125,11 @@ void refuse_infinite_transforms(const Document& document, const NodeMap& nodes, 
 }  // namespace gltf
 
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
-                 const Context& context, const GltfLimits& limits, const std::string& animation) {
+                 const Context& context, const GltfLimits& limits, const std::string& animation,
+                 const std::filesystem::path& asset_root) {
   if (!(frames_per_second > 0.0) || !std::isfinite(frames_per_second))
     throw usage_error("frames per second", fmt::format("is {}", frames_per_second), "a number above 0");
-  gltf::Document document(path, context, limits);
+  gltf::Document document({path.parent_path(), asset_root}, path, context, limits);
   gltf::read_document(std::move(contents), document);
 
   Scene scene;
@@ -143,9 +144,10 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
 }
 
 Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context, const GltfLimits& limits,
-                const std::string& animation) {
+                const std::string& animation, const std::filesystem::path& asset_root) {
   const gltf::Report report(path.string(), context);
-  return parse_gltf(gltf::read_file(path, limits.file_bytes, {}, report), path, frames_per_second, context, limits, animation);
+  return parse_gltf(gltf::read_file(path, limits.file_bytes, {}, report), path, frames_per_second, context, limits, animation,
+                    asset_root);
 }
 
 }  // namespace lippmann

@@ -6,12 +6,9 @@
 #include <optional>
 
 #include "scene/gltf/container.hpp"
-#include "scene/side_file.hpp"
 
 namespace lippmann::gltf {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -59,6 +56,8 @@ std::string percent_decode(std::string_view uri) {
   return result;
 }
 
+bool is_address(const std::string& name) { return name.find("://") != std::string::npos; }
+
 std::vector<std::byte> decode_data_uri(std::string_view uri, std::string_view element, const Report& report) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64"))
@@ -70,13 +69,20 @@ std::vector<std::byte> decode_data_uri(std::string_view uri, std::string_view el
 
 }  // namespace
 
-std::vector<std::byte> fetch(std::string_view uri, const fs::path& folder, std::uint64_t limit, std::string_view element,
+std::string uri_problem(std::string_view uri, const SideFolders& folders, const std::string& where) {
+  if (uri.starts_with("data:")) return {};
+  const std::string name = percent_decode(uri);
+  if (is_address(name)) return shown(name) + " is an address in the net";
+  return find_side_file(folders, name, where).problem;
+}
+
+std::vector<std::byte> fetch(std::string_view uri, const SideFolders& folders, std::uint64_t limit, std::string_view element,
                              const Report& report) {
   if (uri.starts_with("data:")) return decode_data_uri(uri, element, report);
   const std::string name = percent_decode(uri);
-  if (name.find("://") != std::string::npos)
+  if (is_address(name))
     report.fail(element, shown(name) + " is an address in the net", "a file in the scene's own folder or below it");
-  return read_file(side_file(folder, name, report.where(element)), limit, element, report);
+  return read_file(side_file(folders, name, report.where(element)), limit, element, report);
 }
 
 }  // namespace lippmann::gltf

@@ -29,6 +29,11 @@ int TextureReader::read(int index, bool srgb) {
     document_.report.warn_at("textures without a PNG or JPEG image are white", where);
     return -1;
   }
+  if (const std::string problem = image_problem(document_, static_cast<std::size_t>(texture.source)); !problem.empty()) {
+    document_.report.warn_at(problem + "; the surface is shown without it",
+                             element("images", static_cast<std::size_t>(texture.source)));
+    return -1;
+  }
   tinygltf::Sampler sampler;
   if (texture.sampler >= 0) sampler = document_.model.samplers[static_cast<std::size_t>(texture.sampler)];
   const std::string sampler_where = element("samplers", static_cast<std::size_t>(std::max(texture.sampler, 0)));

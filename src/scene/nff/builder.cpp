@@ -9,6 +9,7 @@
 #include "scene/directions.hpp"
 #include "scene/nff/cone.hpp"
 #include "scene/polygon.hpp"
+#include "scene/wind_by_normals.hpp"
 
 namespace lippmann::nff {
 namespace {
@@ -94,6 +95,7 @@ void Builder::add_polygon(std::span<const Vec3f> corners, std::span<const Vec3f>
 void Builder::finish(Scene& scene) {
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     Group& g = groups_[i];
+    wind_by_normals(g.smooth);
     const int material = static_cast<int>(scene.materials.size());
     scene.materials.push_back({fmt::format("fill {}", i), surface_of(fills_[i])});
     add_instance(scene, material, g.facets, g.facets.triangles.empty(), "polygons");

@@ -215,8 +215,8 @@ Scene parse_nff(const std::string& name, std::string text, const Context& contex
 }
 
 Scene load_nff(const std::filesystem::path& path, const Context& context) {
-  Scene scene =
-      parse_nff(path.string(), read_text_file(path, path.string(), nff::kLargestFile, "at most 256 MiB of text"), context);
+  Scene scene = parse_nff(
+      path.string(), utf8_text(read_text_file(path, path.string(), nff::kLargestFile, "at most 256 MiB of text")), context);
   scene.name = path.stem().string();
   return scene;
 }

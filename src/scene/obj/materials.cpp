@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/printable.hpp"
@@ -17,8 +18,6 @@
 
 namespace lippmann::obj {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestText = std::size_t{64} << 20, kLargestPicture = std::size_t{256} << 20;
 constexpr TextureBudget kTextures{16384, std::uint64_t{512} << 20, std::uint64_t{512} << 20};
@@ -119,12 +118,11 @@ void parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
 
 }  // namespace
 
-Materials::Materials(const fs::path& folder, Scene& scene, const Context& context)
-    : folder_(folder), scene_(scene), context_(context), budget_(kTextures), text_left_(kLargestText) {}
+Materials::Materials(SideFolders folders, Scene& scene, const Context& context)
+    : folders_(std::move(folders)), scene_(scene), context_(context), budget_(kTextures), text_left_(kLargestText) {}
 
 bool Materials::exists(std::string_view name, const std::string& where) const {
-  std::error_code ignored;
-  return fs::is_regular_file(side_file(folder_, name, where), ignored);
+  return find_side_file(folders_, name, where).problem.empty();
 }
 
 void Materials::read_library(std::string_view names, const std::string& where) {
@@ -134,12 +132,11 @@ void Materials::read_library(std::string_view names, const std::string& where) {
 
 void Materials::read_file(const std::string& name, const std::string& where) {
   if (!read_.insert(name).second) return;
-  if (!exists(name, where))
-    return context_.warning(fmt::format("{}: {} does not exist; its surfaces are grey.", where, shown(name)));
-  const fs::path file = side_file(folder_, name, where);
-  std::string text = read_text_file(file, where, text_left_, "at most 64 MiB of materials");
+  const SideFile file = find_side_file(folders_, name, where);
+  if (!file.problem.empty()) return context_.warning(fmt::format("{}: {}; its surfaces are grey.", where, file.problem));
+  std::string text = read_text_file(file.path, where, text_left_, "at most 64 MiB of materials");
   text_left_ -= text.size();
-  Lexer lexer(file.string(), std::move(text));
+  Lexer lexer(file.path.string(), utf8_text(std::move(text)));
   int index = -1;
   Draft draft;
   const auto finish = [&] {
@@ -171,12 +168,12 @@ int Materials::texture(std::string_view statement, const std::string& where) {
   const std::string name = map_file(statement);
   const auto [known, is_new] = textures_.try_emplace(name, -1);
   if (!is_new) return known->second;
-  if (!exists(name, where)) {
-    context_.warning(fmt::format("{}: {} does not exist; the surface is shown without it.", where, shown(name)));
+  const SideFile file = find_side_file(folders_, name, where);
+  if (!file.problem.empty()) {
+    context_.warning(fmt::format("{}: {}; the surface is shown without it.", where, file.problem));
     return -1;
   }
-  const std::string picture =
-      read_text_file(side_file(folder_, name, where), where, kLargestPicture, "at most 256 MiB for a picture");
+  const std::string picture = read_text_file(file.path, where, kLargestPicture, "at most 256 MiB for a picture");
   const std::span<const std::byte> encoded = std::as_bytes(std::span(picture));
   if (!is_texture_image(encoded)) {
     context_.warning(fmt::format("{}: {} is neither PNG nor JPEG; the surface is shown without it.", where, shown(name)));

@@ -1,7 +1,6 @@
 // The materials of an OBJ file, from its .mtl files.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -9,16 +8,17 @@
 
 #include "core/context.hpp"
 #include "scene/scene.hpp"
+#include "scene/side_file.hpp"
 #include "scene/texture_image.hpp"
 
 namespace lippmann::obj {
 
 class Materials {
  public:
-  /// folder: of the .obj file. Materials and textures go to the scene.
-  Materials(const std::filesystem::path& folder, Scene& scene, const Context& context);
+  /// folders: where files may lie. Materials and textures go to the scene.
+  Materials(SideFolders folders, Scene& scene, const Context& context);
 
-  /// Reads what an mtllib statement at `where` names: a file, or several. Files that do not exist are a warning.
+  /// Reads what an mtllib statement at `where` names: a file, or several. Files that cannot be used are a warning.
   void read_library(std::string_view names, const std::string& where);
 
   /// The index of a material; of one that no library has, with a warning, a grey one. Empty: grey.
@@ -29,7 +29,7 @@ class Materials {
   int texture(std::string_view statement, const std::string& where);
   bool exists(std::string_view name, const std::string& where) const;
 
-  std::filesystem::path folder_;
+  SideFolders folders_;
   Scene& scene_;
   const Context& context_;
   std::map<std::string, int, std::less<>> known_;     ///< materials by name

@@ -19,6 +19,7 @@
 #include "scene/obj/materials.hpp"
 #include "scene/polygon.hpp"
 #include "scene/text_file.hpp"
+#include "scene/wind_by_normals.hpp"
 
 namespace lippmann {
 namespace obj {
@@ -54,8 +55,8 @@ Vec3f linear(Vec3f srgb) {
 
 class Reader {
  public:
-  Reader(Lexer& lexer, const std::filesystem::path& folder, Scene& scene, const Context& context)
-      : lexer_(lexer), scene_(scene), context_(context), materials_(folder, scene, context) {}
+  Reader(Lexer& lexer, const SideFolders& folders, Scene& scene, const Context& context)
+      : lexer_(lexer), scene_(scene), context_(context), materials_(folders, scene, context) {}
 
   void read() {
     while (!lexer_.at_end()) {
@@ -185,6 +186,7 @@ class Reader {
       context_.warning(fmt::format("{}: {} statements that are not about polygons are left out.", first_skipped_, skipped_));
     for (auto& [key, part] : parts_) {
       if (part.mesh.triangles.empty()) continue;
+      wind_by_normals(part.mesh);
       if (!part.mesh.colors.empty()) part.mesh.colors.resize(part.mesh.positions.size(), Vec3f(1.0f));
       Instance instance;
       instance.name = std::get<0>(key);
@@ -224,13 +226,13 @@ void join_lines(std::string& text) {
 }  // namespace
 }  // namespace obj
 
-Scene load_obj(const std::filesystem::path& path, const Context& context) {
-  std::string text = read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text");
+Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root) {
+  std::string text = utf8_text(read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text"));
   obj::join_lines(text);
   Lexer lexer(path.string(), std::move(text));
   Scene scene;
   scene.name = path.stem().string();
-  obj::Reader(lexer, path.parent_path(), scene, context).read();
+  obj::Reader(lexer, {path.parent_path(), asset_root}, scene, context).read();
   return scene;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/printable.hpp"
+#include "core/suggest.hpp"
 
 namespace lippmann::ply {
 namespace {
@@ -72,9 +73,17 @@ class HeaderReader {
       add_property({std::string(words[2]), type(words[1]), {}});
     else if (words[0] == "property" && words.size() == 5 && words[1] == "list")
       add_property({std::string(words[4]), type(words[3]), type(words[2])});
-    else
+    else if (is_meant_as_statement(words[0]))
       throw error(fmt::format("{} is not a statement of the header", shown(words[0])),
                   "format NAME 1.0, element NAME COUNT, property TYPE NAME, property list TYPE TYPE NAME, comment, end_header");
+  }
+
+  /// Whether a line is a statement that is damaged or misspelt; else it is a comment without the word, as some programs write.
+  static bool is_meant_as_statement(std::string_view word) {
+    constexpr std::string_view kStatements[] = {"format", "element", "property", "end_header"};
+    constexpr int kMisspelt = 2;
+    return std::any_of(std::begin(kStatements), std::end(kStatements),
+                       [&](std::string_view statement) { return edit_distance(word, statement) <= kMisspelt; });
   }
 
   void parse_format(std::string_view format, std::string_view version) {

@@ -16,6 +16,7 @@
 #include "scene/ply/header.hpp"
 #include "scene/polygon.hpp"
 #include "scene/text_file.hpp"
+#include "scene/wind_by_normals.hpp"
 
 namespace lippmann {
 namespace ply {
@@ -51,8 +52,9 @@ class Body {
   }
 
   /// A whole number from 0 to `highest`.
-  std::uint32_t index(Type type, double highest, std::string_view what) {
-    const double result = value(type);
+  std::uint32_t index(Type type, double highest, std::string_view what) { return checked_index(value(type), highest, what); }
+
+  std::uint32_t checked_index(double result, double highest, std::string_view what) const {
     if (!(0.0 <= result && result <= highest && result == std::floor(result)))
       throw error(fmt::format("{} is {}", what, result), fmt::format("0 to {}", highest));
     return static_cast<std::uint32_t>(result);
@@ -138,6 +140,8 @@ class Reader {
         read_vertices(element);
       else if (element.name == "face")
         read_faces(element);
+      else if (element.name == "tristrips")
+        read_strips(element);
       else
         skip(element);
     }
@@ -145,6 +149,7 @@ class Reader {
     const auto is_zero = [](Vec3f n) { return n == Vec3f(0.0f); };
     if (std::any_of(mesh_.normals.begin(), mesh_.normals.end(), is_zero)) mesh_.normals.clear();
     for (Vec3f& normal : mesh_.normals) normal = direction_of(normal);
+    wind_by_normals(mesh_);
     return std::move(mesh_);
   }
 
@@ -198,6 +203,50 @@ class Reader {
       if (std::min({red, green, blue}) >= 0) mesh_.colors.emplace_back(linear(red), linear(green), linear(blue));
       if (alpha >= 0) mesh_.alphas.push_back(static_cast<float>(share(element, alpha)));
     }
+  }
+
+  /// A value that ends one strip and begins the next: -1, in whatever type.
+  static bool ends_strip(double value) { return value == -1.0 || value == 4294967295.0; }
+
+  /// Strips of triangles, as Stanford's scans have them: a list of vertices in which -1 ends a strip.
+  void read_strips(const Element& element) {
+    const int list = find(element, {"vertex_indices", "vertex_index"});
+    if (list < 0 || !element.properties[static_cast<std::size_t>(list)].count_type)
+      throw Error(name_, "its strips have no vertices", "a list vertex_indices");
+    for (std::int64_t row = 0; row < element.count; ++row) {
+      body_.set_place(element.name, row);
+      for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const Property& property = element.properties[i];
+        if (static_cast<int>(i) == list)
+          read_strip_list(property);
+        else if (property.count_type)
+          read_list(property, nullptr);
+        else
+          body_.value(property.type);
+      }
+    }
+  }
+
+  void read_strip_list(const Property& list) {
+    const std::uint32_t count = body_.index(*list.count_type, 4294967295.0, "the length of a list");
+    corners_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double value = body_.value(list.type);
+      if (ends_strip(value))
+        corners_.clear();
+      else
+        extend_strip(body_.checked_index(value, static_cast<double>(mesh_.positions.size()) - 1.0, "a vertex"));
+    }
+  }
+
+  /// Every second triangle of a strip winds the other way. Two equal corners are how strips are joined.
+  void extend_strip(std::uint32_t corner) {
+    corners_.push_back(corner);
+    const std::size_t n = corners_.size();
+    if (n < 3) return;
+    std::uint32_t a = corners_[n - 3], b = corners_[n - 2];
+    if (n % 2 == 0) std::swap(a, b);
+    if (a != b && b != corner && a != corner) mesh_.triangles.push_back({a, b, corner});
   }
 
   void read_faces(const Element& element) {
@@ -276,7 +325,7 @@ Scene parse_ply(const std::string& name, const std::string& contents, const Cont
 
 Scene load_ply(const std::filesystem::path& path, const Context& context) {
   const std::string name = path.string();
-  Scene scene = parse_ply(name, read_text_file(path, name, ply::kLargestFile, "at most 1 GiB"), context);
+  Scene scene = parse_ply(name, utf8_text(read_text_file(path, name, ply::kLargestFile, "at most 1 GiB")), context);
   scene.name = path.stem().string();
   return scene;
 }

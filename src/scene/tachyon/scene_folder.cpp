@@ -1,21 +1,28 @@
 #include "scene/tachyon/scene_folder.hpp"
 
-#include "scene/side_file.hpp"
+#include <utility>
+
 #include "scene/text_file.hpp"
 
 namespace lippmann::tachyon {
 
 namespace fs = std::filesystem;
 
-SceneFolder::SceneFolder(const fs::path& scene_file)
-    : folder_(scene_file.has_parent_path() ? scene_file.parent_path() : fs::path(".")) {}
+SceneFolder::SceneFolder(const fs::path& scene_file, const fs::path& asset_root)
+    : folders_{scene_file.parent_path(), asset_root} {}
 
-fs::path SceneFolder::resolve(std::string_view name, const std::string& where) const { return side_file(folder_, name, where); }
+SideFile SceneFolder::find(std::string_view name, const std::string& where) const {
+  return find_side_file(folders_, name, where);
+}
+
+fs::path SceneFolder::resolve(std::string_view name, const std::string& where) const {
+  return side_file(folders_, name, where);
+}
 
 std::string SceneFolder::read_text(const fs::path& file, const std::string& where) {
   std::string text = read_text_file(file, where, budget_bytes_, "at most 1 GiB of text, included files counted");
   budget_bytes_ -= text.size();
-  return text;
+  return utf8_text(std::move(text));
 }
 
 }  // namespace lippmann::tachyon

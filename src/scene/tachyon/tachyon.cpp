@@ -50,8 +50,8 @@ void animate_camera(Scene& scene, Lexer& path) {
 }  // namespace tachyon
 
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
-                   const Context& context, double frames_per_second) {
-  tachyon::SceneFolder folder(path);
+                   const Context& context, double frames_per_second, const std::filesystem::path& asset_root) {
+  tachyon::SceneFolder folder(path, asset_root);
   Lexer lexer(path.string(), folder.read_text(path, path.string()));
   Scene scene = tachyon::read_scene(lexer, folder, context, frames_per_second);
   scene.name = path.stem().string();

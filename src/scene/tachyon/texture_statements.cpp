@@ -53,13 +53,11 @@ void parse_coefficients(Lexer& lexer, PhongSurface& surface, std::string_view la
 int image_named(Lexer& lexer, ParserState& state) {
   const std::string_view name = lexer.word("the image map's file name");
   if (const auto known = state.images.find(name); known != state.images.end()) return known->second;
-  const std::filesystem::path file = state.folder.resolve(name, lexer.where());
-  std::error_code failure;
-  const bool there = std::filesystem::exists(file, failure);
-  if (!there)
-    state.context.warning(fmt::format("{}: the image map {} does not exist; white is shown.", lexer.where(), shown(name)));
+  const SideFile file = state.folder.find(name, lexer.where());
+  const bool usable = file.problem.empty();
+  if (!usable) state.context.warning(fmt::format("{}: the image map {}; white is shown.", lexer.where(), file.problem));
   const int texture =
-      state.builder.add_texture(there ? read_image_map(file, lexer.where()) : white_image_map(std::string(name)));
+      state.builder.add_texture(usable ? read_image_map(file.path, lexer.where()) : white_image_map(std::string(name)));
   state.images.emplace(name, texture);
   return texture;
 }

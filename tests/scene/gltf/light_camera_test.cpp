@@ -94,6 +94,25 @@ TEST(GltfLight, of_blenders_exporter_shines_as_in_blender) {
   EXPECT_NEAR(parse(b).lights.at(0).color.x, 7.9577f, 1e-3f);
 }
 
+float scale_by(const std::string& generator, const std::string& type) {
+  GltfBuilder b = lit_by({{"type", type}, {"intensity", 100}, {"spot", Json::object()}});
+  b.root["asset"]["generator"] = generator;
+  return parse(b).lights.at(0).color.x / 100.0f;
+}
+
+// 1 / 683 = 0.001464; 1 / (4 pi) = 0.079577.
+TEST(GltfLight, of_older_exporters_of_blender_is_in_watts) {
+  const std::string name = "Khronos glTF Blender I/O v";
+  EXPECT_NEAR(scale_by(name + "3.4.39", "point"), 0.001464f, 1e-6f);
+  EXPECT_NEAR(scale_by(name + "3.10.2", "point"), 0.001464f, 1e-6f);
+  EXPECT_NEAR(scale_by(name + "3.4.38", "point"), 0.079577f, 1e-5f);
+  EXPECT_NEAR(scale_by(name + "1.4.40", "spot"), 0.079577f, 1e-5f);
+  EXPECT_EQ(scale_by(name + "1.4.40", "directional"), 1.0f);
+  EXPECT_NEAR(scale_by(name + "4.2.70", "directional"), 0.001464f, 1e-6f);
+  EXPECT_NEAR(scale_by("Khronos Blender glTF 2.0 I/O", "point"), 0.079577f, 1e-5f);
+  EXPECT_EQ(scale_by("another exporter v1.0", "point"), 1.0f);
+}
+
 // ---- Scenes without lights ------------------------------------------------------------------------------------------
 
 TEST(GltfLight, scene_with_a_light_keeps_a_black_background) {

@@ -377,6 +377,17 @@ TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_refused
             "a.glb: images[1]: the textures decode to too much memory; accepted: at most 31 bytes together");
 }
 
+TEST(GltfTexture, image_file_that_is_missing_or_elsewhere_is_left_out_with_a_warning) {
+  for (const std::string uri : {"none.png", "/etc/none.png", "../none.png", "https://example.org/a.png"}) {
+    GltfBuilder b = textured({1});
+    b.root["images"][0] = {{"uri", uri}};
+    std::vector<std::string> warnings;
+    const Scene scene = parse(b, &warnings);
+    EXPECT_TRUE(scene.textures.empty());
+    EXPECT_THAT(warnings, testing::ElementsAre(testing::AllOf(HasSubstr(uri), HasSubstr("the surface is shown without it"))));
+  }
+}
+
 TEST(GltfTexture, image_without_a_source_is_an_error) {
   GltfBuilder b = textured(four_colours());
   b.root["images"][0].erase("bufferView");
