@@ -90,8 +90,8 @@ LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& 
     }
     const float each = 1.0f / std::max(known, 1.0f);
     around *= each, level *= each, clear_around *= each;
-    // What the pixel is taken to be like: itself, once it has a say, or else what is around it, as it is shown: a mean with what is
-    // overexposed would be white.
+    // What the pixel is taken to be like: itself, once it has a say, or else what is around it, as it is shown: a mean with
+    // what is overexposed would be white.
     const float like = own_share > 0.0f ? mean[0] : level, clear_like = own_share > 0.0f ? clear[0] : clear_around;
     for (const int step : {-1, 1, -kLanes, kLanes}) {
       const bool inside = (e + step >= 0) & (e + step < size);

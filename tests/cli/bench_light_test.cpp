@@ -51,18 +51,18 @@ TEST(BenchLight, kept_references_serve_again_and_damaged_or_other_ones_do_not) {
   const TempDir dir;
   const Words scene{"--scene", "primitives", "--frames", "2"};
   const Json first = light_rows(dir, scene)[0], second = light_rows(dir, scene)[0];
-  EXPECT_EQ(first["references_rendered"], 2);
-  EXPECT_EQ(second["references_kept"], 2);
+  EXPECT_EQ(first["references_rendered"], 4);  // two halves for each of two frames
+  EXPECT_EQ(second["references_kept"], 4);
   EXPECT_EQ(second["references_rendered"], 0);
   EXPECT_EQ(second["full_psnr_db"], first["full_psnr_db"]);
 
   for (const auto& entry : std::filesystem::directory_iterator(dir / "references"))
     if (entry.path().filename().string().starts_with("primitives_0001")) std::ofstream(entry.path()) << "not a picture";
   const Json mended = light_rows(dir, scene)[0];
-  EXPECT_EQ(mended["references_rendered"], 1);
+  EXPECT_EQ(mended["references_rendered"], 2);  // both halves of the frame
   EXPECT_EQ(mended["full_psnr_db"], first["full_psnr_db"]);
 
-  EXPECT_EQ(light_rows(dir, scene + Words{"--reference-spp", "32"})[0]["references_rendered"], 2);
+  EXPECT_EQ(light_rows(dir, scene + Words{"--reference-spp", "32"})[0]["references_rendered"], 4);
 }
 
 TEST(BenchLight, unknown_scene_is_refused) {
