@@ -42,14 +42,8 @@ double rate_of(const Options& options, const std::vector<NumberedFrame>& frames)
 
 /// All of the folder's, or those that are said; none of them may be missing.
 std::vector<NumberedFrame> wanted_frames(const Options& options) {
-  if (options.frames.empty()) return find_frames(options.from, std::nullopt, std::nullopt);
-  const std::vector<int> said = frames_of(read_frames(options.frames, "--frames"));
-  std::vector<NumberedFrame> found;
-  for (std::size_t first = 0, last = 0; first < said.size(); first = last + 1) {
-    for (last = first; last + 1 < said.size() && said[last + 1] == said[last] + 1;) ++last;
-    for (NumberedFrame& frame : find_frames(options.from, said[first], said[last])) found.push_back(std::move(frame));
-  }
-  return found;
+  if (options.frames.empty()) return find_frames(options.from);
+  return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));
 }
 
 int run(const Options& options, Context& context) {

@@ -198,7 +198,7 @@ void add_render_command(const Command& root, Action& chosen) {
       .group("Running");
   command
       .add_flag("-n,--dry-run", options->dry_run,
-                "Check everything, say what would be made and how large it is, and make nothing")
+                "Check the scene and the settings, say what would be made and how large it is, and make nothing")
       .group("Running");
   command.short_help({"--output", "--frames", "--camera", "--display",    "--optics", "--lenses",      "--lens-pixels",
                       "--size",   "--views",  "--layout", "--integrator", "--spp",    "--environment", "--exposure",

@@ -118,6 +118,11 @@ int count_kept(const RenderParams& params, const FinishedFrames& finished, const
   return static_cast<int>(std::count_if(frames.begin(), frames.end(), is_kept));
 }
 
+std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
+  if (format == PictureFormat::kExr) return exr_pixels == ExrPixels::kFloat ? 4 : 2;
+  return format == PictureFormat::kPng16 ? 2 : 1;
+}
+
 void write_report(const fs::path& file, const RenderReport& report) {
   const std::string text = json_to_text(to_json(report)) + '\n';
   write_file_atomically(file, std::as_bytes(std::span(text)));
@@ -126,13 +131,9 @@ void write_report(const fs::path& file, const RenderReport& report) {
 }  // namespace
 
 std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels) {
-  const auto channel_bytes = [&]() -> std::uint64_t {
-    if (plan.names.format == PictureFormat::kExr) return exr_pixels == ExrPixels::kFloat ? 4 : 2;
-    return plan.names.format == PictureFormat::kPng16 ? 2 : 1;
-  };
   const auto pixels = static_cast<std::uint64_t>(plan.picture_size.x) * static_cast<std::uint64_t>(plan.picture_size.y);
   const auto pictures = plan.frames.size() * static_cast<std::size_t>(std::max(1, plan.names.views));
-  return 3 * channel_bytes() * pixels * pictures;
+  return 3 * channel_bytes(plan.names.format, exr_pixels) * pixels * pictures;
 }
 
 RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {

@@ -1,7 +1,6 @@
 #include "render/choose_camera.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -26,18 +25,11 @@ std::size_t find_camera(const std::vector<std::string>& names, const std::string
   return failure == std::errc{} && rest == end && index < names.size() ? index : kNone;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", printable(names[i]), i);
-  return text;
-}
-
 Error no_such_camera(const std::vector<std::string>& names, const std::string& wanted) {
   if (names.empty()) return usage_error("--camera", "the scene has no cameras", "no --camera with it");
   const std::string nearest = nearest_name(wanted, std::vector<std::string_view>(names.begin(), names.end()));
   const std::string hint = nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", printable(nearest));
-  return usage_error("--camera", fmt::format("{} is not in the scene{}", shown(wanted), hint), listed(names));
+  return usage_error("--camera", fmt::format("{} is not in the scene{}", shown(wanted), hint), list_cameras(names));
 }
 
 /// Rotations by multiples of 90 degrees, exactly.
@@ -79,6 +71,12 @@ std::vector<std::string> camera_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Camera& camera : scene.cameras) names.push_back(camera.name);
   return names;
+}
+
+std::string list_cameras(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", printable(names[i]), i);
+  return text;
 }
 
 void choose_camera(Scene& scene, const std::string& wanted) {

@@ -13,6 +13,9 @@ enum class UpAxis { kY, kX, kZ, kMinusX, kMinusY, kMinusZ };
 /// What the scene's cameras are called, in the file's order; an empty name where one has none.
 std::vector<std::string> camera_names(const Scene& scene);
 
+/// "Front (0), Side (1)": what --camera accepts.
+std::string list_cameras(const std::vector<std::string>& names);
+
 /// Puts the camera of that name, or else of that index, first: the first one decides the view, also where the scene places an
 /// array of its own. Empty: changes nothing. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, const std::string& wanted);

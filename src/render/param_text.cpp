@@ -85,6 +85,8 @@ std::string write_extent(const Extent<int>& extent) { return format_extent(exten
 std::string write_extent(const Extent<float>& extent) { return format_extent(extent); }
 
 FrameRanges read_frames(std::string_view text, const std::string& where) {
+  constexpr std::int64_t kMost = 10'000'000;
+  std::int64_t count = 0;
   FrameRanges ranges;
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t comma = std::min(text.find(',', start), text.size());
@@ -92,6 +94,9 @@ FrameRanges read_frames(std::string_view text, const std::string& where) {
     if (!range)
       throw usage_error(where, fmt::format("'{}' does not say which frames", text),
                         "A-B with 0 <= A <= B, one frame A, every S-th as A-B:S, or several of these: 0,2,4-8,10-20:5");
+    count += (std::int64_t{range->last} - range->first) / range->step + 1;
+    if (count > kMost)
+      throw usage_error(where, fmt::format("'{}' are too many frames", text), fmt::format("at most {}", kMost));
     ranges.push_back(*range);
     start = comma + 1;
   }

@@ -74,14 +74,6 @@ std::string list_animations(const SceneInfo& info) {
   return text;
 }
 
-/// "Front (0), Side (1)".
-std::string list_cameras(const SceneInfo& info) {
-  std::string text;
-  for (std::size_t i = 0; i < info.camera_names.size(); ++i)
-    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", printable(info.camera_names[i]), i);
-  return text;
-}
-
 /// "3 meshes, 1 light": what there is at all.
 std::string list_counts(std::initializer_list<std::pair<std::size_t, std::string_view>> counts) {
   std::string text;
@@ -167,7 +159,7 @@ std::string to_text(const SceneInfo& info) {
                               {info.textures, "texture"},
                               {info.lights, "light"},
                               {info.cameras, "camera"}}));
-  if (info.cameras > 1) line("cameras", list_cameras(info) + "; --camera chooses");
+  if (info.cameras > 1) line("cameras", list_cameras(info.camera_names) + "; --camera chooses");
   line("animation",
        fmt::format("{} frames at {:g} a second = {:.1f} s; {} of {} instances move", info.frames, info.frames_per_second,
                    info.frames / info.frames_per_second, info.moving_instances, info.instances));

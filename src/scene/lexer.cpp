@@ -27,25 +27,17 @@ bool is_harmless_rest(std::string_view rest) {
   return rest.find_first_not_of("0123456789", 2) == std::string_view::npos;
 }
 
-/// The number that a word begins with, where what follows is harmless; else the whole word.
-std::string_view without_rest(std::string_view word) {
-  double ignored = 0.0;
-  const char* const end = word.data() + word.size();
-  const char* const rest = std::from_chars(word.data(), end, ignored).ptr;
-  const bool has_rest = rest != word.data() && is_harmless_rest({rest, static_cast<std::size_t>(end - rest)});
-  return has_rest ? word.substr(0, static_cast<std::size_t>(rest - word.data())) : word;
-}
-
-/// A finite number; too small for a float: zero.
+/// The finite number that a word begins with, where nothing but what is harmless follows; too small for a float: zero.
 std::optional<float> parse_float(std::string_view word) {
-  word = without_rest(without_plus(word));
+  word = without_plus(word);
   float value = 0.0f;
   const char* const end = word.data() + word.size();
   const auto [rest, failure] = std::from_chars(word.data(), end, value);
-  if (rest != end) return std::nullopt;
+  if (rest == word.data()) return std::nullopt;
+  if (rest != end && !is_harmless_rest({rest, static_cast<std::size_t>(end - rest)})) return std::nullopt;
   if (failure == std::errc{}) return std::isfinite(value) ? std::optional(value) : std::nullopt;
   double wide = 0.0;
-  if (std::from_chars(word.data(), end, wide).ec == std::errc{} && std::abs(wide) < 1.0) return static_cast<float>(wide);
+  if (std::from_chars(word.data(), rest, wide).ec == std::errc{} && std::abs(wide) < 1.0) return static_cast<float>(wide);
   return std::nullopt;
 }
 

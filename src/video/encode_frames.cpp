@@ -6,6 +6,7 @@
 #include <charconv>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "core/background.hpp"
@@ -92,16 +93,20 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
 
 }  // namespace
 
-std::vector<NumberedFrame> find_frames(const std::string& from, std::optional<int> first, std::optional<int> last) {
+std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted) {
   const std::map<std::string, Series> all = series_in(names_of(from));
   const Series& series = chosen_series(from, all);
-  const int begin = first.value_or(series.begin()->first), end = last.value_or(series.rbegin()->first);
+  const int begin = series.begin()->first, end = series.rbegin()->first;
+  if (wanted.empty()) {
+    // A gap ends the search, however far apart the numbers are.
+    for (int number = begin; wanted.size() <= series.size() && number <= end; ++number) wanted.push_back(number);
+  }
   std::vector<NumberedFrame> frames;
-  for (int number = begin; number <= end; ++number) {
+  for (const int number : wanted) {
     const auto found = series.find(number);
     if (found == series.end())
       throw Error(from, fmt::format("frame {} is missing", number),
-                  fmt::format("all from {} to {}, or --range with those that are there", begin, end));
+                  fmt::format("all from {} to {}, or --frames with those that are there", begin, end));
     frames.push_back({number, found->second});
   }
   return frames;

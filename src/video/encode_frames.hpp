@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +16,11 @@ struct NumberedFrame {
   std::filesystem::path path;
 };
 
-/// The frames that `from` names, ascending and without a gap: a folder (of frame_0000.png, ..., or of whatever one series of
+/// The frames that `from` names, none of them missing: a folder (of frame_0000.png, ..., or of whatever one series of
 /// numbered pictures it holds, quilts' names included), or a pattern for the name of files, in which * or %04d stands for the
-/// number. `first`, `last`: only these; none: from the lowest to the highest number.
+/// number. `wanted`: only these, in this order; empty: all from the lowest to the highest number.
 /// Throws Error naming the folder and the first frame that is missing.
-std::vector<NumberedFrame> find_frames(const std::string& from, std::optional<int> first = {}, std::optional<int> last = {});
+std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted = {});
 
 /// `out` with the quilt's name that the frames have, unless it says one itself: room.mp4 of frame_0000_qs8x6a0.75.png, ...
 /// becomes room_qs8x6a0.75.mp4.

@@ -178,6 +178,14 @@ TEST(ParamsTable, frames_accept_lists_and_steps) {
   EXPECT_EQ(param("frames").get(params), Values{"20,0-9:3,4,4-5"});
 }
 
+TEST(ParamsTable, more_frames_than_anything_has_are_refused_before_they_are_listed) {
+  EXPECT_THAT(message_of_setting("frames", "0-2147483647"), HasSubstr("at most 10000000"));
+  EXPECT_THAT(message_of_setting("frames", "0-9999999,0"), HasSubstr("at most 10000000"));
+  RenderParams params;
+  param("frames").set(params, {"0-2147483647:1000"}, "test");
+  EXPECT_EQ(frames_of(*params.frames).size(), 2147484u);
+}
+
 TEST(ParamsTable, viewing_distance_reads_auto_inf_and_millimetres) {
   RenderParams params;
   param("viewing-distance").set(params, {"inf"}, "test");

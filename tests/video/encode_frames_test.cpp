@@ -37,7 +37,7 @@ TEST(FindFrames, folder_gives_its_frames_by_number_past_other_pictures) {
   const std::vector<NumberedFrame> frames = find_frames(dir.path());
   EXPECT_THAT(numbers(frames), ElementsAre(9, 10, 11));
   EXPECT_EQ(frames[0].path.filename(), "frame_0009.png");
-  EXPECT_THAT(numbers(find_frames(dir.path(), 10, 11)), ElementsAre(10, 11));
+  EXPECT_THAT(numbers(find_frames(dir.path(), {10, 11})), ElementsAre(10, 11));
 }
 
 TEST(FindFrames, patterns_name_one_series) {
@@ -55,8 +55,8 @@ TEST(FindFrames, missing_frames_are_named) {
   const TempDir dir;
   write_frames(dir, {"frame_0000.png", "frame_0001.png", "frame_0003.png"});
   EXPECT_THAT(error_message([&] { find_frames(dir.path()); }), AllOf(HasSubstr("frame 2 is missing"), HasSubstr("0 to 3")));
-  EXPECT_THAT(error_message([&] { find_frames(dir.path(), 0, 4); }), HasSubstr("frame 2"));
-  EXPECT_THAT(numbers(find_frames(dir.path(), 0, 1)), ElementsAre(0, 1));
+  EXPECT_THAT(error_message([&] { find_frames(dir.path(), {0, 1, 2, 3, 4}); }), HasSubstr("frame 2"));
+  EXPECT_THAT(numbers(find_frames(dir.path(), {0, 1})), ElementsAre(0, 1));
   write_frames(dir, {"frame_02.png", "frame_2.png"});
   EXPECT_THAT(error_message([&] { find_frames(dir.path()); }), HasSubstr("two pictures for frame 2"));
 }
@@ -88,7 +88,7 @@ TEST(EncodeFrames, cancelled_or_failed_leaves_no_file) {
   write_png(dir / "frame_0001.png", noise_codes(8, 8));
   Context cancelled;
   cancelled.cancelled = true;
-  EXPECT_FALSE(encode_frames(find_frames(dir.path(), 0, 0), dir / "a.mkv", {}, cancelled));
+  EXPECT_FALSE(encode_frames(find_frames(dir.path(), {0}), dir / "a.mkv", {}, cancelled));
   EXPECT_THAT(error_message([&] { encode_frames(find_frames(dir.path()), dir / "a.mkv", {}, {}); }), HasSubstr("8 x 8"));
   EXPECT_FALSE(fs::exists(dir / "a.mkv"));
 }

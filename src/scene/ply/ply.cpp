@@ -208,23 +208,34 @@ class Reader {
   /// A value that ends one strip and begins the next: -1, in whatever type.
   static bool ends_strip(double value) { return value == -1.0 || value == 4294967295.0; }
 
-  /// Strips of triangles, as Stanford's scans have them: a list of vertices in which -1 ends a strip.
-  void read_strips(const Element& element) {
+  void pass_over(const Property& property) {
+    if (property.count_type)
+      read_list(property, nullptr);
+    else
+      body_.value(property.type);
+  }
+
+  /// Calls read_vertex_list(property) where the list of vertices of a row begins, for each row; passes over all else.
+  template <class ReadVertexList>
+  void read_corners(const Element& element, std::string_view plural, const ReadVertexList& read_vertex_list) {
     const int list = find(element, {"vertex_indices", "vertex_index"});
     if (list < 0 || !element.properties[static_cast<std::size_t>(list)].count_type)
-      throw Error(name_, "its strips have no vertices", "a list vertex_indices");
+      throw Error(name_, fmt::format("its {} have no vertices", plural), "a list vertex_indices");
     for (std::int64_t row = 0; row < element.count; ++row) {
       body_.set_place(element.name, row);
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const Property& property = element.properties[i];
         if (static_cast<int>(i) == list)
-          read_strip_list(property);
-        else if (property.count_type)
-          read_list(property, nullptr);
+          read_vertex_list(property);
         else
-          body_.value(property.type);
+          pass_over(property);
       }
     }
+  }
+
+  /// Strips of triangles, as Stanford's scans have them: a list of vertices in which -1 ends a strip.
+  void read_strips(const Element& element) {
+    read_corners(element, "strips", [this](const Property& list) { read_strip_list(list); });
   }
 
   void read_strip_list(const Property& list) {
@@ -250,21 +261,11 @@ class Reader {
   }
 
   void read_faces(const Element& element) {
-    const int list = find(element, {"vertex_indices", "vertex_index"});
-    if (list < 0 || !element.properties[static_cast<std::size_t>(list)].count_type)
-      throw Error(name_, "its faces have no vertices", "a list vertex_indices");
-    for (std::int64_t row = 0; row < element.count; ++row) {
-      body_.set_place(element.name, row);
+    read_corners(element, "faces", [this](const Property& list) {
       corners_.clear(), outline_.clear();
-      for (std::size_t i = 0; i < element.properties.size(); ++i) {
-        const Property& property = element.properties[i];
-        if (property.count_type)
-          read_list(property, static_cast<int>(i) == list ? &corners_ : nullptr);
-        else
-          body_.value(property.type);
-      }
+      read_list(list, &corners_);
       add_face();
-    }
+    });
   }
 
   void add_face() {
@@ -279,11 +280,7 @@ class Reader {
     context_.warning(fmt::format("{}: the elements {} are left out.", name_, shown(element.name)));
     for (std::int64_t row = 0; row < element.count; ++row) {
       body_.set_place(element.name, row);
-      for (const Property& property : element.properties)
-        if (property.count_type)
-          read_list(property, nullptr);
-        else
-          body_.value(property.type);
+      for (const Property& property : element.properties) pass_over(property);
     }
   }
 
