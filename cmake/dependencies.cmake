@@ -12,8 +12,11 @@ find_package(CLI11 REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 
-# OpenImageIO's own CMake target names OpenCV's include folder and fails without libopencv-dev; its pkg-config file does not.
-pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
+find_package(TIFF REQUIRED)
+find_package(OpenEXR 3.1 REQUIRED CONFIG)
+pkg_check_modules(WebP REQUIRED IMPORTED_TARGET libwebp)
 pkg_check_modules(FFmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
