@@ -5,18 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/multiversion.hpp"
 #include "core/random.hpp"
+#include "image/encode.hpp"
 
 namespace lippmann::builtin {
 namespace {
 
 constexpr int kTexels = 512;
-
-std::uint8_t srgb_code(float linear) {
-  const float x = std::clamp(linear, 0.0f, 1.0f);
-  const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
-}
 
 float fract(float x) { return x - std::floor(x); }
 
@@ -26,14 +22,14 @@ float ramp(float from, float to, float x) {
   return t * t * (3.0f - 2.0f * t);
 }
 
-int wrapped(int i, int period) { return ((i % period) + period) % period; }
+LIPPMANN_INLINE int wrapped(int i, int period) { return i >= 0 && i < period ? i : ((i % period) + period) % period; }
 
-float lattice_gradient(int x, int y, Vec2i period, std::uint32_t seed, Vec2f offset) {
+/// What the gradient of a lattice point adds at an offset from it.
+LIPPMANN_INLINE float lattice_gradient(int x, std::uint32_t row_hash, Vec2f offset) {
   constexpr float kDiagonal = 0.70710678f;
-  constexpr Vec2f kGradients[8] = {{1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
-                                   {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
-  const auto u = static_cast<std::uint32_t>(wrapped(x, period.x)), v = static_cast<std::uint32_t>(wrapped(y, period.y));
-  return glm::dot(kGradients[hash(u, v, seed) >> 29], offset);
+  static constexpr Vec2f kGradients[8] = {{1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
+                                          {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
+  return glm::dot(kGradients[hash(static_cast<std::uint32_t>(x) ^ row_hash) >> 29], offset);
 }
 
 /// 1 on a line of the given half width around the whole numbers, 0 elsewhere.
@@ -45,29 +41,31 @@ float joint(float x, float half_width) {
 }  // namespace
 
 Texture paint(std::string name, int width, int height, const std::function<Vec3f(Vec2f)>& color_at) {
-  Texture texture;
-  texture.name = std::move(name);
-  texture.width = width;
-  texture.height = height;
-  texture.rgba.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  Image colors(width, height, 3);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const Vec3f color = color_at({(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
                                     (static_cast<float>(y) + 0.5f) / static_cast<float>(height)});
-      for (int c = 0; c < 3; ++c) texture.rgba.push_back(srgb_code(color[c]));
-      texture.rgba.push_back(255);
+      std::copy_n(&color[0], 3, colors.pixel(x, y));
     }
+  const Image8 codes = to_codes(colors, Encoding::kSrgb);
+  Texture texture{std::move(name), width, height, {}};
+  texture.rgba.assign(codes.rgb.size() / 3 * 4, 255);
+  for (std::size_t i = 0; i < codes.rgb.size() / 3; ++i) std::copy_n(&codes.rgb[3 * i], 3, &texture.rgba[4 * i]);
   return texture;
 }
 
-float noise(Vec2f p, Vec2i period, std::uint32_t seed) {
+LIPPMANN_MULTIVERSION float noise(Vec2f p, Vec2i period, std::uint32_t seed) {
   const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
   const Vec2f f = p - Vec2f(static_cast<float>(x), static_cast<float>(y));
   const Vec2f s = f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f);
-  const float a = lattice_gradient(x, y, period, seed, f);
-  const float b = lattice_gradient(x + 1, y, period, seed, f - Vec2f(1, 0));
-  const float c = lattice_gradient(x, y + 1, period, seed, f - Vec2f(0, 1));
-  const float d = lattice_gradient(x + 1, y + 1, period, seed, f - Vec2f(1, 1));
+  const int left = wrapped(x, period.x), right = wrapped(left + 1, period.x);
+  const int top = wrapped(y, period.y), bottom = wrapped(top + 1, period.y);
+  const std::uint32_t top_hash = hash(static_cast<std::uint32_t>(top), seed), bottom_hash = hash(static_cast<std::uint32_t>(bottom), seed);
+  const float a = lattice_gradient(left, top_hash, f);
+  const float b = lattice_gradient(right, top_hash, f - Vec2f(1, 0));
+  const float c = lattice_gradient(left, bottom_hash, f - Vec2f(0, 1));
+  const float d = lattice_gradient(right, bottom_hash, f - Vec2f(1, 1));
   constexpr float kToUnitRange = 1.41421356f;  // gradients of length 1 reach sqrt(1/2) in the middle of a cell
   return kToUnitRange * glm::mix(glm::mix(a, b, s.x), glm::mix(c, d, s.x), s.y);
 }
