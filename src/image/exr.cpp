@@ -67,9 +67,10 @@ struct Contents {
     const bool half = layer.sample == ExrSample::kHalf;
     if (half) halves.push_back(samples_of<Imath::half>(*layer.image));
     const Imf::PixelType type = half ? Imf::HALF : Imf::FLOAT;
-    const std::size_t sample_bytes = half ? sizeof(Imath::half) : sizeof(float), pixel_bytes = sample_bytes * layer.channels.size();
-    const char* first = half ? reinterpret_cast<const char*>(halves.back().data())
-                             : reinterpret_cast<const char*>(layer.image->data.data());
+    const std::size_t sample_bytes = half ? sizeof(Imath::half) : sizeof(float),
+                      pixel_bytes = sample_bytes * layer.channels.size();
+    const char* first =
+        half ? reinterpret_cast<const char*>(halves.back().data()) : reinterpret_cast<const char*>(layer.image->data.data());
     for (std::size_t c = 0; c < layer.channels.size(); ++c) {
       const std::string name = channel_name(layer, c);
       if (header.channels().findChannel(name)) throw Error(where, "two channels are called " + name);

@@ -121,8 +121,8 @@ class Decoder {
     std::vector<float> samples(row * static_cast<std::size_t>(height_));
     Imf::FrameBuffer buffer;
     for (std::size_t c = 0; c < channels; ++c)
-      buffer.insert(names_[c], Imf::Slice::Make(Imf::FLOAT, samples.data() + c, window, channels * sizeof(float),
-                                                row * sizeof(float)));
+      buffer.insert(names_[c],
+                    Imf::Slice::Make(Imf::FLOAT, samples.data() + c, window, channels * sizeof(float), row * sizeof(float)));
     Imf::InputPart part(*file_, 0);
     part.setFrameBuffer(buffer);
     part.readPixels(window.min.y, window.max.y);
@@ -134,7 +134,8 @@ class Decoder {
     if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
       throw unreadable_picture(where_, "deep pictures are not supported");
     const Imath::Box2i window = header.dataWindow();
-    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1, height = std::int64_t{window.max.y} - window.min.y + 1;
+    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1,
+                       height = std::int64_t{window.max.y} - window.min.y + 1;
     std::uint64_t pixel_bytes = 0;
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
       if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1)
@@ -151,7 +152,8 @@ class Decoder {
   }
 
   /// OpenEXR allocates whole chunks, however little of them is in the picture.
-  void check_chunks(const Imf::Header& header, std::uint64_t width, std::uint64_t picture_bytes, std::uint64_t pixel_bytes) const {
+  void check_chunks(const Imf::Header& header, std::uint64_t width, std::uint64_t picture_bytes,
+                    std::uint64_t pixel_bytes) const {
     constexpr std::uint64_t kFree = std::uint64_t{1} << 24;
     const bool tiled = header.hasTileDescription();
     const std::uint64_t pixels = tiled ? std::uint64_t{header.tileDescription().xSize} * header.tileDescription().ySize

@@ -59,8 +59,7 @@ Start parse_start(FileBytes file, const std::string& where) {
   check_image_size(where, width, height, 3);
   // A run of 127 takes two bytes; of the oldest kind four bytes repeat a pixel up to 2^24 times, which nobody makes use of.
   constexpr std::uint64_t kRatio = 64;
-  check_file_holds(where, file.size() - at,
-                   4 * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height), kRatio);
+  check_file_holds(where, file.size() - at, 4 * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height), kRatio);
   return {{width, height, default_channels(3), SampleKind::kFloat}, at};
 }
 

@@ -4,8 +4,8 @@
 // progressive file of more scans than any encoder makes: each costs a pass over the whole picture.
 #include <cstdio>
 // clang-format off: it needs FILE
-#include <jpeglib.h>
 #include <jerror.h>
+#include <jpeglib.h>
 // clang-format on
 
 #include <csetjmp>

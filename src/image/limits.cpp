@@ -16,8 +16,9 @@ void check_image_size(const std::string& where, std::int64_t width, std::int64_t
 
 void check_file_holds(const std::string& where, std::uint64_t file_bytes, std::uint64_t picture_bytes, std::uint64_t ratio) {
   if (picture_bytes / ratio <= file_bytes) return;
-  throw Error(where, fmt::format("cannot be read as a picture: the file is truncated; its {} bytes cannot hold {} bytes of samples",
-                                 file_bytes, picture_bytes));
+  throw Error(where,
+              fmt::format("cannot be read as a picture: the file is truncated; its {} bytes cannot hold {} bytes of samples",
+                          file_bytes, picture_bytes));
 }
 
 }  // namespace lippmann

@@ -27,7 +27,9 @@ std::vector<Code> scaled(const PpmCodes& picture, unsigned max, std::size_t step
 
 }  // namespace
 
-bool is_netpbm(FileBytes file) { return has_letter(file, 0, "P") && has_letter(file, 1, "56fF") && has_letter(file, 2, " \t\r\n#"); }
+bool is_netpbm(FileBytes file) {
+  return has_letter(file, 0, "P") && has_letter(file, 1, "56fF") && has_letter(file, 2, " \t\r\n#");
+}
 
 PictureHeader netpbm_header(FileBytes file, const std::string& where) { return decode_netpbm(file, where).header; }
 

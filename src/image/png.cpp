@@ -65,8 +65,10 @@ class Encoder {
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  std::vector<std::byte> encode(int width, int height, int bits, bool alpha, const unsigned char* samples, const PngOptions& options) {
-    if (!write(width, height, bits, alpha, samples, options)) throw Error(where_, std::string("cannot be encoded as png: ") + reason_);
+  std::vector<std::byte> encode(int width, int height, int bits, bool alpha, const unsigned char* samples,
+                                const PngOptions& options) {
+    if (!write(width, height, bits, alpha, samples, options))
+      throw Error(where_, std::string("cannot be encoded as png: ") + reason_);
     return std::move(file_);
   }
 
@@ -121,13 +123,9 @@ std::vector<std::byte> encode(const std::string& where, const AnyImage& image, c
 
 }  // namespace
 
-std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options) {
-  return encode("PNG", image, options);
-}
+std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options) { return encode("PNG", image, options); }
 
-std::vector<std::byte> encode_png(const Image16& image, const PngOptions& options) {
-  return encode("PNG", image, options);
-}
+std::vector<std::byte> encode_png(const Image16& image, const PngOptions& options) { return encode("PNG", image, options); }
 
 void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options) {
   write_file_atomically(path, encode(path.string(), image, options));

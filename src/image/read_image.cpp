@@ -24,11 +24,10 @@ struct Format {
 };
 
 /// TGA last: it has no mark.
-constexpr std::array kFormats{Format{is_png, png_header, decode_png},    Format{is_exr, exr_header, decode_exr},
-                              Format{is_jpeg, jpeg_header, decode_jpeg}, Format{is_tiff, tiff_header, decode_tiff},
-                              Format{is_hdr, hdr_header, decode_hdr},    Format{is_webp, webp_header, decode_webp},
-                              Format{is_netpbm, netpbm_header, decode_netpbm},
-                              Format{is_tga, tga_header, decode_tga}};
+constexpr std::array kFormats{Format{is_png, png_header, decode_png},          Format{is_exr, exr_header, decode_exr},
+                              Format{is_jpeg, jpeg_header, decode_jpeg},       Format{is_tiff, tiff_header, decode_tiff},
+                              Format{is_hdr, hdr_header, decode_hdr},          Format{is_webp, webp_header, decode_webp},
+                              Format{is_netpbm, netpbm_header, decode_netpbm}, Format{is_tga, tga_header, decode_tga}};
 
 const Format& format_of(FileBytes file, const fs::path& path) {
   for (const Format& format : kFormats)

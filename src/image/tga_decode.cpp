@@ -64,7 +64,8 @@ std::vector<std::uint8_t> unpack(FileBytes rest, std::size_t pixels, std::size_t
 bool is_tga(FileBytes file) {
   if (file.size() < kHeaderBytes) return false;
   const Header header = parse(file);
-  const bool colour = header.kind % 8 == 2 && (header.bits == 24 || header.bits == 32), grey = header.grey() && header.bits == 8;
+  const bool colour = header.kind % 8 == 2 && (header.bits == 24 || header.bits == 32),
+             grey = header.grey() && header.bits == 8;
   const bool known = header.kind == 2 || header.kind == 3 || header.kind == 10 || header.kind == 11;
   return header.palette == 0 && known && (colour || grey) && header.descriptor < 64 && (header.descriptor & 16) == 0 &&
          header.width > 0 && header.height > 0;

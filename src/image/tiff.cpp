@@ -77,7 +77,8 @@ class Output {
   static tmsize_t on_write(thandle_t handle, void* from, tmsize_t count) {
     Output& output = of(handle);
     for (tmsize_t done = 0; done < count;) {
-      const ssize_t written = ::write(output.descriptor_, static_cast<char*>(from) + done, static_cast<std::size_t>(count - done));
+      const ssize_t written =
+          ::write(output.descriptor_, static_cast<char*>(from) + done, static_cast<std::size_t>(count - done));
       if (written < 0 && errno == EINTR) continue;
       if (written < 0) {
         if (output.error_ == 0) output.error_ = errno;
@@ -175,7 +176,8 @@ void write_tiff(const std::filesystem::path& path, const Image8& image, double p
   for (std::size_t row = 0; row < height; row += kRowsPerStrip) {
     std::vector<unsigned char> strip = strip_of(image, row, std::min<std::size_t>(kRowsPerStrip, height - row));
     const auto number = static_cast<std::uint32_t>(row / kRowsPerStrip);
-    if (TIFFWriteEncodedStrip(output.tiff(), number, strip.data(), static_cast<tmsize_t>(strip.size())) < 0) throw output.failure();
+    if (TIFFWriteEncodedStrip(output.tiff(), number, strip.data(), static_cast<tmsize_t>(strip.size())) < 0)
+      throw output.failure();
   }
   output.finish();
   file.commit();

@@ -99,9 +99,7 @@ class Decoder {
   static int on_map(thandle_t, void**, toff_t*) { return 0; }
   static void on_unmap(thandle_t, void*, toff_t) {}
 
-  Error failure() const {
-    return unreadable_picture(where_, reason_[0] ? reason_.data() : "the file is truncated or damaged");
-  }
+  Error failure() const { return unreadable_picture(where_, reason_[0] ? reason_.data() : "the file is truncated or damaged"); }
 
   template <class T>
   T field(std::uint32_t tag, T standard) const {
@@ -178,7 +176,8 @@ class Decoder {
             }
         }
     if (l.photometric == PHOTOMETRIC_MINISWHITE && l.format == SAMPLEFORMAT_UINT)
-      for (std::size_t i = 0; i < samples.size(); i += l.channels) samples[i] = static_cast<Sample>(((1 << l.bits) - 1) - samples[i]);
+      for (std::size_t i = 0; i < samples.size(); i += l.channels)
+        samples[i] = static_cast<Sample>(((1 << l.bits) - 1) - samples[i]);
     return samples;
   }
 
@@ -221,7 +220,7 @@ class Decoder {
 
 bool is_tiff(FileBytes file) {
   if (file.size() < 4) return false;
-  const auto begins = [&](const char (&magic)[5]) { return std::memcmp(file.data(), magic, 4) == 0; };
+  const auto begins = [&](const char(&magic)[5]) { return std::memcmp(file.data(), magic, 4) == 0; };
   return begins("II*\0") || begins("MM\0*") || begins("II+\0") || begins("MM\0+");
 }
 
