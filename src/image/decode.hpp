@@ -34,6 +34,10 @@ struct DecodedPicture {
   Samples samples;  ///< of the header's kind; width x height x channels
 };
 
+/// Of whichever format the bytes begin as; an error that lists the formats if they begin as none.
+PictureHeader picture_header(FileBytes file, const std::string& where);
+DecodedPicture decode_picture(FileBytes file, const std::string& where);
+
 bool is_png(FileBytes file);
 PictureHeader png_header(FileBytes file, const std::string& where);
 DecodedPicture decode_png(FileBytes file, const std::string& where);  ///< palettes as RGB, tRNS as alpha
@@ -65,7 +69,7 @@ PictureHeader netpbm_header(FileBytes file, const std::string& where);
 /// P5 and P6 of any highest code, scaled to 8 or 16 bits; PFM.
 DecodedPicture decode_netpbm(FileBytes file, const std::string& where);
 
-/// TGA has no mark of its own: whether the fields of its header fit together. To be asked last.
+/// TGA has no mark of its own: whether the fields of a header fit together. To be asked last.
 bool is_tga(FileBytes file);
 PictureHeader tga_header(FileBytes file, const std::string& where);
 DecodedPicture decode_tga(FileBytes file, const std::string& where);

@@ -29,22 +29,16 @@ constexpr std::array kFormats{Format{is_png, png_header, decode_png},          F
                               Format{is_hdr, hdr_header, decode_hdr},          Format{is_webp, webp_header, decode_webp},
                               Format{is_netpbm, netpbm_header, decode_netpbm}, Format{is_tga, tga_header, decode_tga}};
 
-const Format& format_of(FileBytes file, const fs::path& path) {
+const Format& format_of(FileBytes file, const std::string& where) {
   for (const Format& format : kFormats)
     if (format.begins(file)) return format;
-  throw Error(path.string(), "cannot be read as a picture: it begins as none",
+  throw Error(where, "cannot be read as a picture: it begins as none",
               "PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, PPM, PGM, PFM or TGA");
 }
 
-PictureHeader read_header(const fs::path& path) {
-  const std::vector<std::byte> file = read_file_bytes(path);
-  return format_of(file, path).header(file, path.string());
-}
+PictureHeader read_header(const fs::path& path) { return picture_header(read_file_bytes(path), path.string()); }
 
-DecodedPicture read_decoded(const fs::path& path) {
-  const std::vector<std::byte> file = read_file_bytes(path);
-  return format_of(file, path).decode(file, path.string());
-}
+DecodedPicture read_decoded(const fs::path& path) { return decode_picture(read_file_bytes(path), path.string()); }
 
 std::vector<unsigned char> first_three(const std::vector<unsigned char>& codes, std::size_t channels) {
   const std::size_t pixels = codes.size() / channels;
@@ -88,6 +82,10 @@ std::vector<std::string> default_channels(int count) {
   names.resize(static_cast<std::size_t>(count));
   return names;
 }
+
+PictureHeader picture_header(FileBytes file, const std::string& where) { return format_of(file, where).header(file, where); }
+
+DecodedPicture decode_picture(FileBytes file, const std::string& where) { return format_of(file, where).decode(file, where); }
 
 Image read_image(const fs::path& path) { return to_image(read_decoded(path)); }
 
