@@ -79,35 +79,86 @@ void prepare_library() {
   });
 }
 
-/// OpenEXR allocates what an attribute says that it has before it reads it: looks whether the file has that much.
-/// A header is a row of name, type, size and value, ended by an empty name; several of them are ended by an empty one.
-void check_attributes(FileBytes file, const std::string& where) {
-  const auto truncated = [&] { return unreadable_picture(where, "the file is truncated in its header"); };
-  std::size_t at = 8;
-  const auto skip_text = [&] {
-    const auto rest = file.subspan(std::min(at, file.size()));
+/// What decides how many chunks a part has, as its header says it.
+struct PartSize {
+  std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, of the last one
+  std::uint32_t tile[2] = {0, 0};           // 0: scan lines
+  std::uint8_t compression = Imf::NO_COMPRESSION;
+
+  void set(std::string_view attribute, FileBytes value) {
+    const auto copy = [&](void* to, std::size_t size) {
+      if (value.size() >= size) std::memcpy(to, value.data(), size);
+    };
+    if (attribute == "dataWindow") copy(window, sizeof window);
+    if (attribute == "tiles") copy(tile, sizeof tile);
+    if (attribute == "compression") copy(&compression, sizeof compression);
+  }
+  std::uint64_t chunks(const std::string& where) const {
+    const std::int64_t width = std::int64_t{window[2]} - window[0] + 1, height = std::int64_t{window[3]} - window[1] + 1;
+    check_image_size(where, width, height, 1);
+    const auto pieces = [](std::int64_t side, std::uint64_t piece) {
+      return (static_cast<std::uint64_t>(side) + piece - 1) / std::max<std::uint64_t>(piece, 1);
+    };
+    if (tile[0] > 0 && tile[1] > 0) return pieces(width, tile[0]) * pieces(height, tile[1]);
+    return pieces(height, lines_per_chunk(static_cast<Imf::Compression>(compression)));
+  }
+};
+
+/// OpenEXR allocates what an attribute says that it has, and a place for every chunk, before it reads them: looks whether the
+/// file has that much. A header is a row of name, type, size and value, ended by an empty name; in a file of several parts
+/// headers follow until an empty one.
+class HeaderCheck {
+ public:
+  HeaderCheck(FileBytes file, const std::string& where) : file_(file), where_(where) {
+    if (file.size() < at_) throw truncated();
+    const bool several = std::to_integer<int>(file[5]) & 0x10;
+    std::uint64_t chunks = 0;
+    do chunks += read_part();
+    while (several && at_ < file.size() && file[at_] != std::byte{0});
+    if (chunks > file.size() / 8) throw truncated();
+  }
+
+ private:
+  Error truncated() const { return unreadable_picture(where_, "the file is truncated in its header"); }
+
+  std::uint64_t read_part() {
+    PartSize size;
+    for (std::string_view name = text(); !name.empty(); name = text()) {
+      text();  // its type
+      size.set(name, value());
+    }
+    return size.chunks(where_);
+  }
+
+  std::string_view text() {
+    const FileBytes rest = file_.subspan(at_);
     const auto end = std::find(rest.begin(), rest.end(), std::byte{0});
     if (end == rest.end()) throw truncated();
-    const auto length = static_cast<std::size_t>(end - rest.begin());
-    at += length + 1;
-    return length;
-  };
-  while (skip_text() > 0) {
-    skip_text();
-    if (file.size() - at < 4) throw truncated();
-    std::int32_t size = 0;
-    std::memcpy(&size, file.data() + at, 4);
-    at += 4;
-    if (size < 0 || static_cast<std::size_t>(size) > file.size() - at) throw truncated();
-    at += static_cast<std::size_t>(size);
+    const std::string_view found(reinterpret_cast<const char*>(rest.data()), static_cast<std::size_t>(end - rest.begin()));
+    at_ += found.size() + 1;
+    return found;
   }
-}
+
+  FileBytes value() {
+    std::int32_t size = 0;
+    if (file_.size() - at_ < sizeof size) throw truncated();
+    std::memcpy(&size, file_.data() + at_, sizeof size);
+    at_ += sizeof size;
+    if (size < 0 || static_cast<std::size_t>(size) > file_.size() - at_) throw truncated();
+    at_ += static_cast<std::size_t>(size);
+    return file_.subspan(at_ - static_cast<std::size_t>(size), static_cast<std::size_t>(size));
+  }
+
+  FileBytes file_;
+  const std::string& where_;
+  std::size_t at_ = 8;
+};
 
 class Decoder {
  public:
   Decoder(FileBytes file, const std::string& where) : bytes_(file), input_(file), where_(where) {
     prepare_library();
-    check_attributes(file, where);
+    HeaderCheck(file, where);
     file_.emplace(input_, 0, false);
     check_header(file_->header(0));
   }

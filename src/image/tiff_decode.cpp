@@ -51,6 +51,8 @@ class Decoder {
                                   options.get()));
     if (!tiff_) throw failure();
     read_layout();
+    // libtiff does without tags that it cannot read, a palette for one, and makes another picture of the rest.
+    if (cut_off_) throw unreadable_picture(where_, "the file is truncated");
   }
 
   PictureHeader header() const {
@@ -86,6 +88,7 @@ class Decoder {
     const auto taken = std::min<std::uint64_t>(there, static_cast<std::uint64_t>(std::max<tmsize_t>(count, 0)));
     if (taken > 0) std::memcpy(to, decoder.file_.data() + decoder.at_, taken);
     decoder.at_ += taken;
+    decoder.cut_off_ = decoder.cut_off_ || taken < static_cast<std::uint64_t>(count);
     return static_cast<tmsize_t>(taken);
   }
   static tmsize_t on_write(thandle_t, void*, tmsize_t) { return 0; }
@@ -210,6 +213,7 @@ class Decoder {
 
   FileBytes file_;
   std::uint64_t at_ = 0;
+  bool cut_off_ = false;  // more was asked for than there is
   const std::string& where_;
   std::array<char, 256> reason_{};  // of the first error
   std::unique_ptr<TIFF, TiffDeleter> tiff_;

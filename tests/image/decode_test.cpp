@@ -208,7 +208,7 @@ const Case kCases[] = {
 
 class EveryFormat : public ::testing::TestWithParam<Case> {};
 
-INSTANTIATE_TEST_SUITE_P(Decode, EveryFormat, ::testing::ValuesIn(kCases), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Decode, EveryFormat, ::testing::ValuesIn(kCases), [](const auto& one) { return std::string(one.param.name); });
 
 std::size_t samples_in(const DecodedPicture& picture) {
   return std::visit([](const auto& samples) { return samples.size(); }, picture.samples);
@@ -324,9 +324,22 @@ TEST(DecodeExr, small_file_that_claims_a_huge_picture_is_refused) {
   const std::int32_t size[] = {0, 0, 59999, 59999};
   std::memcpy(file.data() + value_of_attribute(file, "dataWindow\0box2i\0"sv), size, sizeof size);
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("a.exr: "));
-  const std::int32_t narrower[] = {0, 0, 9999, 9999};
-  std::memcpy(file.data() + value_of_attribute(file, "dataWindow\0box2i\0"sv), narrower, sizeof narrower);
-  EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("cannot hold"));
+  const std::int32_t lower[] = {0, 0, 59999, 99};
+  std::memcpy(file.data() + value_of_attribute(file, "dataWindow\0box2i\0"sv), lower, sizeof lower);
+  EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("a.exr: cannot be read as a picture: "));
+}
+
+// Each tile has an entry of 8 bytes in a table; 10000 x 10000 of them do not fit into the file.
+TEST(DecodeExr, small_file_that_claims_very_many_tiles_is_refused) {
+  using namespace std::literals;
+  const std::string_view tiles = "tiles\0tiledesc\0\x09\0\0\0\x01\0\0\0\x01\0\0\0\0"sv;
+  Bytes file = exr_file(ExrCompression::kZip);
+  const std::int32_t size[] = {0, 0, 9999, 9999};
+  std::memcpy(file.data() + value_of_attribute(file, "dataWindow\0box2i\0"sv), size, sizeof size);
+  const Bytes attribute = bytes_of(tiles);
+  file.insert(file.begin() + 8, attribute.begin(), attribute.end());
+  file[5] |= std::byte{0x02};  // tiled
+  EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("truncated in its header"));
 }
 
 TEST(DecodeExr, attribute_longer_than_the_file_is_truncated) {
