@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 
 #include "cli/tool.hpp"
 
@@ -25,6 +27,30 @@ Words lone_tool(const TempDir& dir) {
 }
 
 RunResult run_lone(const TempDir& dir, const Words& command) { return run(command, {.working_folder = dir.path().string()}); }
+
+/// The shared libraries that the dynamic linker starts in a run of the tool, those that are loaded later too.
+std::set<std::string> libraries_of(const Words& arguments) {
+  const TempDir dir;
+  const RunResult traced = run(Words{"env", "LD_DEBUG=files"} + tool_command(arguments), {.working_folder = dir.path().string()});
+  EXPECT_EQ(traced.exit_code, 0);
+  const std::regex started("calling init: (\\S+)");
+  std::set<std::string> libraries;
+  for (std::sregex_iterator line(traced.err.begin(), traced.err.end(), started), end; line != end; ++line)
+    libraries.insert((*line)[1]);
+  return libraries;
+}
+
+// Each costs time and memory at every start. OpenImageIO and FFmpeg brought more than two hundred.
+TEST(Start, version_starts_at_most_60_shared_libraries_and_none_of_ffmpeg) {
+  const std::set<std::string> libraries = libraries_of({"--version"});
+  EXPECT_THAT(libraries, testing::Contains(HasSubstr("libembree"))) << "else the linker's trace is not what this test reads";
+  EXPECT_LE(libraries.size(), 60u) << testing::PrintToString(libraries);
+  EXPECT_THAT(libraries, Not(testing::Contains(HasSubstr("libav"))));
+}
+
+TEST(Start, picture_is_rendered_with_at_most_60_shared_libraries) {
+  EXPECT_LE(libraries_of(small_teapot("0", "r")).size(), 60u);
+}
 
 TEST(Start, without_the_video_module_only_videos_fail_and_the_message_says_where_it_is_looked_for) {
   const TempDir dir;
