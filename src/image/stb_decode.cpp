@@ -67,7 +67,8 @@ struct Shape {
 
 bool read_shape(FileBytes file, Shape& shape) {
   const auto size = static_cast<int>(std::min(file.size(), kLongestHeader));
-  return stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), size, &shape.width, &shape.height, &shape.channels) != 0;
+  return stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), size, &shape.width, &shape.height,
+                               &shape.channels) != 0;
 }
 
 Shape shape_of(FileBytes file, const std::string& where) {
@@ -77,7 +78,9 @@ Shape shape_of(FileBytes file, const std::string& where) {
   return shape;
 }
 
-std::uint64_t pixels_of(const Shape& shape) { return static_cast<std::uint64_t>(shape.width) * static_cast<std::uint64_t>(shape.height); }
+std::uint64_t pixels_of(const Shape& shape) {
+  return static_cast<std::uint64_t>(shape.width) * static_cast<std::uint64_t>(shape.height);
+}
 
 /// `load` is one of stb_image's functions that read through callbacks.
 template <class Sample, class Load>
@@ -88,7 +91,8 @@ DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader he
   const std::unique_ptr<Sample[], Freed> samples(load(&kCallbacks, &input, &shape.width, &shape.height, &shape.channels, 0));
   if (input.truncated()) throw unreadable_picture(where, "the file is truncated");
   if (!samples) throw unreadable_picture(where, stbi_failure_reason());
-  if (shape.width != header.width || shape.height != header.height || header.channels.size() != static_cast<std::size_t>(shape.channels))
+  if (shape.width != header.width || shape.height != header.height ||
+      header.channels.size() != static_cast<std::size_t>(shape.channels))
     throw unreadable_picture(where, "its header is damaged");
   const std::size_t count = pixels_of(shape) * header.channels.size();
   return {std::move(header), std::vector<Sample>(samples.get(), samples.get() + count)};
@@ -125,8 +129,8 @@ PictureHeader tga_header(FileBytes file, const std::string& where) {
   const std::uint64_t bits_per_pixel = std::to_integer<std::uint64_t>(file[16]);  // 15 take two bytes
   const std::uint64_t begin = 18u + std::to_integer<std::uint64_t>(file[0]);
   constexpr std::uint64_t kMostPixelsPerByte = 128;
-  check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()), pixels_of(shape) * ((bits_per_pixel + 7) / 8),
-                   runs ? kMostPixelsPerByte : 1);
+  check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()),
+                   pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMostPixelsPerByte : 1);
   return {shape.width, shape.height, default_channels(shape.channels), SampleKind::kByte};
 }
 

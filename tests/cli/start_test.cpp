@@ -31,7 +31,8 @@ RunResult run_lone(const TempDir& dir, const Words& command) { return run(comman
 /// The shared libraries that the dynamic linker starts in a run of the tool, those that are loaded later too.
 std::set<std::string> libraries_of(const Words& arguments) {
   const TempDir dir;
-  const RunResult traced = run(Words{"env", "LD_DEBUG=files"} + tool_command(arguments), {.working_folder = dir.path().string()});
+  const RunResult traced =
+      run(Words{"env", "LD_DEBUG=files"} + tool_command(arguments), {.working_folder = dir.path().string()});
   EXPECT_EQ(traced.exit_code, 0);
   const std::regex started("calling init: (\\S+)");
   std::set<std::string> libraries;

@@ -32,8 +32,8 @@ using test::noise_codes;
 using test::noise_image;
 using test::TempDir;
 using ::testing::AllOf;
-using ::testing::ElementsAre;
 using ::testing::Each;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 using Bytes = std::vector<std::byte>;
@@ -52,7 +52,8 @@ Bytes bytes_of_file(const fs::path& path) {
 }
 
 void write_bytes(const fs::path& path, const Bytes& bytes) {
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
 Bytes exr_file(ExrCompression compression) {
@@ -182,11 +183,14 @@ std::vector<std::uint8_t> slopes(int channels) {
 
 const Case kCases[] = {
     {"png_rgb", [] { return bytes_of(encode_png(kWidth, kHeight, 3, slopes(3))); }, kWidth, kHeight, kRgb, SampleKind::kByte},
-    {"png_alpha", [] { return bytes_of(encode_png(kWidth, kHeight, 4, slopes(4))); }, kWidth, kHeight, kRgba, SampleKind::kByte},
+    {"png_alpha", [] { return bytes_of(encode_png(kWidth, kHeight, 4, slopes(4))); }, kWidth, kHeight, kRgba,
+     SampleKind::kByte},
     {"png_grey", [] { return bytes_of(encode_png(kWidth, kHeight, 1, slopes(1))); }, kWidth, kHeight, kGrey, SampleKind::kByte},
     {"jpeg", [] { return bytes_of(encode_jpeg(kWidth, kHeight, 3, slopes(3))); }, kWidth, kHeight, kRgb, SampleKind::kByte},
-    {"jpeg_grey", [] { return bytes_of(encode_jpeg(kWidth, kHeight, 1, slopes(1))); }, kWidth, kHeight, kGrey, SampleKind::kByte},
-    {"jpeg_cmyk", [] { return bytes_of(encode_jpeg(kWidth, kHeight, 4, slopes(4))); }, kWidth, kHeight, kRgb, SampleKind::kByte},
+    {"jpeg_grey", [] { return bytes_of(encode_jpeg(kWidth, kHeight, 1, slopes(1))); }, kWidth, kHeight, kGrey,
+     SampleKind::kByte},
+    {"jpeg_cmyk", [] { return bytes_of(encode_jpeg(kWidth, kHeight, 4, slopes(4))); }, kWidth, kHeight, kRgb,
+     SampleKind::kByte},
     {"jpeg_progressive", [] { return bytes_of(encode_jpeg(kWidth, kHeight, 3, slopes(3), true)); }, kWidth, kHeight, kRgb,
      SampleKind::kByte},
     {"tiff", own_tiff_file, kWidth, kHeight, kRgb, SampleKind::kByte},
@@ -208,7 +212,8 @@ const Case kCases[] = {
 
 class EveryFormat : public ::testing::TestWithParam<Case> {};
 
-INSTANTIATE_TEST_SUITE_P(Decode, EveryFormat, ::testing::ValuesIn(kCases), [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(Decode, EveryFormat, ::testing::ValuesIn(kCases),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 std::size_t samples_in(const DecodedPicture& picture) {
   return std::visit([](const auto& samples) { return samples.size(); }, picture.samples);
@@ -230,8 +235,8 @@ TEST_P(EveryFormat, is_known_by_its_bytes_and_has_the_size_that_its_header_says)
 bool decodes_or_says_why(const Bytes& file) {
   try {
     const DecodedPicture picture = decode_picture(file, "the file");
-    EXPECT_EQ(samples_in(picture), static_cast<std::size_t>(picture.header.width) * static_cast<std::size_t>(picture.header.height) *
-                                       picture.header.channels.size());
+    EXPECT_EQ(samples_in(picture), static_cast<std::size_t>(picture.header.width) *
+                                       static_cast<std::size_t>(picture.header.height) * picture.header.channels.size());
     return true;
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("the file"), ::testing::Not(HasSubstr("\n"))));
@@ -271,7 +276,9 @@ std::vector<Sample> samples_of(const Bytes& file) {
   return std::get<std::vector<Sample>>(decode_picture(file, "the file").samples);
 }
 
-TEST(DecodeTiff, palette_becomes_colours) { EXPECT_THAT(samples_of<std::uint8_t>(palette_tiff_file()), ElementsAre(255, 0, 0, 0, 255, 128)); }
+TEST(DecodeTiff, palette_becomes_colours) {
+  EXPECT_THAT(samples_of<std::uint8_t>(palette_tiff_file()), ElementsAre(255, 0, 0, 0, 255, 128));
+}
 
 TEST(DecodeTiff, tiles_of_floats_are_put_together) {
   EXPECT_THAT(samples_of<float>(tiled_float_tiff_file()), ElementsAre(0.0f, 0.5f, 1.0f, 1.5f, 2.0f, 2.5f));
@@ -305,7 +312,8 @@ TEST(DecodeJpeg, cmyk_without_ink_is_white) {
 }
 
 TEST(DecodePicture, formats_that_are_not_read_are_refused_with_those_that_are) {
-  for (const char* file : {"GIF89a..................", "BM......................", "FORM....ILBMBMHD........", "8BPS....................", ""})
+  for (const char* file :
+       {"GIF89a..................", "BM......................", "FORM....ILBMBMHD........", "8BPS....................", ""})
     EXPECT_THAT(error_message([&] { decode_picture(bytes_of(std::string_view(file)), "a.png"); }),
                 AllOf(HasSubstr("a.png: cannot be read as a picture"), HasSubstr("PNG, JPEG, TIFF, OpenEXR")));
 }
@@ -316,8 +324,8 @@ std::size_t value_of_attribute(const Bytes& file, std::string_view name_and_type
   return text.find(name_and_type) + name_and_type.size() + 4;
 }
 
-// A header that claims 60000 x 60000 pixels in a file of some hundred bytes is refused before anything of that size is allocated;
-// a library that trusts it takes seconds and gigabytes.
+// A header that claims 60000 x 60000 pixels in a file of some hundred bytes is refused before anything of that size is
+// allocated; a library that trusts it takes seconds and gigabytes.
 TEST(DecodeExr, small_file_that_claims_a_huge_picture_is_refused) {
   using namespace std::literals;
   Bytes file = exr_file(ExrCompression::kZip);
