@@ -335,7 +335,8 @@ TEST(GltfTexture, every_proper_prefix_of_a_png_is_an_error) {
   for (std::size_t length = 1; length < whole.size(); ++length) {
     const std::vector<unsigned char> cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
     EXPECT_EQ(error_message([&] { parse(textured(cut)); }),
-              length < 8 ? "a.glb: images[0]: is neither PNG nor JPEG" : "a.glb: images[0]: is a truncated PNG image")
+              length < 8 ? "a.glb: images[0]: is neither PNG nor JPEG"
+                         : "a.glb: images[0]: cannot be read as a picture: the file is truncated")
         << "cut to " << length;
   }
 }
