@@ -99,6 +99,7 @@ struct PartSize {
     const auto pieces = [](std::int64_t side, std::uint64_t piece) {
       return (static_cast<std::uint64_t>(side) + piece - 1) / std::max<std::uint64_t>(piece, 1);
     };
+    if (compression >= Imf::NUM_COMPRESSION_METHODS) throw unreadable_picture(where, "its compression is of no known kind");
     if (tile[0] > 0 && tile[1] > 0) return pieces(width, tile[0]) * pieces(height, tile[1]);
     return pieces(height, lines_per_chunk(static_cast<Imf::Compression>(compression)));
   }

@@ -110,7 +110,9 @@ std::uint64_t write_colour_space(TIFF* tiff) {
   constexpr std::uint16_t kSrgb = 1;
   std::uint64_t place = 0;
   const bool written = TIFFCreateEXIFDirectory(tiff) == 0 && TIFFSetField(tiff, EXIFTAG_COLORSPACE, kSrgb) &&
-                       TIFFWriteCustomDirectory(tiff, &place) && TIFFCreateDirectory(tiff) == 0;
+                       TIFFWriteCustomDirectory(tiff, &place);
+  TIFFFreeDirectory(tiff);  // beginning the next one forgets what this one has allocated
+  if (TIFFCreateDirectory(tiff) != 0) return 0;
   return written ? place : 0;
 }
 
