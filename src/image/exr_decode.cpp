@@ -21,6 +21,7 @@
 
 #include "image/decode.hpp"
 #include "image/exr_file.hpp"
+#include "image/exr_header.hpp"
 #include "image/limits.hpp"
 
 namespace lippmann {
@@ -52,114 +53,21 @@ std::uint64_t ratio_of(Imf::Compression compression) {
   }
 }
 
-/// Of the scan lines that are compressed together.
-std::uint64_t lines_per_chunk(Imf::Compression compression) {
-  switch (compression) {
-    case Imf::ZIP_COMPRESSION:
-    case Imf::PXR24_COMPRESSION:
-      return 16;
-    case Imf::PIZ_COMPRESSION:
-    case Imf::B44_COMPRESSION:
-    case Imf::B44A_COMPRESSION:
-    case Imf::DWAA_COMPRESSION:
-      return 32;
-    case Imf::DWAB_COMPRESSION:
-      return 256;
-    default:
-      return 1;
-  }
-}
-
 void prepare_library() {
   static std::once_flag once;
   std::call_once(once, [] {
+    Imf::staticInitialize();
     Imf::setGlobalThreadCount(0);  // our own threads fill the machine
     Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide);
     Imf::Header::setMaxTileSize(kMaxImageSide, kMaxImageSide);
   });
 }
 
-/// What decides how many chunks a part has, as its header says it.
-struct PartSize {
-  std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, of the last one
-  std::uint32_t tile[2] = {0, 0};           // 0: scan lines
-  std::uint8_t compression = Imf::NO_COMPRESSION;
-
-  void set(std::string_view attribute, FileBytes value) {
-    const auto copy = [&](void* to, std::size_t size) {
-      if (value.size() >= size) std::memcpy(to, value.data(), size);
-    };
-    if (attribute == "dataWindow") copy(window, sizeof window);
-    if (attribute == "tiles") copy(tile, sizeof tile);
-    if (attribute == "compression") copy(&compression, sizeof compression);
-  }
-  std::uint64_t chunks(const std::string& where) const {
-    const std::int64_t width = std::int64_t{window[2]} - window[0] + 1, height = std::int64_t{window[3]} - window[1] + 1;
-    check_image_size(where, width, height, 1);
-    const auto pieces = [](std::int64_t side, std::uint64_t piece) {
-      return (static_cast<std::uint64_t>(side) + piece - 1) / std::max<std::uint64_t>(piece, 1);
-    };
-    if (compression >= Imf::NUM_COMPRESSION_METHODS) throw unreadable_picture(where, "its compression is of no known kind");
-    if (tile[0] > 0 && tile[1] > 0) return pieces(width, tile[0]) * pieces(height, tile[1]);
-    return pieces(height, lines_per_chunk(static_cast<Imf::Compression>(compression)));
-  }
-};
-
-/// OpenEXR allocates what an attribute says that it has, and a place for every chunk, before it reads them: looks whether the
-/// file has that much. A header is a row of name, type, size and value, ended by an empty name; in a file of several parts
-/// headers follow until an empty one.
-class HeaderCheck {
- public:
-  HeaderCheck(FileBytes file, const std::string& where) : file_(file), where_(where) {
-    if (file.size() < at_) throw truncated();
-    const bool several = std::to_integer<int>(file[5]) & 0x10;
-    std::uint64_t chunks = 0;
-    do chunks += read_part();
-    while (several && at_ < file.size() && file[at_] != std::byte{0});
-    if (chunks > file.size() / 8) throw truncated();
-  }
-
- private:
-  Error truncated() const { return unreadable_picture(where_, "the file is truncated in its header"); }
-
-  std::uint64_t read_part() {
-    PartSize size;
-    for (std::string_view name = text(); !name.empty(); name = text()) {
-      text();  // its type
-      size.set(name, value());
-    }
-    return size.chunks(where_);
-  }
-
-  std::string_view text() {
-    const FileBytes rest = file_.subspan(at_);
-    const auto end = std::find(rest.begin(), rest.end(), std::byte{0});
-    if (end == rest.end()) throw truncated();
-    const std::string_view found(reinterpret_cast<const char*>(rest.data()), static_cast<std::size_t>(end - rest.begin()));
-    at_ += found.size() + 1;
-    return found;
-  }
-
-  FileBytes value() {
-    std::int32_t size = 0;
-    if (file_.size() - at_ < sizeof size) throw truncated();
-    std::memcpy(&size, file_.data() + at_, sizeof size);
-    at_ += sizeof size;
-    if (size < 0 || static_cast<std::size_t>(size) > file_.size() - at_) throw truncated();
-    at_ += static_cast<std::size_t>(size);
-    return file_.subspan(at_ - static_cast<std::size_t>(size), static_cast<std::size_t>(size));
-  }
-
-  FileBytes file_;
-  const std::string& where_;
-  std::size_t at_ = 8;
-};
-
 class Decoder {
  public:
   Decoder(FileBytes file, const std::string& where) : bytes_(file), input_(file), where_(where) {
     prepare_library();
-    HeaderCheck(file, where);
+    check_exr_headers(file, where);
     file_.emplace(input_, 0, false);
     check_header(file_->header(0));
   }
@@ -209,7 +117,7 @@ class Decoder {
     constexpr std::uint64_t kFree = std::uint64_t{1} << 24;
     const bool tiled = header.hasTileDescription();
     const std::uint64_t pixels = tiled ? std::uint64_t{header.tileDescription().xSize} * header.tileDescription().ySize
-                                       : width * lines_per_chunk(header.compression());
+                                       : width * exr_lines_per_chunk(header.compression());
     if (pixels == 0 || pixels * pixel_bytes > std::max(kFree, 4 * picture_bytes))
       throw unreadable_picture(where_, "its tiles have no sensible size");
   }

@@ -358,5 +358,16 @@ TEST(DecodeExr, attribute_longer_than_the_file_is_truncated) {
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("truncated in its header"));
 }
 
+// OpenEXR reads 4 bytes of a float and takes the next ones for the next attribute.
+TEST(DecodeExr, attribute_whose_size_does_not_fit_its_type_is_an_error) {
+  using namespace std::literals;
+  Bytes file = exr_file(ExrCompression::kZip);
+  const std::size_t value = value_of_attribute(file, "pixelAspectRatio\0float\0"sv);
+  const std::int32_t size = 8;
+  std::memcpy(file.data() + value - 4, &size, sizeof size);
+  file.insert(file.begin() + static_cast<std::ptrdiff_t>(value), 4, std::byte{0});
+  EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("its attribute pixelAspectRatio is no float"));
+}
+
 }  // namespace
 }  // namespace lippmann
