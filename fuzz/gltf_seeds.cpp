@@ -1,6 +1,4 @@
 // Writes seeds for fuzz_gltf into a folder: small documents that reach every part of the reader, in both of its input forms.
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <meshoptimizer.h>
@@ -9,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <string_view>
 
 #include "scene/gltf/gltf_builder.hpp"
+#include "support/encode_image.hpp"
 
 namespace {
 
@@ -18,16 +18,9 @@ using namespace lippmann;
 using test::GltfBuilder;
 using test::Json;
 
-std::vector<unsigned char> encode(const char* format) {
-  std::vector<unsigned char> encoded;
-  OIIO::Filesystem::IOVecOutput memory(encoded);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
-  output->set_ioproxy(&memory);
-  const std::vector<unsigned char> pixels(3 * 8 * 8, 100);
-  output->open(std::string("memory.") + format, OIIO::ImageSpec(8, 8, 3, OIIO::TypeDesc::UINT8));
-  output->write_image(OIIO::TypeDesc::UINT8, pixels.data());
-  output->close();
-  return encoded;
+std::vector<unsigned char> encode(std::string_view format) {
+  const std::vector<std::uint8_t> pixels(3 * 8 * 8, 100);
+  return format == "png" ? test::encode_png(8, 8, 3, pixels) : test::encode_jpeg(8, 8, 3, pixels);
 }
 
 GltfBuilder geometry() {

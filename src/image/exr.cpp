@@ -1,61 +1,96 @@
 #include "image/exr.hpp"
 
-#include <algorithm>
+#include <Imath/half.h>
+#include <OpenEXR/Iex.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
 #include <cassert>
+#include <deque>
 #include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "image/oiio.hpp"
+#include "image/exr_file.hpp"
+#include "image/limits.hpp"
 
 namespace lippmann {
 namespace {
 
-const char* oiio_name(ExrCompression compression) {
+Imf::Compression imf_compression(ExrCompression compression) {
   switch (compression) {
     case ExrCompression::kNone:
-      return "none";
+      return Imf::NO_COMPRESSION;
     case ExrCompression::kRunLength:
-      return "rle";
+      return Imf::RLE_COMPRESSION;
     case ExrCompression::kZipRow:
-      return "zips";
+      return Imf::ZIPS_COMPRESSION;
     case ExrCompression::kZip:
-      return "zip";
+      return Imf::ZIP_COMPRESSION;
     case ExrCompression::kPiz:
-      return "piz";
+      return Imf::PIZ_COMPRESSION;
   }
-  return "zip";
+  return Imf::ZIP_COMPRESSION;
 }
 
-OIIO::ImageSpec make_spec(const std::string& where, std::span<const ExrLayer> layers) {
-  OIIO::ImageSpec spec(layers.front().image->width, layers.front().image->height, 0, OIIO::TypeFloat);
-  for (const ExrLayer& layer : layers) {
-    if (layer.image->width != spec.width || layer.image->height != spec.height)
+std::string channel_name(const ExrLayer& layer, std::size_t channel) {
+  return layer.name.empty() ? layer.channels[channel] : layer.name + "." + layer.channels[channel];
+}
+
+/// Of one kind of samples; OpenEXR only converts when reading.
+template <class Sample>
+std::vector<Sample> samples_of(const Image& image) {
+  return {image.data.begin(), image.data.end()};
+}
+
+/// The header, the samples and where each channel's lie.
+struct Contents {
+  Imf::Header header;
+  Imf::FrameBuffer buffer;
+  std::deque<std::vector<Imath::half>> halves;  // of the layers that store them
+
+  Contents(const std::string& where, std::span<const ExrLayer> layers, ExrCompression compression)
+      : header(layers.front().image->width, layers.front().image->height) {
+    header.compression() = imf_compression(compression);
+    header.insert("capDate", Imf::StringAttribute("1970:01:01 00:00:00"));  // equal pictures give equal bytes
+    for (const ExrLayer& layer : layers) add(where, layer);
+  }
+
+  void add(const std::string& where, const ExrLayer& layer) {
+    const Imath::Box2i window = header.dataWindow();
+    if (layer.image->width != window.max.x + 1 || layer.image->height != window.max.y + 1)
       throw Error(where, "layer '" + layer.name + "' differs in size from the first one");
     assert(layer.channels.size() == static_cast<std::size_t>(layer.image->channels));
-    for (const std::string& channel : layer.channels) {
-      const std::string name = layer.name.empty() ? channel : layer.name + "." + channel;
-      if (std::count(spec.channelnames.begin(), spec.channelnames.end(), name) != 0)
-        throw Error(where, "two channels are called " + name);
-      spec.channelnames.push_back(name);
-      spec.channelformats.push_back(layer.sample == ExrSample::kHalf ? OIIO::TypeHalf : OIIO::TypeFloat);
+    const bool half = layer.sample == ExrSample::kHalf;
+    if (half) halves.push_back(samples_of<Imath::half>(*layer.image));
+    const Imf::PixelType type = half ? Imf::HALF : Imf::FLOAT;
+    const std::size_t sample_bytes = half ? sizeof(Imath::half) : sizeof(float),
+                      pixel_bytes = sample_bytes * layer.channels.size();
+    const char* first =
+        half ? reinterpret_cast<const char*>(halves.back().data()) : reinterpret_cast<const char*>(layer.image->data.data());
+    for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+      const std::string name = channel_name(layer, c);
+      if (header.channels().findChannel(name)) throw Error(where, "two channels are called " + name);
+      header.channels().insert(name, Imf::Channel(type));
+      buffer.insert(name, Imf::Slice::Make(type, first + sample_bytes * c, window, pixel_bytes,
+                                           pixel_bytes * static_cast<std::size_t>(layer.image->width)));
     }
   }
-  spec.nchannels = static_cast<int>(spec.channelnames.size());
-  return spec;
-}
+};
 
-/// Pixel by pixel the samples of all layers.
-std::vector<float> interleave(std::span<const ExrLayer> layers, std::size_t channels) {
-  const std::size_t pixels = static_cast<std::size_t>(layers.front().image->width) * layers.front().image->height;
-  std::vector<float> samples(pixels * channels);
-  std::size_t first = 0;
-  for (const ExrLayer& layer : layers) {
-    const std::size_t n = layer.channels.size();
-    for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&layer.image->data[i * n], n, &samples[i * channels + first]);
-    first += n;
+std::vector<std::byte> encode(const Contents& contents) {
+  constexpr int kNoThreads = 0;  // ours already fill the machine
+  ExrOutput stream;
+  {
+    Imf::OutputFile output(stream, contents.header, kNoThreads);
+    output.setFrameBuffer(contents.buffer);
+    const Imath::Box2i window = contents.header.dataWindow();
+    output.writePixels(window.max.y + 1);
   }
-  return samples;
+  return std::move(stream.file);
 }
 
 }  // namespace
@@ -74,12 +109,14 @@ ExrLayer color_layer(std::string name, const Image& color) {
 
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, ExrCompression compression) {
   if (layers.empty()) throw Error(path.string(), "a picture without layers");
-  OIIO::ImageSpec spec = make_spec(path.string(), layers);
-  check_image_size(path.string(), spec.width, spec.height, spec.nchannels);
-  spec.attribute("compression", oiio_name(compression));
-  spec.attribute("DateTime", "1970:01:01 00:00:00");  // without it OpenImageIO writes the present time
-  const std::vector<float> samples = interleave(layers, static_cast<std::size_t>(spec.nchannels));
-  write_file_atomically(path, encode_with_oiio(path.string(), "exr", spec, OIIO::TypeFloat, samples.data()));
+  std::int64_t channels = 0;
+  for (const ExrLayer& layer : layers) channels += layer.image->channels;
+  check_image_size(path.string(), layers.front().image->width, layers.front().image->height, channels);
+  try {
+    write_file_atomically(path, encode(Contents(path.string(), layers, compression)));
+  } catch (const Iex::BaseExc& problem) {
+    throw Error(path.string(), std::string("cannot be encoded as exr: ") + problem.what());
+  }
 }
 
 }  // namespace lippmann

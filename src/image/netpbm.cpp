@@ -8,30 +8,17 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <string_view>
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
-#include "image/oiio.hpp"
+#include "image/file_bytes.hpp"
+#include "image/limits.hpp"
 
 namespace lippmann {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "codes and floats are put together from bytes in this order");
-
-std::vector<std::byte> read_all(const std::filesystem::path& path) {
-  constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;
-  std::error_code problem;
-  const std::uintmax_t size = std::filesystem::file_size(path, problem);
-  if (problem) throw Error(path.string(), "cannot be read (" + problem.message() + ")");
-  if (size > kMaxBytes) throw Error(path.string(), "is too large", "at most 4 GB");
-  std::vector<std::byte> bytes(size);
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!file) throw Error(path.string(), "cannot be read");
-  return bytes;
-}
 
 /// The words in front of the samples.
 class Header {
@@ -141,8 +128,8 @@ Image parse_pfm(std::span<const std::byte> file, const std::string& where) {
   return image;
 }
 
-PpmCodes read_ppm(const std::filesystem::path& path) { return parse_ppm(read_all(path), path.string()); }
-Image read_pfm(const std::filesystem::path& path) { return parse_pfm(read_all(path), path.string()); }
+PpmCodes read_ppm(const std::filesystem::path& path) { return parse_ppm(read_file_bytes(path), path.string()); }
+Image read_pfm(const std::filesystem::path& path) { return parse_pfm(read_file_bytes(path), path.string()); }
 
 std::vector<std::byte> encode_ppm(const PpmCodes& picture) {
   std::vector<std::byte> bytes;

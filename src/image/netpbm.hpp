@@ -1,4 +1,4 @@
-// Reads and writes what OpenImageIO does not keep: PPM with codes of 10, 12 or any other number of bits, and PFM (floats).
+// Reads and writes PPM with codes of 8, 10, 12, 16 or any other number of bits, and PFM (floats).
 //
 //   PPM  "P6\n<width> <height>\n<highest code>\n", then 3 codes per pixel, rows from the top; 2 bytes each, high byte first,
 //   where

@@ -1,76 +1,138 @@
 #include "image/png.hpp"
 
+#include <png.h>
+#include <zlib.h>
+
 #include <cassert>
+#include <csetjmp>
+#include <cstring>
 #include <string>
+#include <utility>
 
 #include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "image/limits.hpp"
 #include "image/rgba.hpp"
 
 namespace lippmann {
 namespace {
 
-const char* oiio_name(PngStrategy strategy) {
+int zlib_strategy(PngStrategy strategy) {
   switch (strategy) {
     case PngStrategy::kDefault:
-      return "default";
+      return Z_DEFAULT_STRATEGY;
     case PngStrategy::kFiltered:
-      return "filtered";
+      return Z_FILTERED;
     case PngStrategy::kRunLength:
-      return "rle";
+      return Z_RLE;
     case PngStrategy::kHuffman:
-      return "huffman";
+      return Z_HUFFMAN_ONLY;
   }
-  return "default";
+  return Z_DEFAULT_STRATEGY;
 }
 
-/// libpng's PNG_FILTER_ bits.
 int libpng_bits(PngFilter filter) {
   switch (filter) {
     case PngFilter::kNone:
-      return 0x08;
+      return PNG_FILTER_NONE;
     case PngFilter::kLeft:
-      return 0x10;
+      return PNG_FILTER_SUB;
     case PngFilter::kUp:
-      return 0x20;
+      return PNG_FILTER_UP;
     case PngFilter::kAverage:
-      return 0x40;
+      return PNG_FILTER_AVG;
     case PngFilter::kPaeth:
-      return 0x80;
+      return PNG_FILTER_PAETH;
     case PngFilter::kAdaptive:
-      return 0xf8;
+      return PNG_ALL_FILTERS;
   }
-  return 0x08;
+  return PNG_FILTER_NONE;
 }
 
+/// libpng's errors jump: what lies between setjmp() and them has no destructors.
+class Encoder {
+ public:
+  explicit Encoder(const std::string& where) : where_(where) {
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, &on_error, [](png_structp, png_const_charp) {});
+    info_ = png_ ? png_create_info_struct(png_) : nullptr;
+    if (!info_) {
+      png_destroy_write_struct(&png_, nullptr);
+      throw std::bad_alloc();
+    }
+    png_set_write_fn(png_, this, &on_write, [](png_structp) {});
+  }
+  ~Encoder() { png_destroy_write_struct(&png_, &info_); }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+
+  std::vector<std::byte> encode(int width, int height, int bits, bool alpha, const unsigned char* samples,
+                                const PngOptions& options) {
+    if (!write(width, height, bits, alpha, samples, options))
+      throw Error(where_, std::string("cannot be encoded as png: ") + reason_);
+    return std::move(file_);
+  }
+
+ private:
+  [[noreturn]] static void on_error(png_structp png, png_const_charp text) {
+    Encoder& encoder = *static_cast<Encoder*>(png_get_error_ptr(png));
+    std::strncpy(encoder.reason_, text, sizeof encoder.reason_ - 1);
+    std::longjmp(encoder.back_, 1);
+  }
+  static void on_write(png_structp png, png_bytep from, std::size_t count) {
+    Encoder& encoder = *static_cast<Encoder*>(png_get_io_ptr(png));
+    const auto* bytes = reinterpret_cast<const std::byte*>(from);
+    encoder.file_.insert(encoder.file_.end(), bytes, bytes + count);
+  }
+
+  bool write(int width, int height, int bits, bool alpha, const unsigned char* samples, const PngOptions& options) {
+    if (setjmp(back_) != 0) return false;
+    png_set_compression_level(png_, options.level);
+    png_set_compression_strategy(png_, zlib_strategy(options.strategy));
+    png_set_filter(png_, PNG_FILTER_TYPE_BASE, libpng_bits(options.filter));
+    png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
+                 alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
+    png_write_info(png_, info_);
+    if (bits == 16) png_set_swap(png_);
+    const std::size_t row = static_cast<std::size_t>(width) * (alpha ? 4 : 3) * static_cast<std::size_t>(bits / 8);
+    for (int y = 0; y < height; ++y) png_write_row(png_, samples + row * static_cast<std::size_t>(y));
+    png_write_end(png_, info_);
+    return true;
+  }
+
+  const std::string& where_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  std::vector<std::byte> file_;
+  char reason_[200] = {};
+  std::jmp_buf back_;
+};
+
 template <class AnyImage>
-std::vector<std::byte> encode(const std::string& where, const AnyImage& image, OIIO::TypeDesc type, const PngOptions& options) {
+std::vector<std::byte> encode(const std::string& where, const AnyImage& image, const PngOptions& options) {
+  using Code = typename decltype(image.rgb)::value_type;
   assert(image.rgb.size() == std::size_t{3} * image.width * image.height);
-  OIIO::ImageSpec spec(image.width, image.height, 3, type);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("png:compressionLevel", options.level);
-  spec.attribute("compression", oiio_name(options.strategy));
-  spec.attribute("png:filter", libpng_bits(options.filter));
-  if (image.alpha.empty()) return encode_with_oiio(where, "png", spec, type, image.rgb.data());
-  add_alpha(spec);
-  return encode_with_oiio(where, "png", spec, type, interleaved(image.rgb, image.alpha).data());
+  const bool alpha = !image.alpha.empty();
+  check_image_size(where, image.width, image.height, alpha ? 4 : 3);
+  const std::vector<Code> with_alpha = interleaved(image.rgb, image.alpha);
+  const std::vector<Code>& samples = alpha ? with_alpha : image.rgb;
+  return Encoder(where).encode(image.width, image.height, 8 * sizeof(Code), alpha,
+                               reinterpret_cast<const unsigned char*>(samples.data()), options);
 }
 
 }  // namespace
 
-std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options) {
-  return encode("PNG", image, OIIO::TypeUInt8, options);
-}
+std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options) { return encode("PNG", image, options); }
 
-std::vector<std::byte> encode_png(const Image16& image, const PngOptions& options) {
-  return encode("PNG", image, OIIO::TypeUInt16, options);
-}
+std::vector<std::byte> encode_png(const Image16& image, const PngOptions& options) { return encode("PNG", image, options); }
 
 void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options) {
-  write_file_atomically(path, encode(path.string(), image, OIIO::TypeUInt8, options));
+  write_file_atomically(path, encode(path.string(), image, options));
 }
 
 void write_png(const std::filesystem::path& path, const Image16& image, const PngOptions& options) {
-  write_file_atomically(path, encode(path.string(), image, OIIO::TypeUInt16, options));
+  write_file_atomically(path, encode(path.string(), image, options));
 }
 
 }  // namespace lippmann

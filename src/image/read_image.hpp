@@ -1,4 +1,4 @@
-// Reads pictures of any format that OpenImageIO knows (PNG, EXR, TIFF, JPEG, PPM, TGA, HDR, PFM, ...).
+// Reads pictures: PNG, OpenEXR, TIFF, JPEG, Radiance HDR, WebP, PPM, PGM, PFM and TGA, told apart by their first bytes.
 //
 // Only the first picture of a file is read, at most 65536 pixels a side and 2^28 pixels in all; transparency is not applied.
 // All throw Error naming the file if it is missing, truncated, not a picture, or too large.

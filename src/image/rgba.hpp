@@ -2,9 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
-
-#include "image/oiio.hpp"
 
 namespace lippmann {
 
@@ -17,14 +16,6 @@ std::vector<Code> interleaved(const std::vector<Code>& rgb, const std::vector<Co
     rgba[4 * i + 3] = alpha[i];
   }
   return rgba;
-}
-
-/// Colours that are not multiplied by alpha, and are stored as they are.
-inline void add_alpha(OIIO::ImageSpec& spec) {
-  spec.nchannels = 4;
-  spec.default_channel_names();
-  spec.alpha_channel = 3;
-  spec.attribute("oiio:UnassociatedAlpha", 1);
 }
 
 }  // namespace lippmann

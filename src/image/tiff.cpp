@@ -1,13 +1,22 @@
 #include "image/tiff.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <tiffio.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cassert>
+#include <cerrno>
+#include <cstdarg>
 #include <memory>
+#include <system_error>
+#include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "image/limits.hpp"
 #include "image/rgba.hpp"
 
 namespace lippmann {
@@ -17,27 +26,133 @@ constexpr double kMmPerInch = 25.4;
 
 constexpr std::size_t kMaxClassicSamples = (std::size_t{7} << 32) / 8;
 
-OIIO::ImageSpec spec_of(const Image8& image, double pixels_per_mm, TiffKind kind) {
-  OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeUInt8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("compression", "zip");
-  spec.attribute("tiff:zipquality", 1);
-  spec.attribute("tiff:bigtiff", kind == TiffKind::kBig || image.rgb.size() + image.alpha.size() > kMaxClassicSamples ? 1 : 0);
-  spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the time of writing: equal pictures would differ
-  if (!image.alpha.empty()) add_alpha(spec);
-  if (pixels_per_mm > 0.0) {
-    const auto dots_per_inch = static_cast<float>(pixels_per_mm * kMmPerInch);
-    spec.attribute("XResolution", dots_per_inch);
-    spec.attribute("YResolution", dots_per_inch);
-    spec.attribute("ResolutionUnit", "in");
+/// Writes to a file descriptor and remembers whether anything failed: libtiff does not say so of the last bytes, the directory
+/// without which nothing can be opened.
+class Output {
+ public:
+  Output(const std::filesystem::path& temporary, const std::filesystem::path& path, bool big)
+      : path_(path), descriptor_(open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) throw failure(errno);
+    const std::unique_ptr<TIFFOpenOptions, OptionsDeleter> options(TIFFOpenOptionsAlloc());
+    if (!options) throw std::bad_alloc();
+    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &be_silent, nullptr);
+    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), &be_silent, nullptr);
+    tiff_ = TIFFClientOpenExt("file", big ? "w8" : "w", this, &on_read, &on_write, &on_seek, &on_close, &on_size, &on_map,
+                              &on_unmap, options.get());
+    if (!tiff_) throw failure(error_);
   }
-  return spec;
+  ~Output() {
+    if (tiff_) TIFFClose(tiff_);
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  TIFF* tiff() { return tiff_; }
+
+  /// Throws if anything could not be written.
+  void finish() {
+    if (!TIFFWriteDirectory(tiff_)) throw failure(error_);
+    TIFFClose(std::exchange(tiff_, nullptr));
+    if (::close(std::exchange(descriptor_, -1)) != 0 && error_ == 0) error_ = errno;
+    if (error_ != 0) throw failure(error_);
+  }
+
+  Error failure(int code) const {
+    return Error(path_.string(), "cannot be written as TIFF: " +
+                                     (code == 0 ? std::string("libtiff refuses it") : std::generic_category().message(code)));
+  }
+  Error failure() const { return failure(error_); }
+
+ private:
+  struct OptionsDeleter {
+    void operator()(TIFFOpenOptions* p) const { TIFFOpenOptionsFree(p); }
+  };
+
+  static int be_silent(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+  static Output& of(thandle_t handle) { return *static_cast<Output*>(handle); }
+  static tmsize_t on_read(thandle_t handle, void* to, tmsize_t count) {
+    return ::read(of(handle).descriptor_, to, static_cast<std::size_t>(count));
+  }
+  static tmsize_t on_write(thandle_t handle, void* from, tmsize_t count) {
+    Output& output = of(handle);
+    for (tmsize_t done = 0; done < count;) {
+      const ssize_t written =
+          ::write(output.descriptor_, static_cast<char*>(from) + done, static_cast<std::size_t>(count - done));
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) {
+        if (output.error_ == 0) output.error_ = errno;
+        return -1;
+      }
+      done += written;
+    }
+    return count;
+  }
+  static toff_t on_seek(thandle_t handle, toff_t offset, int whence) {
+    return static_cast<toff_t>(::lseek(of(handle).descriptor_, static_cast<off_t>(offset), whence));
+  }
+  static int on_close(thandle_t) { return 0; }
+  static toff_t on_size(thandle_t handle) {
+    struct stat status {};
+    return fstat(of(handle).descriptor_, &status) == 0 ? static_cast<toff_t>(status.st_size) : 0;
+  }
+  static int on_map(thandle_t, void**, toff_t*) { return 0; }
+  static void on_unmap(thandle_t, void*, toff_t) {}
+
+  const std::filesystem::path& path_;
+  int descriptor_ = -1;
+  int error_ = 0;  // errno of the first write that failed
+  TIFF* tiff_ = nullptr;
+};
+
+/// Writes Exif's word for sRGB, and returns where it stands; the picture's own directory comes after it.
+std::uint64_t write_colour_space(TIFF* tiff) {
+  constexpr std::uint16_t kSrgb = 1;
+  std::uint64_t place = 0;
+  const bool written = TIFFCreateEXIFDirectory(tiff) == 0 && TIFFSetField(tiff, EXIFTAG_COLORSPACE, kSrgb) &&
+                       TIFFWriteCustomDirectory(tiff, &place);
+  TIFFFreeDirectory(tiff);  // beginning the next one forgets what this one has allocated
+  if (TIFFCreateDirectory(tiff) != 0) return 0;
+  return written ? place : 0;
 }
 
-/// libtiff does not say whether it could write the last bytes: the directory, without which nothing can be opened.
-bool can_be_opened(const std::filesystem::path& path) {
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
-  return input != nullptr;
+constexpr std::uint32_t kRowsPerStrip = 32;
+
+void set_fields(TIFF* tiff, const Image8& image, double pixels_per_mm) {
+  const bool alpha = !image.alpha.empty();
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(image.width));
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(image.height));
+  TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, alpha ? 4 : 3);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
+  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, kRowsPerStrip);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
+  TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
+  TIFFSetField(tiff, TIFFTAG_ZIPQUALITY, 1);
+  TIFFSetField(tiff, TIFFTAG_DATETIME, "1970:01:01 00:00:00");  // equal pictures give equal bytes
+  if (alpha) {
+    const std::uint16_t unassociated = EXTRASAMPLE_UNASSALPHA;
+    TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &unassociated);
+  }
+  if (pixels_per_mm > 0.0) {
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, pixels_per_mm * kMmPerInch);
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, pixels_per_mm * kMmPerInch);
+    TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+  }
+}
+
+/// A strip's samples, alpha beside the colours. libtiff may change them.
+std::vector<unsigned char> strip_of(const Image8& image, std::size_t first_row, std::size_t rows) {
+  const std::size_t width = static_cast<std::size_t>(image.width), begin = first_row * width, end = begin + rows * width;
+  const auto part = [&](const std::vector<unsigned char>& codes, std::size_t channels) {
+    return std::vector<unsigned char>(codes.begin() + static_cast<std::ptrdiff_t>(channels * begin),
+                                      codes.begin() + static_cast<std::ptrdiff_t>(channels * end));
+  };
+  std::vector<unsigned char> rgb = part(image.rgb, 3);
+  return image.alpha.empty() ? rgb : interleaved(rgb, part(image.alpha, 1));
 }
 
 void check_tiff_size(const std::string& where, const Image8& image) {
@@ -52,18 +167,21 @@ void check_tiff_size(const std::string& where, const Image8& image) {
 void write_tiff(const std::filesystem::path& path, const Image8& image, double pixels_per_mm, TiffKind kind) {
   assert(image.rgb.size() == std::size_t{3} * image.width * image.height);
   check_tiff_size(path.string(), image);
-  keep_oiio_single_threaded();
-  const std::vector<unsigned char> with_alpha = interleaved(image.rgb, image.alpha);
-  const std::vector<unsigned char>& samples = image.alpha.empty() ? image.rgb : with_alpha;
   AtomicFile file(path);
-  const std::string temporary = file.temporary_path().string();
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("tiff");
-  const auto failure = [&](const std::string& reason) { return Error(path.string(), "cannot be written as TIFF: " + reason); };
-  if (!output) throw failure(OIIO::geterror());
-  if (!output->open(temporary, spec_of(image, pixels_per_mm, kind)) || !output->write_image(OIIO::TypeUInt8, samples.data()) ||
-      !output->close())
-    throw failure(output->geterror());
-  if (!can_be_opened(temporary)) throw failure("the disk may be full");
+  const bool big = kind == TiffKind::kBig || image.rgb.size() + image.alpha.size() > kMaxClassicSamples;
+  Output output(file.temporary_path(), path, big);
+  const std::uint64_t colour_space = write_colour_space(output.tiff());
+  if (colour_space == 0) throw output.failure();
+  set_fields(output.tiff(), image, pixels_per_mm);
+  TIFFSetField(output.tiff(), TIFFTAG_EXIFIFD, colour_space);
+  const auto height = static_cast<std::size_t>(image.height);
+  for (std::size_t row = 0; row < height; row += kRowsPerStrip) {
+    std::vector<unsigned char> strip = strip_of(image, row, std::min<std::size_t>(kRowsPerStrip, height - row));
+    const auto number = static_cast<std::uint32_t>(row / kRowsPerStrip);
+    if (TIFFWriteEncodedStrip(output.tiff(), number, strip.data(), static_cast<tmsize_t>(strip.size())) < 0)
+      throw output.failure();
+  }
+  output.finish();
   file.commit();
 }
 

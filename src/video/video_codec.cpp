@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "video/encoders.hpp"
+#include "video/container.hpp"
+#include "video/video_module.hpp"
 
 namespace lippmann {
 namespace {
@@ -59,23 +60,6 @@ int longest_side(VideoCodec codec) {
   return 65536;
 }
 
-/// Those that are in this build of FFmpeg, the preferred one first.
-std::vector<const char*> encoders_of(VideoCodec codec) {
-  switch (codec) {
-    case VideoCodec::kH264:
-      return {"libx264"};
-    case VideoCodec::kHevc:
-      return {"libx265"};
-    case VideoCodec::kVp9:
-      return {"libvpx-vp9"};
-    case VideoCodec::kAv1:
-      return {"libaom-av1"};
-    case VideoCodec::kFfv1:
-      break;
-  }
-  return {"ffv1"};
-}
-
 void require_size(const fs::path& path, const Container& container, VideoCodec codec, int side) {
   if (side <= longest_side(codec)) return;
   std::vector<VideoCodec> larger;
@@ -89,10 +73,20 @@ void require_size(const fs::path& path, const Container& container, VideoCodec c
 
 }  // namespace
 
-const AVCodec* find_encoder(VideoCodec codec) {
-  for (const char* name : encoders_of(codec))
-    if (const AVCodec* found = avcodec_find_encoder_by_name(name)) return found;
-  return nullptr;
+const char* encoder_name(VideoCodec codec) {
+  switch (codec) {
+    case VideoCodec::kH264:
+      return "libx264";
+    case VideoCodec::kHevc:
+      return "libx265";
+    case VideoCodec::kVp9:
+      return "libvpx-vp9";
+    case VideoCodec::kAv1:
+      return "libaom-av1";
+    case VideoCodec::kFfv1:
+      break;
+  }
+  return "ffv1";
 }
 
 const char* muxer_name(const fs::path& path) { return container_of(path).muxer.data(); }
@@ -109,9 +103,9 @@ VideoCodec choose_codec(const fs::path& path, std::optional<VideoCodec> wanted, 
   VideoCodec codec = wanted.value_or(container.codecs.front());
   if (!wanted && codec == VideoCodec::kH264 && side > longest_side(codec)) codec = VideoCodec::kHevc;
   require_size(path, container, codec, side);
-  if (!find_encoder(codec))
+  if (!video_module().has_encoder(encoder_name(codec)))
     throw Error(path.string(), fmt::format("this build of FFmpeg has no encoder {} ({} is only in builds under the GPL)",
-                                           encoders_of(codec).front(), "libx264, like libx265,"));
+                                           encoder_name(codec), "libx264, like libx265,"));
   return codec;
 }
 

@@ -11,6 +11,8 @@
 
 namespace lippmann {
 
+class VideoDecoder;
+
 /// Throws Error naming the file if it is missing, not a video, too large (65536 pixels a side, 2^28 pixels), damaged or
 /// truncated.
 class VideoReader {
@@ -24,8 +26,7 @@ class VideoReader {
   std::optional<Image8> next();
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<VideoDecoder> decoder_;
 };
 
 /// Whether the file's extension is that of a video (.mp4, .mkv, .mov, .webm, .avi, .m4v).

@@ -1,12 +1,12 @@
 #include "scene/obj.hpp"
 
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "core/error.hpp"
+#include "image/png.hpp"
 #include "scene/load.hpp"
 #include "support/temp_dir.hpp"
 
@@ -139,10 +139,7 @@ TEST_F(Obj, physical_extension_wins_over_the_exponent) {
 TEST_F(Obj, black_highlight_is_none) { EXPECT_EQ(surface_of("Ks 0 0 0").specular, 0.0f); }
 
 TEST_F(Obj, texture_is_read_behind_its_options) {
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
-  const unsigned char texel[] = {10, 20, 30};
-  ASSERT_TRUE(output->open((dir_ / "a b.png").string(), OIIO::ImageSpec(1, 1, 3, OIIO::TypeDesc::UINT8)));
-  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, texel) && output->close());
+  write_png(dir_ / "a b.png", Image8{1, 1, {10, 20, 30}});
   write("a.mtl", "newmtl m\nmap_Kd -s 1 1 1 -clamp on a b.png\nmap_Ke a b.png\n");
   const Scene scene = load("mtllib a.mtl\n" + kTriangle + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
   ASSERT_EQ(scene.textures.size(), 1u);

@@ -5,18 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/multiversion.hpp"
 #include "core/random.hpp"
+#include "image/encode.hpp"
 
 namespace lippmann::builtin {
 namespace {
 
 constexpr int kTexels = 512;
-
-std::uint8_t srgb_code(float linear) {
-  const float x = std::clamp(linear, 0.0f, 1.0f);
-  const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
-}
 
 float fract(float x) { return x - std::floor(x); }
 
@@ -26,14 +22,75 @@ float ramp(float from, float to, float x) {
   return t * t * (3.0f - 2.0f * t);
 }
 
-int wrapped(int i, int period) { return ((i % period) + period) % period; }
+LIPPMANN_INLINE int wrapped(int i, int period) { return i >= 0 && i < period ? i : ((i % period) + period) % period; }
 
-float lattice_gradient(int x, int y, Vec2i period, std::uint32_t seed, Vec2f offset) {
+/// Where a point lies between two lattice lines of one direction.
+struct LatticePlace {
+  int before, after;  // modulo the period
+  float offset;       // from the line before
+  float weight;       // of the line after
+};
+
+LIPPMANN_INLINE LatticePlace lattice_place(float p, int period) {
+  const int line = static_cast<int>(std::floor(p)), before = wrapped(line, period);
+  const float f = p - static_cast<float>(line);
+  return {before, wrapped(before + 1, period), f, f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f)};
+}
+
+LIPPMANN_INLINE Vec2f lattice_gradient(int x, std::uint32_t row_hash) {
   constexpr float kDiagonal = 0.70710678f;
-  constexpr Vec2f kGradients[8] = {{1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
-                                   {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
-  const auto u = static_cast<std::uint32_t>(wrapped(x, period.x)), v = static_cast<std::uint32_t>(wrapped(y, period.y));
-  return glm::dot(kGradients[hash(u, v, seed) >> 29], offset);
+  static constexpr Vec2f kGradients[8] = {{1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
+                                          {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
+  return kGradients[hash(static_cast<std::uint32_t>(x) ^ row_hash) >> 29];
+}
+
+/// gradient(column) of the lattice row above and below the point.
+template <class Above, class Below>
+LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v, const Above& above, const Below& below) {
+  const Vec2f f(u.offset, v.offset);
+  const float a = glm::dot(above(u.before), f);
+  const float b = glm::dot(above(u.after), f - Vec2f(1, 0));
+  const float c = glm::dot(below(u.before), f - Vec2f(0, 1));
+  const float d = glm::dot(below(u.after), f - Vec2f(1, 1));
+  constexpr float kToUnitRange = 1.41421356f;  // gradients of length 1 reach sqrt(1/2) in the middle of a cell
+  return kToUnitRange * glm::mix(glm::mix(a, b, u.weight), glm::mix(c, d, u.weight), v.weight);
+}
+
+constexpr float kFractalScale = 1.3f;
+
+/// fractal_noise(period uv, period, ...) at every texel of a square texture, rows from the top. What only depends on a texel's
+/// row or column is worked out once.
+std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_t seed) {
+  const auto place_of = [&period](int texel) {
+    return lattice_place(static_cast<float>(period) * ((static_cast<float>(texel) + 0.5f) / static_cast<float>(kTexels)),
+                         period);
+  };
+  std::vector<float> sums(static_cast<std::size_t>(kTexels) * kTexels);
+  float weight = 0.5f;
+  for (int octave = 0; octave < octaves; ++octave, ++seed, period *= 2, weight *= 0.5f) {
+    std::vector<LatticePlace> columns;
+    for (int x = 0; x < kTexels; ++x) columns.push_back(place_of(x));
+    std::vector<Vec2f> above(static_cast<std::size_t>(period)), below(above);
+    float* sum = sums.data();
+    for (int y = 0; y < kTexels; ++y) {
+      const LatticePlace row = place_of(y);
+      for (int x = 0; x < period; ++x) {
+        above[static_cast<std::size_t>(x)] = lattice_gradient(x, hash(static_cast<std::uint32_t>(row.before), seed));
+        below[static_cast<std::size_t>(x)] = lattice_gradient(x, hash(static_cast<std::uint32_t>(row.after), seed));
+      }
+      for (const LatticePlace& column : columns)
+        *sum++ += weight * noise_between(
+                               column, row, [&](int x) { return above[static_cast<std::size_t>(x)]; },
+                               [&](int x) { return below[static_cast<std::size_t>(x)]; });
+    }
+  }
+  for (float& sum : sums) sum *= kFractalScale;
+  return sums;
+}
+
+/// Of the values at all texels, that at the texel in whose middle uv lies.
+float value_at(const std::vector<float>& values, Vec2f uv) {
+  return values[static_cast<std::size_t>(uv.y * kTexels) * kTexels + static_cast<std::size_t>(uv.x * kTexels)];
 }
 
 /// 1 on a line of the given half width around the whole numbers, 0 elsewhere.
@@ -45,31 +102,27 @@ float joint(float x, float half_width) {
 }  // namespace
 
 Texture paint(std::string name, int width, int height, const std::function<Vec3f(Vec2f)>& color_at) {
-  Texture texture;
-  texture.name = std::move(name);
-  texture.width = width;
-  texture.height = height;
-  texture.rgba.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  Image colors(width, height, 3);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const Vec3f color = color_at({(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
                                     (static_cast<float>(y) + 0.5f) / static_cast<float>(height)});
-      for (int c = 0; c < 3; ++c) texture.rgba.push_back(srgb_code(color[c]));
-      texture.rgba.push_back(255);
+      std::copy_n(&color[0], 3, colors.pixel(x, y));
     }
+  const Image8 codes = to_codes(colors, Encoding::kSrgb);
+  Texture texture{std::move(name), width, height, {}};
+  texture.rgba.assign(codes.rgb.size() / 3 * 4, 255);
+  for (std::size_t i = 0; i < codes.rgb.size() / 3; ++i) std::copy_n(&codes.rgb[3 * i], 3, &texture.rgba[4 * i]);
   return texture;
 }
 
-float noise(Vec2f p, Vec2i period, std::uint32_t seed) {
-  const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
-  const Vec2f f = p - Vec2f(static_cast<float>(x), static_cast<float>(y));
-  const Vec2f s = f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f);
-  const float a = lattice_gradient(x, y, period, seed, f);
-  const float b = lattice_gradient(x + 1, y, period, seed, f - Vec2f(1, 0));
-  const float c = lattice_gradient(x, y + 1, period, seed, f - Vec2f(0, 1));
-  const float d = lattice_gradient(x + 1, y + 1, period, seed, f - Vec2f(1, 1));
-  constexpr float kToUnitRange = 1.41421356f;  // gradients of length 1 reach sqrt(1/2) in the middle of a cell
-  return kToUnitRange * glm::mix(glm::mix(a, b, s.x), glm::mix(c, d, s.x), s.y);
+LIPPMANN_MULTIVERSION float noise(Vec2f p, Vec2i period, std::uint32_t seed) {
+  const LatticePlace u = lattice_place(p.x, period.x), v = lattice_place(p.y, period.y);
+  const std::uint32_t above = hash(static_cast<std::uint32_t>(v.before), seed),
+                      below = hash(static_cast<std::uint32_t>(v.after), seed);
+  return noise_between(
+      u, v, [above](int x) LIPPMANN_INLINE_LAMBDA { return lattice_gradient(x, above); },
+      [below](int x) LIPPMANN_INLINE_LAMBDA { return lattice_gradient(x, below); });
 }
 
 float fractal_noise(Vec2f p, Vec2i period, int octaves, std::uint32_t seed) {
@@ -78,15 +131,16 @@ float fractal_noise(Vec2f p, Vec2i period, int octaves, std::uint32_t seed) {
     sum += weight * noise(p, period, seed + static_cast<std::uint32_t>(octave));
     p *= 2.0f, period *= 2, weight *= 0.5f;
   }
-  return 1.3f * sum;
+  return kFractalScale * sum;
 }
 
 Texture marble_tiles(Vec3f light, Vec3f dark) {
-  return paint("marble tiles", kTexels, kTexels, [=](Vec2f uv) {
+  const std::vector<float> clouds = fractal_noise_of_texels(6, 4, 11), bends = fractal_noise_of_texels(6, 4, 23);
+  return paint("marble tiles", kTexels, kTexels, [&](Vec2f uv) {
     const Vec2f tile = 2.0f * uv;
     const bool is_dark = (static_cast<int>(tile.x) + static_cast<int>(tile.y)) % 2 == 1;
-    const float cloud = fractal_noise(6.0f * uv, {6, 6}, 4, 11);
-    const Vec2f bent = 4.0f * uv + 0.9f * Vec2f(cloud, fractal_noise(6.0f * uv, {6, 6}, 4, 23));
+    const float cloud = value_at(clouds, uv);
+    const Vec2f bent = 4.0f * uv + 0.9f * Vec2f(cloud, value_at(bends, uv));
     const float vein = std::pow(1.0f - std::abs(noise(bent, {4, 4}, is_dark ? 31 : 37)), 12.0f);
     const Vec3f stone = is_dark ? dark * (1.0f + 0.5f * cloud) + 0.10f * vein : light * (1.0f + 0.10f * cloud) - 0.16f * vein;
     const float gap = std::max(joint(tile.x, 0.008f), joint(tile.y, 0.008f));

@@ -1,6 +1,4 @@
 // Materials and textures of the glTF reader.
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,11 +7,14 @@
 #include "core/error.hpp"
 #include "scene/gltf/gltf_builder.hpp"
 #include "scene/load.hpp"
+#include "support/encode_image.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {
 namespace {
 
+using test::encode_jpeg;
+using test::encode_png;
 using test::error_message;
 using test::GltfBuilder;
 using test::Json;
@@ -22,23 +23,9 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// An encoded image of bytes.
-std::vector<unsigned char> encode(const char* format, int width, int height, int channels, std::vector<std::uint8_t> pixels) {
-  std::vector<unsigned char> encoded;
-  OIIO::Filesystem::IOVecOutput memory(encoded);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
-  output->set_ioproxy(&memory);
-  OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
-  spec["oiio:UnassociatedAlpha"] = 1;
-  EXPECT_TRUE(output->open(std::string("memory.") + format, spec)) << output->geterror();
-  EXPECT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, pixels.data())) << output->geterror();
-  output->close();
-  return encoded;
-}
-
 /// Red, green, blue and transparent white, two by two.
 std::vector<unsigned char> four_colours() {
-  return encode("png", 2, 2, 4, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0});
+  return encode_png(2, 2, 4, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0});
 }
 
 Scene scene_of_material(const Json& material, std::vector<std::string>* warnings = nullptr) {
@@ -246,16 +233,16 @@ TEST(GltfTexture, png_is_decoded_top_row_first_without_multiplying_by_alpha) {
 }
 
 TEST(GltfTexture, fewer_channels_are_expanded) {
-  EXPECT_THAT(parse(textured(encode("png", 2, 1, 1, {10, 20}))).textures.at(0).rgba,
+  EXPECT_THAT(parse(textured(encode_png(2, 1, 1, {10, 20}))).textures.at(0).rgba,
               ElementsAre(10, 10, 10, 255, 20, 20, 20, 255));
-  EXPECT_THAT(parse(textured(encode("png", 2, 1, 2, {10, 11, 20, 22}))).textures.at(0).rgba,
+  EXPECT_THAT(parse(textured(encode_png(2, 1, 2, {10, 11, 20, 22}))).textures.at(0).rgba,
               ElementsAre(10, 10, 10, 11, 20, 20, 20, 22));
-  EXPECT_THAT(parse(textured(encode("png", 2, 1, 3, {1, 2, 3, 4, 5, 6}))).textures.at(0).rgba,
+  EXPECT_THAT(parse(textured(encode_png(2, 1, 3, {1, 2, 3, 4, 5, 6}))).textures.at(0).rgba,
               ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
 }
 
 TEST(GltfTexture, jpeg_is_decoded) {
-  const Scene scene = parse(textured(encode("jpeg", 8, 8, 3, std::vector<std::uint8_t>(3 * 64, 128))));
+  const Scene scene = parse(textured(encode_jpeg(8, 8, 3, std::vector<std::uint8_t>(3 * 64, 128))));
   // A uniform grey of 128 is the zero of the cosine transform: every quality keeps it.
   EXPECT_EQ(scene.textures.at(0).rgba[0], 128);
   EXPECT_EQ(scene.textures.at(0).rgba[3], 255);
@@ -348,7 +335,8 @@ TEST(GltfTexture, every_proper_prefix_of_a_png_is_an_error) {
   for (std::size_t length = 1; length < whole.size(); ++length) {
     const std::vector<unsigned char> cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
     EXPECT_EQ(error_message([&] { parse(textured(cut)); }),
-              length < 8 ? "a.glb: images[0]: is neither PNG nor JPEG" : "a.glb: images[0]: is a truncated PNG image")
+              length < 8 ? "a.glb: images[0]: is neither PNG nor JPEG"
+                         : "a.glb: images[0]: cannot be read as a picture: the file is truncated")
         << "cut to " << length;
   }
 }
@@ -356,7 +344,7 @@ TEST(GltfTexture, every_proper_prefix_of_a_png_is_an_error) {
 TEST(GltfTexture, png_with_damaged_pixels_is_an_error) {
   std::vector<unsigned char> damaged = four_colours();
   damaged[damaged.size() - 12 - 4 - 6] ^= 0xff;  // before the last chunk and its own checksum: in the compressed pixels
-  EXPECT_THAT(error_message([&] { parse(textured(damaged)); }), HasSubstr("a.glb: images[0]: is not a readable png image"));
+  EXPECT_THAT(error_message([&] { parse(textured(damaged)); }), HasSubstr("a.glb: images[0]: cannot be read as a picture"));
 }
 
 TEST(GltfTexture, image_larger_than_the_limit_is_refused_before_it_is_decoded) {

@@ -1,4 +1,4 @@
-// What this part's .cpp files share of FFmpeg's libraries: owners, errors, silence. Not to be included from anywhere else.
+// What the module's .cpp files share of FFmpeg's libraries: owners, errors, silence. Not to be included from anywhere else.
 #pragma once
 
 extern "C" {

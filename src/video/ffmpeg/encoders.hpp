@@ -1,13 +1,10 @@
-// What the encoders of FFmpeg are told, per codec. Private to this part.
+// What the encoders of FFmpeg are told, per codec. Private to the module.
 #pragma once
 
-#include "video/ffmpeg.hpp"
+#include "video/ffmpeg/ffmpeg.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {
-
-/// The encoder for a codec that choose_codec() has accepted.
-const AVCodec* find_encoder(VideoCodec codec);
 
 /// FFV1 keeps RGB; the others take YUV at half the resolution of colour, whose sides must be even.
 AVPixelFormat pixel_format(VideoCodec codec);
@@ -16,7 +13,5 @@ int size_multiple(VideoCodec codec);
 /// Quality, speed, and whatever keeps an encoder's bytes the same on every machine. Size and format are set before, threads
 /// too: bytes may depend on them.
 void configure(AVCodecContext& context, VideoCodec codec, int crf);
-
-const char* muxer_name(const std::filesystem::path& path);
 
 }  // namespace lippmann

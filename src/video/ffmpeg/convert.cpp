@@ -1,4 +1,4 @@
-#include "video/convert.hpp"
+#include "video/ffmpeg/convert.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "video/encoders.hpp"
+#include "video/ffmpeg/encoders.hpp"
 
 #include <fmt/format.h>
 

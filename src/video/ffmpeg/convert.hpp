@@ -1,10 +1,10 @@
-// Converts between pictures (8-bit RGB codes) and the frames of FFmpeg's encoders and decoders. Private to this part.
+// Converts between pictures (8-bit RGB codes) and the frames of FFmpeg's encoders and decoders. Private to the module.
 //
 // RGB frames are copied code by code. YUV goes through libswscale with its exact, reproducible settings.
 #pragma once
 
 #include "image/image.hpp"
-#include "video/ffmpeg.hpp"
+#include "video/ffmpeg/ffmpeg.hpp"
 
 namespace lippmann {
 

@@ -1,4 +1,4 @@
-#include "video/ffmpeg.hpp"
+#include "video/ffmpeg/ffmpeg.hpp"
 
 #include <array>
 #include <mutex>

@@ -1,0 +1,57 @@
+// Writes seeds for fuzz_picture into a folder: a small picture in each format.
+#include <webp/encode.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "image/exr.hpp"
+#include "image/netpbm.hpp"
+#include "image/png.hpp"
+#include "image/tiff.hpp"
+#include "support/encode_image.hpp"
+#include "support/pictures.hpp"
+
+namespace {
+
+using namespace lippmann;
+
+constexpr int kWidth = 12, kHeight = 9;
+
+template <class Bytes>
+void write(const std::filesystem::path& path, const Bytes& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(std::data(bytes)), static_cast<std::streamsize>(std::size(bytes)));
+}
+
+void write_webp(const std::filesystem::path& path, const Image8& codes) {
+  std::uint8_t* encoded = nullptr;
+  const std::size_t size = WebPEncodeRGB(codes.rgb.data(), kWidth, kHeight, 3 * kWidth, 80.0f, &encoded);
+  write(path, std::span(encoded, size));
+  WebPFree(encoded);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder);
+  const Image8 codes = test::smooth_codes(kWidth, kHeight);
+  const Image film = test::noise_image(kWidth, kHeight, 3);
+  write(folder / "png", encode_png(codes));
+  write(folder / "jpeg", test::encode_jpeg(kWidth, kHeight, 3, codes.rgb));
+  write(folder / "jpeg_progressive", test::encode_jpeg(kWidth, kHeight, 3, codes.rgb, true));
+  write_tiff(folder / "tiff", codes);
+  const ExrLayer layers[] = {film_layer(film)};
+  for (const ExrCompression compression :
+       {ExrCompression::kNone, ExrCompression::kRunLength, ExrCompression::kZip, ExrCompression::kPiz})
+    write_exr(folder / ("exr_" + std::to_string(static_cast<int>(compression))), layers, compression);
+  write_webp(folder / "webp", codes);
+  write(folder / "pfm", encode_pfm(film));
+  write(folder / "ppm", encode_ppm({{kWidth, kHeight, {codes.rgb.begin(), codes.rgb.end()}}, 255}));
+  const char hdr_row[] = {2, 2, 0, 8, '\x88', '\x40', 3, 1, 2, 3, '\x85', 9, '\x88', 0, '\x84', '\x81', '\x84', '\x80'};
+  write(folder / "hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n" + std::string(hdr_row, sizeof hdr_row));
+  const char tga[] = {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 8, 0, '\x82', 50, 0, 60};
+  write(folder / "tga", std::string(tga, sizeof tga));
+  return 0;
+}

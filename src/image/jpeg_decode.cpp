@@ -1,0 +1,132 @@
+// JPEG, by libjpeg. Its errors jump: what lies between setjmp() and them has no destructors.
+//
+// A truncated or damaged scan is a warning to libjpeg, which fills the rest with grey; here it is an error. So is a
+// progressive file of more scans than any encoder makes: each costs a pass over the whole picture.
+#include <cstdio>
+// clang-format off: it needs FILE
+#include <jerror.h>
+#include <jpeglib.h>
+// clang-format on
+
+#include <csetjmp>
+#include <cstring>
+
+#include "image/decode.hpp"
+#include "image/limits.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr unsigned char kMagic[] = {0xff, 0xd8, 0xff};
+
+/// A block of 8 x 8 samples takes at least one bit.
+constexpr std::uint64_t kMostSamplesPerByte = 8 * 64;
+constexpr int kMostScans = 200;
+
+class Decoder {
+ public:
+  Decoder(FileBytes file, const std::string& where) : file_(file), where_(where) {
+    jpeg_.err = jpeg_std_error(&errors_);
+    jpeg_.client_data = this;
+    errors_.error_exit = &on_error;
+    errors_.emit_message = &on_message;
+    errors_.output_message = [](j_common_ptr) {};
+    progress_.progress_monitor = &on_progress;
+  }
+  ~Decoder() { jpeg_destroy_decompress(&jpeg_); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
+  PictureHeader header() {
+    if (!read_header()) throw unreadable_picture(where_, reason_);
+    const int width = static_cast<int>(jpeg_.image_width), height = static_cast<int>(jpeg_.image_height);
+    const int channels = jpeg_.out_color_space == JCS_GRAYSCALE ? 1 : 3;
+    check_image_size(where_, width, height, channels);
+    check_file_holds(where_, file_.size(), static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height),
+                     kMostSamplesPerByte);
+    return {width, height, default_channels(channels), SampleKind::kByte};
+  }
+
+  std::vector<std::uint8_t> samples(const PictureHeader& header) {
+    const std::size_t pixels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+    const bool cmyk = jpeg_.out_color_space == JCS_CMYK;
+    const std::size_t channels = cmyk ? 4 : header.channels.size();
+    std::vector<std::uint8_t> codes(pixels * channels);
+    if (!read_rows(codes.data(), channels * static_cast<std::size_t>(header.width))) throw unreadable_picture(where_, reason_);
+    if (cmyk) to_rgb(codes, pixels);
+    return codes;
+  }
+
+ private:
+  static Decoder& of(j_common_ptr jpeg) { return *static_cast<Decoder*>(jpeg->client_data); }
+  [[noreturn]] static void fail(j_common_ptr jpeg, const char* text) {
+    Decoder& decoder = of(jpeg);
+    std::strncpy(decoder.reason_, text, sizeof decoder.reason_ - 1);
+    std::longjmp(decoder.back_, 1);
+  }
+  static void on_error(j_common_ptr jpeg) {
+    char text[JMSG_LENGTH_MAX] = {};
+    jpeg->err->format_message(jpeg, text);
+    fail(jpeg, text);
+  }
+  static void on_message(j_common_ptr jpeg, int level) {
+    if (level >= 0) return;
+    const int code = jpeg->err->msg_code;
+    if (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER) fail(jpeg, "the file is truncated");
+    if (code == JWRN_HUFF_BAD_CODE || code == JWRN_MUST_RESYNC || code == JWRN_BOGUS_PROGRESSION) on_error(jpeg);
+  }
+  static void on_progress(j_common_ptr jpeg) {
+    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMostScans) fail(jpeg, "it has too many scans");
+  }
+
+  bool read_header() {
+    if (setjmp(back_) != 0) return false;
+    jpeg_create_decompress(&jpeg_);
+    jpeg_.progress = &progress_;
+    jpeg_mem_src(&jpeg_, reinterpret_cast<const unsigned char*>(file_.data()), file_.size());
+    jpeg_read_header(&jpeg_, TRUE);
+    if (jpeg_.jpeg_color_space == JCS_YCCK) jpeg_.out_color_space = JCS_CMYK;
+    return true;
+  }
+
+  bool read_rows(unsigned char* codes, std::size_t row) {
+    if (setjmp(back_) != 0) return false;
+    jpeg_start_decompress(&jpeg_);
+    while (jpeg_.output_scanline < jpeg_.output_height) {
+      unsigned char* at = codes + row * jpeg_.output_scanline;
+      jpeg_read_scanlines(&jpeg_, &at, 1);
+    }
+    jpeg_finish_decompress(&jpeg_);
+    return true;
+  }
+
+  /// In place. Adobe's files, which are nearly all that exist, store the inverse of each ink.
+  static void to_rgb(std::vector<std::uint8_t>& codes, std::size_t pixels) {
+    for (std::size_t i = 0; i < pixels; ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        codes[3 * i + c] = static_cast<std::uint8_t>((codes[4 * i + c] * codes[4 * i + 3] + 127) / 255);
+    codes.resize(3 * pixels);
+  }
+
+  FileBytes file_;
+  const std::string& where_;
+  jpeg_decompress_struct jpeg_{};
+  jpeg_error_mgr errors_{};
+  jpeg_progress_mgr progress_{};
+  char reason_[JMSG_LENGTH_MAX] = {};
+  std::jmp_buf back_;
+};
+
+}  // namespace
+
+bool is_jpeg(FileBytes file) { return file.size() >= sizeof kMagic && std::memcmp(file.data(), kMagic, sizeof kMagic) == 0; }
+
+PictureHeader jpeg_header(FileBytes file, const std::string& where) { return Decoder(file, where).header(); }
+
+DecodedPicture decode_jpeg(FileBytes file, const std::string& where) {
+  Decoder decoder(file, where);
+  const PictureHeader header = decoder.header();
+  return {header, decoder.samples(header)};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,141 @@
+// Radiance HDR and TGA, by stb_image, whose other formats are left out. Tachyon's scenes use TGA for image maps.
+//
+// stb_image takes what lies behind a file's end for zeros, and loops on them in some HDR files. Here it gets ones instead, with
+// which every loop ends, and whoever asks for them has a truncated file.
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include "image/decode.hpp"
+#include "image/limits.hpp"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_HDR
+#define STBI_ONLY_TGA
+#define STBI_NO_STDIO
+#define STBI_FAILURE_USERMSG
+#define STBI_MAX_DIMENSIONS 65536
+#include <stb_image.h>
+
+namespace lippmann {
+namespace {
+
+static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
+
+/// A header is looked for in so many bytes.
+constexpr std::size_t kLongestHeader = 1 << 20;
+
+struct Freed {
+  void operator()(void* p) const { stbi_image_free(p); }
+};
+
+class Input {
+ public:
+  explicit Input(FileBytes file) : rest_(file) {}
+
+  static int read(void* user, char* to, int size) {
+    Input& input = *static_cast<Input*>(user);
+    const auto wanted = static_cast<std::size_t>(std::max(size, 0)), there = std::min(wanted, input.rest_.size());
+    std::memcpy(to, input.rest_.data(), there);
+    input.rest_ = input.rest_.subspan(there);
+    constexpr std::size_t kBuffer = sizeof(stbi__context::buffer_start);  // what it fills as far as there is something
+    if (there == wanted || (there > 0 && wanted == kBuffer)) return static_cast<int>(there);
+    input.truncated_ = true;
+    std::memset(to + there, 1, wanted - there);
+    return size;
+  }
+  static void skip(void* user, int count) {
+    Input& input = *static_cast<Input*>(user);
+    const auto wanted = static_cast<std::size_t>(std::max(count, 0)), there = std::min(wanted, input.rest_.size());
+    input.rest_ = input.rest_.subspan(there);
+    input.truncated_ = input.truncated_ || there < wanted;
+  }
+  static int at_end(void* user) { return static_cast<Input*>(user)->rest_.empty(); }
+
+  bool truncated() const { return truncated_; }
+
+ private:
+  FileBytes rest_;
+  bool truncated_ = false;
+};
+
+struct Shape {
+  int width = 0, height = 0, channels = 0;
+};
+
+bool read_shape(FileBytes file, Shape& shape) {
+  const auto size = static_cast<int>(std::min(file.size(), kLongestHeader));
+  return stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), size, &shape.width, &shape.height,
+                               &shape.channels) != 0;
+}
+
+Shape shape_of(FileBytes file, const std::string& where) {
+  Shape shape;
+  if (!read_shape(file, shape)) throw unreadable_picture(where, "its header is truncated, damaged or of an unknown kind");
+  check_image_size(where, shape.width, shape.height, shape.channels);
+  return shape;
+}
+
+std::uint64_t pixels_of(const Shape& shape) {
+  return static_cast<std::uint64_t>(shape.width) * static_cast<std::uint64_t>(shape.height);
+}
+
+/// `load` is one of stb_image's functions that read through callbacks.
+template <class Sample, class Load>
+DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader header, const Load& load) {
+  constexpr stbi_io_callbacks kCallbacks{&Input::read, &Input::skip, &Input::at_end};
+  Input input(file);
+  Shape shape;
+  const std::unique_ptr<Sample[], Freed> samples(load(&kCallbacks, &input, &shape.width, &shape.height, &shape.channels, 0));
+  if (input.truncated()) throw unreadable_picture(where, "the file is truncated");
+  if (!samples) throw unreadable_picture(where, stbi_failure_reason());
+  if (shape.width != header.width || shape.height != header.height ||
+      header.channels.size() != static_cast<std::size_t>(shape.channels))
+    throw unreadable_picture(where, "its header is damaged");
+  const std::size_t count = pixels_of(shape) * header.channels.size();
+  return {std::move(header), std::vector<Sample>(samples.get(), samples.get() + count)};
+}
+
+bool begins_with(FileBytes file, std::string_view text) {
+  return file.size() >= text.size() && std::memcmp(file.data(), text.data(), text.size()) == 0;
+}
+
+}  // namespace
+
+bool is_hdr(FileBytes file) { return begins_with(file, "#?RADIANCE") || begins_with(file, "#?RGBE"); }
+
+PictureHeader hdr_header(FileBytes file, const std::string& where) {
+  const Shape shape = shape_of(file, where);
+  constexpr std::uint64_t kMostSamplesPerByte = 64;  // a run of 127 takes two bytes
+  check_file_holds(where, file.size(), 4 * pixels_of(shape), kMostSamplesPerByte);
+  return {shape.width, shape.height, default_channels(shape.channels), SampleKind::kFloat};
+}
+
+DecodedPicture decode_hdr(FileBytes file, const std::string& where) {
+  return decode<float>(file, where, hdr_header(file, where), stbi_loadf_from_callbacks);
+}
+
+bool is_tga(FileBytes file) {
+  constexpr std::size_t kHeaderBytes = 18;
+  Shape shape;
+  return file.size() >= kHeaderBytes && read_shape(file, shape);
+}
+
+PictureHeader tga_header(FileBytes file, const std::string& where) {
+  const Shape shape = shape_of(file, where);
+  const bool runs = std::to_integer<int>(file[2]) >= 8;
+  const std::uint64_t bits_per_pixel = std::to_integer<std::uint64_t>(file[16]);  // 15 take two bytes
+  const std::uint64_t begin = 18u + std::to_integer<std::uint64_t>(file[0]);
+  constexpr std::uint64_t kMostPixelsPerByte = 128;
+  check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()),
+                   pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMostPixelsPerByte : 1);
+  return {shape.width, shape.height, default_channels(shape.channels), SampleKind::kByte};
+}
+
+DecodedPicture decode_tga(FileBytes file, const std::string& where) {
+  return decode<std::uint8_t>(file, where, tga_header(file, where), stbi_load_from_callbacks);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,238 @@
+// TIFF, by libtiff, from memory.
+//
+// Grey and RGB samples of 8 or 16 bits, halves, floats and doubles are read as they are, strips or tiles, interleaved or in
+// planes, with whatever further channels there are. All else (palettes, 1 to 4 bits, CMYK, YCbCr, fax) goes through libtiff's
+// own conversion to 8-bit RGB.
+#include <Imath/half.h>
+#include <fmt/format.h>
+#include <tiffio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "image/decode.hpp"
+#include "image/limits.hpp"
+
+namespace lippmann {
+namespace {
+
+struct TiffDeleter {
+  void operator()(TIFF* p) const { TIFFClose(p); }
+};
+struct OptionsDeleter {
+  void operator()(TIFFOpenOptions* p) const { TIFFOpenOptionsFree(p); }
+};
+
+/// Of a picture that is read as it is.
+struct Layout {
+  std::uint16_t channels = 1, bits = 8, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG, photometric = 0;
+  std::uint32_t width = 0, height = 0;
+  std::uint32_t block_width = 0, block_height = 0;  // of a strip or a tile
+  bool direct = false, tiled = false;
+
+  std::size_t sample_bytes() const { return bits / 8u; }
+  std::size_t block_channels() const { return planes == PLANARCONFIG_SEPARATE ? 1 : channels; }
+};
+
+class Decoder {
+ public:
+  Decoder(FileBytes file, const std::string& where) : file_(file), where_(where) {
+    const std::unique_ptr<TIFFOpenOptions, OptionsDeleter> options(TIFFOpenOptionsAlloc());
+    if (!options) throw std::bad_alloc();
+    constexpr tmsize_t kMaxAllocation = tmsize_t{1} << 30;
+    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), kMaxAllocation);
+    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &on_error, this);
+    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), &on_warning, this);
+    tiff_.reset(TIFFClientOpenExt("memory", "rm", this, &on_read, &on_write, &on_seek, &on_close, &on_size, &on_map, &on_unmap,
+                                  options.get()));
+    if (!tiff_) throw failure();
+    read_layout();
+    // libtiff does without tags that it cannot read, a palette for one, and makes another picture of the rest.
+    if (cut_off_) throw unreadable_picture(where_, "the file is truncated");
+  }
+
+  PictureHeader header() const {
+    return {static_cast<int>(layout_.width), static_cast<int>(layout_.height),
+            default_channels(layout_.direct ? layout_.channels : 3), kind()};
+  }
+
+  Samples samples() {
+    if (!layout_.direct) return rgb_samples();
+    switch (layout_.bits) {
+      case 8:
+        return direct_samples<std::uint8_t, std::uint8_t>();
+      case 16:
+        if (layout_.format == SAMPLEFORMAT_IEEEFP) return direct_samples<Imath::half, float>();
+        return direct_samples<std::uint16_t, std::uint16_t>();
+      case 32:
+        return direct_samples<float, float>();
+      default:
+        return direct_samples<double, float>();
+    }
+  }
+
+ private:
+  static int on_error(TIFF*, void* user, const char*, const char* format, va_list arguments) {
+    Decoder& decoder = *static_cast<Decoder*>(user);
+    if (decoder.reason_[0] == 0) std::vsnprintf(decoder.reason_.data(), decoder.reason_.size(), format, arguments);
+    return 1;
+  }
+  static int on_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+  static tmsize_t on_read(thandle_t user, void* to, tmsize_t count) {
+    Decoder& decoder = *static_cast<Decoder*>(user);
+    const std::uint64_t there = decoder.at_ < decoder.file_.size() ? decoder.file_.size() - decoder.at_ : 0;
+    const auto taken = std::min<std::uint64_t>(there, static_cast<std::uint64_t>(std::max<tmsize_t>(count, 0)));
+    if (taken > 0) std::memcpy(to, decoder.file_.data() + decoder.at_, taken);
+    decoder.at_ += taken;
+    decoder.cut_off_ = decoder.cut_off_ || taken < static_cast<std::uint64_t>(count);
+    return static_cast<tmsize_t>(taken);
+  }
+  static tmsize_t on_write(thandle_t, void*, tmsize_t) { return 0; }
+  static toff_t on_seek(thandle_t user, toff_t offset, int whence) {
+    Decoder& decoder = *static_cast<Decoder*>(user);
+    const std::uint64_t from = whence == SEEK_SET ? 0 : whence == SEEK_CUR ? decoder.at_ : decoder.file_.size();
+    return decoder.at_ = from + offset;
+  }
+  static int on_close(thandle_t) { return 0; }
+  static toff_t on_size(thandle_t user) { return static_cast<Decoder*>(user)->file_.size(); }
+  static int on_map(thandle_t, void**, toff_t*) { return 0; }
+  static void on_unmap(thandle_t, void*, toff_t) {}
+
+  Error failure() const { return unreadable_picture(where_, reason_[0] ? reason_.data() : "the file is truncated or damaged"); }
+
+  template <class T>
+  T field(std::uint32_t tag, T standard) const {
+    T value = standard;
+    return TIFFGetFieldDefaulted(tiff_.get(), tag, &value) ? value : standard;
+  }
+
+  SampleKind kind() const {
+    if (!layout_.direct || (layout_.bits == 8)) return SampleKind::kByte;
+    return layout_.format == SAMPLEFORMAT_IEEEFP ? SampleKind::kFloat : SampleKind::kWord;
+  }
+
+  /// How many bytes of samples one byte of the file can stand for.
+  std::uint64_t ratio() const {
+    switch (field<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE)) {
+      case COMPRESSION_NONE:
+        return 1;
+      case COMPRESSION_PACKBITS:
+        return 128;
+      case COMPRESSION_LZW:
+        return 4096;
+      case COMPRESSION_DEFLATE:
+      case COMPRESSION_ADOBE_DEFLATE:
+        return kDeflateRatio;
+      default:
+        return std::uint64_t{1} << 16;
+    }
+  }
+
+  void read_layout() {
+    Layout& l = layout_;
+    l.width = field<std::uint32_t>(TIFFTAG_IMAGEWIDTH, 0), l.height = field<std::uint32_t>(TIFFTAG_IMAGELENGTH, 0);
+    l.channels = field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL, 1);
+    l.bits = field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE, 1);
+    l.format = field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
+    l.planes = field<std::uint16_t>(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    l.photometric = field<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    l.tiled = TIFFIsTiled(tiff_.get());
+    l.block_width = l.tiled ? field<std::uint32_t>(TIFFTAG_TILEWIDTH, 0) : l.width;
+    l.block_height = l.tiled ? field<std::uint32_t>(TIFFTAG_TILELENGTH, 0)
+                             : std::min(field<std::uint32_t>(TIFFTAG_ROWSPERSTRIP, l.height), l.height);
+    check_image_size(where_, l.width, l.height, l.channels);
+    const bool whole = l.format == SAMPLEFORMAT_UINT && (l.bits == 8 || l.bits == 16);
+    const bool real = l.format == SAMPLEFORMAT_IEEEFP && (l.bits == 16 || l.bits == 32 || l.bits == 64);
+    const bool plain = l.photometric == PHOTOMETRIC_MINISBLACK || l.photometric == PHOTOMETRIC_MINISWHITE ||
+                       (l.photometric == PHOTOMETRIC_RGB && l.channels >= 3);
+    l.direct = (whole || real) && plain;
+    const std::uint64_t pixels = std::uint64_t{l.width} * l.height, bits = std::uint64_t{l.bits} * l.channels;
+    check_file_holds(where_, file_.size(), l.direct ? pixels * (bits / 8) : pixels * bits / 8, ratio());
+    const std::uint64_t block = std::uint64_t{l.block_width} * l.block_height * (bits / 8 + 1);
+    const std::uint64_t largest = std::max<std::uint64_t>(std::uint64_t{1} << 24, 4 * pixels * (bits / 8 + 1));
+    if (block == 0 || block > largest) throw unreadable_picture(where_, "its tiles have no sensible size");
+  }
+
+  /// One strip or tile after the other, each decoded into `block` and copied to its place.
+  template <class Stored, class Sample>
+  std::vector<Sample> direct_samples() {
+    const Layout& l = layout_;
+    const std::size_t pixels = std::size_t{l.width} * l.height, step = l.block_channels();
+    std::vector<Sample> samples(pixels * l.channels);
+    const auto block_bytes = static_cast<std::size_t>(l.tiled ? TIFFTileSize(tiff_.get()) : TIFFStripSize(tiff_.get()));
+    if (block_bytes != std::size_t{l.block_width} * l.block_height * step * sizeof(Stored)) throw failure();
+    std::vector<Stored> block(block_bytes / sizeof(Stored));
+    for (std::size_t plane = 0; plane < l.channels / step; ++plane)
+      for (std::uint32_t y = 0; y < l.height; y += l.block_height)
+        for (std::uint32_t x = 0; x < l.width; x += l.block_width) {
+          const std::uint32_t rows = std::min(l.block_height, l.height - y), columns = std::min(l.block_width, l.width - x);
+          read_block(x, y, static_cast<std::uint16_t>(plane), rows, block.data(), block_bytes);
+          for (std::uint32_t row = 0; row < rows; ++row)
+            for (std::size_t i = 0; i < columns * step; ++i) {
+              const std::size_t pixel = (std::size_t{y} + row) * l.width + x + i / step;
+              samples[pixel * l.channels + plane + i % step] =
+                  static_cast<Sample>(block[std::size_t{row} * l.block_width * step + i]);
+            }
+        }
+    if (l.photometric == PHOTOMETRIC_MINISWHITE && l.format == SAMPLEFORMAT_UINT)
+      for (std::size_t i = 0; i < samples.size(); i += l.channels)
+        samples[i] = static_cast<Sample>(((1 << l.bits) - 1) - samples[i]);
+    return samples;
+  }
+
+  void read_block(std::uint32_t x, std::uint32_t y, std::uint16_t plane, std::uint32_t rows, void* to, std::size_t bytes) {
+    TIFF* tiff = tiff_.get();
+    const std::size_t needed = layout_.tiled ? bytes : bytes / layout_.block_height * rows;
+    const tmsize_t read =
+        layout_.tiled ? TIFFReadEncodedTile(tiff, TIFFComputeTile(tiff, x, y, 0, plane), to, static_cast<tmsize_t>(bytes))
+                      : TIFFReadEncodedStrip(tiff, TIFFComputeStrip(tiff, y, plane), to, static_cast<tmsize_t>(needed));
+    if (read < 0 || static_cast<std::size_t>(read) < needed) throw failure();
+  }
+
+  Samples rgb_samples() {
+    const std::size_t pixels = std::size_t{layout_.width} * layout_.height;
+    std::vector<std::uint32_t> packed(pixels);
+    TIFFRGBAImage conversion{};
+    std::array<char, 1024> reason{};
+    if (!TIFFRGBAImageOK(tiff_.get(), reason.data()) || !TIFFRGBAImageBegin(&conversion, tiff_.get(), 1, reason.data()))
+      throw unreadable_picture(where_, reason.data());
+    conversion.req_orientation = conversion.orientation;  // as the rows lie
+    const bool converted = TIFFRGBAImageGet(&conversion, packed.data(), layout_.width, layout_.height);
+    TIFFRGBAImageEnd(&conversion);
+    if (!converted) throw failure();
+    std::vector<std::uint8_t> codes;
+    codes.reserve(3 * pixels);
+    for (const std::uint32_t p : packed)
+      for (const std::uint32_t code : {TIFFGetR(p), TIFFGetG(p), TIFFGetB(p)}) codes.push_back(static_cast<std::uint8_t>(code));
+    return codes;
+  }
+
+  FileBytes file_;
+  std::uint64_t at_ = 0;
+  bool cut_off_ = false;  // more was asked for than there is
+  const std::string& where_;
+  std::array<char, 256> reason_{};  // of the first error
+  std::unique_ptr<TIFF, TiffDeleter> tiff_;
+  Layout layout_;
+};
+
+}  // namespace
+
+bool is_tiff(FileBytes file) {
+  if (file.size() < 4) return false;
+  const auto begins = [&](const char(&magic)[5]) { return std::memcmp(file.data(), magic, 4) == 0; };
+  return begins("II*\0") || begins("MM\0*") || begins("II+\0") || begins("MM\0+");
+}
+
+PictureHeader tiff_header(FileBytes file, const std::string& where) { return Decoder(file, where).header(); }
+
+DecodedPicture decode_tiff(FileBytes file, const std::string& where) {
+  Decoder decoder(file, where);
+  return {decoder.header(), decoder.samples()};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,17 @@
+// Encodes small pictures of 8 bits as PNG or JPEG, for tests of readers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lippmann::test {
+
+/// `channels`: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
+std::vector<unsigned char> encode_png(int width, int height, int channels, const std::vector<std::uint8_t>& samples);
+
+/// `channels`: 1 grey, 3 RGB, 4 CMYK (as Adobe stores it: inverted). Progressive where it is said.
+std::vector<unsigned char> encode_jpeg(int width, int height, int channels, const std::vector<std::uint8_t>& samples,
+                                       bool progressive = false);
+
+}  // namespace lippmann::test
