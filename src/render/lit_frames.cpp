@@ -22,10 +22,9 @@ constexpr int kLeastPaths = 8;
 /// Of a mean squared error of codes from 0 to 1.
 double psnr_of(double squared_error) { return psnr_db(255.0 * 255.0 * squared_error); }
 
-/// The kind and the errors of a frame. A frame of whole paths is a traced one like any other, and has no errors of its own.
+/// The kind and the errors of a frame; whole paths are measured, too.
 void tell_errors(const CachedLightReport& light, FrameReport& report) {
-  if (light.traced) return;
-  report.kind = "shared";
+  if (!light.traced) report.kind = "shared";
   report.estimated_psnr_db = psnr_of(light.squared_error);
   report.psnr_at_least_db = psnr_of(light.squared_error + kOneSided * light.uncertainty);
   report.estimated_block_psnr_db = psnr_of(light.block_squared_error);

@@ -14,10 +14,10 @@ namespace {
 /// So many frames are named; the others are counted.
 constexpr std::size_t kNamed = 5;
 
-std::vector<FrameReport> frames_of_kind(std::string_view kind, const std::vector<FrameReport>& frames) {
+std::vector<FrameReport> measured_frames(const std::vector<FrameReport>& frames) {
   std::vector<FrameReport> some;
   std::copy_if(frames.begin(), frames.end(), std::back_inserter(some),
-               [&](const FrameReport& frame) { return frame.kind == kind; });
+               [](const FrameReport& frame) { return frame.estimated_psnr_db && frame.estimated_block_psnr_db; });
   return some;
 }
 
@@ -42,27 +42,35 @@ std::string named(const std::vector<FrameReport>& frames) {
   return fmt::format("{} {}{}", frames.size() == 1 ? "frame" : "frames", fmt::join(numbers, ", "), more);
 }
 
+std::string how_many_share(const std::vector<FrameReport>& frames) {
+  const auto shared = static_cast<std::size_t>(
+      std::count_if(frames.begin(), frames.end(), [](const FrameReport& frame) { return frame.kind == "shared"; }));
+  if (shared == 0) return "every frame was traced whole";
+  if (frames.size() == 1) return "the frame shares light";
+  return fmt::format("{} of {} frames share light{}", shared, frames.size(),
+                     shared < frames.size() ? ", the others were traced whole" : "");
+}
+
 }  // namespace
 
 std::string shared_light_sentence(const std::vector<FrameReport>& frames) {
-  const std::vector<FrameReport> shared = frames_of_kind("shared", frames);
-  if (shared.empty()) return "every frame was traced whole";
-  const FrameReport &worst = lowest(shared, &FrameReport::estimated_psnr_db),
-                    &worst_block = lowest(shared, &FrameReport::estimated_block_psnr_db);
-  const std::size_t traced = frames.size() - shared.size();
+  const std::string who = how_many_share(frames);
+  const std::vector<FrameReport> measured = measured_frames(frames);
+  if (measured.empty()) return who;
+  const FrameReport &worst = lowest(measured, &FrameReport::estimated_psnr_db),
+                    &worst_block = lowest(measured, &FrameReport::estimated_block_psnr_db);
   if (frames.size() == 1)
-    return fmt::format("the frame shares light, PSNR as measured {:.1f} dB, {:.1f} dB of means over 64 pixels",
-                       *worst.estimated_psnr_db, *worst_block.estimated_block_psnr_db);
+    return fmt::format("{}, PSNR as measured {:.1f} dB, {:.1f} dB of means over 64 pixels", who, *worst.estimated_psnr_db,
+                       *worst_block.estimated_block_psnr_db);
   return fmt::format(
-      "{} of {} frames share light, PSNR as measured {:.1f} dB on average, {:.1f} dB at worst (frame {}), {:.1f} dB "
-      "at worst of means over 64 pixels (frame {}); {}",
-      shared.size(), frames.size(), mean_psnr_db(shared), *worst.estimated_psnr_db, worst.frame,
-      *worst_block.estimated_block_psnr_db, worst_block.frame,
-      traced == 0 ? "none was traced whole" : fmt::format("{} traced whole", traced));
+      "{}, PSNR as measured {:.1f} dB on average, {:.1f} dB at worst (frame {}), {:.1f} dB at worst of means over 64 pixels "
+      "(frame {})",
+      who, mean_psnr_db(measured), *worst.estimated_psnr_db, worst.frame, *worst_block.estimated_block_psnr_db,
+      worst_block.frame);
 }
 
 std::string below_floor_sentence(const std::vector<FrameReport>& frames, double min_psnr_db) {
-  std::vector<FrameReport> unsure = frames_of_kind("shared", frames);
+  std::vector<FrameReport> unsure = measured_frames(frames);
   std::erase_if(unsure, [&](const FrameReport& frame) { return frame.psnr_at_least_db >= min_psnr_db; });
   if (unsure.empty()) return "";
   const auto below = std::count_if(unsure.begin(), unsure.end(),
@@ -73,10 +81,11 @@ std::string below_floor_sentence(const std::vector<FrameReport>& frames, double 
 }
 
 std::string unmeasured_sentence(const std::vector<FrameReport>& frames, double min_psnr_db) {
-  const std::vector<FrameReport> traced = frames_of_kind("full", frames);
-  if (traced.empty()) return "";
-  return fmt::format("{} {} traced whole and not measured: whether --min-psnr {:g} is reached is not known", named(traced),
-                     traced.size() == 1 ? "was" : "were", min_psnr_db);
+  std::vector<FrameReport> others = frames;
+  std::erase_if(others, [](const FrameReport& frame) { return frame.estimated_psnr_db.has_value(); });
+  if (others.empty()) return "";
+  return fmt::format("{} {} not measured: whether --min-psnr {:g} is reached is not known", named(others),
+                     others.size() == 1 ? "was" : "were", min_psnr_db);
 }
 
 }  // namespace lippmann

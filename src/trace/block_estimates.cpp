@@ -17,6 +17,9 @@ constexpr float kSlight = 0.05f;
 /// first samples happen to have missed something bright would be left with that, while those that have met it are set right,
 /// and the picture would be too dark by it.
 constexpr float kOwnSamples = 8.0f;
+/// And then, for the same reason, its neighbours count as so many samples of its own. What is met by one sample in twenty, as a
+/// lamp that few samples choose, takes more than 8 to be sure of.
+constexpr float kNeighbours = 64.0f;
 /// Errors of n evenly spread samples fall about as n^-kFall: for the least error of all pixels together, their number grows as
 /// the power 2 / (1 + kFall) of how much they scatter.
 constexpr float kFall = 1.6f, kGrowth = 1.0f / (1.0f + kFall);
@@ -43,7 +46,7 @@ void BlockEstimates::push_back(std::uint32_t of_pixel, float scatter_before) {
   const std::size_t e = size++;
   pixel[e] = of_pixel;
   before[e] = scatter_before;
-  samples[e] = red[e] = green[e] = blue[e] = luminance[e] = square[e] = open[e] = 0.0f;
+  samples[e] = red[e] = green[e] = blue[e] = luminance[e] = square[e] = brightest[e] = open[e] = 0.0f;
 }
 
 void BlockEstimates::add(std::size_t e, Vec3f radiance, float opens) {
@@ -51,6 +54,7 @@ void BlockEstimates::add(std::size_t e, Vec3f radiance, float opens) {
   samples[e] += 1.0f;
   red[e] += radiance.x, green[e] += radiance.y, blue[e] += radiance.z;
   luminance[e] += y, square[e] += y * y;
+  brightest[e] = std::max(brightest[e], y);
   open[e] += opens;
 }
 
@@ -64,6 +68,8 @@ LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
     block.mean[kLanes + e] = mean;
     const float clear = block.open[e] / n;
     block.clear[kLanes + e] = clear;
+    const float others = std::max(n - 1.0f, 1.0f), most = block.brightest[e], rest = (block.luminance[e] - most) / others;
+    block.sure[e] = slope * slope * std::max(0.0f, (block.square[e] - most * most) / others - rest * rest);
     block.scatter[kLanes + e] = (slope * slope * square + block.alpha_weight * clear * (1.0f - clear)) * n / (n - 1.0f);
   }
 }
@@ -71,7 +77,8 @@ LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
 LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& block) {
   const auto size = static_cast<int>(block.size), count = static_cast<int>(whole_packets(block.size));
   const float weight = kMissed * fast_pow(have, kFall), inverse = 1.0f / (error * error);
-  const float own_share = have >= kOwnSamples ? 1.0f : 0.0f;
+  const bool has_say = have >= kOwnSamples;
+  const float own_share = has_say ? have / (have + kNeighbours) : 0.0f;
 #pragma GCC ivdep
   for (int e = 0; e < count; ++e) {
     const float* mean = block.mean + kLanes + e;
@@ -92,12 +99,13 @@ LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& 
     around *= each, level *= each, clear_around *= each;
     // What the pixel is taken to be like: itself, once it has a say, or else what is around it, as it is shown: a mean with
     // what is overexposed would be white.
-    const float like = own_share > 0.0f ? mean[0] : level, clear_like = own_share > 0.0f ? clear[0] : clear_around;
+    const float like = has_say ? mean[0] : level, clear_like = has_say ? clear[0] : clear_around;
     for (const int step : {-1, 1, -kLanes, kLanes}) {
       const bool inside = (e + step >= 0) & (e + step < size);
       edge = std::max(edge, inside ? std::abs(clear[step] - clear_like) : 0.0f);
     }
-    float variance = own_share > 0.0f ? scatter[0] : around;
+    float variance = known > 0.0f ? around + own_share * (scatter[0] - around) : scatter[0];
+    variance = has_say ? std::max(variance, block.sure[e]) : variance;
     variance += known > 0.0f ? missed(like, most, have, weight) + missed(like, least, have, weight) : 0.0f;
     edge /= have + 2.0f;
     variance += block.alpha_weight * weight * edge * edge;

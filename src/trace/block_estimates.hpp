@@ -18,12 +18,14 @@ struct BlockEstimates {
   alignas(64) std::uint32_t pixel[kMost];
   alignas(64) Values samples;                              ///< how many
   alignas(64) Values red, green, blue, luminance, square;  ///< their sums
+  alignas(64) Values brightest;                            ///< luminance of a sample
   alignas(64) Values open;                                 ///< how many see the surroundings, where pictures do not; else 0
   alignas(64) Values before;  ///< scatter of a sample of this pixel in the frame before, squared; 0: not known
   // As of the last encode().
   alignas(64) PaddedValues mean;     ///< luminance
   alignas(64) PaddedValues clear;    ///< share of open samples: 1 less alpha
   alignas(64) PaddedValues scatter;  ///< squared deviation of one sample from the mean, of alpha added
+  alignas(64) Values sure;           ///< the least scatter: without the brightest sample, which may be one of a rare kind
   alignas(64) Values wanted;         ///< samples that each pixel should have
 
   void push_back(std::uint32_t of_pixel, float scatter_before);

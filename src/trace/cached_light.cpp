@@ -46,23 +46,36 @@ struct History {
   std::optional<GatherPlan> plan;   ///< since the first frame; none: frames are traced, with
   int path_samples = 1;             ///< so many paths a pixel
   float coarsest_error = 0.0f;      ///< of the plan, as it was made
-  FrameErrors errors;
-  int failures = 0;  ///< frames in a row that had to be traced
-  Scatter scatter;   ///< of the frame before, where it was gathered
+  FrameErrors errors;               ///< of frames that were gathered
+  FrameErrors path_errors;          ///< and of those that were traced
+  int failures = 0;                 ///< frames in a row that had to be traced
+  Scatter scatter;                  ///< of the frame before, where it was gathered
 };
 
 /// Of the error that a sample may have, where a frame errs by too much.
-constexpr float kFiner = 0.75f;
-/// Where pixels err by less than this part of what they may, they need not be sampled as finely.
+constexpr float kFiner = 0.75f, kFinerAtOnce = 0.6f;
+/// Where pixels err by less than this part of what they may, they need not be sampled as finely: what is wrong then is the
+/// light.
 constexpr float kSpare = 0.6f;
-/// How often a frame is given more light and more samples before it is traced.
-constexpr int kAttempts = 2;
+/// How often a frame is given more light and more samples before it is traced; and no more, once it has taken so many of the
+/// rays that tracing takes.
+constexpr int kAttempts = 4;
+constexpr double kMostMending = 0.4;
 /// An error so many times as large as it may be is more than that makes up for.
 constexpr float kHopeless = 6.0f;
 /// Of the error before: an attempt that leaves more has not helped.
 constexpr float kHelped = 0.9f;
 /// After so many frames in a row that had to be traced, the others of the history are, too.
-constexpr int kMostFailures = 2;
+constexpr int kMostFailures = 3;
+
+/// Paths a pixel that err by no more than `goal`, where `samples` err by `found`: no fewer than these.
+int path_samples_for(float goal, int samples, float found, int most) {
+  const float wanted = std::ceil(static_cast<float>(samples) * found / std::max(goal, 1e-12f));
+  return std::clamp(static_cast<int>(std::min(wanted, static_cast<float>(most))), samples, std::max(samples, most));
+}
+
+/// A goal that needs more than so many times the paths that were asked for is missed.
+constexpr int kMostMorePaths = 64;
 
 /// One frame on its way.
 class CachedFrame {
@@ -78,14 +91,14 @@ class CachedFrame {
         context_(context),
         history_(history),
         beam_(optics, world_from_display, kTextureSamples),
-        feeder_(device.impl(), optics, world_from_display, params) {}
+        feeder_(device.impl(), optics, world_from_display, params),
+        before_(smoothed(history.scatter, optics, pool)) {}
 
   void begin_history(const CachedLightGoal& goal);
-  void go_on(const CachedLightGoal& goal, const std::vector<HorizonBox>& moving);
-  void gather(bool provenance, Image& film, FrameAovs& aovs);
-  void trace_whole(Image& film, FrameAovs& aovs);
+  void go_on(const std::vector<HorizonBox>& moving);
+  bool make_gathered(const CachedLightGoal& goal, Image& film, FrameAovs& aovs);
+  void make_traced(const CachedLightGoal& goal, Image& film, FrameAovs& aovs);
 
-  bool is_short() const { return is_short_; }
   const RayCounts& counts() const { return counts_; }
 
  private:
@@ -96,8 +109,16 @@ class CachedFrame {
   double samples_per_cell() const;
   float fitting_cell();
   void feed(int rounds);
-  bool check(const CachedLightGoal& goal, const TouchProbe& moved);
-  void feed_more(int attempt, const TouchProbe& moved);
+  GatherMeasure measure(const CachedLightGoal& goal, const MeasuredPlaces& places) const;
+  void confirm(BeginningOutcome& outcome, const FrameError& may, GatherMeasure& fresh);
+  float& error() { return before_.empty() ? history_.plan->error_alone : history_.plan->error; }
+  void gather(bool provenance, Image& film, FrameAovs& aovs);
+  enum class Mending { kNone, kGood, kFailed };
+  Mending mend(const FrameErrors& former, GatherMeasure& measure);
+  FrameError gather_apart(GatherMeasure& measure);
+  void feed_more(int attempt);
+  int path_samples(const CachedLightGoal& goal, int samples, float found) const;
+  FrameError measure_traced(const TraceParams& whole, bool shows_all, const Image& film);
   void feed_scarce(const FeedTarget& target, PacketGroups scarce, int first_round, int end);
   LightCells cells() const { return {places_, beam_, history_.samples_per_cell, history_.lights_from}; }
 
@@ -115,7 +136,8 @@ class CachedFrame {
   float enough_ = 0.0f;  ///< samples of a cell, in this frame
   double feeding_seconds_ = 0.0;
   std::size_t records_ = 0;  ///< fed since start_cache()
-  bool is_short_ = false;    ///< errs by more than it may, whatever was done
+  Scatter before_;           ///< of the frame before
+  std::optional<TouchProbe> moved_;
   RayCounts counts_;
 };
 
@@ -133,12 +155,12 @@ void CachedFrame::feed(int rounds) {
 
 /// A little everywhere, and as much as the first frame was given where little is known: what was hidden before, and what has
 /// changed; then whatever it takes.
-void CachedFrame::go_on(const CachedLightGoal& goal, const std::vector<HorizonBox>& moving) {
+void CachedFrame::go_on(const std::vector<HorizonBox>& moving) {
   LightCache& cache = *history_.cache;
   cache.begin_frame([this](std::uint32_t thing, Vec3f at) { return places_.moved(thing, at); }, pool_);
   const LightCells in = cells();
-  const TouchProbe moved(device_.impl().device.get(), device_.impl().native_width, moving);
-  const FeedTarget target{in, cache, pool_, context_, &moved};
+  moved_.emplace(device_.impl().device.get(), device_.impl().native_width, moving);
+  const FeedTarget target{in, cache, pool_, context_, &*moved_};
   const Fed everywhere = feeder_.feed(target, 0);
   add(everywhere.rays, counts_);
   // The more is forgotten, the more has to be fed as in the first frame.
@@ -149,7 +171,6 @@ void CachedFrame::go_on(const CachedLightGoal& goal, const std::vector<HorizonBo
   feed_scarce(target, std::move(scarce), 1, history_.rounds);
   cache.resolve(pool_);
   round_ = history_.rounds;
-  is_short_ = !check(goal, moved);
 }
 
 /// Rounds of groups that have met scarce cells, until there are none any more.
@@ -167,46 +188,75 @@ void CachedFrame::feed_scarce(const FeedTarget& target, PacketGroups scarce, int
   target.cache.forget(pool_);
 }
 
-/// Whether this frame errs by no more than it may; else it is given more light and more samples, as often as may help.
-bool CachedFrame::check(const CachedLightGoal& goal, const TouchProbe& moved) {
-  const Scatter before = smoothed(history_.scatter, optics_, pool_);
-  GatherMeasure measure(device_, optics_, world_from_display_, params_, goal.squared_error, kChecking, before, pool_);
-  const LightCells in = cells();
-  const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
+GatherMeasure CachedFrame::measure(const CachedLightGoal& goal, const MeasuredPlaces& places) const {
+  return {device_, optics_, world_from_display_, params_, goal.squared_error, places, before_, pool_};
+}
+
+/// A frame from the cache, if it errs by no more than it may; else a traced one. Whether it is the former.
+bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameAovs& aovs) {
+  GatherMeasure measure = this->measure(goal, kChecking);
   const FrameErrors former = history_.errors;
   if (former.found().pixels < kSpare * former.allowed().pixels)
     history_.plan->error = std::min(history_.plan->error / kFiner, history_.coarsest_error);
-  FrameError attempted;  // what the last attempt has left
-  bool is_short = false;
-  for (int attempt = 0; !context_.cancelled; ++attempt) {
-    float& error = before.empty() ? history_.plan->error_alone : history_.plan->error;
-    const FrameError now = measure.check(sources, error, before), may = measure.goal();
+  const bool shows_all = !goal.provenance && !aovs.wants(Aov::kAlpha);  // as the paths that are compared with
+  const auto gather_and_measure = [&] {
+    gather(goal.provenance, film, aovs);
+    measure.choose_pixels_of(film, history_.scatter);
+    const FrameError apart = shows_all ? FrameError{} : gather_apart(measure);
     history_.errors = former;
-    history_.errors.add(now, may);
-    const FrameErrors& errors = history_.errors;
-    is_short = errors.pixels() == Excess::kSure || errors.blocks() == Excess::kSure;
-    const bool has_helped = attempt == 0 || (errors.pixels() != Excess::kNone && now.pixels < kHelped * attempted.pixels) ||
-                            (errors.blocks() != Excess::kNone && now.blocks < kHelped * attempted.blocks);
-    const bool is_good = errors.pixels() == Excess::kNone && errors.blocks() == Excess::kNone;
-    const bool is_hopeless = now.pixels > kHopeless * may.pixels || now.blocks > kHopeless * may.blocks;
-    if (is_good || is_hopeless || attempt == kAttempts || !has_helped || goal.seconds) break;
-    attempted = now;
-    error *= kFiner;
-    feed_more(attempt, moved);
+    history_.errors.add(shows_all ? measure.error_of(film) : apart, measure.goal());
+  };
+  gather_and_measure();
+  Mending mending = Mending::kNone;
+  // A history begins as it was planned, and a goal in time leaves none to mend anything.
+  if (moved_ && !goal.seconds && !context_.cancelled) mending = mend(former, measure);
+  if (mending == Mending::kGood) gather_and_measure();
+  if (mending == Mending::kFailed) {
+    history_.errors = former;  // this one is not among them any more
+    make_traced(goal, film, aovs);
   }
   add(measure.counts(), counts_);
-  return !is_short || goal.seconds;
+  return mending != Mending::kFailed;
+}
+
+/// What the frame's patches err by, gathered by themselves.
+FrameError CachedFrame::gather_apart(GatherMeasure& measure) {
+  const LightCells in = cells();
+  return measure.check({device_.impl(), in, *history_.cache, optics_, world_from_display_}, error(), before_);
+}
+
+/// Where the frame errs by more than it may, it is given more light and more samples, as often as may help.
+CachedFrame::Mending CachedFrame::mend(const FrameErrors& former, GatherMeasure& measure) {
+  FrameErrors& errors = history_.errors;
+  const FrameError& may = measure.goal();
+  FrameError left = errors.latest();
+  int attempts = 0;
+  for (bool has_helped = true; has_helped && attempts < kAttempts && !errors.is_good() && !context_.cancelled; ++attempts) {
+    if (left.pixels > kHopeless * may.pixels || left.blocks > kHopeless * may.blocks) break;
+    const double spent = static_cast<double>(counts_.total() + measure.counts().total());
+    if (spent > kMostMending * measure.rays_of_whole_frame()) break;
+    if (left.pixels > kSpare * may.pixels) error() *= kFinerAtOnce;
+    feed_more(attempts);
+    const FrameError now = gather_apart(measure);
+    errors = former;
+    errors.add(now, may);
+    has_helped = (errors.pixels() != Excess::kNone && now.pixels < kHelped * left.pixels) ||
+                 (errors.blocks() != Excess::kNone && now.blocks < kHelped * left.blocks);
+    left = now;
+  }
+  if (errors.is_too_large()) return Mending::kFailed;
+  return attempts > 0 ? Mending::kGood : Mending::kNone;
 }
 
 /// Samples of a cell at most that a frame is fed for.
 constexpr float kMostPerCell = 256.0f;
 
 /// Light that is wrong shows in pixels and in means.
-void CachedFrame::feed_more(int attempt, const TouchProbe& moved) {
+void CachedFrame::feed_more(int attempt) {
   history_.enough = std::min(2.0f * history_.enough, std::max(kMostPerCell, history_.mean));
   enough_ = std::max(enough_, history_.enough);
   const LightCells in = cells();
-  const FeedTarget target{in, *history_.cache, pool_, context_, &moved};
+  const FeedTarget target{in, *history_.cache, pool_, context_, &*moved_};
   const int first = round_;
   round_ += 2 * kRoundsPerFrame << attempt;
   const Fed fed = feeder_.feed(target, first);
@@ -251,19 +301,26 @@ void CachedFrame::begin(const Beginning& beginning, float fitting_cell) {
 }
 
 void CachedFrame::begin_history(const CachedLightGoal& goal) {
-  GatherMeasure measure(device_, optics_, world_from_display_, params_, goal.squared_error, kPlanning, {}, pool_);
+  GatherMeasure measure = this->measure(goal, kPlanning);
   const float fitting = fitting_cell();
   const LightTable& lights = *device_.impl().path->lights;
   Beginnings beginnings(lights.chance(kLamps) > 0.0f, lights.chance(kSkyLight) > 0.0f);
   const double most_rays = most_spent(goal.frames) * measure.rays_of_whole_frame();
   std::optional<GatherPlan> good;
+  std::optional<GatherMeasure> fresh;
   for (bool goes_on = true; goes_on && !context_.cancelled;) {
     begin(beginnings.current(), fitting);
-    const BeginningOutcome outcome = try_beginning(goal, measure);
+    BeginningOutcome outcome = try_beginning(goal, measure);
+    if (outcome.is_good && !goal.seconds) {
+      if (!fresh) fresh.emplace(this->measure(goal, kConfirming));
+      confirm(outcome, measure.goal(), *fresh);
+    }
     if (outcome.is_good) good = history_.plan;
-    const double spent = static_cast<double>(counts_.total() + measure.counts().total());
+    const double spent =
+        static_cast<double>(counts_.total() + measure.counts().total() + (fresh ? fresh->counts().total() : 0));
     goes_on = beginnings.go_on(outcome) && (goal.seconds || spent < most_rays);
   }
+  if (fresh) add(fresh->counts(), counts_);
   if (!goal.seconds) history_.plan = good;
   if (history_.plan && !goal.seconds && !context_.cancelled) {
     begin(*beginnings.good(), fitting);
@@ -271,9 +328,7 @@ void CachedFrame::begin_history(const CachedLightGoal& goal) {
     measure.plan_frames_in_a_row({device_.impl(), in, *history_.cache, optics_, world_from_display_}, *history_.plan);
   }
   history_.coarsest_error = history_.plan ? history_.plan->error : 0.0f;
-  history_.errors = {};
-  history_.errors.add(history_.plan ? history_.plan->expected : measure.goal(), measure.goal());
-  history_.path_samples = measure.path_samples();
+  history_.path_samples = path_samples(goal, params_.spp, measure.of_paths());
   add(measure.counts(), counts_);
 }
 
@@ -297,6 +352,15 @@ BeginningOutcome CachedFrame::try_beginning(const CachedLightGoal& goal, GatherM
   return outcome;
 }
 
+/// Of many beginnings one is good by chance where it was tried: only what is good elsewhere, too, is taken.
+void CachedFrame::confirm(BeginningOutcome& outcome, const FrameError& may, GatherMeasure& fresh) {
+  const LightCells in = cells();
+  const FrameError found =
+      fresh.check({device_.impl(), in, *history_.cache, optics_, world_from_display_}, history_.plan->error_alone, {});
+  outcome.excess = std::max({outcome.excess, found.pixels / may.pixels, found.blocks / may.blocks});
+  outcome.is_good = found.pixels - found.uncertainty <= may.pixels && found.blocks - found.block_uncertainty <= may.blocks;
+}
+
 /// Of a frame's, what a round of feeding leaves.
 double CachedFrame::seconds_for_pixels(double seconds) const {
   constexpr double kLeastShare = 0.2;
@@ -304,20 +368,38 @@ double CachedFrame::seconds_for_pixels(double seconds) const {
 }
 
 void CachedFrame::gather(bool provenance, Image& film, FrameAovs& aovs) {
-  const Scatter before = smoothed(history_.scatter, optics_, pool_);
   const LightCells in = cells();
   const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
   if (aovs.wants(Aov::kAlpha)) aovs.allocate(Aov::kAlpha, optics_.panel, 0.0f);
   Image* const alpha = aovs.wants(Aov::kAlpha) ? &aovs[Aov::kAlpha] : nullptr;
-  const float error = before.empty() ? history_.plan->error_alone : history_.plan->error;
-  add(gather_frame(sources, {params_, error, provenance}, {}, {&before, &history_.scatter}, pool_, context_, film, alpha),
+  add(gather_frame(sources, {params_, error(), provenance}, {}, {&before_, &history_.scatter}, pool_, context_, film, alpha),
       counts_);
 }
 
-void CachedFrame::trace_whole(Image& film, FrameAovs& aovs) {
+/// Paths, as many as the goal is known to take; where these fall short, the frames after have more.
+void CachedFrame::make_traced(const CachedLightGoal& goal, Image& film, FrameAovs& aovs) {
   TraceParams whole = params_;
   whole.spp = history_.path_samples;
   add(trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, film, &aovs), counts_);
+  if (context_.cancelled) return;
+  const FrameError found = measure_traced(whole, !aovs.wants(Aov::kAlpha), film);
+  history_.path_errors.add(found, found);
+  history_.path_samples = path_samples(goal, history_.path_samples, history_.path_errors.found().pixels);
+}
+
+int CachedFrame::path_samples(const CachedLightGoal& goal, int samples, float found) const {
+  if (!goal.squared_error) return samples;
+  return path_samples_for(*goal.squared_error, samples, found, kMostMorePaths * params_.spp);
+}
+
+/// shows_all: the surroundings, too, as the paths do that it is compared with.
+FrameError CachedFrame::measure_traced(const TraceParams& whole, bool shows_all, const Image& film) {
+  MeasuredPixels where = choose_pixels(film, kWatching, {}, hash(params_.seed, params_.frame));
+  const PixelMeasure measure(device_, optics_, world_from_display_, whole, std::move(where), shows_all ? 1 : 2, pool_);
+  add(measure.counts(), counts_);
+  const PixelError pixels = shows_all ? measure.of_paths(film) : measure.of_paths();
+  // Errors of paths have nothing to do with each other, from pixel to pixel.
+  return {pixels.squared, pixels.squared / kBlockPixels, pixels.uncertainty, pixels.uncertainty / kBlockPixels};
 }
 
 }  // namespace
@@ -350,22 +432,21 @@ CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const 
   if (!history.cache)
     frame.begin_history(goal);
   else if (history.plan)
-    frame.go_on(goal, moving);
-  history.failures = frame.is_short() ? history.failures + 1 : 0;
-  if (history.failures >= kMostFailures) history.plan.reset();
-  CachedLightReport report;
-  report.traced = !history.plan || frame.is_short();
-  const FrameError& error = report.traced ? history.errors.allowed() : history.errors.found();
-  report.squared_error = static_cast<double>(error.pixels), report.block_squared_error = static_cast<double>(error.blocks);
-  report.uncertainty = static_cast<double>(error.uncertainty);
+    frame.go_on(moving);
   FrameAovs none;
   FrameAovs& layers = aovs ? *aovs : none;
-  if (!context.cancelled) {
-    if (report.traced)
-      frame.trace_whole(film, layers);
-    else
-      frame.gather(goal.provenance, film, layers);
+  CachedLightReport report;
+  if (!context.cancelled && history.plan) {
+    report.traced = !frame.make_gathered(goal, film, layers);
+    history.failures = report.traced ? history.failures + 1 : 0;
+    if (history.failures >= kMostFailures) history.plan.reset();
+  } else if (!context.cancelled) {
+    report.traced = true;
+    frame.make_traced(goal, film, layers);
   }
+  const FrameError& error = report.traced ? history.path_errors.found() : history.errors.found();
+  report.squared_error = static_cast<double>(error.pixels), report.block_squared_error = static_cast<double>(error.blocks);
+  report.uncertainty = static_cast<double>(error.uncertainty);
   report.rays = frame.counts();
   return report;
 }

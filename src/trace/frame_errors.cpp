@@ -7,19 +7,28 @@ namespace {
 
 /// The past counts by this much of what it counted for the frame before.
 constexpr float kRemembered = 0.6f;
-/// An error is too large for sure by so many standard deviations; probably, where the past says so, too, by so much.
-constexpr float kSure = 1.65f, kTolerated = 1.15f;
+/// Nothing at all, where it is so many standard deviations from the present: light has changed.
+constexpr float kChanged = 2.5f;
+/// An error is too large for sure by so many standard deviations; probably, where the mean with the past is, too, by so much:
+/// it takes little to mend.
+constexpr float kSure = 2.0f, kTolerated = 1.15f;
+
+bool is_other(float now, float uncertainty, float mean, float mean_uncertainty) {
+  return std::abs(now - mean) > kChanged * std::hypot(uncertainty, mean_uncertainty);
+}
 
 Excess excess_of(float now, float uncertainty, float may, float mean, float mean_uncertainty, float mean_may) {
   if (now - kSure * uncertainty > may) return Excess::kSure;
   if (now > may && mean - kSure * mean_uncertainty > mean_may) return Excess::kSure;
-  return now > may && mean - mean_uncertainty > kTolerated * mean_may ? Excess::kProbable : Excess::kNone;
+  return now > may && mean > kTolerated * mean_may ? Excess::kProbable : Excess::kNone;
 }
 
 }  // namespace
 
 void FrameErrors::add(const FrameError& now, const FrameError& may) {
-  const float before = kRemembered * weight_;
+  latest_ = now;
+  const bool changed = is_other(now.pixels, now.uncertainty, found_.pixels, found_.uncertainty);
+  const float before = changed ? 0.0f : kRemembered * weight_;
   weight_ = before + 1.0f;
   const auto pool = [&](float& mean, float value) { mean += (value - mean) / weight_; };
   const auto pool_deviation = [&](float& mean, float value) {

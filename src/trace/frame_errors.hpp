@@ -8,7 +8,8 @@ namespace lippmann {
 /// Whether an error is larger than it may be.
 enum class Excess { kNone, kProbable, kSure };
 
-/// Errors of frames before count less and less: light changes, but a few patches know little.
+/// Errors of frames before count less and less, as light changes, and not at all where it has changed for sure; but a few
+/// patches know little.
 class FrameErrors {
  public:
   /// The latest frame's, and what it may be.
@@ -17,12 +18,17 @@ class FrameErrors {
   const FrameError& found() const { return found_; }
   const FrameError& allowed() const { return allowed_; }
 
+  const FrameError& latest() const { return latest_; }
+
   /// Of the latest frame.
   Excess pixels() const { return pixels_; }
   Excess blocks() const { return blocks_; }
+  bool is_good() const { return pixels_ == Excess::kNone && blocks_ == Excess::kNone; }
+  bool is_too_large() const { return pixels_ == Excess::kSure || blocks_ == Excess::kSure; }
 
  private:
   FrameError found_, allowed_;  ///< weighted means
+  FrameError latest_;
   float weight_ = 0.0f;
   Excess pixels_ = Excess::kNone, blocks_ = Excess::kNone;
 };

@@ -4,22 +4,19 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "core/random.hpp"
-#include "image/encode.hpp"
+#include "trace/measured_codes.hpp"
 #include "trace/trace_packets.hpp"
 
 namespace lippmann {
 namespace {
 
-/// Packets of a patch: 64 pixels.
-constexpr std::size_t kPatch = 4;
-constexpr float kPatchPixels = 64.0f;
 /// Where an error of pixels is asked for, means of patches may err by more than noise of pixels would: by almost three times
 /// its deviation.
-constexpr float kPatchSides = 8.0f;
-/// However small the frame.
-constexpr std::size_t kLeastPatches = 12;
+constexpr float kBlockSides = 8.0f;
 /// Means of patches may err by so many times what those of paths do, or of pixels that err each by itself: 3 decibels.
 constexpr float kBlockLoss = 2.0f;
 /// Not to be below the goal by bad luck of the measurement.
@@ -41,64 +38,17 @@ constexpr double kLargestShare = 0.7;
 constexpr int kBlockTrials = 3;
 constexpr float kHelped = 0.8f;
 
-float encoded(float linear) { return static_cast<float>(srgb_from_linear(std::clamp(linear, 0.0f, 1.0f))); }
-
-/// A patch, and how much its error counts for that of the frame.
-struct Patch {
-  std::size_t first;  ///< packet
-  double weight = 1.0;
-};
-
-/// Where errors are likely to be large, patches are chosen up to 1 + 1 / this times as often as elsewhere.
-constexpr double kEvenShare = 0.5;
-
-/// One patch of each of as many parts of the frame, drawn within them by a hash, so that they do not line up with lenses. Parts
-/// are alike in what errors are likely to be (importance sampling, stratified).
-std::vector<Patch> some_patches(const FramePackets& frame, const HeldOut& held_out, std::uint32_t seed,
-                                const std::vector<double>& likely) {
-  const std::size_t per_strip = (frame.per_strip + kPatch - 1) / kPatch, patches = frame.strips * per_strip;
-  const std::size_t some =
-      std::clamp(patches / held_out.small_part, kLeastPatches, std::max(held_out.patches, patches / held_out.large_part));
-  const std::size_t parts = std::min(some, patches);
-  double all = 0.0;
-  for (const double l : likely) all += l;
-  const double mean = all / static_cast<double>(std::max<std::size_t>(patches, 1));
-  const auto share = [&](std::size_t patch) {
-    return mean > 0.0 ? (likely[patch] / mean + kEvenShare) / (1.0 + kEvenShare) : 1.0;
-  };
-  std::vector<Patch> chosen;
-  std::size_t patch = 0;
-  double before = 0.0;  // shares of all patches before this one
-  for (std::size_t part = 0; part < parts; ++part) {
-    const double u = unit_float(hash(seed, static_cast<std::uint32_t>(part)));
-    const double at = (static_cast<double>(part) + u) * static_cast<double>(patches) / static_cast<double>(parts);
-    while (patch + 1 < patches && before + share(patch) <= at) before += share(patch++);
-    const Patch next{patch / per_strip * frame.per_strip + patch % per_strip * kPatch, 1.0 / share(patch)};
-    if (!chosen.empty() && chosen.back().first == next.first)
-      chosen.back().weight += next.weight;  // it stands for two parts
-    else
-      chosen.push_back(next);
-  }
-  return chosen;
-}
-
-/// Mean scatter of the pixels of all patches; nothing where it is not known.
-std::vector<double> by_patch(const Scatter& likely, const FramePackets& frame, const Optics& optics,
-                             const Affine3f& world_from_display, RayOrder order) {
-  const std::size_t per_strip = (frame.per_strip + kPatch - 1) / kPatch;
-  std::vector<double> means(frame.strips * per_strip, 0.0);
-  if (likely.empty()) return means;
-  for_each_pixel(optics, world_from_display, order, [&](std::size_t packet, std::uint32_t pixel) {
-    const std::size_t patch = packet / frame.per_strip * per_strip + packet % frame.per_strip / kPatch;
-    means[patch] += std::max(0.0, static_cast<double>(likely[pixel]));
-  });
-  return means;
+/// With fewer than kLeastSamples, what sRGB's curve makes of noise would pass for an error.
+int fewer_samples(int all, int fewer) {
+  constexpr int kLeastSamples = 16;
+  return std::min(all, std::max(all / fewer, kLeastSamples));
 }
 
 /// Between a trial that was not good enough and one with half its error that was: where the squared error is `enough`, on a
 /// straight line in logarithms.
 struct Trial {
   float error, squared_error;
+  FrameError measured{};
 };
 float error_between(const Trial& coarse, const Trial& fine, float enough) {
   if (coarse.squared_error <= enough) return coarse.error;
@@ -107,23 +57,19 @@ float error_between(const Trial& coarse, const Trial& fine, float enough) {
          std::exp2(-std::log(coarse.squared_error / enough) / std::log(coarse.squared_error / fine.squared_error));
 }
 
+/// What means of patches err by there.
+float blocks_between(const Trial& coarse, const Trial& fine, float error) {
+  const float a = coarse.measured.blocks, b = fine.measured.blocks;
+  const float t = std::log(error / fine.error) / std::log(coarse.error / fine.error);
+  return b * std::pow(a / b, std::clamp(t, 0.0f, 1.0f));
+}
+
 /// What is left of the squared error however many samples there are. Half the error takes 2^(2 / 2.6) times the samples, and
 /// what these scatter falls as their number to the power 1.6 (block_estimates.cpp).
 float error_of_cells(const Trial& coarse, const Trial& fine) {
   constexpr float kLeft = 0.426f;  // 2^(-1.6 * 2 / 2.6)
   return std::max(0.0f, fine.squared_error - kLeft * coarse.squared_error) / (1.0f - kLeft);
 }
-
-/// The mean of some values, and its standard deviation.
-struct MeanOf {
-  double sum = 0.0, squares = 0.0, count = 0.0;
-  void add(double v) { sum += v, squares += v * v, count += 1.0; }
-  float mean() const { return static_cast<float>(sum / std::max(count, 1.0)); }
-  float uncertainty() const {
-    const double m = sum / std::max(count, 1.0);
-    return static_cast<float>(std::sqrt(std::max(0.0, squares / std::max(count, 1.0) - m * m) / std::max(count - 1.0, 1.0)));
-  }
-};
 
 /// (a - b) (c - d), the mean of three channels.
 double product(Vec3f a, Vec3f b, Vec3f c, Vec3f d) {
@@ -134,86 +80,136 @@ double product(Vec3f a, Vec3f b, Vec3f c, Vec3f d) {
 }  // namespace
 
 GatherMeasure::GatherMeasure(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                             const TraceParams& trace, std::optional<float> goal, const HeldOut& held_out,
+                             const TraceParams& trace, std::optional<float> goal, const MeasuredPlaces& places,
                              const Scatter& likely, const ThreadPool& pool)
-    : trace_(trace), has_goal_(goal.has_value()), pool_(pool) {
-  const FramePackets packets = packets_in_frame(optics, world_from_display, trace.order);
-  const std::uint32_t seed = hash(trace.seed, trace.frame);
-  wanted_.assign(packets.strips * packets.per_strip, 0);
-  patch_begin_.push_back(0);
-  const std::vector<double> likely_errors = by_patch(likely, packets, optics, world_from_display, trace.order);
-  for (const auto& [first, weight] : some_patches(packets, held_out, seed, likely_errors)) {
-    const std::size_t strip = first / packets.per_strip, end = std::min(first + kPatch, (strip + 1) * packets.per_strip);
-    std::fill(wanted_.begin() + static_cast<std::ptrdiff_t>(first), wanted_.begin() + static_cast<std::ptrdiff_t>(end), 1);
-    append_pixels(optics, world_from_display, trace.order, first, end, places_);
-    if (places_.size() > patch_begin_.back()) patch_begin_.push_back(places_.size()), weights_.push_back(weight);
-  }
-  of_frame_ = static_cast<double>(std::count(wanted_.begin(), wanted_.end(), 1)) /
-              static_cast<double>(std::max<std::size_t>(wanted_.size(), 1));
-  // Twice as many paths as a full render has: halves of a render would not do, as evenly spread samples are better than two
-  // sets of half as many.
+    : scene_(scene),
+      optics_(optics),
+      world_from_display_(world_from_display),
+      trace_(trace),
+      asked_(goal),
+      measured_(places),
+      seed_(hash(trace.seed, trace.frame, places.salt)),
+      pool_(pool) {
+  patches_ = choose_patches(optics, world_from_display, trace.order, places.patches, likely, seed_);
+  trace_patches(places.fewer);
+  set_goal(difference_of_paths());
+}
+
+void GatherMeasure::choose_pixels_of(const Image& film, const Scatter& scatter) {
+  if (pixels_ || !measured_.with_pixels()) return;
+  pixels_.emplace(scene_, optics_, world_from_display_, trace_, choose_pixels(film, measured_.pixels, scatter, seed_), 2,
+                  pool_);
+  add(pixels_->counts(), counts_);
+  set_goal(pixels_->of_paths());
+}
+
+void GatherMeasure::set_goal(const PixelError& of_paths) {
+  of_paths_ = of_paths;
+  goal_.pixels = asked_.value_or(std::max(of_paths_.squared, kInvisible));
+  goal_.blocks = std::max(kBlockLoss * goal_.pixels / (asked_ ? kBlockSides : kBlockPixels), kInvisibleBlock);
+}
+
+/// Twice as many paths as a full render has: halves of a render would not do, as evenly spread samples are better than two sets
+/// of half as many.
+void GatherMeasure::trace_patches(int fewer) {
   const Context quiet;  // a few patches are no progress of the frame
-  Image film(optics.panel.width, optics.panel.height, 3);
+  Image film(optics_.panel.width, optics_.panel.height, 3);
+  TraceParams params = trace_;
+  params.spp = fewer_samples(trace_.spp, fewer);
+  const bool in_halves = params.spp < trace_.spp;
+  if (in_halves) params.spp = (params.spp + 1) / 2;
+  const auto trace_with = [&](std::uint32_t seed_of_set) {
+    params.seed = seed_of_set;
+    add(trace_packets(scene_, optics_, world_from_display_, params, patches_.wanted, pool_, quiet, film), counts_);
+  };
   for (std::uint32_t set = 0; set < 2; ++set) {
-    TraceParams params = trace;
-    params.seed = hash(seed, 0x70617468u, set);
-    add(trace_packets(scene, optics, world_from_display, params, wanted_, pool, quiet, film), counts_);
-    paths_[set] = codes_at_places(film);
+    trace_with(hash(seed_, 0x70617468u, set));
+    if (!in_halves) {
+      paths_[set] = codes_of(light_at(film, patches_.pixels));
+      continue;
+    }
+    const std::vector<float> first = light_at(film, patches_.pixels);
+    trace_with(hash(seed_, 0x68616c66u, set));
+    paths_[set] = codes_of_halves(first, light_at(film, patches_.pixels));
   }
-  rays_of_paths_ = 0.5 * static_cast<double>(counts_.total());
-  MeanOf pixels, blocks;
-  for (std::size_t p = 0; p < weights_.size(); ++p) {
-    const Vec3f a = paths_[0].means[p], b = paths_[1].means[p];
-    blocks.add(weights_[p] * 0.5 * product(a, b, a, b));
+  rays_of_paths_ = 0.5 * static_cast<double>(counts_.total()) * trace_.spp / fewer_samples(trace_.spp, fewer);
+}
+
+/// Half the squared difference of both sets.
+PixelError GatherMeasure::difference_of_paths() const {
+  MeanOf pixels;
+  for (std::size_t p = 0; p < patches_.weights.size(); ++p) {
     double sum = 0.0;
-    const std::size_t begin = 3 * patch_begin_[p], end = 3 * patch_begin_[p + 1];
+    const std::size_t begin = 3 * patches_.begin[p], end = 3 * patches_.begin[p + 1];
     for (std::size_t i = begin; i < end; ++i) {
       const auto d = static_cast<double>(paths_[0].values[i] - paths_[1].values[i]);
       sum += 0.5 * d * d;
     }
-    pixels.add(weights_[p] * sum / static_cast<double>(end - begin));
+    pixels.add(patches_.weights[p] * sum / static_cast<double>(end - begin));
   }
-  of_paths_.pixels = pixels.mean(), of_paths_.blocks = blocks.mean();
-  goal_.pixels = goal.value_or(std::max(of_paths_.pixels, kInvisible));
-  const float more = of_paths_.pixels > 0.0f ? goal_.pixels / of_paths_.pixels : 1.0f;
-  const float independent = goal_.pixels / (goal ? kPatchSides : kPatchPixels);
-  goal_.blocks = std::max({kBlockLoss * more * of_paths_.blocks, kBlockLoss * independent, kInvisibleBlock});
+  return {pixels.mean(), pixels.uncertainty()};
 }
 
-GatherMeasure::Codes GatherMeasure::codes_at_places(const Image& film) const {
-  Codes codes;
-  for (const std::uint32_t pixel : places_)
-    for (std::size_t c = 0; c < 3; ++c) codes.values.push_back(encoded(film.data[3 * static_cast<std::size_t>(pixel) + c]));
-  for (std::size_t p = 0; p + 1 < patch_begin_.size(); ++p) {
-    Vec3f sum(0.0f);
-    for (std::size_t i = patch_begin_[p]; i < patch_begin_[p + 1]; ++i)
-      sum += Vec3f(codes.values[3 * i], codes.values[3 * i + 1], codes.values[3 * i + 2]);
-    codes.means.push_back(sum / static_cast<float>(patch_begin_[p + 1] - patch_begin_[p]));
-  }
+GatherMeasure::Codes GatherMeasure::codes_of(const std::vector<float>& light) const {
+  Codes codes{light, means_of(light)};
+  for (float& v : codes.values) v = code_of(v);
   return codes;
 }
 
-FrameError GatherMeasure::error_of(const Image& film) const {
-  const Codes codes = codes_at_places(film);
+/// sRGB's curve makes what is noisy darker on average: of half as many samples by twice as much, and so of all by the
+/// difference between these two (jackknife; M. H. Quenouille, "Notes on bias in estimation", Biometrika 43, 1956).
+GatherMeasure::Codes GatherMeasure::codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const {
+  std::vector<float> light(first.size());
+  for (std::size_t i = 0; i < light.size(); ++i) light[i] = 0.5f * (first[i] + second[i]);
+  Codes codes{light, means_of(light)};
+  for (std::size_t i = 0; i < light.size(); ++i)
+    codes.values[i] = 2.0f * code_of(light[i]) - 0.5f * (code_of(first[i]) + code_of(second[i]));
+  return codes;
+}
+
+/// Means of the light that is shown, as lenses and eyes average it: those of codes would be darker the noisier pixels are.
+std::vector<Vec3f> GatherMeasure::means_of(const std::vector<float>& light) const {
+  const auto shown = [&](std::size_t i) { return std::clamp(light[i], 0.0f, 1.0f); };
+  std::vector<Vec3f> means;
+  for (std::size_t p = 0; p + 1 < patches_.begin.size(); ++p) {
+    Vec3f sum(0.0f);
+    for (std::size_t i = patches_.begin[p]; i < patches_.begin[p + 1]; ++i)
+      sum += Vec3f(shown(3 * i), shown(3 * i + 1), shown(3 * i + 2));
+    const Vec3f mean = sum / static_cast<float>(patches_.begin[p + 1] - patches_.begin[p]);
+    means.emplace_back(code_of(mean.x), code_of(mean.y), code_of(mean.z));
+  }
+  return means;
+}
+
+FrameError GatherMeasure::error_of_patches(const Image& film) const {
+  const Codes codes = codes_of(light_at(film, patches_.pixels));
   MeanOf pixels, blocks;  // both by patch: pixels of one err alike
   for (std::size_t p = 0; p < codes.means.size(); ++p) {
-    blocks.add(weights_[p] * product(codes.means[p], paths_[0].means[p], codes.means[p], paths_[1].means[p]));
+    const double weight = patches_.weights[p];
+    blocks.add(weight * product(codes.means[p], paths_[0].means[p], codes.means[p], paths_[1].means[p]));
     double sum = 0.0;
-    const std::size_t begin = 3 * patch_begin_[p], end = 3 * patch_begin_[p + 1];
+    const std::size_t begin = 3 * patches_.begin[p], end = 3 * patches_.begin[p + 1];
     for (std::size_t i = begin; i < end; ++i)
       sum += static_cast<double>(codes.values[i] - paths_[0].values[i]) *
              static_cast<double>(codes.values[i] - paths_[1].values[i]);
-    pixels.add(weights_[p] * sum / static_cast<double>(end - begin));
+    pixels.add(weight * sum / static_cast<double>(end - begin));
   }
-  // Nothing is known so well that there could be no error at all.
-  return {std::max(pixels.mean(), 0.02f * goal_.pixels), std::max(blocks.mean(), 0.02f * goal_.blocks), pixels.uncertainty(),
-          blocks.uncertainty()};
+  return at_least_some({pixels.mean(), blocks.mean(), pixels.uncertainty(), blocks.uncertainty()});
 }
 
-int GatherMeasure::path_samples() const {
-  constexpr float kMostMore = 64.0f;
-  const float more = has_goal_ ? std::clamp(of_paths_.pixels / std::max(goal_.pixels, 1e-12f), 1.0f, kMostMore) : 1.0f;
-  return static_cast<int>(std::ceil(more * static_cast<float>(trace_.spp)));
+FrameError GatherMeasure::error_of(const Image& film) const {
+  FrameError error = error_of_patches(film);
+  if (!pixels_) return error;
+  const PixelError of_pixels = pixels_->error_of(film);
+  error.pixels = of_pixels.squared, error.uncertainty = of_pixels.uncertainty;
+  return at_least_some(error);
+}
+
+/// Nothing is known so well that there could be no error at all.
+FrameError GatherMeasure::at_least_some(FrameError error) const {
+  error.pixels = std::max(error.pixels, 0.02f * goal_.pixels);
+  error.blocks = std::max(error.blocks, 0.02f * goal_.blocks);
+  return error;
 }
 
 FrameError GatherMeasure::gather(const GatherSources& sources, float error, const GatherHistory& history, std::uint32_t frame) {
@@ -221,10 +217,10 @@ FrameError GatherMeasure::gather(const GatherSources& sources, float error, cons
   Image film;
   TraceParams trace = trace_;
   trace.frame += frame;
-  const RayCounts rays = gather_frame(sources, {trace, error}, wanted_, history, pool_, quiet, film);
+  const RayCounts rays = gather_frame(sources, {trace, error}, patches_.wanted, history, pool_, quiet, film);
   add(rays, counts_);
   rays_of_last_ = static_cast<double>(rays.total());
-  last_ = error_of(film);
+  last_ = error_of_patches(film);
   return last_;
 }
 
@@ -236,7 +232,7 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
   while (!coarse || !fine) {
     const float error = std::ldexp(kCoarsest, -next_trial_);
     measured = gather(sources, error, {});
-    const Trial found{error, measured.pixels};
+    const Trial found{error, measured.pixels, measured};
     if (found.squared_error <= enough) {
       fine = found, rays_of_fine = rays_of_last_;
       if (next_trial_ == 0) break;
@@ -252,7 +248,7 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
   if (rays_of_fine > kLargestShare * rays_of_paths_) return std::nullopt;
   const float error = coarse ? error_between(*coarse, *fine, enough) : fine->error;
   GatherPlan plan{error, error, coarse ? error_of_cells(*coarse, *fine) / enough : 0.0f, measured};
-  if (coarse) plan.expected.pixels = enough;
+  if (coarse) plan.expected.pixels = enough, plan.expected.blocks = blocks_between(*coarse, *fine, error);
   refine_for_blocks(sources, plan);
   return plan;
 }
@@ -298,7 +294,7 @@ GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, do
     const float error = std::ldexp(kCoarsest, -trial);
     const Clock::time_point start = Clock::now();
     const FrameError measured = gather(sources, error, {&before, &scatter});
-    const double taken = std::chrono::duration<double>(Clock::now() - start).count() / of_frame_;
+    const double taken = std::chrono::duration<double>(Clock::now() - start).count() / patches_.of_frame;
     before = smoothed(scatter, sources.optics, pool_);
     const GatherPlan found{error, error, 0.0f, measured};
     if (taken > seconds) {

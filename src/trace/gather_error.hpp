@@ -1,22 +1,25 @@
 // How good frames of cached light are, measured on some of their pixels against paths, and how many samples it takes to be as
 // good as is asked for. Private to src/trace.
 //
-// Held-out patches, spread over the frame, are traced twice by paths, with random numbers of their own. What a picture differs
-// by from the one, times what it differs by from the other, is its squared error on average: what both sets of paths err by has
-// nothing to do with each other. Of single pixels, and of the means of patches, which are what lens arrays and eyes see: noise
-// of pixels averages out in them, light that is wrong does not.
+// Held-out patches, spread over the frame, are traced twice by paths, with random numbers of their own, as are single pixels of
+// a frame that is finished (pixel_error.hpp). Means of patches are what lens arrays and eyes see: noise of pixels averages out
+// in them, light that is wrong does not.
 #pragma once
 
 #include <optional>
 
-#include "trace/gather_frame.hpp"
+#include "trace/measured_places.hpp"
+#include "trace/pixel_error.hpp"
 
 namespace lippmann {
+
+/// Pixels of a patch, of whose means errors are told.
+inline constexpr float kBlockPixels = 64.0f;
 
 /// Mean squared errors of sRGB's codes (0 ... 1).
 struct FrameError {
   float pixels = 0.0f;
-  float blocks = 0.0f;       ///< of means over a patch, 64 pixels
+  float blocks = 0.0f;       ///< of means over a patch
   float uncertainty = 0.0f;  ///< standard deviation of `pixels`
   float block_uncertainty = 0.0f;
 };
@@ -28,29 +31,41 @@ struct GatherPlan {
   FrameError expected;        ///< of the frame
 };
 
-/// Which pixels of a frame are measured.
-struct HeldOut {
-  std::size_t patches;     ///< enough to know the frame's error; but
-  std::size_t small_part;  ///< of a small frame no more than one patch of so many,
-  std::size_t large_part;  ///< of a large one no fewer than one of so many
+/// What a frame is measured on.
+struct MeasuredPlaces {
+  std::uint32_t salt;  ///< other places, and other paths, than those with another
+  MeasuredShare patches;
+  int fewer = 1;  ///< patches have one in so many of a full render's paths: that patches differ says more than paths hide
+  MeasuredShare pixels;  ///< one by one, once the whole frame is there; none: patches alone
+  bool with_pixels() const { return pixels != MeasuredShare{}; }
 };
-/// Where a history is planned, and to check the frames after.
-inline constexpr HeldOut kPlanning{96, 12, 96}, kChecking{48, 28, 160};
+/// Where a history is planned, where it is found out whether that was luck, and to check its frames.
+inline constexpr MeasuredPlaces kPlanning{1, {96, 12, 96}, 1, {}}, kConfirming{2, {96, 14, 80}, 4, {}},
+    kChecking{3, {96, 14, 80}, 4, {1536, 32, 160}};
+/// To tell the errors of frames that are traced whole, against one set of paths.
+inline constexpr MeasuredShare kWatching{2048, 100, 200};
 
 /// Some patches of a frame, once traced by paths.
 class GatherMeasure {
  public:
-  /// goal: the mean squared error that pixels may have; none: that of paths with trace.spp samples. likely: how much pixels
-  /// scatter, as far as it is known: more patches are taken where this is more, and weigh as much less. All arguments outlive
-  /// it.
+  /// goal: the mean squared error that pixels may have; none: that of paths with trace.spp samples. likely: as choose_patches
+  /// has it. All arguments outlive it.
   GatherMeasure(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, const TraceParams& trace,
-                std::optional<float> goal, const HeldOut& held_out, const Scatter& likely, const ThreadPool& pool);
+                std::optional<float> goal, const MeasuredPlaces& places, const Scatter& likely, const ThreadPool& pool);
+
+  /// Chooses the pixels that are measured one by one, by a picture of the frame and how much its samples scattered, if there
+  /// are any to be and they are not chosen yet. Before it no goal is known but one that was asked for.
+  void choose_pixels_of(const Image& film, const Scatter& scatter);
 
   /// What frames may err by. Means of patches by kBlockLoss times as much as those of as many paths as the goal takes.
   const FrameError& goal() const { return goal_; }
 
-  /// Paths a pixel that reach the goal.
-  int path_samples() const;
+  /// Of pixels of paths with trace.spp samples: mean squared error. Measured where patches have all of these or pixels are
+  /// measured one by one; else, as goal(), of no use.
+  float of_paths() const { return of_paths_.squared; }
+
+  /// What a picture of the whole frame errs by.
+  FrameError error_of(const Image& film) const;
 
   /// The largest error with which pixels from these sources reach the goal, and fewer rays than paths are traced; none where
   /// there is no such. Of frames of which none before is known, and taken for the others, too, until they are planned.
@@ -72,32 +87,40 @@ class GatherMeasure {
   Timed plan_within(const GatherSources& sources, double seconds);
 
   /// Of paths with trace.spp samples, as far as the patches tell.
-  double rays_of_whole_frame() const { return rays_of_paths_ / std::max(of_frame_, 1e-6); }
+  double rays_of_whole_frame() const { return rays_of_paths_ / std::max(patches_.of_frame, 1e-6); }
 
   /// All that were traced.
   const RayCounts& counts() const { return counts_; }
 
  private:
   struct Codes {
-    std::vector<float> values;  ///< by place
-    std::vector<Vec3f> means;   ///< by patch
+    std::vector<float> values;  ///< of the patches' pixels
+    std::vector<Vec3f> means;   ///< of their light, by patch
   };
-  Codes codes_at_places(const Image& film) const;
-  FrameError error_of(const Image& film) const;
+  void trace_patches(int fewer);
+  void set_goal(const PixelError& of_paths);
+  PixelError difference_of_paths() const;
+  Codes codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const;
+  Codes codes_of(const std::vector<float>& light) const;
+  std::vector<Vec3f> means_of(const std::vector<float>& light) const;
+  FrameError error_of_patches(const Image& film) const;
+  FrameError at_least_some(FrameError error) const;
   FrameError gather(const GatherSources& sources, float error, const GatherHistory& history, std::uint32_t frame = 0);
   void refine_for_blocks(const GatherSources& sources, GatherPlan& plan);
   float error_in_a_row(const GatherSources& sources, float error, float enough);
 
+  const DeviceScene& scene_;
+  const Optics& optics_;
+  Affine3f world_from_display_;
   TraceParams trace_;
-  bool has_goal_;
+  std::optional<float> asked_;  ///< goal of pixels
+  MeasuredPlaces measured_;
+  std::uint32_t seed_;
   const ThreadPool& pool_;
-  std::vector<std::uint8_t> wanted_;      ///< by packet
-  double of_frame_ = 1.0;                 ///< the wanted ones' share of all packets
-  std::vector<std::uint32_t> places_;     ///< pixels of these packets, patch by patch
-  std::vector<std::size_t> patch_begin_;  ///< in places_; one more than there are patches
-  std::vector<double> weights_;           ///< of patches; 1 on average
+  MeasuredPatches patches_;
   Codes paths_[2];
-  FrameError of_paths_;  ///< with trace.spp samples
+  std::optional<PixelMeasure> pixels_;
+  PixelError of_paths_;  ///< with trace.spp samples
   FrameError goal_, last_;
   double rays_of_paths_ = 0.0, rays_of_last_ = 0.0;  ///< in the measured patches; the latter, of what was gathered last
   RayCounts counts_;

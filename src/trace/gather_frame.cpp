@@ -86,8 +86,7 @@ class BlockGatherer {
       : packets_(packets),
         error_(params.error),
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
-        gatherer_(sources.scene, sources.cells, sources.cache,
-                  {params.trace.max_depth, hash(params.trace.seed, params.trace.frame), params.trace.clamp_indirect}, light_) {
+        gatherer_(sources.scene, sources.cells, sources.cache, path_params(params.trace), light_) {
     if (params.provenance) gatherer_.show_provenance();
     if (is_transparent) gatherer_.leave_open(open_.data());
   }

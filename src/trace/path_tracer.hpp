@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include "core/random.hpp"
 #include "trace/path_wave.hpp"
 #include "trace/shadow_queue.hpp"
 #include "trace/trace_frame.hpp"
@@ -21,6 +22,10 @@ struct PathParams {
   std::uint32_t seed = 0;       ///< of the frame: other frames have other noise
   float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
 };
+/// Of the frame that `trace` describes.
+inline PathParams path_params(const TraceParams& trace) {
+  return {trace.max_depth, hash(trace.seed, trace.frame), trace.clamp_indirect};
+}
 
 /// What the camera rays' first surfaces are, weighted as their light: see NoisyFrame.
 struct FirstSurfaces {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/random.hpp"
 #include "trace/noisy_frame.hpp"
 #include "trace/packet_source.hpp"
 #include "trace/path_tracer.hpp"
@@ -62,7 +61,7 @@ class FrameTracer {
 
   /// trace_strip for paths, which no probe and no capture looks at.
   RayCounts trace_paths_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted) const {
-    PathTracer tracer(scene_, beam_, path_params(), film());
+    PathTracer tracer(scene_, beam_, path_params(params_), film());
     for (std::size_t b = 0; b < blocks_per_strip(); ++b)
       if (wanted.empty() || wanted[strip * blocks_per_strip() + b])
         trace_block(static_cast<int>(strip), static_cast<int>(b), tracer);
@@ -75,13 +74,11 @@ class FrameTracer {
       WhittedTracer tracer(scene_, beam_, params_.max_depth, film_);
       return trace_packets_of_strip(strip, wanted, tracer);
     }
-    PathTracer tracer(scene_, beam_, path_params(), film());
+    PathTracer tracer(scene_, beam_, path_params(params_), film());
     return trace_packets_of_strip(strip, wanted, tracer);
   }
 
  private:
-  PathParams path_params() const { return {params_.max_depth, hash(params_.seed, params_.frame), params_.clamp_indirect}; }
-
   template <class Tracer>
   RayCounts trace_packets_of_strip(std::size_t strip, std::span<const std::uint8_t> wanted, Tracer& tracer) const {
     std::vector<int> packets;
@@ -229,7 +226,7 @@ RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affi
     points->resize(pixels);
     capture.emplace(scene.impl(), inverse(world_from_display), *points);
   }
-  const bool along = capture && params.spp == 1;
+  const bool along = capture && params.spp == 1 && !scene.impl().path;
   if (along) tracer.capture_to(&*capture);
   std::optional<TouchProbe> probe;
   if (touched) {

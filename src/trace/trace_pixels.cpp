@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "trace/packet_source.hpp"
+#include "trace/path_tracer.hpp"
 #include "trace/scene_query.hpp"
 #include "trace/whitted.hpp"
 
@@ -88,7 +89,8 @@ Pixels packet_of(Pixels pixels, std::size_t packet) {
 
 std::size_t packets_in(Pixels pixels) { return (pixels.size() + kLanes - 1) / kLanes; }
 
-void trace_strip(const PixelPackets& packets, Pixels pixels, const SubPixel& sub_pixel, WhittedTracer& tracer) {
+template <class Tracer>
+void trace_strip(const PixelPackets& packets, Pixels pixels, const SubPixel& sub_pixel, Tracer& tracer) {
   const float weight = 1.0f / static_cast<float>(sub_pixel.samples);
   RayHitPacket packet;
   LaneMask active;
@@ -96,6 +98,7 @@ void trace_strip(const PixelPackets& packets, Pixels pixels, const SubPixel& sub
   const std::size_t count = packets_in(pixels);
   for (std::size_t first = 0; first < count; first += kPacketsPerBlock)
     for (int sample = 0; sample < sub_pixel.samples; ++sample) {
+      if constexpr (std::is_same_v<Tracer, PathTracer>) tracer.begin_sample(sample);
       for (std::size_t p = first; p < std::min(count, first + kPacketsPerBlock); ++p) {
         packets.fill(packet_of(pixels, p), sub_pixel, sample, packet.ray, active, pixel);
         tracer.primary(packet, active, pixel, weight);
@@ -118,10 +121,7 @@ void capture_strip(const PixelPackets& packets, Pixels pixels, const DeviceScene
 
 RayCounts sum(const std::vector<RayCounts>& counts) {
   RayCounts total;
-  for (const RayCounts& c : counts) {
-    total.primary += c.primary, total.shadow += c.shadow;
-    total.reflection += c.reflection, total.indirect += c.indirect;
-  }
+  for (const RayCounts& c : counts) add(c, total);
   return total;
 }
 
@@ -137,18 +137,26 @@ RayCounts trace_pixels(const DeviceScene& scene, const Optics& optics, const Aff
   const PixelPackets packets(optics, world_from_display, sub_pixel);
   std::optional<PointCapture> capture;
   if (points) capture.emplace(scene.impl(), inverse(world_from_display), *points);
-  const bool along = capture && params.spp == 1;
+  const bool along = capture && params.spp == 1 && !scene.impl().path;
   std::vector<RayCounts> counts(ordered.begin.size() - 1);
   pool.for_each(counts.size(), [&](std::size_t strip) {
     const std::size_t first = ordered.begin[strip];
     const Pixels of_strip = Pixels(ordered.pixels).subspan(first, ordered.begin[strip + 1] - first);
     if (of_strip.empty() || context.cancelled) return;
     for (const std::uint32_t pixel : of_strip) std::fill_n(film.data.begin() + 3 * static_cast<std::ptrdiff_t>(pixel), 3, 0.0f);
-    WhittedTracer tracer(scene.impl(), beam, params.max_depth, film);
-    tracer.capture_to(along ? &*capture : nullptr);
-    trace_strip(packets, of_strip, sub_pixel, tracer);
+    if (scene.impl().path) {
+      PathFilm light;
+      light.all = film.data.data();
+      PathTracer tracer(scene.impl(), beam, path_params(params), light);
+      trace_strip(packets, of_strip, sub_pixel, tracer);
+      counts[strip] = tracer.counts();
+    } else {
+      WhittedTracer tracer(scene.impl(), beam, params.max_depth, film);
+      tracer.capture_to(along ? &*capture : nullptr);
+      trace_strip(packets, of_strip, sub_pixel, tracer);
+      counts[strip] = tracer.counts();
+    }
     if (capture && !along) capture_strip(packets, of_strip, scene.impl(), *capture);
-    counts[strip] = tracer.counts();
   });
   return sum(counts);
 }

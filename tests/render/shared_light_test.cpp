@@ -25,14 +25,24 @@ TEST(SharedLight, sentence_counts_frames_and_names_the_worst_of_pixels_and_of_me
                                         traced_frame(7)};
   // Squared errors of 1e-4 and 1e-3: their mean is 5.5e-4, which is 32.6 dB.
   EXPECT_EQ(shared_light_sentence(frames),
-            "2 of 4 frames share light, PSNR as measured 32.6 dB on average, 30.0 dB at worst (frame 6), 50.0 dB at worst of "
-            "means over 64 pixels (frame 4); 2 traced whole");
+            "2 of 4 frames share light, the others were traced whole, PSNR as measured 32.6 dB on average, 30.0 dB at worst "
+            "(frame 6), 50.0 dB at worst of means over 64 pixels (frame 4)");
 }
 
 TEST(SharedLight, sentence_says_that_no_frame_or_every_frame_was_traced_whole) {
   EXPECT_THAT(shared_light_sentence({shared_frame(0, 40.0, 39.0, 50.0), shared_frame(1, 41.0, 40.0, 51.0)}),
-              HasSubstr("; none was traced whole"));
+              testing::StartsWith("2 of 2 frames share light, PSNR"));
   EXPECT_EQ(shared_light_sentence({traced_frame(0), traced_frame(1)}), "every frame was traced whole");
+}
+
+TEST(SharedLight, sentence_tells_the_errors_of_traced_frames_that_were_measured) {
+  FrameReport measured = shared_frame(1, 30.0, 29.0, 48.0);
+  measured.kind = "full";
+  EXPECT_EQ(
+      shared_light_sentence({traced_frame(0), measured}),
+      "every frame was traced whole, PSNR as measured 30.0 dB on average, 30.0 dB at worst (frame 1), 48.0 dB at worst of "
+      "means over 64 pixels (frame 1)");
+  EXPECT_THAT(below_floor_sentence({traced_frame(0), measured}, 30.0), testing::StartsWith("frame 1 may fall short"));
 }
 
 TEST(SharedLight, sentence_of_a_single_frame_has_no_average) {
@@ -50,11 +60,10 @@ TEST(SharedLight, frames_are_below_a_floor_that_their_lower_bound_does_not_reach
   EXPECT_EQ(below_floor_sentence(frames, 38.0), "");
 }
 
-TEST(SharedLight, frames_that_are_traced_whole_are_not_known_to_reach_a_floor) {
+TEST(SharedLight, frames_that_are_not_measured_are_not_known_to_reach_a_floor) {
   const std::vector<FrameReport> frames{traced_frame(0), shared_frame(1, 41.0, 39.9, 50.0), traced_frame(2)};
-  EXPECT_EQ(unmeasured_sentence(frames, 40.0),
-            "frames 0, 2 were traced whole and not measured: whether --min-psnr 40 is reached is not known");
-  EXPECT_THAT(unmeasured_sentence({frames[2]}, 40.0), HasSubstr("frame 2 was traced whole"));
+  EXPECT_EQ(unmeasured_sentence(frames, 40.0), "frames 0, 2 were not measured: whether --min-psnr 40 is reached is not known");
+  EXPECT_THAT(unmeasured_sentence({frames[2]}, 40.0), HasSubstr("frame 2 was not measured"));
   EXPECT_EQ(unmeasured_sentence({frames[1]}, 40.0), "");
 }
 

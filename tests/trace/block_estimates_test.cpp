@@ -67,13 +67,21 @@ TEST(BlockEstimates, samples_grow_with_scatter) {
   auto block = even(8);
   for (int s = 0; s < 8; ++s) block->add(20, Vec3f(s % 2 ? 0.2f + 0.03f : 0.2f - 0.03f));
   look(*block, 8.0f);
-  const double expected = std::pow(static_cast<double>(block->scatter[kLanes + 20]) / (kError * kError), 1.0 / 2.6);
-  EXPECT_GT(expected, 2.0);
+  // The least that they scatter: without one of the brighter ones, with eight of 0.2.
+  const double slope = 1.055 / 2.4 * std::pow(0.2, 1.0 / 2.4 - 1.0), mean = (8 * 0.2 + 3 * 0.23 + 4 * 0.17) / 15.0;
+  const double square = (8 * 0.2 * 0.2 + 3 * 0.23 * 0.23 + 4 * 0.17 * 0.17) / 15.0;
+  const double least = slope * slope * (square - mean * mean);
+  const double expected = std::pow(least / (kError * kError), 1.0 / 2.6);
+  EXPECT_GT(expected, 1.5);
   EXPECT_NEAR(static_cast<double>(block->wanted[20]), expected, 1e-3 * expected);
   EXPECT_LT(block->wanted[25], 0.01f);
 }
 
-// Of few samples a pixel's own have no say: its neighbours, along and across rays, have, each a quarter.
+/// What its neighbours scatter counts beside what a pixel scatters itself.
+double share_of_neighbours(int samples) { return samples < 8 ? 1.0 : 64.0 / (samples + 64.0); }
+
+// Of few samples a pixel's own have no say: its neighbours, along and across rays, have, each a quarter. And still when there
+// are more.
 TEST(BlockEstimates, neighbours_decide_until_a_pixel_has_eight_samples) {
   for (const int samples : {2, 8}) {
     auto block = even(samples);
@@ -81,12 +89,13 @@ TEST(BlockEstimates, neighbours_decide_until_a_pixel_has_eight_samples) {
     for (int s = 0; s < samples; ++s) block->add(20, Vec3f(s % 2 ? 0.201f : 0.199f));
     look(*block, static_cast<float>(samples));
     EXPECT_EQ(block->wanted[20] > 0.05f, samples == 8) << samples;
-    const double around = 0.25 * static_cast<double>(block->scatter[kLanes + 20]);
+    const double around = share_of_neighbours(samples) * 0.25 * static_cast<double>(block->scatter[kLanes + 20]);
     const double expected = std::pow(around / (kError * kError), 1.0 / 2.6);
     for (const std::size_t e : {std::size_t{19}, std::size_t{21}, std::size_t{4}, std::size_t{36}}) {
-      EXPECT_EQ(block->wanted[e] > 0.05f, samples == 2) << e << " of " << samples;
-      if (samples == 2 && (e == 19 || e == 21))
+      EXPECT_GT(block->wanted[e], 0.05f) << e << " of " << samples;
+      if (e == 19 || e == 21) {
         EXPECT_NEAR(static_cast<double>(block->wanted[e]), expected, 1e-2 * expected) << e;
+      }
     }
     for (const std::size_t e : {std::size_t{18}, std::size_t{5}, std::size_t{35}}) EXPECT_LT(block->wanted[e], 0.01f) << e;
   }
@@ -100,8 +109,10 @@ TEST(BlockEstimates, pixels_beside_another_brightness_may_have_missed_an_edge) {
   look(*block, 8.0f);
   const double beside = static_cast<double>(block->mean[kLanes + 20]);
   const double error = code(0.2 + (beside - 0.2) / 10.0) - code(0.2);
-  const double expected = std::pow(0.05 * std::pow(8.0, 1.6) * error * error / (kError * kError), 1.0 / 2.6);
-  EXPECT_GT(expected, 1.0);
+  const double missed = 0.05 * std::pow(8.0, 1.6) * error * error;
+  const double around = share_of_neighbours(8) * 0.25 * static_cast<double>(block->scatter[kLanes + 20]);
+  EXPECT_GT(missed, 0.1 * around);
+  const double expected = std::pow((missed + around) / (kError * kError), 1.0 / 2.6);
   EXPECT_NEAR(static_cast<double>(block->wanted[21]), expected, 0.01 * expected);
   EXPECT_LT(block->wanted[35], 0.01f);
 }
@@ -119,34 +130,57 @@ TEST(BlockEstimates, pixels_beside_overexposed_ones_may_have_missed_an_edge) {
   EXPECT_NEAR(static_cast<double>(block->wanted[20]), expected, 0.01 * expected);
 }
 
-// A bright thing that covers an eighth of every pixel of a row, sampled at random. The mean of all pixels is right whatever
-// they are given: 400 blocks of 40 pixels, deviation of a sample 0.33; of n samples at least 2, that of the mean below 0.0019.
-TEST(BlockEstimates, small_bright_things_lose_no_light) {
-  std::uint32_t state = 1;
-  const auto draw = [&] {
-    state = hash(state, 7u);
-    return unit_float(state) < 0.125f ? 1.0f : 0.0f;
-  };
-  double sum = 0.0, most = 0.0;
+struct Sampled {
+  double mean = 0.0, most = 0.0;  ///< of the light; samples of a pixel
+};
+
+/// 400 blocks of 40 pixels that get as many samples as is found, from draw().
+Sampled sample_blocks(float error, const auto& draw) {
   constexpr int kBlocks = 400;
+  Sampled sampled;
   for (int b = 0; b < kBlocks; ++b) {
     auto block = even(0);
     for (std::size_t e = 0; e < kPixels; ++e)
       for (int s = 0; s < 2; ++s) block->add(e, Vec3f(draw()));
     for (float have = 2.0f; have < 64.0f; have *= 2.0f) {
       encode(*block);
-      find_wanted(have, 0.03f, *block);
+      find_wanted(have, error, *block);
       for (std::size_t e = 0; e < kPixels; ++e)
         if (block->samples[e] == have && block->wanted[e] > have)
           for (int s = 0; s < static_cast<int>(have); ++s) block->add(e, Vec3f(draw()));
     }
     for (std::size_t e = 0; e < kPixels; ++e) {
-      sum += static_cast<double>(block->radiance(e).y) / (kBlocks * kPixels);
-      most = std::max(most, static_cast<double>(block->samples[e]));
+      sampled.mean += static_cast<double>(block->radiance(e).y) / (kBlocks * kPixels);
+      sampled.most = std::max(sampled.most, static_cast<double>(block->samples[e]));
     }
   }
-  EXPECT_GT(most, 4.0);  // it was decided
-  EXPECT_NEAR(sum, 0.125, 4.0 * 0.0019);
+  return sampled;
+}
+
+/// Random numbers from 0 to 1, the same in every run.
+auto random_numbers(std::uint32_t stream) {
+  return [state = 1u, stream]() mutable {
+    state = hash(state, stream);
+    return unit_float(state);
+  };
+}
+
+// One sample in twenty is bright, as where few choose the lamp that counts: whether a pixel has met it among its first eight
+// must not decide how many more it gets. Deviation of a sample 0.21, of the mean of 8 of each below 0.0006.
+TEST(BlockEstimates, light_that_few_samples_bring_is_not_lost) {
+  auto random = random_numbers(9);
+  const Sampled sampled = sample_blocks(0.02f, [&] { return random() < 0.05f ? 1.0f : 0.02f; });
+  EXPECT_GT(sampled.most, 8.0);
+  EXPECT_NEAR(sampled.mean, 0.069, 0.04 * 0.069);
+}
+
+// A bright thing that covers an eighth of every pixel of a row, sampled at random. The mean of all pixels is right whatever
+// they are given: deviation of a sample 0.33; of n samples at least 2, that of the mean below 0.0019.
+TEST(BlockEstimates, small_bright_things_lose_no_light) {
+  auto random = random_numbers(7);
+  const Sampled sampled = sample_blocks(0.03f, [&] { return random() < 0.125f ? 1.0f : 0.0f; });
+  EXPECT_GT(sampled.most, 4.0);  // it was decided
+  EXPECT_NEAR(sampled.mean, 0.125, 4.0 * 0.0019);
 }
 
 TEST(BlockEstimates, the_frame_before_is_believed_where_it_says_more) {

@@ -78,6 +78,22 @@ TEST_F(TracePixels, given_pixels_get_the_frames_bits_and_all_others_stay) {
     }
 }
 
+TEST_F(TracePixels, paths_of_given_pixels_are_the_frames) {
+  DeviceScene device(s_.scene, pool_, Integrator::kPath);
+  device.update(evaluate(s_.scene, 0.0), pool_);
+  params_.spp = 4, params_.frame = 3;
+  Image truth, film(64, 50, 3);
+  trace_frame(device, optics_, {}, params_, pool_, context_, truth);
+  std::fill(film.data.begin(), film.data.end(), -5.0f);
+  const std::vector<std::uint32_t> pixels = some_pixels();
+  const RayCounts counts = trace_pixels(device, optics_, {}, params_, pixels, pool_, context_, film);
+  EXPECT_EQ(counts.primary, pixels.size() * 4);
+  for (std::uint32_t p = 0; p < 64 * 50; ++p) {
+    const bool given = std::binary_search(pixels.begin(), pixels.end(), p);
+    for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(film.data[3 * p + c], given ? truth.data[3 * p + c] : -5.0f) << "pixel " << p;
+  }
+}
+
 TEST_F(TracePixels, no_pixels_trace_nothing) {
   Image film(64, 50, 3);
   EXPECT_EQ(trace_pixels(device_, optics_, {}, params_, {}, pool_, context_, film).total(), 0u);
