@@ -60,7 +60,7 @@ constexpr float kSpare = 0.6f;
 /// How often a frame is given more light and more samples before it is traced; and no more, once it has taken so many of the
 /// rays that tracing takes.
 constexpr int kAttempts = 4;
-constexpr double kMostMending = 0.4;
+constexpr double kMostMending = 0.6;
 /// An error so many times as large as it may be is more than that makes up for.
 constexpr float kHopeless = 6.0f;
 /// Of the error before: an attempt that leaves more has not helped.
