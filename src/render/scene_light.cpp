@@ -84,8 +84,8 @@ std::string light_as_asked(Scene& scene, const RenderParams& params) {
 
 std::string light_for_whitted(Scene& scene, const RenderParams& params, const Context& context) {
   if (!lacks_lamps(scene)) return "The scene has its own light.";
-  context.warning(fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added",
-                              params.scene));
+  context.warning(
+      fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added", params.scene));
   add_default_light(scene);
   return "A key light from above left of the viewer lights the scene, because the file has no lamps.";
 }

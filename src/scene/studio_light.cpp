@@ -19,11 +19,11 @@ struct SoftBox {
 };
 
 constexpr SoftBox kBoxes[] = {
-    {-140.0f, 45.0f, 22.0f, 18.0f, 3.6f},  // key
-    {120.0f, 25.0f, 14.0f, 24.0f, 1.2f},   // fill
+    {-140.0f, 45.0f, 22.0f, 18.0f, 5.4f},  // key
+    {120.0f, 25.0f, 14.0f, 24.0f, 1.5f},   // fill
     {15.0f, 65.0f, 26.0f, 11.0f, 1.8f},    // above and behind what is shown: edges stand out from the wall
 };
-constexpr float kHorizon = 0.36f, kZenith = 0.18f, kFloor = 0.12f;
+constexpr float kHorizon = 0.32f, kZenith = 0.16f, kFloor = 0.12f;
 
 float smooth_step(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
@@ -32,7 +32,7 @@ float smooth_step(float from, float to, float x) {
 
 float wall(Vec3f d) {
   const float above = glm::mix(kHorizon, kZenith, smooth_step(0.0f, 0.9f, d.y));
-  return glm::mix(kFloor, above, smooth_step(-0.12f, 0.04f, d.y));
+  return glm::mix(kFloor, above, smooth_step(-0.35f, 0.05f, d.y));
 }
 
 /// 1 within a box, 0 outside, and a smooth edge between.
