@@ -101,6 +101,7 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     if (has_lenses(report.optics))
       line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
   }
+  if (!report.light.empty()) line("light", report.light);
   if (const auto done = precompensation_of(report))
     line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
                                   describe_bound(done->clipped_share, done->largest_residual)));

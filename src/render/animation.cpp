@@ -178,6 +178,7 @@ RenderReport render_animation(const RenderParams& params, const Context& context
   report.scene = params.scene;
   report.optics = stage.placed.optics;
   report.params = params;
+  report.light = stage.light;
   report.depth_scale = stage.placed.depth_scale;
   report.depth = shown_depth(stage.array, stage.placed.units_per_mm, report.depth_scale, report.optics);
   report.crosstalk_px = crosstalk;

@@ -40,7 +40,12 @@ TraceParams trace_params(const RenderParams& params, const Scene& scene) {
 }
 
 Stage::Stage(const RenderParams& params, const ThreadPool& pool, const Context& context)
-    : Stage(wanted_scene(params, context), params, pool) {}
+    : Stage(SceneNotes{}, params, pool, context) {}
+
+Stage::Stage(SceneNotes notes, const RenderParams& params, const ThreadPool& pool, const Context& context)
+    : Stage(wanted_scene(params, context, &notes), params, pool) {
+  light = std::move(notes.light);
+}
 
 Stage::Stage(Scene described, const RenderParams& params, const ThreadPool& pool)
     : display(wanted_display(params)),

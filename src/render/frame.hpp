@@ -21,6 +21,7 @@ namespace lippmann {
 struct Stage {
   std::unique_ptr<const Display> display;  ///< none: optics of the parameters alone
   Scene scene;
+  std::string light;  ///< SceneNotes::light; empty where the scene was there already
   FittedArray array;
   PlacedOptics placed;
   DeviceScene device;  ///< of `scene`: a Stage stays where it was made
@@ -35,6 +36,10 @@ struct Stage {
 
   /// Where everything is in a frame.
   Moment moment_at(int frame) const;
+
+ private:
+  /// notes: room for what loading the scene finds out.
+  Stage(SceneNotes notes, const RenderParams& params, const ThreadPool& pool, const Context& context);
 };
 
 /// A frame as traced, and what that took. The codes are not made yet.

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "display/load_display.hpp"
 #include "render/params_table.hpp"
+#include "render/scene_light.hpp"
 
 namespace lippmann {
 namespace {
@@ -21,7 +22,8 @@ namespace fs = std::filesystem;
 
 bool is_relative_path(const ParamInfo& info, const std::string& value) {
   return info.is_path && !value.empty() && fs::path(value).is_relative() &&
-         !(info.name == "scene" && is_builtin_scene(value)) && !(info.name == "display" && is_display_preset(value));
+         !(info.name == "scene" && is_builtin_scene(value)) && !(info.name == "display" && is_display_preset(value)) &&
+         !(info.name == "environment" && !environment_is_file(value));
 }
 
 /// A path without a trailing slash, "." for the empty one.

@@ -1,14 +1,12 @@
 #include "render/params.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
-#include "render/environment_file.hpp"
+#include "render/scene_light.hpp"
 #include "render/test_pattern.hpp"
 #include "scene/builtin.hpp"
-#include "scene/default_light.hpp"
 
 namespace lippmann {
 
@@ -28,7 +26,7 @@ std::vector<int> frames_of(const FrameRanges& ranges) {
   return frames;
 }
 
-Scene wanted_scene(const RenderParams& params, const Context& context, std::vector<std::string>* names) {
+Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes) {
   if (params.scene == kTestPattern) return test_pattern_scene();
   LoadOptions options;
   if (!params.camera_path.empty()) options.camera_path = params.camera_path;
@@ -36,17 +34,12 @@ Scene wanted_scene(const RenderParams& params, const Context& context, std::vect
   options.animation = params.animation;
   options.asset_root = params.asset_root;
   Scene scene = load_scene(params.scene, options, context);
-  if (names) *names = camera_names(scene);
+  SceneNotes known{camera_names(scene), {}};
   choose_camera(scene, params.camera);
   turn_upright(scene, params.up);
   for (Light& light : scene.lights) light.color *= params.light_scale;
-  if (!params.environment.empty()) {
-    scene.background.map = read_environment(params.environment, params.environment_strength, params.environment_rotation_deg);
-  } else if (lacks_light(scene, params.integrator == Integrator::kPath)) {
-    context.warning(fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added",
-                                params.scene));
-    add_default_light(scene);
-  }
+  known.light = light_scene(scene, params, context);
+  if (notes) *notes = std::move(known);
   return scene;
 }
 

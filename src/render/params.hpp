@@ -91,7 +91,7 @@ struct RenderParams {
   std::uint32_t seed = 0;
   float clamp_indirect = 0.0f;            ///< paths: the brightest indirect contribution to a sample; 0: any
   bool denoise = false;                   ///< paths: frames are filtered (denoise/denoiser.hpp)
-  std::string environment;                ///< panorama that surrounds the scene; empty: the scene's own background
+  std::string environment;                ///< none, studio, a colour or a panorama; empty: see render/scene_light.hpp
   float environment_strength = 1.0f;      ///< factor
   float environment_rotation_deg = 0.0f;  ///< about the vertical
   bool transparent = false;               ///< pictures have alpha: the surroundings light the scene but are not seen
@@ -142,10 +142,15 @@ inline OpticsKind optics_kind(const RenderParams& params) { return params.optics
 /// Whether `scene` names one of the built-in scenes, and thus no file.
 bool is_builtin_scene(const std::string& scene);
 
-/// The scene that the parameters name, loaded as they say, or nothing but a display for the test pattern (test_pattern.hpp).
-/// The camera that decides the view is its first. Throws Error.
-/// camera_names: if it is given, gets the names of the cameras in the file's order.
-Scene wanted_scene(const RenderParams& params, const Context& context, std::vector<std::string>* camera_names = nullptr);
+/// What is known of a scene beside what it holds.
+struct SceneNotes {
+  std::vector<std::string> camera_names;  ///< in the file's order
+  std::string light;                      ///< one sentence: which light was taken, and why
+};
+
+/// The scene that the parameters name, loaded and lit as they say, or nothing but a display for the test pattern
+/// (test_pattern.hpp). The camera that decides the view is its first. Throws Error.
+Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes = nullptr);
 
 /// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);

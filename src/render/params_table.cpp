@@ -11,6 +11,7 @@
 #include "optics/crosstalk.hpp"
 #include "render/param_text.hpp"
 #include "render/reuse_params.hpp"
+#include "render/scene_light.hpp"
 
 namespace lippmann {
 namespace {
@@ -276,6 +277,7 @@ std::vector<ParamInfo> optics_rows() {
 
 std::vector<ParamInfo> rendering_rows() {
   using P = RenderParams;
+  const Codec<std::string> environment{read_environment_choice, [](const std::string& value) { return value; }};
   return {
       row(ParamKind::kText, &P::integrator, choice<Integrator>(kIntegratorNames),
           {"integrator", "Rendering", "NAME", "whitted: shadows, mirrors, refraction; path: all light, by random paths"}),
@@ -297,12 +299,16 @@ std::vector<ParamInfo> rendering_rows() {
       row(ParamKind::kFlag, &P::denoise, flag(),
           {"denoise", "Rendering", "",
            "Paths: take out noise by averaging over pixels, views and frames that show the same surface in the same light"}),
-      path(row(ParamKind::kText, &P::environment, text(),
-               {"environment", "Rendering", "FILE", "A panorama (.hdr, .exr) that surrounds and lights the scene"})),
+      path(
+          row(ParamKind::kText, &P::environment, environment,
+              {"environment", "Rendering", "none|studio|COLOUR|FILE",
+               "What surrounds and lights the scene: nothing but its own light (none), the built-in studio, a colour (#rrggbb, "
+               "or R,G,B in linear light) or a panorama (.hdr, .exr); default: the scene's own, and the studio for path-traced "
+               "glTF, OBJ and PLY files that bring no light (dim where they bring lamps alone)"})),
       row(ParamKind::kNumber, &P::environment_strength, number<float>(0.0, 1e6),
-          {"environment-strength", "Rendering", "X", "Factor on the panorama's light"}),
+          {"environment-strength", "Rendering", "X", "Factor on the light of the surroundings"}),
       row(ParamKind::kNumber, &P::environment_rotation_deg, number<float>(-360.0, 360.0),
-          {"environment-rotation", "Rendering", "DEG", "Turns the panorama about the vertical"}),
+          {"environment-rotation", "Rendering", "DEG", "Turns the surroundings about the vertical"}),
       row(ParamKind::kFlag, &P::transparent, flag(),
           {"transparent", "Rendering", "",
            "Pictures with alpha, the share of a pixel's samples that hit something: the surroundings light the scene but are "

@@ -115,6 +115,7 @@ Json to_json(const RenderReport& report) {
   for (const FrameReport& frame : report.frames) frames.push_back(to_json(frame));
   return {{"version", LIPPMANN_VERSION},
           {"scene", report.scene},
+          {"light", report.light},
           {"optics", optics_json(report.optics)},
           {"depth", depth_json(report.depth, report.depth_scale, report.optics)},
           {"precompensation", precompensation_json(report)},

@@ -92,7 +92,7 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   Context collecting;
   collecting.threads = context.threads;
   collecting.warn = [&](std::string_view text) { info.warnings.emplace_back(text); };
-  const Scene scene = wanted_scene(params, collecting, &info.camera_names);
+  const Scene scene = wanted_scene(params, collecting, &info.notes);
   info.name = scene.name;
   info.animations = scene.animation_names, info.animation = scene.animation;
   info.frames = scene.timeline.frame_count;
@@ -125,7 +125,8 @@ Json to_json(const SceneInfo& info) {
           {"textures", info.textures},
           {"lights", info.lights},
           {"cameras", info.cameras},
-          {"camera_names", info.camera_names},
+          {"camera_names", info.notes.camera_names},
+          {"light", info.notes.light},
           {"animations", info.animations},
           {"animation", info.animation < 0 ? Json(nullptr) : Json(info.animation)},
           {"frames", info.frames},
@@ -159,7 +160,8 @@ std::string to_text(const SceneInfo& info) {
                               {info.textures, "texture"},
                               {info.lights, "light"},
                               {info.cameras, "camera"}}));
-  if (info.cameras > 1) line("cameras", list_cameras(info.camera_names) + "; --camera chooses");
+  if (info.cameras > 1) line("cameras", list_cameras(info.notes.camera_names) + "; --camera chooses");
+  line("light", info.notes.light);
   line("animation",
        fmt::format("{} frames at {:g} a second = {:.1f} s; {} of {} instances move", info.frames, info.frames_per_second,
                    info.frames / info.frames_per_second, info.moving_instances, info.instances));

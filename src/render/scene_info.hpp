@@ -19,7 +19,7 @@ struct SceneInfo {
   std::size_t spheres = 0, cylinders = 0, planes = 0, rings = 0, boxes = 0;
   std::size_t materials = 0, textures = 0, lights = 0, cameras = 0;
 
-  std::vector<std::string> camera_names;  ///< in the file's order
+  SceneNotes notes;
 
   int frames = 1;
   double frames_per_second = 25.0;

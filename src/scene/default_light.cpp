@@ -24,18 +24,58 @@ const MetallicRoughness* physical_surface(const Scene& scene, const Instance& in
   return std::get_if<MetallicRoughness>(&scene.materials[static_cast<std::size_t>(instance.material)].surface);
 }
 
-}  // namespace
+float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
 
-bool lacks_light(const Scene& scene, bool emission_lights) {
-  if (!scene.lights.empty()) return false;
-  bool lit = false;
+/// World units; a mesh as its node shows it, skins and morph targets at rest.
+double area_of(const Mesh& mesh, const Affine3f& world_from_mesh) {
+  double twice = 0.0;
+  for (const auto& triangle : mesh.triangles) {
+    const Vec3f a = mesh.positions[triangle[0]];
+    const Vec3f u = transform_vector(world_from_mesh, mesh.positions[triangle[1]] - a);
+    const Vec3f v = transform_vector(world_from_mesh, mesh.positions[triangle[2]] - a);
+    twice += static_cast<double>(glm::length(glm::cross(u, v)));
+  }
+  return 0.5 * twice;
+}
+
+bool has_shining_lamps(const Scene& scene) {
+  constexpr double kLeastMean = 0.02;
+  const ResolvedScene resolved = evaluate(scene, 0.0);
+  double area = 0.0, emitted = 0.0;
   for (const Instance& instance : scene.instances) {
     const MetallicRoughness* surface = physical_surface(scene, instance);
-    if (!surface) continue;
-    if (emission_lights && (surface->unlit || surface->emissive != Vec3f(0.0f))) return false;
-    lit |= !surface->unlit;
+    const Mesh* mesh = std::get_if<Mesh>(&scene.shapes[static_cast<std::size_t>(instance.shape)]);
+    if (!surface || !mesh || surface->unlit) continue;
+    const double here = area_of(*mesh, resolved.of(instance.node));
+    area += here;
+    if (surface->emissive_map.texture < 0) emitted += here * static_cast<double>(brightest(surface->emissive));
   }
-  return lit;
+  return emitted > 0.0 && emitted >= kLeastMean * area;
+}
+
+}  // namespace
+
+bool lacks_lamps(const Scene& scene) {
+  if (!scene.lights.empty()) return false;
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+    const MetallicRoughness* surface = physical_surface(scene, instance);
+    return surface && !surface->unlit;
+  });
+}
+
+OwnLight own_light(const Scene& scene) {
+  const Background& sky = scene.background;
+  if (sky.map || sky.horizon != Vec3f(0.0f) || sky.zenith != Vec3f(0.0f)) return OwnLight::kSurroundings;
+  const bool is_lit = std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+    const MetallicRoughness* surface = physical_surface(scene, instance);
+    return !surface || !surface->unlit;
+  });
+  if (!is_lit) return OwnLight::kNotNeeded;
+  return scene.lights.empty() && !has_shining_lamps(scene) ? OwnLight::kNone : OwnLight::kLamps;
+}
+
+Quatf viewer_orientation(const Scene& scene) {
+  return scene.cameras.empty() ? default_view() : orientation(evaluate(scene, 0.0).of(scene.cameras.front().node));
 }
 
 void add_default_light(Scene& scene) {
@@ -43,8 +83,7 @@ void add_default_light(Scene& scene) {
   // shadow shows the mean alone. The background is a gradient so that such a surface does not vanish in front of it.
   constexpr float kKey = 0.8f * kPi, kHorizon = 0.08f, kZenith = 0.32f;
   constexpr float kUp = radians(30.0f), kLeft = radians(15.0f);
-  const Quatf viewer =
-      scene.cameras.empty() ? default_view() : orientation(evaluate(scene, 0.0).of(scene.cameras.front().node));
+  const Quatf viewer = viewer_orientation(scene);
   Node node;
   node.name = "default light";
   node.local.rotation =

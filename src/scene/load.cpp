@@ -56,13 +56,14 @@ struct Format {
   std::string_view extension;  ///< lower case, with its dot
   bool takes_camera_path, has_animations;
   bool may_be_empty;  ///< a background alone is a scene
+  bool is_physical;   ///< is_physical_format()
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&);
 };
 
 constexpr Format kFormats[] = {
-    {".dat", true, false, true, load_dat},         {".glb", false, true, false, load_gltf_file},
-    {".gltf", false, true, false, load_gltf_file}, {".nff", false, false, false, load_nff_file},
-    {".obj", false, false, false, load_obj_file},  {".ply", false, false, false, load_ply_file},
+    {".dat", true, false, true, false, load_dat},        {".glb", false, true, false, true, load_gltf_file},
+    {".gltf", false, true, false, true, load_gltf_file}, {".nff", false, false, false, false, load_nff_file},
+    {".obj", false, false, false, true, load_obj_file},  {".ply", false, false, false, true, load_ply_file},
 };
 
 std::string lower_extension(const fs::path& path) {
@@ -114,13 +115,18 @@ void require_surfaces(const Scene& scene, const fs::path& path) {
   throw Error(path.string(), "has no surfaces to show", "a scene with faces or solid shapes; points and lines are not shown");
 }
 
-Scene load_file(const fs::path& path, const LoadOptions& options, const Context& context) {
+const Format* find_format(const fs::path& path) {
   const std::string extension = lower_extension(path);
   const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
                                     [&](const Format& candidate) { return candidate.extension == extension; });
+  return format == std::end(kFormats) ? nullptr : format;
+}
+
+Scene load_file(const fs::path& path, const LoadOptions& options, const Context& context) {
+  const Format* format = find_format(path);
   require_readable_file(path);
   require_folder(options.asset_root);
-  if (format == std::end(kFormats)) throw Error(path.string(), "is not a scene format that is known", accepted_names());
+  if (!format) throw Error(path.string(), "is not a scene format that is known", accepted_names());
   if (options.camera_path && !format->takes_camera_path)
     throw usage_error("--camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
   if (!options.animation.empty() && !format->has_animations)
@@ -153,6 +159,11 @@ Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
 }
 
 }  // namespace
+
+bool is_physical_format(const std::string& name) {
+  const Format* format = find_builtin(name) ? nullptr : find_format(name);
+  return format && format->is_physical;
+}
 
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context) {
   const BuiltinScene* builtin = find_builtin(name);

@@ -21,6 +21,10 @@ struct LoadOptions {
 /// supported is a warning in `context`. The result has passed validate().
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context);
 
+/// Whether `name` is a file of a format that describes surfaces and light physically (glTF, OBJ, PLY), by its ending: no
+/// built-in scene, and none of the formats that describe Whitted's shading (Tachyon, NFF).
+bool is_physical_format(const std::string& name);
+
 /// Checks every index, size and number of a scene (finite vertices, triangle indices, parents before children, radii > 0).
 /// Throws Error naming `where` and the element.
 void validate(const Scene& scene, const std::string& where);

@@ -252,6 +252,34 @@ TEST(Light, a_panorama_lights_by_its_strength) {
   EXPECT_LT(mean_of({"--environment-strength", "0"}), mean_of({"--environment-strength", "4"}));
 }
 
+TEST(Light, summary_report_and_info_say_which_light_was_taken) {
+  const TempDir dir;
+  std::ofstream(dir / "plain.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string expected = "The built-in studio lights the scene, because the file has no lamps and no surroundings.";
+  const Words command{"render", "plain.obj", "--lenses", "4", "--integrator", "path", "--spp", "2", "--output", "out"};
+  const RunResult result = run_tool(dir, command);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("light     " + expected));
+  EXPECT_EQ(json_of(bytes_of(dir / "out/report.json"))["light"], expected);
+  EXPECT_EQ(json_of(run_tool(dir, {"info", "plain.obj", "--integrator", "path", "--json"}).out)["light"], expected);
+  EXPECT_THAT(run_tool(dir, {"info", "plain.obj", "--integrator", "path", "--environment", "none"}).out,
+              HasSubstr("The scene has its own light alone, as --environment none asks for."));
+}
+
+TEST(Light, words_and_colours_for_the_environment_are_no_paths_in_a_job) {
+  const TempDir dir;
+  for (const char* value : {"studio", "none", "#204060", "0.5,0.25,1"}) {
+    const Words command = small_paths("out") + Words{"--environment", value};
+    ASSERT_EQ(run_tool(dir, command).exit_code, 0) << value;
+    const std::string pictures = bytes_of(dir / "out/frame_0000.png");
+    EXPECT_THAT(bytes_of(dir / "out/job.toml"), HasSubstr(std::string("environment = \"") + value + "\""));
+    ASSERT_EQ(run_tool(dir, {"render", "out/job.toml", "--output", "again"}).exit_code, 0) << value;
+    EXPECT_EQ(bytes_of(dir / "again/frame_0000.png"), pictures) << value;
+  }
+  expect_refusal(run_tool(dir, small_paths("out") + Words{"--environment", "#12345"}), 2,
+                 "--environment: '#12345' is no colour");
+}
+
 TEST(Light, what_is_no_panorama_of_light_is_refused_with_what_would_be) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0", "code")).exit_code, 0);

@@ -42,7 +42,7 @@ END_SCENE
 TEST(SceneInfo, several_cameras_are_listed) {
   SceneInfo info;
   info.cameras = 2;
-  info.camera_names = {"Front", "Side"};
+  info.notes.camera_names = {"Front", "Side"};
   EXPECT_THAT(to_text(info), testing::HasSubstr("Front (0), Side (1); --camera chooses"));
 }
 

@@ -65,9 +65,9 @@ TEST_F(WantedScene, unknown_camera_is_an_error_that_lists_them) {
 TEST_F(WantedScene, camera_names_are_in_the_files_order) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
   params.camera = "Side";
-  std::vector<std::string> names;
-  wanted_scene(params, {}, &names);
-  EXPECT_THAT(names, testing::ElementsAre("Front", "Side"));
+  SceneNotes notes;
+  wanted_scene(params, {}, &notes);
+  EXPECT_THAT(notes.camera_names, testing::ElementsAre("Front", "Side"));
 }
 
 // Every axis ends up along +y: where a sphere on that axis, 3 units from the origin, is found.

@@ -25,19 +25,62 @@ TEST(DefaultLight, is_lacking_where_surfaces_wait_for_light) {
   MetallicRoughness plain, unlit, lamp;
   unlit.unlit = true;
   lamp.emissive = Vec3f(1.0f);
-  EXPECT_TRUE(lacks_light(scene_of(plain), false));
-  EXPECT_FALSE(lacks_light(scene_of(unlit), false)) << "nothing to light";
-  EXPECT_TRUE(lacks_light(scene_of(lamp), false)) << "its light goes nowhere";
-  EXPECT_FALSE(lacks_light(scene_of(lamp), true)) << "its light lights the others";
+  EXPECT_TRUE(lacks_lamps(scene_of(plain)));
+  EXPECT_FALSE(lacks_lamps(scene_of(unlit))) << "nothing to light";
+  EXPECT_TRUE(lacks_lamps(scene_of(lamp))) << "its light goes nowhere";
   Scene lit = scene_of(plain);
   lit.lights.emplace_back();
-  EXPECT_FALSE(lacks_light(lit, false));
+  EXPECT_FALSE(lacks_lamps(lit));
 }
 
 TEST(DefaultLight, phong_scenes_are_as_dark_as_their_authors_made_them) {
   Scene scene = scene_of({});
   scene.materials[0].surface = PhongSurface{};
-  EXPECT_FALSE(lacks_light(scene, false));
+  EXPECT_FALSE(lacks_lamps(scene));
+}
+
+/// A triangle of area 50 and one of area 0.5 that has `surface`.
+Scene large_and_small(const MetallicRoughness& surface) {
+  Scene scene;
+  scene.materials = {{"", MetallicRoughness{}}, {"", surface}};
+  for (const float side : {10.0f, 1.0f}) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {side, 0, 0}, {0, side, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    scene.instances.push_back({"", static_cast<int>(scene.shapes.size()), static_cast<int>(scene.shapes.size()), -1});
+    scene.shapes.emplace_back(mesh);
+  }
+  return scene;
+}
+
+TEST(OwnLight, is_there_where_lamps_or_a_sky_are) {
+  Scene scene = large_and_small({});
+  EXPECT_EQ(own_light(scene), OwnLight::kNone);
+  scene.lights.emplace_back();
+  EXPECT_EQ(own_light(scene), OwnLight::kLamps);
+  scene.background.zenith = Vec3f(0.1f);
+  EXPECT_EQ(own_light(scene), OwnLight::kSurroundings);
+}
+
+TEST(OwnLight, of_surfaces_counts_where_it_is_enough_for_all_of_them) {
+  MetallicRoughness lamp;
+  lamp.emissive = Vec3f(3.0f);
+  EXPECT_EQ(own_light(large_and_small(lamp)), OwnLight::kLamps) << "3 x 0.5 / 50.5 = 0.0297";
+  lamp.emissive = Vec3f(1.0f);
+  EXPECT_EQ(own_light(large_and_small(lamp)), OwnLight::kNone) << "1 x 0.5 / 50.5 = 0.0099";
+}
+
+TEST(OwnLight, is_none_where_only_pictures_shine) {
+  MetallicRoughness screen;
+  screen.emissive = Vec3f(3.0f);
+  screen.emissive_map.texture = 0;
+  EXPECT_EQ(own_light(large_and_small(screen)), OwnLight::kNone);
+}
+
+TEST(OwnLight, is_not_needed_by_surfaces_that_show_their_colours_alone) {
+  MetallicRoughness unlit;
+  unlit.unlit = true;
+  EXPECT_EQ(own_light(scene_of(unlit)), OwnLight::kNotNeeded);
 }
 
 TEST(DefaultLight, comes_from_above_left_of_the_viewer) {

@@ -1,0 +1,124 @@
+#include "render/scene_light.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "core/error.hpp"
+#include "image/encode.hpp"
+#include "render/environment_file.hpp"
+#include "render/param_text.hpp"
+#include "scene/default_light.hpp"
+#include "scene/load.hpp"
+#include "scene/studio_light.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr std::string_view kNone = "none", kStudio = "studio";
+constexpr const char* kAccepted = "none, studio, a colour as #rrggbb or R,G,B (linear light), or a panorama, .hdr or .exr";
+
+/// "#ffcc00", codes of sRGB.
+std::optional<Vec3f> parse_hexadecimal(std::string_view text) {
+  unsigned codes = 0;
+  const char* const end = text.data() + text.size();
+  if (text.size() != 7) return std::nullopt;
+  if (const auto read = std::from_chars(text.data() + 1, end, codes, 16); read.ec != std::errc() || read.ptr != end)
+    return std::nullopt;
+  const auto channel = [&](int shift) { return static_cast<float>(linear_from_srgb(((codes >> shift) & 255u) / 255.0)); };
+  return Vec3f(channel(16), channel(8), channel(0));
+}
+
+/// "1,0.8,0.2", linear light.
+Vec3f read_linear(std::string_view text, const std::string& where) {
+  constexpr double kMost = 1e6;
+  Vec3f color{0.0f};
+  for (int c = 0; c < 3; ++c) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (c == 2)) throw usage_error(where, "a colour has three numbers", kAccepted);
+    color[c] = static_cast<float>(read_number(text.substr(0, comma), 0.0, kMost, where));
+    text.remove_prefix(c == 2 ? text.size() : comma + 1);
+  }
+  return color;
+}
+
+/// None where the value is no colour; throws where it looks like one and is none.
+std::optional<Vec3f> read_color(std::string_view value, const std::string& where) {
+  if (value.starts_with('#')) {
+    const std::optional<Vec3f> color = parse_hexadecimal(value);
+    if (!color) throw usage_error(where, fmt::format("'{}' is no colour", value), kAccepted);
+    return color;
+  }
+  const bool is_list = value.find(',') != std::string_view::npos && value.find_first_not_of("0123456789.,+-eE") == value.npos;
+  return is_list ? std::optional(read_linear(value, where)) : std::nullopt;
+}
+
+void surround_with(Scene& scene, EnvironmentMap map, const RenderParams& params, float share) {
+  map.strength *= share * params.environment_strength;
+  map.rotation += radians(params.environment_rotation_deg);
+  scene.background.map = std::move(map);
+}
+
+void surround_with(Scene& scene, Vec3f color) {
+  scene.background.map.reset();
+  scene.background.horizon = scene.background.zenith = color;
+}
+
+/// What --environment asks for.
+std::string light_as_asked(Scene& scene, const RenderParams& params) {
+  const std::string& value = params.environment;
+  if (value == kNone) return "The scene has its own light alone, as --environment none asks for.";
+  if (value == kStudio) {
+    surround_with(scene, studio_environment(viewer_orientation(scene)), params, 1.0f);
+    return "The built-in studio lights the scene, as --environment asks for.";
+  }
+  if (const std::optional<Vec3f> color = read_color(value, "--environment")) {
+    surround_with(scene, params.environment_strength * *color);
+    return fmt::format("The colour {} surrounds the scene, as --environment asks for.", value);
+  }
+  scene.background.map = read_environment(value, params.environment_strength, params.environment_rotation_deg);
+  return fmt::format("The panorama {} lights the scene, as --environment asks for.", value);
+}
+
+std::string light_for_whitted(Scene& scene, const RenderParams& params, const Context& context) {
+  if (!lacks_lamps(scene)) return "The scene has its own light.";
+  context.warning(
+      fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added", params.scene));
+  add_default_light(scene);
+  return "A key light from above left of the viewer lights the scene, because the file has no lamps.";
+}
+
+std::string light_for_paths(Scene& scene, const RenderParams& params) {
+  const OwnLight own = own_light(scene);
+  if (own == OwnLight::kNotNeeded) return "The scene's surfaces show their colours without light.";
+  if (own == OwnLight::kSurroundings) return "The scene has its own light.";
+  const bool has_lamps = own == OwnLight::kLamps;
+  surround_with(scene, studio_environment(viewer_orientation(scene)), params, has_lamps ? kDimStudio : 1.0f);
+  if (!has_lamps) return "The built-in studio lights the scene, because the file has no lamps and no surroundings.";
+  return fmt::format(
+      "The file's lamps light the scene; the built-in studio surrounds it at {:.0f} % of its brightness, because the file has "
+      "no surroundings.",
+      100.0 * static_cast<double>(kDimStudio));
+}
+
+}  // namespace
+
+bool environment_is_file(std::string_view value) {
+  return !value.empty() && value != kNone && value != kStudio && !read_color(value, "--environment");
+}
+
+std::string read_environment_choice(std::string_view value, const std::string& where) {
+  read_color(value, where);
+  return std::string(value);
+}
+
+std::string light_scene(Scene& scene, const RenderParams& params, const Context& context) {
+  if (!params.environment.empty()) return light_as_asked(scene, params);
+  if (params.integrator == Integrator::kWhitted) return light_for_whitted(scene, params, context);
+  if (!is_physical_format(params.scene)) return "The scene has its own light.";
+  return light_for_paths(scene, params);
+}
+
+}  // namespace lippmann
