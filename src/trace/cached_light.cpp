@@ -48,7 +48,7 @@ struct History {
   float coarsest_error = 0.0f;      ///< of the plan, as it was made
   FrameErrors errors;               ///< of frames that were gathered
   FrameErrors path_errors;          ///< and of those that were traced
-  int failures = 0;                 ///< frames in a row that had to be traced
+  int failures = 0;                 ///< frames in a row that shared no light, or in vain (kMostFailures)
   Scatter scatter;                  ///< of the frame before, where it was gathered
 };
 
@@ -65,8 +65,10 @@ constexpr double kMostMending = 0.6;
 constexpr float kHopeless = 6.0f;
 /// Of the error before: an attempt that leaves more has not helped.
 constexpr float kHelped = 0.9f;
-/// After so many frames in a row that had to be traced, the others of the history are, too.
+/// After so many frames in a row that had to be traced, or that took so many of the rays of paths, the others of the history
+/// are traced, too.
 constexpr int kMostFailures = 3;
+constexpr double kWorthless = 0.6;
 
 /// Paths a pixel that err by no more than `goal`, where `samples` err by `found`: no fewer than these.
 int path_samples_for(float goal, int samples, float found, int most) {
@@ -100,6 +102,9 @@ class CachedFrame {
   void make_traced(const CachedLightGoal& goal, Image& film, FrameAovs& aovs);
 
   const RayCounts& counts() const { return counts_; }
+
+  /// Of a frame that was gathered, and did not begin a history: whether it took clearly fewer rays than paths do.
+  bool was_worth_it() const { return was_worth_it_; }
 
  private:
   double seconds_for_pixels(double seconds) const;
@@ -139,6 +144,7 @@ class CachedFrame {
   Scatter before_;           ///< of the frame before
   std::optional<TouchProbe> moved_;
   RayCounts counts_;
+  bool was_worth_it_ = true;
 };
 
 void CachedFrame::feed(int rounds) {
@@ -216,6 +222,7 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameA
     make_traced(goal, film, aovs);
   }
   add(measure.counts(), counts_);
+  was_worth_it_ = !moved_ || static_cast<double>(counts_.total()) < kWorthless * measure.rays_of_whole_frame();
   return mending != Mending::kFailed;
 }
 
@@ -438,7 +445,7 @@ CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const 
   CachedLightReport report;
   if (!context.cancelled && history.plan) {
     report.traced = !frame.make_gathered(goal, film, layers);
-    history.failures = report.traced ? history.failures + 1 : 0;
+    history.failures = report.traced || !(goal.seconds || frame.was_worth_it()) ? history.failures + 1 : 0;
     if (history.failures >= kMostFailures) history.plan.reset();
   } else if (!context.cancelled) {
     report.traced = true;
