@@ -33,7 +33,7 @@ constexpr int kTrials = 7;
 constexpr int kLeastTrials = 2;
 constexpr float kStalled = 0.95f;
 /// Of the rays that paths need; above it they are traced: rays of single pixels take up to twice as long as those of packets.
-constexpr double kLargestShare = 0.35;
+constexpr double kLargestShare = 0.7;
 /// Half the allowed error is tried so often where means of patches err by too much, and kept where it leaves this much.
 constexpr int kBlockTrials = 3;
 constexpr float kHelped = 0.8f;
