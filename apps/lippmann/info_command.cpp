@@ -19,7 +19,7 @@ struct Options {
 };
 
 int run(const Options& options, const Context& context) {
-  const SceneInfo info = describe_scene(options.flags.read(), context);
+  const SceneInfo info = describe_scene(with_scene_defaults(options.flags.read()), context);
   if (options.json)
     print_json(to_json(info));
   else

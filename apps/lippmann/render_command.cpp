@@ -89,7 +89,7 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     for (const std::string& video : report.videos)
       if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
-    if (report.params.reuse == Reuse::kExact && report.params.integrator == Integrator::kPath) {
+    if (report.params.reuse == Reuse::kExact && integrator_of(report.params) == Integrator::kPath) {
       line("reuse", shared_light_sentence(report.frames));
       if (const std::optional<double> floor = report.params.min_psnr_db)
         for (const std::string& warning :
@@ -171,7 +171,7 @@ RenderReport render(const RenderParams& params, bool json, bool quiet, Context& 
 }
 
 int run(const Options& options, Context& context) {
-  const RenderParams params = options.flags.read();
+  const RenderParams params = with_scene_defaults(options.flags.read());
   if (!options.dump_job.empty()) write_job(options.dump_job, params);
   if (options.dry_run) return plan_only(params, options.json, context), 0;
   const RenderReport report = render(params, options.json, options.quiet, context);
@@ -206,7 +206,7 @@ void add_render_command(const Command& root, Action& chosen) {
                       "--format", "--video",  "--resume", "--dry-run",    "--quiet",  "--json"},
                      "Examples:\n"
                      "  lippmann render teapot                                    all frames, into out/teapot\n"
-                     "  lippmann render model.glb --integrator path --frames 0    one frame, with all light\n"
+                     "  lippmann render model.glb --frames 0                     one frame, with all light\n"
                      "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
                      "  lippmann render tree --display portrait --video tree.mp4  for a display (see: lippmann displays)\n"
                      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");

@@ -136,8 +136,9 @@ std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels
   return 3 * channel_bytes(plan.names.format, exr_pixels) * pixels * pictures;
 }
 
-RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {
+RenderReport render_animation(const RenderParams& said, const Context& context, const RenderObserver& observer) {
   const Stopwatch setup;
+  const RenderParams params = with_scene_defaults(said);
   check_reuse(params);
   check_aovs(params);
   check_denoise(params);

@@ -28,7 +28,7 @@ void check_aovs(const RenderParams& params) {
   if (params.reuse == Reuse::kForward)
     throw usage_error(kFlag, "interpolated frames have no extra layers", "--reuse none with it");
   const FrameAovs aovs = wanted_aovs(params);
-  if ((aovs.wants(Aov::kDirect) || aovs.wants(Aov::kIndirect)) && params.integrator != Integrator::kPath)
+  if ((aovs.wants(Aov::kDirect) || aovs.wants(Aov::kIndirect)) && integrator_of(params) != Integrator::kPath)
     throw usage_error(kFlag, "direct and indirect are parts of the light that paths find", "--integrator path with them");
 }
 

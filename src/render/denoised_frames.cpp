@@ -14,7 +14,8 @@ constexpr const char* kFlag = "--denoise";
 
 void check_denoise(const RenderParams& params) {
   if (!params.denoise) return;
-  if (params.integrator != Integrator::kPath) throw usage_error(kFlag, "only paths have noise", "--integrator path with it");
+  if (integrator_of(params) != Integrator::kPath)
+    throw usage_error(kFlag, "only paths have noise", "--integrator path with it");
   if (samples_per_pixel(params) < 2)
     throw usage_error(kFlag, "the noise of one sample cannot be told", "--spp of 2 or more with it");
 }

@@ -52,7 +52,7 @@ Stage::Stage(Scene described, const RenderParams& params, const ThreadPool& pool
       scene(std::move(described)),
       array(fit_array(scene, window_aspect(params, scene.resolution, display.get()))),
       placed(make_optics(params, scene, array, display.get())),
-      device(scene, pool, params.integrator) {}
+      device(scene, pool, integrator_of(params)) {}
 
 Moment Stage::moment_at(int frame) const {
   Moment moment{evaluate(scene, scene.timeline.time(frame)), {}};

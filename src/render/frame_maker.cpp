@@ -79,7 +79,8 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
   warn_of_whole_paths(params, context);
   if (params.denoise) return std::make_unique<DenoisedFrames>(stage, params, pool, context);
   // Extra layers are of every pixel of every frame: with them nothing is left to reuse.
-  if (params.reuse == Reuse::kExact && params.aov.empty() && !params.transparent && params.integrator == Integrator::kWhitted)
+  if (params.reuse == Reuse::kExact && params.aov.empty() && !params.transparent &&
+      integrator_of(params) == Integrator::kWhitted)
     return std::make_unique<ExactFrames>(stage, params, pool, context);
   if (LitFrames::serves(params)) return std::make_unique<LitFrames>(stage, params, pool, context);
   return std::make_unique<TracedFrames>(stage, params, pool, context);

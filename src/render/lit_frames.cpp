@@ -36,7 +36,7 @@ LitFrames::LitFrames(Stage& stage, const RenderParams& params, const ThreadPool&
     : stage_(stage), params_(params), pool_(pool), context_(context), swept_(stage.scene, -1), tracer_(stage.device) {}
 
 bool LitFrames::is_wanted(const RenderParams& params) {
-  return params.reuse == Reuse::kExact && params.integrator == Integrator::kPath &&
+  return params.reuse == Reuse::kExact && integrator_of(params) == Integrator::kPath &&
          (samples_per_pixel(params) >= kLeastPaths || params.min_psnr_db || params.time_budget_s);
 }
 

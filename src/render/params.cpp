@@ -17,6 +17,14 @@ bool is_builtin_scene(const std::string& scene) {
   return false;
 }
 
+RenderParams with_scene_defaults(RenderParams params) {
+  if (params.integrator) return params;
+  const bool paths = is_physical_format(params.scene) && params.reuse != Reuse::kForward;
+  params.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
+  if (paths && params.spp == 0) params.spp = kFirstPathSamples;
+  return params;
+}
+
 std::vector<int> frames_of(const FrameRanges& ranges) {
   std::vector<int> frames;
   for (const FrameRange& range : ranges)

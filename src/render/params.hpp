@@ -83,7 +83,7 @@ struct RenderParams {
   bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
 
   // Rendering
-  Integrator integrator = Integrator::kWhitted;
+  std::optional<Integrator> integrator;  ///< none: see with_scene_defaults
   RayOrder order = RayOrder::kViewTiles;
   int spp = 0;                                  ///< samples per pixel; 0: 1, of paths kPathSamples
   std::optional<AngularFilter> angular_filter;  ///< none: see wanted_angular_filter (render/frame.hpp)
@@ -127,11 +127,20 @@ struct RenderParams {
   bool resume = false;  ///< keep the frames that the same job has finished before
 };
 
-/// Samples per pixel of paths, where nothing is said.
-inline constexpr int kPathSamples = 64;
+/// Samples per pixel where nothing is said: of paths that are asked for, and of those that are the scene's default, so that a
+/// first picture comes within seconds.
+inline constexpr int kPathSamples = 64, kFirstPathSamples = 16;
+
+/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format)
+/// unless
+/// --reuse forward is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything below takes
+/// the parameters as they are after this.
+RenderParams with_scene_defaults(RenderParams params);
+
+inline Integrator integrator_of(const RenderParams& params) { return params.integrator.value_or(Integrator::kWhitted); }
 
 inline int samples_per_pixel(const RenderParams& params) {
-  return params.spp > 0 ? params.spp : params.integrator == Integrator::kPath ? kPathSamples : 1;
+  return params.spp > 0 ? params.spp : integrator_of(params) == Integrator::kPath ? kPathSamples : 1;
 }
 
 inline Tone tone_of(const RenderParams& params) { return {params.exposure_ev, params.tone}; }

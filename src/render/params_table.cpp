@@ -279,10 +279,12 @@ std::vector<ParamInfo> rendering_rows() {
   using P = RenderParams;
   const Codec<std::string> environment{read_environment_choice, [](const std::string& value) { return value; }};
   return {
-      row(ParamKind::kText, &P::integrator, choice<Integrator>(kIntegratorNames),
-          {"integrator", "Rendering", "NAME", "whitted: shadows, mirrors, refraction; path: all light, by random paths"}),
+      row(ParamKind::kText, &P::integrator, optional_choice<Integrator>(kIntegratorNames),
+          {"integrator", "Rendering", "NAME",
+           "whitted: shadows, mirrors, refraction; path: all light, by random paths; default: path for glTF, OBJ and PLY "
+           "files, else whitted"}),
       row(ParamKind::kNumber, &P::spp, integer<int>(0, 1 << 16),
-          {"spp", "Rendering", "N", "Samples per pixel; 0: 1, or 64 of paths"}),
+          {"spp", "Rendering", "N", "Samples per pixel; 0: 1, or of paths 64 (16 where they are the default)"}),
       row(ParamKind::kText, &P::angular_filter, optional_choice<AngularFilter>(kAngularNames),
           {"angular-filter", "Rendering", "NAME",
            "Multiview: the samples of a pixel are seen from one eye (none), or from half-way to one neighbour to half-way to "

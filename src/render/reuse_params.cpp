@@ -40,7 +40,7 @@ void check_reuse(const RenderParams& params) {
                       "--integrator path --reuse exact with it, 8 --spp or more, no --denoise and no --aov direct or indirect");
   if (params.reuse == Reuse::kNone && params.keyframes)
     throw usage_error("--keyframes", "means nothing where every frame is traced", "it together with --reuse exact or forward");
-  if (params.reuse == Reuse::kForward && params.integrator == Integrator::kPath)
+  if (params.reuse == Reuse::kForward && integrator_of(params) == Integrator::kPath)
     throw usage_error("--reuse", "forward does not know path-traced frames", "none or exact, or --integrator whitted");
   if (params.time_budget_s && !LitFrames::serves(params))
     throw usage_error("--time-budget", "is for path-traced frames that share light",

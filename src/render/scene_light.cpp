@@ -116,7 +116,7 @@ std::string read_environment_choice(std::string_view value, const std::string& w
 
 std::string light_scene(Scene& scene, const RenderParams& params, const Context& context) {
   if (!params.environment.empty()) return light_as_asked(scene, params);
-  if (params.integrator == Integrator::kWhitted) return light_for_whitted(scene, params, context);
+  if (integrator_of(params) == Integrator::kWhitted) return light_for_whitted(scene, params, context);
   if (!is_physical_format(params.scene)) return "The scene has its own light.";
   return light_for_paths(scene, params);
 }
