@@ -252,9 +252,12 @@ TEST(Light, a_panorama_lights_by_its_strength) {
   EXPECT_LT(mean_of({"--environment-strength", "0"}), mean_of({"--environment-strength", "4"}));
 }
 
+/// A triangle: little work for any integrator.
+void write_triangle(const std::filesystem::path& path) { std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"; }
+
 TEST(Light, summary_report_and_info_say_which_light_was_taken) {
   const TempDir dir;
-  std::ofstream(dir / "plain.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  write_triangle(dir / "plain.obj");
   const std::string expected = "The built-in studio lights the scene, because the file has no lamps and no surroundings.";
   const Words command{"render", "plain.obj", "--lenses", "4", "--integrator", "path", "--spp", "2", "--output", "out"};
   const RunResult result = run_tool(dir, command);
@@ -264,6 +267,38 @@ TEST(Light, summary_report_and_info_say_which_light_was_taken) {
   EXPECT_EQ(json_of(run_tool(dir, {"info", "plain.obj", "--integrator", "path", "--json"}).out)["light"], expected);
   EXPECT_THAT(run_tool(dir, {"info", "plain.obj", "--integrator", "path", "--environment", "none"}).out,
               HasSubstr("The scene has its own light alone, as --environment none asks for."));
+}
+
+nlohmann::json settings_of(const TempDir& dir, const Words& command) {
+  return report_of(dir, command + Words{"--lenses", "4", "--frames", "0", "--output", "out"}).at("settings");
+}
+
+TEST(Light, files_of_physical_materials_are_path_traced_where_nothing_is_said) {
+  const TempDir dir;
+  write_triangle(dir / "plain.obj");
+  const nlohmann::json paths = settings_of(dir, {"render", "plain.obj"});
+  EXPECT_EQ(paths.at("integrator"), "path");
+  EXPECT_EQ(paths.at("spp"), 16);
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--spp", "2"}).at("spp"), 2);
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--integrator", "whitted"}).at("integrator"), "whitted");
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--reuse", "forward"}).at("integrator"), "whitted");
+  EXPECT_EQ(settings_of(dir, {"render", "teapot"}).at("integrator"), "whitted");
+}
+
+// Who asks for paths by name gets as many as such a picture deserves.
+TEST(Light, paths_that_are_asked_for_are_more_than_those_of_a_first_picture) {
+  const TempDir dir;
+  write_triangle(dir / "plain.obj");
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--integrator", "path"}).at("spp"), 0);
+}
+
+TEST(Light, a_resume_of_a_path_traced_file_is_the_same_job) {
+  const TempDir dir;
+  write_triangle(dir / "plain.obj");
+  const Words command{"render", "plain.obj", "--lenses", "4", "--frames", "0", "--output", "out"};
+  const Files whole = rendered(dir, command, "out");
+  EXPECT_EQ(rendered(dir, {"render", "out/job.toml", "--resume"}, "out"), whole);
+  EXPECT_THAT(run_tool(dir, command + Words{"--resume"}).out, HasSubstr("kept"));
 }
 
 TEST(Light, words_and_colours_for_the_environment_are_no_paths_in_a_job) {
