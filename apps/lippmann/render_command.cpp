@@ -73,6 +73,13 @@ std::string describe_forward_reuse(const RenderReport& report) {
       percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
 }
 
+/// With what the pictures were made, and what makes better ones.
+std::string describe_paths(const RenderParams& params) {
+  const int samples = samples_per_pixel(params);
+  return fmt::format("path traced with {} samples a pixel{}", samples,
+                     samples < kPathSamples ? fmt::format("; --spp {} for less noise", kPathSamples) : "");
+}
+
 /// What was made, where it is, and how to look at it.
 void print_summary(const RenderReport& report, const fs::path& folder, const FrameNames& names, int kept) {
   const std::size_t frames = report.frames.size();
@@ -101,6 +108,7 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     if (has_lenses(report.optics))
       line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
   }
+  if (integrator_of(report.params) == Integrator::kPath) line("shading", describe_paths(report.params));
   if (!report.light.empty()) line("light", report.light);
   if (const auto done = precompensation_of(report))
     line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
@@ -206,7 +214,7 @@ void add_render_command(const Command& root, Action& chosen) {
                       "--format", "--video",  "--resume", "--dry-run",    "--quiet",  "--json"},
                      "Examples:\n"
                      "  lippmann render teapot                                    all frames, into out/teapot\n"
-                     "  lippmann render model.glb --frames 0                     one frame, with all light\n"
+                     "  lippmann render model.glb --frames 0                      one frame, with all light\n"
                      "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
                      "  lippmann render tree --display portrait --video tree.mp4  for a display (see: lippmann displays)\n"
                      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");

@@ -292,6 +292,17 @@ TEST(Light, paths_that_are_asked_for_are_more_than_those_of_a_first_picture) {
   EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--integrator", "path"}).at("spp"), 0);
 }
 
+TEST(Light, the_summary_says_how_many_samples_were_taken_and_what_makes_less_noise) {
+  const TempDir dir;
+  write_triangle(dir / "plain.obj");
+  const auto summary = [&](const Words& flags) {
+    return run_tool(dir, Words{"render", "plain.obj", "--lenses", "4", "--frames", "0", "--output", "out"} + flags).out;
+  };
+  EXPECT_THAT(summary({}), HasSubstr("path traced with 16 samples a pixel; --spp 64 for less noise\n"));
+  EXPECT_THAT(summary({"--spp", "64"}), HasSubstr("path traced with 64 samples a pixel\n"));
+  EXPECT_THAT(summary({"--integrator", "whitted"}), testing::Not(HasSubstr("path traced")));
+}
+
 TEST(Light, a_resume_of_a_path_traced_file_is_the_same_job) {
   const TempDir dir;
   write_triangle(dir / "plain.obj");
