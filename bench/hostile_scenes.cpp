@@ -13,6 +13,7 @@ RenderParams params_of(const std::string& name) {
   params.scene = name;
   params.integrator = Integrator::kPath;
   params.spp = kSamples;
+  params.fit_depth = false;
   return params;
 }
 

@@ -11,7 +11,7 @@ namespace lippmann::bench {
 
 struct BenchScene {
   std::string name;
-  RenderParams params;  ///< lenticular, 512 x 512, 64 lenses of 8 pixels, 28 degrees
+  RenderParams params;  ///< lenticular, 512 x 512, 64 lenses of 8 pixels, 28 degrees, full depth
   int frame = 0;
 };
 

@@ -25,6 +25,8 @@ struct ParamInfo {
   ParamKind kind = ParamKind::kText;
   bool changes_pictures = true;  ///< of the same loaded scene: two jobs that differ in it may make different ones
   bool is_path = false;          ///< relative to the working folder as a flag, to the job file's folder as a key
+  std::string_view opposite = {};      ///< of a kFlag: the name of the flag and key that says false; empty: none
+  std::string_view opposite_doc = {};  ///< one line
 
   /// `where` is how to call the place in a message: "--spp", "job.toml:3: spp".
   std::function<void(RenderParams&, const std::vector<std::string>& values, const std::string& where)> set;
@@ -37,6 +39,9 @@ const std::vector<ParamInfo>& params_table();
 
 /// The row with that name; null if there is none.
 const ParamInfo* find_param(std::string_view name);
+
+/// The row whose `opposite` has that name; null if there is none.
+const ParamInfo* find_opposite(std::string_view name);
 
 /// The known name nearest to `name`, as ", did you mean ...?" for a message; empty if none is near.
 std::string did_you_mean(std::string_view name);
