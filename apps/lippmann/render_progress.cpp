@@ -61,6 +61,7 @@ RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& param
   const FileSizes sizes = estimated_file_sizes(plan, params);
   estimated_at_first_ = sizes.all(), video_bytes_ = sizes.videos;
   if (kind == RenderProgressKind::kJson) return print_object(-1);
+  if (wanted_ == 0) return;
   fmt::print(stderr, "{}\n", describe(plan, wanted_, sizes.all()));
   say_fitted_depth(plan, params);
   progress_ = std::make_unique<Progress>(wanted_, style_of(kind));
