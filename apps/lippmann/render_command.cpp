@@ -74,9 +74,9 @@ std::string describe_forward_reuse(const RenderReport& report) {
       percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
 }
 
-std::string describe_depth(const RenderReport& report) {
-  const std::string sentence = depth_budget_sentence(report.depth, report.optics, report.depth_scale);
-  return sentence + (report.depth_scale < 1.0f ? " --full-depth shows all of it." : " --fit-depth shows it less deep.");
+std::string describe_depth(const ShownDepth& shown, const Optics& optics, float depth_scale) {
+  return depth_budget_sentence(shown, optics, depth_scale) +
+         (depth_scale < 1.0f ? " --full-depth shows all of it." : " --fit-depth shows it less deep.");
 }
 
 /// What was made, where it is, and how to look at it.
@@ -112,7 +112,7 @@ void print_summary(const RenderReport& report, const Planned& plan) {
   if (const auto done = precompensation_of(report))
     line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
                                   describe_bound(done->clipped_share, done->largest_residual)));
-  if (report.depth_scale < 1.0f || !report.depth.fits()) line("depth", describe_depth(report));
+  if (report.depth_scale < 1.0f || !report.depth.fits()) line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
   line("figures", (folder / "report.json").string());
   line(report.interrupted ? "go on" : "again",
        "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));
@@ -135,6 +135,8 @@ std::string describe_parts(const FileSizes& sizes) {
 void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   const std::uint64_t bytes = largest_picture_bytes(plan, params.exr_pixels);
   const FileSizes sizes = estimated_file_sizes(plan, params);
+  const PlacedOptics& placed = plan.stage.placed;
+  const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
   const int pictures = std::max(1, plan.names.views);
   const auto whole = [](double number) { return static_cast<std::uint64_t>(number); };
   if (json)
@@ -144,6 +146,7 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
                        {"picture_size", {plan.picture_size.x, plan.picture_size.y}},
                        {"pictures_per_frame", pictures},
                        {"largest_bytes", bytes},
+                       {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
                        {"estimated_bytes", whole(sizes.all())},
                        {"estimated", {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
   fmt::print("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
@@ -153,6 +156,8 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
              frame_name(plan.names, plan.frames.back()));
   fmt::print("  {:<9} about {}{} (an estimate); pictures before compression: {}\n", "size", bytes_text(sizes.all()),
              describe_parts(sizes), bytes_text(static_cast<double>(bytes)));
+  if (placed.depth_scale < 1.0f || !shown.fits())
+    fmt::print("  {:<9} {}\n", "depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
 
 /// Says what a render would make, and makes nothing.

@@ -60,7 +60,10 @@ RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& param
   if (kind == RenderProgressKind::kNone) return;
   const FileSizes sizes = estimated_file_sizes(plan, params);
   estimated_at_first_ = sizes.all(), video_bytes_ = sizes.videos;
-  if (kind == RenderProgressKind::kJson) return print_object(-1);
+  if (kind == RenderProgressKind::kJson) {
+    print_object(-1);
+    return;
+  }
   if (wanted_ == 0) return;
   fmt::print(stderr, "{}\n", describe(plan, wanted_, sizes.all()));
   say_fitted_depth(plan, params);
@@ -83,7 +86,7 @@ void RenderProgress::written(int frame, std::uintmax_t bytes) {
   if (!progress_) return print_object(frame);
   const double size = estimated_bytes();
   const bool all = written_ == wanted_;
-  progress_->set_note(fmt::format("{} {}", all ? "files:" : "files: about", bytes_text(size)));
+  progress_->set_note(fmt::format("files: {}{}", all && video_bytes_ == 0.0 ? "" : "about ", bytes_text(size)));
   if (style_of(kind_) == ProgressStyle::kBar) return;
   const std::lock_guard lock(mutex_);
   progress_->step(lines_[frame]);
