@@ -23,7 +23,10 @@ void add_param(const Command& command, const ParamInfo& info, std::vector<std::s
   const std::string group(info.group), doc(info.doc);
   if (info.kind == ParamKind::kFlag) {
     const auto add = [&](const std::string& name, const char* value, const std::string& words) {
-      command.add_flag(name, [&values, value] { values.emplace_back(value); }, words).group(group);
+      command
+          .add_flag(
+              name, [&values, value] { values.emplace_back(value); }, words)
+          .group(group);
     };
     add(flag, "true", doc);
     if (!info.opposite.empty()) add(fmt::format("--{}", info.opposite), "false", std::string(info.opposite_doc));

@@ -112,7 +112,8 @@ void print_summary(const RenderReport& report, const Planned& plan) {
   if (const auto done = precompensation_of(report))
     line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
                                   describe_bound(done->clipped_share, done->largest_residual)));
-  if (report.depth_scale < 1.0f || !report.depth.fits()) line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
+  if (report.depth_scale < 1.0f || !report.depth.fits())
+    line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
   line("figures", (folder / "report.json").string());
   line(report.interrupted ? "go on" : "again",
        "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));
@@ -140,15 +141,17 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   const int pictures = std::max(1, plan.names.views);
   const auto whole = [](double number) { return static_cast<std::uint64_t>(number); };
   if (json)
-    return print_json({{"dry_run", true},
-                       {"folder", plan.folder.string()},
-                       {"frames", plan.frames},
-                       {"picture_size", {plan.picture_size.x, plan.picture_size.y}},
-                       {"pictures_per_frame", pictures},
-                       {"largest_bytes", bytes},
-                       {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
-                       {"estimated_bytes", whole(sizes.all())},
-                       {"estimated", {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
+    return print_json(
+        {{"dry_run", true},
+         {"folder", plan.folder.string()},
+         {"frames", plan.frames},
+         {"picture_size", {plan.picture_size.x, plan.picture_size.y}},
+         {"pictures_per_frame", pictures},
+         {"largest_bytes", bytes},
+         {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
+         {"estimated_bytes", whole(sizes.all())},
+         {"estimated",
+          {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
   fmt::print("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
   fmt::print("  {:<9} {}{}x{} pixels\n", "pictures", pictures > 1 ? fmt::format("{} a frame, ", pictures) : "",
              plan.picture_size.x, plan.picture_size.y);

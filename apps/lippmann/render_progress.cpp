@@ -37,8 +37,8 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   const std::string each = plan.names.views > 0 ? count_of(plan.names.views, "picture") + ", each of " : "";
   const std::string kept = plan.kept > 0 ? fmt::format(" ({} more are there already)", plan.kept) : "";
   const std::string folder = plan.folder.empty() ? "." : plan.folder.string();
-  return fmt::format("{}{} of {}{} to {}; all files: about {} (an estimate)", count_of(wanted, "frame"), kept, each, size, folder,
-                     bytes_text(bytes));
+  return fmt::format("{}{} of {}{} to {}; all files: about {} (an estimate)", count_of(wanted, "frame"), kept, each, size,
+                     folder, bytes_text(bytes));
 }
 
 /// Where a default decides what is seen of the scene, it is said before hours are spent on it.

@@ -66,7 +66,8 @@ void require_memory(const RenderParams& params, const Optics& optics, bool moves
     throw Error("--size",
                 fmt::format("frames of {}x{} pixels need {:.1f} GB of memory ({} at a time, {:.1f} GB each), this machine has "
                             "{:.1f} GB",
-                            panel.width / sub_pixels_per_pixel(optics), panel.height, needed * 1e-9, frames_at_a_time, frame * 1e-9, available * 1e-9));
+                            panel.width / sub_pixels_per_pixel(optics), panel.height, needed * 1e-9, frames_at_a_time,
+                            frame * 1e-9, available * 1e-9));
 }
 
 void make_folder(const fs::path& folder) {

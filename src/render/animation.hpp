@@ -21,9 +21,9 @@ struct RenderPlan {
   const Stage& stage;
   std::filesystem::path folder;
   FrameNames names;
-  std::vector<int> frames;  ///< ascending
+  std::vector<int> frames;               ///< ascending
   std::vector<std::string> videos = {};  ///< files
-  int kept = 0;             ///< of these frames, finished before by the same job
+  int kept = 0;                          ///< of these frames, finished before by the same job
   Vec2i picture_size{0, 0};
 };
 

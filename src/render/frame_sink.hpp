@@ -36,8 +36,8 @@ class FrameSink {
     std::optional<double> crosstalk_to_undo = {};  ///< see render/undo_crosstalk.hpp; wants `optics`
     int threads = 1;                               ///< that render; a share as many again write
     std::function<void(Image)> done_with = {};     ///< is given the film of every written frame, on any thread; may be empty
-    /// Hears that a frame's pictures and layers are there, and how many bytes they have: in order, one at a time, on any thread;
-    /// may be empty.
+    /// Hears that a frame's pictures and layers are there, and how many bytes they have: in order, one at a time, on any
+    /// thread; may be empty.
     std::function<void(int frame, std::uintmax_t bytes)> written = {};
   };
 

@@ -82,8 +82,8 @@ FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& param
   sizes.pictures = 3.0 * pixels * picture_bytes_per_sample(params, plan.names.format);
   for (const Aov aov : params.aov) sizes.layers += pixels * layer_bytes_per_pixel(aov);
   for (const std::string& video : plan.videos)
-    sizes.videos += pixels * video_bytes_per_pixel(params, choose_codec(video, params.video_codec, plan.picture_size.x,
-                                                                        plan.picture_size.y));
+    sizes.videos += pixels * video_bytes_per_pixel(
+                                 params, choose_codec(video, params.video_codec, plan.picture_size.x, plan.picture_size.y));
   return sizes;
 }
 

@@ -95,7 +95,8 @@ TEST(RenderProgress, opposites_are_refused) {
 TEST(RenderProgress, size_is_of_the_panel_s_pixels_not_of_their_colours) {
   const TempDir dir;
   std::ofstream(dir / "small.toml") << "base = 'looking-glass-portrait'\npixels = [96, 128]\n";
-  const RunResult result = run_tool(dir, {"render", "teapot", "--display", "small.toml", "--layout", "native", "--frames", "0"});
+  const RunResult result =
+      run_tool(dir, {"render", "teapot", "--display", "small.toml", "--layout", "native", "--frames", "0"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("1 frame of 96x128 pixels"));
   EXPECT_THAT(result.out, HasSubstr("1 frame of 96x128 pixels"));
@@ -113,12 +114,14 @@ TEST(DryRun, counts_layers_and_videos_and_is_within_a_factor_of_what_comes) {
     EXPECT_GT(ratio, 0.3) << part;  // plain scenes take half of what is estimated, detailed ones twice
     EXPECT_LT(ratio, 3.0) << part;
   }
-  EXPECT_THAT(run_tool(dir, all + Words{"--dry-run"}).out, AllOf(HasSubstr("(an estimate)"), HasSubstr("layers"), HasSubstr("videos")));
+  EXPECT_THAT(run_tool(dir, all + Words{"--dry-run"}).out,
+              AllOf(HasSubstr("(an estimate)"), HasSubstr("layers"), HasSubstr("videos")));
 }
 
 TEST(FittedDepth, is_the_default_and_said_before_and_after) {
   const TempDir dir;
-  const RunResult fitted = run_tool(dir, small_teapot("0", "a")), full = run_tool(dir, small_teapot("0", "b") + Words{"--full-depth"});
+  const RunResult fitted = run_tool(dir, small_teapot("0", "a")),
+                  full = run_tool(dir, small_teapot("0", "b") + Words{"--full-depth"});
   EXPECT_THAT(fitted.err, AllOf(HasSubstr("of its depth is shown"), HasSubstr("--full-depth shows all of it.")));
   EXPECT_THAT(fitted.out, HasSubstr("--full-depth shows all of it."));
   EXPECT_THAT(full.err, Not(HasSubstr("depth")));
@@ -133,7 +136,8 @@ TEST(FittedDepth, is_the_default_and_said_before_and_after) {
 
 TEST(FittedDepth, job_and_flags_agree) {
   const TempDir dir;
-  const Files fitted = rendered(dir, small_teapot("0", "a"), "a"), full = rendered(dir, small_teapot("0", "b") + Words{"--full-depth"}, "b");
+  const Files fitted = rendered(dir, small_teapot("0", "a"), "a"),
+              full = rendered(dir, small_teapot("0", "b") + Words{"--full-depth"}, "b");
   EXPECT_NE(fitted, full);
   EXPECT_EQ(rendered(dir, small_teapot("0", "c") + Words{"--fit-depth"}, "c"), fitted);
   EXPECT_EQ(rendered(dir, {"render", "b/job.toml", "-o", "d"}, "d"), full) << "fit-depth = false, as older jobs have it";

@@ -68,7 +68,8 @@ TEST(Reuse, frames_that_are_missing_are_made_again_to_the_same_bytes_on_resume) 
   const TempDir dir;
   const Files whole = rendered(dir, interpolated("0-9", "a", {"--fill", "retrace", "--halving"}), "a");
   for (const char* lost : {"3", "4", "9"}) std::filesystem::remove(dir / "a" / ("frame_000" + std::string(lost) + ".png"));
-  const RunResult resumed = run_tool(dir, interpolated("0-9", "a", {"--fill", "retrace", "--halving", "--resume", "--verbose"}));
+  const RunResult resumed =
+      run_tool(dir, interpolated("0-9", "a", {"--fill", "retrace", "--halving", "--resume", "--verbose"}));
   EXPECT_EQ(frames_said(resumed.err), 3u) << resumed.err;
   EXPECT_EQ(files_in(dir / "a", ".png"), whole);
 }
@@ -76,7 +77,8 @@ TEST(Reuse, frames_that_are_missing_are_made_again_to_the_same_bytes_on_resume) 
 TEST(Reuse, resume_with_another_interval_renders_anew) {
   const TempDir dir;
   rendered(dir, interpolated("0-4", "a"), "a");
-  const RunResult other = run_tool(dir, small_teapot("0-4", "a") + Words{"--reuse", "forward", "--keyframes", "2", "--resume", "--verbose"});
+  const RunResult other =
+      run_tool(dir, small_teapot("0-4", "a") + Words{"--reuse", "forward", "--keyframes", "2", "--resume", "--verbose"});
   EXPECT_EQ(frames_said(other.err), 5u) << other.err;
 }
 

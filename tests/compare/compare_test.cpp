@@ -141,7 +141,9 @@ TEST(Compare, wanted_frames_of_a_video_are_met_by_those_of_a_folder) {
   const Comparison result = compare_quietly(dir / "a.mkv", dir / "a", 2, std::vector{1, 4});
   ASSERT_EQ(result.frames.size(), 2u);
   EXPECT_TRUE(result.identical);
-  EXPECT_THAT(error_message([&] { compare_quietly(dir / "a.mkv", dir / "a.mkv", 2, std::vector{1, 7}); }),
+  EXPECT_THAT(error_message([&] {
+                compare_quietly(dir / "a.mkv", dir / "a.mkv", 2, std::vector{1, 7});
+              }),
               HasSubstr("a.mkv: has no frame 7, which --frames asks for"));
 }
 

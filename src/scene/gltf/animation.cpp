@@ -119,7 +119,8 @@ class AnimationReader {
   std::map<int, std::size_t> animation_of_node_;
 };
 
-/// Exporters write a key per frame of theirs, or per several. Rates that all suit the keys show the same keys: then the usual one.
+/// Exporters write a key per frame of theirs, or per several. Rates that all suit the keys show the same keys: then the usual
+/// one.
 double rate_of_keys(const Timeline& timeline) {
   for (const double rate : {kGltfFramesPerSecond, 24.0, 25.0, 60.0})
     if (keys_fall_on_frames(timeline, rate)) return rate;
@@ -166,10 +167,9 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   // The frame at the animation's very end would repeat its first one when it is played in a loop, hence no "+ 1".
   const double frames = std::round(reader.duration * rate);
   if (frames > document.limits.frames)
-    document.report.fail(
-        element("animations", chosen),
-        fmt::format("lasts {} s, which is {} frames at {} a second", reader.duration, frames, rate),
-        fmt::format("at most {} frames", document.limits.frames));
+    document.report.fail(element("animations", chosen),
+                         fmt::format("lasts {} s, which is {} frames at {} a second", reader.duration, frames, rate),
+                         fmt::format("at most {} frames", document.limits.frames));
   scene.timeline.frame_count = std::max(1, static_cast<int>(frames));
 }
 
