@@ -134,6 +134,12 @@ TEST(FittedDepth, is_the_default_and_said_before_and_after) {
   EXPECT_EQ(b["settings"]["fit-depth"], false);
 }
 
+TEST(FittedDepth, is_said_by_a_dry_run) {
+  const TempDir dir;
+  EXPECT_THAT(run_tool(dir, small_teapot("0", "a") + Words{"-n"}).out, HasSubstr("of its depth is shown"));
+  EXPECT_LT(report_of(dir, small_teapot("0", "a") + Words{"-n"})["depth"]["scale"], 0.9);
+}
+
 TEST(FittedDepth, job_and_flags_agree) {
   const TempDir dir;
   const Files fitted = rendered(dir, small_teapot("0", "a"), "a"),

@@ -121,7 +121,7 @@ TEST(Reuse, halving_makes_the_middle_frame_as_without_and_others_from_it) {
 
 TEST(Reuse, summary_says_what_was_missed_and_why) {
   const TempDir dir;
-  const RunResult result = run_tool(dir, interpolated("0-4", "a"));
+  const RunResult result = run_tool(dir, interpolated("0-4", "a", {"--verbose"}));
   EXPECT_THAT(result.out, HasSubstr("3 frames made between 2 sources"));
   EXPECT_THAT(result.out, HasSubstr("not covered"));
   EXPECT_THAT(result.err, HasSubstr("between key frames"));
