@@ -9,19 +9,18 @@
 namespace lippmann::bench {
 namespace {
 
-/// Benchmarks compare figures of years: whatever a display could resolve, all of a scene's depth is rendered, as in the paper.
+bool is_wanted(const Request& request, const std::string& name) {
+  return request.scenes.empty() || std::find(request.scenes.begin(), request.scenes.end(), name) != request.scenes.end();
+}
+
+}  // namespace
+
 RenderParams params_of(const std::string& scene) {
   RenderParams params;
   params.scene = scene;
   params.fit_depth = false;
   return params;
 }
-
-bool is_wanted(const Request& request, const std::string& name) {
-  return request.scenes.empty() || std::find(request.scenes.begin(), request.scenes.end(), name) != request.scenes.end();
-}
-
-}  // namespace
 
 std::vector<BenchScene> bench_scenes(const Request& request, const Context& context) {
   std::vector<std::string> names = request.scenes;
