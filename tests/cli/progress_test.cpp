@@ -151,5 +151,22 @@ TEST(FittedDepth, job_and_flags_agree) {
   expect_refusal(run_tool(dir, small_teapot("0", "f") + Words{"--fit-depth", "--full-depth"}), 2, "--full-depth");
 }
 
+/// From the first camera that is converted to the second, to the right; MIV's y axis points to the left.
+double camera_step(const TempDir& dir, const std::string& folder) {
+  EXPECT_EQ(run_tool(dir, {"convert", folder + "/frame_0000.png", folder + "-miv", "--to", "miv"}).exit_code, 0);
+  const Json cameras = json_of(bytes_of(dir / (folder + "-miv/cameras.json")))["cameras"];
+  return cameras[0]["Position"][1].get<double>() - cameras[1]["Position"][1].get<double>();
+}
+
+TEST(FittedDepth, cameras_of_converted_views_stand_where_the_views_were_seen_from) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "fitted")).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "full") + Words{"--full-depth"}).exit_code, 0);
+  const double scale = json_of(bytes_of(dir / "fitted/report.json"))["depth"]["scale"];
+  const double full = camera_step(dir, "full");
+  EXPECT_GT(full, 0.0);
+  EXPECT_NEAR(camera_step(dir, "fitted") / full, scale, 1e-4);  // report.json holds floats
+}
+
 }  // namespace
 }  // namespace lippmann::test
