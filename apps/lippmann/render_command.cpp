@@ -237,14 +237,14 @@ void add_render_command(const Command& root, Action& chosen) {
       .add_flag("-n,--dry-run", options->dry_run,
                 "Check the scene and the settings, say what would be made and how large it is, and make nothing")
       .group("Running");
-  command.short_help({"--output", "--frames", "--camera", "--display",    "--optics", "--lenses",      "--lens-pixels",
-                      "--size",   "--views",  "--layout", "--integrator", "--spp",    "--environment", "--exposure",
-                      "--format", "--video",  "--resume", "--dry-run",    "--quiet",  "--json"},
+  command.short_help({"--output",   "--frames", "--camera",     "--display", "--optics",     "--lenses", "--lens-pixels",
+                      "--size",     "--views",  "--full-depth", "--layout",  "--integrator", "--spp",    "--environment",
+                      "--exposure", "--format", "--video",      "--resume",  "--dry-run",    "--quiet",  "--json"},
                      "Examples:\n"
-                     "  lippmann render teapot                                    all frames, into out/teapot\n"
-                     "  lippmann render model.glb --frames 0                     one frame, with all light\n"
+                     "  lippmann render teapot                                    all 480 frames, into out/teapot\n"
+                     "  lippmann render model.glb --frames 0                      one frame, with all light\n"
                      "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
-                     "  lippmann render tree --display portrait --video tree.mp4  for a display (see: lippmann displays)\n"
+                     "  lippmann render tree --display portrait --frames 0        for a display (see: lippmann displays)\n"
                      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

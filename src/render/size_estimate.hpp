@@ -1,6 +1,7 @@
 // How large the files of a render are likely to be, before anything is rendered: from what such files have taken per pixel.
 //
-// An estimate: plain scenes take half as much, noisy or detailed ones twice. Once a frame is written, its files say more.
+// An estimate, within a factor of about two for scenes that fill the picture; a small thing before plain surroundings takes a
+// fifth. Once a frame is written, its files say more.
 #pragma once
 
 #include <string>
