@@ -157,7 +157,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
 
   const fs::path folder = output_folder(params);
   std::vector<std::string> videos;
-  for (const std::string& said : params.video) videos.push_back(layout.video_path(said).string());
+  for (const std::string& video : params.video) videos.push_back(layout.video_path(video).string());
   RenderPlan plan{stage, folder, layout.names(), frames, videos, 0, layout.picture_size()};
   if (observer.only_plan) {
     if (observer.planned) observer.planned(plan);

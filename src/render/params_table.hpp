@@ -23,15 +23,16 @@ struct ParamInfo {
   std::string_view type;   ///< what to write after the flag, e.g. "DEG"
   std::string_view doc;    ///< one line
   ParamKind kind = ParamKind::kText;
-  bool changes_pictures = true;        ///< of the same loaded scene: two jobs that differ in it may make different ones
-  bool is_path = false;                ///< relative to the working folder as a flag, to the job file's folder as a key
-  std::string_view opposite = {};      ///< of a kFlag: the name of the flag and key that says false; empty: none
-  std::string_view opposite_doc = {};  ///< one line
+  bool changes_pictures = true;  ///< of the same loaded scene: two jobs that differ in it may make different ones
+  bool is_path = false;          ///< relative to the working folder as a flag, to the job file's folder as a key
 
   /// `where` is how to call the place in a message: "--spp", "job.toml:3: spp".
   std::function<void(RenderParams&, const std::vector<std::string>& values, const std::string& where)> set;
   /// Empty where the parameter is not said and follows from others. set(get()) changes nothing.
   std::function<std::vector<std::string>(const RenderParams&)> get;
+
+  std::string_view opposite = {};      ///< of a kFlag: the name of the flag and key that says false; empty: none
+  std::string_view opposite_doc = {};  ///< one line
 };
 
 /// All parameters, in the order of --help. `scene` comes first.
