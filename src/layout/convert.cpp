@@ -57,7 +57,7 @@ Source source_of(const fs::path& in, const ConvertParams& params, bool with_dept
   const bool may_be_rendered =
       params.from.empty() || params.from == "integral" || params.from == "quilt" || params.from == "views";
   const std::optional<Rendering> rendering = may_be_rendered ? rendering_of(in) : std::nullopt;
-  if (rendering) source.rendered = rendered_views(rendering->optics);
+  if (rendering) source.rendered = rendered_views(with_parallax(rendering->optics, rendering->depth_scale));
   const std::string layout = rendering ? rendering->layout : std::string();
   source.format = &find_format(params.from.empty() ? format_of(in, source.rendered, layout) : params.from, "--from");
   source.options.with_depth = with_depth;

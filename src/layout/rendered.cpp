@@ -39,6 +39,19 @@ std::optional<double> frame_rate_of(const Json& report) {
   return settings != report.end() && settings->is_object() ? number(*settings, "fps") : std::nullopt;
 }
 
+namespace {
+
+/// As the report says it; 1 where it does not, or nothing within reason.
+float depth_scale_of(const Json& report) {
+  const auto depth = report.find("depth");
+  if (depth == report.end() || !depth->is_object()) return 1.0f;
+  const auto scale = depth->find("scale");
+  const double value = scale != depth->end() && scale->is_number() ? scale->get<double>() : 1.0;
+  return value > 0.0 && value <= 1.0 ? static_cast<float>(value) : 1.0f;
+}
+
+}  // namespace
+
 std::optional<Rendering> rendering_of(const fs::path& picture) {
   const fs::path folder = picture.parent_path();
   std::error_code ignored;
@@ -54,6 +67,7 @@ std::optional<Rendering> rendering_of(const fs::path& picture) {
     const Json settings = json.value("settings", Json::object());
     if (settings.contains("layout") && settings["layout"].is_string()) rendering.layout = settings["layout"];
     rendering.frames_per_second = frame_rate_of(json);
+    rendering.depth_scale = depth_scale_of(json);
     return rendering;
   }
   return std::nullopt;

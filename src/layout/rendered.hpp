@@ -15,6 +15,7 @@ struct Rendering {
   Optics optics;
   std::string layout = {};  ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
   std::optional<double> frames_per_second = {};
+  float depth_scale = 1.0f;  ///< shown depth / true depth: the parallax that the pictures were rendered with
 };
 
 /// What a report says of it; none where it does not, or nothing within reason.
