@@ -131,10 +131,9 @@ struct RenderParams {
 /// first picture comes within seconds.
 inline constexpr int kPathSamples = 64, kFirstPathSamples = 16;
 
-/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format)
-/// unless
-/// --reuse forward is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything below takes
-/// the parameters as they are after this.
+/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format),
+/// unless --reuse forward is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything below
+/// takes the parameters as they are after this.
 RenderParams with_scene_defaults(RenderParams params);
 
 inline Integrator integrator_of(const RenderParams& params) { return params.integrator.value_or(Integrator::kWhitted); }
