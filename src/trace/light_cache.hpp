@@ -36,7 +36,9 @@ struct LightRecord {
   LightPlace place;
   Vec3f light{0.0f};
   /// What has moved since the frame before may have changed so much of it: luminance that lamps and the sky would bring along
-  /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it.
+  /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it. Where the
+  /// place itself has moved: luminance that they send there by Lambert's law, less what they sent to where it was, and the
+  /// share by which cosines of other rays have changed.
   float doubtful_light = 0.0f, doubtful_share = 0.0f;
 };
 

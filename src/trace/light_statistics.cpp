@@ -25,7 +25,8 @@ constexpr float kPrior = 8.0f;
 constexpr float kPriorScatter = 200.0f;
 /// Light that is none, squared.
 constexpr float kNone = 1e-20f;
-/// Of the light along rays that pass what moves, so much changes from frame to frame: most of them meet the same thing again.
+/// Of the light along rays that pass what moves, or that arrive at another angle, so much changes from frame to frame: most of
+/// them meet the same thing again, and others make up for those.
 constexpr float kChanging = 0.5f;
 
 float squared(float x) { return x * x; }
@@ -91,7 +92,7 @@ float LightCache::contradicted(const Cell& cell) {
 /// Kalman filter's state does.
 float LightCache::doubted(const Cell& cell) {
   const float light = std::max(luminance(cell.past.mean), luminance(cell.now.mean));
-  const float change = squared(cell.doubt.light + kChanging * cell.doubt.share * light);
+  const float change = squared(std::abs(cell.doubt.light) + kChanging * cell.doubt.share * light);
   return change > 0.0f ? cell.scatter.light / (cell.scatter.light + cell.inherited * change) : 1.0f;
 }
 
