@@ -1,7 +1,6 @@
 // `lippmann convert IN OUT`: light fields of one format into another.
 #include <fmt/core.h>
 
-#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,6 +8,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/crosstalk_flags.hpp"
+#include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "core/error.hpp"
@@ -26,20 +26,6 @@ struct Options {
   OrthoscopicFlags orthoscopic;
   CrosstalkFlags crosstalk;
 };
-
-/// Digits, x, digits; both from 1 to 1024.
-std::optional<ViewGrid> read_grid(const std::string& text, const std::string& flag) {
-  if (text.empty()) return std::nullopt;
-  ViewGrid grid;
-  const char* end = text.data() + text.size();
-  const auto columns = std::from_chars(text.data(), end, grid.columns);
-  const bool split = columns.ec == std::errc() && columns.ptr != end && *columns.ptr == 'x';
-  const auto rows = split ? std::from_chars(columns.ptr + 1, end, grid.rows) : columns;
-  const auto in_range = [](int n) { return n >= 1 && n <= 1024; };
-  if (!split || rows.ec != std::errc() || rows.ptr != end || !in_range(grid.columns) || !in_range(grid.rows))
-    throw usage_error(flag, "'" + text + "' is no grid", "CxR, such as 8x6, each from 1 to 1024");
-  return grid;
-}
 
 ViewFilter read_filter(const std::string& word) {
   if (word == "linear") return ViewFilter::kLinear;

@@ -8,6 +8,7 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "core/error.hpp"
 #include "optics/crosstalk.hpp"
@@ -18,8 +19,9 @@ namespace {
 
 struct Options {
   ReplayParams params;
-  std::string in, report, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
+  std::string in, report, from, views, quilt, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
   std::vector<double> eye;
+  std::optional<double> view_angle_deg;
   int threads = 0;
   bool json = false;
 };
@@ -49,7 +51,10 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
 
 ReplayParams params_of(const Options& options) {
   ReplayParams params = options.params;
-  params.in = options.in, params.report = options.report, params.folder = options.folder, params.video = options.video;
+  params.in = options.in, params.field.report = options.report, params.field.from = options.from;
+  params.field.views = read_grid(options.views, "--views"), params.field.tiles = read_grid(options.quilt, "--quilt");
+  params.field.view_angle_deg = options.view_angle_deg;
+  params.folder = options.folder, params.video = options.video;
   params.exr = options.format == "exr";
   params.view.filter = options.filter == "nearest" ? SampleFilter::kNearest : SampleFilter::kLinear;
   if (!options.eye.empty()) params.eye_mm = Vec3d(options.eye[0], options.eye[1], options.eye[2]);
@@ -59,19 +64,26 @@ ReplayParams params_of(const Options& options) {
   return params;
 }
 
+std::string eye_text(const Replayed& result) {
+  if (!result.eye_mm) return {};
+  return fmt::format("eye at ({:.4g}, {:.4g}, {:.4g}) mm: ", result.eye_mm->x, result.eye_mm->y, result.eye_mm->z);
+}
+
+void print_result(const Replayed& result) {
+  nlohmann::ordered_json files = nlohmann::ordered_json::array(), eye;
+  for (const auto& path : result.written) files.push_back(path.string());
+  if (result.eye_mm) eye = {result.eye_mm->x, result.eye_mm->y, result.eye_mm->z};
+  print_json({{"eye_mm", eye}, {"out_of_zone", result.out_of_zone}, {"files", files}});
+}
+
 int run(const Options& options, Context& context) {
   context.threads = options.threads;
   const Replayed result = replay(params_of(options), context);
-  if (options.json) {
-    nlohmann::ordered_json files = nlohmann::ordered_json::array();
-    for (const auto& path : result.written) files.push_back(path.string());
-    const nlohmann::ordered_json json{
-        {"eye_mm", {result.eye_mm.x, result.eye_mm.y, result.eye_mm.z}}, {"out_of_zone", result.out_of_zone}, {"files", files}};
-    print_json(json);
-  } else if (!result.written.empty()) {
-    fmt::print("eye at ({:.4g}, {:.4g}, {:.4g}) mm: {}{}\n", result.eye_mm.x, result.eye_mm.y, result.eye_mm.z,
-               result.written.front().string(), result.written.size() > 1 ? " ... " + result.written.back().string() : "");
-  }
+  if (options.json)
+    print_result(result);
+  else if (!result.written.empty())
+    fmt::print("{}{}{}\n", eye_text(result), result.written.front().string(),
+               result.written.size() > 1 ? " ... " + result.written.back().string() : "");
   return 0;
 }
 
@@ -110,13 +122,26 @@ void add_refocus_flags(const Command& command, Options& options) {
       .type_name("COLUMN");
 }
 
+void add_source_flags(const Command& command, Options& options) {
+  const Command group = command.add_group("Light fields that no report.json describes");
+  group.add_option("--from", options.from, "The format of IN, as `lippmann convert --help` lists them; default: by its name")
+      .type_name("FORMAT");
+  group.add_option("--views", options.views, "Number of views across and up").type_name("CxR");
+  group.add_option("--quilt", options.quilt, "Number of tiles of a quilt").type_name("CxR");
+  group
+      .add_option("--view-angle", options.view_angle_deg,
+                  "Angle between the outermost views; default: 40 for a row of views, 10 for a grid of cameras")
+      .type_name("DEG")
+      .range(0.001, 179.0);
+}
+
 }  // namespace
 
 void add_replay_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   const Command command = root.add_command("replay", "Show what an eye sees of rendered pictures through their lenses");
   command.footer("Lengths are in millimetres of the display, whose lens plane is z = 0; see docs/replay.md.");
-  command.add_option("IN", options->in, "A rendered picture, or a folder of frames, beside its report.json").required();
+  command.add_option("IN", options->in, "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads").required();
   command.add_option("-o,--output", options->folder, "Folder for the results; default: replay, beside the pictures")
       .type_name("DIR");
   add_eye_flags(command, *options);
@@ -133,6 +158,7 @@ void add_replay_command(const Command& root, Action& chosen) {
   command.add_option("--format", options->format, "Of the pictures: png (8 bit sRGB) or exr (linear)")
       .one_of({"png", "exr"})
       .show_default();
+  add_source_flags(command, *options);
   command.add_option("--report", options->report, "The report.json, where it is not beside the pictures").type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   command.add_flag("--json", options->json, "Print the result as JSON");
