@@ -7,24 +7,32 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/interrupt.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 
 namespace lippmann::app {
 namespace {
 
 constexpr int kFailed = 1;
 
+/// How the tool was called: its path where there is one, so that what is suggested runs as it is printed.
+std::string called_as(int argc, char** argv) {
+  const std::string_view word = argc > 0 ? argv[0] : "";
+  return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);
+}
+
 int run(int argc, char** argv) {
   CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
                            "lippmann " LIPPMANN_VERSION);
   const Command root = command_line.root();
   Action chosen;
-  add_render_command(root, chosen);
+  add_render_command(root, chosen, called_as(argc, argv));
   add_compare_command(root, chosen);
   add_convert_command(root, chosen);
   add_encode_command(root, chosen);

@@ -14,6 +14,7 @@
 #include "apps/lippmann/param_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/progress.hpp"
+#include "core/printable.hpp"
 #include "optics/crosstalk.hpp"
 #include "render/animation.hpp"
 #include "render/frame.hpp"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   ParamFlags flags;
-  std::string dump_job, also;
+  std::string dump_job, also, program;
   bool json = false, quiet = false, dry_run = false;
 };
 
@@ -73,8 +74,14 @@ std::string describe_forward_reuse(const RenderReport& report) {
       percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
 }
 
-/// What was made, where it is, and how to look at it.
-void print_summary(const RenderReport& report, const fs::path& folder, const FrameNames& names, int kept) {
+/// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
+bool can_be_replayed(const RenderReport& report) {
+  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.mirror;
+}
+
+/// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
+void print_summary(const RenderReport& report, const fs::path& folder, const FrameNames& names, int kept,
+                   const std::string& program) {
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
   for (const auto* some : {&report.frames, &report.sources})
@@ -86,8 +93,11 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
   if (frames > 0) {
     const auto path = [&](const FrameReport& frame) { return (folder / frame_name(names, frame.frame)).string(); };
     line("pictures", path(report.frames.front()) + (frames > 1 ? " ... " + path(report.frames.back()) : ""));
-    for (const std::string& video : report.videos)
-      if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
+    if (!report.interrupted)
+      for (const std::string& video : report.videos) {
+        line("video", video);
+        line("play", "ffplay -loop 0 " + shell_word(video));
+      }
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
     if (report.params.reuse == Reuse::kExact && integrator_of(report.params) == Integrator::kPath) {
       line("reuse", shared_light_sentence(report.frames));
@@ -98,8 +108,7 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     } else if (report.params.reuse == Reuse::kExact && frames > 1) {
       line("reuse", describe_exact_reuse(report));
     }
-    if (has_lenses(report.optics))
-      line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
+    if (can_be_replayed(report)) line("one eye", program + " replay " + shell_word(folder.string()));
   }
   if (!report.light.empty()) line("light", report.light);
   if (const auto done = precompensation_of(report))
@@ -109,7 +118,7 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     line("depth", depth_budget_sentence(report.depth, report.optics) + " --fit-depth shows it less deep.");
   line("figures", (folder / "report.json").string());
   line(report.interrupted ? "go on" : "again",
-       "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));
+       program + " render " + shell_word((folder / "job.toml").string()) + (report.interrupted ? " --resume" : ""));
 }
 
 /// "3 frames (0 to 8)".
@@ -145,7 +154,8 @@ void plan_only(const RenderParams& params, bool json, Context& context) {
 }
 
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
-RenderReport render(const RenderParams& params, bool json, bool quiet, Context& context) {
+RenderReport render(const RenderParams& params, const Options& options, Context& context) {
+  const bool quiet = options.quiet;
   std::optional<Progress> progress;
   fs::path folder;
   FrameNames names;
@@ -166,7 +176,7 @@ RenderReport render(const RenderParams& params, bool json, bool quiet, Context& 
   const RenderReport report = render_animation(params, context, observer);
   context.frame_progress = nullptr;
   progress.reset();
-  if (!json && !quiet) print_summary(report, folder, names, kept);
+  if (!options.json && !quiet) print_summary(report, folder, names, kept, options.program);
   return report;
 }
 
@@ -174,17 +184,18 @@ int run(const Options& options, Context& context) {
   const RenderParams params = with_scene_defaults(options.flags.read());
   if (!options.dump_job.empty()) write_job(options.dump_job, params);
   if (options.dry_run) return plan_only(params, options.json, context), 0;
-  const RenderReport report = render(params, options.json, options.quiet, context);
+  const RenderReport report = render(params, options, context);
   if (options.json) print_json(to_json(report));
   if (options.also == "single" && !report.interrupted)
-    render(single_clip(params, report.optics), options.json, options.quiet, context);
+    render(single_clip(params, report.optics), options, context);
   return 0;
 }
 
 }  // namespace
 
-void add_render_command(const Command& root, Action& chosen) {
+void add_render_command(const Command& root, Action& chosen, const std::string& program) {
   auto options = std::make_shared<Options>();
+  options->program = program;
   const Command command = root.add_command("render", "Render a scene's animation as integral images");
   add_param_flags(command, options->flags);
   command.add_option("--dump-job", options->dump_job, "Also write the job that reproduces this render")

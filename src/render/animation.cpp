@@ -160,7 +160,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   }
   if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
   std::vector<std::string> videos;
-  for (const std::string& said : params.video) videos.push_back(layout.video_path(said).string());
+  for (const std::string& video : params.video) videos.push_back(layout.video_path(video).string());
   for (const std::string& video : videos) {
     make_folder(fs::path(video).parent_path());
     const Panel& panel = stage.placed.optics.panel;

@@ -158,10 +158,9 @@ Optics optics_of_cameras(const LightField& field, const std::string& where) {
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg) {
   const bool is_grid = field.grid.rows > 1;
   const double angle = radians(view_angle_deg.value_or(is_grid ? kGridAngleDeg : kConeDeg));
-  // A quilt's tiles are stretched to the display; views of other formats have square pixels.
+  // The views of a quilt and those below a lens array are stretched to the display.
   const double pixel_height = kWindowHeightMm / field.view_size.y;
-  const double aspect = field.tiles ? field.aspect : static_cast<double>(field.view_size.x) / field.view_size.y;
-  const double pixel_width = aspect * kWindowHeightMm / field.view_size.x;
+  const double pixel_width = field.aspect * kWindowHeightMm / field.view_size.x;
   MultiView views{field.grid.columns, field.grid.rows};
   views.distance_mm = kDistanceMm;
   views.pixel_height = static_cast<float>(pixel_height / pixel_width);

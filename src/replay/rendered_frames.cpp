@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/printable.hpp"
 #include "image/picture_file.hpp"
+#include "layout/quilt_name.hpp"
 #include "layout/rendered.hpp"
 
 namespace lippmann {
@@ -84,7 +85,11 @@ RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t inde
 }
 
 std::string frame_label(const fs::path& file) {
-  const std::string stem = file.stem().string();
+  // Without what a quilt's name says of it: pictures that are made from one are none.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored) && !file.filename().string().starts_with("frame_"))
+    return file.filename().string();
+  const std::string stem = without_quilt_name(file).stem().string();
   if (!stem.starts_with("frame_")) return stem;
   std::size_t end = 6;
   while (end < stem.size() && std::isdigit(static_cast<unsigned char>(stem[end]))) ++end;

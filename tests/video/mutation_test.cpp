@@ -32,5 +32,55 @@ void read_to_the_end(const fs::path& path) {
   }
 }
 
+/// A byte string that another one is made of by a number: whichever of five kinds of damage, wherever.
+std::string damaged(std::string bytes, std::uint32_t number) {
+  std::uint32_t drawn = 0;
+  const auto draw = [&](std::size_t below) {
+    return static_cast<std::size_t>(hash(number, drawn++)) % std::max<std::size_t>(below, 1);
+  };
+  const std::size_t at = draw(bytes.size()), count = 1 + draw(64), kind = draw(5);
+  // Half of the time in what comes first: the headers, which say what sizes and pixels are.
+  const std::size_t reach = draw(2) == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 1024);
+  if (kind == 0) bytes[draw(reach)] = static_cast<char>(draw(256));
+  if (kind == 1)
+    for (std::size_t i = 0; i < count; ++i) bytes[draw(reach)] = static_cast<char>(draw(256));
+  if (kind == 2) bytes[draw(reach)] ^= static_cast<char>(1 << draw(8));
+  if (kind == 3) bytes.erase(at, count);
+  if (kind == 4) bytes.replace(at, std::min(count, bytes.size() - at), bytes.substr(draw(bytes.size()), count));
+  return bytes;
+}
+
+struct Kind {
+  const char* name;
+  VideoCodec codec;
+};
+
+class EveryCodec : public testing::TestWithParam<Kind> {};
+
+TEST_P(EveryCodec, damaged_files_give_frames_or_an_error) {
+  const TempDir dir;
+  VideoOptions options;
+  options.codec = GetParam().codec;
+  const fs::path path = dir / GetParam().name;
+  {
+    VideoWriter writer(path, options);
+    for (int i = 0; i < 4; ++i) writer.add_frame(test::smooth_codes(48, 32, 0.1 * i));
+    writer.finish();
+  }
+  const std::string whole = file_bytes(path);
+  const char* times = std::getenv("MUT");
+  const std::uint32_t base = times ? std::atoi(times) : 0;
+  for (std::uint32_t number = 0; number < (times ? (std::getenv("MUTN") ? std::atoi(std::getenv("MUTN")) : 20000) : 250); ++number) {
+    if (times) { std::ofstream("/tmp/words-a/last", std::ios::binary) << GetParam().name << " " << base + number; }
+    std::ofstream(path, std::ios::binary) << damaged(whole, base + number);
+    read_to_the_end(path);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Video, EveryCodec,
+                         testing::Values(Kind{"h264.mp4", VideoCodec::kH264}, Kind{"hevc.mov", VideoCodec::kHevc},
+                                         Kind{"vp9.webm", VideoCodec::kVp9}, Kind{"ffv1.mkv", VideoCodec::kFfv1}),
+                         [](const auto& codec) { return fs::path(codec.param.name).stem().string(); });
+
 }  // namespace
 }  // namespace lippmann
