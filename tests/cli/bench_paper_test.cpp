@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"
@@ -49,6 +50,42 @@ TEST(BenchPaper, text_sets_the_papers_figures_beside_ours_and_plots_are_drawn) {
   EXPECT_THAT(result.out, HasSubstr("67 %"));  // what table 2 has saved: 1 - 333 / 1024
   EXPECT_GT(bytes_of(dir / "plots/psnr_primitives.png").size(), 1000u);
   EXPECT_GT(bytes_of(dir / "plots/saving.png").size(), 1000u);
+}
+
+TEST(BenchPaper, begins_with_what_is_reproduced_and_writes_it_as_csv) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {"bench", "paper", "--scene", "primitives", "--scene", "gears", "--frames", "2",
+                                          "--tachyon-scenes", "nowhere", "--csv", "paper.csv"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, testing::StartsWith("For "));
+  EXPECT_THAT(result.out, HasSubstr("of 1 animations of the paper, interpolated frames save"));
+  EXPECT_THAT(result.err, HasSubstr("primitives: frames 0 to 1\n"));
+  const std::string csv = bytes_of(dir / "paper.csv");
+  EXPECT_THAT(csv, testing::StartsWith("scene,keyframes,saving,paper_saving,psnr_db,paper_psnr_db,reproduced\nprimitives,"));
+  EXPECT_THAT(csv, HasSubstr(",0.6748,"));  // 1 - 333 / 1024
+  EXPECT_THAT(csv, HasSubstr("not in the paper\n"));
+  EXPECT_EQ(lines_of(csv), 3u);
+}
+
+TEST(BenchPaper, options_of_other_benchmarks_are_refused_at_once) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {"bench", "paper", "--quick"}), 2, "--quick: is not an option of bench paper; accepted: --scene");
+  expect_refusal(run_tool(dir, {"bench", "png", "--frames", "3"}), 2, "--frames");
+  expect_refusal(run_tool(dir, {"bench", "rays", "--csv", "a"}), 2, "--csv");
+}
+
+TEST(BenchPaper, interruption_is_one_line_and_an_exit_code) {
+  const TempDir dir;
+  Subprocess stopped({"sh", "-c", "exec " LIPPMANN_TOOL " bench paper --scene teapot --tachyon-scenes nowhere 2>log"},
+                     {dir.path().string(), 0});
+  while (bytes_of(dir / "log").find("frames 0 to 7") == std::string::npos) {
+    ASSERT_TRUE(appears(dir / "log"));
+  }
+  stopped.signal(SIGINT);
+  EXPECT_NE(stopped.wait().exit_code, 0);
+  const std::string log = bytes_of(dir / "log");
+  EXPECT_THAT(log, testing::EndsWith("lippmann: bench paper: was stopped before its end\n"));
+  EXPECT_THAT(log, Not(HasSubstr("map::at")));
 }
 
 TEST(BenchPaper, unknown_scene_is_refused_with_the_known_ones) {
