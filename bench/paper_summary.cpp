@@ -11,7 +11,7 @@ namespace lippmann::bench {
 namespace {
 
 Reproduced figures_of(const ReuseRun& run) {
-  return {run.scene,     run.keyframes, run.saving(), run.mean_psnr(), papers_saving(run.scene), papers_psnr_db(run.scene)};
+  return {run.scene, run.keyframes, run.saving(), run.mean_psnr(), papers_saving(run.scene), papers_psnr_db(run.scene)};
 }
 
 /// Whether `b` says more of the paper than `a`: it saves as much as the paper at a shorter interval, or else it saves more.

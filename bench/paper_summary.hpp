@@ -14,10 +14,10 @@ namespace lippmann::bench {
 struct Reproduced {
   std::string scene;
   int keyframes = 0;
-  double saving = 0.0;                         ///< of the CPU seconds of full tracing, key frames included
-  std::optional<double> psnr_db = {};          ///< mean of the frames in between
-  std::optional<double> paper_saving = {};     ///< none: the paper has no such animation
-  std::optional<double> paper_psnr_db = {};    ///< none: the paper states none for it
+  double saving = 0.0;                       ///< of the CPU seconds of full tracing, key frames included
+  std::optional<double> psnr_db = {};        ///< mean of the frames in between
+  std::optional<double> paper_saving = {};   ///< none: the paper has no such animation
+  std::optional<double> paper_psnr_db = {};  ///< none: the paper states none for it
 
   /// "yes", "no", or "not in the paper".
   std::string verdict() const;

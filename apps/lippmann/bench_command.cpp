@@ -149,11 +149,12 @@ void add_bench_command(const Command& root, Action& chosen) {
   command.footer(benchmarks_help());
   command.add_option("NAME", options->name, "The benchmark").required();
   const auto own = [&](const char* name, const Flag& flag) { options->own.emplace_back(name, flag); };
-  own("--scene", command
-                     .add_option("SCENE,--scene", request.scenes,
-                                 "Measure only these scenes: names of built-in scenes, files, or for light the rows that --list "
-                                 "names; repeat --scene for more")
-                     .type_name("SCENE"));
+  own("--scene",
+      command
+          .add_option("SCENE,--scene", request.scenes,
+                      "Measure only these scenes: names of built-in scenes, files, or for light the rows that --list "
+                      "names; repeat --scene for more")
+          .type_name("SCENE"));
   own("--list", command.add_flag("--list", request.list, "List the rows and measure nothing"));
   own("--pictures", command
                         .add_option("--pictures", request.pictures,

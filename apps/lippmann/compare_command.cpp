@@ -44,7 +44,7 @@ void add_compare_command(const Command& root, Action& chosen) {
   const Command command =
       root.add_command("compare", "Print MSE, RMSE, PSNR and SSIM of pictures, folders of frames or videos, frame by frame");
   command.add_option("REFERENCE", options->reference, "The reference: a picture, a folder or a video").required();
-  command.add_option("TEST", options->test, "What is compared with the reference").required();
+  command.add_option("TEST", options->test, "The picture, folder or video to compare with it").required();
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.add_option("--csv", options->csv, "Also write one line per frame to this file");
   command.add_option("--plot", options->plot, "Also draw the PSNR of every frame into this PNG (needs gnuplot)");

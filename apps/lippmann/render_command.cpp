@@ -186,8 +186,7 @@ int run(const Options& options, Context& context) {
   if (options.dry_run) return plan_only(params, options.json, context), 0;
   const RenderReport report = render(params, options, context);
   if (options.json) print_json(to_json(report));
-  if (options.also == "single" && !report.interrupted)
-    render(single_clip(params, report.optics), options, context);
+  if (options.also == "single" && !report.interrupted) render(single_clip(params, report.optics), options, context);
   return 0;
 }
 
@@ -198,7 +197,7 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
   options->program = program;
   const Command command = root.add_command("render", "Render a scene's animation as integral images");
   add_param_flags(command, options->flags);
-  command.add_option("--dump-job", options->dump_job, "Also write the job that reproduces this render")
+  command.add_option("--dump-job", options->dump_job, "Also write a job file that reproduces this render")
       .type_name("FILE")
       .group("Running");
   command.add_option("--also", options->also, "single: then the same frames as one eye sees them, into DIR/single")
@@ -217,7 +216,7 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
                       "--format", "--video",  "--resume", "--dry-run",    "--quiet",  "--json"},
                      "Examples:\n"
                      "  lippmann render teapot                                    all frames, into out/teapot\n"
-                     "  lippmann render model.glb --frames 0                     one frame, with all light\n"
+                     "  lippmann render examples/desk.glb --frames 0             one frame, path traced\n"
                      "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
                      "  lippmann render tree --display portrait --video tree.mp4  for a display (see: lippmann displays)\n"
                      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");

@@ -18,11 +18,10 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
     std::string_view format;
     TextPattern file;
   };
-  static const std::array<Kind, 5> kinds{Kind{"miv", TextPattern("cameras\\.json")},
-                                         Kind{"hci", TextPattern("input_Cam[0-9]{1,6}\\.[^.]+")},
-                                         Kind{"stanford", TextPattern("out_[0-9]{1,5}_[0-9]{1,5}(?:_.*)?\\.[^.]+")},
-                                         Kind{"jpeg-pleno", TextPattern("[0-9]{1,4}_[0-9]{1,4}\\.ppm")},
-                                         Kind{"views", TextPattern("view_[0-9]{1,6}\\.[^.]+")}};
+  static const std::array<Kind, 5> kinds{
+      Kind{"miv", TextPattern("cameras\\.json")}, Kind{"hci", TextPattern("input_Cam[0-9]{1,6}\\.[^.]+")},
+      Kind{"stanford", TextPattern("out_[0-9]{1,5}_[0-9]{1,5}(?:_.*)?\\.[^.]+")},
+      Kind{"jpeg-pleno", TextPattern("[0-9]{1,4}_[0-9]{1,4}\\.ppm")}, Kind{"views", TextPattern("view_[0-9]{1,6}\\.[^.]+")}};
   std::array<bool, kinds.size()> found{};
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))

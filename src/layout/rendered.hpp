@@ -14,7 +14,7 @@ namespace lippmann {
 struct Rendering {
   Optics optics;
   std::string layout = {};  ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
-  bool mirrored = false;     ///< left and right exchanged, to be printed on the back of a sheet
+  bool mirrored = false;    ///< left and right exchanged, to be printed on the back of a sheet
   std::optional<double> frames_per_second = {};
 };
 

@@ -154,7 +154,8 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
   const fs::path folder = output_folder(params);
-  if (folder == "-") throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
+  if (folder == "-")
+    throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
   if (observer.only_plan) {
     if (observer.planned) observer.planned({stage, folder, layout.names(), frames, 0, layout.picture_size()});
     return {};

@@ -77,11 +77,12 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
       throw Error(file.string(), fmt::format("has {}x{} views", field.grid.columns, field.grid.rows),
                   fmt::format("{}x{}, as its report or the first frame says", film.grid.columns, film.grid.rows));
     const Vec2i size = picture_size(film, field.view_size), panel = picture_size(optics);
-    const bool fits = film.kind == LayoutKind::kQuilt
-                          ? size / Vec2i(film.tiles.columns, film.tiles.rows) == panel / Vec2i(film.tiles.columns, film.tiles.rows)
-                          : size == panel;
+    const bool fits = film.kind == LayoutKind::kQuilt ? size / Vec2i(film.tiles.columns, film.tiles.rows) ==
+                                                            panel / Vec2i(film.tiles.columns, film.tiles.rows)
+                                                      : size == panel;
     if (!fits)
-      throw Error(file.string(), fmt::format("its views make {}x{} pixels, and the panel has {}x{}", size.x, size.y, panel.x, panel.y),
+      throw Error(file.string(),
+                  fmt::format("its views make {}x{} pixels, and the panel has {}x{}", size.x, size.y, panel.x, panel.y),
                   "the pictures as the render wrote them");
     RenderedPanel rendered{optics, to_linear(panel_picture(field, film))};
     rendered.optics.panel.width = size.x, rendered.optics.panel.height = size.y;  // without a quilt's padding
@@ -113,7 +114,8 @@ LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& sour
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);
   if (field.cameras) {
-    if (said.view_angle_deg) throw usage_error("--view-angle", first.string() + " says where its cameras stood", "no --view-angle");
+    if (said.view_angle_deg)
+      throw usage_error("--view-angle", first.string() + " says where its cameras stood", "no --view-angle");
     frames.optics = optics_of_cameras(field, first.string());
   } else {
     frames.optics = assumed_optics(field, said.view_angle_deg);
@@ -137,8 +139,9 @@ Optics optics_of_cameras(const LightField& field, const std::string& where) {
   for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
   const Vec2d off_axis_px = cameras.centre_px + middle * Vec2d(1.0, -1.0) / cameras.pixel_mm - 0.5 * Vec2d(field.view_size);
   if (std::max(std::abs(off_axis_px.x), std::abs(off_axis_px.y)) > 0.01 * field.view_size.x)
-    throw Error(where, fmt::format("its cameras look past the middle of their pictures, by ({:.4g}, {:.4g}) pixels",
-                                   off_axis_px.x, off_axis_px.y),
+    throw Error(where,
+                fmt::format("its cameras look past the middle of their pictures, by ({:.4g}, {:.4g}) pixels", off_axis_px.x,
+                            off_axis_px.y),
                 "cameras around the axis of the display");
   Optics optics;
   optics.panel = quilt_panel(field, cameras.pixel_mm.x);

@@ -9,8 +9,8 @@
 #include "image/encode.hpp"
 #include "replay/all_in_focus.hpp"
 #include "replay/epipolar_image.hpp"
-#include "replay/refocus.hpp"
 #include "replay/light_field_frames.hpp"
+#include "replay/refocus.hpp"
 #include "replay/replay_files.hpp"
 #include "replay/viewing.hpp"
 
@@ -161,9 +161,10 @@ class Replay {
   double warn_of_flips() const {
     const double share = share_out_of_zone(frames_.optics, viewer_at(view_.eye_mm));
     if (share > 0.0)
-      context_.warning(fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is out of the viewing zone of {:.3g} % of the "
-                                   "display: there it sees {}.",
-                                   view_.eye_mm.x, view_.eye_mm.y, view_.eye_mm.z, 100.0 * share, seen_out_of_zone()));
+      context_.warning(
+          fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is out of the viewing zone of {:.3g} % of the "
+                      "display: there it sees {}.",
+                      view_.eye_mm.x, view_.eye_mm.y, view_.eye_mm.z, 100.0 * share, seen_out_of_zone()));
     return share;
   }
 

@@ -21,8 +21,8 @@ ReuseRun run_of(const char* scene, int keyframes, double cost, const char* metho
 
 TEST(PaperSummary, takes_the_shortest_interval_that_saves_as_much_as_the_paper) {
   // The paper saves 67.5 % of primitives: 1 - 333 / 1024.
-  const auto rows = reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.3), run_of("primitives", 8, 0.2),
-                                        run_of("primitives", 4, 0.1, "forward, halving")});
+  const auto rows = reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.3),
+                                        run_of("primitives", 8, 0.2), run_of("primitives", 4, 0.1, "forward, halving")});
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].keyframes, 4);
   EXPECT_NEAR(rows[0].saving, 0.7, 1e-12);
@@ -30,7 +30,8 @@ TEST(PaperSummary, takes_the_shortest_interval_that_saves_as_much_as_the_paper) 
 }
 
 TEST(PaperSummary, or_else_the_interval_that_saves_most) {
-  const auto rows = reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.5), run_of("primitives", 8, 0.55)});
+  const auto rows =
+      reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.5), run_of("primitives", 8, 0.55)});
   EXPECT_EQ(rows[0].keyframes, 4);
   EXPECT_EQ(rows[0].verdict(), "no");
 }

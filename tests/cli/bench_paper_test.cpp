@@ -17,8 +17,8 @@ using Json = nlohmann::json;
 
 TEST(BenchPaper, json_has_a_row_per_method_and_the_frames_that_it_sums_up) {
   const TempDir dir;
-  const RunResult result =
-      run_tool(dir, {"bench", "paper", "--scene", "primitives", "--frames", "4", "--tachyon-scenes", "nowhere", "--csv", "paper.csv", "--json"});
+  const RunResult result = run_tool(dir, {"bench", "paper", "--scene", "primitives", "--frames", "4", "--tachyon-scenes",
+                                          "nowhere", "--csv", "paper.csv", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json report = json_of(result.out);
   EXPECT_EQ(report["passed_checks"], 2 + 1 + 1 + 1 + 1);  // key frames of the five runs
@@ -60,7 +60,8 @@ TEST(BenchPaper, text_sets_the_papers_figures_beside_ours_and_plots_are_drawn) {
 
 TEST(BenchPaper, options_of_other_benchmarks_are_refused_at_once) {
   const TempDir dir;
-  expect_refusal(run_tool(dir, {"bench", "paper", "--quick"}), 2, "--quick: is not an option of bench paper; accepted: --scene");
+  expect_refusal(run_tool(dir, {"bench", "paper", "--quick"}), 2,
+                 "--quick: is not an option of bench paper; accepted: --scene");
   expect_refusal(run_tool(dir, {"bench", "png", "--frames", "3"}), 2, "--frames");
   expect_refusal(run_tool(dir, {"bench", "rays", "--csv", "a"}), 2, "--csv");
 }
@@ -70,7 +71,8 @@ TEST(BenchPaper, interruption_is_one_line_and_an_exit_code) {
   Subprocess stopped({"sh", "-c", "exec " LIPPMANN_TOOL " bench paper --scene teapot --tachyon-scenes nowhere 2>log"},
                      {dir.path().string(), 0});
   ASSERT_TRUE(appears(dir / "log"));
-  while (bytes_of(dir / "log").find("frames 0 to 7") == std::string::npos) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  while (bytes_of(dir / "log").find("frames 0 to 7") == std::string::npos)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   stopped.signal(SIGINT);
   EXPECT_NE(stopped.wait().exit_code, 0);
   const std::string log = bytes_of(dir / "log");

@@ -33,7 +33,8 @@ TEST(Readme, commands_run_as_they_stand) {
   fs::create_directory_symlink(fs::path(LIPPMANN_SOURCE) / "examples", dir / "examples");
   ASSERT_EQ(run_tool(dir, {"render", "gears", "--frames", "0-1", "--size", "64x48", "--lenses", "8", "-q"}).exit_code, 0);
   for (const std::string& command : commands) {
-    if (command.find("/usr/share/doc/tachyon") != std::string::npos && !fs::exists("/usr/share/doc/tachyon/examples/scenes")) continue;
+    if (command.find("/usr/share/doc/tachyon") != std::string::npos && !fs::exists("/usr/share/doc/tachyon/examples/scenes"))
+      continue;
     const std::string path = "PATH=" + fs::path(LIPPMANN_TOOL).parent_path().string() + ":$PATH; ";
     const RunResult result = run({"sh", "-c", path + quick(command)}, {dir.path().string(), 0});
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.err;

@@ -189,7 +189,8 @@ TEST(Replay, quilt_is_known_by_its_name_and_other_pictures_by_flags) {
   const TempDir dir;
   render_teapot(dir);
   fs::create_directories(dir / "a");
-  ASSERT_EQ(run_tool(dir, {"convert", "out/frame_0003.png", "a/picture.png", "--to", "quilt", "--aspect", "0.75"}).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, {"convert", "out/frame_0003.png", "a/picture.png", "--to", "quilt", "--aspect", "0.75"}).exit_code,
+            0);
   const std::string quilt = "a/picture_qs4x2a0.75.png";
   ASSERT_TRUE(fs::exists(dir / quilt));
   const std::string eye = eye_view_of(dir, quilt);

@@ -142,8 +142,9 @@ TEST(Convert, only_quilts_are_named_like_quilts) {
   write_png(dir / "in/frame_0000_qs4x1a2.png", picture8(16, 2));
   const Converted converted = convert(dir / "in", dir / "out", params("", kIntegral));
   EXPECT_EQ(converted.written.front().filename(), "frame_0000.png");
-  EXPECT_THAT(test::error_message([&] { convert(dir / "in/frame_0000_qs4x1a2.png", dir / "a_qs4x1a2.png", params("", kIntegral)); }),
-              HasSubstr("a_qs4x1a2.png is the name of a quilt"));
+  EXPECT_THAT(
+      test::error_message([&] { convert(dir / "in/frame_0000_qs4x1a2.png", dir / "a_qs4x1a2.png", params("", kIntegral)); }),
+      HasSubstr("a_qs4x1a2.png is the name of a quilt"));
 }
 
 TEST(Convert, folders_of_views_are_known_by_the_names_of_their_files) {

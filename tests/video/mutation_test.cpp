@@ -30,7 +30,8 @@ std::string file_bytes(const fs::path& path) {
 void read_to_the_end(const fs::path& path) {
   try {
     VideoReader reader(path);
-    while (reader.next()) {}
+    while (reader.next()) {
+    }
   } catch (const Error&) {
   }
 }
@@ -96,7 +97,8 @@ TEST(VideoReader, frames_whose_size_changes_in_the_middle_are_refused) {
   std::ofstream(dir / "a.mov", std::ios::binary) << bytes;
   EXPECT_THAT(test::error_message([&] {
                 VideoReader reader(dir / "a.mov");
-                while (reader.next()) {}
+                while (reader.next()) {
+                }
               }),
               testing::HasSubstr("a.mov: frame 2 has 96x80 pixels, and the frames before it have 64x48"));
 }

@@ -89,7 +89,9 @@ AVFrame& ToFrame::convert(const Image8& picture) {
 
 void ToPicture::prepare(const std::filesystem::path& path, const AVFrame& frame) {
   const auto format = static_cast<AVPixelFormat>(frame.format);
-  if (scaler_ && format == format_ && matrix_ == frame.colorspace && range_ == frame.color_range && frame.width == rgb_->width && frame.height == rgb_->height) return;
+  if (scaler_ && format == format_ && matrix_ == frame.colorspace && range_ == frame.color_range &&
+      frame.width == rgb_->width && frame.height == rgb_->height)
+    return;
   scaler_.reset(sws_getContext(frame.width, frame.height, format, frame.width, frame.height, AV_PIX_FMT_RGB24, kExact, nullptr,
                                nullptr, nullptr));
   if (!scaler_) throw Error(path.string(), "has pixels of a kind that FFmpeg cannot convert to RGB");

@@ -69,7 +69,8 @@ class FfmpegDecoder : public VideoDecoder {
     if (size != size_)
       throw wrong(fmt::format("has {}x{} pixels, and the frames before it have {}x{}", size.x, size.y, size_.x, size_.y));
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format));
-    if (!format || (format->flags & AV_PIX_FMT_FLAG_HWACCEL) || sws_isSupportedInput(static_cast<AVPixelFormat>(frame_->format)) <= 0)
+    if (!format || (format->flags & AV_PIX_FMT_FLAG_HWACCEL) ||
+        sws_isSupportedInput(static_cast<AVPixelFormat>(frame_->format)) <= 0)
       throw wrong("has pixels of a kind that FFmpeg cannot convert to RGB");
     for (int plane = 0; plane < av_pix_fmt_count_planes(static_cast<AVPixelFormat>(frame_->format)); ++plane) {
       const int row_bytes = av_image_get_linesize(static_cast<AVPixelFormat>(frame_->format), size.x, plane);
@@ -147,7 +148,7 @@ class FfmpegDecoder : public VideoDecoder {
   FfmpegPtr<AVFrame> frame_ = own(av_frame_alloc());
   FfmpegPtr<AVPacket> packet_ = own(av_packet_alloc());
   const AVStream* stream_ = nullptr;
-  Vec2i size_{0, 0};  // of the first frame
+  Vec2i size_{0, 0};                                      // of the first frame
   std::int64_t frames_ = 0, packets_ = 0, end_time_ = 0;  // of the packets read; time in the stream's units
   bool ended_ = false;                                    // of the packets; the decoder may still hold frames
 };
