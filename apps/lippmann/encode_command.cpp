@@ -54,7 +54,8 @@ int run(const Options& options, Context& context) {
   const fs::path out = video_path(options.out, frames);
   remove_stale_temporaries(out.parent_path().empty() ? fs::path(".") : out.parent_path(), out.filename());
   const int count = static_cast<int>(frames.size());
-  std::optional<Progress> progress(std::in_place, count, Progress::stderr_is_terminal());
+  std::optional<Progress> progress(std::in_place, count,
+                                   Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines);
   const bool whole = encode_frames(frames, out, video, context,
                                    [&](const NumberedFrame& frame) { progress->step(frame.path.filename().string()); });
   progress.reset();

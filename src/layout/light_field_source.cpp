@@ -70,7 +70,8 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   LightFieldSource source{nullptr, options};
   const bool may_be_rendered = from.empty() || from == "integral" || from == "quilt" || from == "views";
   if (may_be_rendered) source.rendering = rendering_of(path);
-  if (source.rendering) source.rendered = rendered_views(source.rendering->optics);
+  if (source.rendering)
+    source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "--from");
   if (source.format->is_folder && source.format->name != "views") source.rendering.reset(), source.rendered.reset();
   if (!source.rendered) return source;

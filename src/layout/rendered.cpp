@@ -38,6 +38,15 @@ Json read_report(const fs::path& report) {
   return json;
 }
 
+/// As the report says it; 1 where it does not, or nothing within reason.
+float depth_scale_of(const Json& report) {
+  const auto depth = report.find("depth");
+  if (depth == report.end() || !depth->is_object()) return 1.0f;
+  const auto scale = depth->find("scale");
+  const double value = scale != depth->end() && scale->is_number() ? scale->get<double>() : 1.0;
+  return value > 0.0 && value <= 1.0 ? static_cast<float>(value) : 1.0f;
+}
+
 /// Of a report with "optics".
 Rendering rendering_from(const Json& json, const fs::path& report) {
   Rendering rendering{optics_from_json(json["optics"], report.string())};
@@ -45,6 +54,7 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   if (settings.contains("layout") && settings["layout"].is_string()) rendering.layout = settings["layout"];
   if (settings.contains("mirror") && settings["mirror"].is_boolean()) rendering.mirrored = settings["mirror"];
   rendering.frames_per_second = frame_rate_of(json);
+  rendering.depth_scale = depth_scale_of(json);
   return rendering;
 }
 

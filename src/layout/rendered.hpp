@@ -16,6 +16,7 @@ struct Rendering {
   std::string layout = {};  ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
   bool mirrored = false;    ///< left and right exchanged, to be printed on the back of a sheet
   std::optional<double> frames_per_second = {};
+  float depth_scale = 1.0f;  ///< shown depth / true depth: the parallax that the pictures were rendered with
 };
 
 /// What a report says of it; none where it does not, or nothing within reason.

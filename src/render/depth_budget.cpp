@@ -16,6 +16,13 @@ std::string beyond(float times, const Optics& optics) {
   return fmt::format("a pixel is as wide as {:.1f} lenses", times);
 }
 
+std::string fitted_sentence(const ShownDepth& shown, float depth_scale) {
+  return fmt::format(
+      "The scene reaches from {:.1f} mm to {:+.1f} mm, deeper than the depth budget of {:.1f} mm on either side: {:.3g} of its "
+      "depth is shown, from {:.1f} mm to {:+.1f} mm.",
+      shown.back_mm / depth_scale, shown.front_mm / depth_scale, shown.budget_mm, depth_scale, shown.back_mm, shown.front_mm);
+}
+
 }  // namespace
 
 float ShownDepth::deepest_mm() const { return std::max(std::abs(front_mm), std::abs(back_mm)); }
@@ -29,7 +36,8 @@ float fitting_depth(const ShownDepth& true_depth) {
   return true_depth.fits() ? 1.0f : true_depth.budget_mm / true_depth.deepest_mm();
 }
 
-std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics) {
+std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics, float depth_scale) {
+  if (depth_scale < 1.0f) return fitted_sentence(shown, depth_scale);
   const std::string reach = fmt::format("The scene reaches from {:.1f} mm to {:+.1f} mm", shown.back_mm, shown.front_mm);
   const float budget = shown.budget_mm, deepest = shown.deepest_mm();
   if (std::isinf(budget)) return reach + "; a single view has no depth budget.";
@@ -45,7 +53,7 @@ nlohmann::ordered_json depth_json(const ShownDepth& shown, float depth_scale, co
           {"budget_mm", std::isfinite(shown.budget_mm) ? Json(shown.budget_mm) : Json(nullptr)},
           {"fits", shown.fits()},
           {"scale", depth_scale},
-          {"summary", depth_budget_sentence(shown, optics)}};
+          {"summary", depth_budget_sentence(shown, optics, depth_scale)}};
 }
 
 }  // namespace lippmann

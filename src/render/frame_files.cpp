@@ -129,6 +129,21 @@ FramePictures piece_of(const FramePictures& all, int i, int count) {
   return piece;
 }
 
+std::string whole_layer_name(int frame) { return fmt::format("aov_{:04}.exr", frame); }
+std::string view_layer_name(int view) { return fmt::format("aov_{:03}.exr", view); }
+
+/// 0 if one is not there.
+std::uintmax_t bytes_of(const std::vector<fs::path>& files) {
+  std::uintmax_t sum = 0;
+  for (const fs::path& file : files) {
+    std::error_code problem;
+    const std::uintmax_t bytes = fs::file_size(file, problem);
+    if (problem) return 0;
+    sum += bytes;
+  }
+  return sum;
+}
+
 void make_view_folder(const fs::path& folder) {
   std::error_code problem;
   fs::create_directory(folder, problem);
@@ -153,14 +168,14 @@ std::vector<fs::path> picture_paths(const fs::path& folder, const FrameNames& na
 }
 
 std::uintmax_t picture_bytes(const fs::path& folder, const FrameNames& names, int frame) {
-  std::uintmax_t sum = 0;
-  for (const fs::path& path : picture_paths(folder, names, frame)) {
-    std::error_code problem;
-    const std::uintmax_t bytes = fs::file_size(path, problem);
-    if (problem) return 0;
-    sum += bytes;
-  }
-  return sum;
+  return bytes_of(picture_paths(folder, names, frame));
+}
+
+std::uintmax_t layer_bytes(const fs::path& folder, const FrameNames& names, int frame) {
+  if (names.views == 0) return bytes_of({folder / whole_layer_name(frame)});
+  std::vector<fs::path> paths;
+  for (int view = 0; view < names.views; ++view) paths.push_back(folder / frame_name(names, frame) / view_layer_name(view));
+  return bytes_of(paths);
 }
 
 void write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
@@ -168,12 +183,11 @@ void write_frame_files(const fs::path& folder, const FrameNames& names, int fram
                        std::span<const ExrAttribute> about) {
   const PictureWriter writer(names.format, params, encoding, pixels_per_mm, about);
   const std::vector<fs::path> paths = picture_paths(folder, names, frame);
-  if (names.views == 0) return writer.write(paths.front(), folder / fmt::format("aov_{:04}.exr", frame), pictures);
+  if (names.views == 0) return writer.write(paths.front(), folder / whole_layer_name(frame), pictures);
   const fs::path views = folder / frame_name(names, frame);
   make_view_folder(views);
   for (int view = 0; view < names.views; ++view)
-    writer.write(paths[static_cast<std::size_t>(view)], views / fmt::format("aov_{:03}.exr", view),
-                 piece_of(pictures, view, names.views));
+    writer.write(paths[static_cast<std::size_t>(view)], views / view_layer_name(view), piece_of(pictures, view, names.views));
 }
 
 }  // namespace lippmann

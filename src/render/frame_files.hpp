@@ -31,6 +31,9 @@ std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& fo
 /// Bytes of all pictures of a frame; 0 if one is not there.
 std::uintmax_t picture_bytes(const std::filesystem::path& folder, const FrameNames& names, int frame);
 
+/// The same of the files with extra layers beside the pictures.
+std::uintmax_t layer_bytes(const std::filesystem::path& folder, const FrameNames& names, int frame);
+
 struct FramePictures {
   Image film;
   FrameAovs aovs;

@@ -124,6 +124,11 @@ struct FrameSink::Impl {
   void record(const FrameReport& report) {
     if (report.precompensation) precompensated[report.frame] = *report.precompensation;
     finished.add(report);
+    if (!settings.written) return;
+    const FrameNames& names = settings.layout.names();
+    const bool has_layer_files = names.format != PictureFormat::kExr && !settings.params.aov.empty();
+    const std::uintmax_t layers = has_layer_files ? layer_bytes(settings.folder, names, report.frame) : 0;
+    settings.written(report.frame, picture_bytes(settings.folder, names, report.frame) + layers);
   }
 
   void add_to_videos(const Image8& codes) {

@@ -77,7 +77,7 @@ struct RenderParams {
   bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
   std::optional<float> view_angle_deg;         ///< viewing zone, full angle; sets the gap; none: the display's, or 28
   std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
-  bool fit_depth = false;                      ///< depth is compressed to what the display can resolve
+  std::optional<bool> fit_depth;               ///< depth is compressed to what the display can resolve; none: fits_depth()
   float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
   std::optional<double> crosstalk_px;          ///< sigma (optics/crosstalk.hpp); none: the display's
   bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
@@ -131,10 +131,9 @@ struct RenderParams {
 /// first picture comes within seconds.
 inline constexpr int kPathSamples = 64, kFirstPathSamples = 16;
 
-/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format)
-/// unless
-/// --reuse forward is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything below takes
-/// the parameters as they are after this.
+/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format),
+/// unless --reuse forward is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything below
+/// takes the parameters as they are after this.
 RenderParams with_scene_defaults(RenderParams params);
 
 inline Integrator integrator_of(const RenderParams& params) { return params.integrator.value_or(Integrator::kWhitted); }
@@ -144,6 +143,10 @@ inline int samples_per_pixel(const RenderParams& params) {
 }
 
 inline Tone tone_of(const RenderParams& params) { return {params.exposure_ev, params.tone}; }
+
+/// As said; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a display
+/// are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.
+bool fits_depth(const RenderParams& params);
 
 /// What is traced: as said, or lenticular.
 inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.value_or(OpticsKind::kLenticular); }

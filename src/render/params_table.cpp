@@ -94,6 +94,12 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
       [&names](const E& value) { return std::string(names[static_cast<std::size_t>(value)]); }};
 }
 
+/// A flag that need not be said.
+Codec<std::optional<bool>> optional_flag() {
+  return {[](std::string_view value, const std::string& where) { return std::optional(read_flag(value, where)); },
+          [](const std::optional<bool>& value) { return value ? std::string(*value ? "true" : "false") : std::string(); }};
+}
+
 /// A number that need not be said.
 template <class T>
 Codec<std::optional<T>> optional_number(double lowest, double highest) {
@@ -135,6 +141,11 @@ ParamInfo runs_only(ParamInfo info) {
 
 ParamInfo path(ParamInfo info) {
   info.is_path = true;
+  return info;
+}
+
+ParamInfo with_opposite(ParamInfo info, std::string_view name, std::string_view doc) {
+  info.opposite = name, info.opposite_doc = doc;
   return info;
 }
 
@@ -270,8 +281,12 @@ std::vector<ParamInfo> optics_rows() {
           {"precompensate", "Optics", "",
            "Pictures that crosstalk turns into the wanted ones, as far as light can be neither negative nor brighter than "
            "white"}),
-      row(ParamKind::kFlag, &P::fit_depth, flag(),
-          {"fit-depth", "Optics", "", "Show the scene less deep than it is, if it is deeper than the display can resolve"}),
+      with_opposite(
+          row(ParamKind::kFlag, &P::fit_depth, optional_flag(),
+              {"fit-depth", "Optics", "",
+               "Show the scene less deep than it is, if it is deeper than the display can resolve; the default for lenses and "
+               "for every --display"}),
+          "full-depth", "Show all of the scene's depth, blurred or in steps where the display cannot resolve it"),
   };
 }
 
@@ -458,9 +473,17 @@ const ParamInfo* find_param(std::string_view name) {
   return nullptr;
 }
 
+const ParamInfo* find_opposite(std::string_view name) {
+  for (const ParamInfo& info : params_table())
+    if (!info.opposite.empty() && info.opposite == name) return &info;
+  return nullptr;
+}
+
 std::string did_you_mean(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const ParamInfo& info : params_table()) names.push_back(info.name);
+  for (const ParamInfo& info : params_table())
+    for (const std::string_view known : {info.name, info.opposite})
+      if (!known.empty()) names.push_back(known);
   const std::string nearest = nearest_name(name, names);
   return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", nearest);
 }

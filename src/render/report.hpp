@@ -32,6 +32,7 @@ struct FrameReport {
   std::optional<double> psnr_at_least_db;          ///< lower bound of it at 95 % confidence; none where there is no estimate
   std::optional<double> estimated_block_psnr_db;   ///< of means over 64 neighbouring pixels; shared frames only
   std::optional<Precompensation> precompensation;  ///< of crosstalk; none: not asked for
+  bool kept = false;                               ///< finished by an earlier run, which its figures are of
 };
 
 struct RenderReport {

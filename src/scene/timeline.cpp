@@ -180,6 +180,20 @@ ResolvedScene evaluate(const Scene& scene, double time) {
   return resolved;
 }
 
+bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second) {
+  constexpr double kNearFrame = 0.02;  // of a frame: times written with four decimals at 60 a second are within 0.003
+  const auto on_frames = [&](const std::vector<double>& times) {
+    return std::all_of(times.begin(), times.end(), [&](double time) {
+      const double frame = time * frames_per_second;
+      return std::abs(frame - std::round(frame)) <= kNearFrame;
+    });
+  };
+  return std::all_of(timeline.animations.begin(), timeline.animations.end(), [&](const NodeAnimation& a) {
+    return on_frames(a.translation.times) && on_frames(a.rotation.times) && on_frames(a.scale.times) &&
+           on_frames(a.morph_weights.times);
+  });
+}
+
 std::vector<bool> moving_nodes(const Scene& scene) {
   std::vector<bool> moves(scene.nodes.size(), false);
   for (const NodeAnimation& a : scene.timeline.animations) {

@@ -22,6 +22,9 @@ ResolvedScene evaluate(const Scene& scene, double time);
 /// Whether each node ever moves (it or one of its ancestors is animated with more than one value).
 std::vector<bool> moving_nodes(const Scene& scene);
 
+/// Whether every key of the animation falls on a frame, to a fiftieth of one, at that many frames a second; true without keys.
+bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
+
 /// Whether the morph weights of each node ever change.
 std::vector<bool> morphing_nodes(const Scene& scene);
 

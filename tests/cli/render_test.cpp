@@ -41,14 +41,6 @@ TEST(Render, without_output_writes_to_out_slash_scene) {
   EXPECT_TRUE(std::filesystem::exists(dir / "out/teapot/frame_0007.png"));
 }
 
-TEST(Render, stderr_that_is_no_terminal_gets_one_line_per_frame) {
-  const TempDir dir;
-  const RunResult result = run_tool(dir, small_teapot("0-3", "out"));
-  EXPECT_EQ(lines_of(result.err), 4u) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("[4/4] frame 3"));
-  EXPECT_THAT(result.err, Not(HasSubstr("\r")));
-}
-
 TEST(Render, stderr_that_is_a_terminal_gets_a_bar_with_the_time_left) {
   const TempDir dir;
   std::string command;

@@ -72,6 +72,7 @@ TEST(Tool, render_help_all_names_every_parameter) {
   for (const ParamInfo& info : params_table())
     if (info.name != "scene") {
       EXPECT_THAT(result.out, HasSubstr("--" + std::string(info.name)));
+      EXPECT_THAT(result.out, HasSubstr("--" + std::string(info.opposite)));
     }
 }
 
