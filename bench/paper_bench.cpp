@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <filesystem>
 #include <span>
 
 #include "bench/benchmarks.hpp"
@@ -11,6 +12,7 @@
 #include "bench/reuse_run.hpp"
 #include "bench/timing.hpp"
 #include "core/atomic_file.hpp"
+#include "core/folder.hpp"
 #include "render/frame.hpp"
 #include "trace/trace_pixels.hpp"
 
@@ -169,6 +171,8 @@ Json styles_json(const std::vector<StyleRow>& rows) {
 }  // namespace
 
 Report measure_paper(const Request& request, const Context& context) {
+  const NewFolder csv_folder(std::filesystem::path(request.csv).parent_path()), plot_folder(request.plot);
+  if (!request.csv.empty()) AtomicFile{request.csv};  // refuses now, not after long work, what cannot be written
   std::vector<ReuseRun> runs;
   Report report;
   report.details = {{"frames", Json::array()}};

@@ -13,6 +13,7 @@
 #include "compare/comparison_text.hpp"
 #include "compare/plot.hpp"
 #include "core/atomic_file.hpp"
+#include "core/folder.hpp"
 #include "render/param_text.hpp"
 #include "render/params.hpp"
 
@@ -30,6 +31,8 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 int run(const Options& options, Context& context) {
+  const NewFolder csv_folder(std::filesystem::path(options.csv).parent_path());
+  const NewFolder plot_folder(std::filesystem::path(options.plot).parent_path());
   for (const std::string& path : {options.csv, options.plot})
     if (!path.empty()) AtomicFile{path};  // refuses now, not after long work, what cannot be written
   context.threads = options.threads;

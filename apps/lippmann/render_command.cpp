@@ -15,6 +15,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/render_progress.hpp"
 #include "core/error.hpp"
+#include "core/folder.hpp"
 #include "core/printable.hpp"
 #include "optics/crosstalk.hpp"
 #include "render/animation.hpp"
@@ -218,7 +219,10 @@ int run(const Options& options, Context& context) {
   if (options.verbose && !options.progress.empty())
     throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
-  if (!options.dump_job.empty()) write_job(options.dump_job, params);
+  if (!options.dump_job.empty()) {
+    make_folder(fs::path(options.dump_job).parent_path());
+    write_job(options.dump_job, params);
+  }
   if (options.dry_run) return plan_only(params, options.json, context), 0;
   const RenderReport report = render(params, options, context);
   if (options.json) print_json(to_json(report));

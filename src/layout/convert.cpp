@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/folder.hpp"
 #include "layout/light_field_source.hpp"
 #include "layout/quilt_name.hpp"
 #include "layout/view_files.hpp"
@@ -11,25 +12,6 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is to be made: where nothing is in it in the end and it was not there before, it goes again.
-class NewFolder {
- public:
-  explicit NewFolder(fs::path path) : path_(std::move(path)) {
-    std::error_code ignored;
-    was_there_ = fs::exists(path_, ignored);
-  }
-  ~NewFolder() {
-    std::error_code ignored;
-    if (!was_there_ && fs::is_directory(path_, ignored)) fs::remove(path_, ignored);  // fails where anything is in it
-  }
-  NewFolder(const NewFolder&) = delete;
-  NewFolder& operator=(const NewFolder&) = delete;
-
- private:
-  fs::path path_;
-  bool was_there_ = false;
-};
 
 class Conversion {
  public:
@@ -51,7 +33,7 @@ class Conversion {
       throw usage_error("OUT", path.string() + " is the name of a quilt, and the format is " + std::string(to_.name),
                         "a name without _qs..., or --to quilt");
     if (!to_.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(field.stack);
-    const NewFolder folder(path);
+    const NewFolder folder(to_.is_folder ? path : path.parent_path());
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
     result.lacks_cameras = to_.uses_cameras && !field.cameras;
@@ -85,7 +67,6 @@ Converted convert(const fs::path& in, const fs::path& out, const ConvertParams& 
     return result;
   }
   const NewFolder folder(out);
-  make_folder(out);
   for (const fs::path& frame : frames) conversion.convert_one(frame, out / conversion.name_of(frame), result);
   return result;
 }

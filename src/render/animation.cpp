@@ -15,6 +15,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/folder.hpp"
 #include "core/json_text.hpp"
 #include "core/parallel.hpp"
 #include "render/aov_params.hpp"
@@ -68,13 +69,6 @@ void require_memory(const RenderParams& params, const Optics& optics, bool moves
                             "{:.1f} GB",
                             panel.width / sub_pixels_per_pixel(optics), panel.height, needed * 1e-9, frames_at_a_time,
                             frame * 1e-9, available * 1e-9));
-}
-
-void make_folder(const fs::path& folder) {
-  if (folder.empty()) return;  // the working folder
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "-o with one that can");
 }
 
 /// Pictures in the folder that this render will not replace: after a take-over they are of other settings.

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
+#include "core/folder.hpp"
 #include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
@@ -145,9 +145,7 @@ std::uintmax_t bytes_of(const std::vector<fs::path>& files) {
 }
 
 void make_view_folder(const fs::path& folder) {
-  std::error_code problem;
-  fs::create_directory(folder, problem);
-  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")");
+  make_folder(folder);
   remove_stale_temporaries(folder);
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -64,6 +65,14 @@ TEST(BenchPaper, options_of_other_benchmarks_are_refused_at_once) {
                  "--quick: is not an option of bench paper; accepted: --scene");
   expect_refusal(run_tool(dir, {"bench", "png", "--frames", "3"}), 2, "--frames");
   expect_refusal(run_tool(dir, {"bench", "rays", "--csv", "a"}), 2, "--csv");
+}
+
+TEST(BenchPaper, a_table_that_cannot_be_written_is_refused_before_anything_is_measured) {
+  const TempDir dir;
+  std::ofstream(dir / "file") << "in the way";
+  const Words bench{"bench", "paper", "--scene", "teapot", "--frames", "2", "--tachyon-scenes", "nowhere", "--csv"};
+  expect_refusal(run_tool(dir, bench + Words{"file/table.csv"}), 1, "file: the folder");
+  expect_refusal(run_tool(dir, bench + Words{"."}), 1, "is not a regular file");
 }
 
 TEST(BenchPaper, interruption_is_one_line_and_an_exit_code) {
