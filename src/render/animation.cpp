@@ -187,8 +187,8 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
   report.frames_per_second = fps;
   const auto maker = make_frame_maker(stage, params, pool, context);
-  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, crosstalk, pool.threads(),
-                  [&](Image film) { maker->recycle(std::move(film)); }, observer.written},
+  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, stage.placed.depth_scale,
+                  crosstalk, pool.threads(), [&](Image film) { maker->recycle(std::move(film)); }, observer.written},
                  finished);
   if (observer.planned) observer.planned(plan);
   report.setup_seconds = setup.seconds();

@@ -1,5 +1,7 @@
 #include "render/frame_sink.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -25,6 +27,7 @@ std::vector<ExrAttribute> about_render(const FrameSink::Settings& settings) {
   std::vector<ExrAttribute> about{{"lippmann.version", LIPPMANN_VERSION}, {"lippmann.scene", settings.params.scene}};
   if (!settings.optics) return about;
   about.push_back({"lippmann.optics", json_to_text(optics_json(*settings.optics), -1)});
+  about.push_back({"lippmann.depth_scale", fmt::format("{}", settings.depth_scale)});
   if (const auto rendered = rendered_views(*settings.optics)) {
     const ViewGrid& grid = rendered->film.grid;
     about.push_back({"lippmann.views", std::to_string(grid.columns) + "x" + std::to_string(grid.rows)});

@@ -144,7 +144,10 @@ TEST(Render, exr_files_say_version_optics_and_views_in_their_header) {
     EXPECT_EQ(text("lippmann.version"), LIPPMANN_VERSION) << file;
     EXPECT_EQ(text("lippmann.scene"), "teapot") << file;
     EXPECT_EQ(text("lippmann.views"), "8x1") << file;
-    EXPECT_EQ(json_of(text("lippmann.optics")), json_of(bytes_of(dir / "a/report.json"))["optics"]) << file;
+    const auto report = json_of(bytes_of(dir / "a/report.json"));
+    EXPECT_EQ(json_of(text("lippmann.optics")), report["optics"]) << file;
+    EXPECT_LT(report["depth"]["scale"], 1.0) << "a scene that is shown as deep as it is says nothing of this test";
+    EXPECT_NEAR(std::stod(text("lippmann.depth_scale")), report["depth"]["scale"].get<double>(), 1e-6) << file;
   }
 }
 

@@ -62,6 +62,9 @@ TEST(Suggestion, commands_of_the_summary_run_for_displays) {
 
 TEST(Suggestion, of_a_single_view_and_of_mirrored_prints_there_is_no_eye_view) {
   expect_that_suggestions_run({"--optics", "single", "--size", "64x48"}, 1);
+  const Words print{"--display", "lenticular-60lpi-720dpi", "--layout", "print", "--size", "480x480"};
+  expect_that_suggestions_run(print, 2);
+  expect_that_suggestions_run(print + Words{"--mirror"}, 1);
 }
 
 }  // namespace
