@@ -13,6 +13,7 @@
 #include "compare/comparison_text.hpp"
 #include "compare/plot.hpp"
 #include "core/atomic_file.hpp"
+#include "core/folder.hpp"
 #include "render/param_text.hpp"
 #include "render/params.hpp"
 
@@ -30,6 +31,8 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 int run(const Options& options, Context& context) {
+  const NewFolder csv_folder(std::filesystem::path(options.csv).parent_path());
+  const NewFolder plot_folder(std::filesystem::path(options.plot).parent_path());
   for (const std::string& path : {options.csv, options.plot})
     if (!path.empty()) AtomicFile{path};  // refuses now, not after long work, what cannot be written
   context.threads = options.threads;
@@ -50,7 +53,7 @@ void add_compare_command(const Command& root, Action& chosen) {
   const Command command =
       root.add_command("compare", "Print MSE, RMSE, PSNR and SSIM of pictures, folders of frames or videos, frame by frame");
   command.add_option("REFERENCE", options->reference, "The reference: a picture, a folder or a video").required();
-  command.add_option("TEST", options->test, "What is compared with the reference").required();
+  command.add_option("TEST", options->test, "The picture, folder or video to compare with it").required();
   command
       .add_option("--frames", options->frames,
                   "Compare frames A to B only, both included; lists and steps: 0,2,4 or 0-10:2; others may be missing")

@@ -15,6 +15,8 @@
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/render_progress.hpp"
 #include "core/error.hpp"
+#include "core/folder.hpp"
+#include "core/printable.hpp"
 #include "optics/crosstalk.hpp"
 #include "render/animation.hpp"
 #include "render/frame.hpp"
@@ -30,7 +32,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   ParamFlags flags;
-  std::string dump_job, also, progress;
+  std::string dump_job, also, progress, program;
   bool json = false, quiet = false, verbose = false, dry_run = false;
 };
 
@@ -74,6 +76,11 @@ std::string describe_forward_reuse(const RenderReport& report) {
       percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
 }
 
+/// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
+bool can_be_replayed(const RenderReport& report) {
+  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.mirror;
+}
+
 /// With what the pictures were made, and what makes better ones.
 std::string describe_paths(const RenderParams& params) {
   const int samples = samples_per_pixel(params);
@@ -86,8 +93,8 @@ std::string describe_depth(const ShownDepth& shown, const Optics& optics, float 
          (depth_scale < 1.0f ? " --full-depth shows all of it." : " --fit-depth shows it less deep.");
 }
 
-/// What was made, where it is, and how to look at it.
-void print_summary(const RenderReport& report, const Planned& plan) {
+/// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
+void print_summary(const RenderReport& report, const Planned& plan, const std::string& program) {
   const auto& [folder, names, picture_size, kept] = plan;
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
@@ -100,8 +107,11 @@ void print_summary(const RenderReport& report, const Planned& plan) {
   if (frames > 0) {
     const auto path = [&](const FrameReport& frame) { return (folder / frame_name(names, frame.frame)).string(); };
     line("pictures", path(report.frames.front()) + (frames > 1 ? " ... " + path(report.frames.back()) : ""));
-    for (const std::string& video : report.videos)
-      if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
+    if (!report.interrupted)
+      for (const std::string& video : report.videos) {
+        line("video", video);
+        line("play", "ffplay -loop 0 " + shell_word(video));
+      }
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
     if (report.params.reuse == Reuse::kExact && integrator_of(report.params) == Integrator::kPath) {
       line("reuse", shared_light_sentence(report.frames));
@@ -112,8 +122,7 @@ void print_summary(const RenderReport& report, const Planned& plan) {
     } else if (report.params.reuse == Reuse::kExact && frames > 1) {
       line("reuse", describe_exact_reuse(report));
     }
-    if (has_lenses(report.optics))
-      line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
+    if (can_be_replayed(report)) line("one eye", program + " replay " + shell_word(folder.string()));
   }
   if (integrator_of(report.params) == Integrator::kPath) line("shading", describe_paths(report.params));
   if (!report.light.empty()) line("light", report.light);
@@ -124,7 +133,7 @@ void print_summary(const RenderReport& report, const Planned& plan) {
     line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
   line("figures", (folder / "report.json").string());
   line(report.interrupted ? "go on" : "again",
-       "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));
+       program + " render " + shell_word((folder / "job.toml").string()) + (report.interrupted ? " --resume" : ""));
 }
 
 /// "3 frames (0 to 8)".
@@ -200,7 +209,7 @@ RenderReport render(const RenderParams& params, const Options& options, Context&
   const RenderReport report = render_animation(params, context, observer);
   context.frame_progress = nullptr;
   progress.reset();
-  if (!options.json && !options.quiet) print_summary(report, planned);
+  if (!options.json && !options.quiet) print_summary(report, planned, options.program);
   return report;
 }
 
@@ -210,7 +219,10 @@ int run(const Options& options, Context& context) {
   if (options.verbose && !options.progress.empty())
     throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
-  if (!options.dump_job.empty()) write_job(options.dump_job, params);
+  if (!options.dump_job.empty()) {
+    make_folder(fs::path(options.dump_job).parent_path());
+    write_job(options.dump_job, params);
+  }
   if (options.dry_run) return plan_only(params, options.json, context), 0;
   const RenderReport report = render(params, options, context);
   if (options.json) print_json(to_json(report));
@@ -220,11 +232,12 @@ int run(const Options& options, Context& context) {
 
 }  // namespace
 
-void add_render_command(const Command& root, Action& chosen) {
+void add_render_command(const Command& root, Action& chosen, const std::string& program) {
   auto options = std::make_shared<Options>();
+  options->program = program;
   const Command command = root.add_command("render", "Render a scene's animation as integral images");
   add_param_flags(command, options->flags);
-  command.add_option("--dump-job", options->dump_job, "Also write the job that reproduces this render")
+  command.add_option("--dump-job", options->dump_job, "Also write a job file that reproduces this render")
       .type_name("FILE")
       .group("Running");
   command.add_option("--also", options->also, "single: then the same frames as one eye sees them, into DIR/single")
@@ -250,7 +263,7 @@ void add_render_command(const Command& root, Action& chosen) {
                       "--exposure", "--format", "--video",      "--resume",  "--dry-run",    "--quiet",  "--json"},
                      "Examples:\n"
                      "  lippmann render teapot                                    all 480 frames, into out/teapot\n"
-                     "  lippmann render model.glb --frames 0                      one frame, with all light\n"
+                     "  lippmann render examples/desk.glb --frames 0              one frame, path traced\n"
                      "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
                      "  lippmann render tree --display portrait --frames 0        for a display (see: lippmann displays)\n"
                      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");

@@ -15,6 +15,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/folder.hpp"
 #include "core/json_text.hpp"
 #include "core/parallel.hpp"
 #include "render/aov_params.hpp"
@@ -68,13 +69,6 @@ void require_memory(const RenderParams& params, const Optics& optics, bool moves
                             "{:.1f} GB",
                             panel.width / sub_pixels_per_pixel(optics), panel.height, needed * 1e-9, frames_at_a_time,
                             frame * 1e-9, available * 1e-9));
-}
-
-void make_folder(const fs::path& folder) {
-  if (folder.empty()) return;  // the working folder
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "-o with one that can");
 }
 
 /// Pictures in the folder that this render will not replace: after a take-over they are of other settings.
@@ -156,6 +150,8 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
   const fs::path folder = output_folder(params);
+  if (folder == "-")
+    throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
   std::vector<std::string> videos;
   for (const std::string& video : params.video) videos.push_back(layout.video_path(video).string());
   RenderPlan plan{stage, folder, layout.names(), frames, videos, 0, layout.picture_size()};
@@ -191,8 +187,8 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
   report.frames_per_second = fps;
   const auto maker = make_frame_maker(stage, params, pool, context);
-  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, crosstalk, pool.threads(),
-                  [&](Image film) { maker->recycle(std::move(film)); }, observer.written},
+  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, stage.placed.depth_scale,
+                  crosstalk, pool.threads(), [&](Image film) { maker->recycle(std::move(film)); }, observer.written},
                  finished);
   if (observer.planned) observer.planned(plan);
   report.setup_seconds = setup.seconds();

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
+#include "core/folder.hpp"
 #include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
@@ -67,8 +67,9 @@ std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
 /// One picture and its layers.
 class PictureWriter {
  public:
-  PictureWriter(PictureFormat format, const RenderParams& params, Encoding encoding, double pixels_per_mm)
-      : format_(format), params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm) {}
+  PictureWriter(PictureFormat format, const RenderParams& params, Encoding encoding, double pixels_per_mm,
+                std::span<const ExrAttribute> about)
+      : format_(format), params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm), about_(about) {}
 
   void write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
     std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
@@ -86,10 +87,10 @@ class PictureWriter {
         layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(params_.exr_pixels)));
         if (pictures.aovs.wants(Aov::kAlpha))
           layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(params_.exr_pixels)));
-        write_exr(picture, layers);
+        write_exr(picture, layers, ExrCompression::kZip, about_);
         return;
     }
-    if (!layers.empty()) write_exr(aov, layers);
+    if (!layers.empty()) write_exr(aov, layers, ExrCompression::kZip, about_);
   }
 
  private:
@@ -103,6 +104,7 @@ class PictureWriter {
   const RenderParams& params_;
   Encoding encoding_;
   double pixels_per_mm_;
+  std::span<const ExrAttribute> about_;
 };
 
 /// Piece `i` of `count` that lie one below the other.
@@ -143,9 +145,7 @@ std::uintmax_t bytes_of(const std::vector<fs::path>& files) {
 }
 
 void make_view_folder(const fs::path& folder) {
-  std::error_code problem;
-  fs::create_directory(folder, problem);
-  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")");
+  make_folder(folder);
   remove_stale_temporaries(folder);
 }
 
@@ -177,8 +177,9 @@ std::uintmax_t layer_bytes(const fs::path& folder, const FrameNames& names, int 
 }
 
 void write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
-                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures) {
-  const PictureWriter writer(names.format, params, encoding, pixels_per_mm);
+                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures,
+                       std::span<const ExrAttribute> about) {
+  const PictureWriter writer(names.format, params, encoding, pixels_per_mm, about);
   const std::vector<fs::path> paths = picture_paths(folder, names, frame);
   if (names.views == 0) return writer.write(paths.front(), folder / whole_layer_name(frame), pictures);
   const fs::path views = folder / frame_name(names, frame);

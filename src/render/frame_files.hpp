@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "image/encoding.hpp"
+#include "image/exr.hpp"
 #include "image/image.hpp"
 #include "render/params.hpp"
 #include "trace/trace_frame.hpp"
@@ -40,8 +42,9 @@ struct FramePictures {
 
 /// Writes what `params` asks for, each file whole or not at all. Views lie one below the other in `pictures`. Extra layers go
 /// into EXR pictures, else into aov_0000.exr beside the picture (aov_000.exr beside a view).
-/// `pixels_per_mm`: said by TIFF files; 0: nothing to say. Throws Error naming the file.
+/// `pixels_per_mm`: said by TIFF files; 0: nothing to say. `about`: attributes of EXR files. Throws Error naming the file.
 void write_frame_files(const std::filesystem::path& folder, const FrameNames& names, int frame, const RenderParams& params,
-                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures);
+                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures,
+                       std::span<const ExrAttribute> about = {});
 
 }  // namespace lippmann

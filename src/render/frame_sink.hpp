@@ -33,6 +33,7 @@ class FrameSink {
     Encoding encoding = Encoding::kSrgb;
     double frames_per_second = 25.0;
     const Optics* optics = nullptr;                ///< of the films
+    float depth_scale = 1.0f;                      ///< shown depth / true depth
     std::optional<double> crosstalk_to_undo = {};  ///< see render/undo_crosstalk.hpp; wants `optics`
     int threads = 1;                               ///< that render; a share as many again write
     std::function<void(Image)> done_with = {};     ///< is given the film of every written frame, on any thread; may be empty

@@ -218,9 +218,9 @@ std::vector<ParamInfo> scene_rows() {
       path(runs_only(row(ParamKind::kText, &P::scene, text(), {"scene", "Scene", "SCENE", "A built-in name or a file"}))),
       path(runs_only(row(ParamKind::kText, &P::camera_path, text(),
                          {"camera-path", "Scene", "FILE", "A Tachyon camera path (.cam) for a .dat scene"}))),
-      runs_only(row(
-          ParamKind::kText, &P::animation, text(),
-          {"animation", "Scene", "NAME|INDEX", "Which of a glTF file's animations; the first by default ('info' lists them)"})),
+      runs_only(row(ParamKind::kText, &P::animation, text(),
+                    {"animation", "Scene", "NAME|INDEX",
+                     "Which animation of a glTF file to play; default: the first ('info' lists them)"})),
       path(runs_only(row(ParamKind::kText, &P::asset_root, text(),
                          {"asset-root", "Scene", "DIR",
                           "Textures and other files that the scene names may lie below this folder; default: in its own"}))),
@@ -233,7 +233,7 @@ std::vector<ParamInfo> scene_rows() {
       row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),
       runs_only(row(ParamKind::kNumber, &P::light_scale, number<float>(0.0, 1e6),
-                    {"light-scale", "Scene", "X", "Factor on the light of the scene's lamps, for files in other units"})),
+                    {"light-scale", "Scene", "X", "Multiplies the light of the scene's lamps, for files in other units"})),
   };
 }
 
@@ -323,7 +323,7 @@ std::vector<ParamInfo> rendering_rows() {
                "or R,G,B in linear light) or a panorama (.hdr, .exr); default: the scene's own, and the studio for path-traced "
                "glTF, OBJ and PLY files that bring no light (dim where they bring lamps alone)"})),
       row(ParamKind::kNumber, &P::environment_strength, number<float>(0.0, 1e6),
-          {"environment-strength", "Rendering", "X", "Factor on the light of the surroundings"}),
+          {"environment-strength", "Rendering", "X", "Multiplies the light of the surroundings"}),
       row(ParamKind::kNumber, &P::environment_rotation_deg, number<float>(-360.0, 360.0),
           {"environment-rotation", "Rendering", "DEG", "Turns the surroundings about the vertical"}),
       row(ParamKind::kFlag, &P::transparent, flag(),
@@ -331,7 +331,7 @@ std::vector<ParamInfo> rendering_rows() {
            "Pictures with alpha, the share of a pixel's samples that hit something: the surroundings light the scene but are "
            "not seen"}),
       row(ParamKind::kNumber, &P::exposure_ev, number<float>(-64.0, 64.0),
-          {"exposure", "Rendering", "EV", "Doubles the light of pictures and videos EV times; EXR files stay as they are"}),
+          {"exposure", "Rendering", "EV", "Exposure of pictures and videos in stops; EXR files stay linear"}),
       row(ParamKind::kText, &P::tone, choice<ToneCurve>(kToneNames),
           {"tone", "Rendering", "CURVE",
            "How light brighter than white is shown, except in EXR files: cut off (none), compressed with colours kept "
@@ -451,7 +451,7 @@ std::vector<ParamInfo> running_rows() {
       runs_only(row(ParamKind::kNumber, &P::threads, integer<int>(0, 1024),
                     {"threads", "Running", "N", "Rendering threads; 0: one per processor"})),
       runs_only(row(ParamKind::kFlag, &P::resume, flag(),
-                    {"resume", "Running", "", "Keep the frames that the same job has finished in the folder before"})),
+                    {"resume", "Running", "", "Keep the frames that an earlier run of the same job has finished"})),
   };
 }
 

@@ -70,7 +70,7 @@ TEST(CompareCommand, what_cannot_be_done_is_one_message) {
   std::filesystem::remove(dir / "b/frame_0001.png");
   expect_refusal(run_tool(dir, {"compare", "a", "b"}), 1, "b: has no frame frame_0001");
   expect_refusal(run_tool(dir, {"compare", "a", "c"}), 1, "c: there is no such file or folder");
-  expect_refusal(run_tool(dir, {"compare", "a", "a", "--csv", "none/c.csv"}), 1, "none/c.csv");
+  expect_refusal(run_tool(dir, {"compare", "a", "a", "--csv", "a/frame_0000.png/c.csv"}), 1, "a/frame_0000.png: the folder");
   expect_refusal(run_tool(dir, {"compare", "a"}), 2, "TEST is required");
 }
 
