@@ -71,13 +71,6 @@ LightCache::SlotsBySize LightCache::slots_by_size(const ThreadPool& pool) const 
   return all;
 }
 
-/// fn(cell, slot) for every cell of a size, side by side.
-void LightCache::for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn) {
-  pool.for_each(kShards, [&](std::size_t s) {
-    for (const std::uint32_t i : slots[s]) fn(shards_[s].cells[shards_[s].slots[i].cell], shards_[s].slots[i]);
-  });
-}
-
 /// What the past is still worth, 0 ... 1, where it and what this frame was fed differ by more than chance explains.
 float LightCache::contradicted(const Cell& cell) {
   if (!(cell.now.count > 0.0f && cell.inherited > 0.0f)) return 1.0f;
@@ -288,6 +281,7 @@ void LightCache::resolve(const ThreadPool& pool) {
     for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) { resolve(cell, slot); });
     if (parents) balance(slots, *parents, pool);
   }
+  find_sharp(by_size, pool);
 }
 
 }  // namespace lippmann
