@@ -8,18 +8,24 @@
 
 #include "trace/light_cache.hpp"
 #include "trace/light_cell_keys.hpp"
+#include "trace/measured_codes.hpp"
 
 namespace lippmann {
 namespace {
 
-/// Of the light around: less of a second difference is left to the cells.
-constexpr float kBend = 0.25f;
+/// Of the light around, and of sRGB's codes (0 ... 1) on a surface of such an albedo: less of a second difference is left to
+/// the cells.
+constexpr float kBend = 0.15f, kVisible = 0.05f, kAlbedo = 0.7f;
 /// Deviations by which it is more than chance explains.
-constexpr float kSharp = 3.0f;
+constexpr float kSharp = 4.0f;
 /// Cells of fewer samples are not asked.
 constexpr float kLeastSamples = 2.0f;
 
 float squared(float x) { return x * x; }
+
+bool is_visible(float light, float difference) {
+  return code_of(kAlbedo * (light + 0.5f * difference)) - code_of(kAlbedo * light) > kVisible;
+}
 
 }  // namespace
 
@@ -29,7 +35,7 @@ LightCache::Bend LightCache::bend(const Cell& cell, const Cell& before, const Ce
   const float around = 0.25f * (before.luminance + after.luminance + 2.0f * cell.luminance);
   const float chance =
       before.scatter.light / before.samples + after.scatter.light / after.samples + 4.0f * cell.scatter.light / cell.samples;
-  if (!(difference > kBend * around)) return Bend::kNone;
+  if (!(difference > kBend * around && is_visible(around, difference))) return Bend::kNone;
   return squared(difference) > squared(kSharp) * chance ? Bend::kSharp : Bend::kPerhaps;
 }
 
