@@ -13,9 +13,8 @@
 namespace lippmann {
 namespace {
 
-/// Of the light around, and of sRGB's codes (0 ... 1) on a surface of such an albedo: less of a second difference is left to
-/// the cells.
-constexpr float kBend = 0.15f, kVisible = 0.05f, kAlbedo = 0.7f;
+/// Of sRGB's codes (0 ... 1), on a surface of such an albedo: less of half a second difference is left to the cells.
+constexpr float kVisible = 0.05f, kAlbedo = 0.7f;
 /// Deviations by which it is more than chance explains.
 constexpr float kSharp = 4.0f;
 /// Cells of fewer samples are not asked.
@@ -35,7 +34,7 @@ LightCache::Bend LightCache::bend(const Cell& cell, const Cell& before, const Ce
   const float around = 0.25f * (before.luminance + after.luminance + 2.0f * cell.luminance);
   const float chance =
       before.scatter.light / before.samples + after.scatter.light / after.samples + 4.0f * cell.scatter.light / cell.samples;
-  if (!(difference > kBend * around && is_visible(around, difference))) return Bend::kNone;
+  if (!(is_visible(around, difference))) return Bend::kNone;
   return squared(difference) > squared(kSharp) * chance ? Bend::kSharp : Bend::kPerhaps;
 }
 

@@ -124,10 +124,10 @@ TEST(LightCache, no_place_is_left_to_paths_where_light_changes_evenly) {
 
 TEST(LightCache, edges_that_nobody_sees_are_left_to_cells) {
   LightCache cache(kPlenty);
-  feed(cache, spread(16384, 0.0f, 5, [](float x) { return x < 16.0f ? 0.50f : 0.55f; }));  // below a seventh
+  feed(cache, spread(16384, 0.0f, 5, [](float x) { return x < 16.0f ? 0.50f : 0.55f; }));
   for (const int left : left_to_paths(cache)) EXPECT_EQ(left, 0);
   LightCache dark(kPlenty);
-  feed(dark, spread(16384, 0.0f, 5, [](float x) { return x < 16.0f ? 0.0f : 0.002f; }));  // below a twentieth of the codes
+  feed(dark, spread(16384, 0.0f, 5, [](float x) { return x < 16.0f ? 0.0f : 0.002f; }));
   for (const int left : left_to_paths(dark)) EXPECT_EQ(left, 0);
 }
 
