@@ -14,8 +14,8 @@
 #include "core/printable.hpp"
 #include "render/seen_bounds.hpp"
 #include "render/subject.hpp"
-#include "scene/deform.hpp"
 #include "scene/default_view.hpp"
+#include "scene/deform.hpp"
 
 namespace lippmann {
 namespace {
@@ -110,8 +110,9 @@ std::string left_out_sentence(const Setting& setting) {
 
 std::string widened_sentence(const Camera& camera, float tangent_y) {
   if (tangent_y <= 1.001f * std::tan(0.5f * camera.vertical_fov)) return {};
-  return fmt::format(" The view is {:.3g} degrees high instead of {:.3g}, so that all of the subject that the camera shows fits.",
-                     degrees(2.0f * std::atan(tangent_y)), degrees(camera.vertical_fov));
+  return fmt::format(
+      " The view is {:.3g} degrees high instead of {:.3g}, so that all of the subject that the camera shows fits.",
+      degrees(2.0f * std::atan(tangent_y)), degrees(camera.vertical_fov));
 }
 
 // ---- The rules, in order ------------------------------------------------------------------------------------------------
@@ -160,8 +161,10 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   place_before_camera(array, distance, tangent);
   const bool is_scene = sees_nothing || (sees_subject && !setting.subject.has_surroundings());
   array.how = fmt::format("The array goes through the middle of {}, {:.4g} units in front of {}, and fills its view.{}{}",
-                          is_scene ? "the scene" : sees_subject ? "its subject" : "what the camera sees", distance,
-                          camera_name(camera), sees_subject ? left_out_sentence(setting) : "",
+                          is_scene       ? "the scene"
+                          : sees_subject ? "its subject"
+                                         : "what the camera sees",
+                          distance, camera_name(camera), sees_subject ? left_out_sentence(setting) : "",
                           widened_sentence(camera, tangent));
   return array;
 }
@@ -220,7 +223,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   const Vec3f size = bounds.straight.size();
   const float plane_z = bounds.straight.center().z;
   // A rod that is seen along its length, or a point, would be seen from within.
-  const float least = size == Vec3f(0.0f) ? 1.0f : std::max(size.z, kNearestPlane * diagonal(bounds.straight));
+  const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
   place_before_camera(array, distance, direction.tangent_y);
   array.node_from_plane = {direction.node_from_view, direction.node_from_view * Vec3f(middle, plane_z)};
@@ -278,7 +281,7 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
   Direction direction = direction_of(setting.scene);
   direction.node_from_view = turned_in_node(setting, direction.node, direction.node_from_view, orbit);
   FittedArray array = fitted_to_bounds(setting, direction);
-  const char* from = setting.scene.display           ? ", from the direction of the scene's display"
+  const char* from = setting.scene.display            ? ", from the direction of the scene's display"
                      : !setting.scene.cameras.empty() ? ", from the camera's direction"
                                                       : "";
   array.how = fmt::format("The view is fitted to {}: the array goes through its middle and is viewed from {:.4g} units away{}.",
@@ -326,8 +329,9 @@ void focus_at(FittedArray& array, const Setting& setting, const std::string& foc
 void turn(FittedArray& array, const Setting& setting, const Orbit& orbit) {
   if (orbit == Orbit{}) return;
   array.node_from_plane.linear = turned_in_node(setting, array.node, array.node_from_plane.linear, orbit);
-  array.how += fmt::format(" --orbit turns the view by {:g} degrees to the right and {:g} upwards about the middle of the plane.",
-                           orbit.yaw_deg, orbit.pitch_deg);
+  array.how +=
+      fmt::format(" --orbit turns the view by {:g} degrees to the right and {:g} upwards about the middle of the plane.",
+                  orbit.yaw_deg, orbit.pitch_deg);
 }
 
 void zoom_in(FittedArray& array, float factor) {
@@ -432,6 +436,7 @@ FittedArray fit_array(const Scene& scene, float aspect, const ViewWish& wish) {
   focus_at(array, setting, wish.focus);
   if (!is_turned) turn(array, setting, wish.orbit);
   zoom_in(array, wish.zoom);
+  array.leaves_out_surroundings = subject.has_surroundings();
   check_extent(array, resolved);
   measure_depth(array, setting);
   return array;

@@ -78,8 +78,8 @@ void add_box(Clipper& clipper, const Bounds3f& box) {
 
 /// Each primitive by itself: a few hundred balls are seen where they are, not where their common box is.
 template <class Primitive>
-void add_primitives(Clipper& clipper, const Instance& instance, const ResolvedScene& resolved,
-                    const Affine3f& frame_from_world, const std::vector<Primitive>& primitives) {
+void add_primitives(Clipper& clipper, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
+                    const std::vector<Primitive>& primitives) {
   Scene one;
   one.shapes.resize(1);
   Instance alone = instance;

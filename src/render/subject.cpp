@@ -16,10 +16,10 @@
 namespace lippmann {
 namespace {
 
-constexpr float kThin = 0.1f;        ///< a sheet's thickness over its longest side, at most
-constexpr float kNearFace = 0.05f;   ///< how far a sheet may lie from a face, over the box's size there
-constexpr float kSpanning = 0.8f;    ///< how much of a face its sheets span, at least
-constexpr float kMuchSmaller = 0.5f; ///< diagonal of what remains over that of all
+constexpr float kThin = 0.1f;          ///< a sheet's thickness over its longest side, at most
+constexpr float kNearFace = 0.05f;     ///< how far a sheet may lie from a face, over the box's size there
+constexpr float kSpanning = 0.8f;      ///< how much of a face its sheets span, at least
+constexpr float kMuchSmaller = 0.5f;   ///< diagonal of what remains over that of all
 constexpr float kSmallBefore = 0.25f;  ///< the same where only a wall, or a shell, says that this is a scene in surroundings
 
 using Indices = std::vector<std::size_t>;
@@ -45,7 +45,7 @@ class Peeling {
   }
 
   std::vector<InstanceRole> run() {
-    while (left_.size() > 1 && (peel_shell() || peel_sheets())) {
+    while (left_.size() > 1 && (peel_sheets() || peel_shell())) {
     }
     return roles_;
   }
@@ -90,8 +90,8 @@ class Peeling {
   bool is_sheet_at(std::size_t i, Face face, const Bounds3f& all) const {
     const Vec3f size = bounds_[i].size();
     if (size[face.axis] > kThin * std::max({size.x, size.y, size.z})) return false;
-    const float gap = face.upper ? all.upper[face.axis] - bounds_[i].upper[face.axis]
-                                 : bounds_[i].lower[face.axis] - all.lower[face.axis];
+    const float gap =
+        face.upper ? all.upper[face.axis] - bounds_[i].upper[face.axis] : bounds_[i].lower[face.axis] - all.lower[face.axis];
     return gap <= kNearFace * all.size()[face.axis];
   }
 
