@@ -89,10 +89,11 @@ SeenParts seen_of(const Setting& setting, Part part, const ResolvedScene& resolv
 }
 
 /// Half the view's height over the distance: the camera's own, or more where the picture is too narrow for the part of the
-/// subject that the camera shows.
+/// subject that the camera shows. Files that say how many pixels their picture has (Tachyon, NFF) mean the height of the view,
+/// whatever the size; those that say only its shape (glTF) mean the frame that their author saw.
 float tangent_for(const Setting& setting, const Camera& camera) {
   const float own = std::tan(0.5f * camera.vertical_fov);
-  if (!(camera.aspect > 1.001f * setting.aspect)) return own;
+  if (setting.scene.resolution.x > 0 || !(camera.aspect > 1.001f * setting.aspect)) return own;
   const Vec2f tangent(own * camera.aspect, own);
   float shown = 0.0f;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
@@ -281,7 +282,8 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
   Direction direction = direction_of(setting.scene);
   direction.node_from_view = turned_in_node(setting, direction.node, direction.node_from_view, orbit);
   FittedArray array = fitted_to_bounds(setting, direction);
-  const char* from = setting.scene.display            ? ", from the direction of the scene's display"
+  const char* from = !(orbit == Orbit{})              ? ", turned by --orbit"
+                     : setting.scene.display          ? ", from the direction of the scene's display"
                      : !setting.scene.cameras.empty() ? ", from the camera's direction"
                                                       : "";
   array.how = fmt::format("The view is fitted to {}: the array goes through its middle and is viewed from {:.4g} units away{}.",

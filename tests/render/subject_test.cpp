@@ -283,6 +283,15 @@ TEST(FitToSubject, picture_narrower_than_the_cameras_keeps_its_subject) {
               kRounding);
 }
 
+TEST(FitToSubject, camera_of_a_file_with_a_resolution_keeps_its_height) {
+  Scene scene;
+  scene.resolution = {178, 100};
+  add_box(scene, "Engine", {-3, -0.5f, -0.5f}, {3, 0.5f, 0.5f});
+  add_camera(scene, {0, 0, 8}, 30.0f).aspect = 1.78f;
+  const FittedArray array = fit_array(scene, 1.0f);
+  EXPECT_NEAR(array.plane_height / array.viewing_distance, 2.0f * std::tan(radians(15.0f)), kRounding);
+}
+
 // ---- Wishes -------------------------------------------------------------------------------------------------------------
 
 ViewWish focus(const std::string& text) { return {text, {}, 1.0f, {}}; }
