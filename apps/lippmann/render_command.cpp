@@ -126,6 +126,7 @@ void print_summary(const RenderReport& report, const Planned& plan, const std::s
   }
   if (integrator_of(report.params) == Integrator::kPath) line("shading", describe_paths(report.params));
   if (!report.light.empty()) line("light", report.light);
+  if (!report.view.empty()) line("view", report.view);
   if (const auto done = precompensation_of(report))
     line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
                                   describe_bound(done->clipped_share, done->largest_residual)));

@@ -179,6 +179,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   report.optics = stage.placed.optics;
   report.params = params;
   report.light = stage.light;
+  report.view = stage.array.how;
   report.depth_scale = stage.placed.depth_scale;
   report.depth = shown_depth(stage.array, stage.placed.units_per_mm, report.depth_scale, report.optics);
   report.crosstalk_px = crosstalk;

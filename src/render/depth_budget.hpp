@@ -9,10 +9,11 @@
 
 namespace lippmann {
 
-/// From where to where the scene's finite shapes reach in front of the viewer at frame 0, as shown.
+/// From where to where the scene reaches as shown: depth_front and depth_back of the FittedArray.
 struct ShownDepth {
   float front_mm = 0.0f, back_mm = 0.0f;  ///< z of the display frame
   float budget_mm = kInfinity;            ///< depth_budget_mm (optics/optics.hpp)
+  bool of_subject = false;                ///< what is left out as surroundings may reach farther
 
   float deepest_mm() const;
   /// Up to rounding: what was scaled to fit does.

@@ -12,6 +12,7 @@
 #include "image/tone.hpp"
 #include "optics/optics.hpp"
 #include "render/choose_camera.hpp"
+#include "render/view_wish.hpp"
 #include "reuse/in_between.hpp"
 #include "scene/load.hpp"
 #include "trace/trace_frame.hpp"
@@ -62,6 +63,9 @@ struct RenderParams {
   std::string asset_root;             ///< files that the scene names may lie below it; empty: in its own folder only
   std::string camera;                 ///< name or index of the one that decides the view; empty: the first
   UpAxis up = UpAxis::kY;             ///< the axis of the scene's file that points upwards
+  std::string focus, fit_to;          ///< of ViewWish
+  float zoom = 1.0f;                  ///< of ViewWish
+  Orbit orbit;                        ///< of ViewWish
   std::optional<FrameRanges> frames;  ///< none: the whole animation
   float light_scale = 1.0f;           ///< factor on the light of the file's lamps
   double fps = 0.0;                   ///< frames per second of the animation and of videos; 0: the scene's own
@@ -141,6 +145,8 @@ inline Integrator integrator_of(const RenderParams& params) { return params.inte
 inline int samples_per_pixel(const RenderParams& params) {
   return params.spp > 0 ? params.spp : integrator_of(params) == Integrator::kPath ? kPathSamples : 1;
 }
+
+inline ViewWish view_wish(const RenderParams& params) { return {params.focus, params.fit_to, params.zoom, params.orbit}; }
 
 inline Tone tone_of(const RenderParams& params) { return {params.exposure_ev, params.tone}; }
 

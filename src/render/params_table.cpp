@@ -214,6 +214,7 @@ ParamInfo video_row() {
 
 std::vector<ParamInfo> scene_rows() {
   using P = RenderParams;
+  const Codec<Orbit> orbit{read_orbit, write_orbit};
   return {
       path(runs_only(row(ParamKind::kText, &P::scene, text(), {"scene", "Scene", "SCENE", "A built-in name or a file"}))),
       path(runs_only(row(ParamKind::kText, &P::camera_path, text(),
@@ -229,6 +230,18 @@ std::vector<ParamInfo> scene_rows() {
                      "The camera that decides the view; default: the file's first ('info' lists them)"})),
       runs_only(row(ParamKind::kText, &P::up, choice<UpAxis>(kUpNames),
                     {"up", "Scene", "AXIS", "The axis of the file that points upwards: x, y, z, -x, -y or -z"})),
+      row(ParamKind::kText, &P::focus, text(),
+          {"focus", "Scene", "NODE|X,Y,Z|DISTANCE",
+           "Where the display's plane lies along the view: at a node, at a point, or so far from the viewer (scene units)"}),
+      row(ParamKind::kText, &P::fit_to, text(),
+          {"fit-to", "Scene", "NODE",
+           "Fit the view to this node and all below it, from the camera's direction; default: the camera's own view, or the "
+           "scene without its ground, walls and sky"}),
+      row(ParamKind::kNumber, &P::zoom, number<float>(1e-3, 1e3),
+          {"zoom", "Scene", "FACTOR", "Show the middle of the view this many times as large"}),
+      row(ParamKind::kText, &P::orbit, orbit,
+          {"orbit", "Scene", "YAW[,PITCH]",
+           "Turn the view about what it looks at, in degrees: the viewer moves to the right, and up"}),
       frames_row(),
       row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),

@@ -117,6 +117,7 @@ Json to_json(const RenderReport& report) {
   return {{"version", LIPPMANN_VERSION},
           {"scene", report.scene},
           {"light", report.light},
+          {"view", report.view},
           {"optics", optics_json(report.optics)},
           {"depth", depth_json(report.depth, report.depth_scale, report.optics)},
           {"precompensation", precompensation_json(report)},

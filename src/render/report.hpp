@@ -40,6 +40,7 @@ struct RenderReport {
   Optics optics;
   RenderParams params;
   std::string light;  ///< one sentence: which light was taken, and why
+  std::string view;   ///< FittedArray::how
   ShownDepth depth;
   float depth_scale = 1.0f;            ///< shown depth / true depth
   std::optional<double> crosstalk_px;  ///< undone: a sigma in the optics' pixels or views

@@ -219,15 +219,20 @@ std::vector<bool> morphing_nodes(const Scene& scene) {
 
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world) {
   Bounds3f bounds;
-  for (const Instance& instance : scene.instances) {
-    if (is_posed(scene, instance)) {
-      add_posed(bounds, frame_from_world, scene, instance, resolved);
-      continue;
-    }
-    const Affine3f frame_from_node = frame_from_world * resolved.of(instance.node);
-    std::visit([&](const auto& shape) { add_shape(bounds, frame_from_node, shape); },
-               scene.shapes[static_cast<std::size_t>(instance.shape)]);
+  for (const Instance& instance : scene.instances) bounds.add(finite_bounds(scene, instance, resolved, frame_from_world));
+  return bounds;
+}
+
+Bounds3f finite_bounds(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
+                       const Affine3f& frame_from_world) {
+  Bounds3f bounds;
+  if (is_posed(scene, instance)) {
+    add_posed(bounds, frame_from_world, scene, instance, resolved);
+    return bounds;
   }
+  const Affine3f frame_from_node = frame_from_world * resolved.of(instance.node);
+  std::visit([&](const auto& shape) { add_shape(bounds, frame_from_node, shape); },
+             scene.shapes[static_cast<std::size_t>(instance.shape)]);
   return bounds;
 }
 

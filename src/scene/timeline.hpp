@@ -32,4 +32,8 @@ std::vector<bool> morphing_nodes(const Scene& scene);
 /// there is nothing finite.
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
+/// The same of one of the scene's instances. The bounds are exact in any affine frame, a sheared one too.
+Bounds3f finite_bounds(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
+                       const Affine3f& frame_from_world = {});
+
 }  // namespace lippmann
