@@ -45,7 +45,7 @@ struct History {
   float enough = 0.0f;              ///< samples of a cell (kScarce)
   std::optional<GatherPlan> plan;   ///< since the first frame; none: frames are traced, with
   int path_samples = 1;             ///< so many paths a pixel
-  float coarsest_error = 0.0f;      ///< of the plan, as it was made
+  GatherEffort least{};             ///< of the plan, as it was made
   FrameErrors errors;               ///< of frames that were gathered
   FrameErrors path_errors;          ///< and of those that were traced
   int failures = 0;                 ///< frames in a row that shared no light, or in vain (kMostFailures)
@@ -57,6 +57,8 @@ constexpr float kFiner = 0.75f, kFinerAtOnce = 0.6f;
 /// Where pixels err by less than this part of what they may, they need not be sampled as finely: what is wrong then is the
 /// light.
 constexpr float kSpare = 0.6f;
+/// And where means err by less than this part, fewer edges may be left to paths.
+constexpr float kSpareBlocks = 0.3f;
 /// How often a frame is given more light and more samples before it is traced; and no more, once it has taken so many of the
 /// rays that tracing takes.
 constexpr int kAttempts = 4;
@@ -116,6 +118,7 @@ class CachedFrame {
   void feed(int rounds);
   GatherMeasure measure(const CachedLightGoal& goal, const MeasuredPlaces& places) const;
   void confirm(BeginningOutcome& outcome, const FrameError& may, GatherMeasure& fresh);
+  GatherEffort effort() { return {error(), history_.plan->edges}; }
   float& error() { return before_.empty() ? history_.plan->error_alone : history_.plan->error; }
   void gather(bool provenance, Image& film, FrameAovs& aovs);
   enum class Mending { kNone, kGood, kFailed };
@@ -203,7 +206,9 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameA
   GatherMeasure measure = this->measure(goal, kChecking);
   const FrameErrors former = history_.errors;
   if (former.found().pixels < kSpare * former.allowed().pixels)
-    history_.plan->error = std::min(history_.plan->error / kFiner, history_.coarsest_error);
+    history_.plan->error = std::min(history_.plan->error / kFiner, history_.least.error);
+  if (former.found().blocks < kSpareBlocks * former.allowed().blocks)
+    history_.plan->edges = std::max(fewer_edges(history_.plan->edges), history_.least.edges);
   const bool shows_all = !goal.provenance && !aovs.wants(Aov::kAlpha);  // as the paths that are compared with
   const auto gather_and_measure = [&] {
     gather(goal.provenance, film, aovs);
@@ -229,7 +234,7 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameA
 /// What the frame's patches err by, gathered by themselves.
 FrameError CachedFrame::gather_apart(GatherMeasure& measure) {
   const LightCells in = cells();
-  return measure.check({device_.impl(), in, *history_.cache, optics_, world_from_display_}, error(), before_);
+  return measure.check({device_.impl(), in, *history_.cache, optics_, world_from_display_}, effort(), before_);
 }
 
 /// Where the frame errs by more than it may, it is given more light and more samples, as often as may help.
@@ -243,11 +248,16 @@ CachedFrame::Mending CachedFrame::mend(const FrameErrors& former, GatherMeasure&
     const double spent = static_cast<double>(counts_.total() + measure.counts().total());
     if (spent > kMostMending * measure.rays_of_whole_frame()) break;
     if (left.pixels > kSpare * may.pixels) error() *= kFinerAtOnce;
-    feed_more(attempts);
+    // Where means err, edges are the likelier cause, and cost no feeding.
+    const bool is_of_edges = errors.blocks() != Excess::kNone && history_.plan->edges != EdgesToPaths::kFaint;
+    if (is_of_edges)
+      history_.plan->edges = more_edges(more_edges(history_.plan->edges));
+    else
+      feed_more(attempts);
     const FrameError now = gather_apart(measure);
     errors = former;
     errors.add(now, may);
-    has_helped = (errors.pixels() != Excess::kNone && now.pixels < kHelped * left.pixels) ||
+    has_helped = is_of_edges || (errors.pixels() != Excess::kNone && now.pixels < kHelped * left.pixels) ||
                  (errors.blocks() != Excess::kNone && now.blocks < kHelped * left.blocks);
     left = now;
   }
@@ -334,7 +344,7 @@ void CachedFrame::begin_history(const CachedLightGoal& goal) {
     const LightCells in = cells();
     measure.plan_frames_in_a_row({device_.impl(), in, *history_.cache, optics_, world_from_display_}, *history_.plan);
   }
-  history_.coarsest_error = history_.plan ? history_.plan->error : 0.0f;
+  history_.least = history_.plan ? history_.plan->effort() : GatherEffort{};
   history_.path_samples = path_samples(goal, params_.spp, measure.of_paths());
   add(measure.counts(), counts_);
 }
@@ -363,7 +373,7 @@ BeginningOutcome CachedFrame::try_beginning(const CachedLightGoal& goal, GatherM
 void CachedFrame::confirm(BeginningOutcome& outcome, const FrameError& may, GatherMeasure& fresh) {
   const LightCells in = cells();
   const FrameError found =
-      fresh.check({device_.impl(), in, *history_.cache, optics_, world_from_display_}, history_.plan->error_alone, {});
+      fresh.check({device_.impl(), in, *history_.cache, optics_, world_from_display_}, history_.plan->effort_alone(), {});
   outcome.excess = std::max({outcome.excess, found.pixels / may.pixels, found.blocks / may.blocks});
   outcome.is_good = found.pixels - found.uncertainty <= may.pixels && found.blocks - found.block_uncertainty <= may.blocks;
 }
@@ -379,7 +389,7 @@ void CachedFrame::gather(bool provenance, Image& film, FrameAovs& aovs) {
   const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
   if (aovs.wants(Aov::kAlpha)) aovs.allocate(Aov::kAlpha, optics_.panel, 0.0f);
   Image* const alpha = aovs.wants(Aov::kAlpha) ? &aovs[Aov::kAlpha] : nullptr;
-  add(gather_frame(sources, {params_, error(), provenance}, {}, {&before_, &history_.scatter}, pool_, context_, film, alpha),
+  add(gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter}, pool_, context_, film, alpha),
       counts_);
 }
 

@@ -34,8 +34,9 @@ constexpr int kLeastTrials = 2;
 constexpr float kStalled = 0.95f;
 /// Of the rays that paths need; above it they are traced: rays of single pixels take up to twice as long as those of packets.
 constexpr double kLargestShare = 0.7;
-/// Half the allowed error is tried so often where means of patches err by too much, and kept where it leaves this much.
-constexpr int kBlockTrials = 3;
+/// More edges, and half the allowed error, are tried so often where means of patches err by too much, and kept where they leave
+/// this much.
+constexpr int kBlockTrials = 4;
 constexpr float kHelped = 0.8f;
 
 /// With fewer than kLeastSamples, what sRGB's curve makes of noise would pass for an error.
@@ -212,12 +213,13 @@ FrameError GatherMeasure::at_least_some(FrameError error) const {
   return error;
 }
 
-FrameError GatherMeasure::gather(const GatherSources& sources, float error, const GatherHistory& history, std::uint32_t frame) {
+FrameError GatherMeasure::gather(const GatherSources& sources, const GatherEffort& effort, const GatherHistory& history,
+                                 std::uint32_t frame) {
   const Context quiet;
   Image film;
   TraceParams trace = trace_;
   trace.frame += frame;
-  const RayCounts rays = gather_frame(sources, {trace, error}, patches_.wanted, history, pool_, quiet, film);
+  const RayCounts rays = gather_frame(sources, {trace, effort}, patches_.wanted, history, pool_, quiet, film);
   add(rays, counts_);
   rays_of_last_ = static_cast<double>(rays.total());
   last_ = error_of_patches(film);
@@ -229,9 +231,10 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
   std::optional<Trial> coarse, fine;  // the finest that was not good enough, the coarsest that was
   FrameError measured;
   double rays_of_fine = 0.0;
+  EdgesToPaths edges = EdgesToPaths::kNone;
   while (!coarse || !fine) {
     const float error = std::ldexp(kCoarsest, -next_trial_);
-    measured = gather(sources, error, {});
+    measured = gather(sources, {error, edges}, {});
     const Trial found{error, measured.pixels, measured};
     if (found.squared_error <= enough) {
       fine = found, rays_of_fine = rays_of_last_;
@@ -241,48 +244,66 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
       const bool stalled = coarse && next_trial_ > kLeastTrials && found.squared_error > kStalled * coarse->squared_error;
       coarse = found;
       if (fine) break;
-      if (rays_of_last_ > kLargestShare * rays_of_paths_ || stalled || next_trial_ + 1 == kTrials) return std::nullopt;
+      if (rays_of_last_ > kLargestShare * rays_of_paths_) return std::nullopt;
+      if (stalled && edges == EdgesToPaths::kNone) {
+        edges = EdgesToPaths::kFaint;
+        continue;
+      }
+      if (stalled || next_trial_ + 1 == kTrials) return std::nullopt;
       ++next_trial_;
     }
   }
   if (rays_of_fine > kLargestShare * rays_of_paths_) return std::nullopt;
   const float error = coarse ? error_between(*coarse, *fine, enough) : fine->error;
-  GatherPlan plan{error, error, coarse ? error_of_cells(*coarse, *fine) / enough : 0.0f, measured};
+  GatherPlan plan{error, error, edges, coarse ? error_of_cells(*coarse, *fine) / enough : 0.0f, measured};
   if (coarse) plan.expected.pixels = enough, plan.expected.blocks = blocks_between(*coarse, *fine, error);
   refine_for_blocks(sources, plan);
   return plan;
 }
 
-/// Means of patches may err by too much where pixels do not: more samples, as long as they help.
+/// Means of patches may err by too much where pixels do not: more edges are left to paths, and then there are more samples, as
+/// long as they help.
 void GatherMeasure::refine_for_blocks(const GatherSources& sources, GatherPlan& plan) {
+  bool edges_help = true;
   for (int trial = 0; trial < kBlockTrials && plan.expected.blocks > goal_.blocks; ++trial) {
-    const FrameError finer = gather(sources, 0.5f * plan.error_alone, {});
-    if (rays_of_last_ > kLargestShare * rays_of_paths_ || finer.blocks > kHelped * plan.expected.blocks) return;
-    plan.error = plan.error_alone = 0.5f * plan.error_alone;
-    plan.expected = finer;
+    GatherPlan finer = plan;
+    const bool is_of_edges = edges_help && plan.edges != EdgesToPaths::kFaint;
+    if (is_of_edges)
+      finer.edges = plan.edges == EdgesToPaths::kNone ? EdgesToPaths::kVisible : EdgesToPaths::kFaint;
+    else
+      finer.error = finer.error_alone = 0.5f * plan.error_alone;
+    finer.expected = gather(sources, finer.effort_alone(), {});
+    const bool helps =
+        rays_of_last_ <= kLargestShare * rays_of_paths_ && finer.expected.blocks <= kHelped * plan.expected.blocks;
+    if (!helps && !is_of_edges) return;
+    if (helps)
+      plan = finer;
+    else
+      edges_help = false;
   }
 }
 
 void GatherMeasure::plan_frames_in_a_row(const GatherSources& sources, GatherPlan& plan) {
-  plan.error = error_in_a_row(sources, plan.error_alone, kMargin * goal_.pixels);
+  plan.error = error_in_a_row(sources, plan.effort_alone(), kMargin * goal_.pixels);
 }
 
-/// Of frames that know the one before, if those that do not need `error` to be good enough.
-float GatherMeasure::error_in_a_row(const GatherSources& sources, float error, float enough) {
+/// Of frames that know the one before, if those that do not need `alone` to be good enough.
+float GatherMeasure::error_in_a_row(const GatherSources& sources, const GatherEffort& alone, float enough) {
+  const auto with = [&](float error) { return GatherEffort{error, alone.edges}; };
   Scatter scatter;
-  gather(sources, error, {nullptr, &scatter}, 1);
+  gather(sources, alone, {nullptr, &scatter}, 1);
   const Scatter before = smoothed(scatter, sources.optics, pool_);
-  Trial fine{error, gather(sources, error, {&before, nullptr}).pixels};
+  Trial fine{alone.error, gather(sources, alone, {&before, nullptr}).pixels};
   while (fine.squared_error <= enough && fine.error < kCoarsest) {
-    const Trial coarse{2.0f * fine.error, gather(sources, 2.0f * fine.error, {&before, nullptr}).pixels};
+    const Trial coarse{2.0f * fine.error, gather(sources, with(2.0f * fine.error), {&before, nullptr}).pixels};
     if (coarse.squared_error > enough) return error_between(coarse, fine, enough);
     fine = coarse;
   }
   return fine.error;
 }
 
-FrameError GatherMeasure::check(const GatherSources& sources, float error, const Scatter& before) {
-  return gather(sources, error, {before.empty() ? nullptr : &before, nullptr});
+FrameError GatherMeasure::check(const GatherSources& sources, const GatherEffort& effort, const Scatter& before) {
+  return gather(sources, effort, {before.empty() ? nullptr : &before, nullptr});
 }
 
 GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, double seconds) {
@@ -293,10 +314,10 @@ GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, do
   for (int trial = 0; trial < kTrials; ++trial) {
     const float error = std::ldexp(kCoarsest, -trial);
     const Clock::time_point start = Clock::now();
-    const FrameError measured = gather(sources, error, {&before, &scatter});
+    const FrameError measured = gather(sources, {error, EdgesToPaths::kNone}, {&before, &scatter});
     const double taken = std::chrono::duration<double>(Clock::now() - start).count() / patches_.of_frame;
     before = smoothed(scatter, sources.optics, pool_);
-    const GatherPlan found{error, error, 0.0f, measured};
+    const GatherPlan found{error, error, EdgesToPaths::kNone, 0.0f, measured};
     if (taken > seconds) {
       if (trial == 0) return {found, true};
       // Between the last two, on a straight line in logarithms.
@@ -305,7 +326,7 @@ GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, do
       const float between = last.error * std::exp2(-part);
       FrameError expected = measured;
       expected.pixels = last.expected.pixels * std::pow(measured.pixels / last.expected.pixels, part);
-      return {{between, between, 0.0f, expected}, true};
+      return {{between, between, EdgesToPaths::kNone, 0.0f, expected}, true};
     }
     if (measured.pixels <= kInvisible || (trial > kLeastTrials && measured.pixels > kStalled * last.expected.pixels))
       return {found, false};

@@ -25,10 +25,13 @@ struct FrameError {
 };
 
 struct GatherPlan {
-  float error = 0.01f;        ///< of GatherParams, where the frame before is known
+  float error = 0.01f;        ///< of GatherEffort, where the frame before is known
   float error_alone = 0.01f;  ///< and where not
+  EdgesToPaths edges = EdgesToPaths::kNone;
   float of_cells = 0.0f;      ///< share of the error that frames may have, which no number of samples would take away
   FrameError expected;        ///< of the frame
+  GatherEffort effort() const { return {error, edges}; }
+  GatherEffort effort_alone() const { return {error_alone, edges}; }
 };
 
 /// What a frame is measured on.
@@ -76,7 +79,7 @@ class GatherMeasure {
   const FrameError& last() const { return last_; }
 
   /// What this frame errs by, gathered so. before: as GatherHistory has it.
-  FrameError check(const GatherSources& sources, float error, const Scatter& before);
+  FrameError check(const GatherSources& sources, const GatherEffort& effort, const Scatter& before);
 
   struct Timed {
     GatherPlan plan;
@@ -105,9 +108,10 @@ class GatherMeasure {
   std::vector<Vec3f> means_of(const std::vector<float>& light) const;
   FrameError error_of_patches(const Image& film) const;
   FrameError at_least_some(FrameError error) const;
-  FrameError gather(const GatherSources& sources, float error, const GatherHistory& history, std::uint32_t frame = 0);
+  FrameError gather(const GatherSources& sources, const GatherEffort& effort, const GatherHistory& history,
+                    std::uint32_t frame = 0);
   void refine_for_blocks(const GatherSources& sources, GatherPlan& plan);
-  float error_in_a_row(const GatherSources& sources, float error, float enough);
+  float error_in_a_row(const GatherSources& sources, const GatherEffort& alone, float enough);
 
   const DeviceScene& scene_;
   const Optics& optics_;

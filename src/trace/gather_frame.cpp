@@ -77,16 +77,17 @@ class SamplePackets {
 /// A pixel's first samples, a power of two.
 constexpr std::uint32_t kFirstSamples = 2;
 
-/// As GatherParams::error, of alpha: the error that light may have is found from pictures that alpha's edges may not show in.
+/// As GatherEffort::error, of alpha: the error that light may have is found from pictures that alpha's edges may not show in.
 constexpr float kAlphaError = 0.01f;
 
 class BlockGatherer {
  public:
   BlockGatherer(const GatherSources& sources, const SamplePackets& packets, const GatherParams& params, bool is_transparent)
       : packets_(packets),
-        error_(params.error),
+        error_(params.effort.error),
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
         gatherer_(sources.scene, sources.cells, sources.cache, path_params(params.trace), light_) {
+    gatherer_.leave_to_paths(params.effort.edges);
     if (params.provenance) gatherer_.show_provenance();
     if (is_transparent) gatherer_.leave_open(open_.data());
   }

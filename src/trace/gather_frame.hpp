@@ -8,9 +8,15 @@
 
 namespace lippmann {
 
+/// How much is done for a picture.
+struct GatherEffort {
+  float error = 0.01f;  ///< standard deviation of a sample, as sRGB's codes (0 ... 1) have it, at which one is enough
+  EdgesToPaths edges = EdgesToPaths::kNone;
+};
+
 struct GatherParams {
-  TraceParams trace;        ///< spp is not used: samples are as many as `error` asks for
-  float error = 0.01f;      ///< standard deviation of a sample, as sRGB's codes (0 ... 1) have it, at which one is enough
+  TraceParams trace;  ///< spp is not used: samples are as many as `effort.error` asks for
+  GatherEffort effort;
   bool provenance = false;  ///< see LightGatherer::show_provenance
 };
 

@@ -134,7 +134,8 @@ void LightCache::add(std::span<const std::span<const LightRecord>> records, cons
 }
 
 /// Looks up the lanes of `left`: those whose cells there are leave it.
-void LightCache::find_all(const std::uint64_t* keys, LaneMask& left, LaneMask& known, Lanes3& light) const {
+void LightCache::find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known,
+                          Lanes3& light) const {
   for (int i = 0; i < kLanes; ++i)
     if (left.lane[i]) shards_[shard_of(keys[i])].prefetch(keys[i]);
   for (int i = 0; i < kLanes; ++i) {
@@ -142,20 +143,20 @@ void LightCache::find_all(const std::uint64_t* keys, LaneMask& left, LaneMask& k
     const Slot* slot = find(keys[i]);
     if (!slot) continue;
     left.lane[i] = 0;
-    if (slot->is_sharp) continue;
+    if (slot->is_in(edges)) continue;
     light.set(i, slot->light);
     known.lane[i] = -1;
   }
 }
 
-LaneMask LightCache::pick(const LightQueries& queries, Lanes3& light) const {
+LaneMask LightCache::pick(const LightQueries& queries, EdgesToPaths edges, Lanes3& light) const {
   LaneMask left = queries.active, known{};
   alignas(64) std::uint64_t keys[kLanes];
   for (int level = 0; level < kLevels; ++level) {
     // Somewhere within half a cell; at its rim there may be none, and the cell around the place itself serves.
     for (const float reach : {1.0f, 0.0f}) {
       find_keys(queries, level, reach, keys);
-      find_all(keys, left, known, light);
+      find_all(keys, edges, left, known, light);
       int any = 0;
       for (const int lane : left.lane) any |= lane;
       if (!any) return known;

@@ -62,6 +62,16 @@ struct LightQueries {
   LightPlace place(int i) const { return {position.get(i), thing[i], part[i], size[i]}; }
 };
 
+/// Where light changes by so much beyond what cells follow, in sRGB's codes (0 ... 1), it is left to paths: nowhere, from 0.2
+/// on, from 0.1, from 0.05.
+enum class EdgesToPaths : std::uint8_t { kNone, kStrong, kVisible, kFaint };
+inline EdgesToPaths more_edges(EdgesToPaths than) {
+  return than == EdgesToPaths::kFaint ? than : static_cast<EdgesToPaths>(static_cast<int>(than) + 1);
+}
+inline EdgesToPaths fewer_edges(EdgesToPaths than) {
+  return than == EdgesToPaths::kNone ? than : static_cast<EdgesToPaths>(static_cast<int>(than) - 1);
+}
+
 class LightCache {
  public:
   static constexpr int kLevels = 4;
@@ -92,8 +102,8 @@ class LightCache {
   Vec4f look_up(const LightPlace& place) const;
 
   /// The same at the active lanes' places, left to chance: of the cells that it is interpolated from, one. Returns the lanes
-  /// whose light is known and changes slowly enough for cells, and sets `light` there.
-  LaneMask pick(const LightQueries& queries, Lanes3& light) const;
+  /// whose light is known and belongs to none of the edges that are left to paths, and sets `light` there.
+  LaneMask pick(const LightQueries& queries, EdgesToPaths edges, Lanes3& light) const;
 
   /// How many samples the smallest cell there has.
   float samples(const LightPlace& place) const;
@@ -128,8 +138,11 @@ class LightCache {
   struct Scatter {
     float light = 0.0f, root = 0.0f;
   };
-  /// Of light across a cell, beyond what changes evenly: none to speak of, some that chance may explain, more than that.
-  enum class Bend : std::uint8_t { kNone, kPerhaps, kSharp };
+  /// How light changes across a cell, beyond what changes evenly: the fewest edges that this belongs to, kNone for none.
+  struct Bend {
+    EdgesToPaths seen = EdgesToPaths::kNone;  ///< chance may explain it
+    EdgesToPaths sure = EdgesToPaths::kNone;
+  };
   struct Cell {
     Vec3f center;
     std::uint32_t thing, part;
@@ -155,15 +168,16 @@ class LightCache {
     float luminance = 0.0f;  ///< of the mean of its own samples
     float spread = 0.0f;     ///< squared luminance by which cells within this one differ from what it says of them
     float relief = 0.0f;     ///< and from its mean
-    Bend bend = Bend::kNone;
-    bool is_sharp = false;
+    Bend bend;
+    EdgesToPaths edge = EdgesToPaths::kNone;  ///< as a slot has it
   };
   /// Open addressing; what look_up() asks for lies in the slot itself.
   struct Slot {
     std::uint64_t key = 0;  ///< 0: empty
     Vec3f light{0.0f};
-    std::uint32_t cell : 31 = 0;
-    std::uint32_t is_sharp : 1 = 0;  ///< light changes more abruptly there than cells can follow
+    std::uint32_t cell : 30 = 0;
+    std::uint32_t edge : 2 = 0;  ///< EdgesToPaths: the fewest that it belongs to, 0 for none
+    bool is_in(EdgesToPaths edges) const { return edge != 0 && edge <= static_cast<std::uint32_t>(edges); }
   };
   struct Shard {
     std::vector<Slot> slots;
@@ -178,7 +192,7 @@ class LightCache {
   };
 
   const Slot* find(std::uint64_t key) const;
-  void find_all(const std::uint64_t* keys, LaneMask& left, LaneMask& known, Lanes3& light) const;
+  void find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known, Lanes3& light) const;
   const Cell* cell_of(std::uint64_t key) const;
   std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
   const Cell* parent_of(const Cell& cell) const;
@@ -205,7 +219,7 @@ class LightCache {
   void resolve(Cell& cell, Slot& slot) const;
   static Bend bend(const Cell& cell, const Cell& before, const Cell& after);
   Bend bend(const Cell& cell) const;
-  void find_sharp(const SlotsBySize& by_size, const ThreadPool& pool);
+  void find_edges(const SlotsBySize& by_size, const ThreadPool& pool);
   void balance(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
 
   std::vector<Shard> shards_;

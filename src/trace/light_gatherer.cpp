@@ -225,10 +225,10 @@ void LightGatherer::ask(const RayHitPacket& packet, int i, Vec3f normal, Vec3f a
   albedo_.set(i, albedo);
 }
 
-/// From the cache, and by a path where it knows nothing, or light changes too abruptly for it.
+/// From the cache, and by a path where it knows nothing, and at edges that are left to paths.
 void LightGatherer::add_asked(const RayHitPacket& packet) {
   Lanes3 light;
-  const LaneMask known = cache_.pick(queries_, light);
+  const LaneMask known = cache_.pick(queries_, edges_, light);
   for (int i = 0; i < kLanes; ++i) {
     if (known.lane[i])
       add_cached(lanes_.pixel[i], lanes_.throughput.get(i) * albedo_.get(i) * light.get(i), queries_.place(i));

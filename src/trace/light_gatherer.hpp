@@ -23,6 +23,9 @@ class LightGatherer {
   /// fed in this frame, blue what frames before it have found.
   void show_provenance() { shows_provenance_ = true; }
 
+  /// From now on these are left to paths.
+  void leave_to_paths(EdgesToPaths edges) { edges_ = edges; }
+
   /// From now on the surroundings light surfaces, but where a sample would see them it adds 1 to its slot here instead.
   void leave_open(float* open) { open_ = open; }
 
@@ -66,6 +69,7 @@ class LightGatherer {
   float* film_;
   float* open_ = nullptr;  ///< by slot, too
   bool shows_provenance_ = false;
+  EdgesToPaths edges_ = EdgesToPaths::kNone;
   bool asks_points_alone_;  ///< lights that are asked at a diffuse surface are few and points
   RayCounts counts_;
   PathTracer paths_;  ///< where the cache knows nothing

@@ -281,7 +281,7 @@ void LightCache::resolve(const ThreadPool& pool) {
     for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) { resolve(cell, slot); });
     if (parents) balance(slots, *parents, pool);
   }
-  find_sharp(by_size, pool);
+  find_edges(by_size, pool);
 }
 
 }  // namespace lippmann

@@ -57,7 +57,7 @@ class FedScene {
   }
 
   RayCounts gather(Image& film, std::span<const std::uint8_t> wanted = {}, const GatherHistory& history = {}) const {
-    return gather_frame({device_.impl(), *cells_, cache_, optics_, {}}, {params_, 0.01f}, wanted, history, pool_, context_,
+    return gather_frame({device_.impl(), *cells_, cache_, optics_, {}}, {params_, {}}, wanted, history, pool_, context_,
                         film);
   }
 
