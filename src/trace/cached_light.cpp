@@ -57,8 +57,9 @@ constexpr float kFiner = 0.75f, kFinerAtOnce = 0.6f;
 /// Where pixels err by less than this part of what they may, they need not be sampled as finely: what is wrong then is the
 /// light.
 constexpr float kSpare = 0.6f;
-/// And where means err by less than this part, fewer edges may be left to paths.
-constexpr float kSpareBlocks = 0.3f;
+/// Where means err by less than the first part, fewer edges may be left to paths; by more than the second, more are, before it
+/// takes mending.
+constexpr float kSpareBlocks = 0.3f, kNearBlocks = 0.9f;
 /// How often a frame is given more light and more samples before it is traced; and no more, once it has taken so many of the
 /// rays that tracing takes.
 constexpr int kAttempts = 4;
@@ -100,6 +101,7 @@ class CachedFrame {
 
   void begin_history(const CachedLightGoal& goal);
   void go_on(const std::vector<HorizonBox>& moving);
+  void learn_from(const FrameErrors& former);
   bool make_gathered(const CachedLightGoal& goal, Image& film, FrameAovs& aovs);
   void make_traced(const CachedLightGoal& goal, Image& film, FrameAovs& aovs);
 
@@ -201,14 +203,22 @@ GatherMeasure CachedFrame::measure(const CachedLightGoal& goal, const MeasuredPl
   return {device_, optics_, world_from_display_, params_, goal.squared_error, places, before_, pool_};
 }
 
+/// As much is done as frames before have needed.
+void CachedFrame::learn_from(const FrameErrors& former) {
+  GatherPlan& plan = *history_.plan;
+  const FrameError &found = former.found(), &may = former.allowed();
+  if (found.pixels < kSpare * may.pixels) plan.error = std::min(plan.error / kFiner, history_.least.error);
+  if (found.blocks > kNearBlocks * may.blocks)
+    plan.edges = more_edges(plan.edges);
+  else if (found.blocks < kSpareBlocks * may.blocks)
+    plan.edges = std::max(fewer_edges(plan.edges), history_.least.edges);
+}
+
 /// A frame from the cache, if it errs by no more than it may; else a traced one. Whether it is the former.
 bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameAovs& aovs) {
   GatherMeasure measure = this->measure(goal, kChecking);
   const FrameErrors former = history_.errors;
-  if (former.found().pixels < kSpare * former.allowed().pixels)
-    history_.plan->error = std::min(history_.plan->error / kFiner, history_.least.error);
-  if (former.found().blocks < kSpareBlocks * former.allowed().blocks)
-    history_.plan->edges = std::max(fewer_edges(history_.plan->edges), history_.least.edges);
+  learn_from(former);
   const bool shows_all = !goal.provenance && !aovs.wants(Aov::kAlpha);  // as the paths that are compared with
   const auto gather_and_measure = [&] {
     gather(goal.provenance, film, aovs);
