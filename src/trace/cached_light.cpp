@@ -46,6 +46,7 @@ struct History {
   std::optional<GatherPlan> plan;   ///< since the first frame; none: frames are traced, with
   int path_samples = 1;             ///< so many paths a pixel
   GatherEffort least{};             ///< of the plan, as it was made
+  bool has_to_mix = false;          ///< the frame before was good with paths alone
   FrameErrors errors;               ///< of frames that were gathered
   FrameErrors path_errors;          ///< and of those that were traced
   int failures = 0;                 ///< frames in a row that shared no light, or in vain (kMostFailures)
@@ -59,7 +60,9 @@ constexpr float kFiner = 0.75f, kFinerAtOnce = 0.6f;
 constexpr float kSpare = 0.6f;
 /// Where means err by less than the first part, fewer edges may be left to paths; by more than the second, more are, before it
 /// takes mending.
-constexpr float kSpareBlocks = 0.3f, kNearBlocks = 0.9f;
+constexpr float kSpareBlocks = 0.3f, kNear = 0.9f;
+/// Where paths are mixed in, the next frame may have so many times as many.
+constexpr float kMorePaths = 1.3f;
 /// How often a frame is given more light and more samples before it is traced; and no more, once it has taken so many of the
 /// rays that tracing takes.
 constexpr int kAttempts = 4;
@@ -113,6 +116,11 @@ class CachedFrame {
  private:
   double seconds_for_pixels(double seconds) const;
   void begin(const Beginning& beginning, float fitting_cell);
+  struct MixedBeginning {
+    Beginning beginning;
+    GatherPlan plan;
+  };
+  void keep_mixed(const GatherMeasure& measure, const Beginning& beginning, std::optional<MixedBeginning>& best) const;
   BeginningOutcome try_beginning(const CachedLightGoal& goal, GatherMeasure& measure);
   void start_cache(float samples_per_cell, LightGroup lights_from);
   double samples_per_cell() const;
@@ -120,12 +128,15 @@ class CachedFrame {
   void feed(int rounds);
   GatherMeasure measure(const CachedLightGoal& goal, const MeasuredPlaces& places) const;
   void confirm(BeginningOutcome& outcome, const FrameError& may, GatherMeasure& fresh);
-  GatherEffort effort() { return {error(), history_.plan->edges}; }
+  GatherEffort effort() { return {error(), history_.plan->edges, history_.plan->mix}; }
   float& error() { return before_.empty() ? history_.plan->error_alone : history_.plan->error; }
   void gather(bool provenance, Image& film, FrameAovs& aovs);
   enum class Mending { kNone, kGood, kFailed };
   Mending mend(const FrameErrors& former, GatherMeasure& measure);
   FrameError gather_apart(GatherMeasure& measure);
+  std::optional<PathMix> mix_wanted(const GatherMeasure& measure, double share_of_rays) const;
+  Mending mix_paths(const GatherMeasure& measure);
+  void adjust_mix(const GatherMeasure& measure, bool was_mixed);
   void feed_more(int attempt);
   int path_samples(const CachedLightGoal& goal, int samples, float found) const;
   FrameError measure_traced(const TraceParams& whole, bool shows_all, const Image& film);
@@ -149,6 +160,7 @@ class CachedFrame {
   Scatter before_;           ///< of the frame before
   std::optional<TouchProbe> moved_;
   RayCounts counts_;
+  std::uint64_t rays_of_gather_ = 0;
   bool was_worth_it_ = true;
 };
 
@@ -207,8 +219,9 @@ GatherMeasure CachedFrame::measure(const CachedLightGoal& goal, const MeasuredPl
 void CachedFrame::learn_from(const FrameErrors& former) {
   GatherPlan& plan = *history_.plan;
   const FrameError &found = former.found(), &may = former.allowed();
+  if (plan.mix.samples > 0) return;
   if (found.pixels < kSpare * may.pixels) plan.error = std::min(plan.error / kFiner, history_.least.error);
-  if (found.blocks > kNearBlocks * may.blocks)
+  if (found.blocks > kNear * may.blocks)
     plan.edges = more_edges(plan.edges);
   else if (found.blocks < kSpareBlocks * may.blocks)
     plan.edges = std::max(fewer_edges(plan.edges), history_.least.edges);
@@ -218,6 +231,7 @@ void CachedFrame::learn_from(const FrameErrors& former) {
 bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameAovs& aovs) {
   GatherMeasure measure = this->measure(goal, kChecking);
   const FrameErrors former = history_.errors;
+  const bool was_mixed = history_.plan->mix.samples > 0;
   learn_from(former);
   const bool shows_all = !goal.provenance && !aovs.wants(Aov::kAlpha);  // as the paths that are compared with
   const auto gather_and_measure = [&] {
@@ -229,9 +243,10 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameA
   };
   gather_and_measure();
   Mending mending = Mending::kNone;
-  // A history begins as it was planned, and a goal in time leaves none to mend anything.
-  if (moved_ && !goal.seconds && !context_.cancelled) mending = mend(former, measure);
+  // A goal in time leaves none to mend anything.
+  if (!goal.seconds && !context_.cancelled) mending = mend(former, measure);
   if (mending == Mending::kGood) gather_and_measure();
+  if (mending != Mending::kFailed && !goal.seconds) adjust_mix(measure, was_mixed);
   if (mending == Mending::kFailed) {
     history_.errors = former;  // this one is not among them any more
     make_traced(goal, film, aovs);
@@ -244,7 +259,7 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameA
 /// What the frame's patches err by, gathered by themselves.
 FrameError CachedFrame::gather_apart(GatherMeasure& measure) {
   const LightCells in = cells();
-  return measure.check({device_.impl(), in, *history_.cache, optics_, world_from_display_}, effort(), before_);
+  return measure.check({device_, in, *history_.cache, optics_, world_from_display_}, effort(), before_);
 }
 
 /// Where the frame errs by more than it may, it is given more light and more samples, as often as may help.
@@ -253,7 +268,8 @@ CachedFrame::Mending CachedFrame::mend(const FrameErrors& former, GatherMeasure&
   const FrameError& may = measure.goal();
   FrameError left = errors.latest();
   int attempts = 0;
-  for (bool has_helped = true; has_helped && attempts < kAttempts && !errors.is_good() && !context_.cancelled; ++attempts) {
+  for (bool has_helped = moved_ && history_.plan->mix.samples == 0;
+       has_helped && attempts < kAttempts && !errors.is_good() && !context_.cancelled; ++attempts) {
     if (left.pixels > kHopeless * may.pixels || left.blocks > kHopeless * may.blocks) break;
     const double spent = static_cast<double>(counts_.total() + measure.counts().total());
     if (spent > kMostMending * measure.rays_of_whole_frame()) break;
@@ -271,8 +287,38 @@ CachedFrame::Mending CachedFrame::mend(const FrameErrors& former, GatherMeasure&
                  (errors.blocks() != Excess::kNone && now.blocks < kHelped * left.blocks);
     left = now;
   }
-  if (errors.is_too_large()) return Mending::kFailed;
-  return attempts > 0 ? Mending::kGood : Mending::kNone;
+  const Mending mixed = mix_paths(measure);
+  return mixed == Mending::kNone && attempts > 0 ? Mending::kGood : mixed;
+}
+
+/// By what this frame errs on average with those before, as it alone knows little.
+std::optional<PathMix> CachedFrame::mix_wanted(const GatherMeasure& measure, double share_of_rays) const {
+  const FrameError may = measure.goal(), &found = history_.errors.found(), &allowed = history_.errors.allowed();
+  const FrameError mixed{found.pixels / allowed.pixels * may.pixels, found.blocks / allowed.blocks * may.blocks};
+  return measure.mix_for(measure.without(history_.plan->mix, mixed), share_of_rays);
+}
+
+/// For the next frame: one that needs paths may have had bad luck, two in a row have not.
+void CachedFrame::adjust_mix(const GatherMeasure& measure, bool was_mixed) {
+  PathMix& mix = history_.plan->mix;
+  const bool had_to_mix = std::exchange(history_.has_to_mix, mix.samples > 0);
+  if (!was_mixed && !had_to_mix) mix = {};
+  if (mix.samples == 0) return;
+  const std::optional<PathMix> wanted = mix_wanted(measure, 0.0);
+  const float more = wanted ? static_cast<float>(wanted->samples) / static_cast<float>(mix.samples) : kMorePaths;
+  mix = scaled(mix, std::clamp(more, 1.0f / kMorePaths, kMorePaths), params_.spp);
+}
+
+/// What is still wrong averages out with that of a few paths.
+CachedFrame::Mending CachedFrame::mix_paths(const GatherMeasure& measure) {
+  const FrameErrors& errors = history_.errors;
+  if (!errors.is_too_large()) return Mending::kNone;
+  const double taken = static_cast<double>(counts_.total() + rays_of_gather_) / measure.rays_of_whole_frame();
+  if (const std::optional<PathMix> mix = mix_wanted(measure, taken)) {
+    history_.plan->mix = *mix;
+    return Mending::kGood;
+  }
+  return moved_ ? Mending::kFailed : Mending::kNone;
 }
 
 /// Samples of a cell at most that a frame is fed for.
@@ -334,6 +380,7 @@ void CachedFrame::begin_history(const CachedLightGoal& goal) {
   Beginnings beginnings(lights.chance(kLamps) > 0.0f, lights.chance(kSkyLight) > 0.0f);
   const double most_rays = most_spent(goal.frames) * measure.rays_of_whole_frame();
   std::optional<GatherPlan> good;
+  std::optional<MixedBeginning> mixed;
   std::optional<GatherMeasure> fresh;
   for (bool goes_on = true; goes_on && !context_.cancelled;) {
     begin(beginnings.current(), fitting);
@@ -345,24 +392,36 @@ void CachedFrame::begin_history(const CachedLightGoal& goal) {
     if (outcome.is_good) good = history_.plan;
     const double spent =
         static_cast<double>(counts_.total() + measure.counts().total() + (fresh ? fresh->counts().total() : 0));
+    if (!outcome.is_good && history_.plan) keep_mixed(measure, beginnings.current(), mixed);
     goes_on = beginnings.go_on(outcome) && (goal.seconds || spent < most_rays);
   }
   if (fresh) add(fresh->counts(), counts_);
-  if (!goal.seconds) history_.plan = good;
+  if (!goal.seconds) history_.plan = good ? good : mixed ? std::optional(mixed->plan) : std::nullopt;
   if (history_.plan && !goal.seconds && !context_.cancelled) {
-    begin(*beginnings.good(), fitting);
+    begin(good ? *beginnings.good() : mixed->beginning, fitting);
     const LightCells in = cells();
-    measure.plan_frames_in_a_row({device_.impl(), in, *history_.cache, optics_, world_from_display_}, *history_.plan);
+    measure.plan_frames_in_a_row({device_, in, *history_.cache, optics_, world_from_display_}, *history_.plan);
   }
   history_.least = history_.plan ? history_.plan->effort() : GatherEffort{};
   history_.path_samples = path_samples(goal, params_.spp, measure.of_paths());
   add(measure.counts(), counts_);
 }
 
+/// Of beginnings that are not good enough, the one that needs the fewest rays once paths are mixed in.
+void CachedFrame::keep_mixed(const GatherMeasure& measure, const Beginning& beginning,
+                             std::optional<MixedBeginning>& best) const {
+  MixedBeginning now{beginning, *history_.plan};
+  const std::optional<PathMix> mix = measure.mix_for(now.plan.expected, now.plan.share_of_rays);
+  if (!mix) return;
+  now.plan.mix = *mix;
+  now.plan.share_of_rays += static_cast<double>(mix->samples) / params_.spp;
+  if (!best || now.plan.share_of_rays < best->plan.share_of_rays) best = now;
+}
+
 /// What frames from the cache as it is now err by, and the plan for them.
 BeginningOutcome CachedFrame::try_beginning(const CachedLightGoal& goal, GatherMeasure& measure) {
   const LightCells in = cells();
-  const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
+  const GatherSources sources{device_, in, *history_.cache, optics_, world_from_display_};
   BeginningOutcome outcome;
   if (goal.seconds) {
     const GatherMeasure::Timed found = measure.plan_within(sources, seconds_for_pixels(*goal.seconds));
@@ -383,7 +442,9 @@ BeginningOutcome CachedFrame::try_beginning(const CachedLightGoal& goal, GatherM
 void CachedFrame::confirm(BeginningOutcome& outcome, const FrameError& may, GatherMeasure& fresh) {
   const LightCells in = cells();
   const FrameError found =
-      fresh.check({device_.impl(), in, *history_.cache, optics_, world_from_display_}, history_.plan->effort_alone(), {});
+      fresh.check({device_, in, *history_.cache, optics_, world_from_display_}, history_.plan->effort_alone(), {});
+  FrameError& expected = history_.plan->expected;
+  expected.pixels = std::max(expected.pixels, found.pixels), expected.blocks = std::max(expected.blocks, found.blocks);
   outcome.excess = std::max({outcome.excess, found.pixels / may.pixels, found.blocks / may.blocks});
   outcome.is_good = found.pixels - found.uncertainty <= may.pixels && found.blocks - found.block_uncertainty <= may.blocks;
 }
@@ -396,11 +457,13 @@ double CachedFrame::seconds_for_pixels(double seconds) const {
 
 void CachedFrame::gather(bool provenance, Image& film, FrameAovs& aovs) {
   const LightCells in = cells();
-  const GatherSources sources{device_.impl(), in, *history_.cache, optics_, world_from_display_};
+  const GatherSources sources{device_, in, *history_.cache, optics_, world_from_display_};
   if (aovs.wants(Aov::kAlpha)) aovs.allocate(Aov::kAlpha, optics_.panel, 0.0f);
   Image* const alpha = aovs.wants(Aov::kAlpha) ? &aovs[Aov::kAlpha] : nullptr;
-  add(gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter}, pool_, context_, film, alpha),
-      counts_);
+  const RayCounts rays =
+      gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter}, pool_, context_, film, alpha);
+  add(rays, counts_);
+  rays_of_gather_ = rays.total();
 }
 
 /// Paths, as many as the goal is known to take; where these fall short, the frames after have more.

@@ -20,7 +20,7 @@ constexpr float kBlockSides = 8.0f;
 /// Means of patches may err by so many times what those of paths do, or of pixels that err each by itself: 3 decibels.
 constexpr float kBlockLoss = 2.0f;
 /// Not to be below the goal by bad luck of the measurement.
-constexpr float kMargin = 0.9f;
+constexpr float kMargin = 0.9f, kMixMargin = 0.85f;
 /// What rounding to 8-bit codes adds by itself, (1 / 255)^2 / 12: to be better than that would be a waste.
 constexpr float kInvisible = 1.28e-6f;
 /// Half a code: means of patches that err by less look the same on any display.
@@ -34,6 +34,8 @@ constexpr int kLeastTrials = 2;
 constexpr float kStalled = 0.95f;
 /// Of the rays that paths need; above it they are traced: rays of single pixels take up to twice as long as those of packets.
 constexpr double kLargestShare = 0.7;
+/// Of the rays that paths need, what mixing in some may take with all else.
+constexpr double kMostMixed = 0.75;
 /// More edges, and half the allowed error, are tried so often where means of patches err by too much, and kept where they leave
 /// this much.
 constexpr int kBlockTrials = 4;
@@ -234,7 +236,7 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
   EdgesToPaths edges = EdgesToPaths::kNone;
   while (!coarse || !fine) {
     const float error = std::ldexp(kCoarsest, -next_trial_);
-    measured = gather(sources, {error, edges}, {});
+    measured = gather(sources, {.error = error, .edges = edges}, {});
     const Trial found{error, measured.pixels, measured};
     if (found.squared_error <= enough) {
       fine = found, rays_of_fine = rays_of_last_;
@@ -255,10 +257,32 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
   }
   if (rays_of_fine > kLargestShare * rays_of_paths_) return std::nullopt;
   const float error = coarse ? error_between(*coarse, *fine, enough) : fine->error;
-  GatherPlan plan{error, error, edges, coarse ? error_of_cells(*coarse, *fine) / enough : 0.0f, measured};
+  GatherPlan plan{error, error, edges, {}, coarse ? error_of_cells(*coarse, *fine) / enough : 0.0f, measured};
   if (coarse) plan.expected.pixels = enough, plan.expected.blocks = blocks_between(*coarse, *fine, error);
+  plan.share_of_rays = rays_of_fine / rays_of_paths_;
   refine_for_blocks(sources, plan);
   return plan;
+}
+
+std::optional<PathMix> GatherMeasure::mix_for(const FrameError& found, double share_of_rays) const {
+  const MixedErrors may{kMixMargin * goal_.pixels, kMixMargin * goal_.blocks};
+  const int most = static_cast<int>((kMostMixed - share_of_rays) * trace_.spp);
+  return lippmann::mix_for({found.pixels, found.blocks}, of_one_path(), may, most);
+}
+
+/// Those of pixels have nothing to do with each other.
+MixedErrors GatherMeasure::of_one_path() const {
+  const float of_pixels = of_paths_.squared * static_cast<float>(trace_.spp);
+  return {of_pixels, of_pixels / kBlockPixels};
+}
+
+FrameError GatherMeasure::without(const PathMix& mix, const FrameError& found) const {
+  if (mix.samples == 0) return found;
+  const MixedErrors of_paths = errors_of(mix, {}, of_one_path());
+  const float part = (1.0f - mix.weight) * (1.0f - mix.weight);
+  FrameError cached = found;
+  cached.pixels = (found.pixels - of_paths.pixels) / part, cached.blocks = (found.blocks - of_paths.blocks) / part;
+  return at_least_some(cached);
 }
 
 /// Means of patches may err by too much where pixels do not: more edges are left to paths, and then there are more samples, as
@@ -276,6 +300,7 @@ void GatherMeasure::refine_for_blocks(const GatherSources& sources, GatherPlan& 
     const bool helps =
         rays_of_last_ <= kLargestShare * rays_of_paths_ && finer.expected.blocks <= kHelped * plan.expected.blocks;
     if (!helps && !is_of_edges) return;
+    finer.share_of_rays = rays_of_last_ / rays_of_paths_;
     if (helps)
       plan = finer;
     else
@@ -289,7 +314,7 @@ void GatherMeasure::plan_frames_in_a_row(const GatherSources& sources, GatherPla
 
 /// Of frames that know the one before, if those that do not need `alone` to be good enough.
 float GatherMeasure::error_in_a_row(const GatherSources& sources, const GatherEffort& alone, float enough) {
-  const auto with = [&](float error) { return GatherEffort{error, alone.edges}; };
+  const auto with = [&](float error) { return GatherEffort{error, alone.edges, alone.mix}; };
   Scatter scatter;
   gather(sources, alone, {nullptr, &scatter}, 1);
   const Scatter before = smoothed(scatter, sources.optics, pool_);
@@ -314,10 +339,10 @@ GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, do
   for (int trial = 0; trial < kTrials; ++trial) {
     const float error = std::ldexp(kCoarsest, -trial);
     const Clock::time_point start = Clock::now();
-    const FrameError measured = gather(sources, {error, EdgesToPaths::kNone}, {&before, &scatter});
+    const FrameError measured = gather(sources, {.error = error}, {&before, &scatter});
     const double taken = std::chrono::duration<double>(Clock::now() - start).count() / patches_.of_frame;
     before = smoothed(scatter, sources.optics, pool_);
-    const GatherPlan found{error, error, EdgesToPaths::kNone, 0.0f, measured};
+    const GatherPlan found{.error = error, .error_alone = error, .expected = measured};
     if (taken > seconds) {
       if (trial == 0) return {found, true};
       // Between the last two, on a straight line in logarithms.
@@ -326,7 +351,7 @@ GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, do
       const float between = last.error * std::exp2(-part);
       FrameError expected = measured;
       expected.pixels = last.expected.pixels * std::pow(measured.pixels / last.expected.pixels, part);
-      return {{between, between, EdgesToPaths::kNone, 0.0f, expected}, true};
+      return {{.error = between, .error_alone = between, .expected = expected}, true};
     }
     if (measured.pixels <= kInvisible || (trial > kLeastTrials && measured.pixels > kStalled * last.expected.pixels))
       return {found, false};

@@ -28,10 +28,12 @@ struct GatherPlan {
   float error = 0.01f;        ///< of GatherEffort, where the frame before is known
   float error_alone = 0.01f;  ///< and where not
   EdgesToPaths edges = EdgesToPaths::kNone;
-  float of_cells = 0.0f;      ///< share of the error that frames may have, which no number of samples would take away
-  FrameError expected;        ///< of the frame
-  GatherEffort effort() const { return {error, edges}; }
-  GatherEffort effort_alone() const { return {error_alone, edges}; }
+  PathMix mix{};
+  float of_cells = 0.0f;       ///< share of the error that frames may have, which no number of samples would take away
+  FrameError expected;         ///< of the frame
+  double share_of_rays = 1.0;  ///< of those that paths take
+  GatherEffort effort() const { return {error, edges, mix}; }
+  GatherEffort effort_alone() const { return {error_alone, edges, mix}; }
 };
 
 /// What a frame is measured on.
@@ -75,6 +77,13 @@ class GatherMeasure {
   std::optional<GatherPlan> plan(const GatherSources& sources);
   void plan_frames_in_a_row(const GatherSources& sources, GatherPlan& plan);
 
+  /// The paths with which frames that err by `found` without any reach the goal; none where they would save nothing.
+  /// share_of_rays: what those take, of the rays of paths.
+  std::optional<PathMix> mix_for(const FrameError& found, double share_of_rays) const;
+
+  /// What frames would err by without the paths that are mixed in.
+  FrameError without(const PathMix& mix, const FrameError& found) const;
+
   /// What was gathered last errs by.
   const FrameError& last() const { return last_; }
 
@@ -107,6 +116,7 @@ class GatherMeasure {
   Codes codes_of(const std::vector<float>& light) const;
   std::vector<Vec3f> means_of(const std::vector<float>& light) const;
   FrameError error_of_patches(const Image& film) const;
+  MixedErrors of_one_path() const;
   FrameError at_least_some(FrameError error) const;
   FrameError gather(const GatherSources& sources, const GatherEffort& effort, const GatherHistory& history,
                     std::uint32_t frame = 0);

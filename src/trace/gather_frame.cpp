@@ -7,6 +7,7 @@
 #include "core/random.hpp"
 #include "trace/block_estimates.hpp"
 #include "trace/packet_source.hpp"
+#include "trace/trace_packets.hpp"
 #include "transport/sampler.hpp"
 
 namespace lippmann {
@@ -86,7 +87,7 @@ class BlockGatherer {
       : packets_(packets),
         error_(params.effort.error),
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
-        gatherer_(sources.scene, sources.cells, sources.cache, path_params(params.trace), light_) {
+        gatherer_(sources.scene.impl(), sources.cells, sources.cache, path_params(params.trace), light_) {
     gatherer_.leave_to_paths(params.effort.edges);
     if (params.provenance) gatherer_.show_provenance();
     if (is_transparent) gatherer_.leave_open(open_.data());
@@ -228,9 +229,11 @@ Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool&
   return smooth;
 }
 
-RayCounts gather_frame(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
-                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film,
-                       Image* alpha) {
+namespace {
+
+RayCounts gather_cached(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
+                        const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film,
+                        Image* alpha) {
   if (history.now)
     history.now->assign(
         static_cast<std::size_t>(sources.optics.panel.width) * static_cast<std::size_t>(sources.optics.panel.height), -1.0f);
@@ -267,6 +270,49 @@ RayCounts gather_frame(const GatherSources& sources, const GatherParams& params,
   RayCounts total;
   for (const RayCounts& c : counts) add(c, total);
   return total;
+}
+
+void mix_into(Image& image, const Image& more, float weight) {
+  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] += weight * (more.data[i] - image.data[i]);
+}
+
+/// All light of paths is what this frame traced (LightGatherer::show_provenance).
+void show_as_traced(Image& film) {
+  for (std::size_t i = 0; i < film.data.size(); i += 3) {
+    const float all = luminance(Vec3f(film.data[i], film.data[i + 1], film.data[i + 2]));
+    film.data[i] = all, film.data[i + 1] = film.data[i + 2] = 0.0f;
+  }
+}
+
+/// Paths with random numbers of their own, so that their errors have nothing to do with those of what they are mixed into.
+RayCounts mix_paths_into(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
+                         const ThreadPool& pool, Image& film, Image* alpha) {
+  TraceParams trace = params.trace;
+  trace.spp = params.effort.mix.samples;
+  trace.seed = hash(trace.seed, 0x6d697865u);
+  const Context quiet;  // the frame's progress has been told
+  Image paths = film;   // outside of `wanted` nothing changes
+  FrameAovs layers;
+  if (alpha) layers.want(Aov::kAlpha);
+  const RayCounts rays =
+      wanted.empty()
+          ? trace_frame(sources.scene, sources.optics, sources.world_from_display, trace, pool, quiet, paths, &layers)
+          : trace_packets(sources.scene, sources.optics, sources.world_from_display, trace, wanted, pool, quiet, paths);
+  if (params.provenance) show_as_traced(paths);
+  mix_into(film, paths, params.effort.mix.weight);
+  if (alpha) mix_into(*alpha, layers[Aov::kAlpha], params.effort.mix.weight);
+  return rays;
+}
+
+}  // namespace
+
+RayCounts gather_frame(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
+                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film,
+                       Image* alpha) {
+  RayCounts rays = gather_cached(sources, params, wanted, history, pool, context, film, alpha);
+  if (params.effort.mix.samples > 0 && !context.cancelled)
+    add(mix_paths_into(sources, params, wanted, pool, film, alpha), rays);
+  return rays;
 }
 
 }  // namespace lippmann

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "trace/light_gatherer.hpp"
+#include "trace/path_mix.hpp"
 
 namespace lippmann {
 
@@ -12,6 +13,7 @@ namespace lippmann {
 struct GatherEffort {
   float error = 0.01f;  ///< standard deviation of a sample, as sRGB's codes (0 ... 1) have it, at which one is enough
   EdgesToPaths edges = EdgesToPaths::kNone;
+  PathMix mix{};
 };
 
 struct GatherParams {
@@ -33,7 +35,7 @@ inline constexpr int kMostGatherSamples = 128;
 
 /// What a frame is gathered from. Outlives the calls that it is given to.
 struct GatherSources {
-  const DeviceScene::Impl& scene;
+  const DeviceScene& scene;
   const LightCells& cells;
   const LightCache& cache;
   const Optics& optics;

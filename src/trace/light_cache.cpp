@@ -134,8 +134,7 @@ void LightCache::add(std::span<const std::span<const LightRecord>> records, cons
 }
 
 /// Looks up the lanes of `left`: those whose cells there are leave it.
-void LightCache::find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known,
-                          Lanes3& light) const {
+void LightCache::find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known, Lanes3& light) const {
   for (int i = 0; i < kLanes; ++i)
     if (left.lane[i]) shards_[shard_of(keys[i])].prefetch(keys[i]);
   for (int i = 0; i < kLanes; ++i) {

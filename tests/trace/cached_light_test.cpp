@@ -214,6 +214,48 @@ TEST(CachedLight, fewer_rays_are_traced_than_by_paths) {
   EXPECT_LT(frames.reports.back().rays.total(), paths.total() / 4);
 }
 
+/// Mirrors on three walls, and a ball that shines: what they show again and again, cells know too roughly.
+SmallScene mirror_box() {
+  SmallScene s = cornell_box();
+  MetallicRoughness polished;
+  polished.metallic = 1.0f, polished.roughness = 0.0f, polished.base_color = {0.9f, 0.9f, 0.9f, 1.0f};
+  s.add(Boxes{{{-1.9f, -1.9f, -1.95f}, {1.9f, 1.9f, -1.9f}},
+              {{-1.95f, -1.9f, -1.9f}, {-1.9f, 1.9f, 1.9f}},
+              {{1.9f, -1.9f, -1.9f}, {1.95f, 1.9f, 1.9f}}},
+        s.material(polished));
+  PhongSurface lamp = matte(Vec3f(0.0f));
+  lamp.emission = Vec3f(2.0f);
+  s.add(Spheres{{{0.5f, 1.0f, 0.5f}, 0.6f}}, s.material(lamp));
+  return s;
+}
+
+/// Mean squared differences of means over 8 x 8 pixels, as they are shown.
+double block_error(const Image& film, const Image& truth) {
+  double squares = 0.0;
+  const int blocks = film.width / 8;
+  for (int b = 0; b < blocks * blocks; ++b) {
+    double difference = 0.0;
+    for (int p = 0; p < 64; ++p) {
+      const int x = 8 * (b % blocks) + p % 8, y = 8 * (b / blocks) + p / 8;
+      difference += static_cast<double>(std::min(film.pixel(x, y)[0], 1.0f) - std::min(truth.pixel(x, y)[0], 1.0f)) / 64.0;
+    }
+    squares += difference * difference / (blocks * blocks);
+  }
+  return squares;
+}
+
+TEST(CachedLight, what_cells_are_wrong_about_averages_out_with_that_of_a_few_paths) {
+  const SmallScene s = mirror_box();
+  const Optics optics = single_view(96);
+  const Frames frames = cached(s.scene, optics, 2, {}, 1, 0, 25.0, {});
+  ASSERT_FALSE(frames.reports.back().traced);
+  const auto paths = trace_paths(s.scene, optics, 64);
+  EXPECT_LT(frames.reports.back().rays.total(), 0.9 * static_cast<double>(paths.counts.total()));
+  // Twice the error of paths is allowed, and what was measured of it by chance.
+  const Image truth = trace_paths(s.scene, optics, 512).film;
+  EXPECT_LT(block_error(frames.films.back(), truth), 3.0 * block_error(paths.film, truth));
+}
+
 TEST(CachedLight, what_no_cache_can_reach_is_traced_with_as_many_paths_as_it_takes) {
   const SmallScene s = cornell_box();
   const ThreadPool pool(1);

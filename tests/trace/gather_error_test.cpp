@@ -34,7 +34,7 @@ class SkyScene {
 
   /// Of frames of this scene, with light from `cache`.
   FrameError error_with(const LightCache& cache, GatherMeasure& measure) const {
-    return measure.check({device_.impl(), cells_, cache, optics_, world_}, {.error = 0.002f}, {});
+    return measure.check({device_, cells_, cache, optics_, world_}, {.error = 0.002f}, {});
   }
   const LightCache& cache() const { return cache_; }
 

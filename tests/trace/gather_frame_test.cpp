@@ -56,9 +56,10 @@ class FedScene {
     cache_.resolve(pool_);
   }
 
-  RayCounts gather(Image& film, std::span<const std::uint8_t> wanted = {}, const GatherHistory& history = {}) const {
-    return gather_frame({device_.impl(), *cells_, cache_, optics_, {}}, {params_, {}}, wanted, history, pool_, context_,
-                        film);
+  RayCounts gather(Image& film, std::span<const std::uint8_t> wanted = {}, const GatherHistory& history = {},
+                   const PathMix& mix = {}, Image* alpha = nullptr) const {
+    return gather_frame({device_, *cells_, cache_, optics_, {}}, {params_, {.mix = mix}}, wanted, history, pool_, context_,
+                        film, alpha);
   }
 
  private:
@@ -115,6 +116,57 @@ TEST(GatherFrame, fills_wanted_packets_alone) {
   fed.gather(film, wanted, {nullptr, &scatter});
   EXPECT_EQ(std::count_if(film.data.begin(), film.data.end(), [](float v) { return v >= 0.0f; }), 2 * kLanes * 3);
   for (std::size_t p = 0; p < scatter.size(); ++p) EXPECT_EQ(scatter[p] >= 0.0f, film.data[3 * p] >= 0.0f) << p;
+}
+
+// What is left when the cache's share is taken out of the mix are 16 paths a pixel: their mean, and as much noise.
+TEST(GatherFrame, mixes_paths_in_by_their_weight) {
+  const SmallScene s = lit_by_all();
+  const Optics optics = single_view(48);
+  const FedScene fed(s.scene, optics, LightGroup::kLamps, 1);
+  Image alone, mixed, alpha_alone(48, 48, 1), alpha_mixed(48, 48, 1), open;
+  const RayCounts without = fed.gather(alone), with = fed.gather(mixed, {}, {}, {16, 0.25f});
+  EXPECT_EQ(with.primary - without.primary, 48u * 48u * 16u);
+  Image rest = mixed;
+  for (std::size_t i = 0; i < rest.data.size(); ++i) rest.data[i] = (mixed.data[i] - 0.75f * alone.data[i]) / 0.25f;
+  const Image truth = trace_paths(s.scene, optics, 1024).film, paths = trace_paths(s.scene, optics, 16).film;
+  EXPECT_NEAR(mean(rest), mean(truth), 0.01 * mean(truth));
+  const auto noise = [&](const Image& film) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < film.data.size(); ++i) sum += std::pow(static_cast<double>(film.data[i] - truth.data[i]), 2);
+    return sum;
+  };
+  EXPECT_NEAR(noise(rest), noise(paths), 0.3 * noise(paths));
+  // Alpha, where a pixel's edge is met by some samples, is mixed likewise.
+  fed.gather(open, {}, {}, {}, &alpha_alone);
+  fed.gather(open, {}, {}, {16, 0.25f}, &alpha_mixed);
+  for (std::size_t i = 0; i < alpha_alone.data.size(); ++i) ASSERT_NEAR(alpha_mixed.data[i], alpha_alone.data[i], 0.25f) << i;
+  EXPECT_NEAR(mean(alpha_mixed), mean(alpha_alone), 0.005);
+  EXPECT_NE(alpha_mixed.data, alpha_alone.data);
+}
+
+// What is measured of some packets is true of the frame: the same paths are mixed in.
+TEST(GatherFrame, wanted_packets_get_the_paths_that_they_have_in_the_frame) {
+  const SmallScene s = lit_by_all();
+  const Optics optics = single_view(48);
+  const FedScene fed(s.scene, optics, LightGroup::kLamps, 1);
+  const FramePackets packets = packets_in_frame(optics, {}, TraceParams{}.order);
+  std::vector<std::uint8_t> wanted(packets.strips * packets.per_strip, 0), none;
+  wanted[5] = wanted[70] = 1;
+  const auto paths_of = [&](const std::vector<std::uint8_t>& of) {
+    Image alone(48, 48, 3), mixed(48, 48, 3);
+    fed.gather(alone, of);
+    fed.gather(mixed, of, {}, {4, 0.5f});
+    for (std::size_t i = 0; i < mixed.data.size(); ++i) mixed.data[i] = 2.0f * mixed.data[i] - alone.data[i];
+    return mixed;
+  };
+  const Image some = paths_of(wanted), whole = paths_of(none);
+  int compared = 0;
+  for (std::size_t i = 0; i < some.data.size(); ++i) {
+    if (some.data[i] == 0.0f) continue;
+    ++compared;
+    EXPECT_NEAR(some.data[i], whole.data[i], 1e-5f * (1.0f + whole.data[i])) << i;
+  }
+  EXPECT_EQ(compared, 2 * kLanes * 3);
 }
 
 // Scatter of a hundred times the error, squared, asks for (100^2)^(1 / 2.6) = 35 samples of every pixel, and gets 64.
