@@ -23,6 +23,8 @@ struct Report {
 /// What a person can choose.
 struct Request {
   int frames = 0;                             ///< of each animation; 0: the benchmark's own choice
+  std::string views;                          ///< CxR views in place of a row's own optics; empty: these
+  int view_pixels = 0;                        ///< sides of a view, where there are views; 0: the row's own, else 120
   bool large = false;                         ///< pictures of 3840 x 2160 pixels too
   bool quick = false;                         ///< small and few, to see that it works
   int reference_spp = 0;                      ///< samples of references; 0: the benchmark's own choice

@@ -10,6 +10,7 @@
 #include "bench/hostile_scenes.hpp"
 #include "bench/scenes.hpp"
 #include "core/error.hpp"
+#include "render/param_text.hpp"
 #include "scene/builtin.hpp"
 
 namespace lippmann::bench {
@@ -99,6 +100,24 @@ LightCase hostile_case(const HostileScene& scene, const Request& request) {
   return result;
 }
 
+/// One row of pixels of so many is compared where a picture has more than a hostile row's own: references take hours else.
+int row_share_of(int width, int height) {
+  constexpr int kComparedPixels = 3 * 120 * 120;
+  return std::clamp(static_cast<int>(static_cast<std::int64_t>(width) * height / kComparedPixels), 1, height);
+}
+
+void choose_views(const Request& request, LightCase& wanted) {
+  constexpr int kMostViews = 64, kViewPixels = 120;
+  if (request.views.empty() && request.view_pixels == 0) return;
+  const Extent<int> views = request.views.empty() ? Extent<int>{3, 1} : read_extent(request.views, 1, kMostViews, "--views");
+  const int pixels = request.view_pixels > 0 ? request.view_pixels : kViewPixels;
+  RenderParams& params = wanted.params;
+  params.optics = OpticsKind::kMultiview;
+  params.views = {views.x, std::max(views.y, 1)}, params.lenses = {};
+  params.size = {params.views.x * pixels, params.views.y * pixels};
+  wanted.row_share = row_share_of(params.size.x, params.size.y);
+}
+
 LightCase light_case(const std::string& name, const Request& request, const Context& context) {
   check_name(name);
   const HostileScene* hostile = find_hostile(name);
@@ -106,6 +125,7 @@ LightCase light_case(const std::string& name, const Request& request, const Cont
                      : is_quilt(name) ? quilt_of(name, request)
                                       : animation_of(name, request, context);
   if (request.quick) result.params.spp = kQuickSamples, result.reference_spp = kQuickReferenceSamples;
+  choose_views(request, result);
   if (request.reference_spp > 0) result.reference_spp = request.reference_spp;
   return result;
 }

@@ -168,6 +168,15 @@ void add_bench_command(const Command& root, Action& chosen) {
                                   "Number of frames of each animation; 0: 48 (24 of Tachyon's), for light 12 (hostile rows 16)")
                       .type_name("N")
                       .not_negative());
+  own("--views", command
+                     .add_option("--views", request.views,
+                                 "Views across and up, in place of each row's own optics; with --view-pixels, 3x1 by default")
+                     .type_name("CxR"));
+  own("--view-pixels", command
+                           .add_option("--view-pixels", request.view_pixels,
+                                       "Width and height of each view; 0: 120 with --views, else each row's own optics")
+                           .type_name("N")
+                           .range(0, 4096));
   own("--large", command.add_flag("--large", request.large, "Also measure the teapot at 3840x2160 pixels"));
   own("--quick", command.add_flag("--quick", request.quick, "Measure a few small frames, to see that the benchmark works"));
   own("--reference-spp", command

@@ -36,6 +36,16 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
   EXPECT_GT(rows[0]["full_frame_flicker"], 0.0);
 }
 
+TEST(BenchLight, rows_are_measured_in_other_views) {
+  const TempDir dir;
+  const Json row = light_rows(dir, {"--scene", "gloss", "--frames", "1", "--views", "4x2", "--view-pixels", "16"})[0];
+  EXPECT_EQ(row["width"], 64);
+  EXPECT_EQ(row["height"], 32);
+  const RunResult wrong = run_tool(dir, {"bench", "light", "--views", "0x3"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("--views"), std::string::npos) << wrong.err;
+}
+
 TEST(BenchLight, full_render_with_more_samples_is_nearer_to_the_reference) {
   const TempDir dir;
   const Json rows = light_rows(dir, {"--scene", "primitives", "--frames", "1"});
