@@ -26,6 +26,7 @@ class Command;  // command_line.hpp
 using Action = std::function<int(Context& context)>;
 
 void add_render_command(const Command& root, Action& chosen);
+void add_check_command(const Command& root, Action& chosen);
 void add_compare_command(const Command& root, Action& chosen);
 void add_convert_command(const Command& root, Action& chosen);
 void add_encode_command(const Command& root, Action& chosen);

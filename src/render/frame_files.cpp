@@ -4,6 +4,7 @@
 
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
@@ -70,7 +71,8 @@ class PictureWriter {
   PictureWriter(PictureFormat format, const RenderParams& params, Encoding encoding, double pixels_per_mm)
       : format_(format), params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm) {}
 
-  void write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
+  /// Returns the files that it wrote.
+  std::vector<fs::path> write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
     std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
     switch (format_) {
       case PictureFormat::kPng:
@@ -87,9 +89,11 @@ class PictureWriter {
         if (pictures.aovs.wants(Aov::kAlpha))
           layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(params_.exr_pixels)));
         write_exr(picture, layers);
-        return;
+        return {picture};
     }
-    if (!layers.empty()) write_exr(aov, layers);
+    if (layers.empty()) return {picture};
+    write_exr(aov, layers);
+    return {picture, aov};
   }
 
  private:
@@ -150,27 +154,19 @@ std::vector<fs::path> picture_paths(const fs::path& folder, const FrameNames& na
   return paths;
 }
 
-std::uintmax_t picture_bytes(const fs::path& folder, const FrameNames& names, int frame) {
-  std::uintmax_t sum = 0;
-  for (const fs::path& path : picture_paths(folder, names, frame)) {
-    std::error_code problem;
-    const std::uintmax_t bytes = fs::file_size(path, problem);
-    if (problem) return 0;
-    sum += bytes;
-  }
-  return sum;
-}
-
-void write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
+std::vector<fs::path> write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
                        Encoding encoding, double pixels_per_mm, const FramePictures& pictures) {
   const PictureWriter writer(names.format, params, encoding, pixels_per_mm);
   const std::vector<fs::path> paths = picture_paths(folder, names, frame);
   if (names.views == 0) return writer.write(paths.front(), folder / fmt::format("aov_{:04}.exr", frame), pictures);
+  std::vector<fs::path> written;
   const fs::path views = folder / frame_name(names, frame);
   make_view_folder(views);
   for (int view = 0; view < names.views; ++view)
-    writer.write(paths[static_cast<std::size_t>(view)], views / fmt::format("aov_{:03}.exr", view),
-                 piece_of(pictures, view, names.views));
+    for (fs::path& file : writer.write(paths[static_cast<std::size_t>(view)], views / fmt::format("aov_{:03}.exr", view),
+                                       piece_of(pictures, view, names.views)))
+      written.push_back(std::move(file));
+  return written;
 }
 
 }  // namespace lippmann

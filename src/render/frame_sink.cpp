@@ -62,7 +62,8 @@ struct FrameSink::Impl {
   std::atomic<std::int64_t> write_nanoseconds{0};
   BackgroundQueue queue;  ///< last: its threads use what is above
 
-  void write(RenderedFrame& rendered) {
+  /// Returns what was written. Its checksums are taken here, beside rendering, while the bytes are still in memory.
+  FileRecords write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     FramePictures& pictures = rendered.pictures;
     Image as_traced;
@@ -81,14 +82,18 @@ struct FrameSink::Impl {
       pictures.codes =
           keeps_light && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
     if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
-    write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
+    std::vector<std::filesystem::path> files = write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
                       settings.layout.pixels_per_mm(), pictures);
-    if (const auto& quilt = settings.layout.quilt())
-      write_quilt_side_file(picture_paths(settings.folder, settings.layout.names(), rendered.report.frame).front(),
-                            {*quilt, quilt->tiles.count()});
+    if (const auto& quilt = settings.layout.quilt()) {
+      const std::filesystem::path picture = files.front();
+      write_quilt_side_file(picture, {*quilt, quilt->tiles.count()});
+      files.push_back(quilt_side_path(picture));
+    }
+    const FileRecords records = records_of(settings.folder, files);
     if (settings.done_with) settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(pictures.film));
     pictures.film = {};
     pictures.aovs = {};
+    return records;
   }
 
   /// Videos beside pictures that keep the light.
@@ -103,9 +108,9 @@ struct FrameSink::Impl {
         undo_crosstalk(*settings.optics, *settings.crosstalk_to_undo, settings.encoding, rendered.pictures.film);
   }
 
-  void record(const FrameReport& report) {
+  void record(const FrameReport& report, const FileRecords& files) {
     if (report.precompensation) precompensated[report.frame] = *report.precompensation;
-    finished.add(report);
+    finished.add(report, files);
   }
 
   void add_to_videos(const Image8& codes) {
@@ -119,9 +124,10 @@ FrameSink::~FrameSink() = default;
 
 void FrameSink::add(RenderedFrame rendered) {
   const auto shared = std::make_shared<RenderedFrame>(std::move(rendered));
-  impl_->queue.submit([impl = impl_.get(), shared] { impl->write(*shared); },
-                      [impl = impl_.get(), shared] {
-                        impl->record(shared->report);
+  const auto files = std::make_shared<FileRecords>();
+  impl_->queue.submit([impl = impl_.get(), shared, files] { *files = impl->write(*shared); },
+                      [impl = impl_.get(), shared, files] {
+                        impl->record(shared->report, *files);
                         impl->add_to_videos(shared->pictures.codes);
                       });
 }
