@@ -29,6 +29,7 @@ namespace fs = std::filesystem;
 struct Options {
   ParamFlags flags;
   std::string dump_job, also;
+  bool force = false;
   bool json = false, quiet = false, dry_run = false;
 };
 
@@ -145,12 +146,13 @@ void plan_only(const RenderParams& params, bool json, Context& context) {
 }
 
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
-RenderReport render(const RenderParams& params, bool json, bool quiet, Context& context) {
+RenderReport render(const RenderParams& params, bool json, bool quiet, bool force, Context& context) {
   std::optional<Progress> progress;
   fs::path folder;
   FrameNames names;
   int kept = 0;
   RenderObserver observer;
+  observer.force = force;
   observer.planned = [&](const RenderPlan& plan) {
     folder = plan.folder;
     names = plan.names;
@@ -174,10 +176,10 @@ int run(const Options& options, Context& context) {
   const RenderParams params = with_scene_defaults(options.flags.read());
   if (!options.dump_job.empty()) write_job(options.dump_job, params);
   if (options.dry_run) return plan_only(params, options.json, context), 0;
-  const RenderReport report = render(params, options.json, options.quiet, context);
+  const RenderReport report = render(params, options.json, options.quiet, options.force, context);
   if (options.json) print_json(to_json(report));
   if (options.also == "single" && !report.interrupted)
-    render(single_clip(params, report.optics), options.json, options.quiet, context);
+    render(single_clip(params, report.optics), options.json, options.quiet, options.force || params.output.empty(), context);
   return 0;
 }
 
@@ -194,6 +196,8 @@ void add_render_command(const Command& root, Action& chosen) {
       .one_of({"single"})
       .type_name("WHAT")
       .group("Files");
+  command.add_flag("--force", options->force, "Replace another render in the folder: remove the files that its journal names")
+      .group("Running");
   command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
   command.add_flag("-q,--quiet", options->quiet, "Print neither progress nor a summary; warnings and errors remain")
       .group("Running");
@@ -203,7 +207,7 @@ void add_render_command(const Command& root, Action& chosen) {
       .group("Running");
   command.short_help({"--output", "--frames", "--camera", "--display",    "--optics", "--lenses",      "--lens-pixels",
                       "--size",   "--views",  "--layout", "--integrator", "--spp",    "--environment", "--exposure",
-                      "--format", "--video",  "--resume", "--dry-run",    "--quiet",  "--json"},
+                      "--format", "--video",  "--resume", "--force",      "--dry-run", "--quiet",  "--json"},
                      "Examples:\n"
                      "  lippmann render teapot                                    all frames, into out/teapot\n"
                      "  lippmann render model.glb --frames 0                     one frame, with all light\n"

@@ -123,6 +123,11 @@ std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
   return format == PictureFormat::kPng16 ? 2 : 1;
 }
 
+/// A folder that nobody has named is for trying things out: the next render replaces the last.
+bool may_replace(const RenderParams& params, const RenderObserver& observer) {
+  return observer.force || (params.output.empty() && !params.resume);
+}
+
 void write_report(const fs::path& file, const RenderReport& report) {
   const std::string text = json_to_text(to_json(report)) + '\n';
   write_file_atomically(file, std::as_bytes(std::span(text)));
@@ -169,9 +174,12 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   }
   make_folder(folder);
   remove_stale_temporaries(folder);
-  write_job(folder / "job.toml", params);
+  FinishedFrames finished(folder, job_fingerprint(params, stage.scene, stage.display.get()), layout.names(),
+                          may_replace(params, observer) ? OtherRender::kReplace : OtherRender::kRefuse);
+  if (finished.took_over() && !observer.force)
+    context.warning(fmt::format("{} held another render, which this one replaces: -o keeps it", folder.string()));
+  if (!params.frames || finished.took_over() || !fs::exists(folder / "job.toml")) write_job(folder / "job.toml", params);
   fs::remove(folder / "report.json");  // it would speak of another render
-  FinishedFrames finished(folder, job_fingerprint(params, stage.scene, stage.display.get()), layout.names());
   if (finished.took_over()) warn_of_strangers(folder, layout.names(), frames, context);
   const RenderPlan plan{stage, folder, layout.names(), frames, count_kept(params, finished, frames), layout.picture_size()};
 

@@ -31,6 +31,7 @@ std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels
 struct RenderObserver {
   std::function<void(const RenderPlan&)> planned;
   std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
+  bool force = false;      ///< another render in the folder is replaced: the files that its journal names are removed
   bool only_plan = false;  ///< stop once `planned` was called, before anything is written; kept frames are not looked for
 };
 

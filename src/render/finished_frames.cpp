@@ -83,6 +83,19 @@ std::vector<std::string> foreign_files(const fs::path& folder, const FileRecords
   return foreign;
 }
 
+/// What the frames of an open journal name, and what every render writes beside them.
+void remove_files_of(const fs::path& folder, std::istream& journal) {
+  std::error_code ignored;
+  const auto remove = [&](const fs::path& name) {
+    if (!fs::is_directory(folder / name, ignored)) fs::remove(folder / name, ignored);
+    if (name.has_parent_path()) fs::remove(folder / name.parent_path(), ignored);  // of views, once it is empty
+  };
+  std::string line;
+  while (std::getline(journal, line))
+    for (const auto& [name, sum] : records_from_json(json_from_text(line))) remove(name);
+  for (const char* name : {"job.toml", "report.json"}) remove(name);
+}
+
 }  // namespace
 
 std::string job_fingerprint(const RenderParams& params, const Scene& scene, const Display* display) {
@@ -136,7 +149,7 @@ FolderCheck check_folder(const fs::path& folder) {
   return check;
 }
 
-FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, FrameNames names)
+FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, FrameNames names, OtherRender other)
     : folder_(std::move(folder)), journal_(journal_of(folder_)), names_(std::move(names)) {
   std::string journal = header_line(fingerprint);
   std::ifstream old;
@@ -144,6 +157,10 @@ FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, FrameNa
   std::string line;
   const bool any_job = static_cast<bool>(std::getline(old, line)), same_job = any_job && line + '\n' == journal;
   took_over_ = any_job && !same_job;
+  if (took_over_ && other == OtherRender::kRefuse)
+    throw Error(folder_.string(), "holds a render with other parameters, of another scene or by another version",
+                "another folder (-o DIR); --force, which removes that render's files; the same parameters");
+  if (took_over_) remove_files_of(folder_, old);
   while (same_job && std::getline(old, line)) {
     const Json json = json_from_text(line);
     const std::optional<FrameReport> frame = frame_report_from_json(json);

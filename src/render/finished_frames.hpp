@@ -41,16 +41,24 @@ struct FolderCheck {
 /// Reads every file of the journal in `folder`. Throws Error if there is no journal.
 FolderCheck check_folder(const std::filesystem::path& folder);
 
+/// What becomes of another job's render in the folder.
+enum class OtherRender {
+  kRefuse,   ///< Error
+  kReplace,  ///< the files that its journal names are removed, and nothing else
+};
+
 class FinishedFrames {
  public:
-  /// Opens the journal of `folder`, which exists. Lines of another job, torn lines, and frames of which a file is not there with
-  /// the recorded bytes are forgotten. Throws Error if the journal cannot be written.
-  FinishedFrames(std::filesystem::path folder, std::string fingerprint, FrameNames names);
+  /// Opens the journal of `folder`, which exists. Torn lines and frames of which a file is not there with
+  /// the recorded bytes are forgotten. Throws Error if the folder holds another job's render that `other` refuses, before anything
+  /// is changed, or the journal cannot be written.
+  FinishedFrames(std::filesystem::path folder, std::string fingerprint, FrameNames names,
+                 OtherRender other = OtherRender::kRefuse);
 
   /// The figures of a frame that this job finished before; none if it has yet to be rendered.
   std::optional<FrameReport> find(int frame) const;
 
-  /// Whether the folder held frames of another job, which are now only files.
+  /// Whether the folder held another job's render, whose files are removed.
   bool took_over() const { return took_over_; }
 
   /// Records a frame whose files are complete; find() does not see it. Throws Error. May run beside find(), not beside itself.

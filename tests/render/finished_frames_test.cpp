@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "core/error.hpp"
 #include "render/frame_files.hpp"
 #include "support/temp_dir.hpp"
 
@@ -55,12 +56,23 @@ TEST(FinishedFrames, recorded_frame_that_shares_light_is_found_with_its_errors) 
   EXPECT_EQ(found->estimated_block_psnr_db, 55.75);
 }
 
-TEST(FinishedFrames, another_job_finds_nothing_and_takes_the_folder_over) {
+TEST(FinishedFrames, another_job_is_refused_and_changes_nothing) {
   const test::TempDir dir;
   make_picture(dir, 4);
   FinishedFrames(dir.path(), "job-a", kPng).add(report_of(4), files_of(dir, 4));
-  EXPECT_FALSE(FinishedFrames(dir.path(), "job-b", kPng).find(4).has_value());
-  EXPECT_FALSE(FinishedFrames(dir.path(), "job-a", kPng).find(4).has_value());
+  EXPECT_THROW(FinishedFrames(dir.path(), "job-b", kPng), Error);
+  EXPECT_TRUE(FinishedFrames(dir.path(), "job-a", kPng).find(4).has_value());
+}
+
+TEST(FinishedFrames, another_job_that_replaces_removes_what_the_journal_names_and_nothing_else) {
+  const test::TempDir dir;
+  make_picture(dir, 4);
+  make_picture(dir, 5);
+  FinishedFrames(dir.path(), "job-a", kPng).add(report_of(4), files_of(dir, 4));
+  EXPECT_TRUE(FinishedFrames(dir.path(), "job-b", kPng, OtherRender::kReplace).took_over());
+  EXPECT_FALSE(std::filesystem::exists(picture_paths(dir.path(), kPng, 4).front()));
+  EXPECT_TRUE(std::filesystem::exists(picture_paths(dir.path(), kPng, 5).front()));
+  EXPECT_FALSE(FinishedFrames(dir.path(), "job-a", kPng, OtherRender::kReplace).find(4).has_value());
 }
 
 TEST(FinishedFrames, picture_gone_or_of_another_size_is_not_finished) {
