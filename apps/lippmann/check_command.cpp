@@ -48,8 +48,9 @@ void add_check_command(const Command& root, Action& chosen) {
   const Command command = root.add_command("check", "Find files of a rendered folder that are damaged, missing or foreign");
   command.add_option("DIR", options->folder, "The folder that a render wrote to").required();
   command.add_flag("--json", options->json, "Print JSON on stdout");
-  command.footer("Exit code 1 where anything is damaged, missing or foreign. 'lippmann render DIR/job.toml --resume' makes damaged and\n"
-                 "missing frames again.\n");
+  command.footer(
+      "Exit code 1 where anything is damaged, missing or foreign. 'lippmann render DIR/job.toml --resume' makes damaged and\n"
+      "missing frames again.\n");
   command.when_named([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
 }
 

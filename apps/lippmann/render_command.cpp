@@ -205,9 +205,9 @@ void add_render_command(const Command& root, Action& chosen) {
       .add_flag("-n,--dry-run", options->dry_run,
                 "Check the scene and the settings, say what would be made and how large it is, and make nothing")
       .group("Running");
-  command.short_help({"--output", "--frames", "--camera", "--display",    "--optics", "--lenses",      "--lens-pixels",
-                      "--size",   "--views",  "--layout", "--integrator", "--spp",    "--environment", "--exposure",
-                      "--format", "--video",  "--resume", "--force",      "--dry-run", "--quiet",  "--json"},
+  command.short_help({"--output", "--frames", "--camera", "--display",    "--optics",  "--lenses",      "--lens-pixels",
+                      "--size",   "--views",  "--layout", "--integrator", "--spp",     "--environment", "--exposure",
+                      "--format", "--video",  "--resume", "--force",      "--dry-run", "--quiet",       "--json"},
                      "Examples:\n"
                      "  lippmann render teapot                                    all frames, into out/teapot\n"
                      "  lippmann render model.glb --frames 0                     one frame, with all light\n"

@@ -50,8 +50,8 @@ enum class OtherRender {
 class FinishedFrames {
  public:
   /// Opens the journal of `folder`, which exists. Torn lines and frames of which a file is not there with
-  /// the recorded bytes are forgotten. Throws Error if the folder holds another job's render that `other` refuses, before anything
-  /// is changed, or the journal cannot be written.
+  /// the recorded bytes are forgotten. Throws Error if the folder holds another job's render that `other` refuses, before
+  /// anything is changed, or the journal cannot be written.
   FinishedFrames(std::filesystem::path folder, std::string fingerprint, FrameNames names,
                  OtherRender other = OtherRender::kRefuse);
 

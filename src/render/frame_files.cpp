@@ -155,7 +155,7 @@ std::vector<fs::path> picture_paths(const fs::path& folder, const FrameNames& na
 }
 
 std::vector<fs::path> write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
-                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures) {
+                                        Encoding encoding, double pixels_per_mm, const FramePictures& pictures) {
   const PictureWriter writer(names.format, params, encoding, pixels_per_mm);
   const std::vector<fs::path> paths = picture_paths(folder, names, frame);
   if (names.views == 0) return writer.write(paths.front(), folder / fmt::format("aov_{:04}.exr", frame), pictures);

@@ -82,8 +82,9 @@ struct FrameSink::Impl {
       pictures.codes =
           keeps_light && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
     if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
-    std::vector<std::filesystem::path> files = write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
-                      settings.layout.pixels_per_mm(), pictures);
+    std::vector<std::filesystem::path> files =
+        write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
+                          settings.layout.pixels_per_mm(), pictures);
     if (const auto& quilt = settings.layout.quilt()) {
       const std::filesystem::path picture = files.front();
       write_quilt_side_file(picture, {*quilt, quilt->tiles.count()});
