@@ -15,7 +15,8 @@ namespace {
 using testing::HasSubstr;
 
 Words small_paths(const std::string& folder) {
-  return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", "0-1", "--output", folder};
+  return {"render", "teapot", "--force",  "--lenses", "8",        "--integrator", "path",
+          "--spp",  "2",      "--frames", "0-1",      "--output", folder};
 }
 
 void write_panorama(const std::filesystem::path& path, float light) {
@@ -36,7 +37,8 @@ TEST(Light, paths_give_the_same_pictures_on_any_number_of_threads_and_after_a_re
 
 /// As small_paths, with enough samples for soft light to be shared.
 Words small_shared(const std::string& folder, const std::string& frames) {
-  return {"render", "teapot", "--lenses", "16", "--integrator", "path", "--spp", "32", "--frames", frames, "--output", folder};
+  return {"render", "teapot", "--force",  "--lenses", "16",       "--integrator", "path",
+          "--spp",  "32",     "--frames", frames,     "--output", folder};
 }
 
 // Frames 14 to 17 belong to two histories.
@@ -279,9 +281,9 @@ TEST(Light, files_of_physical_materials_are_path_traced_where_nothing_is_said) {
   const nlohmann::json paths = settings_of(dir, {"render", "plain.obj"});
   EXPECT_EQ(paths.at("integrator"), "path");
   EXPECT_EQ(paths.at("spp"), 16);
-  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--spp", "2"}).at("spp"), 2);
-  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--integrator", "whitted"}).at("integrator"), "whitted");
-  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--reuse", "forward"}).at("integrator"), "whitted");
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--force", "--spp", "2"}).at("spp"), 2);
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--force", "--integrator", "whitted"}).at("integrator"), "whitted");
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--force", "--reuse", "forward"}).at("integrator"), "whitted");
   EXPECT_EQ(settings_of(dir, {"render", "teapot"}).at("integrator"), "whitted");
 }
 
@@ -368,7 +370,7 @@ TEST(Light, transparent_pictures_have_alpha_in_every_format_and_layout) {
 TEST(Light, transparent_colours_are_multiplied_by_alpha_in_exr_files_and_not_in_others) {
   const TempDir dir;
   std::ofstream(dir / "sail.obj") << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
-  const Words sail{"render", "sail.obj", "--lenses", "16", "--output", "out", "--transparent", "--spp", "4"};
+  const Words sail{"render", "sail.obj", "--force", "--lenses", "16", "--output", "out", "--transparent", "--spp", "4"};
   ASSERT_EQ(run_tool(dir, sail + Words{"--format", "exr", "--exr-pixels", "float"}).exit_code, 0);
   ASSERT_EQ(run_tool(dir, sail + Words{"--format", "png16"}).exit_code, 0);
   const Image light = read_image(dir / "out/frame_0000.exr"), codes = read_image(dir / "out/frame_0000.png");
