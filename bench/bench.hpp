@@ -31,6 +31,7 @@ struct Request {
   std::string pictures;                       ///< folder for pictures of what was compared; empty: none
   bool list = false;                          ///< say what scenes there are, and measure nothing
   std::string plot;                           ///< folder for plots; empty: none
+  std::string csv;                            ///< file for the rows that the benchmark sums up in; empty: none
   std::vector<std::string> scenes;            ///< by name; empty: all that the benchmark has
   std::string tachyon_scenes = "/usr/share/doc/tachyon/examples/scenes";  ///< the folder of Tachyon's teapot.dat and others
 };
@@ -39,7 +40,11 @@ struct Benchmark {
   std::string_view name;
   std::string_view description;  ///< one line for --help
   Report (*run)(const Request& request, const Context& context);
+  std::vector<std::string_view> options = {};  ///< the flags that it takes; others are wrong usage
 };
+
+/// To be called before each step of a benchmark: says on what it works, and throws Error once the benchmark has been stopped.
+void begin_step(const Request& request, const Context& context, std::string_view what);
 
 /// In the order that --help lists them.
 const std::vector<Benchmark>& benchmarks();

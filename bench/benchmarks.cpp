@@ -1,21 +1,47 @@
 #include "bench/benchmarks.hpp"
 
+#include "core/error.hpp"
+
 namespace lippmann::bench {
+
+void begin_step(const Request& request, const Context& context, std::string_view what) {
+  if (context.cancelled) throw Error("bench", "was stopped before its end");
+  if (request.say) request.say(what);
+}
 
 const std::vector<Benchmark>& benchmarks() {
   static const std::vector<Benchmark> all{
-      {"denoise", "path-traced frames with and without --denoise: PSNR, flicker from view to view, time", measure_denoise},
-      {"light", "path-traced light with reuse beside full path tracing: time, error, flicker and memory, and the bars",
-       measure_light},
-      {"native", "the own frame of a slanted panel beside one interlaced from 48 views, against 512 views", measure_native},
-      {"paper", "the tables of the paper: interpolated animations beside traced ones, pixel-tracing styles", measure_paper},
+      {"denoise",
+       "path-traced frames with and without --denoise: PSNR, flicker from view to view, time",
+       measure_denoise,
+       {"--scene", "--quick", "--reference-spp", "--references"}},
+      {"light",
+       "path-traced light with reuse beside full path tracing: time, error, flicker and memory, and the bars",
+       measure_light,
+       {"--scene", "--list", "--frames", "--quick", "--pictures", "--reference-spp", "--references"}},
+      {"native",
+       "the own frame of a slanted panel beside one interlaced from 48 views, against 512 views",
+       measure_native,
+       {"--scene"}},
+      {"paper",
+       "the tables of the paper: interpolated animations beside traced ones, pixel-tracing styles",
+       measure_paper,
+       {"--scene", "--tachyon-scenes", "--frames", "--large", "--plot", "--csv"}},
       {"png", "CPU time and size of a PNG by strategy, filter and level", measure_png},
-      {"rays", "rays per second of our passes beside bare Embree, by ray order and scene", measure_rays},
-      {"replay", "eye views through the arrays beside direct views, by depth; whether depth is the right way round",
-       measure_replay},
-      {"reuse", "what reuse between frames saves of full tracing, and how near the pictures are", measure_reuse},
-      {"spheres", "rays per second against our spheres beside Embree's own sphere points", measure_spheres},
-      {"tachyon", "CPU time per pixel beside the program tachyon, on its own scenes", measure_tachyon},
+      {"rays", "rays per second of our passes beside bare Embree, by ray order and scene", measure_rays, {"--scene"}},
+      {"replay",
+       "eye views through the arrays beside direct views, by depth; whether depth is the right way round",
+       measure_replay,
+       {"--scene"}},
+      {"reuse",
+       "what reuse between frames saves of full tracing, and how near the pictures are",
+       measure_reuse,
+       {"--scene", "--tachyon-scenes", "--frames", "--large"}},
+      {"spheres", "rays per second against our spheres beside Embree's own sphere points", measure_spheres, {"--scene"}},
+      {"tachyon",
+       "CPU time per pixel beside the program tachyon, on its own scenes",
+       measure_tachyon,
+       {"--scene", "--tachyon-scenes"}},
   };
   return all;
 }

@@ -92,6 +92,7 @@ Report measure_denoise(const Request& request, const Context& context) {
       if (request.quick) (quilt ? params.size : params.lenses) = quilt ? Extent<int>{8 * 16, 16} : Extent<int>{16, 16};
       DenoiseCase bench(params, scene.frame, request, pool, context);
       for (const int spp : {4, 16, 64}) {
+        begin_step(request, context, fmt::format("denoise: {} {}, {} spp", scene.name, quilt ? "quilt" : "integral", spp));
         const Measured noisy = bench.measure(spp, false), denoised = bench.measure(spp, true);
         if (spp <= 16 && !request.quick && !(denoised.psnr_db > noisy.psnr_db))
           throw Error("bench denoise", fmt::format("{} at {} samples is farther from the truth than before", scene.name, spp));

@@ -2,22 +2,22 @@
 
 #include "bench/hostile_builders.hpp"
 #include "bench/hostile_parts.hpp"
+#include "bench/scenes.hpp"
 
 namespace lippmann::bench {
 namespace {
 
 constexpr int kSamples = 64;
 
-RenderParams params_of(const std::string& name) {
-  RenderParams params;
-  params.scene = name;
+RenderParams path_params_of(const std::string& name) {
+  RenderParams params = params_of(name);
   params.integrator = Integrator::kPath;
   params.spp = kSamples;
   return params;
 }
 
 RenderParams quilt(const std::string& name, Extent<int> views, int view_pixels) {
-  RenderParams params = params_of(name);
+  RenderParams params = path_params_of(name);
   params.optics = OpticsKind::kMultiview;
   params.views = views;
   params.size = {views.x * view_pixels, views.y * view_pixels};
@@ -40,7 +40,7 @@ HostileScene many_views(std::string name, std::string difficulty, std::function<
 /// 512 x 512 pixels below 64 lenses.
 HostileScene lenticular(std::string name, std::string difficulty, std::function<Scene()> build) {
   HostileScene scene = three_views(std::move(name), std::move(difficulty), std::move(build));
-  scene.params = params_of(scene.name);
+  scene.params = path_params_of(scene.name);
   scene.row_share = 8;
   return scene;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bench/hostile_scenes.hpp"
+#include "bench/scenes.hpp"
 #include "core/error.hpp"
 #include "scene/builtin.hpp"
 
@@ -55,7 +56,7 @@ void check_name(const std::string& name) {
 LightCase quiet_case(const std::string& name, const std::string& scene, const Request& request) {
   LightCase result;
   result.name = name, result.scene = scene;
-  result.params.scene = scene;
+  result.params = params_of(scene);
   result.params.integrator = Integrator::kPath;
   result.reference_spp = kReferenceSamples;
   result.row_share = request.quick ? kQuickRowShare : kRowShare;

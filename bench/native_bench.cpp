@@ -3,6 +3,8 @@
 //
 // The panel is an eighth of a Looking Glass Portrait each way, with its pixels, lenses and the share of pixels that its quilt's
 // tiles have. PSNR of 8-bit codes; CPU time of rendering alone, interlacing comes on top of the quilt's.
+#include <fmt/core.h>
+
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
@@ -82,6 +84,7 @@ Report measure_native(const Request& request, const Context& context) {
   Request wanted = request;
   if (wanted.scenes.empty()) wanted.scenes = {"teapot", "room"};
   for (const BenchScene& scene : bench_scenes(wanted, context)) {
+    begin_step(request, context, fmt::format("native: {}", scene.name));
     NativeBench bench(scene, pool, context);
     double ignored = 0.0, native_seconds = 0.0, quilt_seconds = 0.0;
     const Image8 reference = bench.interlaced(reference_display, ViewFilter::kLinear, ignored);

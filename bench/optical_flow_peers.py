@@ -28,8 +28,8 @@ def run(*command, cwd=None):
 
 
 def render(tool, scene, first, last, folder, *options):
-    """Frames first ... last as arrays of 8-bit codes."""
-    run(tool, "render", *scene.split(), "--frames", f"{first}-{last}", "--output", folder, *options)
+    """Frames first ... last as arrays of 8-bit codes, with all of the scene's depth, as the paper's."""
+    run(tool, "render", *scene.split(), "--full-depth", "--frames", f"{first}-{last}", "--output", folder, *options)
     return [cv2.imread(str(path)) for path in sorted(folder.glob("frame_*.png"))]
 
 

@@ -1,11 +1,18 @@
 // The tables of the paper that this project starts from, on the built-in scenes and on Tachyon's own.
+#include <fmt/core.h>
+
 #include <cmath>
+#include <filesystem>
+#include <span>
 
 #include "bench/benchmarks.hpp"
 #include "bench/paper_plots.hpp"
+#include "bench/paper_summary.hpp"
 #include "bench/paper_tables.hpp"
 #include "bench/reuse_run.hpp"
 #include "bench/timing.hpp"
+#include "core/atomic_file.hpp"
+#include "core/folder.hpp"
 #include "render/frame.hpp"
 #include "trace/trace_pixels.hpp"
 
@@ -124,11 +131,29 @@ std::vector<StyleRow> measure_styles(const Request& request, const Context& cont
   const ThreadPool pool(1);
   std::vector<StyleRow> rows;
   for (const BenchScene& scene : bench_scenes(request, context)) {
+    begin_step(request, context, fmt::format("{}: pixel-tracing styles", scene.name));
     StyleTimer timer(scene, pool, context);
     rows.push_back({scene.name, timer.lens_ms(RayOrder::kRows), timer.lens_ms(RayOrder::kColumns),
                     timer.frame_ms(RayOrder::kRows), timer.frame_ms(RayOrder::kColumns), timer.frame_ms(RayOrder::kViewTiles)});
   }
   return rows;
+}
+
+Json reproduced_json(const std::vector<Reproduced>& rows) {
+  Json all = Json::array();
+  for (const Reproduced& row : rows)
+    all.push_back({{"scene", row.scene},
+                   {"keyframes", row.keyframes},
+                   {"saving_total", rounded(row.saving)},
+                   {"paper_saving", finite_or_null(row.paper_saving)},
+                   {"psnr_db", finite_or_null(row.psnr_db)},
+                   {"paper_psnr_db", finite_or_null(row.paper_psnr_db)},
+                   {"reproduced", row.verdict()}});
+  return all;
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
 Json styles_json(const std::vector<StyleRow>& rows) {
@@ -146,11 +171,13 @@ Json styles_json(const std::vector<StyleRow>& rows) {
 }  // namespace
 
 Report measure_paper(const Request& request, const Context& context) {
+  const NewFolder csv_folder(std::filesystem::path(request.csv).parent_path()), plot_folder(request.plot);
+  if (!request.csv.empty()) AtomicFile{request.csv};  // refuses now, not after long work, what cannot be written
   std::vector<ReuseRun> runs;
   Report report;
   report.details = {{"frames", Json::array()}};
   for (const BenchAnimation& animation : bench_animations(request, context))
-    for (ReuseRun& run : run_reuse(animation, forward_methods(animation.params), context)) {
+    for (ReuseRun& run : run_reuse(animation, forward_methods(animation.params), request, context)) {
       report.rows.push_back(row_of(run));
       for (const Json& frame : frames_of(run)) report.details["frames"].push_back(frame);
       for (const ReuseFrame& frame : run.frames) report.passed_checks += frame.key;
@@ -161,7 +188,10 @@ Report measure_paper(const Request& request, const Context& context) {
   std::vector<StyleRow> styles;
   if (request.scenes.empty() || !builtin.scenes.empty()) styles = measure_styles(builtin, context);
   report.details["styles"] = styles_json(styles);
-  report.text = table_1(runs) + '\n' + table_2(runs) + '\n' + table_3(styles);
+  const std::vector<Reproduced> reproduced = reproduced_figures(runs);
+  report.details["reproduced"] = reproduced_json(reproduced);
+  report.text = reproduced_text(reproduced) + '\n' + table_1(runs) + '\n' + table_2(runs) + '\n' + table_3(styles);
+  if (!request.csv.empty()) write_text(request.csv, reproduced_csv(reproduced));
   if (!request.plot.empty()) plot_reuse(runs, request.plot);
   return report;
 }

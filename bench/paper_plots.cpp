@@ -7,6 +7,7 @@
 #include <string>
 
 #include "compare/gnuplot.hpp"
+#include "core/folder.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -64,7 +65,7 @@ std::string saving_commands(const std::vector<ReuseRun>& runs) {
 }  // namespace
 
 void plot_reuse(const std::vector<ReuseRun>& runs, const fs::path& folder) {
-  fs::create_directories(folder);
+  make_folder(folder);
   for (std::size_t begin = 0; begin < runs.size();) {
     std::vector<const ReuseRun*> of_scene;
     const std::string& scene = runs[begin].scene;

@@ -19,6 +19,8 @@ constexpr PaperFrame kTable1[] = {{103, 21.4394, 34.8187}, {104, 24.7497, 34.195
                                   {106, 25.3311, 34.0943}, {107, 22.0668, 34.6934}, {108, 25.7705, 34.0196},
                                   {109, 22.8951, 34.5334}};
 
+constexpr double kPaperMeanPsnr = 34.52;  ///< dB, over 11 frames of the teapot
+
 struct PaperAnimation {
   std::string_view scene;
   double traced, interpolated;  ///< seconds
@@ -83,6 +85,15 @@ bool is_listed(const ReuseRun& run, const ReuseFrame& frame) {
 }
 
 }  // namespace
+
+std::optional<double> papers_saving(const std::string& scene) {
+  const PaperAnimation* paper = find(kTable2, scene);
+  return paper ? std::optional(1.0 - paper->interpolated / paper->traced) : std::nullopt;
+}
+
+std::optional<double> papers_psnr_db(const std::string& scene) {
+  return papers_name(scene) == "teapot" ? std::optional(kPaperMeanPsnr) : std::nullopt;
+}
 
 std::string table_1(const std::vector<ReuseRun>& runs) {
   std::string text =

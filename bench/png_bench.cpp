@@ -116,11 +116,12 @@ nlohmann::ordered_json measure(const std::string& picture, const Image8& image, 
 
 }  // namespace
 
-Report measure_png(const Request&, const Context& context) {
+Report measure_png(const Request& request, const Context& context) {
   Report report;
   const std::pair<const char*, Kind> pictures[] = {
       {"view", Kind::kView}, {"integral", Kind::kIntegral}, {"noisy", Kind::kNoisyIntegral}};
   for (const auto& [name, kind] : pictures) {
+    begin_step(request, context, fmt::format("png: {}", name));
     const Image8 image = make_picture(kind);
     for (const Setting& setting : settings()) {
       if (context.cancelled) return report;

@@ -4,6 +4,8 @@
 // generation, no shading, no picture. Its time is taken strip by strip with the strip's packets fresh in cache, so that it does
 // not wait for memory that our side never touches. One thread. Each row is the median over repetitions of ratios taken within
 // one repetition.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 
@@ -158,6 +160,7 @@ Report measure_rays(const Request& request, const Context& context) {
       stage.device.update(resolved, pool);
       const Affine3f world_from_array = world_from_display(stage.array, stage.placed.units_per_mm, resolved);
       for (const RayOrder order : {RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles}) {
+        begin_step(request, context, fmt::format("rays: {}, {}", setup.name, to_string(order)));
         RayBench bench(stage, world_from_array, order);
         bench.check();
         ++report.passed_checks;

@@ -5,6 +5,8 @@
 // and by the depth of what the direct view sees, in parts of the depth budget N g: to a quarter of it, to a half, to all of it,
 // and beyond, where a pixel is wider than a lens. Each view is also held against that of an eye a fifth of the zone away:
 // depth must be the right way round, behind the display and before it; and in the same picture made pseudoscopic, the wrong.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -181,9 +183,11 @@ Report measure_replay(const Request& request, const Context& context) {
     Request one = request;
     one.scenes = {scene};
     BenchScene setup = bench_scenes(one, context).front();
+    begin_step(request, context, fmt::format("replay: {} lenticular", scene));
     measure(scene + " lenticular", ReplayBench(setup.params, setup.frame, pool, context), report);
     setup.params.optics = OpticsKind::kMicrolens;
     setup.params.lenses = {96, 96};
+    begin_step(request, context, fmt::format("replay: {} microlens", scene));
     measure(scene + " microlens", ReplayBench(setup.params, setup.frame, pool, context), report);
   }
   return report;

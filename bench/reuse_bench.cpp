@@ -57,7 +57,7 @@ Json row_of(const ReuseRun& run, std::optional<double> tachyon_seconds) {
 Report measure_reuse(const Request& request, const Context& context) {
   Report report;
   for (const BenchAnimation& animation : bench_animations(request, context)) {
-    const std::vector<ReuseRun> runs = run_reuse(animation, reuse_methods(animation.params), context, kRounds);
+    const std::vector<ReuseRun> runs = run_reuse(animation, reuse_methods(animation.params), request, context, kRounds);
     const auto tachyon_seconds = tachyon_seconds_per_frame(animation, static_cast<double>(runs.front().pixels));
     for (const ReuseRun& run : runs) {
       report.rows.push_back(row_of(run, tachyon_seconds));

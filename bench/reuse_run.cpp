@@ -138,8 +138,13 @@ double ReuseRun::missed_share() const {
 
 namespace {
 
+/// Frames that were stopped half-way are not to be compared.
+void stop_if_cancelled(const Context& context) {
+  if (context.cancelled) throw Error("bench", "was stopped before its end");
+}
+
 std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
-                                const ThreadPool& pool, const Context& context) {
+                                const Request& request, const ThreadPool& pool, const Context& context) {
   const Encoding encoding = stage.scene.encoding;
   const int last_of_all = stage.scene.timeline.frame_count - 1, end = animation.first + animation.count;
   std::vector<std::unique_ptr<FrameMaker>> makers;
@@ -153,15 +158,18 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
   render_frame(stage, animation.params, animation.first, pool, context);  // warms up
   TracedFrames traced;
   for (int first = animation.first; first < end; first += kTurn) {
+    begin_step(request, context, fmt::format("{}: frames {} to {}", animation.name, first, std::min(first + kTurn, end) - 1));
     for (int frame = first; frame <= std::min(first + kTurn, last_of_all); ++frame) {
       if (traced.contains(frame)) continue;
       const RenderedFrame rendered = render_frame(stage, animation.params, frame, pool, context);
+      stop_if_cancelled(context);
       traced[frame] = {to_codes(rendered.pictures.film, encoding), rendered.report.cpu_seconds};
     }
     for (std::size_t m = 0; m < methods.size(); ++m)
       for (int frame = first; frame < std::min(first + kTurn, end); ++frame) {
         const FrameInterval keys = key_interval(frame, runs[m].keyframes, last_of_all);
         RenderedFrame made = makers[m]->make(frame);
+        stop_if_cancelled(context);
         runs[m].frames.push_back(compare(made, traced, keys, encoding, methods[m].params.reuse == Reuse::kExact));
         makers[m]->recycle(std::move(made.pictures.film));
       }
@@ -173,12 +181,12 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
 }  // namespace
 
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
-                                const Context& context, int rounds) {
+                                const Request& request, const Context& context, int rounds) {
   const ThreadPool pool(resolved_threads(context));
   Stage stage(animation.params, pool, context);
-  std::vector<ReuseRun> runs = run_round(stage, animation, methods, pool, context);
+  std::vector<ReuseRun> runs = run_round(stage, animation, methods, request, pool, context);
   for (int round = 1; round < rounds; ++round) {
-    const std::vector<ReuseRun> again = run_round(stage, animation, methods, pool, context);
+    const std::vector<ReuseRun> again = run_round(stage, animation, methods, request, pool, context);
     for (std::size_t m = 0; m < runs.size(); ++m)
       for (std::size_t f = 0; f < runs[m].frames.size(); ++f) {
         ReuseFrame& frame = runs[m].frames[f];

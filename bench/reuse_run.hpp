@@ -52,6 +52,6 @@ struct ReuseMethod {
 /// One run per method, in their order. Throws Error where a frame traced as a whole, or made by exact reuse, is not the traced
 /// one to the bit.
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
-                                const Context& context, int rounds = 1);
+                                const Request& request, const Context& context, int rounds = 1);
 
 }  // namespace lippmann::bench

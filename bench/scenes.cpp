@@ -15,14 +15,20 @@ bool is_wanted(const Request& request, const std::string& name) {
 
 }  // namespace
 
+RenderParams params_of(const std::string& scene) {
+  RenderParams params;
+  params.scene = scene;
+  params.fit_depth = false;
+  return params;
+}
+
 std::vector<BenchScene> bench_scenes(const Request& request, const Context& context) {
   std::vector<std::string> names = request.scenes;
   if (names.empty())
     for (const BuiltinScene& builtin : builtin_scenes()) names.emplace_back(builtin.name);
   std::vector<BenchScene> result;
   for (const std::string& name : names) {
-    BenchScene scene{name, {}, 0};
-    scene.params.scene = name;
+    BenchScene scene{name, params_of(name), 0};
     scene.frame = load_scene(name, {}, context).timeline.frame_count / 3;
     result.push_back(std::move(scene));
   }
@@ -34,9 +40,7 @@ std::vector<BenchScene> tachyon_scenes(const Request& request) {
   for (const std::string name : {"teapot", "room", "smallballs"}) {
     const std::filesystem::path file = std::filesystem::path(request.tachyon_scenes) / (name + ".dat");
     if (!is_wanted(request, name) || !std::filesystem::exists(file)) continue;
-    BenchScene scene{name, {}, 0};
-    scene.params.scene = file.string();
-    result.push_back(std::move(scene));
+    result.push_back({name, params_of(file.string()), 0});
   }
   return result;
 }
@@ -50,9 +54,7 @@ std::vector<BenchAnimation> bench_animations(const Request& request, const Conte
     known += name + ", ";
     if (!is_wanted(request, name)) continue;
     const int all = load_scene(name, {}, context).timeline.frame_count;
-    BenchAnimation animation{name, {}, 0, std::min(request.frames > 0 ? request.frames : kFrames, all)};
-    animation.params.scene = name;
-    result.push_back(std::move(animation));
+    result.push_back({name, params_of(name), 0, std::min(request.frames > 0 ? request.frames : kFrames, all)});
   }
   for (const BenchScene& scene : tachyon_scenes(request)) {
     const std::filesystem::path path = std::filesystem::path(scene.params.scene).replace_extension(".cam");
@@ -65,8 +67,7 @@ std::vector<BenchAnimation> bench_animations(const Request& request, const Conte
     result.push_back({"tachyon " + scene.name, std::move(params), first, std::min(wanted, all - first)});
   }
   if (request.large && is_wanted(request, "teapot")) {
-    BenchAnimation large{"teapot 3840x2160", {}, 0, request.frames > 0 ? request.frames : kLargeFrames};
-    large.params.scene = "teapot";
+    BenchAnimation large{"teapot 3840x2160", params_of("teapot"), 0, request.frames > 0 ? request.frames : kLargeFrames};
     large.params.size = {3840, 2160};
     large.params.lens_pixels = {10.0f, 10.0f};
     result.push_back(std::move(large));

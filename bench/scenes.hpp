@@ -9,9 +9,13 @@
 
 namespace lippmann::bench {
 
+/// What every benchmark starts from: whatever a display could resolve, all of a scene's depth is rendered, as in the paper and
+/// in all figures of before depth was fitted by default.
+RenderParams params_of(const std::string& scene);
+
 struct BenchScene {
   std::string name;
-  RenderParams params;  ///< lenticular, 512 x 512, 64 lenses of 8 pixels, 28 degrees
+  RenderParams params;  ///< lenticular, 512 x 512, 64 lenses of 8 pixels, 28 degrees, full depth
   int frame = 0;
 };
 

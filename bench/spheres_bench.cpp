@@ -1,5 +1,7 @@
 // Spheres as our user geometry, tested against whole packets, beside RTC_GEOMETRY_TYPE_SPHERE_POINT: the same spheres, the same
 // primary packets, one thread, and nothing but the two Embree calls timed.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -101,6 +103,7 @@ Report measure_spheres(const Request& request, const Context& context) {
   const ThreadPool pool(1);
   pool.run([&] {
     for (const BenchScene& setup : bench_scenes(wanted, context)) {
+      begin_step(request, context, fmt::format("spheres: {}", setup.name));
       Stage stage(setup.params, pool, context);
       const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(setup.frame));
       PrimitiveTable<WorldSphere> table = world_spheres(stage.scene, resolved);

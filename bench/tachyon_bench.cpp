@@ -3,6 +3,8 @@
 // tachyon's time is the difference between a large and a tiny picture, so that reading the scene and building its structures
 // do not count; nor do ours. Two frames of ours: the same single view of the same size, and the integral image that our default
 // array around the same camera makes (the same pixels of scene, seen from 8 directions each).
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <string>
 
@@ -78,7 +80,10 @@ Report measure_tachyon(const Request& request, const Context& context) {
   Report report;
   const ThreadPool pool(1);
   pool.run([&] {
-    for (const BenchScene& setup : scenes) report.rows.push_back(measure_scene(setup, pool, context));
+    for (const BenchScene& setup : scenes) {
+      begin_step(request, context, fmt::format("tachyon: {}", setup.name));
+      report.rows.push_back(measure_scene(setup, pool, context));
+    }
   });
   return report;
 }

@@ -2,9 +2,13 @@
 #include <fmt/core.h>
 #include <sys/utsname.h>
 
+#include <algorithm>
+#include <exception>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
@@ -21,6 +25,7 @@ struct Options {
   bench::Request request;
   int threads = 0;
   bool json = false;
+  std::vector<std::pair<std::string, Flag>> own;  ///< flags that only some benchmarks take
 };
 
 std::string cpu_model() {
@@ -83,14 +88,39 @@ bench::Report run_to_the_end(const bench::Benchmark& benchmark, const bench::Req
     bench::Report report = benchmark.run(request, context);
     if (context.cancelled) throw stopped();
     return report;
-  } catch (const Error&) {
+  } catch (const std::exception&) {
     if (context.cancelled) throw stopped();
     throw;
   }
 }
 
+std::string flags_of(const bench::Benchmark& benchmark) {
+  std::string flags;
+  for (const std::string_view flag : benchmark.options) flags += std::string(flag) + ", ";
+  return flags + "--threads, --json";
+}
+
+/// A flag that a benchmark does not take would be ignored without a word.
+void refuse_foreign_flags(const bench::Benchmark& benchmark, const Options& options) {
+  for (const auto& [name, flag] : options.own)
+    if (flag.given() && std::find(benchmark.options.begin(), benchmark.options.end(), name) == benchmark.options.end())
+      throw usage_error(name, fmt::format("is not an option of bench {}", benchmark.name), flags_of(benchmark));
+}
+
+std::string benchmarks_help() {
+  std::string text = "Benchmarks, and the options that each of them takes besides --threads and --json:\n";
+  for (const bench::Benchmark& benchmark : bench::benchmarks()) {
+    std::string flags;
+    for (const std::string_view flag : benchmark.options) flags += " " + std::string(flag);
+    text += fmt::format("  {:<10} {}\n", benchmark.name, benchmark.description);
+    if (!flags.empty()) text += fmt::format("  {:<10}{}\n", "", flags);
+  }
+  return text;
+}
+
 int run(const Options& options, Context& context) {
   const bench::Benchmark& benchmark = find_benchmark(options.name);
+  refuse_foreign_flags(benchmark, options);
   context.threads = options.threads;
   const bench::Report report = run_to_the_end(benchmark, options.request, context);
   if (!options.json) {
@@ -113,43 +143,45 @@ int run(const Options& options, Context& context) {
 
 void add_bench_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  options->request.say = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
+  bench::Request& request = options->request;
+  request.say = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
   const Command command = root.add_command("bench", "Measure speed on this machine, after checking the results");
-  std::string footer = "Benchmarks:\n";
-  for (const bench::Benchmark& benchmark : bench::benchmarks())
-    footer += fmt::format("  {:<10} {}\n", benchmark.name, benchmark.description);
-  command.footer(footer);
-  command.add_option("NAME", options->name, "Which benchmark").required();
-  command
-      .add_option("SCENE,--scene", options->request.scenes,
-                  "Only these scenes: built-in names or files, of light also the rows that --list names; several, or --scene "
-                  "again for each")
-      .type_name("SCENE");
-  command.add_flag("--list", options->request.list, "Of light: say what rows there are, and measure nothing");
-  command
-      .add_option("--pictures", options->request.pictures,
-                  "Of light: also write what was compared and the errors as PNG into this folder")
-      .type_name("DIR");
-  command.add_option("--tachyon-scenes", options->request.tachyon_scenes, "The folder of Tachyon's own scenes")
-      .type_name("DIR")
-      .show_default();
-  command
-      .add_option("--frames", options->request.frames,
-                  "Of light, paper and reuse: frames of each animation; 0: 48 (24 of Tachyon's), of light 12 (hostile rows 16)")
-      .type_name("N")
-      .not_negative();
-  command.add_flag("--large", options->request.large, "Of reuse: also the teapot at 3840x2160 pixels");
-  command.add_flag("--quick", options->request.quick, "Of light: few small frames, to see that it works");
-  command
-      .add_option("--reference-spp", options->request.reference_spp,
-                  "Of light: samples per pixel of references; 0: 2048, of hostile rows 1024")
-      .type_name("N")
-      .range(0, 1 << 20);
-  command
-      .add_option("--references", options->request.references,
-                  "Of light: the folder where references are kept; default: lippmann/references in the user's cache")
-      .type_name("DIR");
-  command.add_option("--plot", options->request.plot, "Of paper: also draw plots (PNG) into this folder").type_name("DIR");
+  command.footer(benchmarks_help());
+  command.add_option("NAME", options->name, "The benchmark").required();
+  const auto own = [&](const char* name, const Flag& flag) { options->own.emplace_back(name, flag); };
+  own("--scene",
+      command
+          .add_option("SCENE,--scene", request.scenes,
+                      "Measure only these scenes: names of built-in scenes, files, or for light the rows that --list "
+                      "names; repeat --scene for more")
+          .type_name("SCENE"));
+  own("--list", command.add_flag("--list", request.list, "List the rows and measure nothing"));
+  own("--pictures", command
+                        .add_option("--pictures", request.pictures,
+                                    "Also write the compared pictures and their errors as PNG files into this folder")
+                        .type_name("DIR"));
+  own("--tachyon-scenes", command.add_option("--tachyon-scenes", request.tachyon_scenes, "The folder of Tachyon's own scenes")
+                              .type_name("DIR")
+                              .show_default());
+  own("--frames", command
+                      .add_option("--frames", request.frames,
+                                  "Number of frames of each animation; 0: 48 (24 of Tachyon's), for light 12 (hostile rows 16)")
+                      .type_name("N")
+                      .not_negative());
+  own("--large", command.add_flag("--large", request.large, "Also measure the teapot at 3840x2160 pixels"));
+  own("--quick", command.add_flag("--quick", request.quick, "Measure a few small frames, to see that the benchmark works"));
+  own("--reference-spp", command
+                             .add_option("--reference-spp", request.reference_spp,
+                                         "Samples per pixel of the reference pictures; 0: 2048, for hostile rows 1024")
+                             .type_name("N")
+                             .range(0, 1 << 20));
+  own("--references", command
+                          .add_option("--references", request.references,
+                                      "The folder that keeps the reference pictures; default: lippmann/references in the "
+                                      "user's cache")
+                          .type_name("DIR"));
+  own("--plot", command.add_option("--plot", request.plot, "Also draw plots as PNG files into this folder").type_name("DIR"));
+  own("--csv", command.add_option("--csv", request.csv, "Also write the summary, one row per scene, as CSV").type_name("FILE"));
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

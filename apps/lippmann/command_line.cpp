@@ -104,6 +104,7 @@ const Flag& Flag::range(double least, double most) const { return option_->check
 const Flag& Flag::positive() const { return option_->check(CLI::PositiveNumber), *this; }
 const Flag& Flag::not_negative() const { return option_->check(CLI::NonNegativeNumber), *this; }
 const Flag& Flag::one_of(std::initializer_list<const char*> words) const { return option_->check(CLI::IsMember(words)), *this; }
+bool Flag::given() const { return option_->count() > 0; }
 const Flag& Flag::show_default() const { return option_->capture_default_str(), *this; }
 
 Command Command::add_command(const std::string& name, const std::string& doc) const {

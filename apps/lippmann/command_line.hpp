@@ -32,6 +32,7 @@ class Flag {
   const Flag& positive() const;                                        ///< else wrong usage
   const Flag& not_negative() const;                                    ///< likewise
   const Flag& one_of(std::initializer_list<const char*> words) const;  ///< else wrong usage
+  bool given() const;                                                  ///< after parsing: whether the command line has it
   const Flag& show_default() const;                                    ///< --help names the value that its variable has now
 
  private:

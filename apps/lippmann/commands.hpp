@@ -15,6 +15,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "core/context.hpp"
 
@@ -25,7 +26,8 @@ class Command;  // command_line.hpp
 /// What the command line asked for: runs it and returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
 
-void add_render_command(const Command& root, Action& chosen);
+/// `program`: how the tool was called, for the commands that the summary suggests.
+void add_render_command(const Command& root, Action& chosen, const std::string& program);
 void add_check_command(const Command& root, Action& chosen);
 void add_compare_command(const Command& root, Action& chosen);
 void add_convert_command(const Command& root, Action& chosen);

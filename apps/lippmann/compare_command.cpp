@@ -2,8 +2,10 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
@@ -11,12 +13,15 @@
 #include "compare/comparison_text.hpp"
 #include "compare/plot.hpp"
 #include "core/atomic_file.hpp"
+#include "core/folder.hpp"
+#include "render/param_text.hpp"
+#include "render/params.hpp"
 
 namespace lippmann::app {
 namespace {
 
 struct Options {
-  std::string reference, test, csv, plot;
+  std::string reference, test, csv, plot, frames;
   int threads = 0;
   bool json = false;
 };
@@ -26,10 +31,14 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 int run(const Options& options, Context& context) {
+  const NewFolder csv_folder(std::filesystem::path(options.csv).parent_path());
+  const NewFolder plot_folder(std::filesystem::path(options.plot).parent_path());
   for (const std::string& path : {options.csv, options.plot})
     if (!path.empty()) AtomicFile{path};  // refuses now, not after long work, what cannot be written
   context.threads = options.threads;
-  const Comparison comparison = compare(options.reference, options.test, context);
+  const std::optional<std::vector<int>> wanted =
+      options.frames.empty() ? std::nullopt : std::optional(frames_of(read_frames(options.frames, "--frames")));
+  const Comparison comparison = compare(options.reference, options.test, context, wanted);
   if (context.cancelled) return 1;
   if (!options.csv.empty()) write_text(options.csv, comparison_csv(comparison));
   if (!options.plot.empty()) plot_psnr(comparison, options.plot);
@@ -44,7 +53,11 @@ void add_compare_command(const Command& root, Action& chosen) {
   const Command command =
       root.add_command("compare", "Print MSE, RMSE, PSNR and SSIM of pictures, folders of frames or videos, frame by frame");
   command.add_option("REFERENCE", options->reference, "The reference: a picture, a folder or a video").required();
-  command.add_option("TEST", options->test, "What is compared with the reference").required();
+  command.add_option("TEST", options->test, "The picture, folder or video to compare with it").required();
+  command
+      .add_option("--frames", options->frames,
+                  "Compare frames A to B only, both included; lists and steps: 0,2,4 or 0-10:2; others may be missing")
+      .type_name("A-B");
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.add_option("--csv", options->csv, "Also write one line per frame to this file");
   command.add_option("--plot", options->plot, "Also draw the PSNR of every frame into this PNG (needs gnuplot)");

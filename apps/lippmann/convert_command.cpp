@@ -1,7 +1,6 @@
 // `lippmann convert IN OUT`: light fields of one format into another.
 #include <fmt/core.h>
 
-#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,6 +8,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/crosstalk_flags.hpp"
+#include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "core/error.hpp"
@@ -26,20 +26,6 @@ struct Options {
   OrthoscopicFlags orthoscopic;
   CrosstalkFlags crosstalk;
 };
-
-/// Digits, x, digits; both from 1 to 1024.
-std::optional<ViewGrid> read_grid(const std::string& text, const std::string& flag) {
-  if (text.empty()) return std::nullopt;
-  ViewGrid grid;
-  const char* end = text.data() + text.size();
-  const auto columns = std::from_chars(text.data(), end, grid.columns);
-  const bool split = columns.ec == std::errc() && columns.ptr != end && *columns.ptr == 'x';
-  const auto rows = split ? std::from_chars(columns.ptr + 1, end, grid.rows) : columns;
-  const auto in_range = [](int n) { return n >= 1 && n <= 1024; };
-  if (!split || rows.ec != std::errc() || rows.ptr != end || !in_range(grid.columns) || !in_range(grid.rows))
-    throw usage_error(flag, "'" + text + "' is no grid", "CxR, such as 8x6, each from 1 to 1024");
-  return grid;
-}
 
 ViewFilter read_filter(const std::string& word) {
   if (word == "linear") return ViewFilter::kLinear;
@@ -99,17 +85,23 @@ std::string formats_help() {
 
 void add_convert_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  const Command command = root.add_command("convert", "Turn light fields of one format into another, exactly");
-  command.add_option("IN", options->in, "A picture or folder of the format; or a folder of many, frame_0000...").required();
+  const Command command = root.add_command("convert", "Convert light fields from one format to another, without loss");
+  command.add_option("IN", options->in, "A picture or folder in the input format, or a folder of several: frame_0000, ...")
+      .required();
   command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
       .required();
-  command.add_option("--from", options->from, "What IN is, see below; default: as its name or render's report.json says")
+  command.add_option("--from", options->from, "Format of IN (see below); default: taken from its name or from report.json")
       .type_name("FORMAT");
-  command.add_option("--to", options->to, "What OUT is to be; required but for --rotate-elemental, --spoc, --precompensate")
+  command
+      .add_option("--to", options->to,
+                  "Format of OUT (see below); required, except with --rotate-elemental, --spoc or --precompensate")
       .type_name("FORMAT");
-  command.add_option("--views", options->views, "Views across and up; of an integral image: pixels below each lens")
+  command
+      .add_option("--views", options->views, "Number of views across and up; for an integral image, the pixels below each lens")
       .type_name("CxR");
-  command.add_option("--quilt", options->quilt, "Tiles of the quilt; default: as its name says, or as square as can be")
+  command
+      .add_option("--quilt", options->quilt,
+                  "Tiles of the quilt, across and down; default: taken from its name, or as square as possible")
       .type_name("CxR");
   command.add_option("--aspect", options->aspect, "Width / height of the display, for the name of a quilt").positive();
   command
@@ -117,13 +109,15 @@ void add_convert_command(const Command& root, Action& chosen) {
                   "Only these columns (from the left) and rows (from the lowest) of views, each N, A-B, A-B:STEP or all: "
                   "0-47:2, 2-6x2-6, allx4")
       .type_name("COLUMNS[xROWS]");
-  command.add_option("--crop", options->crop, "Only this window of every view, from its top left corner").type_name("WxH+X+Y");
-  command.add_option("--bits", options->bits, "Of the codes of PPM files; default: as read").range(8, 16);
+  command.add_option("--crop", options->crop, "Keep only this window of every view; X and Y count from the top left")
+      .type_name("WxH+X+Y");
+  command.add_option("--bits", options->bits, "Bits per sample of PPM files; default: as read").range(8, 16);
   command.add_option("--display", options->display,
-                     "Whose frame native is: a name that 'displays' lists, a calibration .json, a .toml of your own");
-  command.add_option("--filter", options->filter, "Of views, for --to native: nearest (default), linear or gaussian")
+                     "The display that a native frame belongs to: a name (see: lippmann displays), a calibration .json, or a "
+                     ".toml of your own");
+  command.add_option("--filter", options->filter, "Filter between views for --to native: nearest (default), linear or gaussian")
       .one_of({"nearest", "linear", "gaussian"});
-  command.add_option("--sigma", options->sigma, "Of --filter gaussian, in views; default 0.5").range(0.1, 10.0);
+  command.add_option("--sigma", options->sigma, "Width of --filter gaussian, in views; default 0.5").range(0.1, 10.0);
   add_orthoscopic_flags(command, options->orthoscopic);
   add_crosstalk_flags(command, options->crosstalk);
   command.add_flag("--json", options->json, "Print the result as JSON");

@@ -13,6 +13,7 @@
 #include "apps/lippmann/progress.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/folder.hpp"
 #include "layout/rendered.hpp"
 #include "render/param_text.hpp"
 #include "video/encode_frames.hpp"
@@ -52,9 +53,11 @@ int run(const Options& options, Context& context) {
   const std::vector<NumberedFrame> frames = wanted_frames(options);
   video.rate = frame_rate(rate_of(options, frames));
   const fs::path out = video_path(options.out, frames);
+  const NewFolder folder(out.parent_path());
   remove_stale_temporaries(out.parent_path().empty() ? fs::path(".") : out.parent_path(), out.filename());
   const int count = static_cast<int>(frames.size());
-  std::optional<Progress> progress(std::in_place, count, Progress::stderr_is_terminal());
+  std::optional<Progress> progress(std::in_place, count,
+                                   Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines);
   const bool whole = encode_frames(frames, out, video, context,
                                    [&](const NumberedFrame& frame) { progress->step(frame.path.filename().string()); });
   progress.reset();

@@ -1,30 +1,49 @@
 // Parses the command line, runs the one command that it names, and turns every failure into one message and an exit code:
 // 0 done, 1 the work failed (bad input, I/O), 2 wrong usage, 128 + n stopped by signal n.
 #include <fmt/core.h>
+#include <sys/resource.h>
 
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/interrupt.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 
 namespace lippmann::app {
 namespace {
 
 constexpr int kFailed = 1;
 
+/// How the tool was called: its path where there is one, so that what is suggested runs as it is printed.
+std::string called_as(int argc, char** argv) {
+  const std::string_view word = argc > 0 ? argv[0] : "";
+  return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);
+}
+
+/// Threads take their stacks from this limit too, and one that is too small ends the process without a word.
+void check_stack_limit() {
+  constexpr rlim_t kLeastBytes = rlim_t{512} << 10;  // renders crash below 256 KB
+  rlimit stack{};
+  if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < kLeastBytes)
+    throw Error("ulimit -s", fmt::format("the stack is limited to {} KB", stack.rlim_cur >> 10),
+                fmt::format("at least {} KB", kLeastBytes >> 10));
+}
+
 int run(int argc, char** argv) {
+  check_stack_limit();
   CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
                            "lippmann " LIPPMANN_VERSION);
   const Command root = command_line.root();
   Action chosen;
-  add_render_command(root, chosen);
+  add_render_command(root, chosen, called_as(argc, argv));
   add_check_command(root, chosen);
   add_compare_command(root, chosen);
   add_convert_command(root, chosen);

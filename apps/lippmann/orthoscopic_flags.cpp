@@ -20,15 +20,17 @@ void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags) {
           "--spoc", flags.spoc_mm,
           "Smart conversion to orthoscopic: what stood this far before the recording array comes into the display's plane")
       .type_name("MM");
-  group.add_option("--reference-plane", flags.reference_mm, "Of --spoc: where the scene stays best; default: that distance")
+  group
+      .add_option("--reference-plane", flags.reference_mm,
+                  "With --spoc: the depth that stays sharpest; default: the same distance")
       .type_name("MM");
-  group.add_option("--lens-pitch", flags.lens_pitch_mm, "Of --spoc: the display's lenses; default: as recorded")
+  group.add_option("--lens-pitch", flags.lens_pitch_mm, "With --spoc: lens pitch of the display; default: as recorded")
       .type_name("MM");
-  group.add_option("--gap", flags.gap_mm, "Of --spoc: from the display's lenses to its pixels; default: as recorded")
+  group.add_option("--gap", flags.gap_mm, "With --spoc: gap between the display's lenses and pixels; default: as recorded")
       .type_name("MM");
   group
       .add_option("--lens-pixels", flags.lens_pixels,
-                  "Of --spoc: pixels below each of the display's lenses; default: as recorded")
+                  "With --spoc: pixels below each lens of the display; default: as recorded")
       .type_name("N");
 }
 

@@ -22,10 +22,14 @@ void add_param(const Command& command, const ParamInfo& info, std::vector<std::s
   const std::string flag = fmt::format("{}--{}", info.name == "output" ? "-o," : "", info.name);
   const std::string group(info.group), doc(info.doc);
   if (info.kind == ParamKind::kFlag) {
-    command
-        .add_flag(
-            flag, [&values] { values = {"true"}; }, doc)
-        .group(group);
+    const auto add = [&](const std::string& name, const char* value, const std::string& words) {
+      command
+          .add_flag(
+              name, [&values, value] { values.emplace_back(value); }, words)
+          .group(group);
+    };
+    add(flag, "true", doc);
+    if (!info.opposite.empty()) add(fmt::format("--{}", info.opposite), "false", std::string(info.opposite_doc));
     return;
   }
   const Flag option = command.add_option(flag, values, doc + default_text(info));
@@ -42,8 +46,13 @@ RenderParams ParamFlags::read() const {
   if (scene_is_job && !job.empty()) throw usage_error("--job", "a second job file", "one");
   if (scene_is_job || !job.empty()) read_job(scene_is_job ? scene : job, params);
   if (!scene.empty() && !scene_is_job) params.scene = scene;
-  for (const auto& [name, texts] : values)
-    if (!texts.empty()) find_param(name)->set(params, texts, fmt::format("--{}", name));
+  for (const auto& [name, texts] : values) {
+    if (texts.empty()) continue;
+    const ParamInfo& info = *find_param(name);
+    if (info.kind == ParamKind::kFlag && texts.size() > 1)
+      throw usage_error(fmt::format("--{}", name), fmt::format("and --{} are opposites", info.opposite), "one of them");
+    info.set(params, texts, fmt::format("--{}", name));
+  }
   if (params.scene.empty())
     throw usage_error("SCENE", "no scene is named", "a built-in name (see: lippmann scenes), a file, or a job");
   return params;

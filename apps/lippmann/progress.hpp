@@ -1,4 +1,5 @@
-// Shows on stderr how far a render is: a bar with the time left on a terminal, one line per frame elsewhere.
+// Shows on stderr how far long work is: a bar with the time left on a terminal, elsewhere a line now and then, or what is asked
+// for.
 #pragma once
 
 #include <chrono>
@@ -7,9 +8,29 @@
 
 namespace lippmann::app {
 
+enum class ProgressStyle {
+  kBar,       ///< one line that is drawn again and again
+  kLines,     ///< a line after the first, the last and, ever less often, some in between
+  kEveryLine  ///< a line each
+};
+
+/// Which of the things that are done get a line, so that a log of hours stays short: the first, the last, and one whenever 30 s
+/// and a tenth of the time so far have passed since the line before.
+class LineSchedule {
+ public:
+  /// done: that one included. Notes that a line is printed where it is due.
+  bool is_due(int done, int total, double elapsed_s);
+
+ private:
+  double last_s_ = 0.0;
+};
+
+/// How long all of it takes from here, if the rest goes as what is done has. done > 0.
+inline double seconds_left(double elapsed_s, double done, double total) { return elapsed_s / done * total - elapsed_s; }
+
 class Progress {
  public:
-  Progress(int total, bool terminal);
+  Progress(int total, ProgressStyle style);
   /// Leaves the line that the bar stands in.
   ~Progress();
   Progress(const Progress&) = delete;
@@ -17,6 +38,9 @@ class Progress {
 
   /// One more is done; `line` says what, where there is no bar.
   void step(const std::string& line);
+
+  /// What else is known of the whole from now on, such as its size; stands behind the time left.
+  void set_note(const std::string& note);
 
   /// The one under way is done up to `share`, 0 to 1: moves the bar. Any thread.
   void within(double share);
@@ -26,12 +50,15 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   void draw();
 
   std::mutex mutex_;  ///< what follows
   int total_, done_ = 0;
   double within_ = 0.0;
-  bool terminal_;
+  std::string note_;
+  ProgressStyle style_;
+  LineSchedule schedule_;
   Clock::time_point start_ = Clock::now(), drawn_;
 };
 

@@ -13,13 +13,17 @@
 #include "apps/lippmann/crosstalk_flags.hpp"
 #include "apps/lippmann/param_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "apps/lippmann/progress.hpp"
+#include "apps/lippmann/render_progress.hpp"
+#include "core/error.hpp"
+#include "core/folder.hpp"
+#include "core/printable.hpp"
 #include "optics/crosstalk.hpp"
 #include "render/animation.hpp"
 #include "render/frame.hpp"
 #include "render/job_file.hpp"
 #include "render/shared_light.hpp"
 #include "render/single_clip.hpp"
+#include "render/size_estimate.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -28,24 +32,23 @@ namespace fs = std::filesystem;
 
 struct Options {
   ParamFlags flags;
-  std::string dump_job, also;
+  std::string dump_job, also, progress, program;
   bool force = false;
-  bool json = false, quiet = false, dry_run = false;
+  bool json = false, quiet = false, verbose = false, dry_run = false;
 };
 
-std::string describe_optics(const Optics& optics) {
-  return fmt::format("{}x{} pixels", optics.panel.width, optics.panel.height);
-}
+/// What `planned` says that the summary needs, once the plan is gone.
+struct Planned {
+  fs::path folder;
+  FrameNames names;
+  Vec2i picture_size{0, 0};
+  int kept = 0;
+};
 
-std::string frame_line(const FrameReport& frame, Reuse reuse) {
-  if (frame.kind == "in-between" && reuse == Reuse::kForward)
-    return fmt::format("frame {}: {:.3f} s, between key frames, {} pixels missed", frame.frame, frame.seconds,
-                       frame.missed_pixels);
-  if (frame.kind == "in-between")
-    return fmt::format("frame {}: {:.3f} s, {} pixels copied from the key frame", frame.frame, frame.seconds,
-                       frame.reused_pixels);
-  return fmt::format("frame {}: {:.3f} s, {:.2f} million rays", frame.frame, frame.seconds,
-                     static_cast<double>(frame.rays.total()) * 1e-6);
+/// "512x512 pixels", "48 views of 420x560 pixels".
+std::string describe_pictures(const Planned& plan) {
+  return fmt::format("{}{}x{} pixels", plan.names.views > 0 ? fmt::format("{} views of ", plan.names.views) : "",
+                     plan.picture_size.x, plan.picture_size.y);
 }
 
 /// How much of frames that are the same bits as traced ones was copied.
@@ -74,21 +77,42 @@ std::string describe_forward_reuse(const RenderReport& report) {
       percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
 }
 
-/// What was made, where it is, and how to look at it.
-void print_summary(const RenderReport& report, const fs::path& folder, const FrameNames& names, int kept) {
+/// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
+bool can_be_replayed(const RenderReport& report) {
+  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.mirror;
+}
+
+/// With what the pictures were made, and what makes better ones.
+std::string describe_paths(const RenderParams& params) {
+  const int samples = samples_per_pixel(params);
+  return fmt::format("path traced with {} samples a pixel{}", samples,
+                     samples < kPathSamples ? fmt::format("; --spp {} for less noise", kPathSamples) : "");
+}
+
+std::string describe_depth(const ShownDepth& shown, const Optics& optics, float depth_scale) {
+  return depth_budget_sentence(shown, optics, depth_scale) +
+         (depth_scale < 1.0f ? " --full-depth shows all of it." : " --fit-depth shows it less deep.");
+}
+
+/// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
+void print_summary(const RenderReport& report, const Planned& plan, const std::string& program) {
+  const auto& [folder, names, picture_size, kept] = plan;
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
   for (const auto* some : {&report.frames, &report.sources})
     for (const FrameReport& frame : *some) seconds += frame.seconds, rays += static_cast<double>(frame.rays.total());
   fmt::print("{}{} frame{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "",
-             frames, frames == 1 ? "" : "s", describe_optics(report.optics), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
+             frames, frames == 1 ? "" : "s", describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
              kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
   const auto line = [](std::string_view name, const std::string& value) { fmt::print("  {:<9} {}\n", name, value); };
   if (frames > 0) {
     const auto path = [&](const FrameReport& frame) { return (folder / frame_name(names, frame.frame)).string(); };
     line("pictures", path(report.frames.front()) + (frames > 1 ? " ... " + path(report.frames.back()) : ""));
-    for (const std::string& video : report.videos)
-      if (!report.interrupted) line("video", video + "   (to look at it: ffplay -loop 0 " + video + ")");
+    if (!report.interrupted)
+      for (const std::string& video : report.videos) {
+        line("video", video);
+        line("play", "ffplay -loop 0 " + shell_word(video));
+      }
     if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
     if (report.params.reuse == Reuse::kExact && integrator_of(report.params) == Integrator::kPath) {
       line("reuse", shared_light_sentence(report.frames));
@@ -99,18 +123,19 @@ void print_summary(const RenderReport& report, const fs::path& folder, const Fra
     } else if (report.params.reuse == Reuse::kExact && frames > 1) {
       line("reuse", describe_exact_reuse(report));
     }
-    if (has_lenses(report.optics))
-      line("one eye", "lippmann replay " + folder.string() + " shows what it sees through the lenses");
+    if (can_be_replayed(report)) line("one eye", program + " replay " + shell_word(folder.string()));
   }
+  if (integrator_of(report.params) == Integrator::kPath) line("shading", describe_paths(report.params));
   if (!report.light.empty()) line("light", report.light);
+  if (!report.view.empty()) line("view", report.view);
   if (const auto done = precompensation_of(report))
     line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
                                   describe_bound(done->clipped_share, done->largest_residual)));
-  if (!report.depth.fits())
-    line("depth", depth_budget_sentence(report.depth, report.optics) + " --fit-depth shows it less deep.");
+  if (report.depth_scale < 1.0f || !report.depth.fits())
+    line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
   line("figures", (folder / "report.json").string());
   line(report.interrupted ? "go on" : "again",
-       "lippmann render " + (folder / "job.toml").string() + (report.interrupted ? " --resume" : ""));
+       program + " render " + shell_word((folder / "job.toml").string()) + (report.interrupted ? " --resume" : ""));
 }
 
 /// "3 frames (0 to 8)".
@@ -119,22 +144,42 @@ std::string describe_frames(const std::vector<int>& frames) {
   return fmt::format("{} frames ({} to {})", frames.size(), frames.front(), frames.back());
 }
 
+/// ", of which layers 1.2 GB, videos 30 MB".
+std::string describe_parts(const FileSizes& sizes) {
+  std::string parts;
+  if (sizes.layers > 0.0) parts += ", layers " + bytes_text(sizes.layers);
+  if (sizes.videos > 0.0) parts += ", videos " + bytes_text(sizes.videos);
+  return parts.empty() ? parts : ", of which" + parts.substr(1);
+}
+
 void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   const std::uint64_t bytes = largest_picture_bytes(plan, params.exr_pixels);
+  const FileSizes sizes = estimated_file_sizes(plan, params);
+  const PlacedOptics& placed = plan.stage.placed;
+  const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
   const int pictures = std::max(1, plan.names.views);
+  const auto whole = [](double number) { return static_cast<std::uint64_t>(number); };
   if (json)
-    return print_json({{"dry_run", true},
-                       {"folder", plan.folder.string()},
-                       {"frames", plan.frames},
-                       {"picture_size", {plan.picture_size.x, plan.picture_size.y}},
-                       {"pictures_per_frame", pictures},
-                       {"largest_bytes", bytes}});
+    return print_json(
+        {{"dry_run", true},
+         {"folder", plan.folder.string()},
+         {"frames", plan.frames},
+         {"picture_size", {plan.picture_size.x, plan.picture_size.y}},
+         {"pictures_per_frame", pictures},
+         {"largest_bytes", bytes},
+         {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
+         {"estimated_bytes", whole(sizes.all())},
+         {"estimated",
+          {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
   fmt::print("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
   fmt::print("  {:<9} {}{}x{} pixels\n", "pictures", pictures > 1 ? fmt::format("{} a frame, ", pictures) : "",
              plan.picture_size.x, plan.picture_size.y);
   fmt::print("  {:<9} {} ... {}\n", "files", frame_name(plan.names, plan.frames.front()),
              frame_name(plan.names, plan.frames.back()));
-  fmt::print("  {:<9} at most {:.1f} MB, before compression\n", "size", static_cast<double>(bytes) * 1e-6);
+  fmt::print("  {:<9} about {}{} (an estimate); pictures before compression: {}\n", "size", bytes_text(sizes.all()),
+             describe_parts(sizes), bytes_text(static_cast<double>(bytes)));
+  if (placed.depth_scale < 1.0f || !shown.fits())
+    fmt::print("  {:<9} {}\n", "depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
 
 /// Says what a render would make, and makes nothing.
@@ -145,51 +190,58 @@ void plan_only(const RenderParams& params, bool json, Context& context) {
   render_animation(params, context, observer);
 }
 
+RenderProgressKind progress_kind(const Options& options) {
+  if (options.quiet) return RenderProgressKind::kNone;
+  if (options.verbose) return RenderProgressKind::kVerbose;
+  return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
+}
+
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
-RenderReport render(const RenderParams& params, bool json, bool quiet, bool force, Context& context) {
-  std::optional<Progress> progress;
-  fs::path folder;
-  FrameNames names;
-  int kept = 0;
+RenderReport render(const RenderParams& params, const Options& options, bool force, Context& context) {
+  std::optional<RenderProgress> progress;
+  Planned planned;
   RenderObserver observer;
   observer.force = force;
   observer.planned = [&](const RenderPlan& plan) {
-    folder = plan.folder;
-    names = plan.names;
-    kept = plan.kept;
-    if (!quiet) progress.emplace(static_cast<int>(plan.frames.size()) - plan.kept, Progress::stderr_is_terminal());
+    planned = {plan.folder, plan.names, plan.picture_size, plan.kept};
+    progress.emplace(plan, params, progress_kind(options));
   };
-  observer.traced = [&](const FrameReport& frame) {
-    if (progress) progress->step(frame_line(frame, params.reuse));
-  };
-  context.frame_progress = [&](double share) {
-    if (progress) progress->within(share);
-  };
+  observer.traced = [&](const FrameReport& frame) { progress->traced(frame); };
+  observer.written = [&](int frame, std::uintmax_t bytes) { progress->written(frame, bytes); };
+  context.frame_progress = [&](double share) { progress->within(share); };
   const RenderReport report = render_animation(params, context, observer);
   context.frame_progress = nullptr;
   progress.reset();
-  if (!json && !quiet) print_summary(report, folder, names, kept);
+  if (!options.json && !options.quiet) print_summary(report, planned, options.program);
   return report;
 }
 
 int run(const Options& options, Context& context) {
+  if (options.quiet && (options.verbose || !options.progress.empty()))
+    throw usage_error("--quiet", "and --verbose or --progress ask for opposites", "one of them");
+  if (options.verbose && !options.progress.empty())
+    throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
-  if (!options.dump_job.empty()) write_job(options.dump_job, params);
+  if (!options.dump_job.empty()) {
+    make_folder(fs::path(options.dump_job).parent_path());
+    write_job(options.dump_job, params);
+  }
   if (options.dry_run) return plan_only(params, options.json, context), 0;
-  const RenderReport report = render(params, options.json, options.quiet, options.force, context);
+  const RenderReport report = render(params, options, options.force, context);
   if (options.json) print_json(to_json(report));
   if (options.also == "single" && !report.interrupted)
-    render(single_clip(params, report.optics), options.json, options.quiet, options.force || params.output.empty(), context);
+    render(single_clip(params, report.optics), options, options.force || params.output.empty(), context);
   return 0;
 }
 
 }  // namespace
 
-void add_render_command(const Command& root, Action& chosen) {
+void add_render_command(const Command& root, Action& chosen, const std::string& program) {
   auto options = std::make_shared<Options>();
+  options->program = program;
   const Command command = root.add_command("render", "Render a scene's animation as integral images");
   add_param_flags(command, options->flags);
-  command.add_option("--dump-job", options->dump_job, "Also write the job that reproduces this render")
+  command.add_option("--dump-job", options->dump_job, "Also write a job file that reproduces this render")
       .type_name("FILE")
       .group("Running");
   command.add_option("--also", options->also, "single: then the same frames as one eye sees them, into DIR/single")
@@ -201,18 +253,25 @@ void add_render_command(const Command& root, Action& chosen) {
   command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
   command.add_flag("-q,--quiet", options->quiet, "Print neither progress nor a summary; warnings and errors remain")
       .group("Running");
+  command.add_flag("--verbose", options->verbose, "Print a line for every frame").group("Running");
+  command
+      .add_option("--progress", options->progress,
+                  "json: on stderr one object a line, before the first frame and after every frame (docs/formats.md)")
+      .one_of({"json"})
+      .type_name("FORMAT")
+      .group("Running");
   command
       .add_flag("-n,--dry-run", options->dry_run,
                 "Check the scene and the settings, say what would be made and how large it is, and make nothing")
       .group("Running");
-  command.short_help({"--output", "--frames", "--camera", "--display",    "--optics",  "--lenses",      "--lens-pixels",
-                      "--size",   "--views",  "--layout", "--integrator", "--spp",     "--environment", "--exposure",
-                      "--format", "--video",  "--resume", "--force",      "--dry-run", "--quiet",       "--json"},
+  command.short_help({"--output",   "--frames", "--camera",     "--display", "--optics",     "--lenses", "--lens-pixels",
+                      "--size",     "--views",  "--full-depth", "--layout",  "--integrator", "--spp",    "--environment",
+                      "--exposure", "--format", "--video",      "--resume",  "--force",      "--dry-run", "--quiet", "--json"},
                      "Examples:\n"
-                     "  lippmann render teapot                                    all frames, into out/teapot\n"
-                     "  lippmann render model.glb --frames 0                     one frame, with all light\n"
+                     "  lippmann render teapot                                    all 480 frames, into out/teapot\n"
+                     "  lippmann render examples/desk.glb --frames 0              one frame, path traced\n"
                      "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
-                     "  lippmann render tree --display portrait --video tree.mp4  for a display (see: lippmann displays)\n"
+                     "  lippmann render tree --display portrait --frames 0        for a display (see: lippmann displays)\n"
                      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

@@ -8,6 +8,7 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "core/error.hpp"
 #include "optics/crosstalk.hpp"
@@ -18,8 +19,9 @@ namespace {
 
 struct Options {
   ReplayParams params;
-  std::string in, report, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
+  std::string in, report, from, views, quilt, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
   std::vector<double> eye;
+  std::optional<double> view_angle_deg;
   int threads = 0;
   bool json = false;
 };
@@ -49,7 +51,10 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
 
 ReplayParams params_of(const Options& options) {
   ReplayParams params = options.params;
-  params.in = options.in, params.report = options.report, params.folder = options.folder, params.video = options.video;
+  params.in = options.in, params.field.report = options.report, params.field.from = options.from;
+  params.field.views = read_grid(options.views, "--views"), params.field.tiles = read_grid(options.quilt, "--quilt");
+  params.field.view_angle_deg = options.view_angle_deg;
+  params.folder = options.folder, params.video = options.video;
   params.exr = options.format == "exr";
   params.view.filter = options.filter == "nearest" ? SampleFilter::kNearest : SampleFilter::kLinear;
   if (!options.eye.empty()) params.eye_mm = Vec3d(options.eye[0], options.eye[1], options.eye[2]);
@@ -59,49 +64,61 @@ ReplayParams params_of(const Options& options) {
   return params;
 }
 
+std::string eye_text(const Replayed& result) {
+  if (!result.eye_mm) return {};
+  return fmt::format("eye at ({:.4g}, {:.4g}, {:.4g}) mm: ", result.eye_mm->x, result.eye_mm->y, result.eye_mm->z);
+}
+
+void print_result(const Replayed& result) {
+  nlohmann::ordered_json files = nlohmann::ordered_json::array(), eye;
+  for (const auto& path : result.written) files.push_back(path.string());
+  if (result.eye_mm) eye = {result.eye_mm->x, result.eye_mm->y, result.eye_mm->z};
+  print_json({{"eye_mm", eye}, {"out_of_zone", result.out_of_zone}, {"files", files}});
+}
+
 int run(const Options& options, Context& context) {
   context.threads = options.threads;
   const Replayed result = replay(params_of(options), context);
-  if (options.json) {
-    nlohmann::ordered_json files = nlohmann::ordered_json::array();
-    for (const auto& path : result.written) files.push_back(path.string());
-    const nlohmann::ordered_json json{
-        {"eye_mm", {result.eye_mm.x, result.eye_mm.y, result.eye_mm.z}}, {"out_of_zone", result.out_of_zone}, {"files", files}};
-    print_json(json);
-  } else if (!result.written.empty()) {
-    fmt::print("eye at ({:.4g}, {:.4g}, {:.4g}) mm: {}{}\n", result.eye_mm.x, result.eye_mm.y, result.eye_mm.z,
-               result.written.front().string(), result.written.size() > 1 ? " ... " + result.written.back().string() : "");
-  }
+  if (options.json)
+    print_result(result);
+  else if (!result.written.empty())
+    fmt::print("{}{}{}\n", eye_text(result), result.written.front().string(),
+               result.written.size() > 1 ? " ... " + result.written.back().string() : "");
   return 0;
 }
 
 void add_eye_flags(const Command& command, Options& options) {
   const Command group = command.add_group("Eye");
-  group.add_option("--eye", options.eye, "Where the eye is, mm from the display's middle; default: where it is meant to be")
+  group
+      .add_option("--eye", options.eye,
+                  "Position of the eye in mm from the centre of the display; default: the intended viewing position")
       .values(3, ',')
       .type_name("X,Y,Z");
   group.add_option("--pupil", options.params.view.pupil_mm, "Diameter of the pupil; 0: a pinhole").type_name("MM");
-  group.add_option("--focus", options.params.view.focus_mm, "Depth that a pupil is focused on; default: the display")
+  group.add_option("--focus", options.params.view.focus_mm, "Depth at which the eye is focused; default: the display")
       .type_name("MM");
   group
       .add_option("--crosstalk", options.crosstalk,
                   "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
                   "neighbour: 0.4 or 10%")
       .type_name("PIXELS|C%");
-  group.add_option("--filter", options.filter, "Between pixels below one lens, and between views: linear or nearest")
+  group
+      .add_option("--filter", options.filter,
+                  "Interpolation between the pixels below one lens and between views: linear or nearest")
       .one_of({"linear", "nearest"})
       .show_default();
-  group.add_option("--size", options.size, "Of the pictures; 'lenses': one sample per lens; default: square pixels")
+  group.add_option("--size", options.size, "Size of the pictures; 'lenses' gives one sample per lens; default: square pixels")
       .type_name("WxH");
 }
 
 void add_refocus_flags(const Command& command, Options& options) {
   const Command group = command.add_group("Refocusing");
-  group.add_option("--refocus", options.params.refocus_mm, "Focused at this depth, above 0 in front of the lenses")
+  group.add_option("--refocus", options.params.refocus_mm, "Refocus at this depth; positive depths are in front of the lenses")
       .type_name("MM");
-  group.add_option("--focal-stack", options.focal_stack, "N pictures focused from depth Z0 to Z1").type_name("Z0:Z1:N");
+  group.add_option("--focal-stack", options.focal_stack, "Write N pictures focused at depths from Z0 to Z1")
+      .type_name("Z0:Z1:N");
   group.add_flag("--all-in-focus", options.params.all_in_focus,
-                 "Of a stack: every pixel where it is sharpest, and the depth at which that was");
+                 "From a focal stack, take every pixel where it is sharpest, and write its depth");
   group.add_option("--epi", options.params.epi_row, "The epipolar-plane image of a row, from the top of the picture")
       .type_name("ROW");
   group
@@ -110,30 +127,47 @@ void add_refocus_flags(const Command& command, Options& options) {
       .type_name("COLUMN");
 }
 
+void add_source_flags(const Command& command, Options& options) {
+  const Command group = command.add_group("Light fields that no report.json describes");
+  group.add_option("--from", options.from, "The format of IN, as `lippmann convert --help` lists them; default: by its name")
+      .type_name("FORMAT");
+  group.add_option("--views", options.views, "Number of views across and up").type_name("CxR");
+  group.add_option("--quilt", options.quilt, "Number of tiles of a quilt").type_name("CxR");
+  group
+      .add_option("--view-angle", options.view_angle_deg,
+                  "Angle between the outermost views; default: 40 for a row of views, 10 for a grid of cameras")
+      .type_name("DEG")
+      .range(0.001, 179.0);
+}
+
 }  // namespace
 
 void add_replay_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
-  const Command command = root.add_command("replay", "Show what an eye sees of rendered pictures through their lenses");
+  const Command command = root.add_command("replay", "Show what an eye sees of a light field on its display, and refocus it");
   command.footer("Lengths are in millimetres of the display, whose lens plane is z = 0; see docs/replay.md.");
-  command.add_option("IN", options->in, "A rendered picture, or a folder of frames, beside its report.json").required();
-  command.add_option("-o,--output", options->folder, "Folder for the results; default: replay, beside the pictures")
+  command
+      .add_option("IN", options->in, "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads")
+      .required();
+  command.add_option("-o,--output", options->folder, "Folder for the results; default: a folder 'replay' beside the pictures")
       .type_name("DIR");
   add_eye_flags(command, *options);
-  command.add_option("--ipd", options->params.ipd_mm, "Two eyes so far apart: left, right, and both side by side")
+  command.add_option("--ipd", options->params.ipd_mm, "Render two eyes this far apart: left, right, and both side by side")
       .type_name("MM");
-  command.add_option("--sweep", options->params.sweep, "N eyes from one end of the viewing zone to the other")
+  command.add_option("--sweep", options->params.sweep, "Render N eyes from one end of the viewing zone to the other")
       .type_name("N")
       .range(1, 100000);
   add_refocus_flags(command, *options);
-  command.add_option("--video", options->video, "Also a video (.mp4, .mkv) of the views, pairs or sweep").type_name("FILE");
-  command.add_option("--fps", options->params.frames_per_second, "Of the video; default: as rendered")
+  command.add_option("--video", options->video, "Also write a video (.mp4, .mov, .webm, .mkv) of the views, pairs or sweep")
+      .type_name("FILE");
+  command.add_option("--fps", options->params.frames_per_second, "Frames per second of the video; default: as rendered")
       .type_name("N")
       .range(0.01, 1000.0);
-  command.add_option("--format", options->format, "Of the pictures: png (8 bit sRGB) or exr (linear)")
+  command.add_option("--format", options->format, "File format of the pictures: png (8-bit sRGB) or exr (linear)")
       .one_of({"png", "exr"})
       .show_default();
-  command.add_option("--report", options->report, "The report.json, where it is not beside the pictures").type_name("FILE");
+  add_source_flags(command, *options);
+  command.add_option("--report", options->report, "Path of report.json, if it is not beside the pictures").type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

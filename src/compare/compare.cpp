@@ -53,8 +53,11 @@ struct Pair {
 /// Takes frames from both, in step.
 class PairSource {
  public:
-  PairSource(const fs::path& reference, const fs::path& test)
-      : reference_path_(reference), test_path_(test), reference_(open_frames(reference)), test_(open_frames(test)) {
+  PairSource(const fs::path& reference, const fs::path& test, const std::optional<std::vector<int>>& wanted)
+      : reference_path_(reference),
+        test_path_(test),
+        reference_(open_frames(reference, wanted)),
+        test_(open_frames(test, wanted)) {
     check_kinds(test, *reference_, *test_);
     if (reference_->kind() == SourceKind::kFolder && test_->kind() == SourceKind::kFolder) check_same_names();
   }
@@ -144,8 +147,9 @@ Comparison summarise(std::vector<FrameComparison> frames) {
   return result;
 }
 
-Comparison compare(const fs::path& reference, const fs::path& test, const Context& context) {
-  PairSource pairs(reference, test);
+Comparison compare(const fs::path& reference, const fs::path& test, const Context& context,
+                   const std::optional<std::vector<int>>& wanted) {
+  PairSource pairs(reference, test, wanted);
   const ThreadPool pool(resolved_threads(context));
   std::vector<FrameComparison> frames;
   while (!context.cancelled) {

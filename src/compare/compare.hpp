@@ -28,7 +28,10 @@ struct Comparison {
 
 /// Frames of folders are matched by name (the extensions may differ); those of videos by their order. Throws Error that says
 /// which frame is missing, or differs in size. Stops early, with the frames so far, when context.cancelled is set.
-Comparison compare(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context);
+/// wanted: the numbers of the frames to compare, ascending: those of files' names, of a video their order; none: all.
+/// Frames that are not wanted may be missing; Error where a wanted one is.
+Comparison compare(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context,
+                   const std::optional<std::vector<int>>& wanted = {});
 
 /// The means of frames that have been compared.
 Comparison summarise(std::vector<FrameComparison> frames);

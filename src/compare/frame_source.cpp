@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "video/video_reader.hpp"
 
@@ -93,22 +96,49 @@ class PictureFiles : public FrameSource {
 
 class VideoFrames : public FrameSource {
  public:
-  explicit VideoFrames(const fs::path& path) : reader_(path) {}
+  VideoFrames(const fs::path& path, const std::optional<std::vector<int>>& wanted)
+      : path_(path), reader_(path), wanted_(wanted) {}
 
   SourceKind kind() const override { return SourceKind::kVideo; }
 
   std::optional<SourceFrame> next() override {
+    if (wanted_ && taken_ == wanted_->size()) return std::nullopt;
+    if (wanted_)
+      while (count_ < (*wanted_)[taken_] && reader_.next()) ++count_;
     std::optional<Image8> picture = reader_.next();
+    if (!picture && wanted_)
+      throw Error(path_.string(), fmt::format("has no frame {}, which --frames asks for", (*wanted_)[taken_]));
     if (!picture) return std::nullopt;
+    ++taken_;
     return SourceFrame{fmt::format("frame_{:04}", count_++), [picture = std::move(*picture)] { return picture; }};
   }
 
  private:
+  fs::path path_;
   VideoReader reader_;
-  int count_ = 0;
+  std::optional<std::vector<int>> wanted_;
+  std::size_t taken_ = 0;  ///< of the wanted ones
+  int count_ = 0;          ///< read
 };
 
-std::unique_ptr<FrameSource> open_folder(const fs::path& folder) {
+/// 12 of frame_0012 and of a quilt's frame_0012_qs8x6a0.75, else the digits at the end of a file's name; none without.
+std::optional<int> number_of(const fs::path& file) {
+  static const TextPattern numbered("frame_([0-9]{1,9})(?:_.*)?|.*?([0-9]{1,9})");
+  const auto found = numbered.match(file.stem().string());
+  if (!found) return std::nullopt;
+  return std::stoi(found->groups[1].empty() ? found->groups[2] : found->groups[1]);
+}
+
+void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::vector<fs::path>& files) {
+  std::set<int> missing(wanted.begin(), wanted.end());
+  std::erase_if(files, [&](const fs::path& file) {
+    const std::optional<int> number = number_of(file);
+    return !number || !std::binary_search(wanted.begin(), wanted.end(), *number) || missing.erase(*number) == 0;
+  });
+  if (!missing.empty()) throw Error(folder.string(), fmt::format("has no frame {}, which --frames asks for", *missing.begin()));
+}
+
+std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::optional<std::vector<int>>& wanted) {
   std::vector<fs::path> files;
   try {
     files = pictures_in(folder);
@@ -121,16 +151,18 @@ std::unique_ptr<FrameSource> open_folder(const fs::path& folder) {
   if (twice != files.end())
     throw Error(folder.string(), fmt::format("has two pictures for one frame: {} and {}", twice->filename().string(),
                                              std::next(twice)->filename().string()));
+  if (wanted) keep_wanted(folder, *wanted, files);
   return std::make_unique<PictureFiles>(SourceKind::kFolder, std::move(files));
 }
 
 }  // namespace
 
-std::unique_ptr<FrameSource> open_frames(const fs::path& path) {
+std::unique_ptr<FrameSource> open_frames(const fs::path& path, const std::optional<std::vector<int>>& wanted) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
-  if (fs::is_directory(path, ignored)) return open_folder(path);
-  if (is_video_name(path)) return std::make_unique<VideoFrames>(path);
+  if (fs::is_directory(path, ignored)) return open_folder(path, wanted);
+  if (is_video_name(path)) return std::make_unique<VideoFrames>(path, wanted);
+  if (wanted) throw usage_error("--frames", path.string() + " is one picture", "a folder or a video with it");
   return std::make_unique<PictureFiles>(SourceKind::kPicture, std::vector{path});
 }
 

@@ -34,7 +34,9 @@ class FrameSource {
   virtual std::vector<std::string> names() const { return {}; }
 };
 
-/// Throws Error naming `path` if there is nothing there, or a folder without pictures or with two for one frame.
-std::unique_ptr<FrameSource> open_frames(const std::filesystem::path& path);
+/// wanted: the frames to take, ascending, by the number after frame_ or at the end of their file's name, of videos by their
+/// order from 0; none: all. Throws Error naming `path` if there is nothing there, or a folder without pictures, with two for
+/// one frame, or without a wanted one; so does next() of a video that ends before the last wanted frame.
+std::unique_ptr<FrameSource> open_frames(const std::filesystem::path& path, const std::optional<std::vector<int>>& wanted = {});
 
 }  // namespace lippmann

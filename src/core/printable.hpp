@@ -13,4 +13,8 @@ std::string printable(std::string_view text);
 /// The same in single quotes.
 std::string shown(std::string_view text);
 
+/// One word of a command that can be pasted into a shell: as it is where the shell gives no meaning to any of its characters,
+/// else quoted. Not shortened.
+std::string shell_word(std::string_view text);
+
 }  // namespace lippmann

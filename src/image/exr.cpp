@@ -52,10 +52,12 @@ struct Contents {
   Imf::FrameBuffer buffer;
   std::deque<std::vector<Imath::half>> halves;  // of the layers that store them
 
-  Contents(const std::string& where, std::span<const ExrLayer> layers, ExrCompression compression)
+  Contents(const std::string& where, std::span<const ExrLayer> layers, ExrCompression compression,
+           std::span<const ExrAttribute> attributes)
       : header(layers.front().image->width, layers.front().image->height) {
     header.compression() = imf_compression(compression);
     header.insert("capDate", Imf::StringAttribute("1970:01:01 00:00:00"));  // equal pictures give equal bytes
+    for (const ExrAttribute& attribute : attributes) header.insert(attribute.name, Imf::StringAttribute(attribute.text));
     for (const ExrLayer& layer : layers) add(where, layer);
   }
 
@@ -107,13 +109,14 @@ ExrLayer color_layer(std::string name, const Image& color) {
   return {std::move(name), &color, {"R", "G", "B"}, ExrSample::kHalf};
 }
 
-void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, ExrCompression compression) {
+void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, ExrCompression compression,
+               std::span<const ExrAttribute> attributes) {
   if (layers.empty()) throw Error(path.string(), "a picture without layers");
   std::int64_t channels = 0;
   for (const ExrLayer& layer : layers) channels += layer.image->channels;
   check_image_size(path.string(), layers.front().image->width, layers.front().image->height, channels);
   try {
-    write_file_atomically(path, encode(Contents(path.string(), layers, compression)));
+    write_file_atomically(path, encode(Contents(path.string(), layers, compression, attributes)));
   } catch (const Iex::BaseExc& problem) {
     throw Error(path.string(), std::string("cannot be encoded as exr: ") + problem.what());
   }

@@ -41,8 +41,13 @@ ExrLayer motion_layer(const Image& motion);
 /// `name` with the channels R, G and B.
 ExrLayer color_layer(std::string name, const Image& color);
 
+/// Text in the header of a file, beside the channels.
+struct ExrAttribute {
+  std::string name, text;
+};
+
 /// All images have one size, and no two channels one name. Throws Error naming the file.
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers,
-               ExrCompression compression = ExrCompression::kZip);
+               ExrCompression compression = ExrCompression::kZip, std::span<const ExrAttribute> attributes = {});
 
 }  // namespace lippmann

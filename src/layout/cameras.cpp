@@ -22,14 +22,15 @@ std::optional<ViewCameras> lens_cameras(const Panel& panel, const LenticularShee
   if (!std::isfinite(v)) return std::nullopt;
   // Rows are told from the middle of the panel; the height of the eye shifts them towards it in the plane of the lenses.
   const Vec2d centre(0.5 * panel.width / n.x, 0.5 * panel.height + g * sheet.eye_height_mm / (v * m));
-  return ViewCameras{v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes(n, m * v / g, sheet.eye_height_mm)};
+  return ViewCameras{
+      v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes(n, sheet.parallax * m * v / g, sheet.eye_height_mm)};
 }
 
 std::optional<ViewCameras> lens_cameras(const Panel& panel, const MicrolensArray& array, Vec2i n) {
   const double v = array.viewing_distance_mm, g = array.gap_mm, m = panel.pixel_pitch_mm;
   if (!std::isfinite(v)) return std::nullopt;
   const Vec2d centre(0.5 * panel.width / n.x, 0.5 * panel.height / n.y);
-  return ViewCameras{v, Vec2d(array.lens_pitch_mm), centre, lens_eyes(n, m * v / g, 0.0)};
+  return ViewCameras{v, Vec2d(array.lens_pitch_mm), centre, lens_eyes(n, array.parallax * m * v / g, 0.0)};
 }
 
 RenderedViews views_of(const Panel& panel, const MultiView& model) {

@@ -4,6 +4,7 @@
 // from a distance V: the pixels at offset o from the centres of their cells have rays of slope -l/V - o/g through lens l, which
 // all pass through x = -o V/g at z = V, and one sample per lens, a lens pitch p apart. Their eyes stand m V/g apart, m the
 // pixel pitch, and the distance between samples is p; down a lenticular sheet, where lenses have no power, it is m V/(V + g).
+// A parallax (with_parallax) draws all of these eyes nearer together.
 #pragma once
 
 #include <optional>

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "core/error.hpp"
+#include "core/folder.hpp"
 #include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
 #include "layout/formats.hpp"

@@ -39,10 +39,17 @@ std::string quilt_ending(const QuiltName& quilt) {
   return fmt::format("_qs{}x{}a{:.6g}", quilt.tiles.columns, quilt.tiles.rows, quilt.aspect);
 }
 
-std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt) {
+std::filesystem::path without_quilt_name(const std::filesystem::path& path) {
   std::string bare = path.stem().string();
-  if (const auto found = pattern().search(bare)) bare.resize(found->begin);
-  return path.parent_path() / (bare + quilt_ending(quilt) + path.extension().string());
+  const auto found = pattern().search(bare);
+  if (!found) return path;
+  bare.resize(found->begin);
+  return path.parent_path() / (bare + path.extension().string());
+}
+
+std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt) {
+  const std::filesystem::path bare = without_quilt_name(path);
+  return bare.parent_path() / (bare.stem().string() + quilt_ending(quilt) + bare.extension().string());
 }
 
 }  // namespace lippmann

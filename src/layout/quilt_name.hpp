@@ -22,6 +22,9 @@ std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path);
 /// What stands at the end of a name: _qs8x6a0.75.
 std::string quilt_ending(const QuiltName& quilt);
 
+/// The path without that in its name; the path itself where the name says nothing.
+std::filesystem::path without_quilt_name(const std::filesystem::path& path);
+
 /// The path with that in its name, before the ending, in place of what it said before.
 std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt);
 

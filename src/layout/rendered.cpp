@@ -25,6 +25,39 @@ bool has_depth(const fs::path& picture) {
   return std::find(names.begin(), names.end(), "Z") != names.end();
 }
 
+/// A JSON object.
+Json read_report(const fs::path& report) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(report, ignored))
+    throw Error(report.string(), "there is no such file", "the report.json that `lippmann render` writes beside its pictures");
+  if (fs::file_size(report, ignored) > kMaxReportBytes) throw Error(report.string(), "is too large for a report");
+  std::ifstream file(report, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  Json json = json_from_text(text);
+  if (!json.is_object()) throw Error(report.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
+  return json;
+}
+
+/// As the report says it; 1 where it does not, or nothing within reason.
+float depth_scale_of(const Json& report) {
+  const auto depth = report.find("depth");
+  if (depth == report.end() || !depth->is_object()) return 1.0f;
+  const auto scale = depth->find("scale");
+  const double value = scale != depth->end() && scale->is_number() ? scale->get<double>() : 1.0;
+  return value > 0.0 && value <= 1.0 ? static_cast<float>(value) : 1.0f;
+}
+
+/// Of a report with "optics".
+Rendering rendering_from(const Json& json, const fs::path& report) {
+  Rendering rendering{optics_from_json(json["optics"], report.string())};
+  const Json settings = json.value("settings", Json::object());
+  if (settings.contains("layout") && settings["layout"].is_string()) rendering.layout = settings["layout"];
+  if (settings.contains("mirror") && settings["mirror"].is_boolean()) rendering.mirrored = settings["mirror"];
+  rendering.frames_per_second = frame_rate_of(json);
+  rendering.depth_scale = depth_scale_of(json);
+  return rendering;
+}
+
 }  // namespace
 
 std::optional<double> frame_rate_of(const Json& report) {
@@ -39,22 +72,21 @@ std::optional<double> frame_rate_of(const Json& report) {
   return settings != report.end() && settings->is_object() ? number(*settings, "fps") : std::nullopt;
 }
 
+Rendering read_rendering(const fs::path& report) {
+  const Json json = read_report(report);
+  if (!json.contains("optics"))
+    throw Error(report.string(), "does not say for which optics the pictures were rendered", "an object \"optics\"");
+  return rendering_from(json, report);
+}
+
 std::optional<Rendering> rendering_of(const fs::path& picture) {
   const fs::path folder = picture.parent_path();
   std::error_code ignored;
   for (const fs::path& report : {picture / "report.json", folder / "report.json", folder.parent_path() / "report.json"}) {
     if (!fs::is_regular_file(report, ignored)) continue;
-    if (fs::file_size(report, ignored) > kMaxReportBytes) throw Error(report.string(), "is too large for a report");
-    std::ifstream file(report, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const Json json = json_from_text(text);
-    if (json.is_discarded() || !json.is_object()) throw Error(report.string(), "is not JSON, or not a report");
+    const Json json = read_report(report);
     if (!json.contains("optics")) return std::nullopt;
-    Rendering rendering{optics_from_json(json["optics"], report.string())};
-    const Json settings = json.value("settings", Json::object());
-    if (settings.contains("layout") && settings["layout"].is_string()) rendering.layout = settings["layout"];
-    rendering.frames_per_second = frame_rate_of(json);
-    return rendering;
+    return rendering_from(json, report);
   }
   return std::nullopt;
 }

@@ -14,11 +14,16 @@ namespace lippmann {
 struct Rendering {
   Optics optics;
   std::string layout = {};  ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
+  bool mirrored = false;    ///< left and right exchanged, to be printed on the back of a sheet
   std::optional<double> frames_per_second = {};
+  float depth_scale = 1.0f;  ///< shown depth / true depth: the parallax that the pictures were rendered with
 };
 
 /// What a report says of it; none where it does not, or nothing within reason.
 std::optional<double> frame_rate_of(const nlohmann::ordered_json& report);
+
+/// What a report says. Throws Error naming it if it cannot be understood or does not say for which optics it is.
+Rendering read_rendering(const std::filesystem::path& report);
 
 /// Of the report.json in the folder of the picture (or folder of views), or in that folder's own; none if there is none.
 /// Throws Error naming the report if it cannot be understood.

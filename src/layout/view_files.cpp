@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/folder.hpp"
 
 namespace lippmann {
 namespace fs = std::filesystem;
@@ -77,12 +78,6 @@ LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
 }
 
 const char* exact_ending(const Picture& picture) { return std::holds_alternative<Image>(picture) ? "exr" : "png"; }
-
-void make_folder(const fs::path& folder) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")");
-}
 
 std::vector<fs::path> write_view_files(const LightField& field, const fs::path& folder,
                                        const std::function<std::string(int view)>& name) {

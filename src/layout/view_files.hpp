@@ -33,9 +33,6 @@ LightField read_view_files(const std::vector<std::filesystem::path>& by_view, Vi
 /// PNG for codes, EXR for floats: "png" or "exr".
 const char* exact_ending(const Picture& picture);
 
-/// Throws Error if it cannot be made.
-void make_folder(const std::filesystem::path& folder);
-
 /// One file per view into the folder, which is made. name(view), with its ending. In the order of names.
 std::vector<std::filesystem::path> write_view_files(const LightField& field, const std::filesystem::path& folder,
                                                     const std::function<std::string(int view)>& name);

@@ -154,6 +154,9 @@ inline bool has_lenses(const Optics& optics) {
   return std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
 }
 
+/// How many of its pixels, side by side, make one that is said of a display: 3 of a slanted panel, else 1.
+inline int sub_pixels_per_pixel(const Optics& optics) { return std::holds_alternative<SlantedPanel>(optics.model) ? 3 : 1; }
+
 /// Viewing zone, full angle: 2 atan(cell / 2 gap) across; the cone for multi-view and slanted panels; 0 for a single view.
 float viewing_zone(const Optics& optics);
 

@@ -15,6 +15,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/folder.hpp"
 #include "core/json_text.hpp"
 #include "core/parallel.hpp"
 #include "render/aov_params.hpp"
@@ -53,7 +54,8 @@ std::vector<int> frames_to_render(const RenderParams& params, const Timeline& ti
 }
 
 /// Refuses what cannot succeed before hours are spent on it: frames that the machine's memory does not hold.
-void require_memory(const RenderParams& params, const Panel& panel, bool moves_pixels, int frames_at_a_time) {
+void require_memory(const RenderParams& params, const Optics& optics, bool moves_pixels, int frames_at_a_time) {
+  const Panel& panel = optics.panel;
   constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
   const double pixels = static_cast<double>(panel.width) * panel.height;
   const double films = (moves_pixels ? 2.0 : 1.0) + (params.precompensate ? 2.0 : 0.0);
@@ -65,14 +67,8 @@ void require_memory(const RenderParams& params, const Panel& panel, bool moves_p
     throw Error("--size",
                 fmt::format("frames of {}x{} pixels need {:.1f} GB of memory ({} at a time, {:.1f} GB each), this machine has "
                             "{:.1f} GB",
-                            panel.width, panel.height, needed * 1e-9, frames_at_a_time, frame * 1e-9, available * 1e-9));
-}
-
-void make_folder(const fs::path& folder) {
-  if (folder.empty()) return;  // the working folder
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "-o with one that can");
+                            panel.width / sub_pixels_per_pixel(optics), panel.height, needed * 1e-9, frames_at_a_time,
+                            frame * 1e-9, available * 1e-9));
 }
 
 /// Pictures in the folder that this render will not replace: after a take-over they are of other settings.
@@ -152,20 +148,23 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   const std::vector<int> frames = frames_to_render(params, stage.scene.timeline);
   const FrameLayout layout(params, stage.placed.optics, stage.display.get());
   layout.check_picture_size(!params.aov.empty());
-  require_memory(params, stage.placed.optics.panel, layout.moves(),
+  require_memory(params, stage.placed.optics, layout.moves(),
                  std::min(FrameSink::frames_in_memory(pool.threads()), static_cast<int>(frames.size())));
 
   check_angular_filter(params, stage.placed.optics);
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
   const fs::path folder = output_folder(params);
+  if (folder == "-")
+    throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
+  std::vector<std::string> videos;
+  for (const std::string& video : params.video) videos.push_back(layout.video_path(video).string());
+  RenderPlan plan{stage, folder, layout.names(), frames, videos, 0, layout.picture_size()};
   if (observer.only_plan) {
-    if (observer.planned) observer.planned({stage, folder, layout.names(), frames, 0, layout.picture_size()});
+    if (observer.planned) observer.planned(plan);
     return {};
   }
   if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
-  std::vector<std::string> videos;
-  for (const std::string& said : params.video) videos.push_back(layout.video_path(said).string());
   for (const std::string& video : videos) {
     make_folder(fs::path(video).parent_path());
     const Panel& panel = stage.placed.optics.panel;
@@ -181,13 +180,14 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   if (!params.frames || finished.took_over() || !fs::exists(folder / "job.toml")) write_job(folder / "job.toml", params);
   fs::remove(folder / "report.json");  // it would speak of another render
   if (finished.took_over()) warn_of_strangers(folder, layout.names(), frames, context);
-  const RenderPlan plan{stage, folder, layout.names(), frames, count_kept(params, finished, frames), layout.picture_size()};
+  plan.kept = count_kept(params, finished, frames);
 
   RenderReport report;
   report.scene = params.scene;
   report.optics = stage.placed.optics;
   report.params = params;
   report.light = stage.light;
+  report.view = stage.array.how;
   report.depth_scale = stage.placed.depth_scale;
   report.depth = shown_depth(stage.array, stage.placed.units_per_mm, report.depth_scale, report.optics);
   report.crosstalk_px = crosstalk;
@@ -196,8 +196,8 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
   report.frames_per_second = fps;
   const auto maker = make_frame_maker(stage, params, pool, context);
-  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, crosstalk, pool.threads(),
-                  [&](Image film) { maker->recycle(std::move(film)); }},
+  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, stage.placed.depth_scale,
+                  crosstalk, pool.threads(), [&](Image film) { maker->recycle(std::move(film)); }, observer.written},
                  finished);
   if (observer.planned) observer.planned(plan);
   report.setup_seconds = setup.seconds();
@@ -206,14 +206,15 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
     if (context.cancelled) break;
     if (const auto kept = keeps_frames(params) ? finished.find(frame) : std::nullopt) {
       report.frames.push_back(*kept);
+      report.frames.back().kept = true;
       sink.add_kept(frame);
       continue;
     }
     RenderedFrame rendered = maker->make(frame);
     if (context.cancelled) break;
     report.frames.push_back(rendered.report);
-    sink.add(std::move(rendered));
     if (observer.traced) observer.traced(report.frames.back());
+    sink.add(std::move(rendered));
   }
   report.sources = maker->sources();
   sink.wait();

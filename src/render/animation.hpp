@@ -1,8 +1,11 @@
 // Renders an animation into a folder: frames in order, each traced while the ones before it are encoded and written.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "core/context.hpp"
 #include "render/frame_files.hpp"
@@ -18,19 +21,23 @@ struct RenderPlan {
   const Stage& stage;
   std::filesystem::path folder;
   FrameNames names;
-  std::vector<int> frames;  ///< ascending
-  int kept = 0;             ///< of these frames, finished before by the same job
+  std::vector<int> frames;               ///< ascending
+  std::vector<std::string> videos = {};  ///< files
+  int kept = 0;                          ///< of these frames, finished before by the same job
   Vec2i picture_size{0, 0};
 };
 
 /// Bytes of all pictures of a plan before compression: more than what PNG and EXR files take. Layers and videos are not
-/// counted.
+/// counted; render/size_estimate.hpp says what files are likely to take.
 std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels);
 
-/// Hears how a render goes, in the thread that called render_animation. Both functions may be empty.
+/// Hears how a render goes. All functions may be empty; all but `written` are called in the thread that called
+/// render_animation.
 struct RenderObserver {
   std::function<void(const RenderPlan&)> planned;
   std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
+  /// A frame's pictures and layers are on disk, of so many bytes; in order, one at a time, on any thread. Not of kept frames.
+  std::function<void(int frame, std::uintmax_t bytes)> written;
   bool force = false;      ///< another render in the folder is replaced: the files that its journal names are removed
   bool only_plan = false;  ///< stop once `planned` was called, before anything is written; kept frames are not looked for
 };

@@ -16,21 +16,32 @@ std::string beyond(float times, const Optics& optics) {
   return fmt::format("a pixel is as wide as {:.1f} lenses", times);
 }
 
+const char* whose(const ShownDepth& shown) { return shown.of_subject ? "The subject" : "The scene"; }
+
+std::string fitted_sentence(const ShownDepth& shown, float depth_scale) {
+  return fmt::format(
+      "{} reaches from {:.1f} mm to {:+.1f} mm, deeper than the depth budget of {:.1f} mm on either side: {:.3g} of its "
+      "depth is shown, from {:.1f} mm to {:+.1f} mm.",
+      whose(shown), shown.back_mm / depth_scale, shown.front_mm / depth_scale, shown.budget_mm, depth_scale, shown.back_mm,
+      shown.front_mm);
+}
+
 }  // namespace
 
 float ShownDepth::deepest_mm() const { return std::max(std::abs(front_mm), std::abs(back_mm)); }
 
 ShownDepth shown_depth(const FittedArray& array, float units_per_mm, float depth_scale, const Optics& optics) {
   const float mm = depth_scale / units_per_mm;
-  return {array.depth_front * mm, array.depth_back * mm, depth_budget_mm(optics)};
+  return {array.depth_front * mm, array.depth_back * mm, depth_budget_mm(optics), array.leaves_out_surroundings};
 }
 
 float fitting_depth(const ShownDepth& true_depth) {
   return true_depth.fits() ? 1.0f : true_depth.budget_mm / true_depth.deepest_mm();
 }
 
-std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics) {
-  const std::string reach = fmt::format("The scene reaches from {:.1f} mm to {:+.1f} mm", shown.back_mm, shown.front_mm);
+std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics, float depth_scale) {
+  if (depth_scale < 1.0f) return fitted_sentence(shown, depth_scale);
+  const std::string reach = fmt::format("{} reaches from {:.1f} mm to {:+.1f} mm", whose(shown), shown.back_mm, shown.front_mm);
   const float budget = shown.budget_mm, deepest = shown.deepest_mm();
   if (std::isinf(budget)) return reach + "; a single view has no depth budget.";
   if (shown.fits()) return reach + fmt::format(", within the depth budget of {:.1f} mm on either side.", budget);
@@ -45,7 +56,7 @@ nlohmann::ordered_json depth_json(const ShownDepth& shown, float depth_scale, co
           {"budget_mm", std::isfinite(shown.budget_mm) ? Json(shown.budget_mm) : Json(nullptr)},
           {"fits", shown.fits()},
           {"scale", depth_scale},
-          {"summary", depth_budget_sentence(shown, optics)}};
+          {"summary", depth_budget_sentence(shown, optics, depth_scale)}};
 }
 
 }  // namespace lippmann

@@ -9,10 +9,11 @@
 
 namespace lippmann {
 
-/// From where to where the scene's finite shapes reach in front of the viewer at frame 0, as shown.
+/// From where to where the scene reaches as shown: depth_front and depth_back of the FittedArray.
 struct ShownDepth {
   float front_mm = 0.0f, back_mm = 0.0f;  ///< z of the display frame
   float budget_mm = kInfinity;            ///< depth_budget_mm (optics/optics.hpp)
+  bool of_subject = false;                ///< what is left out as surroundings may reach farther
 
   float deepest_mm() const;
   /// Up to rounding: what was scaled to fit does.
@@ -28,7 +29,8 @@ float fitting_depth(const ShownDepth& true_depth);
 /// "front_mm", "back_mm", "budget_mm" (null: none), "fits", "scale" (the depth scale), "summary".
 nlohmann::ordered_json depth_json(const ShownDepth& shown, float depth_scale, const Optics& optics);
 
-/// One sentence: the reach, whether it fits, and if not, by how much it is beyond and what becomes of it.
-std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics);
+/// One sentence: the reach, whether it fits, and if not, by how much it is beyond and what becomes of it. Below a depth scale
+/// of 1: how much of the depth is shown.
+std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics, float depth_scale = 1.0f);
 
 }  // namespace lippmann

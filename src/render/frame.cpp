@@ -50,7 +50,7 @@ Stage::Stage(SceneNotes notes, const RenderParams& params, const ThreadPool& poo
 Stage::Stage(Scene described, const RenderParams& params, const ThreadPool& pool)
     : display(wanted_display(params)),
       scene(std::move(described)),
-      array(fit_array(scene, window_aspect(params, scene.resolution, display.get()))),
+      array(fit_array(scene, window_aspect(params, scene.resolution, display.get()), view_wish(params))),
       placed(make_optics(params, scene, array, display.get())),
       device(scene, pool, integrator_of(params)) {}
 

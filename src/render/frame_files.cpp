@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
+#include "core/folder.hpp"
 #include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
@@ -68,8 +67,9 @@ std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
 /// One picture and its layers.
 class PictureWriter {
  public:
-  PictureWriter(PictureFormat format, const RenderParams& params, Encoding encoding, double pixels_per_mm)
-      : format_(format), params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm) {}
+  PictureWriter(PictureFormat format, const RenderParams& params, Encoding encoding, double pixels_per_mm,
+                std::span<const ExrAttribute> about)
+      : format_(format), params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm), about_(about) {}
 
   /// Returns the files that it wrote.
   std::vector<fs::path> write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
@@ -88,11 +88,11 @@ class PictureWriter {
         layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(params_.exr_pixels)));
         if (pictures.aovs.wants(Aov::kAlpha))
           layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(params_.exr_pixels)));
-        write_exr(picture, layers);
+        write_exr(picture, layers, ExrCompression::kZip, about_);
         return {picture};
     }
     if (layers.empty()) return {picture};
-    write_exr(aov, layers);
+    write_exr(aov, layers, ExrCompression::kZip, about_);
     return {picture, aov};
   }
 
@@ -107,6 +107,7 @@ class PictureWriter {
   const RenderParams& params_;
   Encoding encoding_;
   double pixels_per_mm_;
+  std::span<const ExrAttribute> about_;
 };
 
 /// Piece `i` of `count` that lie one below the other.
@@ -132,9 +133,7 @@ FramePictures piece_of(const FramePictures& all, int i, int count) {
 }
 
 void make_view_folder(const fs::path& folder) {
-  std::error_code problem;
-  fs::create_directory(folder, problem);
-  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")");
+  make_folder(folder);
   remove_stale_temporaries(folder);
 }
 
@@ -155,8 +154,9 @@ std::vector<fs::path> picture_paths(const fs::path& folder, const FrameNames& na
 }
 
 std::vector<fs::path> write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
-                                        Encoding encoding, double pixels_per_mm, const FramePictures& pictures) {
-  const PictureWriter writer(names.format, params, encoding, pixels_per_mm);
+                                        Encoding encoding, double pixels_per_mm, const FramePictures& pictures,
+                                        std::span<const ExrAttribute> about) {
+  const PictureWriter writer(names.format, params, encoding, pixels_per_mm, about);
   const std::vector<fs::path> paths = picture_paths(folder, names, frame);
   if (names.views == 0) return writer.write(paths.front(), folder / fmt::format("aov_{:04}.exr", frame), pictures);
   std::vector<fs::path> written;

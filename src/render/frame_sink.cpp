@@ -1,19 +1,39 @@
 #include "render/frame_sink.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/background.hpp"
+#include "core/json_text.hpp"
 #include "image/encode.hpp"
 #include "image/read_image.hpp"
+#include "layout/cameras.hpp"
 #include "layout/quilt_side_file.hpp"
+#include "optics/optics_json.hpp"
 
 namespace lippmann {
 namespace {
+
+/// What EXR files say of the render, for those who get them without its report.
+std::vector<ExrAttribute> about_render(const FrameSink::Settings& settings) {
+  std::vector<ExrAttribute> about{{"lippmann.version", LIPPMANN_VERSION}, {"lippmann.scene", settings.params.scene}};
+  if (!settings.optics) return about;
+  about.push_back({"lippmann.optics", json_to_text(optics_json(*settings.optics), -1)});
+  about.push_back({"lippmann.depth_scale", fmt::format("{}", settings.depth_scale)});
+  if (const auto rendered = rendered_views(*settings.optics)) {
+    const ViewGrid& grid = rendered->film.grid;
+    about.push_back({"lippmann.views", std::to_string(grid.columns) + "x" + std::to_string(grid.rows)});
+  }
+  return about;
+}
 
 /// Writing a frame costs less than tracing one: half as many threads keep up with any scene.
 int writing_threads(int rendering_threads) { return std::clamp(rendering_threads / 2, 1, 8); }
@@ -57,6 +77,7 @@ struct FrameSink::Impl {
 
   Settings settings;
   FinishedFrames& finished;
+  const std::vector<ExrAttribute> about = about_render(settings);
   std::vector<std::unique_ptr<VideoWriter>> videos;
   std::map<int, Precompensation> precompensated;
   std::atomic<std::int64_t> write_nanoseconds{0};
@@ -84,7 +105,7 @@ struct FrameSink::Impl {
     if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
     std::vector<std::filesystem::path> files =
         write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
-                          settings.layout.pixels_per_mm(), pictures);
+                          settings.layout.pixels_per_mm(), pictures, about);
     if (const auto& quilt = settings.layout.quilt()) {
       const std::filesystem::path picture = files.front();
       write_quilt_side_file(picture, {*quilt, quilt->tiles.count()});
@@ -112,6 +133,10 @@ struct FrameSink::Impl {
   void record(const FrameReport& report, const FileRecords& files) {
     if (report.precompensation) precompensated[report.frame] = *report.precompensation;
     finished.add(report, files);
+    if (!settings.written) return;
+    std::uintmax_t bytes = 0;
+    for (const auto& [name, sum] : files) bytes += sum.bytes;
+    settings.written(report.frame, bytes);
   }
 
   void add_to_videos(const Image8& codes) {

@@ -1,6 +1,7 @@
 // Where rendered frames go: encoded and written in the background, a bounded number at a time, recorded when complete.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -32,9 +33,13 @@ class FrameSink {
     Encoding encoding = Encoding::kSrgb;
     double frames_per_second = 25.0;
     const Optics* optics = nullptr;                ///< of the films
+    float depth_scale = 1.0f;                      ///< shown depth / true depth
     std::optional<double> crosstalk_to_undo = {};  ///< see render/undo_crosstalk.hpp; wants `optics`
     int threads = 1;                               ///< that render; a share as many again write
     std::function<void(Image)> done_with = {};     ///< is given the film of every written frame, on any thread; may be empty
+    /// Hears that a frame's pictures and layers are there, and how many bytes they have: in order, one at a time, on any
+    /// thread; may be empty.
+    std::function<void(int frame, std::uintmax_t bytes)> written = {};
   };
 
   /// `finished` outlives the sink and is not changed by others meanwhile. Throws Error for videos that cannot be begun.

@@ -94,12 +94,25 @@ std::string path_from(const fs::path& folder, const std::string& path) {
   return tidy((here / path).lexically_normal().lexically_relative((here / folder / "").lexically_normal()));
 }
 
+/// full-depth = true says fit-depth = false, and the other way round.
+void set_opposite(const ParamInfo& info, const toml::table& job, const std::string& value, const std::string& place,
+                  RenderParams& params) {
+  const std::string where = fmt::format("{}: {}", place, info.opposite);
+  if (job.contains(info.name)) throw usage_error(where, fmt::format("{} says it already", info.name), "one of them");
+  if (value != "true" && value != "false") throw usage_error(where, fmt::format("'{}'", value), "true or false");
+  info.set(params, {value == "true" ? "false" : "true"}, where);
+}
+
 }  // namespace
 
 void read_job(const fs::path& file, RenderParams& params) {
   const toml::table table = parse(file);
   for (const auto& [key, node] : table) {
     const std::string place = fmt::format("{}:{}", file.string(), key.source().begin.line);
+    if (const ParamInfo* info = find_opposite(key.str())) {
+      set_opposite(*info, table, value_text(node, place), place, params);
+      continue;
+    }
     const ParamInfo* info = find_param(key.str());
     if (!info) throw usage_error(place, fmt::format("there is no key '{}'{}", key.str(), did_you_mean(key.str())));
     const std::string where = fmt::format("{}: {}", place, info->name);

@@ -139,7 +139,7 @@ PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const F
   optics = display ? display_optics(params, *display) : optics_of_params(params, scene, array);
   placed.units_per_mm = scene_units_per_mm(array, window_size_mm(optics).y);
   optics.z_front_mm = array.viewing_distance / placed.units_per_mm;
-  if (params.fit_depth) {
+  if (fits_depth(params)) {
     placed.depth_scale = fitting_depth(shown_depth(array, placed.units_per_mm, 1.0f, optics));
     optics = with_parallax(optics, placed.depth_scale);
   }

@@ -17,7 +17,7 @@ namespace lippmann {
 struct PlacedOptics {
   Optics optics;
   float units_per_mm = 1.0f;  ///< scene units per millimetre: what world_from_display (render/fit_array.hpp) takes
-  float depth_scale = 1.0f;   ///< the parallax of the optics: below 1 the scene is shown less deep than it is
+  float depth_scale = 1.0f;   ///< the parallax of the optics, see fits_depth(): below 1 the scene is shown less deep than it is
 };
 
 /// Of the display where one is given (render/display_optics.hpp), else of the parameters alone.

@@ -25,6 +25,10 @@ RenderParams with_scene_defaults(RenderParams params) {
   return params;
 }
 
+bool fits_depth(const RenderParams& params) {
+  return params.fit_depth.value_or(!params.display.empty() || optics_kind(params) != OpticsKind::kMultiview);
+}
+
 std::vector<int> frames_of(const FrameRanges& ranges) {
   std::vector<int> frames;
   for (const FrameRange& range : ranges)

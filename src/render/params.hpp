@@ -12,6 +12,7 @@
 #include "image/tone.hpp"
 #include "optics/optics.hpp"
 #include "render/choose_camera.hpp"
+#include "render/view_wish.hpp"
 #include "reuse/in_between.hpp"
 #include "scene/load.hpp"
 #include "trace/trace_frame.hpp"
@@ -62,6 +63,9 @@ struct RenderParams {
   std::string asset_root;             ///< files that the scene names may lie below it; empty: in its own folder only
   std::string camera;                 ///< name or index of the one that decides the view; empty: the first
   UpAxis up = UpAxis::kY;             ///< the axis of the scene's file that points upwards
+  std::string focus, fit_to;          ///< of ViewWish
+  float zoom = 1.0f;                  ///< of ViewWish
+  Orbit orbit;                        ///< of ViewWish
   std::optional<FrameRanges> frames;  ///< none: the whole animation
   float light_scale = 1.0f;           ///< factor on the light of the file's lamps
   double fps = 0.0;                   ///< frames per second of the animation and of videos; 0: the scene's own
@@ -77,7 +81,7 @@ struct RenderParams {
   bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
   std::optional<float> view_angle_deg;         ///< viewing zone, full angle; sets the gap; none: the display's, or 28
   std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
-  bool fit_depth = false;                      ///< depth is compressed to what the display can resolve
+  std::optional<bool> fit_depth;               ///< depth is compressed to what the display can resolve; none: fits_depth()
   float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
   std::optional<double> crosstalk_px;          ///< sigma (optics/crosstalk.hpp); none: the display's
   bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
@@ -131,10 +135,9 @@ struct RenderParams {
 /// first picture comes within seconds.
 inline constexpr int kPathSamples = 64, kFirstPathSamples = 16;
 
-/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format)
-/// unless
-/// --reuse forward is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything below takes
-/// the parameters as they are after this.
+/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format),
+/// unless --reuse forward is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything below
+/// takes the parameters as they are after this.
 RenderParams with_scene_defaults(RenderParams params);
 
 inline Integrator integrator_of(const RenderParams& params) { return params.integrator.value_or(Integrator::kWhitted); }
@@ -143,7 +146,13 @@ inline int samples_per_pixel(const RenderParams& params) {
   return params.spp > 0 ? params.spp : integrator_of(params) == Integrator::kPath ? kPathSamples : 1;
 }
 
+inline ViewWish view_wish(const RenderParams& params) { return {params.focus, params.fit_to, params.zoom, params.orbit}; }
+
 inline Tone tone_of(const RenderParams& params) { return {params.exposure_ev, params.tone}; }
+
+/// As said; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a display
+/// are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.
+bool fits_depth(const RenderParams& params);
 
 /// What is traced: as said, or lenticular.
 inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.value_or(OpticsKind::kLenticular); }

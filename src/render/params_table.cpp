@@ -94,6 +94,12 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
       [&names](const E& value) { return std::string(names[static_cast<std::size_t>(value)]); }};
 }
 
+/// A flag that need not be said.
+Codec<std::optional<bool>> optional_flag() {
+  return {[](std::string_view value, const std::string& where) { return std::optional(read_flag(value, where)); },
+          [](const std::optional<bool>& value) { return value ? std::string(*value ? "true" : "false") : std::string(); }};
+}
+
 /// A number that need not be said.
 template <class T>
 Codec<std::optional<T>> optional_number(double lowest, double highest) {
@@ -135,6 +141,11 @@ ParamInfo runs_only(ParamInfo info) {
 
 ParamInfo path(ParamInfo info) {
   info.is_path = true;
+  return info;
+}
+
+ParamInfo with_opposite(ParamInfo info, std::string_view name, std::string_view doc) {
+  info.opposite = name, info.opposite_doc = doc;
   return info;
 }
 
@@ -203,13 +214,14 @@ ParamInfo video_row() {
 
 std::vector<ParamInfo> scene_rows() {
   using P = RenderParams;
+  const Codec<Orbit> orbit{read_orbit, write_orbit};
   return {
       path(runs_only(row(ParamKind::kText, &P::scene, text(), {"scene", "Scene", "SCENE", "A built-in name or a file"}))),
       path(runs_only(row(ParamKind::kText, &P::camera_path, text(),
                          {"camera-path", "Scene", "FILE", "A Tachyon camera path (.cam) for a .dat scene"}))),
-      runs_only(row(
-          ParamKind::kText, &P::animation, text(),
-          {"animation", "Scene", "NAME|INDEX", "Which of a glTF file's animations; the first by default ('info' lists them)"})),
+      runs_only(row(ParamKind::kText, &P::animation, text(),
+                    {"animation", "Scene", "NAME|INDEX",
+                     "Which animation of a glTF file to play; default: the first ('info' lists them)"})),
       path(runs_only(row(ParamKind::kText, &P::asset_root, text(),
                          {"asset-root", "Scene", "DIR",
                           "Textures and other files that the scene names may lie below this folder; default: in its own"}))),
@@ -218,11 +230,23 @@ std::vector<ParamInfo> scene_rows() {
                      "The camera that decides the view; default: the file's first ('info' lists them)"})),
       runs_only(row(ParamKind::kText, &P::up, choice<UpAxis>(kUpNames),
                     {"up", "Scene", "AXIS", "The axis of the file that points upwards: x, y, z, -x, -y or -z"})),
+      row(ParamKind::kText, &P::focus, text(),
+          {"focus", "Scene", "NODE|X,Y,Z|DISTANCE",
+           "Where the display's plane lies along the view: at a node, at a point, or so far from the viewer (scene units)"}),
+      row(ParamKind::kText, &P::fit_to, text(),
+          {"fit-to", "Scene", "NODE",
+           "Fit the view to this node and all below it, from the camera's direction; default: the camera's own view, or the "
+           "scene without its ground, walls and sky"}),
+      row(ParamKind::kNumber, &P::zoom, number<float>(1e-3, 1e3),
+          {"zoom", "Scene", "FACTOR", "Show the middle of the view this many times as large"}),
+      row(ParamKind::kText, &P::orbit, orbit,
+          {"orbit", "Scene", "YAW[,PITCH]",
+           "Turn the view about what it looks at, in degrees: the viewer moves to the right, and up"}),
       frames_row(),
       row(ParamKind::kNumber, &P::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),
       runs_only(row(ParamKind::kNumber, &P::light_scale, number<float>(0.0, 1e6),
-                    {"light-scale", "Scene", "X", "Factor on the light of the scene's lamps, for files in other units"})),
+                    {"light-scale", "Scene", "X", "Multiplies the light of the scene's lamps, for files in other units"})),
   };
 }
 
@@ -270,8 +294,12 @@ std::vector<ParamInfo> optics_rows() {
           {"precompensate", "Optics", "",
            "Pictures that crosstalk turns into the wanted ones, as far as light can be neither negative nor brighter than "
            "white"}),
-      row(ParamKind::kFlag, &P::fit_depth, flag(),
-          {"fit-depth", "Optics", "", "Show the scene less deep than it is, if it is deeper than the display can resolve"}),
+      with_opposite(
+          row(ParamKind::kFlag, &P::fit_depth, optional_flag(),
+              {"fit-depth", "Optics", "",
+               "Show the scene less deep than it is, if it is deeper than the display can resolve; the default for lenses and "
+               "for every --display"}),
+          "full-depth", "Show all of the scene's depth, blurred or in steps where the display cannot resolve it"),
   };
 }
 
@@ -308,7 +336,7 @@ std::vector<ParamInfo> rendering_rows() {
                "or R,G,B in linear light) or a panorama (.hdr, .exr); default: the scene's own, and the studio for path-traced "
                "glTF, OBJ and PLY files that bring no light (dim where they bring lamps alone)"})),
       row(ParamKind::kNumber, &P::environment_strength, number<float>(0.0, 1e6),
-          {"environment-strength", "Rendering", "X", "Factor on the light of the surroundings"}),
+          {"environment-strength", "Rendering", "X", "Multiplies the light of the surroundings"}),
       row(ParamKind::kNumber, &P::environment_rotation_deg, number<float>(-360.0, 360.0),
           {"environment-rotation", "Rendering", "DEG", "Turns the surroundings about the vertical"}),
       row(ParamKind::kFlag, &P::transparent, flag(),
@@ -316,7 +344,7 @@ std::vector<ParamInfo> rendering_rows() {
            "Pictures with alpha, the share of a pixel's samples that hit something: the surroundings light the scene but are "
            "not seen"}),
       row(ParamKind::kNumber, &P::exposure_ev, number<float>(-64.0, 64.0),
-          {"exposure", "Rendering", "EV", "Doubles the light of pictures and videos EV times; EXR files stay as they are"}),
+          {"exposure", "Rendering", "EV", "Exposure of pictures and videos in stops; EXR files stay linear"}),
       row(ParamKind::kText, &P::tone, choice<ToneCurve>(kToneNames),
           {"tone", "Rendering", "CURVE",
            "How light brighter than white is shown, except in EXR files: cut off (none), compressed with colours kept "
@@ -436,7 +464,7 @@ std::vector<ParamInfo> running_rows() {
       runs_only(row(ParamKind::kNumber, &P::threads, integer<int>(0, 1024),
                     {"threads", "Running", "N", "Rendering threads; 0: one per processor"})),
       runs_only(row(ParamKind::kFlag, &P::resume, flag(),
-                    {"resume", "Running", "", "Keep the frames that the same job has finished in the folder before"})),
+                    {"resume", "Running", "", "Keep the frames that an earlier run of the same job has finished"})),
   };
 }
 
@@ -458,9 +486,17 @@ const ParamInfo* find_param(std::string_view name) {
   return nullptr;
 }
 
+const ParamInfo* find_opposite(std::string_view name) {
+  for (const ParamInfo& info : params_table())
+    if (!info.opposite.empty() && info.opposite == name) return &info;
+  return nullptr;
+}
+
 std::string did_you_mean(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const ParamInfo& info : params_table()) names.push_back(info.name);
+  for (const ParamInfo& info : params_table())
+    for (const std::string_view known : {info.name, info.opposite})
+      if (!known.empty()) names.push_back(known);
   const std::string nearest = nearest_name(name, names);
   return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", nearest);
 }

@@ -30,6 +30,9 @@ struct ParamInfo {
   std::function<void(RenderParams&, const std::vector<std::string>& values, const std::string& where)> set;
   /// Empty where the parameter is not said and follows from others. set(get()) changes nothing.
   std::function<std::vector<std::string>(const RenderParams&)> get;
+
+  std::string_view opposite = {};      ///< of a kFlag: the name of the flag and key that says false; empty: none
+  std::string_view opposite_doc = {};  ///< one line
 };
 
 /// All parameters, in the order of --help. `scene` comes first.
@@ -37,6 +40,9 @@ const std::vector<ParamInfo>& params_table();
 
 /// The row with that name; null if there is none.
 const ParamInfo* find_param(std::string_view name);
+
+/// The row whose `opposite` has that name; null if there is none.
+const ParamInfo* find_opposite(std::string_view name);
 
 /// The known name nearest to `name`, as ", did you mean ...?" for a message; empty if none is near.
 std::string did_you_mean(std::string_view name);

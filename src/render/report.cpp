@@ -107,7 +107,8 @@ Json to_json(const FrameReport& frame) {
           {"estimated_psnr_db", number_or_null(frame.estimated_psnr_db)},
           {"psnr_at_least_db", number_or_null(frame.psnr_at_least_db)},
           {"estimated_block_psnr_db", number_or_null(frame.estimated_block_psnr_db)},
-          {"precompensation", precompensation_json(frame.precompensation)}};
+          {"precompensation", precompensation_json(frame.precompensation)},
+          {"kept", frame.kept}};
 }
 
 Json to_json(const RenderReport& report) {
@@ -116,6 +117,7 @@ Json to_json(const RenderReport& report) {
   return {{"version", LIPPMANN_VERSION},
           {"scene", report.scene},
           {"light", report.light},
+          {"view", report.view},
           {"optics", optics_json(report.optics)},
           {"depth", depth_json(report.depth, report.depth_scale, report.optics)},
           {"precompensation", precompensation_json(report)},

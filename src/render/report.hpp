@@ -32,6 +32,7 @@ struct FrameReport {
   std::optional<double> psnr_at_least_db;          ///< lower bound of it at 95 % confidence; none where there is no estimate
   std::optional<double> estimated_block_psnr_db;   ///< of means over 64 neighbouring pixels; shared frames only
   std::optional<Precompensation> precompensation;  ///< of crosstalk; none: not asked for
+  bool kept = false;                               ///< finished by an earlier run, which its figures are of
 };
 
 struct RenderReport {
@@ -39,6 +40,7 @@ struct RenderReport {
   Optics optics;
   RenderParams params;
   std::string light;  ///< one sentence: which light was taken, and why
+  std::string view;   ///< FittedArray::how
   ShownDepth depth;
   float depth_scale = 1.0f;            ///< shown depth / true depth
   std::optional<double> crosstalk_px;  ///< undone: a sigma in the optics' pixels or views

@@ -74,6 +74,12 @@ std::string list_animations(const SceneInfo& info) {
   return text;
 }
 
+/// Of files that bring animations: whether frames show their keys.
+std::string describe_keys(const SceneInfo& info) {
+  if (info.animations.empty()) return "";
+  return info.keys_on_frames ? ", every key of the file on a frame" : ", not all keys of the file on frames (--fps chooses)";
+}
+
 /// "3 meshes, 1 light": what there is at all.
 std::string list_counts(std::initializer_list<std::pair<std::size_t, std::string_view>> counts) {
   std::string text;
@@ -97,10 +103,11 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   info.animations = scene.animation_names, info.animation = scene.animation;
   info.frames = scene.timeline.frame_count;
   info.frames_per_second = scene.timeline.frames_per_second;
+  info.keys_on_frames = keys_fall_on_frames(scene.timeline, info.frames_per_second);
   count(scene, info);
   info.bounds = bounds_over_animation(scene);
   const auto display = wanted_display(params);
-  info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()));
+  info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()), view_wish(params));
   const PlacedOptics placed = make_optics(params, scene, info.array, display.get());
   info.optics = placed.optics;
   info.units_per_mm = placed.units_per_mm, info.depth_scale = placed.depth_scale;
@@ -132,6 +139,7 @@ Json to_json(const SceneInfo& info) {
           {"frames", info.frames},
           {"frames_per_second", info.frames_per_second},
           {"seconds", info.frames / info.frames_per_second},
+          {"keys_on_frames", info.keys_on_frames},
           {"bounds", bounds_json(info.bounds)},
           {"array",
            {{"fitted", info.array.how},
@@ -163,18 +171,21 @@ std::string to_text(const SceneInfo& info) {
   if (info.cameras > 1) line("cameras", list_cameras(info.notes.camera_names) + "; --camera chooses");
   line("light", info.notes.light);
   line("animation",
-       fmt::format("{} frames at {:g} a second = {:.1f} s; {} of {} instances move", info.frames, info.frames_per_second,
-                   info.frames / info.frames_per_second, info.moving_instances, info.instances));
+       fmt::format("{} frames at {:g} a second = {:.1f} s{}; {} of {} instances move", info.frames, info.frames_per_second,
+                   info.frames / info.frames_per_second, describe_keys(info), info.moving_instances, info.instances));
   if (info.animations.size() > 1) line("", list_animations(info));
   if (!info.bounds.empty())
     line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,
                                info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));
   line("array", info.array.how);
   line("", fmt::format("Its centre is at ({:g}, {:g}, {:g}).", info.array_center.x, info.array_center.y, info.array_center.z));
-  line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width,
-                            info.optics.panel.height, info.optics.panel.pixel_pitch_mm, info.units_per_mm));
+  const int per_pixel = sub_pixels_per_pixel(info.optics);
+  line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width / per_pixel,
+                            info.optics.panel.height, static_cast<float>(per_pixel) * info.optics.panel.pixel_pitch_mm,
+                            info.units_per_mm));
   line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));
-  line("depth", depth_budget_sentence(shown_depth(info.array, info.units_per_mm, info.depth_scale, info.optics), info.optics));
+  line("depth", depth_budget_sentence(shown_depth(info.array, info.units_per_mm, info.depth_scale, info.optics), info.optics,
+                                      info.depth_scale));
   for (const std::string& warning : info.warnings) line("warning", warning);
   return text;
 }

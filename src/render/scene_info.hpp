@@ -23,6 +23,7 @@ struct SceneInfo {
 
   int frames = 1;
   double frames_per_second = 25.0;
+  bool keys_on_frames = true;           ///< every key of the animation falls on a frame
   std::size_t moving_instances = 0;     ///< that move or change their shape
   std::vector<std::string> animations;  ///< names of all that the file has
   int animation = -1;                   ///< which of them is shown

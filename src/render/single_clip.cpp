@@ -24,7 +24,7 @@ RenderParams single_clip(const RenderParams& params, const Optics& optics) {
   RenderParams single = params;
   single.optics = OpticsKind::kSingle;
   single.packing = defaults.packing, single.lenses = {}, single.lens_pixels = {}, single.views = {};
-  single.camera_grid = false, single.slant_deg = 0.0f, single.fit_depth = false;
+  single.camera_grid = false, single.slant_deg = 0.0f, single.fit_depth.reset();
   single.crosstalk_px.reset(), single.precompensate = false, single.angular_filter.reset();
   single.size = params.display.empty() ? picture_size(optics) : Extent<int>{};
   single.layout.reset(), single.mirror = false, single.pseudoscopic = false, single.quilt = {};

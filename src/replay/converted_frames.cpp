@@ -7,6 +7,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/folder.hpp"
 #include "core/json_text.hpp"
 #include "optics/optics_json.hpp"
 
@@ -24,10 +25,9 @@ void write_report(const fs::path& path, const RenderedFrames& frames, const Fram
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-void make_folder(const fs::path& folder, const fs::path& in) {
+void make_other_folder(const fs::path& folder, const fs::path& in) {
+  make_folder(folder);
   std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")");
   if (fs::equivalent(folder, in, problem))
     throw usage_error("OUT", "the results would take the place of what they are made from", "another folder");
 }
@@ -36,7 +36,7 @@ void make_folder(const fs::path& folder, const fs::path& in) {
 
 std::vector<fs::path> convert_frames(const RenderedFrames& frames, const FrameConversion& conversion, const Context& context) {
   const fs::path from = frames.files.front().parent_path();
-  make_folder(conversion.out, from.empty() ? "." : from);
+  make_other_folder(conversion.out, from.empty() ? "." : from);
   std::vector<fs::path> written;
   for (const fs::path& file : frames.files) {
     if (context.cancelled) return written;

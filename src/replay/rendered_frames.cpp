@@ -4,60 +4,27 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <variant>
 
 #include "core/error.hpp"
-#include "core/json_text.hpp"
 #include "core/printable.hpp"
 #include "image/picture_file.hpp"
+#include "layout/quilt_name.hpp"
 #include "layout/rendered.hpp"
-#include "optics/optics_json.hpp"
 
 namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-constexpr std::uintmax_t kMaxReportBytes = std::uintmax_t{256} << 20;  ///< a frame takes some 500 bytes
-
-Json read_report(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored))
-    throw Error(path.string(), "there is no such file, so that nothing says for which optics the pictures were rendered",
-                "the report.json that `lippmann render` writes beside its pictures");
-  if (fs::file_size(path, ignored) > kMaxReportBytes) throw Error(path.string(), "is too large for a report");
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  Json json = json_from_text(text);
-  if (!json.is_object()) throw Error(path.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
-  if (!json.contains("optics"))
-    throw Error(path.string(), "does not say for which optics the pictures were rendered", "an object \"optics\"");
-  return json;
-}
-
-const Json* setting(const Json& report, const char* name) {
-  const auto settings = report.find("settings");
-  if (settings == report.end() || !settings->is_object() || !settings->contains(name)) return nullptr;
-  return &(*settings)[name];
-}
-
 /// Lens arrays are replayed from what lies behind them, views of them are not.
-void check_layout(const Json& report, const Optics& optics, const std::string& where) {
-  const Json* mirror = setting(report, "mirror");
-  if (mirror && mirror->is_boolean() && mirror->get<bool>())
+void check_layout(const Rendering& rendering, const std::string& where) {
+  if (rendering.mirrored)
     throw Error(where, "the pictures are mirrored, to be printed on the back of a sheet", "a render without --mirror");
-  const Json* layout = setting(report, "layout");
-  if (!layout || !layout->is_string()) return;
-  const std::string word = layout->get<std::string>();
-  const bool is_quilt = std::holds_alternative<MultiView>(optics.model);
-  if (word == "views" || (word == "quilt" && !is_quilt) || (word == "integral" && is_quilt))
-    throw Error(where, "the pictures are " + shown(word) + ", not what the display itself shows",
-                "a render without --layout, or `lippmann convert` and its folder's report");
+  const std::string& layout = rendering.layout;
+  const bool is_quilt = std::holds_alternative<MultiView>(rendering.optics.model);
+  if (layout == "views" || (layout == "quilt" && !is_quilt) || (layout == "integral" && is_quilt))
+    throw Error(where, "the pictures are " + shown(layout) + ", not what the display itself shows",
+                "a render without --layout, or what `lippmann convert --to integral` makes of it");
 }
 
 bool is_frame(const fs::directory_entry& entry) {
@@ -94,10 +61,10 @@ RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) 
   frames.files = pictures_of(in);
   const bool folder = fs::is_directory(in, ignored);
   const fs::path report_path = report.empty() ? (folder ? in : in.parent_path()) / "report.json" : report;
-  const Json json = read_report(report_path);
-  frames.optics = optics_from_json(json["optics"], report_path.string());
-  check_layout(json, frames.optics, report_path.string());
-  frames.frames_per_second = frame_rate_of(json).value_or(frames.frames_per_second);
+  const Rendering rendering = read_rendering(report_path);
+  check_layout(rendering, report_path.string());
+  frames.optics = rendering.optics;
+  frames.frames_per_second = rendering.frames_per_second.value_or(frames.frames_per_second);
   return frames;
 }
 
@@ -118,7 +85,11 @@ RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t inde
 }
 
 std::string frame_label(const fs::path& file) {
-  const std::string stem = file.stem().string();
+  // Without what a quilt's name says of it: pictures that are made from one are none.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored) && !file.filename().string().starts_with("frame_"))
+    return file.filename().string();
+  const std::string stem = without_quilt_name(file).stem().string();
   if (!stem.starts_with("frame_")) return stem;
   std::size_t end = 6;
   while (end < stem.size() && std::isdigit(static_cast<unsigned char>(stem[end]))) ++end;

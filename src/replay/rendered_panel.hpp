@@ -13,8 +13,7 @@ struct RenderedPanel {
 
 /// The pixels of the picture that a panel shows: its own; of a slanted panel, each of three sub-pixels.
 inline Vec2i picture_size(const Optics& optics) {
-  const int per_pixel = std::holds_alternative<SlantedPanel>(optics.model) ? 3 : 1;
-  return {optics.panel.width / per_pixel, optics.panel.height};
+  return {optics.panel.width / sub_pixels_per_pixel(optics), optics.panel.height};
 }
 
 }  // namespace lippmann

@@ -9,8 +9,8 @@
 #include "image/encode.hpp"
 #include "replay/all_in_focus.hpp"
 #include "replay/epipolar_image.hpp"
+#include "replay/light_field_frames.hpp"
 #include "replay/refocus.hpp"
-#include "replay/rendered_frames.hpp"
 #include "replay/replay_files.hpp"
 #include "replay/viewing.hpp"
 
@@ -48,9 +48,10 @@ class Replay {
   Replay(const ReplayParams& params, const Context& context)
       : params_(params),
         context_(context),
-        frames_(find_rendered_frames(params.in, params.report)),
+        frames_(find_light_field_frames(params.in, params.field)),
         view_(params.view),
         pool_(resolved_threads(context)) {
+    if (!frames_.assumption.empty()) context.warning(frames_.assumption);
     view_.eye_mm = params.eye_mm.value_or(default_eye_mm(frames_.optics));
     validate(view_);
     if (params.one_per_lens) view_.size = lens_grid(frames_.optics);
@@ -70,6 +71,7 @@ class Replay {
     }
     for (int i = 0; i < params_.sweep && !context_.cancelled; ++i) make_sweep(i, files);
     if (!context_.cancelled) files.finish();
+    if (!looks_with_eyes()) return {files.written(), std::nullopt, 0.0};
     return {files.written(), view_.eye_mm, warn_of_flips()};
   }
 
@@ -88,6 +90,9 @@ class Replay {
            params_.epi_column;
   }
 
+  /// Whether any picture shows what an eye sees.
+  bool looks_with_eyes() const { return !asks_for_more() || params_.ipd_mm || params_.sweep > 0; }
+
   void check_products() const {
     if (params_.ipd_mm && !(std::abs(*params_.ipd_mm) <= 1e6))
       throw usage_error("--ipd", fmt::format("{} mm is no distance of eyes", *params_.ipd_mm));
@@ -102,8 +107,7 @@ class Replay {
   }
 
   ReplayFiles::Settings file_settings() const {
-    const fs::path beside = frames_.files.front().parent_path();
-    return {params_.folder.empty() ? beside / "replay" : params_.folder, params_.exr, params_.video,
+    return {params_.folder.empty() ? frames_.folder / "replay" : params_.folder, params_.exr, params_.video,
             params_.frames_per_second.value_or(frames_.frames_per_second)};
   }
 
@@ -111,7 +115,7 @@ class Replay {
 
   /// The panel of a frame; the last one asked for is kept.
   const RenderedPanel& panel(std::size_t frame) {
-    if (!panel_ || panel_frame_ != frame) panel_ = read_rendered_panel(frames_, frame), panel_frame_ = frame;
+    if (!panel_ || panel_frame_ != frame) panel_ = frames_.read(frame), panel_frame_ = frame;
     return *panel_;
   }
 
@@ -159,14 +163,21 @@ class Replay {
     if (share > 0.0)
       context_.warning(
           fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is out of the viewing zone of {:.3g} % of the "
-                      "display: there it sees neighbouring lenses' pictures.",
-                      view_.eye_mm.x, view_.eye_mm.y, view_.eye_mm.z, 100.0 * share));
+                      "display: there it sees {}.",
+                      view_.eye_mm.x, view_.eye_mm.y, view_.eye_mm.z, 100.0 * share, seen_out_of_zone()));
     return share;
+  }
+
+  const char* seen_out_of_zone() const {
+    if (has_lenses(frames_.optics) || std::holds_alternative<SlantedPanel>(frames_.optics.model))
+      return "the pictures of neighbouring lenses";
+    const auto* views = std::get_if<MultiView>(&frames_.optics.model);
+    return views && views->baseline_mm > 0.0f ? "the outermost cameras' pictures" : "the views of the next cone";
   }
 
   const ReplayParams& params_;
   const Context& context_;
-  RenderedFrames frames_;
+  LightFieldFrames frames_;
   EyeView view_;
   ThreadPool pool_;
   std::optional<RenderedPanel> panel_;

@@ -7,6 +7,7 @@
 
 #include "core/context.hpp"
 #include "replay/eye_view.hpp"
+#include "replay/light_field_frames.hpp"
 
 namespace lippmann {
 
@@ -18,8 +19,8 @@ struct FocalStack {
 };
 
 struct ReplayParams {
-  std::filesystem::path in;           ///< a picture, or a folder of frames (replay/rendered_frames.hpp)
-  std::filesystem::path report = {};  ///< empty: report.json beside the pictures
+  std::filesystem::path in;           ///< a picture or a folder (replay/light_field_frames.hpp)
+  LightFieldSaid field = {};          ///< what flags say of it
   std::filesystem::path folder = {};  ///< for the results; empty: "replay" beside the pictures
   bool exr = false;                   ///< linear floats instead of PNG
 
@@ -40,8 +41,8 @@ struct ReplayParams {
 
 struct Replayed {
   std::vector<std::filesystem::path> written;
-  Vec3d eye_mm{0.0};
-  double out_of_zone = 0.0;  ///< the share of lenses that show that eye a neighbour's picture
+  std::optional<Vec3d> eye_mm = {};  ///< none: no picture shows what an eye sees
+  double out_of_zone = 0.0;          ///< the share of lenses that show that eye a neighbour's picture
 };
 
 /// Throws Error naming the flag or file. Stops between frames when context.cancelled is set.

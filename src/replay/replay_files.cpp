@@ -11,10 +11,8 @@
 
 namespace lippmann {
 
-ReplayFiles::ReplayFiles(Settings settings) : settings_(std::move(settings)) {
-  std::error_code problem;
-  std::filesystem::create_directories(settings_.folder, problem);
-  if (problem) throw Error(settings_.folder.string(), "the folder cannot be made (" + problem.message() + ")");
+ReplayFiles::ReplayFiles(Settings settings)
+    : settings_(std::move(settings)), folder_(settings_.folder), video_folder_(settings_.video.parent_path()) {
   if (settings_.video.empty()) return;
   VideoOptions options;
   options.rate = frame_rate(settings_.frames_per_second);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/folder.hpp"
 #include "image/image.hpp"
 
 namespace lippmann {
@@ -21,7 +22,7 @@ class ReplayFiles {
     double frames_per_second = 25.0;
   };
 
-  /// Makes the folder and begins the video. Throws Error naming what cannot be written.
+  /// Makes the folders and begins the video. Throws Error naming what cannot be written.
   explicit ReplayFiles(Settings settings);
   ~ReplayFiles();
   ReplayFiles(const ReplayFiles&) = delete;
@@ -40,6 +41,7 @@ class ReplayFiles {
 
  private:
   Settings settings_;
+  NewFolder folder_, video_folder_;
   std::unique_ptr<VideoWriter> video_;
   std::vector<std::filesystem::path> written_;
 };

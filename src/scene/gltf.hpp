@@ -23,7 +23,7 @@
 
 namespace lippmann {
 
-inline constexpr double kGltfFramesPerSecond = 25.0;  ///< glTF has seconds, not frames; this is where nobody says otherwise
+inline constexpr double kGltfFramesPerSecond = 30.0;  ///< glTF has seconds, not frames; where keys tell no other rate
 
 /// What one scene may ask for; beyond it reading stops with an Error.
 struct GltfLimits {
@@ -37,8 +37,9 @@ struct GltfLimits {
   int frames = 1'000'000;                           ///< of the animation
 };
 
-/// Throws Error naming the file and the element ("Box.glb: accessors[3]: ..."). frames_per_second > 0: the timeline shows frame
-/// f at f / frames_per_second and has as many frames as fit the animation's length (so that it loops), at least one.
+/// Throws Error naming the file and the element ("Box.glb: accessors[3]: ..."). The timeline shows frame f
+/// at f / frames_per_second and has as many frames as fit the animation's length (so that it loops), at least one; with
+/// frames_per_second 0 at the first of 30, 24, 25 and 60 a second at which every key falls on a frame, else at 30.
 /// animation: the name or the index of the one to show; empty: the first. asset_root: files may lie below it, too.
 Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context,
                 const GltfLimits& limits = {}, const std::string& animation = {}, const std::filesystem::path& asset_root = {});

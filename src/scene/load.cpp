@@ -35,8 +35,7 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
 }
 
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return load_gltf(path, options.frames_per_second > 0.0 ? options.frames_per_second : kGltfFramesPerSecond, context, {},
-                   options.animation, options.asset_root);
+  return load_gltf(path, options.frames_per_second, context, {}, options.animation, options.asset_root);
 }
 
 Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context) {

@@ -180,6 +180,20 @@ ResolvedScene evaluate(const Scene& scene, double time) {
   return resolved;
 }
 
+bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second) {
+  constexpr double kNearFrame = 0.02;  // of a frame: times written with four decimals at 60 a second are within 0.003
+  const auto on_frames = [&](const std::vector<double>& times) {
+    return std::all_of(times.begin(), times.end(), [&](double time) {
+      const double frame = time * frames_per_second;
+      return std::abs(frame - std::round(frame)) <= kNearFrame;
+    });
+  };
+  return std::all_of(timeline.animations.begin(), timeline.animations.end(), [&](const NodeAnimation& a) {
+    return on_frames(a.translation.times) && on_frames(a.rotation.times) && on_frames(a.scale.times) &&
+           on_frames(a.morph_weights.times);
+  });
+}
+
 std::vector<bool> moving_nodes(const Scene& scene) {
   std::vector<bool> moves(scene.nodes.size(), false);
   for (const NodeAnimation& a : scene.timeline.animations) {
@@ -205,15 +219,20 @@ std::vector<bool> morphing_nodes(const Scene& scene) {
 
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world) {
   Bounds3f bounds;
-  for (const Instance& instance : scene.instances) {
-    if (is_posed(scene, instance)) {
-      add_posed(bounds, frame_from_world, scene, instance, resolved);
-      continue;
-    }
-    const Affine3f frame_from_node = frame_from_world * resolved.of(instance.node);
-    std::visit([&](const auto& shape) { add_shape(bounds, frame_from_node, shape); },
-               scene.shapes[static_cast<std::size_t>(instance.shape)]);
+  for (const Instance& instance : scene.instances) bounds.add(finite_bounds(scene, instance, resolved, frame_from_world));
+  return bounds;
+}
+
+Bounds3f finite_bounds(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
+                       const Affine3f& frame_from_world) {
+  Bounds3f bounds;
+  if (is_posed(scene, instance)) {
+    add_posed(bounds, frame_from_world, scene, instance, resolved);
+    return bounds;
   }
+  const Affine3f frame_from_node = frame_from_world * resolved.of(instance.node);
+  std::visit([&](const auto& shape) { add_shape(bounds, frame_from_node, shape); },
+             scene.shapes[static_cast<std::size_t>(instance.shape)]);
   return bounds;
 }
 

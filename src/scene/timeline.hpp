@@ -22,11 +22,18 @@ ResolvedScene evaluate(const Scene& scene, double time);
 /// Whether each node ever moves (it or one of its ancestors is animated with more than one value).
 std::vector<bool> moving_nodes(const Scene& scene);
 
+/// Whether every key of the animation falls on a frame, to a fiftieth of one, at that many frames a second; true without keys.
+bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
+
 /// Whether the morph weights of each node ever change.
 std::vector<bool> morphing_nodes(const Scene& scene);
 
 /// Bounds of everything finite (planes are left out) at one time, along the axes of the world or of another frame; empty if
 /// there is nothing finite.
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
+
+/// The same of one of the scene's instances. The bounds are exact in any affine frame, a sheared one too.
+Bounds3f finite_bounds(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
+                       const Affine3f& frame_from_world = {});
 
 }  // namespace lippmann

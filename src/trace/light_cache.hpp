@@ -36,7 +36,9 @@ struct LightRecord {
   LightPlace place;
   Vec3f light{0.0f};
   /// What has moved since the frame before may have changed so much of it: luminance that lamps and the sky would bring along
-  /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it.
+  /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it. Where the
+  /// place itself has moved: luminance that they send there by Lambert's law, less what they sent to where it was, and the
+  /// share by which cosines of other rays have changed.
   float doubtful_light = 0.0f, doubtful_share = 0.0f;
 };
 
@@ -90,7 +92,7 @@ class LightCache {
   Vec4f look_up(const LightPlace& place) const;
 
   /// The same at the active lanes' places, left to chance: of the cells that it is interpolated from, one. Returns the lanes
-  /// whose light is known, and sets `light` there.
+  /// whose light is known and changes slowly enough for cells, and sets `light` there.
   LaneMask pick(const LightQueries& queries, Lanes3& light) const;
 
   /// How many samples the smallest cell there has.
@@ -126,6 +128,8 @@ class LightCache {
   struct Scatter {
     float light = 0.0f, root = 0.0f;
   };
+  /// Of light across a cell, beyond what changes evenly: none to speak of, some that chance may explain, more than that.
+  enum class Bend : std::uint8_t { kNone, kPerhaps, kSharp };
   struct Cell {
     Vec3f center;
     std::uint32_t thing, part;
@@ -151,12 +155,15 @@ class LightCache {
     float luminance = 0.0f;  ///< of the mean of its own samples
     float spread = 0.0f;     ///< squared luminance by which cells within this one differ from what it says of them
     float relief = 0.0f;     ///< and from its mean
+    Bend bend = Bend::kNone;
+    bool is_sharp = false;
   };
   /// Open addressing; what look_up() asks for lies in the slot itself.
   struct Slot {
     std::uint64_t key = 0;  ///< 0: empty
     Vec3f light{0.0f};
-    std::uint32_t cell = 0;
+    std::uint32_t cell : 31 = 0;
+    std::uint32_t is_sharp : 1 = 0;  ///< light changes more abruptly there than cells can follow
   };
   struct Shard {
     std::vector<Slot> slots;
@@ -196,10 +203,20 @@ class LightCache {
   void compare_with_wider(Cell& cell) const;
   void find_spreads(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
   void resolve(Cell& cell, Slot& slot) const;
+  static Bend bend(const Cell& cell, const Cell& before, const Cell& after);
+  Bend bend(const Cell& cell) const;
+  void find_sharp(const SlotsBySize& by_size, const ThreadPool& pool);
   void balance(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
 
   std::vector<Shard> shards_;
   std::size_t most_cells_;  ///< of a shard
 };
+
+/// fn(cell, slot) for every cell of a size, side by side.
+void LightCache::for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn) {
+  pool.for_each(kShards, [&](std::size_t s) {
+    for (const std::uint32_t i : slots[s]) fn(shards_[s].cells[shards_[s].slots[i].cell], shards_[s].slots[i]);
+  });
+}
 
 }  // namespace lippmann

@@ -58,9 +58,13 @@ void LightFeeder::finish_group(FedLight& fed) {
     LightRecord& record = fed.records.emplace_back();
     record.place = asked_[q].place;
     record.light = {light[0], light[1], light[2]};
-    // What moves by itself passes its own box with every ray: how far it has moved tells what is doubtful (LightCache::Motion).
-    if (watches_ && !asked_[q].moves)
-      record.doubtful_light = doubts_[q].light, record.doubtful_share = std::min(1.0f, doubts_[q].share);
+    // What moves by itself passes its own box with every ray: how far it has moved (LightCache::Motion) and turned tells what
+    // is doubtful.
+    if (watches_) {
+      const PathTracer::Doubt& doubt = doubts_[q];
+      record.doubtful_light = asked_[q].moves ? doubt.turned_light : doubt.light;
+      record.doubtful_share = std::min(1.0f, asked_[q].moves ? doubt.turned_share : doubt.share);
+    }
     fed.sources.push_back(asked_[q].source);
     light[0] = light[1] = light[2] = 0.0f;
     doubts_[q] = {};
@@ -106,8 +110,11 @@ void LightFeeder::shade_lane(const RayHitPacket& packet, int i, const PathRay& r
     Vec3f normal = bsdf.normal();
     const LightPlace place = cells_.places(packet, surface_, i, normal, cells_.size(length));
     if (scarce_ && !scarce_->at(place)) return;
-    asked_.push_back({place, ray.pixel, cells_.places.moves(surface_.instance[i])});
-    paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {choice.x, numbers(1), numbers(2)});
+    const bool moves = cells_.places.moves(surface_.instance[i]);
+    asked_.push_back({place, ray.pixel, moves});
+    const Affine3f before = watches_ && moves ? cells_.places.before_from_now(surface_.instance[i]) : Affine3f{};
+    paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {choice.x, numbers(1), numbers(2)},
+                          watches_ && moves ? &before : nullptr);
     return;
   }
   const std::optional<BsdfSample> sample = bsdf.without_diffuse().sample((choice.y - share) / (1.0f - share), numbers(2));

@@ -225,7 +225,7 @@ void LightGatherer::ask(const RayHitPacket& packet, int i, Vec3f normal, Vec3f a
   albedo_.set(i, albedo);
 }
 
-/// From the cache, and by a path where it knows nothing.
+/// From the cache, and by a path where it knows nothing, or light changes too abruptly for it.
 void LightGatherer::add_asked(const RayHitPacket& packet) {
   Lanes3 light;
   const LaneMask known = cache_.pick(queries_, light);

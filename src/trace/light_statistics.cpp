@@ -25,7 +25,8 @@ constexpr float kPrior = 8.0f;
 constexpr float kPriorScatter = 200.0f;
 /// Light that is none, squared.
 constexpr float kNone = 1e-20f;
-/// Of the light along rays that pass what moves, so much changes from frame to frame: most of them meet the same thing again.
+/// Of the light along rays that pass what moves, or that arrive at another angle, so much changes from frame to frame: most of
+/// them meet the same thing again, and others make up for those.
 constexpr float kChanging = 0.5f;
 
 float squared(float x) { return x * x; }
@@ -70,13 +71,6 @@ LightCache::SlotsBySize LightCache::slots_by_size(const ThreadPool& pool) const 
   return all;
 }
 
-/// fn(cell, slot) for every cell of a size, side by side.
-void LightCache::for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn) {
-  pool.for_each(kShards, [&](std::size_t s) {
-    for (const std::uint32_t i : slots[s]) fn(shards_[s].cells[shards_[s].slots[i].cell], shards_[s].slots[i]);
-  });
-}
-
 /// What the past is still worth, 0 ... 1, where it and what this frame was fed differ by more than chance explains.
 float LightCache::contradicted(const Cell& cell) {
   if (!(cell.now.count > 0.0f && cell.inherited > 0.0f)) return 1.0f;
@@ -91,7 +85,7 @@ float LightCache::contradicted(const Cell& cell) {
 /// Kalman filter's state does.
 float LightCache::doubted(const Cell& cell) {
   const float light = std::max(luminance(cell.past.mean), luminance(cell.now.mean));
-  const float change = squared(cell.doubt.light + kChanging * cell.doubt.share * light);
+  const float change = squared(std::abs(cell.doubt.light) + kChanging * cell.doubt.share * light);
   return change > 0.0f ? cell.scatter.light / (cell.scatter.light + cell.inherited * change) : 1.0f;
 }
 
@@ -287,6 +281,7 @@ void LightCache::resolve(const ThreadPool& pool) {
     for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) { resolve(cell, slot); });
     if (parents) balance(slots, *parents, pool);
   }
+  find_sharp(by_size, pool);
 }
 
 }  // namespace lippmann

@@ -67,12 +67,16 @@ class PathTracer {
   /// Begins to gather what a diffuse surface receives but for lights of groups before `from` (not kPoint): of other lights by
   /// aiming at one, of all else by a path. Adds throughput x what a white surface there would send on to ray.pixel of the film.
   /// `ray` led to the point, `length` from its start.
+  /// before: takes the surface back to where it was in the frame before; null: it lies still, or nobody watches.
   void gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,
-                      const Numbers& numbers);
+                      const Numbers& numbers, const Affine3f* before = nullptr);
 
   /// What has to do with what moves, by pixel of the film: see LightRecord.
   struct Doubt {
     float light = 0.0f, share = 0.0f;
+    /// The same of a surface that moves by itself: by how much more light falls onto it as it stands now than as it stood, were
+    /// the way free.
+    float turned_light = 0.0f, turned_share = 0.0f;
   };
   /// From now on every ray that gather_diffuse() leads to is tested against the probe's boxes; `doubts`, one for each pixel of
   /// the film, receives what those that meet one stand for. Both outlive this.
@@ -95,6 +99,7 @@ class PathTracer {
   void scatter(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, float lobe, float survival,
                Vec2f u);
   void trace_shadow_rays();
+  void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
   Vec3f clamped(Vec3f radiance, int depth) const;
   void add_first_surface(const ShadingPoint& point, int lane, const PathRay& ray);
   void end_path(const PathRay& ray, Vec3f light, float share);

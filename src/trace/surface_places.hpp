@@ -30,6 +30,12 @@ class SurfacePlaces {
   /// Whether an instance moves, as a whole or in itself.
   bool moves(std::uint32_t instance) const { return spaces_[instance].moves; }
 
+  /// Takes an instance's points from where they are to where they were at the update before: rigid.
+  Affine3f before_from_now(std::uint32_t instance) const {
+    const Space& space = spaces_[instance];
+    return space.world_from_own_before * inverse(space.world_from_own);
+  }
+
   /// Of lane i. normal: where light is asked for, world space, on the viewer's side; size: of the smallest cell, world units.
   /// `normal` goes over to the place's space, unit length.
   LightPlace operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal, float size) const;

@@ -45,6 +45,18 @@ TEST(CompareCommand, table_has_a_line_per_frame_between_titles_and_mean) {
   EXPECT_THAT(result.out, HasSubstr("\nmean "));
 }
 
+TEST(CompareCommand, frames_are_those_that_are_asked_for) {
+  const TempDir dir;
+  make_folders(dir);
+  const Json json = json_of(run_tool(dir, {"compare", "a", "b", "--frames", "1", "--json"}).out);
+  ASSERT_EQ(json["frames"].size(), 1u);
+  EXPECT_EQ(json["frames"][0]["name"], "frame_0001");
+  std::filesystem::remove(dir / "b/frame_0001.png");
+  EXPECT_EQ(json_of(run_tool(dir, {"compare", "a", "b", "--frames", "0", "--json"}).out)["identical"], true);
+  expect_refusal(run_tool(dir, {"compare", "a", "b", "--frames", "0-1"}), 1, "b: has no frame 1, which --frames asks for");
+  expect_refusal(run_tool(dir, {"compare", "a/frame_0000.png", "b/frame_0000.png", "--frames", "0"}), 2, "--frames");
+}
+
 TEST(CompareCommand, csv_is_written_beside) {
   const TempDir dir;
   make_folders(dir);
@@ -58,7 +70,7 @@ TEST(CompareCommand, what_cannot_be_done_is_one_message) {
   std::filesystem::remove(dir / "b/frame_0001.png");
   expect_refusal(run_tool(dir, {"compare", "a", "b"}), 1, "b: has no frame frame_0001");
   expect_refusal(run_tool(dir, {"compare", "a", "c"}), 1, "c: there is no such file or folder");
-  expect_refusal(run_tool(dir, {"compare", "a", "a", "--csv", "none/c.csv"}), 1, "none/c.csv");
+  expect_refusal(run_tool(dir, {"compare", "a", "a", "--csv", "a/frame_0000.png/c.csv"}), 1, "a/frame_0000.png: the folder");
   expect_refusal(run_tool(dir, {"compare", "a"}), 2, "TEST is required");
 }
 

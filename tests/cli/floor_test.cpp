@@ -66,8 +66,8 @@ TEST(Floor, frames_of_a_part_and_those_made_again_are_those_of_the_whole) {
         EXPECT_EQ(bytes, whole.at(name)) << name << " of " << part;
     for (const char* lost : {"3", "4", "9"})
       std::filesystem::remove(dir / whole_folder / ("frame_000" + std::string(lost) + ".png"));
-    const RunResult resumed = run_tool(dir, floored("gears", "0-9", whole_folder, wanted + Words{"--resume"}));
-    EXPECT_EQ(lines_of(resumed.err), 3u) << resumed.err;
+    const RunResult resumed = run_tool(dir, floored("gears", "0-9", whole_folder, wanted + Words{"--resume", "--verbose"}));
+    EXPECT_EQ(frames_said(resumed.err), 3u) << resumed.err;
     EXPECT_EQ(files_in(dir / whole_folder, ".png"), whole);
   }
 }

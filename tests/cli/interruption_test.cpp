@@ -33,12 +33,15 @@ TEST(Interruption, killed_render_resumes_to_the_same_pictures_and_video) {
   EXPECT_EQ(killed.wait().exit_code, 128 + SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(dir / "parts.mkv"));
 
-  const RunResult resumed = run_tool(dir, parts + Words{"--resume", "--json"});
+  const RunResult resumed = run_tool(dir, parts + Words{"--resume", "--json", "--verbose"});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_LE(lines_of(resumed.err), 7u) << "at least three of ten frames were kept";
+  EXPECT_LE(frames_said(resumed.err), 7u) << "at least three of ten frames were kept";
   EXPECT_EQ(files_in(dir / "parts", ".png"), files_in(dir / "whole", ".png"));
   EXPECT_EQ(bytes_of(dir / "parts.mkv"), bytes_of(dir / "whole.mkv"));
-  EXPECT_EQ(json_of(resumed.out)["frames"].size(), 10u);
+  const nlohmann::json frames = json_of(resumed.out)["frames"];
+  ASSERT_EQ(frames.size(), 10u);
+  EXPECT_EQ(frames[0]["kept"], true);
+  EXPECT_EQ(frames[9]["kept"], false);
 }
 
 TEST(Interruption, files_left_half_written_by_a_killed_render_are_cleared_away_by_the_next_one) {

@@ -1,3 +1,6 @@
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -36,14 +39,6 @@ TEST(Render, without_output_writes_to_out_slash_scene) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, {"render", "teapot", "--lenses", "4", "--frames", "7"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(dir / "out/teapot/frame_0007.png"));
-}
-
-TEST(Render, stderr_that_is_no_terminal_gets_one_line_per_frame) {
-  const TempDir dir;
-  const RunResult result = run_tool(dir, small_teapot("0-3", "out"));
-  EXPECT_EQ(lines_of(result.err), 4u) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("[4/4] frame 3"));
-  EXPECT_THAT(result.err, Not(HasSubstr("\r")));
 }
 
 TEST(Render, stderr_that_is_a_terminal_gets_a_bar_with_the_time_left) {
@@ -134,6 +129,32 @@ TEST(Render, exr_and_extra_layers_are_written_where_asked) {
   ASSERT_EQ(run_tool(dir, small_teapot("0", "b") + Words{"--format", "png16", "--aov", "depth"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(dir / "b/frame_0000.png"));
   EXPECT_TRUE(std::filesystem::exists(dir / "b/aov_0000.exr"));
+}
+
+TEST(Render, exr_files_say_version_optics_and_views_in_their_header) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "a") + Words{"--format", "exr"}).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "b") + Words{"--aov", "depth"}).exit_code, 0);
+  for (const char* file : {"a/frame_0000.exr", "b/aov_0000.exr"}) {
+    const Imf::InputFile exr((dir / file).c_str());
+    const auto text = [&](const char* name) {
+      const auto* attribute = exr.header().findTypedAttribute<Imf::StringAttribute>(name);
+      return attribute ? attribute->value() : std::string();
+    };
+    EXPECT_EQ(text("lippmann.version"), LIPPMANN_VERSION) << file;
+    EXPECT_EQ(text("lippmann.scene"), "teapot") << file;
+    EXPECT_EQ(text("lippmann.views"), "8x1") << file;
+    const auto report = json_of(bytes_of(dir / "a/report.json"));
+    EXPECT_EQ(json_of(text("lippmann.optics")), report["optics"]) << file;
+    EXPECT_LT(report["depth"]["scale"], 1.0) << "a scene that is shown as deep as it is says nothing of this test";
+    EXPECT_NEAR(std::stod(text("lippmann.depth_scale")), report["depth"]["scale"].get<double>(), 1e-6) << file;
+  }
+}
+
+TEST(Render, standard_output_is_no_folder) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, {"render", "teapot", "--frames", "0", "-o", "-"}), 2, "--output");
+  EXPECT_FALSE(std::filesystem::exists(dir / "-"));
 }
 
 TEST(Render, every_kind_of_optics_makes_a_picture_of_its_size) {

@@ -134,13 +134,90 @@ TEST(Replay, folder_without_a_report_or_with_other_pictures_is_refused) {
   expect_refusal(run_tool(dir, {"replay", "."}), 1, "no frames");
 }
 
-TEST(Replay, views_are_not_taken_for_what_lies_behind_lenses) {
+/// What one eye sees of a light field, as a PNG file's bytes; `said`: more words of the command.
+std::string eye_view_of(const TempDir& dir, const std::string& in, const Words& said = {}) {
+  fs::remove_all(dir / "eye");
+  const Files files = rendered(dir, Words{"replay", in, "-o", "eye"} + said, "eye");
+  return files.empty() ? std::string() : files.begin()->second;
+}
+
+TEST(Replay, every_layout_of_a_render_looks_the_same_to_an_eye) {
+  const TempDir dir;
+  for (const Words& optics : std::vector<Words>{{"--optics", "lenticular", "--lenses", "8"},
+                                                {"--optics", "microlens", "--lenses", "16x12"},
+                                                {"--optics", "multiview", "--views", "4x2"}}) {
+    const Words render = Words{"render", "teapot", "--frames", "3", "--size", "64x48"} + optics;
+    ASSERT_EQ(run_tool(dir, render + Words{"-o", "as-shown"}).exit_code, 0);
+    const std::string eye = eye_view_of(dir, "as-shown");
+    for (const char* layout : {"integral", "views", "quilt"}) {
+      fs::remove_all(dir / "other");
+      ASSERT_EQ(run_tool(dir, render + Words{"-o", "other", "--layout", layout}).exit_code, 0);
+      EXPECT_TRUE(eye_view_of(dir, "other") == eye) << optics[1] << " " << layout;
+    }
+    fs::remove_all(dir / "as-shown");
+  }
+}
+
+TEST(Replay, folders_that_state_their_cameras_look_as_what_they_were_made_of) {
+  const TempDir dir;
+  const Words grid{"--optics", "multiview", "--camera-grid", "--views", "3x3", "--size", "48x36"};
+  ASSERT_EQ(run_tool(dir, Words{"render", "teapot", "--frames", "3", "-o", "out"} + grid).exit_code, 0);
+  const std::string eye = eye_view_of(dir, "out", {"--ipd", "4"});
+  for (const char* format : {"hci", "miv"}) {
+    const std::string folder = std::string("elsewhere/") + format;
+    ASSERT_EQ(run_tool(dir, {"convert", "out/frame_0003.png", folder, "--to", format}).exit_code, 0);
+    EXPECT_TRUE(eye_view_of(dir, folder, {"--ipd", "4"}) == eye) << format;
+  }
+}
+
+TEST(Replay, cameras_that_nothing_states_are_assumed_and_the_tool_says_so) {
+  const TempDir dir;
+  const Words grid{"--optics", "multiview", "--camera-grid", "--views", "3x3", "--size", "48x36"};
+  ASSERT_EQ(run_tool(dir, Words{"render", "teapot", "--frames", "3", "-o", "out"} + grid).exit_code, 0);
+  for (const char* format : {"stanford", "jpeg-pleno"}) {
+    ASSERT_EQ(run_tool(dir, {"convert", "out/frame_0003.png", format, "--to", format}).exit_code, 0);
+    const RunResult result = run_tool(dir, {"replay", format});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("Nothing says where the cameras of"), std::string::npos) << result.err;
+    EXPECT_TRUE(fs::exists(dir / format / "replay" / (std::string("eye_") + format + ".png")));
+    for (const Words& product : std::vector<Words>{{"--refocus", "-5"}, {"--epi", "3"}, {"--epi-column", "3"}})
+      EXPECT_EQ(run_tool(dir, Words{"replay", format} + product).exit_code, 0) << product[0];
+  }
+}
+
+TEST(Replay, quilt_is_known_by_its_name_and_other_pictures_by_flags) {
   const TempDir dir;
   render_teapot(dir);
-  nlohmann::json report = json_of(bytes_of(dir / "out/report.json"));
-  report["settings"]["layout"] = "quilt";
-  std::ofstream(dir / "out/report.json") << report.dump();
-  expect_refusal(run_tool(dir, {"replay", "out"}), 1, "'quilt'");
+  fs::create_directories(dir / "a");
+  ASSERT_EQ(run_tool(dir, {"convert", "out/frame_0003.png", "a/picture.png", "--to", "quilt", "--aspect", "0.75"}).exit_code,
+            0);
+  const std::string quilt = "a/picture_qs4x2a0.75.png";
+  ASSERT_TRUE(fs::exists(dir / quilt));
+  const std::string eye = eye_view_of(dir, quilt);
+  EXPECT_TRUE(fs::exists(dir / "eye/eye_picture.png"));
+  const Image8 picture = read_image8(dir / "eye/eye_picture.png");
+  EXPECT_NEAR(static_cast<double>(picture.width) / picture.height, 0.75, 0.02);
+  fs::rename(dir / quilt, dir / "a/plain.png");
+  expect_refusal(run_tool(dir, {"replay", "a/plain.png"}), 1, "nothing says what this picture is");
+  EXPECT_FALSE(eye_view_of(dir, "a/plain.png", {"--from", "quilt", "--quilt", "4x2"}).empty());
+  expect_refusal(run_tool(dir, {"replay", "out", "--view-angle", "20"}), 2, "--view-angle");
+}
+
+TEST(Replay, eye_is_told_only_where_a_picture_shows_what_one_sees) {
+  const TempDir dir;
+  render_teapot(dir);
+  EXPECT_NE(run_tool(dir, {"replay", "out"}).out.find("eye at"), std::string::npos);
+  EXPECT_EQ(run_tool(dir, {"replay", "out", "--refocus", "-5"}).out.find("eye"), std::string::npos);
+  EXPECT_TRUE(report_of(dir, {"replay", "out", "--epi", "3"})["eye_mm"].is_null());
+}
+
+TEST(Replay, warning_beyond_a_camera_grid_speaks_of_cameras_and_not_of_lenses) {
+  const TempDir dir;
+  const Words grid{"--optics", "multiview", "--camera-grid", "--views", "3x3", "--size", "48x36"};
+  ASSERT_EQ(run_tool(dir, Words{"render", "teapot", "--frames", "3", "-o", "out"} + grid).exit_code, 0);
+  const RunResult result = run_tool(dir, {"replay", "out", "--eye", "5000,0,300"});
+  EXPECT_NE(result.err.find("the outermost cameras' pictures"), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("lens"), std::string::npos) << result.err;
 }
 
 }  // namespace

@@ -68,17 +68,18 @@ TEST(Reuse, frames_that_are_missing_are_made_again_to_the_same_bytes_on_resume) 
   const TempDir dir;
   const Files whole = rendered(dir, interpolated("0-9", "a", {"--fill", "retrace", "--halving"}), "a");
   for (const char* lost : {"3", "4", "9"}) std::filesystem::remove(dir / "a" / ("frame_000" + std::string(lost) + ".png"));
-  const RunResult resumed = run_tool(dir, interpolated("0-9", "a", {"--fill", "retrace", "--halving", "--resume"}));
-  EXPECT_EQ(lines_of(resumed.err), 3u) << resumed.err;
+  const RunResult resumed =
+      run_tool(dir, interpolated("0-9", "a", {"--fill", "retrace", "--halving", "--resume", "--verbose"}));
+  EXPECT_EQ(frames_said(resumed.err), 3u) << resumed.err;
   EXPECT_EQ(files_in(dir / "a", ".png"), whole);
 }
 
 TEST(Reuse, resume_with_another_interval_renders_anew) {
   const TempDir dir;
   rendered(dir, interpolated("0-4", "a"), "a");
-  const RunResult other = run_tool(
-      dir, (small_teapot("0-4", "a") + Words{"--force"}) + Words{"--reuse", "forward", "--keyframes", "2", "--resume"});
-  EXPECT_EQ(lines_of(other.err), 5u) << other.err;
+  const RunResult other = run_tool(dir, small_teapot("0-4", "a") + Words{"--force", "--reuse", "forward", "--keyframes", "2",
+                                                                         "--resume", "--verbose"});
+  EXPECT_EQ(frames_said(other.err), 5u) << other.err;
 }
 
 /// Frame 8 between 0 and 16, when the gears have turned so far that pixels are missed.
@@ -120,7 +121,7 @@ TEST(Reuse, halving_makes_the_middle_frame_as_without_and_others_from_it) {
 
 TEST(Reuse, summary_says_what_was_missed_and_why) {
   const TempDir dir;
-  const RunResult result = run_tool(dir, interpolated("0-4", "a"));
+  const RunResult result = run_tool(dir, interpolated("0-4", "a", {"--verbose"}));
   EXPECT_THAT(result.out, HasSubstr("3 frames made between 2 sources"));
   EXPECT_THAT(result.out, HasSubstr("not covered"));
   EXPECT_THAT(result.err, HasSubstr("between key frames"));

@@ -55,6 +55,13 @@ nlohmann::json report_of(const TempDir& dir, const Words& arguments) {
 
 std::size_t lines_of(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
 
+std::size_t frames_said(const std::string& err) {
+  std::istringstream lines(err);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) count += line.starts_with("[");
+  return count;
+}
+
 bool appears(const std::filesystem::path& path) {
   for (int i = 0; i < 6000 && !std::filesystem::exists(path); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   return std::filesystem::exists(path);

@@ -43,6 +43,9 @@ nlohmann::json report_of(const TempDir& dir, const Words& arguments);
 
 std::size_t lines_of(const std::string& text);
 
+/// How many frames a render with --verbose says on stderr that it has made.
+std::size_t frames_said(const std::string& err);
+
 /// Waits for a file that a running program is to make; false after a minute.
 bool appears(const std::filesystem::path& path);
 

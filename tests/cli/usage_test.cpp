@@ -72,6 +72,7 @@ TEST(Tool, render_help_all_names_every_parameter) {
   for (const ParamInfo& info : params_table())
     if (info.name != "scene") {
       EXPECT_THAT(result.out, HasSubstr("--" + std::string(info.name)));
+      EXPECT_THAT(result.out, HasSubstr("--" + std::string(info.opposite)));
     }
 }
 
@@ -153,6 +154,12 @@ TEST(Tool, info_tells_contents_animation_array_and_depth) {
   EXPECT_EQ(info["optics"]["kind"], "lenticular");
   EXPECT_NEAR(info["optics"]["viewing_zone_deg"].get<double>(), 28.0, 0.01);
   EXPECT_LT(info["depth"]["back_mm"].get<double>(), 0.0);
+}
+
+TEST(Tool, stack_that_is_too_small_is_an_error_and_not_a_crash) {
+  const TempDir dir;
+  const std::string render = std::string("ulimit -s 128; exec ") + LIPPMANN_TOOL + " render teapot --frames 0 --lenses 4";
+  expect_refusal(run({"sh", "-c", render}, {dir.path().string(), 0}), 1, "ulimit -s: the stack is limited to 128 KB");
 }
 
 }  // namespace

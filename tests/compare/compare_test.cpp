@@ -1,5 +1,6 @@
 #include "compare/compare.hpp"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,10 +36,11 @@ fs::path make_folder(const fs::path& folder, int count, double phase = 0.0) {
   return folder;
 }
 
-Comparison compare_quietly(const fs::path& reference, const fs::path& test, int threads = 2) {
+Comparison compare_quietly(const fs::path& reference, const fs::path& test, int threads = 2,
+                           const std::optional<std::vector<int>>& wanted = {}) {
   Context context;
   context.threads = threads;
-  return compare(reference, test, context);
+  return compare(reference, test, context, wanted);
 }
 
 TEST(Compare, two_pictures_give_one_frame_with_their_metrics) {
@@ -127,6 +129,22 @@ TEST(Compare, video_with_fewer_frames_is_named) {
   for (int i = 0; i < 3; ++i) video.add_frame(smooth_codes(32, 24));
   video.finish();
   EXPECT_THAT(error_message([&] { compare_quietly(dir / "a", dir / "a.mkv"); }), HasSubstr("a.mkv: ends after 3 frames"));
+}
+
+TEST(Compare, wanted_frames_of_a_video_are_met_by_those_of_a_folder) {
+  const TempDir dir;
+  fs::create_directories(dir / "a");
+  VideoWriter video(dir / "a.mkv");
+  for (int i = 0; i < 6; ++i) video.add_frame(smooth_codes(32, 24, 0.2 * i));
+  video.finish();
+  for (const int i : {1, 4}) write_png(dir / "a" / fmt::format("frame_{:04}_qs8x6a0.75.png", i), smooth_codes(32, 24, 0.2 * i));
+  const Comparison result = compare_quietly(dir / "a.mkv", dir / "a", 2, std::vector{1, 4});
+  ASSERT_EQ(result.frames.size(), 2u);
+  EXPECT_TRUE(result.identical);
+  EXPECT_THAT(error_message([&] {
+                compare_quietly(dir / "a.mkv", dir / "a.mkv", 2, std::vector{1, 7});
+              }),
+              HasSubstr("a.mkv: has no frame 7, which --frames asks for"));
 }
 
 TEST(Compare, frames_of_different_sizes_are_named) {

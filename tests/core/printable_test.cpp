@@ -26,5 +26,13 @@ TEST(Printable, text_beyond_60_characters_is_cut_between_characters) {
 
 TEST(Printable, shown_has_quotes) { EXPECT_EQ(shown("a"), "'a'"); }
 
+TEST(ShellWord, plain_paths_stay_and_others_are_quoted) {
+  EXPECT_EQ(shell_word("out/a_0.75-b.mp4"), "out/a_0.75-b.mp4");
+  EXPECT_EQ(shell_word("my film"), "'my film'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word(""), "''");
+  EXPECT_EQ(shell_word("a;b"), "'a;b'");
+}
+
 }  // namespace
 }  // namespace lippmann

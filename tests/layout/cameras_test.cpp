@@ -70,6 +70,16 @@ TEST(Cameras, of_lens_arrays_seen_from_near_are_where_the_rays_of_a_view_meet) {
   EXPECT_NEAR(common_baseline_mm(cameras, {5, 5}).value(), 0.2 * 500.0 / 2.0, 1e-5) << "m V / g";
 }
 
+TEST(Cameras, of_fitted_depth_stand_nearer_together) {
+  const float pitch = 1.0f / (1.0f + 2.0f / 500.0f);
+  const MicrolensArray array{.lens_pitch_mm = pitch, .gap_mm = 2.0f, .offset_mm = Vec2f(0.0f), .viewing_distance_mm = 500.0f};
+  const LenticularSheet sheet{.lens_pitch_mm = pitch, .gap_mm = 2.0f, .offset_mm = 0.0f, .viewing_distance_mm = 500.0f};
+  const MultiView quilt{4, 2, radians(40.0f), false, 500.0f};
+  expect_cameras_of_rays(with_parallax({.panel = {45, 35, 0.2f}, .model = array}, 0.25f));
+  expect_cameras_of_rays(with_parallax({.panel = {45, 20, 0.2f}, .model = sheet}, 0.25f));
+  expect_cameras_of_rays(with_parallax({.panel = {80, 30, 1.0f}, .model = quilt}, 0.25f));
+}
+
 TEST(Cameras, parallel_projections_have_none_and_slanted_lenses_no_views) {
   const RenderedViews parallel = rendered_views({.panel = {48, 20, 0.125f}, .model = LenticularSheet{}}).value();
   EXPECT_EQ(parallel.film.grid, (ViewGrid{8, 1}));

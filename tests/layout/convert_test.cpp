@@ -8,6 +8,7 @@
 #include "image/exr.hpp"
 #include "image/picture_file.hpp"
 #include "image/png.hpp"
+#include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {
@@ -133,6 +134,28 @@ TEST(Convert, missing_and_unequal_views_are_refused) {
   expect_refusal(dir / "size", dir / "o.png", params(kViews, kQuilt), "view_001.png", "not of the size");
   expect_refusal(dir / "kind", dir / "o.png", params(kViews, kQuilt), "view_001.png", "not of the size and kind");
   expect_refusal(dir / "twice", dir / "o.png", params(kViews, kQuilt), "twice", "two pictures for view 0");
+}
+
+TEST(Convert, only_quilts_are_named_like_quilts) {
+  const TempDir dir;
+  fs::create_directories(dir / "in");
+  write_png(dir / "in/frame_0000_qs4x1a2.png", picture8(16, 2));
+  const Converted converted = convert(dir / "in", dir / "out", params("", kIntegral));
+  EXPECT_EQ(converted.written.front().filename(), "frame_0000.png");
+  EXPECT_THAT(
+      test::error_message([&] { convert(dir / "in/frame_0000_qs4x1a2.png", dir / "a_qs4x1a2.png", params("", kIntegral)); }),
+      HasSubstr("a_qs4x1a2.png is the name of a quilt"));
+}
+
+TEST(Convert, folders_of_views_are_known_by_the_names_of_their_files) {
+  const TempDir dir;
+  const Image8 original = picture8(3 * 4, 3 * 5);
+  write_png(dir / "in.png", original);
+  for (const char* format : {"hci", "stanford", "jpeg-pleno"}) {
+    convert(dir / "in.png", dir / format, params(kIntegral, format, ViewGrid{3, 3}));
+    convert(dir / format, dir / "back.png", params("", kIntegral));
+    EXPECT_EQ(read8(dir / "back.png").rgb, original.rgb) << format;
+  }
 }
 
 }  // namespace

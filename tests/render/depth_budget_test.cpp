@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "display/load_display.hpp"
 #include "render/make_optics.hpp"
 
 namespace lippmann {
@@ -65,6 +66,35 @@ TEST(FitDepth, deep_scene_is_shown_just_as_deep_as_can_be) {
   EXPECT_LT(placed.depth_scale, 0.5f);
 }
 
+TEST(FitDepth, is_the_default_of_lenses_and_displays_and_not_of_views_that_are_data) {
+  const auto scale = [](const RenderParams& params, const char* display = nullptr) {
+    const std::optional<Display> loaded = display ? std::optional(load_display(display)) : std::nullopt;
+    return make_optics(params, Scene{}, array_of_depth(40.0f), loaded ? &*loaded : nullptr).depth_scale;
+  };
+  RenderParams params;
+  EXPECT_LT(scale(params), 0.1f) << "a lenticular sheet";
+  params.optics = OpticsKind::kMultiview;
+  EXPECT_EQ(scale(params), 1.0f) << "views of no display";
+  params.camera_grid = true;
+  EXPECT_EQ(scale(params), 1.0f) << "a camera grid";
+  params = {};
+  params.optics = OpticsKind::kSingle;
+  EXPECT_EQ(scale(params), 1.0f) << "a single view";
+  params = {};
+  params.display = "portrait";
+  EXPECT_LT(scale(params, "portrait"), 0.5f) << "the quilt of a display";
+  params.fit_depth = false;
+  EXPECT_EQ(scale(params, "portrait"), 1.0f);
+}
+
+TEST(FitDepth, is_told_with_the_factor_and_the_true_depth) {
+  const Optics optics{.panel = {}, .model = LenticularSheet{}};
+  EXPECT_EQ(
+      depth_budget_sentence(shown_depth(array_of_depth(4.0f), 0.1f, 0.4f, optics), optics, 0.4f),
+      "The scene reaches from -40.0 mm to +40.0 mm, deeper than the depth budget of 16.0 mm on either side: 0.4 of its depth "
+      "is shown, from -16.0 mm to +16.0 mm.");
+}
+
 TEST(FitDepth, scene_that_fits_stays_as_it_is) {
   EXPECT_EQ(make_optics(fitted_depth(), Scene{}, array_of_depth(0.5f)).depth_scale, 1.0f);
 }
@@ -72,6 +102,7 @@ TEST(FitDepth, scene_that_fits_stays_as_it_is) {
 TEST(FitDepth, optics_are_those_of_the_display_whatever_the_depth) {
   RenderParams plain = fitted_depth();
   plain.fit_depth = false;
+  ASSERT_EQ(make_optics(plain, Scene{}, array_of_depth(4.0f)).depth_scale, 1.0f);
   const auto gap = [](const RenderParams& params) {
     return std::get<LenticularSheet>(make_optics(params, Scene{}, array_of_depth(4.0f)).optics.model).gap_mm;
   };

@@ -91,6 +91,18 @@ TEST(JobFile, values_may_be_toml_numbers_flags_and_lists) {
   EXPECT_EQ(params.frames, (FrameRanges{{5, 5}}));
 }
 
+TEST(JobFile, depth_is_said_by_either_of_two_opposite_keys_not_by_both) {
+  const test::TempDir dir;
+  const auto fit_depth = [&](const char* text) { return read(write(dir / "job.toml", text)).fit_depth; };
+  EXPECT_EQ(fit_depth("scene = 'teapot'\n"), std::nullopt);
+  EXPECT_EQ(fit_depth("fit-depth = false\n"), false) << "what every job said before full-depth was known";
+  EXPECT_EQ(fit_depth("full-depth = true\n"), false);
+  EXPECT_EQ(fit_depth("full-depth = false\n"), true);
+  EXPECT_THAT(refusal(write(dir / "job.toml", "fit-depth = true\nfull-depth = true\n")),
+              HasSubstr("job.toml:2: full-depth: fit-depth says it already"));
+  EXPECT_THAT(refusal(write(dir / "job.toml", "full-depth = 3\n")), HasSubstr("true or false"));
+}
+
 TEST(JobFile, keys_that_are_absent_leave_the_params_alone) {
   const test::TempDir dir;
   RenderParams params;

@@ -26,6 +26,12 @@ TEST(Report, frame_written_and_read_is_the_same) {
   EXPECT_EQ(to_json(*back), json);
 }
 
+TEST(Report, report_says_what_the_view_was_fitted_to) {
+  RenderReport report;
+  report.view = "The view is fitted to 'Desk'.";
+  EXPECT_EQ(to_json(report)["view"], report.view);
+}
+
 FrameReport shared_frame() {
   FrameReport frame = some_frame();
   frame.kind = "shared";

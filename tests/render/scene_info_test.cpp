@@ -46,6 +46,15 @@ TEST(SceneInfo, several_cameras_are_listed) {
   EXPECT_THAT(to_text(info), testing::HasSubstr("Front (0), Side (1); --camera chooses"));
 }
 
+TEST(SceneInfo, file_with_animations_says_whether_its_keys_are_on_frames) {
+  SceneInfo info;
+  EXPECT_THAT(to_text(info), testing::Not(testing::HasSubstr("key")));
+  info.animations = {"Walk"}, info.animation = 0, info.frames_per_second = 24.0;
+  EXPECT_THAT(to_text(info), testing::HasSubstr("at 24 a second = 0.0 s, every key of the file on a frame;"));
+  info.keys_on_frames = false;
+  EXPECT_THAT(to_text(info), testing::HasSubstr("not all keys of the file on frames (--fps chooses)"));
+}
+
 TEST(SceneInfo, animated_scene_says_what_moves) {
   RenderParams params;
   params.scene = "gears";

@@ -88,6 +88,59 @@ TEST(LightCache, an_edge_of_light_stays_where_it_is) {
   EXPECT_NEAR(cache.look_up(place(17.6f, 4.0f)).x, 1.0f, 0.06f);
 }
 
+/// Of places one apart, all over the strip that spread() feeds: those that are left to paths, by x.
+std::vector<int> left_to_paths(const LightCache& cache) {
+  std::vector<int> count(32);
+  for (int x = 0; x < 32; ++x)
+    for (int y = 0; y < 8; ++y)
+      count[static_cast<std::size_t>(x)] +=
+          pick(cache, place(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f), Vec2f(0.5f)).w == 0.0f;
+  return count;
+}
+
+// The edge lies between the cells 15 and 16: these two bend, and no other.
+TEST(LightCache, places_at_an_edge_of_light_are_left_to_paths) {
+  LightCache cache(kPlenty);
+  feed(cache, spread(16384, 0.1f, 5, [](float x) { return x < 16.0f ? 0.1f : 0.8f; }));
+  const std::vector<int> left = left_to_paths(cache);
+  for (int x = 0; x < 32; ++x) EXPECT_EQ(left[static_cast<std::size_t>(x)], x == 15 || x == 16 ? 8 : 0) << x;
+}
+
+// Eight samples of a cell scatter by as much as half of the edge: cells around both are certain of it.
+TEST(LightCache, larger_cells_tell_where_noisy_light_has_an_edge) {
+  LightCache cache(kPlenty);
+  feed(cache, spread(2048, 0.35f, 5, [](float x) { return x < 16.0f ? 0.1f : 0.8f; }));
+  const std::vector<int> left = left_to_paths(cache);
+  EXPECT_GE(left[15] + left[16], 8);
+}
+
+TEST(LightCache, no_place_is_left_to_paths_where_light_changes_evenly) {
+  for (const float slope : {0.0f, 0.02f}) {
+    LightCache cache(kPlenty);
+    feed(cache, spread(16384, 0.1f, 5, [&](float x) { return 0.1f + slope * x; }));
+    for (const int left : left_to_paths(cache)) EXPECT_EQ(left, 0) << slope;
+  }
+}
+
+TEST(LightCache, edges_that_nobody_sees_are_left_to_cells) {
+  LightCache cache(kPlenty);
+  feed(cache, spread(16384, 0.0f, 5, [](float x) { return x < 16.0f ? 0.50f : 0.55f; }));
+  for (const int left : left_to_paths(cache)) EXPECT_EQ(left, 0);
+  LightCache dark(kPlenty);
+  feed(dark, spread(16384, 0.0f, 5, [](float x) { return x < 16.0f ? 0.0f : 0.002f; }));
+  for (const int left : left_to_paths(dark)) EXPECT_EQ(left, 0);
+}
+
+// Samples of which one in ten is ten times as bright: chance makes edges everywhere, of which few may be believed.
+TEST(LightCache, noise_makes_no_edges) {
+  LightCache cache(kPlenty);
+  std::mt19937 random(9);
+  feed(cache, spread(4096, 0.0f, 5, [&](float) { return random() % 10 == 0 ? 2.0f : 0.2f; }));
+  int all = 0;
+  for (const int left : left_to_paths(cache)) all += left;
+  EXPECT_LE(all, 5);  // of 256
+}
+
 TEST(LightCache, picking_gives_the_interpolated_light_on_average) {
   LightCache cache(kPlenty);
   feed(cache, spread(16384, 0.0f, 3, [](float x) { return x; }));

@@ -9,7 +9,9 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "scene/gltf.hpp"
 #include "scene/gltf/accessor.hpp"
+#include "scene/timeline.hpp"
 
 namespace lippmann::gltf {
 namespace {
@@ -117,6 +119,14 @@ class AnimationReader {
   std::map<int, std::size_t> animation_of_node_;
 };
 
+/// Exporters write a key per frame of theirs, or per several. Rates that all suit the keys show the same keys: then the usual
+/// one.
+double rate_of_keys(const Timeline& timeline) {
+  for (const double rate : {kGltfFramesPerSecond, 24.0, 25.0, 60.0})
+    if (keys_fall_on_frames(timeline, rate)) return rate;
+  return kGltfFramesPerSecond;
+}
+
 /// "Walk (0), Run (1)".
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 20;
@@ -141,7 +151,7 @@ std::size_t choose(const std::vector<std::string>& names, const std::string& wan
 
 void read_animation(Document& document, const NodeMap& nodes, const std::string& wanted, double frames_per_second,
                     Scene& scene) {
-  scene.timeline.frames_per_second = frames_per_second;
+  scene.timeline.frames_per_second = frames_per_second > 0.0 ? frames_per_second : kGltfFramesPerSecond;
   for (const tinygltf::Animation& animation : document.model.animations) scene.animation_names.push_back(animation.name);
   if (scene.animation_names.empty()) {
     if (!wanted.empty()) throw usage_error("--animation", "the file has no animations", "no --animation with it");
@@ -151,14 +161,15 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   scene.animation = static_cast<int>(chosen);
   AnimationReader reader(document, nodes, scene);
   reader.read(chosen);
+  const double rate = frames_per_second > 0.0 ? frames_per_second : rate_of_keys(scene.timeline);
+  scene.timeline.frames_per_second = rate;
 
   // The frame at the animation's very end would repeat its first one when it is played in a loop, hence no "+ 1".
-  const double frames = std::round(reader.duration * frames_per_second);
+  const double frames = std::round(reader.duration * rate);
   if (frames > document.limits.frames)
-    document.report.fail(
-        element("animations", chosen),
-        fmt::format("lasts {} s, which is {} frames at {} a second", reader.duration, frames, frames_per_second),
-        fmt::format("at most {} frames", document.limits.frames));
+    document.report.fail(element("animations", chosen),
+                         fmt::format("lasts {} s, which is {} frames at {} a second", reader.duration, frames, rate),
+                         fmt::format("at most {} frames", document.limits.frames));
   scene.timeline.frame_count = std::max(1, static_cast<int>(frames));
 }
 

@@ -127,8 +127,9 @@ void refuse_infinite_transforms(const Document& document, const NodeMap& nodes, 
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
                  const Context& context, const GltfLimits& limits, const std::string& animation,
                  const std::filesystem::path& asset_root) {
-  if (!(frames_per_second > 0.0) || !std::isfinite(frames_per_second))
-    throw usage_error("frames per second", fmt::format("is {}", frames_per_second), "a number above 0");
+  if (!(frames_per_second >= 0.0) || !std::isfinite(frames_per_second))
+    throw usage_error("frames per second", fmt::format("is {}", frames_per_second),
+                      "a number above 0, or 0: as the keys have it");
   gltf::Document document({path.parent_path(), asset_root}, path, context, limits);
   gltf::read_document(std::move(contents), document);
 

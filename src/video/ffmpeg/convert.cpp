@@ -89,13 +89,16 @@ AVFrame& ToFrame::convert(const Image8& picture) {
 
 void ToPicture::prepare(const std::filesystem::path& path, const AVFrame& frame) {
   const auto format = static_cast<AVPixelFormat>(frame.format);
-  if (scaler_ && format == format_ && frame.width == rgb_->width && frame.height == rgb_->height) return;
+  if (scaler_ && format == format_ && matrix_ == frame.colorspace && range_ == frame.color_range &&
+      frame.width == rgb_->width && frame.height == rgb_->height)
+    return;
   scaler_.reset(sws_getContext(frame.width, frame.height, format, frame.width, frame.height, AV_PIX_FMT_RGB24, kExact, nullptr,
                                nullptr, nullptr));
   if (!scaler_) throw Error(path.string(), "has pixels of a kind that FFmpeg cannot convert to RGB");
   const int* matrix = sws_getCoefficients(matrix_of(frame));
   const bool full_range = frame.color_range == AVCOL_RANGE_JPEG;
   sws_setColorspaceDetails(scaler_.get(), matrix, full_range ? 1 : 0, matrix, 1, 0, kUnchanged, kUnchanged);
+  matrix_ = frame.colorspace, range_ = frame.color_range;
   rgb_ = allocate_frame(AV_PIX_FMT_RGB24, frame.width, frame.height);
   format_ = format;
 }
@@ -104,7 +107,8 @@ Image8 ToPicture::convert(const std::filesystem::path& path, const AVFrame& fram
   Image8 picture{frame.width, frame.height, std::vector<unsigned char>(std::size_t{3} * frame.width * frame.height)};
   if (frame.format == AV_PIX_FMT_BGR0) return copy_from_bgr0(frame, std::move(picture));
   prepare(path, frame);
-  sws_scale(scaler_.get(), frame.data, frame.linesize, 0, frame.height, rgb_->data, rgb_->linesize);
+  if (sws_scale(scaler_.get(), frame.data, frame.linesize, 0, frame.height, rgb_->data, rgb_->linesize) != frame.height)
+    throw Error(path.string(), "a frame cannot be converted to RGB");
   for (int y = 0; y < frame.height; ++y) std::memcpy(row(picture, y), row(*rgb_, y), std::size_t{3} * frame.width);
   return picture;
 }

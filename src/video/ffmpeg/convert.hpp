@@ -35,6 +35,8 @@ class ToPicture {
   FfmpegPtr<AVFrame> rgb_;
   FfmpegPtr<SwsContext> scaler_;
   AVPixelFormat format_ = AV_PIX_FMT_NONE;  // that scaler_ converts from
+  AVColorSpace matrix_ = AVCOL_SPC_UNSPECIFIED;
+  AVColorRange range_ = AVCOL_RANGE_UNSPECIFIED;
 };
 
 }  // namespace lippmann

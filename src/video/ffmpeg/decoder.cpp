@@ -3,10 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
+#include "core/math.hpp"
 #include "video/ffmpeg/convert.hpp"
 #include "video/ffmpeg/ffmpeg.hpp"
+
+extern "C" {
+#include <libavutil/imgutils.h>
+#include <libavutil/pixdesc.h>
+}
 
 namespace lippmann {
 namespace {
@@ -32,6 +39,7 @@ class FfmpegDecoder : public VideoDecoder {
 
   std::optional<Image8> next() override {
     if (decode()) {
+      check_frame();
       ++frames_;
       return converter_.convert(path_, *frame_);
     }
@@ -41,8 +49,35 @@ class FfmpegDecoder : public VideoDecoder {
   }
 
  private:
+  static constexpr int kMaxSide = 1 << 16;
+  static constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
+
   void check(int code, const char* action) const {
     if (code < 0) throw ffmpeg_error(path_, action, code);
+  }
+
+  /// What a decoder hands out is only what the bytes of the stream said: libswscale asserts or reads beyond the frame where it
+  /// makes no sense.
+  void check_frame() {
+    const Vec2i size(frame_->width, frame_->height);
+    const auto wrong = [&](const std::string& problem) {
+      return Error(path_.string(), fmt::format("frame {} {}", frames_, problem));
+    };
+    if (size.x < 1 || size.y < 1 || size.x > kMaxSide || size.y > kMaxSide || std::int64_t{size.x} * size.y > kMaxPixels)
+      throw wrong(fmt::format("says that it has {}x{} pixels", size.x, size.y));
+    if (frames_ == 0) size_ = size;
+    if (size != size_)
+      throw wrong(fmt::format("has {}x{} pixels, and the frames before it have {}x{}", size.x, size.y, size_.x, size_.y));
+    const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format));
+    if (!format || (format->flags & AV_PIX_FMT_FLAG_HWACCEL) ||
+        sws_isSupportedInput(static_cast<AVPixelFormat>(frame_->format)) <= 0)
+      throw wrong("has pixels of a kind that FFmpeg cannot convert to RGB");
+    for (int plane = 0; plane < av_pix_fmt_count_planes(static_cast<AVPixelFormat>(frame_->format)); ++plane) {
+      const int row_bytes = av_image_get_linesize(static_cast<AVPixelFormat>(frame_->format), size.x, plane);
+      if (!frame_->data[plane] || row_bytes < 0 || std::abs(frame_->linesize[plane]) < row_bytes)
+        throw wrong("has rows shorter than its width");
+    }
+    if ((format->flags & AV_PIX_FMT_FLAG_PAL) && !frame_->data[1]) throw wrong("has no palette");
   }
 
   void open_decoder() {
@@ -52,8 +87,6 @@ class FfmpegDecoder : public VideoDecoder {
     stream_ = demuxer_->streams[index];
     codec_ = own(avcodec_alloc_context3(decoder));
     check(avcodec_parameters_to_context(codec_.get(), stream_->codecpar), "cannot be decoded");
-    constexpr int kMaxSide = 1 << 16;
-    constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
     if (codec_->width > kMaxSide || codec_->height > kMaxSide || std::int64_t{codec_->width} * codec_->height > kMaxPixels)
       throw Error(path_.string(), fmt::format("frames of {} x {} pixels", codec_->width, codec_->height),
                   "sides up to 65536 pixels, up to 2^28 pixels");
@@ -115,6 +148,7 @@ class FfmpegDecoder : public VideoDecoder {
   FfmpegPtr<AVFrame> frame_ = own(av_frame_alloc());
   FfmpegPtr<AVPacket> packet_ = own(av_packet_alloc());
   const AVStream* stream_ = nullptr;
+  Vec2i size_{0, 0};                                      // of the first frame
   std::int64_t frames_ = 0, packets_ = 0, end_time_ = 0;  // of the packets read; time in the stream's units
   bool ended_ = false;                                    // of the packets; the decoder may still hold frames
 };

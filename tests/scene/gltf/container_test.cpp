@@ -127,7 +127,7 @@ TEST(GltfContainer, file_beyond_the_limit_is_not_read) {
               HasSubstr("the file has 100 bytes; accepted: at most 99 bytes"));
 }
 
-TEST(GltfContainer, load_scene_reads_a_glb_file_at_25_frames_a_second) {
+TEST(GltfContainer, load_scene_reads_a_glb_file_without_keys_at_30_frames_a_second) {
   const test::TempDir folder;
   const Contents contents = one_triangle().glb();
   std::ofstream(folder / "box.glb", std::ios::binary)
@@ -135,12 +135,12 @@ TEST(GltfContainer, load_scene_reads_a_glb_file_at_25_frames_a_second) {
   const Scene scene = load_scene((folder / "box.glb").string(), {}, Context{});
   EXPECT_EQ(scene.name, "box");
   EXPECT_EQ(scene.instances.size(), 1u);
-  EXPECT_EQ(scene.timeline.frames_per_second, 25.0);
+  EXPECT_EQ(scene.timeline.frames_per_second, 30.0);
 }
 
-TEST(GltfContainer, frame_rate_of_zero_is_wrong_usage) {
-  EXPECT_EQ(error_message([] { parse_gltf({}, "a.glb", 0.0, Context{}); }),
-            "frames per second: is 0; accepted: a number above 0");
+TEST(GltfContainer, frame_rate_below_zero_is_wrong_usage) {
+  EXPECT_EQ(error_message([] { parse_gltf({}, "a.glb", -1.0, Context{}); }),
+            "frames per second: is -1; accepted: a number above 0, or 0: as the keys have it");
 }
 
 }  // namespace

@@ -443,6 +443,34 @@ int frames_of(const GltfBuilder& b, const std::string& animation) {
   return parse_gltf(b.glb(), "a.glb", 25.0, Context{}, {}, animation).timeline.frame_count;
 }
 
+/// Of a file with keys at these times, without a rate that is said.
+Timeline timeline_of_keys(const std::vector<float>& times) {
+  const GltfBuilder b = animated<Vec3f>("translation", "LINEAR", times, std::vector<Vec3f>(times.size(), Vec3f(0.0f)));
+  return parse_gltf(b.glb(), "a.glb", 0.0, Context{}).timeline;
+}
+
+std::vector<float> every(int step, double rate, int last) {
+  std::vector<float> times;
+  for (int frame = 0; frame <= last; frame += step) times.push_back(static_cast<float>(frame / rate));
+  return times;
+}
+
+TEST(GltfAnimation, frames_fall_on_the_keys) {
+  for (const double rate : {24.0, 25.0, 30.0, 60.0}) {
+    const Timeline timeline = timeline_of_keys(every(1, rate, 2000));
+    EXPECT_EQ(timeline.frames_per_second, rate);
+    EXPECT_EQ(timeline.frame_count, 2000) << rate;
+  }
+  EXPECT_EQ(timeline_of_keys(every(10, 24.0, 40)).frames_per_second, 24.0) << "keys at every tenth frame";
+  EXPECT_EQ(timeline_of_keys({0.0f, 0.0417f, 0.0833f, 0.125f}).frames_per_second, 24.0) << "times with four decimals";
+}
+
+TEST(GltfAnimation, keys_of_no_common_rate_are_shown_at_30_a_second) {
+  EXPECT_EQ(timeline_of_keys({0.0f, 0.1234f, 0.5f}).frames_per_second, 30.0);
+  EXPECT_FALSE(keys_fall_on_frames(timeline_of_keys({0.0f, 0.1234f, 0.5f}), 30.0));
+  EXPECT_EQ(timeline_of_keys({0.0f, 1.0f}).frames_per_second, 30.0) << "where several rates suit";
+}
+
 TEST(GltfAnimation, the_one_that_is_asked_for_is_read_by_name_or_by_index) {
   const GltfBuilder b = walk_and_run();
   EXPECT_EQ(frames_of(b, ""), 25);

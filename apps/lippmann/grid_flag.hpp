@@ -1,0 +1,14 @@
+// Grids of views as flags give them: 8x6.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "layout/view_layout.hpp"
+
+namespace lippmann::app {
+
+/// Columns, x, rows, each from 1 to 1024; none for an empty text. Throws a usage Error naming the flag.
+std::optional<ViewGrid> read_grid(const std::string& text, const std::string& flag);
+
+}  // namespace lippmann::app

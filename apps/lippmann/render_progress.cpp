@@ -1,0 +1,118 @@
+#include "apps/lippmann/render_progress.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/json_text.hpp"
+#include "render/depth_budget.hpp"
+#include "render/frame.hpp"
+#include "render/size_estimate.hpp"
+
+namespace lippmann::app {
+namespace {
+
+ProgressStyle style_of(RenderProgressKind kind) {
+  if (kind == RenderProgressKind::kVerbose) return ProgressStyle::kEveryLine;
+  return Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines;
+}
+
+std::string frame_line(const FrameReport& frame, Reuse reuse) {
+  if (frame.kind == "in-between" && reuse == Reuse::kForward)
+    return fmt::format("frame {}: {:.3f} s, between key frames, {} pixels missed", frame.frame, frame.seconds,
+                       frame.missed_pixels);
+  if (frame.kind == "in-between")
+    return fmt::format("frame {}: {:.3f} s, {} pixels copied from the key frame", frame.frame, frame.seconds,
+                       frame.reused_pixels);
+  return fmt::format("frame {}: {:.3f} s, {:.2f} million rays", frame.frame, frame.seconds,
+                     static_cast<double>(frame.rays.total()) * 1e-6);
+}
+
+std::string count_of(int number, const char* thing) { return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s"); }
+
+/// "480 frames of 3360x3360 pixels to out/teapot; all files: about 4.1 GB (an estimate)".
+std::string describe(const RenderPlan& plan, int wanted, double bytes) {
+  const std::string size = fmt::format("{}x{} pixels", plan.picture_size.x, plan.picture_size.y);
+  const std::string each = plan.names.views > 0 ? count_of(plan.names.views, "picture") + ", each of " : "";
+  const std::string kept = plan.kept > 0 ? fmt::format(" ({} more are there already)", plan.kept) : "";
+  const std::string folder = plan.folder.empty() ? "." : plan.folder.string();
+  return fmt::format("{}{} of {}{} to {}; all files: about {} (an estimate)", count_of(wanted, "frame"), kept, each, size,
+                     folder, bytes_text(bytes));
+}
+
+/// Where a default decides what is seen of the scene, it is said before hours are spent on it.
+void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
+  const PlacedOptics& placed = plan.stage.placed;
+  if (placed.depth_scale >= 1.0f) return;
+  const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
+  fmt::print(stderr, "{}{}\n", depth_budget_sentence(shown, placed.optics, placed.depth_scale),
+             params.fit_depth ? "" : " --full-depth shows all of it.");
+}
+
+}  // namespace
+
+RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& params, RenderProgressKind kind)
+    : kind_(kind),
+      reuse_(params.reuse),
+      frames_(static_cast<int>(plan.frames.size())),
+      wanted_(static_cast<int>(plan.frames.size()) - plan.kept) {
+  if (kind == RenderProgressKind::kNone) return;
+  const FileSizes sizes = estimated_file_sizes(plan, params);
+  estimated_at_first_ = sizes.all(), video_bytes_ = sizes.videos;
+  if (kind == RenderProgressKind::kJson) {
+    print_object(-1);
+    return;
+  }
+  if (wanted_ == 0) return;
+  fmt::print(stderr, "{}\n", describe(plan, wanted_, sizes.all()));
+  say_fitted_depth(plan, params);
+  progress_ = std::make_unique<Progress>(wanted_, style_of(kind));
+}
+
+RenderProgress::~RenderProgress() = default;
+
+void RenderProgress::traced(const FrameReport& frame) {
+  if (!progress_) return;
+  if (style_of(kind_) == ProgressStyle::kBar) return progress_->step("");
+  const std::lock_guard lock(mutex_);
+  lines_[frame.frame] = frame_line(frame, reuse_);
+}
+
+void RenderProgress::written(int frame, std::uintmax_t bytes) {
+  if (kind_ == RenderProgressKind::kNone) return;
+  ++written_;
+  bytes_ += static_cast<double>(bytes);
+  if (!progress_) return print_object(frame);
+  const double size = estimated_bytes();
+  const bool all = written_ == wanted_;
+  progress_->set_note(fmt::format("files: {}{}", all && video_bytes_ == 0.0 ? "" : "about ", bytes_text(size)));
+  if (style_of(kind_) == ProgressStyle::kBar) return;
+  const std::lock_guard lock(mutex_);
+  progress_->step(lines_[frame]);
+  lines_.erase(frame);
+}
+
+void RenderProgress::within(double share) {
+  if (progress_) progress_->within(share);
+}
+
+/// Of all frames, as large as those that are there.
+double RenderProgress::estimated_bytes() const {
+  return written_ == 0 ? estimated_at_first_ : bytes_ / written_ * frames_ + video_bytes_;
+}
+
+void RenderProgress::print_object(int frame) const {
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  using Json = nlohmann::ordered_json;
+  const Json json{{"frame", frame < 0 ? Json(nullptr) : Json(frame)},
+                  {"done", written_},
+                  {"frames", wanted_},
+                  {"seconds", seconds},
+                  {"seconds_left", written_ > 0 ? Json(seconds_left(seconds, written_, wanted_)) : Json(nullptr)},
+                  {"bytes", static_cast<std::uint64_t>(bytes_)},
+                  {"estimated_bytes", static_cast<std::uint64_t>(estimated_bytes())}};
+  fmt::print(stderr, "{}\n", json_to_text(json, -1));
+}
+
+}  // namespace lippmann::app

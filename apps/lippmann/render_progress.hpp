@@ -1,0 +1,51 @@
+// What `lippmann render` says on stderr while it renders: before the first frame what is going to be made, then how far it is.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "apps/lippmann/progress.hpp"
+#include "render/animation.hpp"
+
+namespace lippmann::app {
+
+enum class RenderProgressKind {
+  kAuto,     ///< a bar on a terminal, elsewhere a line now and then
+  kVerbose,  ///< a line per frame
+  kJson,     ///< an object per frame: docs/formats.md has its keys
+  kNone
+};
+
+/// Hears of one render. traced() and written() run in different threads.
+class RenderProgress {
+ public:
+  /// Says what is going to be made.
+  RenderProgress(const RenderPlan& plan, const RenderParams& params, RenderProgressKind kind);
+  ~RenderProgress();
+  RenderProgress(const RenderProgress&) = delete;
+  RenderProgress& operator=(const RenderProgress&) = delete;
+
+  void traced(const FrameReport& frame);
+  void written(int frame, std::uintmax_t bytes);
+  void within(double share);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double estimated_bytes() const;
+  void print_object(int frame) const;
+
+  RenderProgressKind kind_;
+  Reuse reuse_;
+  int frames_ = 0, wanted_ = 0, written_ = 0;  ///< of the animation; of these to be rendered now; on disk of those
+  double bytes_ = 0.0;                         ///< of those on disk
+  double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
+  Clock::time_point start_ = Clock::now();
+  std::mutex mutex_;                  ///< lines_
+  std::map<int, std::string> lines_;  ///< of frames that are traced and not yet written
+  std::unique_ptr<Progress> progress_;
+};
+
+}  // namespace lippmann::app

@@ -1,0 +1,33 @@
+#include "core/folder.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace lippmann {
+
+namespace fs = std::filesystem;
+
+void make_folder(const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem)
+    throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "a folder that can be written into");
+}
+
+NewFolder::NewFolder(fs::path folder) {
+  std::error_code ignored;
+  const fs::path wanted = folder;
+  for (; !folder.empty() && !fs::exists(folder, ignored); folder = folder.parent_path()) made_.push_back(folder);
+  make_folder(wanted);
+}
+
+NewFolder::~NewFolder() {
+  std::error_code problem;
+  for (const fs::path& folder : made_)
+    if (fs::is_directory(folder, problem)) fs::remove(folder, problem);  // fails where anything is in it
+}
+
+}  // namespace lippmann

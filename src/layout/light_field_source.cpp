@@ -1,0 +1,93 @@
+#include "layout/light_field_source.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.hpp"
+#include "core/text_pattern.hpp"
+#include "layout/quilt_name.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The format whose files a folder of views holds, by the name of any of them; none: of no format.
+std::optional<std::string> format_of_folder(const fs::path& folder) {
+  struct Kind {
+    std::string_view format;
+    TextPattern file;
+  };
+  static const std::array<Kind, 5> kinds{
+      Kind{"miv", TextPattern("cameras\\.json")}, Kind{"hci", TextPattern("input_Cam[0-9]{1,6}\\.[^.]+")},
+      Kind{"stanford", TextPattern("out_[0-9]{1,5}_[0-9]{1,5}(?:_.*)?\\.[^.]+")},
+      Kind{"jpeg-pleno", TextPattern("[0-9]{1,4}_[0-9]{1,4}\\.ppm")}, Kind{"views", TextPattern("view_[0-9]{1,6}\\.[^.]+")}};
+  std::array<bool, kinds.size()> found{};
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      if (kinds[i].file.match(entry.path().filename().string())) found[i] = true;
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    if (found[i]) return std::string(kinds[i].format);
+  return std::nullopt;
+}
+
+std::string format_of(const fs::path& path, const LightFieldSource& source) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return format_of_folder(path).value_or("views");
+  if (parse_quilt_name(path)) return "quilt";
+  if (source.rendering && !source.rendering->layout.empty()) return source.rendering->layout;
+  if (!source.rendered) throw usage_error("--from", "nothing says what " + path.string() + " is", "the name of a format");
+  switch (source.rendered->film.kind) {
+    case LayoutKind::kQuilt:
+      return "quilt";
+    case LayoutKind::kStack:
+      throw usage_error("--from", path.string() + " is a single view", "pictures of several");
+    default:
+      return "integral";
+  }
+}
+
+/// Of an animation: pictures, or folders.
+std::vector<fs::path> frames_in(const fs::path& folder, bool are_folders) {
+  std::vector<fs::path> frames;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const bool fits = are_folders ? entry.is_directory() : entry.is_regular_file();
+    if (fits && entry.path().filename().string().starts_with("frame_") && entry.path().extension() != ".json")
+      frames.push_back(entry.path());
+  }
+  std::sort(frames.begin(), frames.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string x = a.filename().string(), y = b.filename().string();
+    return x.size() != y.size() ? x.size() < y.size() : x < y;  // frame_10000 after frame_9999
+  });
+  return frames;
+}
+
+}  // namespace
+
+LightFieldSource light_field_source(const fs::path& path, const std::string& from, const FormatOptions& options) {
+  LightFieldSource source{nullptr, options};
+  const bool may_be_rendered = from.empty() || from == "integral" || from == "quilt" || from == "views";
+  if (may_be_rendered) source.rendering = rendering_of(path);
+  if (source.rendering)
+    source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
+  source.format = &find_format(from.empty() ? format_of(path, source) : from, "--from");
+  if (source.format->is_folder && source.format->name != "views") source.rendering.reset(), source.rendered.reset();
+  if (!source.rendered) return source;
+  const ViewLayout& film = source.rendered->film;
+  if (!source.options.views) source.options.views = film.grid;
+  const bool said_by_name = parse_quilt_name(path).has_value();
+  if (!source.options.tiles && film.kind == LayoutKind::kQuilt && !said_by_name) source.options.tiles = film.tiles;
+  return source;
+}
+
+bool is_light_field_folder(const fs::path& folder) { return format_of_folder(folder).has_value(); }
+
+std::vector<fs::path> light_field_frames(const fs::path& folder, const std::string& from) {
+  if (!from.empty()) return frames_in(folder, find_format(from, "--from").is_folder);
+  const std::vector<fs::path> pictures = frames_in(folder, false);
+  return pictures.empty() ? frames_in(folder, true) : pictures;
+}
+
+}  // namespace lippmann

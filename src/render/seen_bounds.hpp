@@ -1,0 +1,41 @@
+// The bounds of those parts of shapes that lie inside a convex region, such as what a camera sees.
+//
+// Meshes are cut triangle by triangle and the result is exact; every other primitive counts as the box around it. Infinite
+// planes are left out.
+#pragma once
+
+#include <vector>
+
+#include "core/math.hpp"
+#include "scene/scene.hpp"
+#include "scene/timeline.hpp"
+
+namespace lippmann {
+
+/// The side of a plane where dot(normal, p) + offset >= 0.
+struct HalfSpace {
+  Vec3f normal{0.0f};
+  float offset = 0.0f;
+};
+
+/// All points that lie in every half space.
+using ConvexRegion = std::vector<HalfSpace>;
+
+/// What a viewer at `eye` who looks along -z sees, in front of him: |x| <= tangent.x * depth and |y| <= tangent.y * depth.
+ConvexRegion view_region(Vec3f eye, Vec2f tangent);
+
+/// Everything inside a box.
+ConvexRegion box_region(const Bounds3f& box);
+
+/// `bounds` holds the parts; `tangent` the largest |x| / depth and |y| / depth as seen from the origin along -z.
+struct SeenParts {
+  Bounds3f bounds;
+  Vec2f tangent{0.0f};
+  void add(const SeenParts& parts) { bounds.add(parts.bounds), tangent = glm::max(tangent, parts.tangent); }
+};
+
+/// Of one instance, in the frame that the region is given in.
+SeenParts seen_parts(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
+                     const Affine3f& frame_from_world, const ConvexRegion& region);
+
+}  // namespace lippmann

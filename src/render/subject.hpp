@@ -1,0 +1,42 @@
+// What a scene is about: everything but its surroundings, which are ground, walls, ceiling, sky and backdrop.
+//
+// Surroundings are found by their shape and place alone, instance by instance, in world axes with +y up:
+//  - Sheets: instances that are thin along one axis and lie at a face of the box around everything. The sheets at a face count
+//    if together they span it. Ground lies at the lower face; walls reach down to the ground at the faces on the sides; a
+//    ceiling rests on walls.
+//  - Shells: an instance that contains everything else between its sides, with free space around it: sky, dome, backdrop,
+//    hills. Only the ground below may be nearer.
+// They are left out if what remains is much smaller. Nothing is left out of a scene that is one mesh, and never everything.
+// Infinite planes have no bounds and decide nothing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/math.hpp"
+#include "scene/scene.hpp"
+
+namespace lippmann {
+
+enum class InstanceRole {
+  kSubject,
+  kGround,    ///< ground and ceilings: in a picture they reach from the subject to the far distance
+  kBackdrop,  ///< walls, sky, domes
+};
+
+struct Subject {
+  std::vector<InstanceRole> roles;  ///< per instance
+  bool has_surroundings() const;
+  bool contains(std::size_t instance) const { return roles[instance] == InstanceRole::kSubject; }
+};
+
+/// The frames at which a scene's animation is looked at, at most 63 of them: 0 and every n-th from there.
+std::vector<int> sampled_frames(const Timeline& timeline);
+
+/// The subject over the whole animation. Without anything finite but surroundings: everything.
+Subject find_subject(const Scene& scene);
+
+/// "'Plane', 'Wall' and 3 others": the instances that are not the subject.
+std::string list_surroundings(const Scene& scene, const Subject& subject);
+
+}  // namespace lippmann

@@ -1,0 +1,200 @@
+#include "replay/light_field_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "core/error.hpp"
+#include "layout/light_field_source.hpp"
+#include "layout/quilt_name.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kWindowHeightMm = 100.0, kDistanceMm = 300.0, kConeDeg = 40.0, kGridAngleDeg = 10.0;
+
+/// The size of a quilt of all views, each in the tile of its place in the grid.
+Panel quilt_panel(const LightField& field, double pixel_mm) {
+  return {field.view_size.x * field.grid.columns, field.view_size.y * field.grid.rows, static_cast<float>(pixel_mm)};
+}
+
+/// The views of a field put where the optics have them.
+Picture panel_picture(const LightField& field, const ViewLayout& film) {
+  const Vec2i size = picture_size(film, field.view_size);
+  Picture picture = blank(field.stack, size);
+  move_pixels(field.stack, {}, picture, pixels_of_views(film, field.view_size, size));
+  return picture;
+}
+
+/// How the views of these optics lie on their panel.
+ViewLayout film_of(const Optics& optics, const std::string& where) {
+  if (const std::optional<RenderedViews> rendered = rendered_views(optics)) return rendered->film;
+  throw Error(where, "its lenses have no whole number of pixels, so that no views can be put back behind them",
+              "pictures of --layout integral or native");
+}
+
+/// Whether a picture is as the panel of these optics shows it.
+bool is_as_shown(const fs::path& picture, const std::string& layout, const Optics& optics) {
+  if (std::holds_alternative<SingleView>(optics.model)) return true;
+  const std::optional<QuiltName> name = parse_quilt_name(picture);
+  const auto* views = std::get_if<MultiView>(&optics.model);
+  if (name) return views && name->tiles == ViewGrid{views->columns, views->rows};
+  if (layout == "quilt") return views != nullptr;
+  return layout != "integral" || has_lenses(optics);
+}
+
+FormatOptions options_of(const LightFieldSaid& said) {
+  FormatOptions options;
+  options.views = said.views, options.tiles = said.tiles;
+  return options;
+}
+
+/// A folder of frame_*, or one light field.
+std::vector<fs::path> frames_of(const fs::path& in, const std::string& from) {
+  std::error_code ignored;
+  if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
+  if (!fs::is_directory(in, ignored)) return {in};
+  std::vector<fs::path> frames = light_field_frames(in, from);
+  if (!frames.empty()) return frames;
+  if (from.empty() && !is_light_field_folder(in))
+    throw Error(in.string(), "there are no frames in it, and no views",
+                "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads");
+  return {in};
+}
+
+/// Frames that have to be read as a format, and put where the panel has their pixels.
+LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options, ViewLayout film) {
+  const auto files = std::make_shared<std::vector<fs::path>>(frames.files);
+  frames.read = [files, from, options, film, optics = frames.optics](std::size_t index) -> RenderedPanel {
+    const fs::path& file = (*files)[index];
+    const LightFieldSource source = light_field_source(file, from, options);
+    const LightField field = source.format->read(file, source.options);
+    if (field.grid != film.grid)
+      throw Error(file.string(), fmt::format("has {}x{} views", field.grid.columns, field.grid.rows),
+                  fmt::format("{}x{}, as its report or the first frame says", film.grid.columns, film.grid.rows));
+    const Vec2i size = picture_size(film, field.view_size), panel = picture_size(optics);
+    const bool fits = film.kind == LayoutKind::kQuilt ? size / Vec2i(film.tiles.columns, film.tiles.rows) ==
+                                                            panel / Vec2i(film.tiles.columns, film.tiles.rows)
+                                                      : size == panel;
+    if (!fits)
+      throw Error(file.string(),
+                  fmt::format("its views make {}x{} pixels, and the panel has {}x{}", size.x, size.y, panel.x, panel.y),
+                  "the pictures as the render wrote them");
+    RenderedPanel rendered{optics, to_linear(panel_picture(field, film))};
+    rendered.optics.panel.width = size.x, rendered.optics.panel.height = size.y;  // without a quilt's padding
+    return rendered;
+  };
+  return frames;
+}
+
+/// What a render has left, in whatever layout.
+LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldSaid& said) {
+  const fs::path& first = frames.files.front();
+  if (said.view_angle_deg)
+    throw usage_error("--view-angle", "the report of the render says where the views were seen from", "no --view-angle");
+  if (rendering.mirrored)
+    throw Error(first.string(), "the pictures are mirrored, to be printed on the back of a sheet", "a render without --mirror");
+  frames.optics = rendering.optics;
+  frames.frames_per_second = rendering.frames_per_second.value_or(frames.frames_per_second);
+  std::error_code ignored;
+  const std::string& layout = said.from.empty() ? rendering.layout : said.from;
+  if (fs::is_directory(first, ignored) || !is_as_shown(first, layout, rendering.optics))
+    return rearranged(std::move(frames), said.from, options_of(said), film_of(rendering.optics, first.string()));
+  const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
+  frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
+  return frames;
+}
+
+/// A light field beside which no render's report lies.
+LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldSaid& said) {
+  const fs::path& first = frames.files.front();
+  const LightField field = source.format->read(first, source.options);
+  if (field.cameras) {
+    if (said.view_angle_deg)
+      throw usage_error("--view-angle", first.string() + " says where its cameras stood", "no --view-angle");
+    frames.optics = optics_of_cameras(field, first.string());
+  } else {
+    frames.optics = assumed_optics(field, said.view_angle_deg);
+    frames.assumption = fmt::format(
+        "Nothing says where the cameras of {} stood. Assumed: a display {:.4g} mm high, seen from {:.4g} mm, whose views "
+        "spread over {:.4g} degrees. --view-angle sets another angle.",
+        first.string(), kWindowHeightMm, kDistanceMm,
+        said.view_angle_deg.value_or(field.grid.rows > 1 ? kGridAngleDeg : kConeDeg));
+  }
+  return rearranged(std::move(frames), said.from, source.options, {LayoutKind::kQuilt, field.grid, field.grid});
+}
+
+}  // namespace
+
+Optics optics_of_cameras(const LightField& field, const std::string& where) {
+  const ViewCameras& cameras = *field.cameras;
+  const std::optional<double> baseline = common_baseline_mm(cameras, field.grid);
+  if (!baseline || (field.grid.count() > 1 && !(*baseline > 0.0)))
+    throw Error(where, "its cameras do not stand in a regular grid", "cameras that are equally far apart across and up");
+  Vec2d middle(0.0);
+  for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
+  const Vec2d off_axis_px = cameras.centre_px + middle * Vec2d(1.0, -1.0) / cameras.pixel_mm - 0.5 * Vec2d(field.view_size);
+  if (std::max(std::abs(off_axis_px.x), std::abs(off_axis_px.y)) > 0.01 * field.view_size.x)
+    throw Error(where,
+                fmt::format("its cameras look past the middle of their pictures, by ({:.4g}, {:.4g}) pixels", off_axis_px.x,
+                            off_axis_px.y),
+                "cameras around the axis of the display");
+  Optics optics;
+  optics.panel = quilt_panel(field, cameras.pixel_mm.x);
+  if (field.grid.count() == 1) {
+    optics.model = SingleView{static_cast<float>(cameras.distance_mm), {}};
+    return optics;
+  }
+  MultiView views{field.grid.columns, field.grid.rows};
+  views.distance_mm = static_cast<float>(cameras.distance_mm);
+  views.baseline_mm = static_cast<float>(*baseline);
+  views.pixel_height = static_cast<float>(cameras.pixel_mm.y / cameras.pixel_mm.x);
+  optics.model = views;
+  validate(optics);
+  return optics;
+}
+
+Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg) {
+  const bool is_grid = field.grid.rows > 1;
+  const double angle = radians(view_angle_deg.value_or(is_grid ? kGridAngleDeg : kConeDeg));
+  // The views of a quilt and those below a lens array are stretched to the display.
+  const double pixel_height = kWindowHeightMm / field.view_size.y;
+  const double pixel_width = field.aspect * kWindowHeightMm / field.view_size.x;
+  MultiView views{field.grid.columns, field.grid.rows};
+  views.distance_mm = kDistanceMm;
+  views.pixel_height = static_cast<float>(pixel_height / pixel_width);
+  if (is_grid)
+    views.baseline_mm = static_cast<float>(2.0 * kDistanceMm * std::tan(0.5 * angle) / std::max(field.grid.columns - 1, 1));
+  else
+    views.view_cone = static_cast<float>(angle);
+  Optics optics;
+  optics.panel = quilt_panel(field, pixel_width);
+  optics.model = views;
+  validate(optics);
+  return optics;
+}
+
+LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldSaid& said) {
+  LightFieldFrames frames;
+  frames.files = frames_of(in, said.from);
+  const fs::path& first = frames.files.front();
+  std::error_code ignored;
+  const bool is_folder = fs::is_directory(first, ignored);
+  frames.folder = first == in && is_folder ? in : first.parent_path();
+  if (!said.report.empty()) return of_render(std::move(frames), read_rendering(said.report), said);
+  if (!is_folder && said.from.empty()) {
+    if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, said);
+    if (!parse_quilt_name(first))
+      throw Error(first.string(), "nothing says what this picture is: it has no report.json beside it, and no quilt's name",
+                  "--from FORMAT, such as --from integral --views 8x1; `lippmann convert --help` lists the formats");
+  }
+  const LightFieldSource source = light_field_source(first, said.from, options_of(said));
+  if (source.rendering) return of_render(std::move(frames), *source.rendering, said);
+  return of_format(std::move(frames), source, said);
+}
+
+}  // namespace lippmann

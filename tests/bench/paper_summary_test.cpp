@@ -1,0 +1,54 @@
+#include "bench/paper_summary.hpp"
+
+#include <gmock/gmock.h>
+
+namespace lippmann::bench {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Two frames, a key frame and one in between that costs a share of tracing, at 20 dB.
+ReuseRun run_of(const char* scene, int keyframes, double cost, const char* method = "forward") {
+  ReuseRun run{scene, method, keyframes, 1, {}};
+  ReuseFrame key, between;
+  key.key = true, key.traced_seconds = between.traced_seconds = 1.0;
+  key.seconds = between.seconds = cost;
+  between.likeness.psnr_db = 20.0;
+  run.frames = {key, between};
+  return run;
+}
+
+TEST(PaperSummary, takes_the_shortest_interval_that_saves_as_much_as_the_paper) {
+  // The paper saves 67.5 % of primitives: 1 - 333 / 1024.
+  const auto rows = reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.3),
+                                        run_of("primitives", 8, 0.2), run_of("primitives", 4, 0.1, "forward, halving")});
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].keyframes, 4);
+  EXPECT_NEAR(rows[0].saving, 0.7, 1e-12);
+  EXPECT_EQ(rows[0].verdict(), "yes");
+}
+
+TEST(PaperSummary, or_else_the_interval_that_saves_most) {
+  const auto rows =
+      reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.5), run_of("primitives", 8, 0.55)});
+  EXPECT_EQ(rows[0].keyframes, 4);
+  EXPECT_EQ(rows[0].verdict(), "no");
+}
+
+TEST(PaperSummary, psnr_counts_where_the_paper_states_one) {
+  EXPECT_EQ(reproduced_figures({run_of("teapot", 8, 0.1)})[0].verdict(), "no");  // 20 dB, the paper 34.52
+  EXPECT_EQ(reproduced_figures({run_of("gears", 8, 0.1)})[0].verdict(), "not in the paper");
+}
+
+TEST(PaperSummary, csv_has_a_line_per_scene_and_text_a_sentence) {
+  const auto rows = reproduced_figures({run_of("primitives", 4, 0.3), run_of("gears", 8, 0.1)});
+  EXPECT_EQ(reproduced_csv(rows),
+            "scene,keyframes,saving,paper_saving,psnr_db,paper_psnr_db,reproduced\n"
+            "primitives,4,0.7000,0.6748,20.00,,yes\n"
+            "gears,8,0.9000,,20.00,,not in the paper\n");
+  EXPECT_THAT(reproduced_text(rows), StartsWith("For 1 of 1 animations of the paper"));
+}
+
+}  // namespace
+}  // namespace lippmann::bench

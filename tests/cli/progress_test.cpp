@@ -1,0 +1,172 @@
+// What `lippmann render` says before and while it renders, and what it promises of sizes.
+#include "apps/lippmann/progress.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+std::vector<std::string> split(const std::string& text) {
+  std::istringstream lines(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(lines, line);) all.push_back(line);
+  return all;
+}
+
+/// Bytes of all files of a folder that end so.
+std::size_t size_of(const std::filesystem::path& folder, const std::string& ending) {
+  std::size_t sum = 0;
+  for (const auto& [name, bytes] : files_in(folder, ending)) sum += bytes.size();
+  return sum;
+}
+
+TEST(LineSchedule, first_and_last_are_due_and_others_ever_less_often) {
+  app::LineSchedule schedule;
+  EXPECT_TRUE(schedule.is_due(1, 1000, 2.0));
+  EXPECT_FALSE(schedule.is_due(2, 1000, 31.9)) << "30 s after the line before";
+  EXPECT_TRUE(schedule.is_due(3, 1000, 32.0));
+  EXPECT_FALSE(schedule.is_due(4, 1000, 61.0));
+  EXPECT_TRUE(schedule.is_due(5, 1000, 3600.0));
+  EXPECT_FALSE(schedule.is_due(6, 1000, 3990.0)) << "after an hour, every tenth of what has gone";
+  EXPECT_TRUE(schedule.is_due(7, 1000, 4000.0));
+  EXPECT_TRUE(schedule.is_due(1000, 1000, 4001.0));
+}
+
+TEST(LineSchedule, time_left_is_that_of_what_is_done) { EXPECT_DOUBLE_EQ(app::seconds_left(30.0, 3, 12), 90.0); }
+
+TEST(RenderProgress, without_a_terminal_says_what_comes_then_the_first_and_the_last_frame) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("0-3", "out") + Words{"--full-depth"});
+  const std::vector<std::string> lines = split(result.err);
+  ASSERT_EQ(lines.size(), 3u) << result.err;
+  EXPECT_THAT(lines[0], AllOf(HasSubstr("4 frames of 128x128 pixels to out"), HasSubstr("MB (an estimate)")));
+  EXPECT_THAT(lines[1], AllOf(HasSubstr("[1/4] frame 0: "), HasSubstr(" left, files: about ")));
+  EXPECT_THAT(lines[2], AllOf(HasSubstr("[4/4] frame 3: "), HasSubstr("; done, files: ")));
+  EXPECT_THAT(result.err, Not(HasSubstr("\r")));
+}
+
+TEST(RenderProgress, verbose_says_every_frame) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("0-3", "out") + Words{"--verbose"});
+  EXPECT_EQ(frames_said(result.err), 4u) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("[2/4] frame 1: "), HasSubstr("[3/4] frame 2: ")));
+}
+
+TEST(RenderProgress, json_is_an_object_a_line_with_the_bytes_that_are_there) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, small_teapot("2-5", "out") + Words{"--progress", "json", "--aov", "depth"});
+  const std::vector<std::string> lines = split(result.err);
+  ASSERT_EQ(lines.size(), 5u) << result.err;
+  const Json before = json_of(lines[0]), last = json_of(lines[4]);
+  EXPECT_TRUE(before["frame"].is_null());
+  EXPECT_TRUE(before["seconds_left"].is_null());
+  EXPECT_EQ(before["frames"], 4);
+  EXPECT_GT(before["estimated_bytes"], 0);
+  for (int i = 1; i <= 4; ++i) {
+    const Json frame = json_of(lines[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(frame["frame"], i + 1);
+    EXPECT_EQ(frame["done"], i);
+    EXPECT_GE(frame["seconds_left"], 0.0);
+  }
+  const std::size_t files = size_of(dir / "out", ".png") + size_of(dir / "out", ".exr");
+  EXPECT_EQ(last["bytes"], files) << "pictures and layers";
+  EXPECT_EQ(last["estimated_bytes"], files);
+  EXPECT_EQ(last["seconds_left"], 0.0);
+}
+
+TEST(RenderProgress, opposites_are_refused) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"-q", "--verbose"}), 2, "--quiet");
+  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"-q", "--progress", "json"}), 2, "--quiet");
+  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"--verbose", "--progress", "json"}), 2, "--verbose");
+}
+
+TEST(RenderProgress, size_is_of_the_panel_s_pixels_not_of_their_colours) {
+  const TempDir dir;
+  std::ofstream(dir / "small.toml") << "base = 'looking-glass-portrait'\npixels = [96, 128]\n";
+  const RunResult result =
+      run_tool(dir, {"render", "teapot", "--display", "small.toml", "--layout", "native", "--frames", "0"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("1 frame of 96x128 pixels"));
+  EXPECT_THAT(result.out, HasSubstr("1 frame of 96x128 pixels"));
+  EXPECT_THAT(run_tool(dir, {"info", "teapot", "--display", "small.toml", "--layout", "native"}).out,
+              HasSubstr("96x128 pixels of"));
+}
+
+TEST(DryRun, counts_layers_and_videos_and_is_within_a_factor_of_what_comes) {
+  const TempDir dir;
+  const Words all = small_teapot("0-7", "r") + Words{"--aov", "depth,normal", "--video", "r/a.mkv"};
+  const Json plan = report_of(dir, all + Words{"--dry-run"});
+  ASSERT_EQ(run_tool(dir, all).exit_code, 0);
+  for (const auto& [part, ending] : {std::pair("pictures", ".png"), std::pair("layers", ".exr"), std::pair("videos", ".mkv")}) {
+    const double ratio = static_cast<double>(size_of(dir / "r", ending)) / plan["estimated"][part].get<double>();
+    EXPECT_GT(ratio, 0.3) << part;  // plain scenes take half of what is estimated, detailed ones twice
+    EXPECT_LT(ratio, 3.0) << part;
+  }
+  EXPECT_THAT(run_tool(dir, all + Words{"--dry-run"}).out,
+              AllOf(HasSubstr("(an estimate)"), HasSubstr("layers"), HasSubstr("videos")));
+}
+
+TEST(FittedDepth, is_the_default_and_said_before_and_after) {
+  const TempDir dir;
+  const RunResult fitted = run_tool(dir, small_teapot("0", "a")),
+                  full = run_tool(dir, small_teapot("0", "b") + Words{"--full-depth"});
+  EXPECT_THAT(fitted.err, AllOf(HasSubstr("of its depth is shown"), HasSubstr("--full-depth shows all of it.")));
+  EXPECT_THAT(fitted.out, HasSubstr("--full-depth shows all of it."));
+  EXPECT_THAT(full.err, Not(HasSubstr("depth")));
+  EXPECT_THAT(full.out, HasSubstr("--fit-depth shows it less deep."));
+  const Json a = json_of(bytes_of(dir / "a/report.json")), b = json_of(bytes_of(dir / "b/report.json"));
+  EXPECT_LT(a["depth"]["scale"], 0.9);
+  EXPECT_EQ(a["depth"]["fits"], true);
+  EXPECT_TRUE(a["settings"]["fit-depth"].is_null());
+  EXPECT_EQ(b["depth"]["scale"], 1.0);
+  EXPECT_EQ(b["settings"]["fit-depth"], false);
+}
+
+TEST(FittedDepth, is_said_by_a_dry_run) {
+  const TempDir dir;
+  EXPECT_THAT(run_tool(dir, small_teapot("0", "a") + Words{"-n"}).out, HasSubstr("of its depth is shown"));
+  EXPECT_LT(report_of(dir, small_teapot("0", "a") + Words{"-n"})["depth"]["scale"], 0.9);
+}
+
+TEST(FittedDepth, job_and_flags_agree) {
+  const TempDir dir;
+  const Files fitted = rendered(dir, small_teapot("0", "a"), "a"),
+              full = rendered(dir, small_teapot("0", "b") + Words{"--full-depth"}, "b");
+  EXPECT_NE(fitted, full);
+  EXPECT_EQ(rendered(dir, small_teapot("0", "c") + Words{"--fit-depth"}, "c"), fitted);
+  EXPECT_EQ(rendered(dir, {"render", "b/job.toml", "-o", "d"}, "d"), full) << "fit-depth = false, as older jobs have it";
+  EXPECT_EQ(rendered(dir, {"render", "b/job.toml", "--fit-depth", "-o", "e"}, "e"), fitted) << "flags go over jobs";
+  expect_refusal(run_tool(dir, small_teapot("0", "f") + Words{"--fit-depth", "--full-depth"}), 2, "--full-depth");
+}
+
+/// From the first camera that is converted to the second, to the right; MIV's y axis points to the left.
+double camera_step(const TempDir& dir, const std::string& folder) {
+  EXPECT_EQ(run_tool(dir, {"convert", folder + "/frame_0000.png", folder + "-miv", "--to", "miv"}).exit_code, 0);
+  const Json cameras = json_of(bytes_of(dir / (folder + "-miv/cameras.json")))["cameras"];
+  return cameras[0]["Position"][1].get<double>() - cameras[1]["Position"][1].get<double>();
+}
+
+TEST(FittedDepth, cameras_of_converted_views_stand_where_the_views_were_seen_from) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "fitted")).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "full") + Words{"--full-depth"}).exit_code, 0);
+  const double scale = json_of(bytes_of(dir / "fitted/report.json"))["depth"]["scale"];
+  const double full = camera_step(dir, "full");
+  EXPECT_GT(full, 0.0);
+  EXPECT_NEAR(camera_step(dir, "fitted") / full, scale, 1e-4);  // report.json holds floats
+}
+
+}  // namespace
+}  // namespace lippmann::test

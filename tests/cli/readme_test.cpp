@@ -1,0 +1,59 @@
+// The commands of README.md run as they stand there.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The lines of code blocks that call the tool, without their comments.
+Words commands_of_readme() {
+  std::ifstream file(fs::path(LIPPMANN_SOURCE) / "README.md");
+  Words commands;
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("lippmann ")) commands.push_back(line.substr(0, line.find("  #")));
+  return commands;
+}
+
+/// What one line runs: renders only check what they would make, unless something in the same line reads it.
+std::string quick(const std::string& line) {
+  const bool alone = line.find("&&") == std::string::npos;
+  if (!alone || line.find("lippmann render ") != 0) return line;
+  return line + " --dry-run";
+}
+
+TEST(Readme, commands_run_as_they_stand) {
+  const Words commands = commands_of_readme();
+  ASSERT_GE(commands.size(), 20u);
+  const TempDir dir;
+  fs::create_directory_symlink(fs::path(LIPPMANN_SOURCE) / "examples", dir / "examples");
+  ASSERT_EQ(run_tool(dir, {"render", "gears", "--frames", "0-1", "--size", "64x48", "--lenses", "8", "-q"}).exit_code, 0);
+  for (const std::string& command : commands) {
+    if (command.find("/usr/share/doc/tachyon") != std::string::npos && !fs::exists("/usr/share/doc/tachyon/examples/scenes"))
+      continue;
+    const std::string path = "PATH=" + fs::path(LIPPMANN_TOOL).parent_path().string() + ":$PATH; ";
+    const RunResult result = run({"sh", "-c", path + quick(command)}, {dir.path().string(), 0});
+    EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.err;
+  }
+}
+
+TEST(Readme, examples_are_what_their_generator_makes) {
+  const TempDir dir;
+  fs::copy_file(fs::path(LIPPMANN_SOURCE) / "examples/make_examples.py", dir / "make_examples.py");
+  const RunResult made = run({"python3", (dir / "make_examples.py").string()});
+  if (made.exit_code == 127) GTEST_SKIP() << "python3 is not installed";
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  // Deflate's bytes may differ from one zlib to another: what the pictures decode to is in the model's counts.
+  EXPECT_EQ(bytes_of(dir / "vase.ply"), bytes_of(fs::path(LIPPMANN_SOURCE) / "examples/vase.ply"));
+  for (const char* key : {"meshes", "materials", "triangles"})
+    EXPECT_EQ(report_of(dir, {"info", "desk.glb"})[key],
+              report_of(dir, {"info", (fs::path(LIPPMANN_SOURCE) / "examples/desk.glb").string()})[key])
+        << key;
+}
+
+}  // namespace
+}  // namespace lippmann::test
