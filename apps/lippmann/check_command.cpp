@@ -4,11 +4,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "render/finished_frames.hpp"
+#include "core/printable.hpp"
+#include "render/folder_check.hpp"
+#include "render/param_text.hpp"
+#include "render/params.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -18,11 +22,14 @@ struct Options {
   bool json = false;
 };
 
+/// Of each kind a line per file, then all in one.
 void print_text(const std::string& folder, const FolderCheck& check) {
-  for (const std::string& name : check.damaged) fmt::print("damaged  {}\n", name);
-  for (const std::string& name : check.missing) fmt::print("missing  {}\n", name);
-  for (const std::string& name : check.foreign) fmt::print("foreign  {}\n", name);
-  fmt::print("{}: {} files of {} frames, {} damaged, {} missing; {} foreign\n", folder, check.files, check.frames,
+  for (const auto& [kind, names] :
+       {std::pair("damaged", check.damaged), std::pair("missing", check.missing), std::pair("foreign", check.foreign)})
+    for (const std::string& name : names) fmt::print("{}  {}\n", kind, printable(name));
+  const std::string unfinished = write_frames(ranges_of(check.unfinished));
+  if (!unfinished.empty()) fmt::print("not rendered yet: frames {}\n", unfinished);
+  fmt::print("{}: {} files, {} frames; {} damaged, {} missing, {} foreign\n", folder, check.files, check.frames,
              check.damaged.size(), check.missing.size(), check.foreign.size());
 }
 
@@ -35,6 +42,7 @@ int run(const Options& options) {
                 {"damaged", check.damaged},
                 {"missing", check.missing},
                 {"foreign", check.foreign},
+                {"unfinished", check.unfinished},
                 {"passed", check.passed()}});
   else
     print_text(options.folder, check);
@@ -49,8 +57,12 @@ void add_check_command(const Command& root, Action& chosen) {
   command.add_option("DIR", options->folder, "The folder that a render wrote to").required();
   command.add_flag("--json", options->json, "Print JSON on stdout");
   command.footer(
-      "Exit code 1 where anything is damaged, missing or foreign. 'lippmann render DIR/job.toml --resume' makes damaged and\n"
-      "missing frames again.\n");
+      "A render records size and checksum of every picture, layer, side file and video, of job.toml and report.json.\n"
+      "  damaged   has other bytes now\n"
+      "  missing   is not there\n"
+      "  foreign   is named as files of frames are, and belongs to no frame of this render\n"
+      "Exit code 1 where there is any, or where frames that were asked for are not rendered yet; else 0.\n"
+      "'lippmann render DIR/job.toml --resume' renders again what is damaged, missing or not rendered yet.\n");
   command.when_named([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
 }
 

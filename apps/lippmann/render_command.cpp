@@ -183,10 +183,11 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
 }
 
 /// Says what a render would make, and makes nothing.
-void plan_only(const RenderParams& params, bool json, Context& context) {
+void plan_only(const RenderParams& params, const Options& options, Context& context) {
   RenderObserver observer;
+  observer.force = options.force;
   observer.only_plan = true;
-  observer.planned = [&](const RenderPlan& plan) { print_plan(plan, params, json); };
+  observer.planned = [&](const RenderPlan& plan) { print_plan(plan, params, options.json); };
   render_animation(params, context, observer);
 }
 
@@ -197,11 +198,11 @@ RenderProgressKind progress_kind(const Options& options) {
 }
 
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
-RenderReport render(const RenderParams& params, const Options& options, bool force, Context& context) {
+RenderReport render(const RenderParams& params, const Options& options, Context& context) {
   std::optional<RenderProgress> progress;
   Planned planned;
   RenderObserver observer;
-  observer.force = force;
+  observer.force = options.force;
   observer.planned = [&](const RenderPlan& plan) {
     planned = {plan.folder, plan.names, plan.picture_size, plan.kept};
     progress.emplace(plan, params, progress_kind(options));
@@ -226,11 +227,10 @@ int run(const Options& options, Context& context) {
     make_folder(fs::path(options.dump_job).parent_path());
     write_job(options.dump_job, params);
   }
-  if (options.dry_run) return plan_only(params, options.json, context), 0;
-  const RenderReport report = render(params, options, options.force, context);
+  if (options.dry_run) return plan_only(params, options, context), 0;
+  const RenderReport report = render(params, options, context);
   if (options.json) print_json(to_json(report));
-  if (options.also == "single" && !report.interrupted)
-    render(single_clip(params, report.optics), options, options.force || params.output.empty(), context);
+  if (options.also == "single" && !report.interrupted) render(single_clip(report.params, report.optics), options, context);
   return 0;
 }
 
@@ -248,7 +248,7 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       .one_of({"single"})
       .type_name("WHAT")
       .group("Files");
-  command.add_flag("--force", options->force, "Replace another render in the folder: remove the files that its journal names")
+  command.add_flag("--force", options->force, "Replace another render in the folder, whose files are removed, and videos that are there")
       .group("Running");
   command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
   command.add_flag("-q,--quiet", options->quiet, "Print neither progress nor a summary; warnings and errors remain")

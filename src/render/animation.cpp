@@ -1,12 +1,13 @@
 #include "render/animation.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "core/folder.hpp"
 #include "core/json_text.hpp"
 #include "core/parallel.hpp"
+#include "core/regular_file.hpp"
 #include "render/aov_params.hpp"
 #include "render/denoised_frames.hpp"
 #include "render/finished_frames.hpp"
@@ -25,6 +27,7 @@
 #include "render/frame_sink.hpp"
 #include "render/job_file.hpp"
 #include "render/param_text.hpp"
+#include "render/render_folder.hpp"
 #include "render/reuse_params.hpp"
 #include "render/undo_crosstalk.hpp"
 #include "video/video_writer.hpp"
@@ -33,6 +36,9 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kJobFile = "job.toml";
+constexpr const char* kReportFile = "report.json";
 
 class Stopwatch {
  public:
@@ -71,22 +77,6 @@ void require_memory(const RenderParams& params, const Optics& optics, bool moves
                             frame * 1e-9, available * 1e-9));
 }
 
-/// Pictures in the folder that this render will not replace: after a take-over they are of other settings.
-void warn_of_strangers(const fs::path& folder, const FrameNames& names, const std::vector<int>& frames,
-                       const Context& context) {
-  const std::string ending = fs::path(frame_name(names, 0)).extension().string();
-  int strangers = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    int frame = 0;
-    const std::string name = entry.path().filename().string();
-    if (std::sscanf(name.c_str(), "frame_%d.", &frame) != 1 || entry.path().extension() != ending) continue;
-    strangers += !std::binary_search(frames.begin(), frames.end(), frame);
-  }
-  if (strangers > 0)
-    context.warning(fmt::format("{} holds {} pictures that another job has made and this one leaves as they are",
-                                folder.string(), strangers));
-}
-
 /// What the display that is rendered for will not play.
 void warn_of_videos(const Display& display, const FrameLayout& layout, const Context& context) {
   if (layout.quilt() && !display.video.quilts)
@@ -108,7 +98,7 @@ bool keeps_frames(const RenderParams& params) {
   return params.resume && (params.video.empty() || params.format == PictureFormat::kPng);
 }
 
-int count_kept(const RenderParams& params, const FinishedFrames& finished, const std::vector<int>& frames) {
+int count_kept(const RenderParams& params, FinishedFrames& finished, const std::vector<int>& frames) {
   if (!keeps_frames(params)) return 0;
   const auto is_kept = [&](int frame) { return finished.find(frame).has_value(); };
   return static_cast<int>(std::count_if(frames.begin(), frames.end(), is_kept));
@@ -119,9 +109,43 @@ std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
   return format == PictureFormat::kPng16 ? 2 : 1;
 }
 
-/// A folder that nobody has named is for trying things out: the next render replaces the last.
-bool may_replace(const RenderParams& params, const RenderObserver& observer) {
-  return observer.force || (params.output.empty() && !params.resume);
+/// As said, or the first of out/<scene name>, out/<scene name>-2, ... that holds no other render.
+fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force, const Context& context) {
+  const fs::path wanted = output_folder(params);
+  if (wanted == "-")
+    throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
+  if (!params.output.empty() || force) return wanted;
+  fs::path folder = free_folder(wanted, job);
+  if (folder != wanted)
+    context.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
+                                wanted.string(), folder.string()));
+  return folder;
+}
+
+/// A job file that renders all frames that this run and those before it have been asked for. One that no render has written is
+/// somebody's, and stays.
+void write_job_of_folder(const fs::path& folder, const RenderParams& params, const std::vector<int>& frames, int frame_count,
+                         FinishedFrames& finished, const Context& context) {
+  const fs::path file = folder / kJobFile;
+  const std::vector<int>& before = finished.before().asked;
+  const bool is_there = is_regular_file_there(file);
+  const auto written = finished.before().files.find(kJobFile);
+  if (is_there && (written == finished.before().files.end() || file_checksum(file) != written->second)) {
+    if (const auto keys = differences(file, params); !keys.empty())
+      context.warning(fmt::format("{} was not written by this render and stays, with another {}; report.json has the settings",
+                                  file.string(), fmt::join(keys, ", ")));
+    return;
+  }
+  if (is_there && std::includes(before.begin(), before.end(), frames.begin(), frames.end())) return;
+  RenderParams whole = params;
+  if (!std::includes(frames.begin(), frames.end(), before.begin(), before.end())) {
+    std::vector<int> all;
+    std::set_union(before.begin(), before.end(), frames.begin(), frames.end(), std::back_inserter(all));
+    whole.frames = ranges_of(all);
+    if (static_cast<int>(all.size()) == frame_count) whole.frames.reset();
+  }
+  write_job(file, whole);
+  finished.add_file(kJobFile);
 }
 
 void write_report(const fs::path& file, const RenderReport& report) {
@@ -139,7 +163,7 @@ std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels
 
 RenderReport render_animation(const RenderParams& said, const Context& context, const RenderObserver& observer) {
   const Stopwatch setup;
-  const RenderParams params = with_scene_defaults(said);
+  RenderParams params = with_scene_defaults(said);
   check_reuse(params);
   check_aovs(params);
   check_denoise(params);
@@ -154,11 +178,12 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   check_angular_filter(params, stage.placed.optics);
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
-  const fs::path folder = output_folder(params);
-  if (folder == "-")
-    throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
   std::vector<std::string> videos;
   for (const std::string& video : params.video) videos.push_back(layout.video_path(video).string());
+  const std::string job = job_fingerprint(params, stage.scene, stage.display.get());
+  const fs::path folder = chosen_folder(params, job, observer.force, context);
+  if (folder != output_folder(params)) params.output = folder.string();
+  if (!observer.force) require_free_folder(folder, job, params, frames, videos);
   RenderPlan plan{stage, folder, layout.names(), frames, videos, 0, layout.picture_size()};
   if (observer.only_plan) {
     if (observer.planned) observer.planned(plan);
@@ -173,13 +198,11 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   }
   make_folder(folder);
   remove_stale_temporaries(folder);
-  FinishedFrames finished(folder, job_fingerprint(params, stage.scene, stage.display.get()), layout.names(),
-                          may_replace(params, observer) ? OtherRender::kReplace : OtherRender::kRefuse);
-  if (finished.took_over() && !observer.force)
-    context.warning(fmt::format("{} held another render, which this one replaces: -o keeps it", folder.string()));
-  if (!params.frames || finished.took_over() || !fs::exists(folder / "job.toml")) write_job(folder / "job.toml", params);
-  fs::remove(folder / "report.json");  // it would speak of another render
-  if (finished.took_over()) warn_of_strangers(folder, layout.names(), frames, context);
+  clear_folder(folder, job, frames, observer.force, context);
+  FinishedFrames finished(folder, job, layout.names());
+  finished.begin(frames);
+  finished.remove_file(kReportFile);  // it would speak of another render
+  write_job_of_folder(folder, params, frames, stage.scene.timeline.frame_count, finished, context);
   plan.kept = count_kept(params, finished, frames);
 
   RenderReport report;
@@ -222,10 +245,14 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
     if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
       frame.precompensation = done->second;
   report.interrupted = report.frames.size() < frames.size();
-  if (!report.interrupted) sink.finish_videos();
+  if (!report.interrupted) {
+    sink.finish_videos();
+    for (const std::string& video : videos) finished.add_video(video, frames);
+  }
   report.write_seconds = sink.write_seconds();
   report.peak_memory_bytes = peak_memory_bytes();
-  write_report(folder / "report.json", report);
+  write_report(folder / kReportFile, report);
+  finished.add_file(kReportFile);
   return report;
 }
 

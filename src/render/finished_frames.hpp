@@ -1,5 +1,4 @@
-// Which frames in an output folder are finished, and by which job: what --resume goes by. A journal in the folder, one line of
-// JSON per finished frame, so that a render that was killed at any moment can be taken up again.
+// Which frames in an output folder a job has finished: what --resume goes by. Kept in the folder's journal (folder_journal.hpp).
 #pragma once
 
 #include <filesystem>
@@ -9,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/file_checksum.hpp"
 #include "display/display.hpp"
+#include "render/folder_journal.hpp"
 #include "render/frame_files.hpp"
 #include "render/params.hpp"
 #include "render/report.hpp"
@@ -22,54 +21,43 @@ namespace lippmann {
 /// version.
 std::string job_fingerprint(const RenderParams& params, const Scene& scene, const Display* display = nullptr);
 
-/// Files of a folder by their names relative to it, as they were when they were finished.
-using FileRecords = std::map<std::string, FileChecksum>;
-
-/// Of files that lie in `folder`. Throws Error naming the one that cannot be read.
-FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
-
-/// What a folder's journal says was finished, and what of it is still so.
-struct FolderCheck {
-  int frames = 0;                    ///< in the journal
-  std::size_t files = 0;             ///< of them
-  std::vector<std::string> missing;  ///< there is no such file
-  std::vector<std::string> damaged;  ///< other bytes, or no regular file
-  std::vector<std::string> foreign;  ///< frame_..., aov_... or view_... that no frame of the journal has
-  bool passed() const { return missing.empty() && damaged.empty() && foreign.empty(); }
-};
-
-/// Reads every file of the journal in `folder`. Throws Error if there is no journal.
-FolderCheck check_folder(const std::filesystem::path& folder);
-
-/// What becomes of another job's render in the folder.
-enum class OtherRender {
-  kRefuse,   ///< Error
-  kReplace,  ///< the files that its journal names are removed, and nothing else
-};
-
 class FinishedFrames {
  public:
-  /// Opens the journal of `folder`, which exists. Torn lines and frames of which a file is not there with
-  /// the recorded bytes are forgotten. Throws Error if the folder holds another job's render that `other` refuses, before
-  /// anything is changed, or the journal cannot be written.
-  FinishedFrames(std::filesystem::path folder, std::string fingerprint, FrameNames names,
-                 OtherRender other = OtherRender::kRefuse);
+  /// Opens the journal of `folder`, which exists, or begins one. Throws Error if the folder is that of another job
+  /// (render_folder.hpp makes room), or the journal is damaged or cannot be written.
+  FinishedFrames(std::filesystem::path folder, const std::string& job, FrameNames names);
 
-  /// The figures of a frame that this job finished before; none if it has yet to be rendered.
-  std::optional<FrameReport> find(int frame) const;
+  /// What earlier runs of this job were to render, and wrote beside the frames.
+  const FolderJournal& before() const { return before_; }
 
-  /// Whether the folder held another job's render, whose files are removed.
-  bool took_over() const { return took_over_; }
+  /// The figures of a frame that an earlier run finished; none if it has yet to be rendered, or one of its files is not there
+  /// with the recorded bytes. Reads the files, once.
+  std::optional<FrameReport> find(int frame);
 
-  /// Records a frame whose files are complete; find() does not see it. Throws Error. May run beside find(), not beside itself.
-  void add(const FrameReport& frame, const FileRecords& files);
+  /// Records that a run begins.
+  void begin(const std::vector<int>& frames) { write(asked_line(frames)); }
+
+  /// Records a frame whose files are complete; find() does not see it. May run beside find(), and not beside what else records.
+  void add(const FrameReport& frame, const FileRecords& files) { write(frame_line(frame, files)); }
+
+  /// Records job.toml or report.json, which is complete.
+  void add_file(const std::string& name);
+
+  /// Removes such a file.
+  void remove_file(const std::string& name);
+
+  /// Records a video, which is complete and shows these frames.
+  void add_video(const std::filesystem::path& video, const std::vector<int>& frames);
 
  private:
-  std::filesystem::path folder_, journal_;
+  /// All that record throw Error if the journal cannot be written.
+  void write(const std::string& line);
+
+  std::filesystem::path folder_, path_;
   FrameNames names_;
-  std::map<int, FrameReport> finished_;
+  FolderJournal before_;
+  std::map<int, bool> is_as_recorded_;  ///< what find() has read
   std::ofstream out_;
-  bool took_over_ = false;
 };
 
 }  // namespace lippmann
