@@ -132,7 +132,7 @@ void write_job_of_folder(const fs::path& folder, const RenderParams& params, con
   const auto written = finished.before().files.find(kJobFile);
   if (is_there && (written == finished.before().files.end() || file_checksum(file) != written->second)) {
     if (const auto keys = differences(file, params); !keys.empty())
-      context.warning(fmt::format("{} was not written by this render and stays, with another {}; report.json has the settings",
+      context.warning(fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
                                   file.string(), fmt::join(keys, ", ")));
     return;
   }

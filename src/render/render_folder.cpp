@@ -66,7 +66,7 @@ std::string some_of(const std::vector<std::string>& names) {
 Error another_render(const fs::path& folder, const RenderParams& params) {
   const std::vector<std::string> keys = differences(folder / "job.toml", params);
   const std::string what = keys.empty() ? "it is of another state of the scene's files, or by another version"
-                                        : fmt::format("it has another {}", fmt::join(keys, ", "));
+                                        : fmt::format("it differs in {}", fmt::join(keys, ", "));
   return Error(folder.string(), "holds another render: " + what,
                fmt::format("{}; --force, which removes that render's files; the same settings", kAnotherFolder));
 }

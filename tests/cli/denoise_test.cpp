@@ -7,8 +7,8 @@ namespace lippmann::test {
 namespace {
 
 Words small_frames(const std::string& frames, const std::string& folder) {
-  return {"render", "teapot", "--force",  "--lenses", "8",        "--integrator", "path",
-          "--spp",  "4",      "--frames", frames,     "--output", folder,         "--denoise"};
+  return {"render", "teapot",   "--lenses", "8",        "--integrator", "path",     "--spp",
+          "4",      "--frames", frames,     "--output", folder,         "--denoise"};
 }
 
 TEST(Denoise, frames_are_the_same_wherever_a_render_begins_and_on_any_number_of_threads) {
@@ -37,8 +37,7 @@ TEST(Denoise, quilts_views_layers_and_alpha_are_made_with_it) {
                             Words{"--optics", "microlens", "--lens-pixels", "3", "--layout", "views"},
                             Words{"--optics", "single", "--size", "32x32", "--transparent"},
                             Words{"--format", "exr", "--aov", "albedo,direct,motion"}}) {
-    Words command{"render", "room",     "--force", "--integrator", "path", "--spp",
-                  "2",      "--frames", "3",       "--output",     "out",  "--denoise"};
+    Words command{"render", "room", "--integrator", "path", "--spp", "2", "--frames", "3", "--output", "out", "--denoise"};
     if (kind[0] == "--format" || kind[1] == "microlens") command = command + Words{"--lenses", "8"};
     const RunResult result = run_tool(dir, command + kind);
     EXPECT_EQ(result.exit_code, 0) << result.err;

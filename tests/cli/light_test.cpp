@@ -15,8 +15,7 @@ namespace {
 using testing::HasSubstr;
 
 Words small_paths(const std::string& folder) {
-  return {"render", "teapot", "--force",  "--lenses", "8",        "--integrator", "path",
-          "--spp",  "2",      "--frames", "0-1",      "--output", folder};
+  return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", "0-1", "--output", folder};
 }
 
 void write_panorama(const std::filesystem::path& path, float light) {
@@ -284,9 +283,9 @@ TEST(Light, files_of_physical_materials_are_path_traced_where_nothing_is_said) {
   const nlohmann::json paths = settings_of(dir, {"render", "plain.obj"});
   EXPECT_EQ(paths.at("integrator"), "path");
   EXPECT_EQ(paths.at("spp"), 16);
-  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--force", "--spp", "2"}).at("spp"), 2);
-  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--force", "--integrator", "whitted"}).at("integrator"), "whitted");
-  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--force", "--reuse", "forward"}).at("integrator"), "whitted");
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--spp", "2"}).at("spp"), 2);
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--integrator", "whitted"}).at("integrator"), "whitted");
+  EXPECT_EQ(settings_of(dir, {"render", "plain.obj", "--reuse", "forward"}).at("integrator"), "whitted");
   EXPECT_EQ(settings_of(dir, {"render", "teapot"}).at("integrator"), "whitted");
 }
 
@@ -384,7 +383,7 @@ TEST(Light, transparent_pictures_have_alpha_in_every_format_and_layout) {
 TEST(Light, transparent_colours_are_multiplied_by_alpha_in_exr_files_and_not_in_others) {
   const TempDir dir;
   std::ofstream(dir / "sail.obj") << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
-  const Words sail{"render", "sail.obj", "--force", "--lenses", "16", "--output", "out", "--transparent", "--spp", "4"};
+  const Words sail{"render", "sail.obj", "--lenses", "16", "--output", "out", "--transparent", "--spp", "4"};
   ASSERT_EQ(run_tool(dir, sail + Words{"--format", "exr", "--exr-pixels", "float"}).exit_code, 0);
   ASSERT_EQ(run_tool(dir, sail + Words{"--format", "png16"}).exit_code, 0);
   const Image light = read_image(dir / "out/frame_0000.exr"), codes = read_image(dir / "out/frame_0000.png");

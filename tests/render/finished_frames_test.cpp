@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "render/folder_check.hpp"
 #include "render/frame_files.hpp"
 #include "support/temp_dir.hpp"
 
@@ -34,7 +35,7 @@ TEST(FinishedFrames, recorded_frame_is_found_by_the_same_job_with_its_figures) {
   const test::TempDir dir;
   make_picture(dir, 4);
   FinishedFrames(dir.path(), "job-a", kPng).add(report_of(4), files_of(dir, 4));
-  const FinishedFrames again(dir.path(), "job-a", kPng);
+  FinishedFrames again(dir.path(), "job-a", kPng);
   ASSERT_TRUE(again.find(4).has_value());
   EXPECT_EQ(again.find(4)->seconds, 0.25);
   EXPECT_EQ(again.find(4)->rays.primary, 100u);
@@ -64,15 +65,16 @@ TEST(FinishedFrames, another_job_is_refused_and_changes_nothing) {
   EXPECT_TRUE(FinishedFrames(dir.path(), "job-a", kPng).find(4).has_value());
 }
 
-TEST(FinishedFrames, another_job_that_replaces_removes_what_the_journal_names_and_nothing_else) {
+TEST(FinishedFrames, renders_of_parts_that_run_beside_each_other_are_all_recorded) {
   const test::TempDir dir;
-  make_picture(dir, 4);
-  make_picture(dir, 5);
-  FinishedFrames(dir.path(), "job-a", kPng).add(report_of(4), files_of(dir, 4));
-  EXPECT_TRUE(FinishedFrames(dir.path(), "job-b", kPng, OtherRender::kReplace).took_over());
-  EXPECT_FALSE(std::filesystem::exists(picture_paths(dir.path(), kPng, 4).front()));
-  EXPECT_TRUE(std::filesystem::exists(picture_paths(dir.path(), kPng, 5).front()));
-  EXPECT_FALSE(FinishedFrames(dir.path(), "job-a", kPng, OtherRender::kReplace).find(4).has_value());
+  for (const int frame : {1, 2, 3}) make_picture(dir, frame);
+  FinishedFrames one(dir.path(), "job", kPng);
+  one.add(report_of(1), files_of(dir, 1));
+  FinishedFrames other(dir.path(), "job", kPng);
+  one.add(report_of(2), files_of(dir, 2));
+  other.add(report_of(3), files_of(dir, 3));
+  FinishedFrames both(dir.path(), "job", kPng);
+  for (const int frame : {1, 2, 3}) EXPECT_TRUE(both.find(frame).has_value()) << frame;
 }
 
 TEST(FinishedFrames, picture_gone_or_of_another_size_is_not_finished) {
@@ -86,14 +88,14 @@ TEST(FinishedFrames, picture_gone_or_of_another_size_is_not_finished) {
   }
   std::filesystem::remove(picture_paths(dir.path(), kPng, 1).front());
   make_picture(dir, 2, "cut");
-  const FinishedFrames again(dir.path(), "job", kPng);
+  FinishedFrames again(dir.path(), "job", kPng);
   EXPECT_FALSE(again.find(1).has_value());
   EXPECT_FALSE(again.find(2).has_value());
 }
 
 TEST(FinishedFrames, picture_or_layer_of_other_bytes_or_no_regular_file_is_not_finished) {
   const test::TempDir dir;
-  const auto layer = [&](int frame) { return dir / ("aov_" + std::to_string(frame)); };
+  const auto layer = [&](int frame) { return dir / ("aov_000" + std::to_string(frame) + ".exr"); };
   {
     FinishedFrames finished(dir.path(), "job", kPng);
     for (const int frame : {1, 2, 3, 4}) {
@@ -107,20 +109,11 @@ TEST(FinishedFrames, picture_or_layer_of_other_bytes_or_no_regular_file_is_not_f
   std::filesystem::remove(layer(3));
   ASSERT_EQ(mkfifo(layer(3).c_str(), 0600), 0);
   const FolderCheck check = check_folder(dir.path());
-  EXPECT_EQ(check.damaged, (std::vector<std::string>{"aov_3", "frame_0001.png"}));
-  EXPECT_EQ(check.missing, std::vector<std::string>{"aov_2"});
-  const FinishedFrames again(dir.path(), "job", kPng);
+  EXPECT_EQ(check.damaged, (std::vector<std::string>{"frame_0001.png", "aov_0003.exr"}));
+  EXPECT_EQ(check.missing, std::vector<std::string>{"aov_0002.exr"});
+  FinishedFrames again(dir.path(), "job", kPng);
   for (const int frame : {1, 2, 3}) EXPECT_FALSE(again.find(frame).has_value()) << frame;
   EXPECT_TRUE(again.find(4).has_value());
-}
-
-TEST(CheckFolder, whole_folder_passes_and_a_picture_that_no_frame_has_is_foreign) {
-  const test::TempDir dir;
-  make_picture(dir, 1);
-  FinishedFrames(dir.path(), "job", kPng).add(report_of(1), files_of(dir, 1));
-  EXPECT_TRUE(check_folder(dir.path()).passed());
-  std::ofstream(dir / "aov_0001.exr") << "stale";
-  EXPECT_EQ(check_folder(dir.path()).foreign, std::vector<std::string>{"aov_0001.exr"});
 }
 
 TEST(FinishedFrames, torn_last_line_is_forgotten_and_does_not_spoil_the_next) {
@@ -134,7 +127,7 @@ TEST(FinishedFrames, torn_last_line_is_forgotten_and_does_not_spoil_the_next) {
   const auto journal = dir / ".lippmann-frames.jsonl";
   std::filesystem::resize_file(journal, std::filesystem::file_size(journal) - 20);
   FinishedFrames(dir.path(), "job", kPng).add(report_of(3), files_of(dir, 3));
-  const FinishedFrames again(dir.path(), "job", kPng);
+  FinishedFrames again(dir.path(), "job", kPng);
   EXPECT_TRUE(again.find(1).has_value());
   EXPECT_FALSE(again.find(2).has_value());
   EXPECT_TRUE(again.find(3).has_value());
