@@ -64,35 +64,6 @@ TEST(Interruption, resume_of_a_finished_render_traces_nothing) {
   EXPECT_THAT(again.out, HasSubstr("3 kept"));
 }
 
-TEST(Interruption, render_with_other_settings_in_the_same_folder_is_refused_and_changes_nothing) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a") + Words{"--aov", "depth"}).exit_code, 0);
-  const std::string job = bytes_of(dir / "a/job.toml");
-  for (const Words& more : {Words{}, Words{"--resume"}}) {
-    const RunResult other = run_tool(dir, small_teapot("0-1", "a") + Words{"--view-angle", "40"} + more);
-    EXPECT_EQ(other.exit_code, 1);
-    EXPECT_THAT(other.err, HasSubstr("--force"));
-  }
-  EXPECT_EQ(bytes_of(dir / "a/job.toml"), job);
-  EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 0);
-}
-
-TEST(Interruption, forced_render_leaves_no_layer_of_the_one_that_it_replaces) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a") + Words{"--aov", "depth"}).exit_code, 0);
-  ASSERT_TRUE(std::filesystem::exists(dir / "a/aov_0000.exr"));
-  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a") + Words{"--view-angle", "40", "--force"}).exit_code, 0);
-  EXPECT_FALSE(std::filesystem::exists(dir / "a/aov_0000.exr"));
-}
-
-TEST(Interruption, some_frames_of_the_same_job_leave_its_job_file_as_it_is) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0-2", "a")).exit_code, 0);
-  const std::string job = bytes_of(dir / "a/job.toml");
-  ASSERT_EQ(run_tool(dir, {"render", "a/job.toml", "--frames", "1"}).exit_code, 0);
-  EXPECT_EQ(bytes_of(dir / "a/job.toml"), job);
-}
-
 TEST(Interruption, resume_replaces_a_picture_that_was_damaged) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a")).exit_code, 0);
