@@ -248,7 +248,9 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       .one_of({"single"})
       .type_name("WHAT")
       .group("Files");
-  command.add_flag("--force", options->force, "Replace another render in the folder, whose files are removed, and videos that are there")
+  command
+      .add_flag("--force", options->force,
+                "Replace another render in the folder, whose files are removed, and videos that are there")
       .group("Running");
   command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
   command.add_flag("-q,--quiet", options->quiet, "Print neither progress nor a summary; warnings and errors remain")
@@ -264,15 +266,16 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       .add_flag("-n,--dry-run", options->dry_run,
                 "Check the scene and the settings, say what would be made and how large it is, and make nothing")
       .group("Running");
-  command.short_help({"--output",   "--frames", "--camera",     "--display", "--optics",     "--lenses", "--lens-pixels",
-                      "--size",     "--views",  "--full-depth", "--layout",  "--integrator", "--spp",    "--environment",
-                      "--exposure", "--format", "--video",      "--resume",  "--force",      "--dry-run", "--quiet", "--json"},
-                     "Examples:\n"
-                     "  lippmann render teapot                                    all 480 frames, into out/teapot\n"
-                     "  lippmann render examples/desk.glb --frames 0              one frame, path traced\n"
-                     "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
-                     "  lippmann render tree --display portrait --frames 0        for a display (see: lippmann displays)\n"
-                     "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");
+  command.short_help(
+      {"--output", "--frames",     "--camera", "--display",    "--optics", "--lenses",      "--lens-pixels", "--size",
+       "--views",  "--full-depth", "--layout", "--integrator", "--spp",    "--environment", "--exposure",    "--format",
+       "--video",  "--resume",     "--force",  "--dry-run",    "--quiet",  "--json"},
+      "Examples:\n"
+      "  lippmann render teapot                                    all 480 frames, into out/teapot\n"
+      "  lippmann render examples/desk.glb --frames 0              one frame, path traced\n"
+      "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
+      "  lippmann render tree --display portrait --frames 0        for a display (see: lippmann displays)\n"
+      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

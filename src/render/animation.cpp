@@ -132,8 +132,9 @@ void write_job_of_folder(const fs::path& folder, const RenderParams& params, con
   const auto written = finished.before().files.find(kJobFile);
   if (is_there && (written == finished.before().files.end() || file_checksum(file) != written->second)) {
     if (const auto keys = differences(file, params); !keys.empty())
-      context.warning(fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
-                                  file.string(), fmt::join(keys, ", ")));
+      context.warning(
+          fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
+                      file.string(), fmt::join(keys, ", ")));
     return;
   }
   if (is_there && std::includes(before.begin(), before.end(), frames.begin(), frames.end())) return;
@@ -246,6 +247,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
       frame.precompensation = done->second;
   report.interrupted = report.frames.size() < frames.size();
   if (!report.interrupted) {
+    for (const std::string& video : videos) finished.begin_video(video, frames);
     sink.finish_videos();
     for (const std::string& video : videos) finished.add_video(video, frames);
   }

@@ -79,10 +79,14 @@ void FinishedFrames::remove_file(const std::string& name) {
   if (problem) throw Error((folder_ / name).string(), "cannot be removed (" + problem.message() + ")");
 }
 
+void FinishedFrames::begin_video(const fs::path& video, const std::vector<int>& frames) {
+  write(video_line(video_name(folder_, video), {std::nullopt, frames}));
+}
+
 void FinishedFrames::add_video(const fs::path& video, const std::vector<int>& frames) {
   const std::optional<FileChecksum> sum = file_checksum(video);
   if (!sum) throw Error(video.string(), "cannot be read back to take its checksum");
-  write(video_line(video_name(folder_, video), {*sum, frames}));
+  write(video_line(video_name(folder_, video), {sum, frames}));
 }
 
 void FinishedFrames::write(const std::string& line) {

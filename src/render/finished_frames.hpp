@@ -1,4 +1,5 @@
-// Which frames in an output folder a job has finished: what --resume goes by. Kept in the folder's journal (folder_journal.hpp).
+// Which frames in an output folder a job has finished: what --resume goes by. Kept in the folder's journal
+// (folder_journal.hpp).
 #pragma once
 
 #include <filesystem>
@@ -45,6 +46,9 @@ class FinishedFrames {
 
   /// Removes such a file.
   void remove_file(const std::string& name);
+
+  /// Records that a video of these frames is about to appear: from then on it is this render's.
+  void begin_video(const std::filesystem::path& video, const std::vector<int>& frames);
 
   /// Records a video, which is complete and shows these frames.
   void add_video(const std::filesystem::path& video, const std::vector<int>& frames);

@@ -52,7 +52,8 @@ std::vector<int> frames_from_json(const Json& json) try {
 FileRecords records_from_json(const Json& json, int frame) {
   FileRecords files;
   for (const auto& [name, sum] : json.items()) {
-    if (frame_of_file(name) != frame) throw LineProblem(fmt::format("names {}, which is no file of frame {}", shown(name), frame));
+    if (frame_of_file(name) != frame)
+      throw LineProblem(fmt::format("names {}, which is no file of frame {}", shown(name), frame));
     files[name] = checksum_from_json(sum);
   }
   if (files.empty()) throw LineProblem("names no files");
@@ -77,7 +78,9 @@ void read_written(const Json& json, FolderJournal& journal) {
 void read_video(const Json& json, FolderJournal& journal) {
   const auto name = json.at("video").get<std::string>();
   if (!is_video_name(name) || name.find('\0') != std::string::npos) throw LineProblem("names a video that is none");
-  journal.videos[name] = {checksum_from_json(json), frames_from_json(json.at("frames"))};
+  JournalVideo video{{}, frames_from_json(json.at("frames"))};
+  if (json.contains("bytes")) video.sum = checksum_from_json(json);
+  journal.videos[name] = std::move(video);
 }
 
 void read_frame(const Json& json, FolderJournal& journal) {
@@ -173,7 +176,7 @@ std::string written_line(const std::string& name, const std::optional<FileChecks
 
 std::string video_line(const std::string& name, const JournalVideo& video) {
   Json json{{"video", name}, {"frames", write_frames(ranges_of(video.frames))}};
-  json.update(checksum_json(video.sum));
+  if (video.sum) json.update(checksum_json(*video.sum));
   return line_of(json);
 }
 

@@ -6,7 +6,8 @@
 //   {"asked": "0-3"}                                        a run begins that is to render these frames
 //   {"frame": 2, ..., "files": {"frame_0002.png": {...}}}   a frame is finished: its figures, its files
 //   {"written": "report.json", "bytes": ..., "xxh3": "..."} the same of another file; without a checksum: taken away
-//   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}  of a video, by its path from the folder
+//   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}  the same of a video, by its path from the folder; without
+//                                                           a checksum: is about to appear
 //
 // A journal may have been written by anybody: its names are those of files that a render writes, below its folder and nowhere
 // else (videos: names of videos, anywhere), and its numbers are within reason.
@@ -36,8 +37,8 @@ struct JournalFrame {
 };
 
 struct JournalVideo {
-  FileChecksum sum;
-  std::vector<int> frames;  ///< that it shows, ascending
+  std::optional<FileChecksum> sum;  ///< none: the render was stopped while it put the video in place
+  std::vector<int> frames;          ///< that it shows, ascending
 };
 
 struct FolderJournal {

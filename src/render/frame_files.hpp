@@ -35,8 +35,8 @@ struct FramePictures {
 
 /// Writes what `params` asks for, each file whole or not at all. Views lie one below the other in `pictures`. Extra layers go
 /// into EXR pictures, else into aov_0000.exr beside the picture (aov_000.exr beside a view).
-/// `pixels_per_mm`: said by TIFF files; 0: nothing to say. `about`: attributes of EXR files. Returns what it wrote. Throws Error
-/// naming the file.
+/// `pixels_per_mm`: said by TIFF files; 0: nothing to say. `about`: attributes of EXR files. Returns what it wrote. Throws
+/// Error naming the file.
 std::vector<std::filesystem::path> write_frame_files(const std::filesystem::path& folder, const FrameNames& names, int frame,
                                                      const RenderParams& params, Encoding encoding, double pixels_per_mm,
                                                      const FramePictures& pictures, std::span<const ExrAttribute> about = {});

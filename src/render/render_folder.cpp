@@ -46,7 +46,8 @@ Contents contents_of(const fs::path& folder, const std::string& job) {
   const std::optional<FolderJournal>& journal = contents.journal;
   contents.is_this_job = journal && journal->job == job && journal->problem.empty();
   contents.foreign = foreign_files(folder, journal.value_or(FolderJournal{}));
-  if (contents.is_this_job) std::erase_if(contents.foreign, [&](const std::string& name) { return is_unfinished(*journal, name); });
+  if (contents.is_this_job)
+    std::erase_if(contents.foreign, [&](const std::string& name) { return is_unfinished(*journal, name); });
   const bool wrote_report = journal && journal->files.contains(kReport);
   if (is_there(folder / kReport) && !wrote_report && !contents.is_this_job) contents.foreign.emplace_back(kReport);
   return contents;
@@ -82,7 +83,9 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
                 "another name; --force, which replaces it");
   const std::vector<int>& shown = recorded->second.frames;
   if (!std::includes(frames.begin(), frames.end(), shown.begin(), shown.end()))
-    throw Error(video, fmt::format("is finished and shows frames {} of this render, not all of which are asked for now", write_frames(ranges_of(shown))),
+    throw Error(video,
+                fmt::format("is finished and shows frames {} of this render, not all of which are asked for now",
+                            write_frames(ranges_of(shown))),
                 "all of them, with --resume to keep the finished ones; --video with another name; --force, which replaces it");
 }
 
@@ -144,11 +147,13 @@ void clear_folder(const fs::path& folder, const std::string& job, const std::vec
     if (name == kReport || std::binary_search(frames.begin(), frames.end(), frame_of_file(name).value_or(-1)))
       remove_file(folder, name);
   if (const std::vector<std::string> rest = contents_of(folder, job).foreign; !rest.empty())
-    context.warning(fmt::format("{} also holds files of no frame of this render, which stay: {}", folder.string(), some_of(rest)));
+    context.warning(
+        fmt::format("{} also holds files of no frame of this render, which stay: {}", folder.string(), some_of(rest)));
 }
 
 std::vector<std::string> differences(const fs::path& job_file, const RenderParams& params) {
-  constexpr std::array<std::string_view, 8> kOnlyRun{"frames", "output", "video", "video-codec", "crf", "threads", "resume", "order"};
+  constexpr std::array<std::string_view, 8> kOnlyRun{"frames", "output",  "video",  "video-codec",
+                                                     "crf",    "threads", "resume", "order"};
   RenderParams other;
   std::vector<std::string> names;
   try {

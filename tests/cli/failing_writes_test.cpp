@@ -52,7 +52,7 @@ TEST_P(FailingWrites, are_said_and_leave_whole_files_or_none) {
       ASSERT_TRUE(whole.contains(name)) << write << ": " << name;
       EXPECT_TRUE(whole.at(name) == bytes) << write << ": " << name;
     }
-    if (failed && write % 4 == 0) {
+    if (failed && (write % 4 == 0 || fs::exists(dir / "cut/video.mkv"))) {
       const RunResult resumed = run_tool(dir, command("cut") + Words{"--resume"});
       EXPECT_EQ(resumed.exit_code, 0) << write << ": " << resumed.err;
       EXPECT_EQ(run_tool(dir, {"check", "cut"}).exit_code, 0) << write;

@@ -36,7 +36,8 @@ TEST(Folder, render_with_other_settings_is_refused_in_one_line_and_changes_nothi
   const Files before = all_files(dir / "a");
   for (const Words& more : {Words{}, Words{"--resume"}, Words{"--dry-run"}}) {
     const RunResult other = run_tool(dir, small_teapot("0-1", "a") + kOther + more);
-    expect_refusal(other, 1, "a: holds another render: it differs in view-angle, aov; accepted: another folder (-o DIR); --force");
+    expect_refusal(other, 1,
+                   "a: holds another render: it differs in view-angle, aov; accepted: another folder (-o DIR); --force");
   }
   EXPECT_EQ(all_files(dir / "a"), before);
 }
@@ -154,7 +155,8 @@ TEST(Folder, video_that_the_render_has_not_written_is_not_overwritten) {
 
 TEST(Folder, convert_does_not_read_a_layer_of_another_render) {
   const TempDir dir;
-  const Words views{"render", "teapot", "--optics", "multiview", "--camera-grid", "--views", "2x2", "--size", "32x32", "--frames", "0"};
+  const Words views{"render", "teapot", "--optics", "multiview", "--camera-grid", "--views", "2x2",
+                    "--size", "32x32",  "--frames", "0"};
   expect_done(dir, views + Words{"-o", "deep", "--aov", "depth"});
   expect_done(dir, views + Words{"-o", "plain"});
   expect_done(dir, {"convert", "deep", "deep-hci", "--to", "hci"});
@@ -170,7 +172,8 @@ TEST(Folder, convert_does_not_read_a_layer_of_another_render) {
 // What a program opens that lies in a folder may be a FIFO, at which it would wait forever.
 TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
   const TempDir dir;
-  const Words quilt{"render", "teapot", "--optics", "multiview", "--views", "2x2", "--size", "32x32", "--layout", "quilt", "--aov", "depth", "--frames", "0-1", "-o", "a"};
+  const Words quilt{"render",   "teapot", "--optics", "multiview", "--views",  "2x2", "--size", "32x32",
+                    "--layout", "quilt",  "--aov",    "depth",     "--frames", "0-1", "-o",     "a"};
   expect_done(dir, quilt);
   for (const auto& entry : std::vector<fs::directory_entry>(fs::directory_iterator(dir / "a"), {})) {
     const fs::path file = entry.path(), name = file.filename();
@@ -241,9 +244,14 @@ TEST(Folder, check_prints_lists_as_json) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-1", "a") + Words{"--video", "film.mkv"});
   const nlohmann::json whole = json_of(run_tool(dir, {"check", "a", "--json"}).out);
-  EXPECT_EQ(whole, (nlohmann::json{{"folder", "a"}, {"frames", 2}, {"files", 5}, {"damaged", nlohmann::json::array()},
-                                   {"missing", nlohmann::json::array()}, {"foreign", nlohmann::json::array()},
-                                   {"unfinished", nlohmann::json::array()}, {"passed", true}}));
+  EXPECT_EQ(whole, (nlohmann::json{{"folder", "a"},
+                                   {"frames", 2},
+                                   {"files", 5},
+                                   {"damaged", nlohmann::json::array()},
+                                   {"missing", nlohmann::json::array()},
+                                   {"foreign", nlohmann::json::array()},
+                                   {"unfinished", nlohmann::json::array()},
+                                   {"passed", true}}));
   flip_a_bit(dir / "film.mkv");
   fs::remove(dir / "a/frame_0001.png");
   std::ofstream(dir / "a/aov_0001.exr") << "stale";
@@ -259,7 +267,8 @@ TEST(Folder, check_prints_lists_as_json) {
 TEST(Folder, check_of_a_stopped_render_says_which_frames_are_to_come) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-1", "a"));
-  std::ofstream(dir / "a/.lippmann-frames.jsonl", std::ios::app) << R"({"asked":"0-5"})" << "\n";
+  std::ofstream(dir / "a/.lippmann-frames.jsonl", std::ios::app) << R"({"asked":"0-5"})"
+                                                                 << "\n";
   const RunResult check = run_tool(dir, {"check", "a"});
   EXPECT_EQ(check.exit_code, 1);
   EXPECT_THAT(check.out, HasSubstr("not rendered yet: frames 2-5\n"));

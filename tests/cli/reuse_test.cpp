@@ -135,8 +135,8 @@ TEST(Reuse, every_kind_of_optics_is_interpolated) {
         Words{"--optics", "microlens", "--lenses", "10x6", "--lens-pixels", "5"},
         Words{"--optics", "microlens", "--packing", "hexagonal", "--lenses", "10"},
         Words{"--optics", "multiview", "--views", "3x2", "--size", "60x40"}, Words{"--optics", "single", "--size", "33x21"}}) {
-    const Json report = report_of(
-        dir, Words{"render", "teapot", "--frames", "2", "--reuse", "forward", "--keyframes", "4"} + optics);
+    const Json report =
+        report_of(dir, Words{"render", "teapot", "--frames", "2", "--reuse", "forward", "--keyframes", "4"} + optics);
     const Json& frame = report["frames"][0];
     EXPECT_EQ(frame["kind"], "in-between");
     const int pixels = report["optics"]["width"].get<int>() * report["optics"]["height"].get<int>();

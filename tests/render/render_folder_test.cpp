@@ -31,7 +31,8 @@ void make_render(const fs::path& folder, const std::string& job, const std::vect
   for (const int frame : finished) {
     FrameReport report;
     report.frame = frame;
-    const std::vector<fs::path> files{picture_paths(folder, {}, frame).front(), folder / ("aov_000" + std::to_string(frame) + ".exr")};
+    const std::vector<fs::path> files{picture_paths(folder, {}, frame).front(),
+                                      folder / ("aov_000" + std::to_string(frame) + ".exr")};
     for (const fs::path& file : files) make_file(file);
     journal.add(report, records_of(folder, files));
   }
@@ -85,7 +86,8 @@ TEST(RenderFolder, another_render_is_refused_but_not_one_that_was_stopped_before
 
 TEST(RenderFolder, pictures_and_a_report_that_no_journal_names_are_refused) {
   const test::TempDir dir;
-  for (const char* name : {"frame_0000.png", "aov_0007.exr", "frame_0003/view_000.png", "frame_0000_qs8x6a1.png.json", "report.json"}) {
+  for (const char* name :
+       {"frame_0000.png", "aov_0007.exr", "frame_0003/view_000.png", "frame_0000_qs8x6a1.png.json", "report.json"}) {
     make_file(dir / "a" / name);
     EXPECT_THAT(refusal(dir / "a", "job"), HasSubstr(name));
     fs::remove_all(dir / "a");
@@ -187,10 +189,12 @@ TEST(RenderFolder, names_of_a_hostile_journal_lead_nowhere_when_the_folder_is_re
   make_render(folder, "a", {0});
   for (const char* name : {"../victim", "../frame_0001.png", "notes.txt"}) make_file(folder / name);
   const std::string absolute = dir / "frame_0001.png";
-  for (const std::string& name : {std::string("../victim"), std::string("../frame_0001.png"), std::string("notes.txt"), absolute}) {
+  for (const std::string& name :
+       {std::string("../victim"), std::string("../frame_0001.png"), std::string("notes.txt"), absolute}) {
     FrameReport report;
     report.frame = 1;
-    std::ofstream(journal_path(folder), std::ios::app) << frame_line(report, {{name, *file_checksum(folder / "frame_0000.png")}});
+    std::ofstream(journal_path(folder), std::ios::app)
+        << frame_line(report, {{name, *file_checksum(folder / "frame_0000.png")}});
   }
   std::ofstream(journal_path(folder), std::ios::app) << asked_line({0});
   EXPECT_THROW(check_folder(folder), Error);
