@@ -29,8 +29,8 @@ void print_text(const std::string& folder, const FolderCheck& check) {
     for (const std::string& name : names) fmt::print("{}  {}\n", kind, printable(name));
   const std::string unfinished = write_frames(ranges_of(check.unfinished));
   if (!unfinished.empty()) fmt::print("not rendered yet: frames {}\n", unfinished);
-  fmt::print("{}: {} files, {} frames; {} damaged, {} missing, {} foreign\n", folder, check.files, check.frames,
-             check.damaged.size(), check.missing.size(), check.foreign.size());
+  fmt::print("{}: {} files, {} frame{}; {} damaged, {} missing, {} foreign\n", folder, check.files, check.frames,
+             check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
 }
 
 int run(const Options& options) {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -122,15 +121,16 @@ fs::path chosen_folder(const RenderParams& params, const std::string& job, bool 
   return folder;
 }
 
-/// A job file that renders all frames that this run and those before it have been asked for. One that no render has written is
-/// somebody's, and stays.
+/// A job file that renders all frames that this run and those before and beside it have been asked for. One that no render has
+/// written is somebody's, and stays. The run has begun.
 void write_job_of_folder(const fs::path& folder, const RenderParams& params, const std::vector<int>& frames, int frame_count,
                          FinishedFrames& finished, const Context& context) {
   const fs::path file = folder / kJobFile;
+  const FolderJournal journal = read_journal(folder).value_or(FolderJournal{});
   const std::vector<int>& before = finished.before().asked;
   const bool is_there = is_regular_file_there(file);
-  const auto written = finished.before().files.find(kJobFile);
-  if (is_there && (written == finished.before().files.end() || file_checksum(file) != written->second)) {
+  const auto written = journal.files.find(kJobFile);
+  if (is_there && (written == journal.files.end() || file_checksum(file) != written->second)) {
     if (const auto keys = differences(file, params); !keys.empty())
       context.warning(
           fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
@@ -139,12 +139,8 @@ void write_job_of_folder(const fs::path& folder, const RenderParams& params, con
   }
   if (is_there && std::includes(before.begin(), before.end(), frames.begin(), frames.end())) return;
   RenderParams whole = params;
-  if (!std::includes(frames.begin(), frames.end(), before.begin(), before.end())) {
-    std::vector<int> all;
-    std::set_union(before.begin(), before.end(), frames.begin(), frames.end(), std::back_inserter(all));
-    whole.frames = ranges_of(all);
-    if (static_cast<int>(all.size()) == frame_count) whole.frames.reset();
-  }
+  if (journal.asked != frames) whole.frames = ranges_of(journal.asked);
+  if (journal.asked != frames && static_cast<int>(journal.asked.size()) == frame_count) whole.frames.reset();
   write_job(file, whole);
   finished.add_file(kJobFile);
 }

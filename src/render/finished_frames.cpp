@@ -1,16 +1,16 @@
 #include "render/finished_frames.hpp"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <system_error>
 #include <utility>
 
-#include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/fingerprint.hpp"
 #include "core/json_text.hpp"
@@ -28,6 +28,17 @@ bool are_as_recorded(const fs::path& folder, const FileRecords& files, const std
   const auto is_recorded = [&](const fs::path& path) { return files.contains(path.lexically_relative(folder).string()); };
   const auto is_as_recorded = [&](const auto& file) { return file_checksum(folder / file.first) == file.second; };
   return std::all_of(pictures.begin(), pictures.end(), is_recorded) && std::all_of(files.begin(), files.end(), is_as_recorded);
+}
+
+/// Of which another render of the same job, begun at the same time, may have been faster.
+void begin_journal(const fs::path& path, const std::string& job) {
+  const std::string line = job_line(job);
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const bool is_written = descriptor >= 0 && ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  const int problem = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (!is_written && problem != EEXIST)
+    throw Error(path.string(), fmt::format("cannot be written ({})", std::strerror(problem)));
 }
 
 }  // namespace
@@ -48,16 +59,15 @@ std::string job_fingerprint(const RenderParams& params, const Scene& scene, cons
 FinishedFrames::FinishedFrames(fs::path folder, const std::string& job, FrameNames names)
     : folder_(std::move(folder)), path_(journal_path(folder_)), names_(std::move(names)) {
   std::optional<FolderJournal> journal = read_journal(folder_);
-  if (journal) require_sound(folder_, *journal);
-  if (journal && journal->job == job) {
-    before_ = std::move(*journal);
-    std::error_code ignored;
-    if (fs::file_size(path_, ignored) > before_.sound_bytes) fs::resize_file(path_, before_.sound_bytes, ignored);
-  } else {
-    if (journal && !journal->frames.empty()) throw Error(folder_.string(), "holds another render", "another folder");
-    const std::string line = job_line(job);
-    write_file_atomically(path_, std::as_bytes(std::span(line)));
+  if (!journal) {
+    begin_journal(path_, job);
+    journal = read_journal(folder_);
   }
+  require_sound(folder_, journal.value());
+  if (journal->job != job) throw Error(folder_.string(), "holds another render", "another folder");
+  before_ = std::move(*journal);
+  std::error_code ignored;
+  if (fs::file_size(path_, ignored) > before_.sound_bytes) fs::resize_file(path_, before_.sound_bytes, ignored);
   out_.open(path_, std::ios::app);
 }
 
