@@ -1,4 +1,5 @@
-// Renders of which one write fails, the first, the second and so on: the tool says so, and no half file has a final name.
+// Renders of which one write fails, the first, the second and so on, or all from there on: the tool says so, and no half file has
+// a final name.
 #include <gtest/gtest.h>
 
 #include <string_view>
@@ -10,11 +11,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs the tool, of whose writes to files one fails.
-RunResult run_failing(const TempDir& dir, const Words& arguments, int write) {
+struct Failing {
+  Words flags;
+  bool all_that_follow = false;
+};
+
+/// Runs the tool, of whose writes to files this one fails, and perhaps all that follow.
+RunResult run_failing(const TempDir& dir, const Words& arguments, int write, bool all_that_follow) {
   const std::string failed = dir / "failed";
   return run(Words{"/usr/bin/env", "LD_PRELOAD=" LIPPMANN_FAILING_WRITES, "LIPPMANN_FAIL_WRITE=" + std::to_string(write),
-                   "LIPPMANN_FAILED=" + failed} +
+                   "LIPPMANN_FAILED=" + failed, all_that_follow ? "LIPPMANN_FAIL_ALL=1" : "LIPPMANN_FAIL_ONE=1"} +
                  tool_command(arguments),
              {dir.path().string(), 0});
 }
@@ -31,21 +37,21 @@ Files files_below(const fs::path& folder) {
   return files;
 }
 
-class FailingWrites : public testing::TestWithParam<Words> {};
+class FailingWrites : public testing::TestWithParam<Failing> {};
 
 TEST_P(FailingWrites, are_said_and_leave_whole_files_or_none) {
   if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
   const TempDir dir;
   const auto command = [&](const std::string& folder) {
     Words words{"render", "teapot", "--size", "48x48", "--frames", "0-1", "-o", folder};
-    for (std::string word : GetParam()) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
+    for (const std::string& word : GetParam().flags) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
     return words;
   };
   ASSERT_EQ(run_tool(dir, command("whole")).exit_code, 0);
   const Files whole = files_below(dir / "whole");
   int write = 0;
   for (bool failed = true; failed; fs::remove_all(dir / "cut"), fs::remove(dir / "failed")) {
-    const RunResult result = run_failing(dir, command("cut"), ++write);
+    const RunResult result = run_failing(dir, command("cut"), ++write, GetParam().all_that_follow);
     failed = fs::exists(dir / "failed");
     EXPECT_EQ(result.exit_code, failed ? 1 : 0) << write << ": " << result.err;
     for (const auto& [name, bytes] : files_below(dir / "cut")) {
@@ -62,10 +68,11 @@ TEST_P(FailingWrites, are_said_and_leave_whole_files_or_none) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Render, FailingWrites,
-                         testing::Values(Words{}, Words{"--format", "png16", "--aov", "depth"}, Words{"--format", "tiff"},
-                                         Words{"--format", "exr"}, Words{"--layout", "views"},
-                                         Words{"--optics", "multiview", "--views", "2x2", "--layout", "quilt"},
-                                         Words{"--video", "VIDEO"}));
+                         testing::Values(Failing{{}}, Failing{{"--format", "png16", "--aov", "depth"}},
+                                         Failing{{"--format", "png16", "--aov", "depth"}, true}, Failing{{"--format", "tiff"}},
+                                         Failing{{"--format", "exr"}}, Failing{{"--layout", "views"}},
+                                         Failing{{"--optics", "multiview", "--views", "2x2", "--layout", "quilt"}},
+                                         Failing{{"--video", "VIDEO"}}, Failing{{"--video", "VIDEO"}, true}));
 
 }  // namespace
 }  // namespace lippmann::test

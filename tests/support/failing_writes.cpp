@@ -1,5 +1,5 @@
 // A library for LD_PRELOAD: the LIPPMANN_FAIL_WRITE-th write of the process to a regular file fails, as on a disk that is full
-// for a moment. When it has, a file LIPPMANN_FAILED is there. What the program prints goes to pipes and is left alone.
+// for a moment; with LIPPMANN_FAIL_ALL all that follow fail too. When one has, a file LIPPMANN_FAILED is there. What the program prints goes to pipes and is left alone.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -16,7 +16,9 @@ bool fails(int descriptor) {
   static std::atomic<long> writes{0};
   static const long failing = std::getenv("LIPPMANN_FAIL_WRITE") ? std::atol(std::getenv("LIPPMANN_FAIL_WRITE")) : 0;
   struct stat status {};
-  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || ++writes != failing) return false;
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  const long number = ++writes;
+  if (std::getenv("LIPPMANN_FAIL_ALL") ? number < failing : number != failing) return false;
   close(open(std::getenv("LIPPMANN_FAILED"), O_WRONLY | O_CREAT, 0600));
   errno = ENOSPC;
   return true;
