@@ -1,5 +1,5 @@
-// Renders of which one write fails, the first, the second and so on, or all from there on: the tool says so, and no half file has
-// a final name.
+// Renders of which one write fails, the first, the second and so on, or all from there on: the tool says so, and no half file
+// has a final name.
 #include <gtest/gtest.h>
 
 #include <string_view>

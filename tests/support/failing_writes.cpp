@@ -1,5 +1,6 @@
 // A library for LD_PRELOAD: the LIPPMANN_FAIL_WRITE-th write of the process to a regular file fails, as on a disk that is full
-// for a moment; with LIPPMANN_FAIL_ALL all that follow fail too. When one has, a file LIPPMANN_FAILED is there. What the program prints goes to pipes and is left alone.
+// for a moment; with LIPPMANN_FAIL_ALL all that follow fail too. When one has, a file LIPPMANN_FAILED is there. What the
+// program prints goes to pipes and is left alone.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
