@@ -11,11 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Failing {
-  Words flags;
-  bool all_that_follow = false;
-};
-
 /// Runs the tool, of whose writes to files this one fails, and perhaps all that follow.
 RunResult run_failing(const TempDir& dir, const Words& arguments, int write, bool all_that_follow) {
   const std::string failed = dir / "failed";
@@ -37,21 +32,21 @@ Files files_below(const fs::path& folder) {
   return files;
 }
 
-class FailingWrites : public testing::TestWithParam<Failing> {};
+enum class Fails { kOneWrite, kAllFromThereOn };
 
-TEST_P(FailingWrites, are_said_and_leave_whole_files_or_none) {
+void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = Fails::kOneWrite) {
   if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
   const TempDir dir;
   const auto command = [&](const std::string& folder) {
     Words words{"render", "teapot", "--size", "48x48", "--frames", "0-1", "-o", folder};
-    for (const std::string& word : GetParam().flags) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
+    for (const std::string& word : flags) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
     return words;
   };
   ASSERT_EQ(run_tool(dir, command("whole")).exit_code, 0);
   const Files whole = files_below(dir / "whole");
   int write = 0;
   for (bool failed = true; failed; fs::remove_all(dir / "cut"), fs::remove(dir / "failed")) {
-    const RunResult result = run_failing(dir, command("cut"), ++write, GetParam().all_that_follow);
+    const RunResult result = run_failing(dir, command("cut"), ++write, fails == Fails::kAllFromThereOn);
     failed = fs::exists(dir / "failed");
     EXPECT_EQ(result.exit_code, failed ? 1 : 0) << write << ": " << result.err;
     for (const auto& [name, bytes] : files_below(dir / "cut")) {
@@ -67,12 +62,33 @@ TEST_P(FailingWrites, are_said_and_leave_whole_files_or_none) {
   EXPECT_GT(write, 8) << "no write of the pictures failed";
 }
 
-INSTANTIATE_TEST_SUITE_P(Render, FailingWrites,
-                         testing::Values(Failing{{}}, Failing{{"--format", "png16", "--aov", "depth"}},
-                                         Failing{{"--format", "png16", "--aov", "depth"}, true}, Failing{{"--format", "tiff"}},
-                                         Failing{{"--format", "exr"}}, Failing{{"--layout", "views"}},
-                                         Failing{{"--optics", "multiview", "--views", "2x2", "--layout", "quilt"}},
-                                         Failing{{"--video", "VIDEO"}}, Failing{{"--video", "VIDEO"}, true}));
+TEST(FailingWrites, of_png_are_said_and_leave_whole_files_or_none) { expect_an_error_and_whole_files_or_none({}); }
+
+TEST(FailingWrites, of_layers_are_said_and_leave_whole_files_or_none) {
+  for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
+    expect_an_error_and_whole_files_or_none({"--format", "png16", "--aov", "depth"}, fails);
+}
+
+TEST(FailingWrites, of_tiff_are_said_and_leave_whole_files_or_none) {
+  expect_an_error_and_whole_files_or_none({"--format", "tiff"});
+}
+
+TEST(FailingWrites, of_exr_are_said_and_leave_whole_files_or_none) {
+  expect_an_error_and_whole_files_or_none({"--format", "exr"});
+}
+
+TEST(FailingWrites, of_views_are_said_and_leave_whole_files_or_none) {
+  expect_an_error_and_whole_files_or_none({"--layout", "views"});
+}
+
+TEST(FailingWrites, of_quilts_are_said_and_leave_whole_files_or_none) {
+  expect_an_error_and_whole_files_or_none({"--optics", "multiview", "--views", "2x2", "--layout", "quilt"});
+}
+
+TEST(FailingWrites, of_videos_are_said_and_leave_whole_files_or_none) {
+  for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
+    expect_an_error_and_whole_files_or_none({"--video", "VIDEO"}, fails);
+}
 
 }  // namespace
 }  // namespace lippmann::test

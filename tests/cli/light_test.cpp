@@ -245,9 +245,9 @@ TEST(Light, layers_of_light_are_refused_without_paths) {
 TEST(Light, a_panorama_lights_by_its_strength) {
   const TempDir dir;
   write_panorama(dir / "sky.exr", 0.5f);
-  const Words command = small_paths("out") + Words{"--environment", "sky.exr", "--format", "exr", "--exr-pixels", "float"};
+  const Words sky{"--environment", "sky.exr", "--format", "exr", "--exr-pixels", "float"};
   const auto mean_of = [&](const std::string& strength) {
-    EXPECT_EQ(run_tool(dir, command + Words{"--environment-strength", strength, "-o", strength}).exit_code, 0);
+    EXPECT_EQ(run_tool(dir, small_paths(strength) + sky + Words{"--environment-strength", strength}).exit_code, 0);
     const Image film = read_image(dir / strength / "frame_0000.exr");
     double sum = 0.0;
     for (const float v : film.data) sum += static_cast<double>(v);
