@@ -151,6 +151,18 @@ void clear_folder(const fs::path& folder, const std::string& job, const std::vec
         fmt::format("{} also holds files of no frame of this render, which stay: {}", folder.string(), some_of(rest)));
 }
 
+void require_no_render(const fs::path& out) {
+  const auto names = [&](const FolderJournal& journal) {
+    const std::string name = out.filename().string();
+    const auto frame = journal.frames.find(frame_of_file(name).value_or(-1));
+    return journal.videos.contains(name) || (frame != journal.frames.end() && frame->second.files.contains(name));
+  };
+  if (const auto journal = read_journal(out); journal && holds_anything(*journal))
+    throw Error(out.string(), "holds a render, whose frames others would be mixed with", "another folder");
+  if (const auto journal = read_journal(out.parent_path()); journal && names(*journal))
+    throw Error(out.string(), "is a file of the render in its folder", "another name");
+}
+
 std::vector<std::string> differences(const fs::path& job_file, const RenderParams& params) {
   constexpr std::array<std::string_view, 8> kOnlyRun{"frames", "output",  "video",  "video-codec",
                                                      "crf",    "threads", "resume", "order"};

@@ -28,6 +28,10 @@ void require_free_folder(const std::filesystem::path& folder, const std::string&
 void clear_folder(const std::filesystem::path& folder, const std::string& job, const std::vector<int>& frames, bool force,
                   const Context& context);
 
+/// Throws Error if `out`, a file or a folder of frames that something other than a render is to write, is a finished file of a
+/// render or the folder of one.
+void require_no_render(const std::filesystem::path& out);
+
 /// The names of the parameters in which a job file and `params` differ, of those that decide pictures; none if the file cannot
 /// be read.
 std::vector<std::string> differences(const std::filesystem::path& job_file, const RenderParams& params);

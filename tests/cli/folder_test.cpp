@@ -169,6 +169,20 @@ TEST(Folder, convert_does_not_read_a_layer_of_another_render) {
               HasSubstr("plain also holds files of no frame of this render, which stay: aov_0000.exr"));
 }
 
+TEST(Folder, convert_writes_neither_into_the_folder_of_a_render_nor_over_its_pictures) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0", "a"));
+  expect_done(dir, small_teapot("0", "b") + Words{"--view-angle", "40"});
+  const Words to_integral{"--to", "integral"};
+  expect_refusal(run_tool(dir, Words{"convert", "a", "b"} + to_integral), 1, "b: holds a render");
+  expect_refusal(run_tool(dir, Words{"convert", "a/frame_0000.png", "b/frame_0000.png"} + to_integral), 1,
+                 "b/frame_0000.png: is a file of the render");
+  expect_refusal(run_tool(dir, {"convert", "a", "b", "--rotate-elemental"}), 1, "b: holds a render");
+  expect_done(dir, {"check", "b"});
+  expect_done(dir, Words{"convert", "a/frame_0000.png", "b/other.png"} + to_integral);
+  expect_done(dir, Words{"convert", "a", "b/converted"} + to_integral);
+}
+
 // What a program opens that lies in a folder may be a FIFO, at which it would wait forever.
 TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
   const TempDir dir;
