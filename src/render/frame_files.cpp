@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 #include "core/atomic_file.hpp"
+#include "core/error.hpp"
 #include "core/folder.hpp"
 #include "image/encode.hpp"
 #include "image/exr.hpp"
@@ -133,6 +135,8 @@ FramePictures piece_of(const FramePictures& all, int i, int count) {
 }
 
 void make_view_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_symlink(folder, ignored)) throw Error(folder.string(), "is a symbolic link", "a folder, or nothing of that name");
   make_folder(folder);
   remove_stale_temporaries(folder);
 }

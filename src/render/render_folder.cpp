@@ -34,6 +34,11 @@ bool is_there(const fs::path& path) {
 /// Of which files remain that somebody may want: a render that was stopped before its first frame holds nothing.
 bool holds_anything(const FolderJournal& journal) { return !journal.frames.empty() || !journal.videos.empty(); }
 
+/// Nothing else stands in place of what a render writes once.
+void require_regular_files(const fs::path& folder) {
+  for (const char* name : {"job.toml", kReport}) is_regular_file_there(folder / name);
+}
+
 /// What lies in a folder, seen from a job.
 struct Contents {
   std::optional<FolderJournal> journal;  ///< of whomever
@@ -99,12 +104,12 @@ void remove_file(const fs::path& folder, const std::string& name) {
   if (!parent.empty()) fs::remove(folder / parent, ignored);
 }
 
-/// Those that were changed by hand since stay, if they are not of frames.
+/// Videos, job files and reports that were changed since stay.
 void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) remove_file(folder, name);
   for (const auto& [name, video] : journal.videos)
-    if (lies_in_folder(name)) remove_file(folder, name);
+    if (lies_in_folder(name) && video.sum && file_checksum(folder / name) == video.sum) remove_file(folder, name);
   for (const auto& [name, sum] : journal.files)
     if (file_checksum(folder / name) == sum) remove_file(folder, name);
 }
@@ -123,11 +128,12 @@ fs::path free_folder(const fs::path& wanted, const std::string& job) {
 
 void require_free_folder(const fs::path& folder, const std::string& job, const RenderParams& params,
                          const std::vector<int>& frames, const std::vector<std::string>& videos) {
-  for (const char* name : {"job.toml", kReport}) is_regular_file_there(folder / name);
+  require_regular_files(folder);
   const Contents contents = contents_of(folder, job);
   if (contents.journal && !contents.journal->problem.empty())
     throw Error(journal_path(folder).string(), "is damaged, or no journal of a render: " + contents.journal->problem,
-                fmt::format("{}; --force, which removes the files that its other lines name", kAnotherFolder));
+                fmt::format("the journal without that line; {}; --force, which removes the files that its other lines name",
+                            kAnotherFolder));
   if (!contents.is_this_job && contents.journal && holds_anything(*contents.journal)) throw another_render(folder, params);
   if (!is_free(contents))
     throw Error(folder.string(), fmt::format("holds files that no journal of a render names: {}", some_of(contents.foreign)),
@@ -137,6 +143,7 @@ void require_free_folder(const fs::path& folder, const std::string& job, const R
 
 void clear_folder(const fs::path& folder, const std::string& job, const std::vector<int>& frames, bool force,
                   const Context& context) {
+  require_regular_files(folder);
   const Contents before = contents_of(folder, job);
   if (before.journal && !before.is_this_job) {
     remove_files_of(folder, *before.journal);

@@ -211,6 +211,15 @@ TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
   }
 }
 
+TEST(Folder, views_are_not_written_through_a_symbolic_link) {
+  const TempDir dir;
+  fs::create_directory(dir / "a"), fs::create_directory(dir / "elsewhere");
+  fs::create_directory_symlink(dir / "elsewhere", dir / "a/frame_0000");
+  expect_refusal(run_tool(dir, small_teapot("0", "a") + Words{"--layout", "views", "--quiet"}), 1,
+                 "a/frame_0000: is a symbolic");
+  EXPECT_TRUE(fs::is_empty(dir / "elsewhere"));
+}
+
 /// Damages the file in some way.
 using Damage = std::function<void(const fs::path& file)>;
 

@@ -142,11 +142,13 @@ TEST(RenderFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_el
   make_render(folder, "a", {0, 1});
   make_video(folder, "a", folder / "inside.mp4", {0});
   make_video(folder, "a", dir / "outside.mp4", {0});
+  make_video(folder, "a", folder / "cut.mp4", {0});
+  make_file(folder / "cut.mp4", "cut by hand");
   for (const char* name : {"notes.txt", "aov_0001.png", "aov_0002.exr", "job.toml"}) make_file(folder / name);
   EXPECT_THAT(cleared(folder, "b", true, {2}), ElementsAre(HasSubstr("which stay: aov_0001.png")));
   std::vector<std::string> left;
   for (const auto& entry : fs::directory_iterator(folder)) left.push_back(entry.path().filename());
-  EXPECT_THAT(left, testing::UnorderedElementsAre("notes.txt", "aov_0001.png", "job.toml"));
+  EXPECT_THAT(left, testing::UnorderedElementsAre("notes.txt", "aov_0001.png", "job.toml", "cut.mp4"));
   EXPECT_TRUE(fs::exists(dir / "outside.mp4"));
 }
 
