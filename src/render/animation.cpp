@@ -86,6 +86,13 @@ void warn_of_videos(const Display& display, const FrameLayout& layout, const Con
                                 display.video.longest_side, size.x, size.y));
 }
 
+/// Throws Error if it cannot be written.
+void make_room_for_video(const fs::path& video, const RenderParams& params, const Panel& panel) {
+  make_folder(video.parent_path());
+  check_video_path(video, video_options(params, video, 25.0), panel.width, panel.height);
+  remove_stale_temporaries(video.parent_path(), video.filename());
+}
+
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -187,12 +194,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
     return {};
   }
   if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
-  for (const std::string& video : videos) {
-    make_folder(fs::path(video).parent_path());
-    const Panel& panel = stage.placed.optics.panel;
-    check_video_path(video, video_options(params, video, 25.0), panel.width, panel.height);
-    remove_stale_temporaries(fs::path(video).parent_path(), fs::path(video).filename());
-  }
+  for (const std::string& video : videos) make_room_for_video(video, params, stage.placed.optics.panel);
   make_folder(folder);
   remove_stale_temporaries(folder);
   clear_folder(folder, job, frames, observer.force, context);

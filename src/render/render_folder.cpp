@@ -94,14 +94,15 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
                 "all of them, with --resume to keep the finished ones; --video with another name; --force, which replaces it");
 }
 
-/// Of views too, whose folder goes when it is empty.
-void remove_file(const fs::path& folder, const std::string& name) {
+/// Of views too, whose folder goes when it is empty. Returns whether the file is gone.
+bool remove_file(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path file = folder / name, parent = fs::path(name).parent_path();
-  if (!parent.empty() && fs::is_symlink(folder / parent, ignored)) return;
-  if (fs::symlink_status(file, ignored).type() == fs::file_type::directory) return;
+  if (!parent.empty() && fs::is_symlink(folder / parent, ignored)) return false;
+  if (fs::symlink_status(file, ignored).type() == fs::file_type::directory) return false;
   fs::remove(file, ignored);
   if (!parent.empty()) fs::remove(folder / parent, ignored);
+  return !is_there(file);
 }
 
 /// Videos, job files and reports that were changed since stay.
@@ -144,18 +145,21 @@ void require_free_folder(const fs::path& folder, const std::string& job, const R
 void clear_folder(const fs::path& folder, const std::string& job, const std::vector<int>& frames, bool force,
                   const Context& context) {
   require_regular_files(folder);
-  const Contents before = contents_of(folder, job);
-  if (before.journal && !before.is_this_job) {
-    remove_files_of(folder, *before.journal);
+  Contents contents = contents_of(folder, job);
+  if (contents.journal && !contents.is_this_job) {
+    remove_files_of(folder, *contents.journal);
     std::error_code ignored;
     fs::remove(journal_path(folder), ignored);
+    contents = contents_of(folder, job);
   }
-  for (const std::string& name : force ? contents_of(folder, job).foreign : std::vector<std::string>{})
-    if (name == kReport || std::binary_search(frames.begin(), frames.end(), frame_of_file(name).value_or(-1)))
-      remove_file(folder, name);
-  if (const std::vector<std::string> rest = contents_of(folder, job).foreign; !rest.empty())
-    context.warning(
-        fmt::format("{} also holds files of no frame of this render, which stay: {}", folder.string(), some_of(rest)));
+  const auto is_in_the_way = [&](const std::string& name) {
+    return name == kReport || std::binary_search(frames.begin(), frames.end(), frame_of_file(name).value_or(-1));
+  };
+  if (force)
+    std::erase_if(contents.foreign, [&](const std::string& name) { return is_in_the_way(name) && remove_file(folder, name); });
+  if (!contents.foreign.empty())
+    context.warning(fmt::format("{} also holds files of no frame of this render, which stay: {}", folder.string(),
+                                some_of(contents.foreign)));
 }
 
 void require_no_render(const fs::path& out) {
