@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "display/load_display.hpp"
 #include "layout/convert.hpp"
+#include "render/render_folder.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -48,6 +49,7 @@ ConvertParams params_of(const Options& options) {
 }
 
 int run(const Options& options, const Context& context) {
+  require_no_render(options.out);
   if (options.orthoscopic.are_given())
     return run_orthoscopic(options.orthoscopic, options.in, options.out, options.json, context);
   if (options.to.empty() && (options.crosstalk.precompensate || !options.crosstalk.crosstalk.empty()))

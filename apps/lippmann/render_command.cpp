@@ -33,6 +33,7 @@ namespace fs = std::filesystem;
 struct Options {
   ParamFlags flags;
   std::string dump_job, also, progress, program;
+  bool force = false;
   bool json = false, quiet = false, verbose = false, dry_run = false;
 };
 
@@ -182,10 +183,11 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
 }
 
 /// Says what a render would make, and makes nothing.
-void plan_only(const RenderParams& params, bool json, Context& context) {
+void plan_only(const RenderParams& params, const Options& options, Context& context) {
   RenderObserver observer;
+  observer.force = options.force;
   observer.only_plan = true;
-  observer.planned = [&](const RenderPlan& plan) { print_plan(plan, params, json); };
+  observer.planned = [&](const RenderPlan& plan) { print_plan(plan, params, options.json); };
   render_animation(params, context, observer);
 }
 
@@ -200,6 +202,7 @@ RenderReport render(const RenderParams& params, const Options& options, Context&
   std::optional<RenderProgress> progress;
   Planned planned;
   RenderObserver observer;
+  observer.force = options.force;
   observer.planned = [&](const RenderPlan& plan) {
     planned = {plan.folder, plan.names, plan.picture_size, plan.kept};
     progress.emplace(plan, params, progress_kind(options));
@@ -224,10 +227,10 @@ int run(const Options& options, Context& context) {
     make_folder(fs::path(options.dump_job).parent_path());
     write_job(options.dump_job, params);
   }
-  if (options.dry_run) return plan_only(params, options.json, context), 0;
+  if (options.dry_run) return plan_only(params, options, context), 0;
   const RenderReport report = render(params, options, context);
   if (options.json) print_json(to_json(report));
-  if (options.also == "single" && !report.interrupted) render(single_clip(params, report.optics), options, context);
+  if (options.also == "single" && !report.interrupted) render(single_clip(report.params, report.optics), options, context);
   return 0;
 }
 
@@ -245,6 +248,10 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       .one_of({"single"})
       .type_name("WHAT")
       .group("Files");
+  command
+      .add_flag("--force", options->force,
+                "Replace another render in the folder, whose files are removed, and videos that are there")
+      .group("Running");
   command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
   command.add_flag("-q,--quiet", options->quiet, "Print neither progress nor a summary; warnings and errors remain")
       .group("Running");
@@ -259,15 +266,16 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       .add_flag("-n,--dry-run", options->dry_run,
                 "Check the scene and the settings, say what would be made and how large it is, and make nothing")
       .group("Running");
-  command.short_help({"--output",   "--frames", "--camera",     "--display", "--optics",     "--lenses", "--lens-pixels",
-                      "--size",     "--views",  "--full-depth", "--layout",  "--integrator", "--spp",    "--environment",
-                      "--exposure", "--format", "--video",      "--resume",  "--dry-run",    "--quiet",  "--json"},
-                     "Examples:\n"
-                     "  lippmann render teapot                                    all 480 frames, into out/teapot\n"
-                     "  lippmann render examples/desk.glb --frames 0              one frame, path traced\n"
-                     "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
-                     "  lippmann render tree --display portrait --frames 0        for a display (see: lippmann displays)\n"
-                     "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");
+  command.short_help(
+      {"--output", "--frames",     "--camera", "--display",    "--optics", "--lenses",      "--lens-pixels", "--size",
+       "--views",  "--full-depth", "--layout", "--integrator", "--spp",    "--environment", "--exposure",    "--format",
+       "--video",  "--resume",     "--force",  "--dry-run",    "--quiet",  "--json"},
+      "Examples:\n"
+      "  lippmann render teapot                                    all 480 frames, into out/teapot\n"
+      "  lippmann render examples/desk.glb --frames 0              one frame, path traced\n"
+      "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
+      "  lippmann render tree --display portrait --frames 0        for a display (see: lippmann displays)\n"
+      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

@@ -60,7 +60,7 @@ bool is_picture_name(const fs::path& path) {
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && is_picture_name(entry.path()) && entry.path().filename().string().front() != '.')
+    if (!entry.is_directory() && is_picture_name(entry.path()) && entry.path().filename().string().front() != '.')
       pictures.push_back(entry.path());
   const auto is_frame = [](const fs::path& path) { return path.filename().string().starts_with("frame_"); };
   if (std::any_of(pictures.begin(), pictures.end(), is_frame))

@@ -14,6 +14,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
+#include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
 #include "layout/formats.hpp"
@@ -29,7 +30,7 @@ std::optional<HciParameters> read_parameters(const fs::path& folder) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
   const fs::path path = folder / "parameters.cfg";
   std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  if (!is_regular_file_there(path)) return std::nullopt;
   if (fs::file_size(path, ignored) > kMaxBytes) throw Error(path.string(), "is too large for parameters");
   std::ifstream file(path);
   std::ostringstream text;
@@ -58,9 +59,8 @@ fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid
 
 /// Of all views, or of none.
 void read_depth(const fs::path& folder, const HciParameters& parameters, LightField& field) {
-  std::error_code ignored;
   for (int view = 0; view < field.grid.count(); ++view)
-    if (!fs::is_regular_file(per_view(folder, "depth", field.grid, view), ignored)) return;
+    if (!is_regular_file_there(per_view(folder, "depth", field.grid, view))) return;
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   for (int view = 0; view < field.grid.count(); ++view) {
     const fs::path path = per_view(folder, "depth", field.grid, view);

@@ -53,7 +53,7 @@ std::vector<fs::path> frames_in(const fs::path& folder, bool are_folders) {
   std::vector<fs::path> frames;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const bool fits = are_folders ? entry.is_directory() : entry.is_regular_file();
+    const bool fits = entry.is_directory() == are_folders;  // what is no regular file is refused when it is read
     if (fits && entry.path().filename().string().starts_with("frame_") && entry.path().extension() != ".json")
       frames.push_back(entry.path());
   }
@@ -74,6 +74,7 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
     source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "--from");
   if (source.format->is_folder && source.format->name != "views") source.rendering.reset(), source.rendered.reset();
+  if (source.rendering && !source.rendering->has_depth_layer) source.options.with_depth = false;
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;
   if (!source.options.views) source.options.views = film.grid;

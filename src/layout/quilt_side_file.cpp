@@ -11,6 +11,7 @@
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/json_text.hpp"
+#include "core/regular_file.hpp"
 
 namespace lippmann {
 namespace {
@@ -34,8 +35,7 @@ fs::path quilt_side_path(const fs::path& image) { return fs::path(image) += ".js
 
 std::optional<QuiltSideFile> read_quilt_side_file(const fs::path& image) {
   const fs::path path = quilt_side_path(image);
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  if (!is_regular_file_there(path)) return std::nullopt;
   return parse_quilt_side_file(text_of(path), path.string());
 }
 

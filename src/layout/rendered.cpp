@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/json_text.hpp"
+#include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "optics/optics_json.hpp"
@@ -28,7 +29,7 @@ bool has_depth(const fs::path& picture) {
 /// A JSON object.
 Json read_report(const fs::path& report) {
   std::error_code ignored;
-  if (!fs::is_regular_file(report, ignored))
+  if (!is_regular_file_there(report))
     throw Error(report.string(), "there is no such file", "the report.json that `lippmann render` writes beside its pictures");
   if (fs::file_size(report, ignored) > kMaxReportBytes) throw Error(report.string(), "is too large for a report");
   std::ifstream file(report, std::ios::binary);
@@ -47,12 +48,17 @@ float depth_scale_of(const Json& report) {
   return value > 0.0 && value <= 1.0 ? static_cast<float>(value) : 1.0f;
 }
 
+bool lists(const Json& json, const char* text) {
+  return json.is_array() && std::find(json.begin(), json.end(), Json(text)) != json.end();
+}
+
 /// Of a report with "optics".
 Rendering rendering_from(const Json& json, const fs::path& report) {
   Rendering rendering{optics_from_json(json["optics"], report.string())};
   const Json settings = json.value("settings", Json::object());
   if (settings.contains("layout") && settings["layout"].is_string()) rendering.layout = settings["layout"];
   if (settings.contains("mirror") && settings["mirror"].is_boolean()) rendering.mirrored = settings["mirror"];
+  rendering.has_depth_layer = !settings.contains("aov") || lists(settings["aov"], "depth");
   rendering.frames_per_second = frame_rate_of(json);
   rendering.depth_scale = depth_scale_of(json);
   return rendering;
@@ -81,9 +87,8 @@ Rendering read_rendering(const fs::path& report) {
 
 std::optional<Rendering> rendering_of(const fs::path& picture) {
   const fs::path folder = picture.parent_path();
-  std::error_code ignored;
   for (const fs::path& report : {picture / "report.json", folder / "report.json", folder.parent_path() / "report.json"}) {
-    if (!fs::is_regular_file(report, ignored)) continue;
+    if (!is_regular_file_there(report)) continue;
     const Json json = read_report(report);
     if (!json.contains("optics")) return std::nullopt;
     return rendering_from(json, report);
@@ -98,8 +103,7 @@ std::optional<Image> rendered_depth(const fs::path& picture) {
   const auto found = numbered.match(picture.filename().string());
   if (!found) return std::nullopt;
   const fs::path layers = picture.parent_path() / ("aov_" + found->groups[1] + ".exr");
-  std::error_code ignored;
-  if (!fs::is_regular_file(layers, ignored) || !has_depth(layers)) return std::nullopt;
+  if (!is_regular_file_there(layers) || !has_depth(layers)) return std::nullopt;
   return read_channels(layers, depth);
 }
 

@@ -13,8 +13,9 @@ namespace lippmann {
 
 struct Rendering {
   Optics optics;
-  std::string layout = {};  ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
-  bool mirrored = false;    ///< left and right exchanged, to be printed on the back of a sheet
+  std::string layout = {};      ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
+  bool mirrored = false;        ///< left and right exchanged, to be printed on the back of a sheet
+  bool has_depth_layer = true;  ///< else a layer of depth that lies there is of another render
   std::optional<double> frames_per_second = {};
   float depth_scale = 1.0f;  ///< shown depth / true depth: the parallax that the pictures were rendered with
 };

@@ -1,12 +1,12 @@
 #include "render/animation.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -18,6 +18,7 @@
 #include "core/folder.hpp"
 #include "core/json_text.hpp"
 #include "core/parallel.hpp"
+#include "core/regular_file.hpp"
 #include "render/aov_params.hpp"
 #include "render/denoised_frames.hpp"
 #include "render/finished_frames.hpp"
@@ -25,6 +26,7 @@
 #include "render/frame_sink.hpp"
 #include "render/job_file.hpp"
 #include "render/param_text.hpp"
+#include "render/render_folder.hpp"
 #include "render/reuse_params.hpp"
 #include "render/undo_crosstalk.hpp"
 #include "video/video_writer.hpp"
@@ -33,6 +35,9 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kJobFile = "job.toml";
+constexpr const char* kReportFile = "report.json";
 
 class Stopwatch {
  public:
@@ -71,22 +76,6 @@ void require_memory(const RenderParams& params, const Optics& optics, bool moves
                             frame * 1e-9, available * 1e-9));
 }
 
-/// Pictures in the folder that this render will not replace: after a take-over they are of other settings.
-void warn_of_strangers(const fs::path& folder, const FrameNames& names, const std::vector<int>& frames,
-                       const Context& context) {
-  const std::string ending = fs::path(frame_name(names, 0)).extension().string();
-  int strangers = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    int frame = 0;
-    const std::string name = entry.path().filename().string();
-    if (std::sscanf(name.c_str(), "frame_%d.", &frame) != 1 || entry.path().extension() != ending) continue;
-    strangers += !std::binary_search(frames.begin(), frames.end(), frame);
-  }
-  if (strangers > 0)
-    context.warning(fmt::format("{} holds {} pictures that another job has made and this one leaves as they are",
-                                folder.string(), strangers));
-}
-
 /// What the display that is rendered for will not play.
 void warn_of_videos(const Display& display, const FrameLayout& layout, const Context& context) {
   if (layout.quilt() && !display.video.quilts)
@@ -95,6 +84,13 @@ void warn_of_videos(const Display& display, const FrameLayout& layout, const Con
   if (std::max(size.x, size.y) > display.video.longest_side)
     context.warning(fmt::format("{} plays videos of up to {} pixels a side, these have {}x{}: --size with less", display.name,
                                 display.video.longest_side, size.x, size.y));
+}
+
+/// Throws Error if it cannot be written.
+void make_room_for_video(const fs::path& video, const RenderParams& params, const Panel& panel) {
+  make_folder(video.parent_path());
+  check_video_path(video, video_options(params, video, 25.0), panel.width, panel.height);
+  remove_stale_temporaries(video.parent_path(), video.filename());
 }
 
 std::uint64_t peak_memory_bytes() {
@@ -108,7 +104,7 @@ bool keeps_frames(const RenderParams& params) {
   return params.resume && (params.video.empty() || params.format == PictureFormat::kPng);
 }
 
-int count_kept(const RenderParams& params, const FinishedFrames& finished, const std::vector<int>& frames) {
+int count_kept(const RenderParams& params, FinishedFrames& finished, const std::vector<int>& frames) {
   if (!keeps_frames(params)) return 0;
   const auto is_kept = [&](int frame) { return finished.find(frame).has_value(); };
   return static_cast<int>(std::count_if(frames.begin(), frames.end(), is_kept));
@@ -117,6 +113,43 @@ int count_kept(const RenderParams& params, const FinishedFrames& finished, const
 std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
   if (format == PictureFormat::kExr) return exr_pixels == ExrPixels::kFloat ? 4 : 2;
   return format == PictureFormat::kPng16 ? 2 : 1;
+}
+
+/// As said, or the first of out/<scene name>, out/<scene name>-2, ... that holds no other render.
+fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force, const Context& context) {
+  const fs::path wanted = output_folder(params);
+  if (wanted == "-")
+    throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
+  if (!params.output.empty() || force) return wanted;
+  fs::path folder = free_folder(wanted, job);
+  if (folder != wanted)
+    context.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
+                                wanted.string(), folder.string()));
+  return folder;
+}
+
+/// A job file that renders all frames that this run and those before and beside it have been asked for. One that no render has
+/// written is somebody's, and stays. The run has begun.
+void write_job_of_folder(const fs::path& folder, const RenderParams& params, const std::vector<int>& frames, int frame_count,
+                         FinishedFrames& finished, const Context& context) {
+  const fs::path file = folder / kJobFile;
+  const FolderJournal journal = read_journal(folder).value_or(FolderJournal{});
+  const std::vector<int>& before = finished.before().asked;
+  const bool is_there = is_regular_file_there(file);
+  const auto written = journal.files.find(kJobFile);
+  if (is_there && (written == journal.files.end() || file_checksum(file) != written->second)) {
+    if (const auto keys = differences(file, params); !keys.empty())
+      context.warning(
+          fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
+                      file.string(), fmt::join(keys, ", ")));
+    return;
+  }
+  if (is_there && std::includes(before.begin(), before.end(), frames.begin(), frames.end())) return;
+  RenderParams whole = params;
+  if (journal.asked != frames) whole.frames = ranges_of(journal.asked);
+  if (journal.asked != frames && static_cast<int>(journal.asked.size()) == frame_count) whole.frames.reset();
+  write_job(file, whole);
+  finished.add_file(kJobFile);
 }
 
 void write_report(const fs::path& file, const RenderReport& report) {
@@ -134,7 +167,7 @@ std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels
 
 RenderReport render_animation(const RenderParams& said, const Context& context, const RenderObserver& observer) {
   const Stopwatch setup;
-  const RenderParams params = with_scene_defaults(said);
+  RenderParams params = with_scene_defaults(said);
   check_reuse(params);
   check_aovs(params);
   check_denoise(params);
@@ -149,29 +182,26 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   check_angular_filter(params, stage.placed.optics);
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
-  const fs::path folder = output_folder(params);
-  if (folder == "-")
-    throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
   std::vector<std::string> videos;
   for (const std::string& video : params.video) videos.push_back(layout.video_path(video).string());
+  const std::string job = job_fingerprint(params, stage.scene, stage.display.get());
+  const fs::path folder = chosen_folder(params, job, observer.force, context);
+  if (folder != output_folder(params)) params.output = folder.string();
+  if (!observer.force) require_free_folder(folder, job, params, frames, videos);
   RenderPlan plan{stage, folder, layout.names(), frames, videos, 0, layout.picture_size()};
   if (observer.only_plan) {
     if (observer.planned) observer.planned(plan);
     return {};
   }
   if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
-  for (const std::string& video : videos) {
-    make_folder(fs::path(video).parent_path());
-    const Panel& panel = stage.placed.optics.panel;
-    check_video_path(video, video_options(params, video, 25.0), panel.width, panel.height);
-    remove_stale_temporaries(fs::path(video).parent_path(), fs::path(video).filename());
-  }
+  for (const std::string& video : videos) make_room_for_video(video, params, stage.placed.optics.panel);
   make_folder(folder);
   remove_stale_temporaries(folder);
-  write_job(folder / "job.toml", params);
-  fs::remove(folder / "report.json");  // it would speak of another render
-  FinishedFrames finished(folder, job_fingerprint(params, stage.scene, stage.display.get()), layout.names());
-  if (finished.took_over()) warn_of_strangers(folder, layout.names(), frames, context);
+  clear_folder(folder, job, frames, observer.force, context);
+  FinishedFrames finished(folder, job, layout.names());
+  finished.begin(frames);
+  finished.remove_file(kReportFile);  // it would speak of another render
+  write_job_of_folder(folder, params, frames, stage.scene.timeline.frame_count, finished, context);
   plan.kept = count_kept(params, finished, frames);
 
   RenderReport report;
@@ -214,10 +244,15 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
     if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
       frame.precompensation = done->second;
   report.interrupted = report.frames.size() < frames.size();
-  if (!report.interrupted) sink.finish_videos();
+  if (!report.interrupted) {
+    for (const std::string& video : videos) finished.begin_video(video, frames);
+    sink.finish_videos();
+    for (const std::string& video : videos) finished.add_video(video, frames);
+  }
   report.write_seconds = sink.write_seconds();
   report.peak_memory_bytes = peak_memory_bytes();
-  write_report(folder / "report.json", report);
+  write_report(folder / kReportFile, report);
+  finished.add_file(kReportFile);
   return report;
 }
 

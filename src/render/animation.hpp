@@ -38,6 +38,7 @@ struct RenderObserver {
   std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
   /// A frame's pictures and layers are on disk, of so many bytes; in order, one at a time, on any thread. Not of kept frames.
   std::function<void(int frame, std::uintmax_t bytes)> written;
+  bool force = false;      ///< another render in the folder is replaced, and videos that are there (render_folder.hpp)
   bool only_plan = false;  ///< stop once `planned` was called, before anything is written; kept frames are not looked for
 };
 

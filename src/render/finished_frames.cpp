@@ -1,36 +1,44 @@
 #include "render/finished_frames.hpp"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <span>
-#include <string_view>
+#include <system_error>
 #include <utility>
 
-#include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "core/fingerprint.hpp"
 #include "core/json_text.hpp"
 #include "display/display_json.hpp"
 #include "render/params_table.hpp"
+#include "render/render_folder.hpp"
 #include "scene/fingerprint.hpp"
 
 namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
-std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
+bool are_as_recorded(const fs::path& folder, const FileRecords& files, const std::vector<fs::path>& pictures) {
+  const auto is_recorded = [&](const fs::path& path) { return files.contains(path.lexically_relative(folder).string()); };
+  const auto is_as_recorded = [&](const auto& file) { return file_checksum(folder / file.first) == file.second; };
+  return std::all_of(pictures.begin(), pictures.end(), is_recorded) && std::all_of(files.begin(), files.end(), is_as_recorded);
+}
 
-std::string header_line(const std::string& fingerprint) { return line_of({{"job", fingerprint}}); }
-
-std::string frame_line(const FrameReport& frame, std::uintmax_t bytes) {
-  Json json = to_json(frame);
-  json["picture_bytes"] = bytes;
-  return line_of(json);
+/// Of which another render of the same job, begun at the same time, may have been faster.
+void begin_journal(const fs::path& path, const std::string& job) {
+  const std::string line = job_line(job);
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const bool is_written = descriptor >= 0 && ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  const int problem = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (!is_written && problem != EEXIST)
+    throw Error(path.string(), fmt::format("cannot be written ({})", std::strerror(problem)));
 }
 
 }  // namespace
@@ -48,33 +56,52 @@ std::string job_fingerprint(const RenderParams& params, const Scene& scene, cons
   return fmt::format("{:016x}", print.value());
 }
 
-FinishedFrames::FinishedFrames(fs::path folder, std::string fingerprint, FrameNames names)
-    : folder_(std::move(folder)), journal_(folder_ / ".lippmann-frames.jsonl"), names_(std::move(names)) {
-  std::string journal = header_line(fingerprint);
-  std::ifstream old(journal_);
-  std::string line;
-  const bool any_job = static_cast<bool>(std::getline(old, line)), same_job = any_job && line + '\n' == journal;
-  took_over_ = any_job && !same_job;
-  while (same_job && std::getline(old, line)) {
-    const Json json = json_from_text(line);
-    const std::optional<FrameReport> frame = frame_report_from_json(json);
-    if (!frame || !json.contains("picture_bytes")) continue;
-    if (json["picture_bytes"] != picture_bytes(folder_, names_, frame->frame)) continue;
-    finished_[frame->frame] = *frame;
-    journal += line + '\n';
+FinishedFrames::FinishedFrames(fs::path folder, const std::string& job, FrameNames names)
+    : folder_(std::move(folder)), path_(journal_path(folder_)), names_(std::move(names)) {
+  std::optional<FolderJournal> journal = read_journal(folder_);
+  if (!journal) {
+    begin_journal(path_, job);
+    journal = read_journal(folder_);
   }
-  write_file_atomically(journal_, std::as_bytes(std::span(journal)));
-  out_.open(journal_, std::ios::app);
+  require_sound(folder_, journal.value());
+  if (journal->job != job) throw Error(folder_.string(), "holds another render", "another folder");
+  before_ = std::move(*journal);
+  std::error_code ignored;
+  if (fs::file_size(path_, ignored) > before_.sound_bytes) fs::resize_file(path_, before_.sound_bytes, ignored);
+  out_.open(path_, std::ios::app);
 }
 
-std::optional<FrameReport> FinishedFrames::find(int frame) const {
-  const auto found = finished_.find(frame);
-  return found == finished_.end() ? std::nullopt : std::optional(found->second);
+std::optional<FrameReport> FinishedFrames::find(int frame) {
+  const auto found = before_.frames.find(frame);
+  if (found == before_.frames.end()) return std::nullopt;
+  const auto [read, is_new] = is_as_recorded_.emplace(frame, false);
+  if (is_new) read->second = are_as_recorded(folder_, found->second.files, picture_paths(folder_, names_, frame));
+  return read->second ? std::optional(found->second.report) : std::nullopt;
 }
 
-void FinishedFrames::add(const FrameReport& frame) {
-  out_ << frame_line(frame, picture_bytes(folder_, names_, frame.frame)) << std::flush;
-  if (!out_) throw Error(journal_.string(), fmt::format("cannot be written ({})", std::strerror(errno)));
+void FinishedFrames::add_file(const std::string& name) {
+  write(written_line(name, records_of(folder_, {folder_ / name}).begin()->second));
+}
+
+void FinishedFrames::remove_file(const std::string& name) {
+  std::error_code problem;
+  if (fs::remove(folder_ / name, problem)) write(written_line(name, std::nullopt));
+  if (problem) throw Error((folder_ / name).string(), "cannot be removed (" + problem.message() + ")");
+}
+
+void FinishedFrames::begin_video(const fs::path& video, const std::vector<int>& frames) {
+  write(video_line(video_name(folder_, video), {std::nullopt, frames}));
+}
+
+void FinishedFrames::add_video(const fs::path& video, const std::vector<int>& frames) {
+  const std::optional<FileChecksum> sum = file_checksum(video);
+  if (!sum) throw Error(video.string(), "cannot be read back to take its checksum");
+  write(video_line(video_name(folder_, video), {sum, frames}));
+}
+
+void FinishedFrames::write(const std::string& line) {
+  out_ << line << std::flush;
+  if (!out_) throw Error(path_.string(), fmt::format("cannot be written ({})", std::strerror(errno)));
 }
 
 }  // namespace lippmann

@@ -1,15 +1,16 @@
-// Which frames in an output folder are finished, and by which job: what --resume goes by. A journal in the folder, one line of
-// JSON per finished frame, so that a render that was killed at any moment can be taken up again.
+// Which frames in an output folder a job has finished: what --resume goes by. Kept in the folder's journal
+// (folder_journal.hpp).
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "display/display.hpp"
+#include "render/folder_journal.hpp"
 #include "render/frame_files.hpp"
 #include "render/params.hpp"
 #include "render/report.hpp"
@@ -23,25 +24,44 @@ std::string job_fingerprint(const RenderParams& params, const Scene& scene, cons
 
 class FinishedFrames {
  public:
-  /// Opens the journal of `folder`, which exists. Lines of another job, torn lines, and frames whose picture is not there in
-  /// the recorded size are forgotten. Throws Error if the journal cannot be written.
-  FinishedFrames(std::filesystem::path folder, std::string fingerprint, FrameNames names);
+  /// Opens the journal of `folder`, which exists, or begins one. Throws Error if the folder is that of another job
+  /// (render_folder.hpp makes room), or the journal is damaged or cannot be written.
+  FinishedFrames(std::filesystem::path folder, const std::string& job, FrameNames names);
 
-  /// The figures of a frame that this job finished before; none if it has yet to be rendered.
-  std::optional<FrameReport> find(int frame) const;
+  /// What earlier runs of this job were to render, and wrote beside the frames.
+  const FolderJournal& before() const { return before_; }
 
-  /// Whether the folder held frames of another job, which are now only files.
-  bool took_over() const { return took_over_; }
+  /// The figures of a frame that an earlier run finished; none if it has yet to be rendered, or one of its files is not there
+  /// with the recorded bytes. Reads the files, once.
+  std::optional<FrameReport> find(int frame);
 
-  /// Records a frame whose files are complete; find() does not see it. Throws Error. May run beside find(), not beside itself.
-  void add(const FrameReport& frame);
+  /// Records that a run begins.
+  void begin(const std::vector<int>& frames) { write(asked_line(frames)); }
+
+  /// Records a frame whose files are complete; find() does not see it. May run beside find(), and not beside what else records.
+  void add(const FrameReport& frame, const FileRecords& files) { write(frame_line(frame, files)); }
+
+  /// Records job.toml or report.json, which is complete.
+  void add_file(const std::string& name);
+
+  /// Removes such a file.
+  void remove_file(const std::string& name);
+
+  /// Records that a video of these frames is about to appear: from then on it is this render's.
+  void begin_video(const std::filesystem::path& video, const std::vector<int>& frames);
+
+  /// Records a video, which is complete and shows these frames.
+  void add_video(const std::filesystem::path& video, const std::vector<int>& frames);
 
  private:
-  std::filesystem::path folder_, journal_;
+  /// All that record throw Error if the journal cannot be written.
+  void write(const std::string& line);
+
+  std::filesystem::path folder_, path_;
   FrameNames names_;
-  std::map<int, FrameReport> finished_;
+  FolderJournal before_;
+  std::map<int, bool> is_as_recorded_;  ///< what find() has read
   std::ofstream out_;
-  bool took_over_ = false;
 };
 
 }  // namespace lippmann

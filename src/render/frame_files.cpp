@@ -4,8 +4,10 @@
 
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "core/atomic_file.hpp"
+#include "core/error.hpp"
 #include "core/folder.hpp"
 #include "image/encode.hpp"
 #include "image/exr.hpp"
@@ -71,7 +73,8 @@ class PictureWriter {
                 std::span<const ExrAttribute> about)
       : format_(format), params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm), about_(about) {}
 
-  void write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
+  /// Returns the files that it wrote.
+  std::vector<fs::path> write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
     std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
     switch (format_) {
       case PictureFormat::kPng:
@@ -88,9 +91,11 @@ class PictureWriter {
         if (pictures.aovs.wants(Aov::kAlpha))
           layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(params_.exr_pixels)));
         write_exr(picture, layers, ExrCompression::kZip, about_);
-        return;
+        return {picture};
     }
-    if (!layers.empty()) write_exr(aov, layers, ExrCompression::kZip, about_);
+    if (layers.empty()) return {picture};
+    write_exr(aov, layers, ExrCompression::kZip, about_);
+    return {picture, aov};
   }
 
  private:
@@ -129,22 +134,9 @@ FramePictures piece_of(const FramePictures& all, int i, int count) {
   return piece;
 }
 
-std::string whole_layer_name(int frame) { return fmt::format("aov_{:04}.exr", frame); }
-std::string view_layer_name(int view) { return fmt::format("aov_{:03}.exr", view); }
-
-/// 0 if one is not there.
-std::uintmax_t bytes_of(const std::vector<fs::path>& files) {
-  std::uintmax_t sum = 0;
-  for (const fs::path& file : files) {
-    std::error_code problem;
-    const std::uintmax_t bytes = fs::file_size(file, problem);
-    if (problem) return 0;
-    sum += bytes;
-  }
-  return sum;
-}
-
 void make_view_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_symlink(folder, ignored)) throw Error(folder.string(), "is a symbolic link", "a folder, or nothing of that name");
   make_folder(folder);
   remove_stale_temporaries(folder);
 }
@@ -165,27 +157,20 @@ std::vector<fs::path> picture_paths(const fs::path& folder, const FrameNames& na
   return paths;
 }
 
-std::uintmax_t picture_bytes(const fs::path& folder, const FrameNames& names, int frame) {
-  return bytes_of(picture_paths(folder, names, frame));
-}
-
-std::uintmax_t layer_bytes(const fs::path& folder, const FrameNames& names, int frame) {
-  if (names.views == 0) return bytes_of({folder / whole_layer_name(frame)});
-  std::vector<fs::path> paths;
-  for (int view = 0; view < names.views; ++view) paths.push_back(folder / frame_name(names, frame) / view_layer_name(view));
-  return bytes_of(paths);
-}
-
-void write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
-                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures,
-                       std::span<const ExrAttribute> about) {
+std::vector<fs::path> write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
+                                        Encoding encoding, double pixels_per_mm, const FramePictures& pictures,
+                                        std::span<const ExrAttribute> about) {
   const PictureWriter writer(names.format, params, encoding, pixels_per_mm, about);
   const std::vector<fs::path> paths = picture_paths(folder, names, frame);
-  if (names.views == 0) return writer.write(paths.front(), folder / whole_layer_name(frame), pictures);
+  if (names.views == 0) return writer.write(paths.front(), folder / fmt::format("aov_{:04}.exr", frame), pictures);
+  std::vector<fs::path> written;
   const fs::path views = folder / frame_name(names, frame);
   make_view_folder(views);
   for (int view = 0; view < names.views; ++view)
-    writer.write(paths[static_cast<std::size_t>(view)], views / view_layer_name(view), piece_of(pictures, view, names.views));
+    for (fs::path& file : writer.write(paths[static_cast<std::size_t>(view)], views / fmt::format("aov_{:03}.exr", view),
+                                       piece_of(pictures, view, names.views)))
+      written.push_back(std::move(file));
+  return written;
 }
 
 }  // namespace lippmann

@@ -1,7 +1,6 @@
 // The files of one frame: names, and writing the pictures with their extra layers.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -28,12 +27,6 @@ std::string frame_name(const FrameNames& names, int frame);
 /// DIR/frame_0000.png, or DIR/frame_0000/view_000.png and so on.
 std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& folder, const FrameNames& names, int frame);
 
-/// Bytes of all pictures of a frame; 0 if one is not there.
-std::uintmax_t picture_bytes(const std::filesystem::path& folder, const FrameNames& names, int frame);
-
-/// The same of the files with extra layers beside the pictures.
-std::uintmax_t layer_bytes(const std::filesystem::path& folder, const FrameNames& names, int frame);
-
 struct FramePictures {
   Image film;
   FrameAovs aovs;
@@ -42,9 +35,10 @@ struct FramePictures {
 
 /// Writes what `params` asks for, each file whole or not at all. Views lie one below the other in `pictures`. Extra layers go
 /// into EXR pictures, else into aov_0000.exr beside the picture (aov_000.exr beside a view).
-/// `pixels_per_mm`: said by TIFF files; 0: nothing to say. `about`: attributes of EXR files. Throws Error naming the file.
-void write_frame_files(const std::filesystem::path& folder, const FrameNames& names, int frame, const RenderParams& params,
-                       Encoding encoding, double pixels_per_mm, const FramePictures& pictures,
-                       std::span<const ExrAttribute> about = {});
+/// `pixels_per_mm`: said by TIFF files; 0: nothing to say. `about`: attributes of EXR files. Returns what it wrote. Throws
+/// Error naming the file.
+std::vector<std::filesystem::path> write_frame_files(const std::filesystem::path& folder, const FrameNames& names, int frame,
+                                                     const RenderParams& params, Encoding encoding, double pixels_per_mm,
+                                                     const FramePictures& pictures, std::span<const ExrAttribute> about = {});
 
 }  // namespace lippmann

@@ -83,7 +83,8 @@ struct FrameSink::Impl {
   std::atomic<std::int64_t> write_nanoseconds{0};
   BackgroundQueue queue;  ///< last: its threads use what is above
 
-  void write(RenderedFrame& rendered) {
+  /// Returns what was written. Its checksums are taken here, beside rendering, while the bytes are still in memory.
+  FileRecords write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     FramePictures& pictures = rendered.pictures;
     Image as_traced;
@@ -102,14 +103,19 @@ struct FrameSink::Impl {
       pictures.codes =
           keeps_light && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
     if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
-    write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
-                      settings.layout.pixels_per_mm(), pictures, about);
-    if (const auto& quilt = settings.layout.quilt())
-      write_quilt_side_file(picture_paths(settings.folder, settings.layout.names(), rendered.report.frame).front(),
-                            {*quilt, quilt->tiles.count()});
+    std::vector<std::filesystem::path> files =
+        write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
+                          settings.layout.pixels_per_mm(), pictures, about);
+    if (const auto& quilt = settings.layout.quilt()) {
+      const std::filesystem::path picture = files.front();
+      write_quilt_side_file(picture, {*quilt, quilt->tiles.count()});
+      files.push_back(quilt_side_path(picture));
+    }
+    const FileRecords records = records_of(settings.folder, files);
     if (settings.done_with) settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(pictures.film));
     pictures.film = {};
     pictures.aovs = {};
+    return records;
   }
 
   /// Videos beside pictures that keep the light.
@@ -124,14 +130,13 @@ struct FrameSink::Impl {
         undo_crosstalk(*settings.optics, *settings.crosstalk_to_undo, settings.encoding, rendered.pictures.film);
   }
 
-  void record(const FrameReport& report) {
+  void record(const FrameReport& report, const FileRecords& files) {
     if (report.precompensation) precompensated[report.frame] = *report.precompensation;
-    finished.add(report);
+    finished.add(report, files);
     if (!settings.written) return;
-    const FrameNames& names = settings.layout.names();
-    const bool has_layer_files = names.format != PictureFormat::kExr && !settings.params.aov.empty();
-    const std::uintmax_t layers = has_layer_files ? layer_bytes(settings.folder, names, report.frame) : 0;
-    settings.written(report.frame, picture_bytes(settings.folder, names, report.frame) + layers);
+    std::uintmax_t bytes = 0;
+    for (const auto& [name, sum] : files) bytes += sum.bytes;
+    settings.written(report.frame, bytes);
   }
 
   void add_to_videos(const Image8& codes) {
@@ -145,9 +150,10 @@ FrameSink::~FrameSink() = default;
 
 void FrameSink::add(RenderedFrame rendered) {
   const auto shared = std::make_shared<RenderedFrame>(std::move(rendered));
-  impl_->queue.submit([impl = impl_.get(), shared] { impl->write(*shared); },
-                      [impl = impl_.get(), shared] {
-                        impl->record(shared->report);
+  const auto files = std::make_shared<FileRecords>();
+  impl_->queue.submit([impl = impl_.get(), shared, files] { *files = impl->write(*shared); },
+                      [impl = impl_.get(), shared, files] {
+                        impl->record(shared->report, *files);
                         impl->add_to_videos(shared->pictures.codes);
                       });
 }

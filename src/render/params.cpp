@@ -38,6 +38,17 @@ std::vector<int> frames_of(const FrameRanges& ranges) {
   return frames;
 }
 
+FrameRanges ranges_of(const std::vector<int>& frames) {
+  FrameRanges ranges;
+  for (const int frame : frames) {
+    if (!ranges.empty() && ranges.back().last + 1 == frame)
+      ranges.back().last = frame;
+    else
+      ranges.push_back({frame, frame});
+  }
+  return ranges;
+}
+
 Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes) {
   if (params.scene == kTestPattern) return test_pattern_scene();
   LoadOptions options;

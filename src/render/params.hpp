@@ -48,6 +48,9 @@ using FrameRanges = std::vector<FrameRange>;
 /// The frames of the ranges, each once, ascending.
 std::vector<int> frames_of(const FrameRanges& ranges);
 
+/// The fewest ranges of neighbours that hold these frames, which ascend.
+FrameRanges ranges_of(const std::vector<int>& frames);
+
 /// How many across and down; a 0 means "not said": it follows from the rest (render/panel_size.hpp).
 template <class T>
 struct Extent {

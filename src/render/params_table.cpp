@@ -426,8 +426,10 @@ std::vector<ParamInfo> file_rows() {
       },
       [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   return {
-      path(runs_only(row(ParamKind::kText, &P::output, text(),
-                         {"output", "Files", "DIR", "The folder that everything is written to; default out/<scene name>"}))),
+      path(runs_only(
+          row(ParamKind::kText, &P::output, text(),
+              {"output", "Files", "DIR",
+               "The folder that everything is written to; default out/<scene name>, or -2, -3, ... where another render is"}))),
       row(ParamKind::kText, &P::layout, optional_choice<PictureLayout>(kLayoutNames),
           {"layout", "Files", "LAYOUT",
            "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "

@@ -1,6 +1,7 @@
 #include "render/report.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/json_text.hpp"
@@ -131,6 +132,14 @@ Json to_json(const RenderReport& report) {
 
 std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   FrameReport frame;
+  const auto is_count = [](const Json& n, std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+    return n.is_number_integer() && n.get<std::int64_t>() >= 0 && n.get<std::int64_t>() <= most;
+  };
+  for (const char* key : {"missed_pixels", "newly_visible_pixels", "not_covered_pixels", "retraced_pixels", "reused_pixels"})
+    if (!is_count(json.at(key))) return std::nullopt;
+  for (const char* key : {"primary", "shadow", "reflection", "indirect"})
+    if (!is_count(json.at("rays").at(key))) return std::nullopt;
+  if (!is_count(json.at("frame"), std::numeric_limits<int>::max())) return std::nullopt;
   json.at("frame").get_to(frame.frame);
   json.at("kind").get_to(frame.kind);
   json.at("seconds").get_to(frame.seconds);

@@ -29,7 +29,7 @@ void check_layout(const Rendering& rendering, const std::string& where) {
 
 bool is_frame(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string(), ending = entry.path().extension().string();
-  return name.starts_with("frame_") && entry.is_regular_file() &&
+  return name.starts_with("frame_") && !entry.is_directory() &&
          (ending == ".png" || ending == ".exr" || ending == ".tif" || ending == ".tiff");
 }
 

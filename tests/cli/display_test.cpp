@@ -197,7 +197,7 @@ size = [128, 128]
   // 8 views, and 324 / 52 = 6.23 pixels below a lens across it, 6.29 along a row.
   EXPECT_NEAR(quilt["precompensation"]["crosstalk_px"].get<double>(), 0.2 * 8 / (324 / 52.0 / std::cos(std::atan(1 / 7.0))),
               1e-6);
-  const auto native = report_of(dir, teapot_on("leaky.toml", {"--precompensate", "--layout", "native"}));
+  const auto native = report_of(dir, teapot_on("leaky.toml", {"--precompensate", "--layout", "native"}, "native"));
   EXPECT_EQ(native["precompensation"]["crosstalk_px"], 0.2);
 }
 

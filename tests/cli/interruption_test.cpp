@@ -64,22 +64,6 @@ TEST(Interruption, resume_of_a_finished_render_traces_nothing) {
   EXPECT_THAT(again.out, HasSubstr("3 kept"));
 }
 
-TEST(Interruption, resume_after_other_settings_renders_anew) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a")).exit_code, 0);
-  const RunResult other = run_tool(dir, small_teapot("0-1", "a") + Words{"--resume", "--verbose", "--view-angle", "40"});
-  EXPECT_EQ(frames_said(other.err), 2u) << other.err;
-}
-
-TEST(Interruption, pictures_of_another_job_that_stay_in_the_folder_are_pointed_out) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0-2", "a")).exit_code, 0);
-  const RunResult other = run_tool(dir, small_teapot("0-1", "a") + Words{"--view-angle", "40"});
-  EXPECT_THAT(other.err, HasSubstr("warning: a holds 1 pictures that another job has made"));
-  const RunResult all = run_tool(dir, small_teapot("0-2", "a") + Words{"--view-angle", "50"});
-  EXPECT_THAT(all.err, Not(HasSubstr("warning")));
-}
-
 TEST(Interruption, resume_replaces_a_picture_that_was_damaged) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a")).exit_code, 0);

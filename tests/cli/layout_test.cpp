@@ -98,9 +98,9 @@ TEST(Layout, what_cannot_be_is_refused_before_anything_is_made) {
 
 TEST(Layout, tiff_pictures_hold_the_codes_of_png) {
   const TempDir dir;
-  rendered(dir, small_array("out"), "out");
-  rendered(dir, small_array("out") + Words{"--format", "tiff"}, "out");
-  const RunResult compared = run_tool(dir, {"compare", "out/frame_0003.png", "out/frame_0003.tif", "--json"});
+  rendered(dir, small_array("png"), "png");
+  rendered(dir, small_array("tiff") + Words{"--format", "tiff"}, "tiff");
+  const RunResult compared = run_tool(dir, {"compare", "png/frame_0003.png", "tiff/frame_0003.tif", "--json"});
   ASSERT_EQ(compared.exit_code, 0) << compared.err;
   EXPECT_TRUE(json_of(compared.out)["identical"]);
 }

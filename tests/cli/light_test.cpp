@@ -77,15 +77,15 @@ TEST(Light, shared_light_before_nothing_gives_the_same_pictures_whole_and_in_par
 TEST(Light, frames_that_are_traced_although_light_could_be_shared_say_so) {
   const TempDir dir;
   for (const Words& flags : {Words{"--aov", "direct"}, Words{"--denoise"}})
-    EXPECT_THAT(run_tool(dir, small_shared("out", "0") + flags).err, HasSubstr("no light is shared"));
+    EXPECT_THAT(run_tool(dir, small_shared(flags.back(), "0") + flags).err, HasSubstr("no light is shared"));
   for (const Words& flags : {Words{"--aov", "depth"}, Words{"--transparent"}, Words{"--reuse", "none", "--aov", "direct"}})
-    EXPECT_EQ(run_tool(dir, small_shared("out", "0") + flags).err.find("no light is shared"), std::string::npos);
+    EXPECT_EQ(run_tool(dir, small_shared(flags.front(), "0") + flags).err.find("no light is shared"), std::string::npos);
 }
 
 TEST(Light, shared_light_saves_rays_and_tells_its_error) {
   const TempDir dir;
   const auto second_frame = [&](const std::string& reuse) {
-    return report_of(dir, small_shared("out", "0-1") + Words{"--reuse", reuse}).at("frames").at(1);
+    return report_of(dir, small_shared(reuse, "0-1") + Words{"--reuse", reuse}).at("frames").at(1);
   };
   const nlohmann::json shared = second_frame("exact"), paths = second_frame("none");
   const auto rays = [](const nlohmann::json& frame) {
@@ -109,7 +109,7 @@ void expect_errors(const nlohmann::json& frame, const std::string& kind) {
 TEST(Light, every_frame_of_shared_light_tells_its_errors_and_others_tell_none) {
   const TempDir dir;
   for (const Words& goal : {Words{}, Words{"--min-psnr", "30"}, Words{"--time-budget", "0.01"}}) {
-    const nlohmann::json shared = report_of(dir, small_shared("shared", "0-2") + goal).at("frames");
+    const nlohmann::json shared = report_of(dir, small_shared(goal.empty() ? "spp" : goal.front(), "0-2") + goal).at("frames");
     EXPECT_EQ(shared.size(), 3u);
     for (const nlohmann::json& frame : shared) expect_errors(frame, "shared");
   }
@@ -191,7 +191,7 @@ TEST(Light, a_budget_of_time_makes_frames_that_tell_their_error) {
 TEST(Light, a_floor_takes_more_rays_the_higher_it_is) {
   const TempDir dir;
   const auto primary = [&](const std::string& db) {
-    return report_of(dir, small_shared("out", "1") + Words{"--min-psnr", db})
+    return report_of(dir, small_shared(db, "1") + Words{"--min-psnr", db})
         .at("frames")
         .at(0)
         .at("rays")
@@ -245,15 +245,15 @@ TEST(Light, layers_of_light_are_refused_without_paths) {
 TEST(Light, a_panorama_lights_by_its_strength) {
   const TempDir dir;
   write_panorama(dir / "sky.exr", 0.5f);
-  const Words command = small_paths("out") + Words{"--environment", "sky.exr", "--format", "exr", "--exr-pixels", "float"};
-  const auto mean_of = [&](const Words& more) {
-    EXPECT_EQ(run_tool(dir, command + more).exit_code, 0);
-    const Image film = read_image(dir / "out/frame_0000.exr");
+  const Words sky{"--environment", "sky.exr", "--format", "exr", "--exr-pixels", "float"};
+  const auto mean_of = [&](const std::string& strength) {
+    EXPECT_EQ(run_tool(dir, small_paths(strength) + sky + Words{"--environment-strength", strength}).exit_code, 0);
+    const Image film = read_image(dir / strength / "frame_0000.exr");
     double sum = 0.0;
     for (const float v : film.data) sum += static_cast<double>(v);
     return sum;
   };
-  EXPECT_LT(mean_of({"--environment-strength", "0"}), mean_of({"--environment-strength", "4"}));
+  EXPECT_LT(mean_of("0"), mean_of("4"));
 }
 
 /// A triangle: little work for any integrator.
@@ -274,7 +274,7 @@ TEST(Light, summary_report_and_info_say_which_light_was_taken) {
 }
 
 nlohmann::json settings_of(const TempDir& dir, const Words& command) {
-  return report_of(dir, command + Words{"--lenses", "4", "--frames", "0", "--output", "out"}).at("settings");
+  return report_of(dir, command + Words{"--lenses", "4", "--frames", "0"}).at("settings");
 }
 
 TEST(Light, files_of_physical_materials_are_path_traced_where_nothing_is_said) {
@@ -300,7 +300,7 @@ TEST(Light, the_summary_says_how_many_samples_were_taken_and_what_makes_less_noi
   const TempDir dir;
   write_triangle(dir / "plain.obj");
   const auto summary = [&](const Words& flags) {
-    return run_tool(dir, Words{"render", "plain.obj", "--lenses", "4", "--frames", "0", "--output", "out"} + flags).out;
+    return run_tool(dir, Words{"render", "plain.obj", "--lenses", "4", "--frames", "0"} + flags).out;
   };
   EXPECT_THAT(summary({}), HasSubstr("path traced with 16 samples a pixel; --spp 64 for less noise\n"));
   EXPECT_THAT(summary({"--spp", "64"}), HasSubstr("path traced with 64 samples a pixel\n"));
@@ -319,12 +319,11 @@ TEST(Light, a_resume_of_a_path_traced_file_is_the_same_job) {
 TEST(Light, words_and_colours_for_the_environment_are_no_paths_in_a_job) {
   const TempDir dir;
   for (const char* value : {"studio", "none", "#204060", "0.5,0.25,1"}) {
-    const Words command = small_paths("out") + Words{"--environment", value};
-    ASSERT_EQ(run_tool(dir, command).exit_code, 0) << value;
-    const std::string pictures = bytes_of(dir / "out/frame_0000.png");
-    EXPECT_THAT(bytes_of(dir / "out/job.toml"), HasSubstr(std::string("environment = \"") + value + "\""));
-    ASSERT_EQ(run_tool(dir, {"render", "out/job.toml", "--output", "again"}).exit_code, 0) << value;
-    EXPECT_EQ(bytes_of(dir / "again/frame_0000.png"), pictures) << value;
+    const std::string once = std::string("once ") + value, again = std::string("again ") + value;
+    ASSERT_EQ(run_tool(dir, small_paths(once) + Words{"--environment", value}).exit_code, 0) << value;
+    EXPECT_THAT(bytes_of(dir / once / "job.toml"), HasSubstr(std::string("environment = \"") + value + "\""));
+    ASSERT_EQ(run_tool(dir, {"render", once + "/job.toml", "--output", again}).exit_code, 0) << value;
+    EXPECT_EQ(bytes_of(dir / again / "frame_0000.png"), bytes_of(dir / once / "frame_0000.png")) << value;
   }
   expect_refusal(run_tool(dir, small_paths("out") + Words{"--environment", "#12345"}), 2,
                  "--environment: '#12345' is no colour");
@@ -383,10 +382,10 @@ TEST(Light, transparent_pictures_have_alpha_in_every_format_and_layout) {
 TEST(Light, transparent_colours_are_multiplied_by_alpha_in_exr_files_and_not_in_others) {
   const TempDir dir;
   std::ofstream(dir / "sail.obj") << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
-  const Words sail{"render", "sail.obj", "--lenses", "16", "--output", "out", "--transparent", "--spp", "4"};
-  ASSERT_EQ(run_tool(dir, sail + Words{"--format", "exr", "--exr-pixels", "float"}).exit_code, 0);
-  ASSERT_EQ(run_tool(dir, sail + Words{"--format", "png16"}).exit_code, 0);
-  const Image light = read_image(dir / "out/frame_0000.exr"), codes = read_image(dir / "out/frame_0000.png");
+  const Words sail{"render", "sail.obj", "--lenses", "16", "--transparent", "--spp", "4"};
+  ASSERT_EQ(run_tool(dir, sail + Words{"--format", "exr", "--exr-pixels", "float", "-o", "exr"}).exit_code, 0);
+  ASSERT_EQ(run_tool(dir, sail + Words{"--format", "png16", "-o", "png"}).exit_code, 0);
+  const Image light = read_image(dir / "exr/frame_0000.exr"), codes = read_image(dir / "png/frame_0000.png");
   int partly = 0;
   for (std::size_t i = 0; i < light.data.size(); i += 4) {
     const float a = light.data[i + 3];

@@ -166,7 +166,7 @@ TEST(Render, every_kind_of_optics_makes_a_picture_of_its_size) {
       {{"--optics", "multiview", "--views", "3x2", "--size", "60x40"}, {"60", "40"}},
       {{"--optics", "single", "--size", "33x21"}, {"33", "21"}}};
   for (const auto& [flags, size] : kinds) {
-    const RunResult result = run_tool(dir, Words{"render", "teapot", "--frames", "0", "--output", "o", "--json"} + flags);
+    const RunResult result = run_tool(dir, Words{"render", "teapot", "--frames", "0", "--json"} + flags);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Json optics = json_of(result.out)["optics"];
     EXPECT_EQ(optics["width"].dump(), size[0]);

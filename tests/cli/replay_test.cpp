@@ -95,7 +95,7 @@ TEST(Replay, smart_conversion_makes_pictures_for_the_displays_own_lenses) {
   expect_refusal(run_tool(dir, {"convert", "out", "a", "--spoc", "8", "--gap", "-1"}), 2, "--spoc");
   expect_refusal(run_tool(dir, {"convert", "out", "a", "--spoc", "nan"}), 2, "--spoc");
   expect_refusal(run_tool(dir, {"convert", "out", "a", "--spoc", "8", "--reference-plane", "-1"}), 2, "--reference-plane");
-  expect_refusal(run_tool(dir, {"convert", "out", "out", "--rotate-elemental"}), 2, "another folder");
+  expect_refusal(run_tool(dir, {"convert", "out", "out", "--rotate-elemental"}), 1, "another folder");
   expect_refusal(run_tool(dir, {"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}), 2, "--spoc");
 }
 

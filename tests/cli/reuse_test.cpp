@@ -74,11 +74,12 @@ TEST(Reuse, frames_that_are_missing_are_made_again_to_the_same_bytes_on_resume) 
   EXPECT_EQ(files_in(dir / "a", ".png"), whole);
 }
 
-TEST(Reuse, resume_with_another_interval_renders_anew) {
+TEST(Reuse, another_interval_is_another_render_of_which_no_frame_is_kept) {
   const TempDir dir;
   rendered(dir, interpolated("0-4", "a"), "a");
-  const RunResult other =
-      run_tool(dir, small_teapot("0-4", "a") + Words{"--reuse", "forward", "--keyframes", "2", "--resume", "--verbose"});
+  const Words shorter = small_teapot("0-4", "a") + Words{"--reuse", "forward", "--keyframes", "2", "--resume", "--verbose"};
+  expect_refusal(run_tool(dir, shorter), 1, "a: holds another render: it differs in keyframes");
+  const RunResult other = run_tool(dir, shorter + Words{"--force"});
   EXPECT_EQ(frames_said(other.err), 5u) << other.err;
 }
 
@@ -134,8 +135,8 @@ TEST(Reuse, every_kind_of_optics_is_interpolated) {
         Words{"--optics", "microlens", "--lenses", "10x6", "--lens-pixels", "5"},
         Words{"--optics", "microlens", "--packing", "hexagonal", "--lenses", "10"},
         Words{"--optics", "multiview", "--views", "3x2", "--size", "60x40"}, Words{"--optics", "single", "--size", "33x21"}}) {
-    const Json report = report_of(
-        dir, Words{"render", "teapot", "--frames", "2", "--output", "o", "--reuse", "forward", "--keyframes", "4"} + optics);
+    const Json report =
+        report_of(dir, Words{"render", "teapot", "--frames", "2", "--reuse", "forward", "--keyframes", "4"} + optics);
     const Json& frame = report["frames"][0];
     EXPECT_EQ(frame["kind"], "in-between");
     const int pixels = report["optics"]["width"].get<int>() * report["optics"]["height"].get<int>();

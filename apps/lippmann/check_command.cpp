@@ -1,0 +1,69 @@
+// `lippmann check DIR`: whether a rendered folder's files are still those that were written.
+#include <fmt/core.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/print_json.hpp"
+#include "core/printable.hpp"
+#include "render/folder_check.hpp"
+#include "render/param_text.hpp"
+#include "render/params.hpp"
+
+namespace lippmann::app {
+namespace {
+
+struct Options {
+  std::string folder;
+  bool json = false;
+};
+
+/// Of each kind a line per file, then all in one.
+void print_text(const std::string& folder, const FolderCheck& check) {
+  for (const auto& [kind, names] :
+       {std::pair("damaged", check.damaged), std::pair("missing", check.missing), std::pair("foreign", check.foreign)})
+    for (const std::string& name : names) fmt::print("{}  {}\n", kind, printable(name));
+  const std::string unfinished = write_frames(ranges_of(check.unfinished));
+  if (!unfinished.empty()) fmt::print("not rendered yet: frames {}\n", unfinished);
+  fmt::print("{}: {} files, {} frame{}; {} damaged, {} missing, {} foreign\n", folder, check.files, check.frames,
+             check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
+}
+
+int run(const Options& options) {
+  const FolderCheck check = check_folder(options.folder);
+  if (options.json)
+    print_json({{"folder", options.folder},
+                {"frames", check.frames},
+                {"files", check.files},
+                {"damaged", check.damaged},
+                {"missing", check.missing},
+                {"foreign", check.foreign},
+                {"unfinished", check.unfinished},
+                {"passed", check.passed()}});
+  else
+    print_text(options.folder, check);
+  return check.passed() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_check_command(const Command& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  const Command command = root.add_command("check", "Find files of a rendered folder that are damaged, missing or foreign");
+  command.add_option("DIR", options->folder, "The folder that a render wrote to").required();
+  command.add_flag("--json", options->json, "Print JSON on stdout");
+  command.footer(
+      "A render records size and checksum of every picture, layer, side file and video, of job.toml and report.json.\n"
+      "  damaged   has other bytes now\n"
+      "  missing   is not there\n"
+      "  foreign   is named as files of frames are, and belongs to no frame of this render\n"
+      "Exit code 1 where there is any, or where frames that were asked for are not rendered yet; else 0.\n"
+      "'lippmann render DIR/job.toml --resume' renders again what is damaged, missing or not rendered yet.\n");
+  command.when_named([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
+}
+
+}  // namespace lippmann::app

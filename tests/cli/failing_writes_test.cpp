@@ -1,0 +1,94 @@
+// Renders of which one write fails, the first, the second and so on, or all from there on: the tool says so, and no half file
+// has a final name.
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs the tool, of whose writes to files this one fails, and perhaps all that follow.
+RunResult run_failing(const TempDir& dir, const Words& arguments, int write, bool all_that_follow) {
+  const std::string failed = dir / "failed";
+  return run(Words{"/usr/bin/env", "LD_PRELOAD=" LIPPMANN_FAILING_WRITES, "LIPPMANN_FAIL_WRITE=" + std::to_string(write),
+                   "LIPPMANN_FAILED=" + failed, all_that_follow ? "LIPPMANN_FAIL_ALL=1" : "LIPPMANN_FAIL_ONE=1"} +
+                 tool_command(arguments),
+             {dir.path().string(), 0});
+}
+
+/// Below the folder, but for those that tell of times; the contents by name.
+Files files_below(const fs::path& folder) {
+  Files files;
+  if (!fs::exists(folder)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (entry.is_regular_file() && name != "report.json" && name != ".lippmann-frames.jsonl" && name != "job.toml")
+      files[entry.path().lexically_relative(folder)] = bytes_of(entry.path());
+  }
+  return files;
+}
+
+enum class Fails { kOneWrite, kAllFromThereOn };
+
+void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = Fails::kOneWrite) {
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
+  const TempDir dir;
+  const auto command = [&](const std::string& folder) {
+    Words words{"render", "teapot", "--size", "48x48", "--frames", "0-1", "-o", folder};
+    for (const std::string& word : flags) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
+    return words;
+  };
+  ASSERT_EQ(run_tool(dir, command("whole")).exit_code, 0);
+  const Files whole = files_below(dir / "whole");
+  int write = 0;
+  for (bool failed = true; failed; fs::remove_all(dir / "cut"), fs::remove(dir / "failed")) {
+    const RunResult result = run_failing(dir, command("cut"), ++write, fails == Fails::kAllFromThereOn);
+    failed = fs::exists(dir / "failed");
+    EXPECT_EQ(result.exit_code, failed ? 1 : 0) << write << ": " << result.err;
+    for (const auto& [name, bytes] : files_below(dir / "cut")) {
+      ASSERT_TRUE(whole.contains(name)) << write << ": " << name;
+      EXPECT_TRUE(whole.at(name) == bytes) << write << ": " << name;
+    }
+    if (failed && (write % 4 == 0 || fs::exists(dir / "cut/video.mkv"))) {
+      const RunResult resumed = run_tool(dir, command("cut") + Words{"--resume"});
+      EXPECT_EQ(resumed.exit_code, 0) << write << ": " << resumed.err;
+      EXPECT_EQ(run_tool(dir, {"check", "cut"}).exit_code, 0) << write;
+    }
+  }
+  EXPECT_GT(write, 8) << "no write of the pictures failed";
+}
+
+TEST(FailingWrites, of_png_are_said_and_leave_whole_files_or_none) { expect_an_error_and_whole_files_or_none({}); }
+
+TEST(FailingWrites, of_layers_are_said_and_leave_whole_files_or_none) {
+  for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
+    expect_an_error_and_whole_files_or_none({"--format", "png16", "--aov", "depth"}, fails);
+}
+
+TEST(FailingWrites, of_tiff_are_said_and_leave_whole_files_or_none) {
+  expect_an_error_and_whole_files_or_none({"--format", "tiff"});
+}
+
+TEST(FailingWrites, of_exr_are_said_and_leave_whole_files_or_none) {
+  expect_an_error_and_whole_files_or_none({"--format", "exr"});
+}
+
+TEST(FailingWrites, of_views_are_said_and_leave_whole_files_or_none) {
+  expect_an_error_and_whole_files_or_none({"--layout", "views"});
+}
+
+TEST(FailingWrites, of_quilts_are_said_and_leave_whole_files_or_none) {
+  expect_an_error_and_whole_files_or_none({"--optics", "multiview", "--views", "2x2", "--layout", "quilt"});
+}
+
+TEST(FailingWrites, of_videos_are_said_and_leave_whole_files_or_none) {
+  for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
+    expect_an_error_and_whole_files_or_none({"--video", "VIDEO"}, fails);
+}
+
+}  // namespace
+}  // namespace lippmann::test
