@@ -197,7 +197,7 @@ class LightCache {
   std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
   const Cell* parent_of(const Cell& cell) const;
   static float contradicted(const Cell& cell);
-  static float doubted(const Cell& cell);
+  static float doubted(const Cell& cell, const Cell* parent);
   static float level(const Cell& cell, const Cell* parent);
   static float outdated(const Cell& cell, const Cell& parent, float moved);
   struct Interpolated {

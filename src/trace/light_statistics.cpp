@@ -82,11 +82,13 @@ float LightCache::contradicted(const Cell& cell) {
 }
 
 /// The same, where what moves may have changed the light: its variance grows by the square of what is doubtful, as that of a
-/// Kalman filter's state does.
-float LightCache::doubted(const Cell& cell) {
-  const float light = std::max(luminance(cell.past.mean), luminance(cell.now.mean));
+/// Kalman filter's state does. How bright it is and how much samples scatter, the cell around tells: by their own samples,
+/// cells that were lucky would keep more of their past than those that were not, or less, and light would be gained or lost.
+float LightCache::doubted(const Cell& cell, const Cell* parent) {
+  const Cell& around = parent ? *parent : cell;
+  const float light = std::max(luminance(around.past.mean), luminance(around.now.mean));
   const float change = squared(std::abs(cell.doubt.light) + kChanging * cell.doubt.share * light);
-  return change > 0.0f ? cell.scatter.light / (cell.scatter.light + cell.inherited * change) : 1.0f;
+  return change > 0.0f ? around.scatter.light / (around.scatter.light + cell.inherited * change) : 1.0f;
 }
 
 /// And where a cell has moved: light is taken to change as it does from cell to cell, whose centres are half a cell from their
@@ -121,7 +123,7 @@ float LightCache::forget(const ThreadPool& pool) {
       const Doubt around = parent ? parent->doubt : Doubt{};
       cell.doubt = {glm::mix(around.light, cell.doubt_fed.light, own), glm::mix(around.share, cell.doubt_fed.share, own)};
       cell.keep = std::min(parent ? parent->keep : 1.0f, contradicted(cell));
-      cell.past.count = cell.inherited * std::min(cell.keep, doubted(cell));
+      cell.past.count = cell.inherited * std::min(cell.keep, doubted(cell, parent));
     });
   std::array<double, kShards> known{}, kept{};
   pool.for_each(kShards, [&](std::size_t s) {

@@ -43,6 +43,7 @@ LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int
   gather(met->ray.dir_x, place, to.ray.dir_x);
   gather(met->ray.dir_y, place, to.ray.dir_y);
   gather(met->ray.dir_z, place, to.ray.dir_z);
+  gather(met->ray.tnear, place, to.ray.tnear);
   gather(met->ray.tfar, place, to.ray.tfar);
   gather(met->hit.Ng_x, place, to.hit.Ng_x);
   gather(met->hit.Ng_y, place, to.hit.Ng_y);

@@ -25,6 +25,7 @@ PathRay ray_down(std::uint32_t r) {
   PathRay ray;
   ray.origin = {static_cast<float>(r % 3) - 0.5f, 0.1f, 5.0f};
   ray.direction = {0.0f, 0.0f, -1.0f};
+  ray.t_near = 0.001f * static_cast<float>(r);
   ray.pixel = r;
   return ray;
 }
@@ -42,6 +43,7 @@ TEST(PathWave, rays_come_back_once_each_with_what_they_have_hit) {
       if (!active.lane[i]) continue;
       EXPECT_TRUE(seen.insert(of[i].pixel).second) << of[i].pixel;
       EXPECT_EQ(packet.ray.org_x[i], of[i].origin.x);
+      EXPECT_EQ(packet.ray.tnear[i], of[i].t_near);
       constexpr float kDistance[] = {5.0f, 4.0f, kInfinity};
       EXPECT_FLOAT_EQ(packet.ray.tfar[i], kDistance[of[i].pixel % 3]);
       EXPECT_EQ(packet.hit.geomID[i] == kNoId, of[i].pixel % 3 == 2);
