@@ -36,7 +36,7 @@ constexpr float kStalled = 0.95f;
 constexpr double kLargestShare = 0.7;
 /// Half the allowed error is tried so often where means of patches err by too much, and kept where it leaves this much.
 constexpr int kBlockTrials = 3;
-constexpr float kHelped = 0.8f;
+constexpr float kHelpedByFiner = 0.8f;
 
 /// With fewer than kLeastSamples, what sRGB's curve makes of noise would pass for an error.
 int fewer_samples(int all, int fewer) {
@@ -257,7 +257,7 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
 void GatherMeasure::refine_for_blocks(const GatherSources& sources, GatherPlan& plan) {
   for (int trial = 0; trial < kBlockTrials && plan.expected.blocks > goal_.blocks; ++trial) {
     const FrameError finer = gather(sources, 0.5f * plan.error_alone, {});
-    if (rays_of_last_ > kLargestShare * rays_of_paths_ || finer.blocks > kHelped * plan.expected.blocks) return;
+    if (rays_of_last_ > kLargestShare * rays_of_paths_ || finer.blocks > kHelpedByFiner * plan.expected.blocks) return;
     plan.error = plan.error_alone = 0.5f * plan.error_alone;
     plan.expected = finer;
   }

@@ -20,8 +20,6 @@ constexpr float kSharp = 4.0f;
 /// Cells of fewer samples are not asked.
 constexpr float kLeastSamples = 2.0f;
 
-float squared(float x) { return x * x; }
-
 bool is_visible(float light, float difference) {
   return code_of(kAlbedo * (light + 0.5f * difference)) - code_of(kAlbedo * light) > kVisible;
 }
@@ -35,7 +33,7 @@ LightCache::Bend LightCache::bend(const Cell& cell, const Cell& before, const Ce
   const float chance =
       before.scatter.light / before.samples + after.scatter.light / after.samples + 4.0f * cell.scatter.light / cell.samples;
   if (!(is_visible(around, difference))) return Bend::kNone;
-  return squared(difference) > squared(kSharp) * chance ? Bend::kSharp : Bend::kPerhaps;
+  return difference * difference > kSharp * kSharp * chance ? Bend::kSharp : Bend::kPerhaps;
 }
 
 /// The largest of the 13 directions in which there are neighbours on both sides.

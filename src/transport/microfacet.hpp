@@ -40,6 +40,8 @@ struct Ggx {
   }
 };
 
+inline float squared(float x) { return x * x; }
+
 /// (1 - cosine)^5.
 inline float schlick_weight(float cosine) {
   const float m = std::clamp(1.0f - cosine, 0.0f, 1.0f), squared = m * m;
