@@ -111,7 +111,7 @@ std::string benchmarks_help() {
   std::string text = "Benchmarks, and the options that each of them takes besides --threads and --json:\n";
   for (const bench::Benchmark& benchmark : bench::benchmarks()) {
     std::string flags;
-    for (const std::string_view flag : benchmark.options) flags += " " + std::string(flag);
+    for (const std::string_view flag : benchmark.options) flags.append(" ").append(flag);
     text += fmt::format("  {:<10} {}\n", benchmark.name, benchmark.description);
     if (!flags.empty()) text += fmt::format("  {:<10}{}\n", "", flags);
   }
