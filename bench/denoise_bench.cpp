@@ -17,10 +17,11 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kReferenceSamples = 2048, kQuickReferenceSamples = 64, kRowShare = 16, kQuickRowShare = 4;
+constexpr int kDenoiseReferenceSamples = 2048, kQuickDenoiseReferenceSamples = 64, kDenoiseRowShare = 16,
+              kQuickDenoiseRowShare = 4;
 constexpr std::uint32_t kReferenceSeed = 77;
 
-struct Measured {
+struct MeasuredNoise {
   double psnr_db, flicker, cpu_seconds;
 };
 
@@ -29,13 +30,13 @@ class DenoiseCase {
   DenoiseCase(RenderParams params, int frame, const Request& request, const ThreadPool& pool, const Context& context)
       : params_(std::move(params)), frame_(frame), pool_(pool), context_(context), stage_(params_, pool, context) {
     const Optics& optics = stage_.placed.optics;
-    rows_ = rows_to_compare(optics, request.quick ? kQuickRowShare : kRowShare);
+    rows_ = rows_to_compare(optics, request.quick ? kQuickDenoiseRowShare : kDenoiseRowShare);
     triples_ = neighbouring_views(optics, rows_);
     RenderParams converged = params_;
     converged.seed = kReferenceSeed;
     converged.spp = request.reference_spp > 0 ? request.reference_spp
-                    : request.quick           ? kQuickReferenceSamples
-                                              : kReferenceSamples;
+                    : request.quick           ? kQuickDenoiseReferenceSamples
+                                              : kDenoiseReferenceSamples;
     LightReferences references(
         stage_, converged, rows_,
         request.references.empty() ? default_reference_folder() : std::filesystem::path(request.references), pool, context,
@@ -48,7 +49,7 @@ class DenoiseCase {
     return view_flicker(frames, triples_) - view_flicker({mean_of(reference_[0])}, triples_);
   }
 
-  Measured measure(int spp, bool denoise) {
+  MeasuredNoise measure(int spp, bool denoise) {
     RenderParams params = params_;
     params.spp = spp, params.denoise = denoise;
     const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, params, pool_, context_);
@@ -93,7 +94,7 @@ Report measure_denoise(const Request& request, const Context& context) {
       DenoiseCase bench(params, scene.frame, request, pool, context);
       for (const int spp : {4, 16, 64}) {
         begin_step(request, context, fmt::format("denoise: {} {}, {} spp", scene.name, quilt ? "quilt" : "integral", spp));
-        const Measured noisy = bench.measure(spp, false), denoised = bench.measure(spp, true);
+        const MeasuredNoise noisy = bench.measure(spp, false), denoised = bench.measure(spp, true);
         if (spp <= 16 && !request.quick && !(denoised.psnr_db > noisy.psnr_db))
           throw Error("bench denoise", fmt::format("{} at {} samples is farther from the truth than before", scene.name, spp));
         ++report.passed_checks;

@@ -12,7 +12,7 @@ namespace {
 constexpr float kViewHeight = 1.8f;
 constexpr float kPixel = kViewHeight / 120.0f;  ///< in the plane of the array
 
-void look_into_room(Scene& scene) { look_at(scene, {0.0f, 0.9f, 0.0f}, 0.0f, radians(6.0f), kViewHeight, 3.6f); }
+void look_into_detailed_room(Scene& scene) { look_at(scene, {0.0f, 0.9f, 0.0f}, 0.0f, radians(6.0f), kViewHeight, 3.6f); }
 
 /// A straight rod, `pixels` wide.
 Mesh rod(Vec3f from, Vec3f to, float pixels) {
@@ -75,7 +75,7 @@ Scene thin_things() {
     const float step = static_cast<float>(i);
     show(scene, sagging_wire(1.75f - 0.07f * step, 0.3f - 0.2f * step, 0.25f + 0.15f * step), dark, wires);
   }
-  look_into_room(scene);
+  look_into_detailed_room(scene);
   return scene;
 }
 
@@ -103,7 +103,7 @@ Scene textured_room() {
   squares.base_color_map.matrix = glm::mat2(24.0f, 0.0f, 0.0f, 12.0f);
   show(scene, builtin::uv_sphere(0.3f, 48, 24), add_textured(scene, squares, checker({0.8f, 0.75f, 0.2f}, {0.1f, 0.3f, 0.1f})),
        slider);
-  look_into_room(scene);
+  look_into_detailed_room(scene);
   return scene;
 }
 

@@ -12,7 +12,7 @@ void add_post(Scene& scene) {
   show(scene, box_mesh({0.0f, 0.6f, -0.4f}, {0.2f, 1.2f, 0.2f}), add_material(scene, matte({0.3f, 0.4f, 0.7f})));
 }
 
-void look_into_room(Scene& scene) { look_at(scene, {0.0f, 0.95f, -0.2f}, 0.0f, radians(8.0f), 2.1f, 3.6f); }
+void look_into_lamp_room(Scene& scene) { look_at(scene, {0.0f, 0.95f, -0.2f}, 0.0f, radians(8.0f), 2.1f, 3.6f); }
 
 /// Around the post in 16 frames: 0.3 m a frame.
 Vec3f place_on_flight(float frame) {
@@ -29,7 +29,7 @@ Scene fast_lamp() {
   const int lamp = add_node(scene, -1);
   move(scene, lamp, place_on_flight);
   add_ball_lamp(scene, 0.1f, Vec3f(38.0f, 35.0f, 28.0f), lamp);
-  look_into_room(scene);
+  look_into_lamp_room(scene);
   return scene;
 }
 
@@ -40,7 +40,7 @@ Scene fast_point_light() {
   const int light = add_node(scene, -1);
   move(scene, light, place_on_flight);
   add_point_light(scene, Vec3f(1.3f, 1.2f, 1.0f), light);
-  look_into_room(scene);
+  look_into_lamp_room(scene);
   return scene;
 }
 
@@ -52,7 +52,7 @@ Scene tiny_lamp() {
   const int box = add_node(scene, -1, {-0.75f, 0.25f, -0.1f});
   turn(scene, box, kUp, [](float frame) { return radians(8.0f) * frame; });
   show(scene, box_mesh(Vec3f(0.0f), {0.6f, 0.5f, 0.3f}), add_material(scene, matte({0.7f, 0.6f, 0.2f})), box);
-  look_into_room(scene);
+  look_into_lamp_room(scene);
   return scene;
 }
 
@@ -71,7 +71,7 @@ Scene flashing_lamps() {
   const int ball = add_node(scene, -1);
   move(scene, ball, [](float frame) { return Vec3f(-1.2f + 0.15f * frame, 0.35f, 0.1f); });
   add_ball_lamp(scene, 0.12f, Vec3f(5.0f, 8.0f, 14.0f), ball);
-  look_into_room(scene);
+  look_into_lamp_room(scene);
   return scene;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 void add_ceiling_lamp(Scene& scene) { add_lamp(scene, {0.0f, 1.98f, 0.2f}, 0.35f, Vec3f(12.0f, 11.3f, 10.0f)); }
 
-void look_into_room(Scene& scene) { look_at(scene, {0.0f, 0.8f, 0.0f}, radians(4.0f), radians(10.0f), 1.8f, 3.6f); }
+void look_into_ball_room(Scene& scene) { look_at(scene, {0.0f, 0.8f, 0.0f}, radians(4.0f), radians(10.0f), 1.8f, 3.6f); }
 
 Mesh ball(float radius) { return builtin::uv_sphere(radius, 48, 24); }
 
@@ -31,7 +31,7 @@ Scene mirror_walls() {
   turn(scene, roller, {0.0f, 0.0f, -1.0f}, [](float frame) { return kStep / kRadius * frame; });
   show(scene, ball(kRadius), add_textured(scene, matte(Vec3f(1.0f)), checker({0.8f, 0.2f, 0.1f}, {0.8f, 0.7f, 0.5f})), roller);
   show(scene, box_mesh({0.6f, 0.5f, -0.7f}, {0.25f, 1.0f, 0.25f}), add_material(scene, matte({0.2f, 0.5f, 0.6f})));
-  look_into_room(scene);
+  look_into_ball_room(scene);
   return scene;
 }
 
@@ -49,7 +49,7 @@ Scene glass_things() {
   const int turner = add_node(scene, -1, {0.7f, 0.45f, -0.3f});
   turn(scene, turner, kUp, [](float frame) { return radians(6.0f) * frame; });
   show(scene, box_mesh(Vec3f(0.0f), {0.5f, 0.9f, 0.4f}), glass, turner);
-  look_into_room(scene);
+  look_into_ball_room(scene);
   return scene;
 }
 

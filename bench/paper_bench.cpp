@@ -10,6 +10,7 @@
 #include "bench/paper_summary.hpp"
 #include "bench/paper_tables.hpp"
 #include "bench/reuse_run.hpp"
+#include "bench/rounded_json.hpp"
 #include "bench/timing.hpp"
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kRepetitions = 5;
+constexpr int kPaperRepetitions = 5;
 
 std::vector<ReuseMethod> forward_methods(RenderParams params) {
   params.reuse = Reuse::kForward;
@@ -36,10 +37,6 @@ std::vector<ReuseMethod> forward_methods(RenderParams params) {
   return methods;
 }
 
-Json finite_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(rounded(*value)) : Json(nullptr);
-}
-
 Json row_of(const ReuseRun& run) {
   const double frames = static_cast<double>(run.frames.size());
   return {{"scene", run.scene},
@@ -49,9 +46,9 @@ Json row_of(const ReuseRun& run) {
           {"traced_ms", rounded(1e3 * run.traced_seconds() / frames)},
           {"saving_in_between", rounded(run.saving_in_between())},
           {"saving_total", rounded(run.saving())},
-          {"psnr_db", finite_or_null(run.mean_psnr())},
-          {"moving_psnr_db", finite_or_null(run.mean_moving_psnr())},
-          {"blend_psnr_db", finite_or_null(run.mean_blend_psnr())},
+          {"psnr_db", rounded_or_null(run.mean_psnr())},
+          {"moving_psnr_db", rounded_or_null(run.mean_moving_psnr())},
+          {"blend_psnr_db", rounded_or_null(run.mean_blend_psnr())},
           {"ssim", rounded(run.mean_ssim())},
           {"missed", rounded(run.missed_share())}};
 }
@@ -70,9 +67,9 @@ Json frames_of(const ReuseRun& run) {
                         {"frame", frame.frame},
                         {"mse", errors(frame.likeness.mse)},
                         {"rmse", errors(frame.likeness.rmse)},
-                        {"psnr_db", finite_or_null(frame.likeness.psnr_db)},
-                        {"moving_psnr_db", finite_or_null(frame.moving_psnr)},
-                        {"blend_psnr_db", finite_or_null(frame.blend_psnr)},
+                        {"psnr_db", rounded_or_null(frame.likeness.psnr_db)},
+                        {"moving_psnr_db", rounded_or_null(frame.moving_psnr)},
+                        {"blend_psnr_db", rounded_or_null(frame.blend_psnr)},
                         {"missed_pixels", frame.missed_pixels}});
   return frames;
 }
@@ -112,7 +109,7 @@ class StyleTimer {
     TraceParams trace = trace_params(params_, stage_.scene);
     trace.order = order;
     std::vector<double> all;
-    for (int i = 0; i < kRepetitions; ++i) all.push_back(1e3 * second_run([&] { work(trace); }));
+    for (int i = 0; i < kPaperRepetitions; ++i) all.push_back(1e3 * second_run([&] { work(trace); }));
     return median(all);
   }
 
@@ -145,9 +142,9 @@ Json reproduced_json(const std::vector<Reproduced>& rows) {
     all.push_back({{"scene", row.scene},
                    {"keyframes", row.keyframes},
                    {"saving_total", rounded(row.saving)},
-                   {"paper_saving", finite_or_null(row.paper_saving)},
-                   {"psnr_db", finite_or_null(row.psnr_db)},
-                   {"paper_psnr_db", finite_or_null(row.paper_psnr_db)},
+                   {"paper_saving", rounded_or_null(row.paper_saving)},
+                   {"psnr_db", rounded_or_null(row.psnr_db)},
+                   {"paper_psnr_db", rounded_or_null(row.paper_psnr_db)},
                    {"reproduced", row.verdict()}});
   return all;
 }

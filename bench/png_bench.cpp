@@ -20,7 +20,7 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kSize = 512, kLensPixels = 8;
+constexpr int kPngSize = 512, kLensPixels = 8;
 
 struct Ball {
   Vec3f center;  // pixels; z: how far a view moves it
@@ -59,9 +59,9 @@ enum class Kind { kView, kIntegral, kNoisyIntegral };
 
 /// One directional view, or 64 lenses of 8 pixels, or these with the noise of few path-traced samples.
 Image8 make_picture(Kind kind) {
-  Image film(kSize, kSize, 3);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
+  Image film(kPngSize, kPngSize, 3);
+  for (int y = 0; y < kPngSize; ++y)
+    for (int x = 0; x < kPngSize; ++x) {
       const int lens = x / kLensPixels;
       const Vec3f color = kind == Kind::kView ? shade(x + 0.5f, y + 0.5f, 0.0f)
                                               : shade((lens + 0.5f) * kLensPixels, y + 0.5f, x % kLensPixels - 3.5f);

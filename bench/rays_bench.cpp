@@ -21,7 +21,7 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kRepetitions = 7;
+constexpr int kRaysRepetitions = 7;
 void shade_strip(const PacketSource& source, int strip, WhittedTracer& tracer) {
   RayHitPacket packet;
   LaneMask active;
@@ -59,7 +59,7 @@ struct Times {
   double bare_primary = 0, primary = 0, bare_all = 0, whitted = 0;
 };
 
-struct Measured {
+struct MeasuredRays {
   std::uint64_t primary_rays = 0, all_rays = 0;
   Times median_times;
   double primary_ratio = 0, whitted_ratio = 0;
@@ -74,11 +74,11 @@ class RayBench {
         max_depth_(stage.scene.max_depth),
         film_(stage.placed.optics.panel.width, stage.placed.optics.panel.height, 3) {}
 
-  Measured measure() {
-    Measured result;
+  MeasuredRays measure() {
+    MeasuredRays result;
     std::vector<double> primary_ratios, whitted_ratios;
     std::vector<Times> all;
-    for (int repetition = -1; repetition < kRepetitions; ++repetition) {
+    for (int repetition = -1; repetition < kRaysRepetitions; ++repetition) {
       Times times;
       result.primary_rays = result.all_rays = 0;
       for (int strip = 0; strip < source_.strips(); ++strip) measure_strip(strip, times, result);
@@ -120,7 +120,7 @@ class RayBench {
   }
 
  private:
-  void measure_strip(int strip, Times& times, Measured& result) {
+  void measure_strip(int strip, Times& times, MeasuredRays& result) {
     WhittedTracer tracer(scene_, beam_, max_depth_, film_);
     log_.clear();
     tracer.log_to(&log_);
@@ -164,7 +164,7 @@ Report measure_rays(const Request& request, const Context& context) {
         RayBench bench(stage, world_from_array, order);
         bench.check();
         ++report.passed_checks;
-        const Measured m = bench.measure();
+        const MeasuredRays m = bench.measure();
         report.rows.push_back(
             {{"scene", setup.name},
              {"order", to_string(order)},

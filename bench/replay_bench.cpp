@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "bench/benchmarks.hpp"
+#include "bench/rounded_json.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
 #include "core/error.hpp"
@@ -125,28 +126,24 @@ double psnr_where(const Image8& a, const Image8& b, const Wanted& wanted) {
   return count > 0 ? psnr_db(sum / static_cast<double>(count)) : kInfinity;
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(rounded(value)) : nlohmann::ordered_json(nullptr);
-}
-
 nlohmann::ordered_json row_of(const std::string& name, const ReplayBench& bench, Vec3d eye, const DirectView& truth,
                               const DepthOrder& order) {
   const Image8 seen = to_codes(bench.replayed(bench.recorded(), eye), Encoding::kSrgb);
   const Image8 direct = to_codes(truth.film, Encoding::kSrgb);
   nlohmann::ordered_json row{{"optics", name}, {"eye_x_mm", rounded(eye.x)}, {"eye_y_mm", rounded(eye.y)}};
-  row["psnr_db"] = number(psnr_where(seen, direct, [](std::size_t) { return true; }));
+  row["psnr_db"] = rounded_or_null(psnr_where(seen, direct, [](std::size_t) { return true; }));
   const double budget = depth_budget_mm(bench.optics());
   const std::array<const char*, 4> names{"quarter_db", "half_db", "budget_db", "beyond_db"};
   double begin = 0.0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double first = begin * budget, last = kLayerEnds[i] * budget;
-    row[names[i]] = number(psnr_where(seen, direct, [&](std::size_t pixel) {
+    row[names[i]] = rounded_or_null(psnr_where(seen, direct, [&](std::size_t pixel) {
       const double z = std::abs(truth.depth.data[pixel]);
       return z >= first && z < last;
     }));
     begin = kLayerEnds[i];
   }
-  row["behind_order_db"] = number(order.behind_db), row["front_order_db"] = number(order.front_db);
+  row["behind_order_db"] = rounded_or_null(order.behind_db), row["front_order_db"] = rounded_or_null(order.front_db);
   return row;
 }
 

@@ -7,6 +7,7 @@
 
 #include "bench/benchmarks.hpp"
 #include "bench/reuse_run.hpp"
+#include "bench/rounded_json.hpp"
 #include "bench/tachyon_animation.hpp"
 #include "bench/timing.hpp"
 
@@ -27,10 +28,6 @@ std::vector<ReuseMethod> reuse_methods(RenderParams params) {
   return {exact, {fmt::format("forward, {:.0f} dB", kFloor), params}};
 }
 
-Json finite_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(rounded(*value)) : Json(nullptr);
-}
-
 /// psnr_db: of the frames that differ from the traced ones, null where none does. tachyon_ratio: how many times as long the
 /// program tachyon takes for as many pixels.
 Json row_of(const ReuseRun& run, std::optional<double> tachyon_seconds) {
@@ -45,10 +42,10 @@ Json row_of(const ReuseRun& run, std::optional<double> tachyon_seconds) {
           {"saving_in_between", rounded(run.saving_in_between())},
           {"saving_total", rounded(run.saving())},
           {"tachyon_ratio", ratio},
-          {"psnr_db", finite_or_null(run.mean_psnr())},
-          {"min_psnr_db", finite_or_null(run.min_psnr())},
-          {"moving_psnr_db", finite_or_null(run.mean_moving_psnr())},
-          {"blend_psnr_db", finite_or_null(run.mean_blend_psnr())},
+          {"psnr_db", rounded_or_null(run.mean_psnr())},
+          {"min_psnr_db", rounded_or_null(run.min_psnr())},
+          {"moving_psnr_db", rounded_or_null(run.mean_moving_psnr())},
+          {"blend_psnr_db", rounded_or_null(run.mean_blend_psnr())},
           {"ssim", rounded(run.mean_ssim())}};
 }
 

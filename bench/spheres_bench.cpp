@@ -19,7 +19,7 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kRepetitions = 9;
+constexpr int kSpheresRepetitions = 9;
 
 struct LogEntry {
   RayPacket rays;
@@ -128,7 +128,7 @@ Report measure_spheres(const Request& request, const Context& context) {
       ++report.passed_checks;
 
       std::vector<double> our_times, their_times, ratios;
-      for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+      for (int repetition = 0; repetition < kSpheresRepetitions; ++repetition) {
         our_times.push_back(seconds_to_trace(ours, impl.native_width, packets));
         their_times.push_back(seconds_to_trace(theirs, impl.native_width, packets));
         ratios.push_back(their_times.back() / our_times.back());

@@ -18,8 +18,8 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kRepetitions = 5;
-constexpr int kSize = 512, kTinySize = 8;
+constexpr int kTachyonRepetitions = 5;
+constexpr int kTachyonSize = 512, kTachyonTinySize = 8;
 
 double tachyon_seconds(const std::filesystem::path& scene, int size) {
   const std::string pixels = std::to_string(size);
@@ -40,7 +40,7 @@ class OurFrame {
  private:
   static RenderParams with_optics(RenderParams params, OpticsKind optics) {
     params.optics = optics;
-    if (optics == OpticsKind::kSingle) params.size = {kSize, kSize};
+    if (optics == OpticsKind::kSingle) params.size = {kTachyonSize, kTachyonSize};
     return params;
   }
 
@@ -54,14 +54,16 @@ nlohmann::ordered_json measure_scene(const BenchScene& setup, const ThreadPool& 
   OurFrame single(setup.params, OpticsKind::kSingle, pool, context);
   OurFrame integral(setup.params, OpticsKind::kLenticular, pool, context);
   std::vector<double> theirs, ours_single, ours_integral, single_ratios, integral_ratios;
-  for (int repetition = 0; repetition < kRepetitions; ++repetition) {
-    theirs.push_back(tachyon_seconds(setup.params.scene, kSize) - tachyon_seconds(setup.params.scene, kTinySize));
+  for (int repetition = 0; repetition < kTachyonRepetitions; ++repetition) {
+    theirs.push_back(tachyon_seconds(setup.params.scene, kTachyonSize) - tachyon_seconds(setup.params.scene, kTachyonTinySize));
     ours_single.push_back(single.seconds());
     ours_integral.push_back(integral.seconds());
     single_ratios.push_back(theirs.back() / ours_single.back());
     integral_ratios.push_back(theirs.back() / ours_integral.back());
   }
-  const auto ns_per_pixel = [](const std::vector<double>& times) { return rounded(1e9 * median(times) / (kSize * kSize)); };
+  const auto ns_per_pixel = [](const std::vector<double>& times) {
+    return rounded(1e9 * median(times) / (kTachyonSize * kTachyonSize));
+  };
   return {{"scene", setup.name},
           {"tachyon_ns_per_pixel", ns_per_pixel(theirs)},
           {"single_ns_per_pixel", ns_per_pixel(ours_single)},

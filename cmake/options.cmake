@@ -21,6 +21,18 @@ if(LIPPMANN_SANITIZE)
   target_compile_definitions(lippmann_options INTERFACE LIPPMANN_NO_MULTIVERSION)
 endif()
 
+# lippmann_may_join(TARGET): with LIPPMANN_UNITY, the sources of TARGET are compiled twelve at a time, which reads each header once
+# for all of them. A file of twelve is not so long that the last one to compile holds up the others.
+function(lippmann_may_join target)
+  if(LIPPMANN_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # GCC takes the joined files for headers, in which members of types of unnamed namespaces would be a mistake.
+      target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    endif()
+  endif()
+endfunction()
+
 # lippmann_part(NAME SOURCES ... DEPENDS ... PRIVATE_DEPENDS ...): the static library lippmann_NAME, alias lippmann::NAME.
 function(lippmann_part name)
   cmake_parse_arguments(PART "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
@@ -28,6 +40,7 @@ function(lippmann_part name)
   add_library(lippmann::${name} ALIAS lippmann_${name})
   target_link_libraries(lippmann_${name} PUBLIC lippmann_options ${PART_DEPENDS} PRIVATE ${PART_PRIVATE_DEPENDS})
   lippmann_use_precompiled(lippmann_${name} lippmann_common_headers)
+  lippmann_may_join(lippmann_${name})
 endfunction()
 
 # lippmann_test(NAME SOURCES ... DEPENDS ...): one GoogleTest program, its tests known to ctest under their own names.

@@ -20,7 +20,7 @@
 namespace lippmann::app {
 namespace {
 
-struct Options {
+struct BenchOptions {
   std::string name;
   bench::Request request;
   int threads = 0;
@@ -101,7 +101,7 @@ std::string flags_of(const bench::Benchmark& benchmark) {
 }
 
 /// A flag that a benchmark does not take would be ignored without a word.
-void refuse_foreign_flags(const bench::Benchmark& benchmark, const Options& options) {
+void refuse_foreign_flags(const bench::Benchmark& benchmark, const BenchOptions& options) {
   for (const auto& [name, flag] : options.own)
     if (flag.given() && std::find(benchmark.options.begin(), benchmark.options.end(), name) == benchmark.options.end())
       throw usage_error(name, fmt::format("is not an option of bench {}", benchmark.name), flags_of(benchmark));
@@ -118,7 +118,7 @@ std::string benchmarks_help() {
   return text;
 }
 
-int run(const Options& options, Context& context) {
+int run(const BenchOptions& options, Context& context) {
   const bench::Benchmark& benchmark = find_benchmark(options.name);
   refuse_foreign_flags(benchmark, options);
   context.threads = options.threads;
@@ -142,7 +142,7 @@ int run(const Options& options, Context& context) {
 }  // namespace
 
 void add_bench_command(const Command& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchOptions>();
   bench::Request& request = options->request;
   request.say = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
   const Command command = root.add_command("bench", "Measure speed on this machine, after checking the results");

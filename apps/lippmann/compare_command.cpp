@@ -20,7 +20,7 @@
 namespace lippmann::app {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::string reference, test, csv, plot, frames;
   int threads = 0;
   bool json = false;
@@ -30,7 +30,7 @@ void write_text(const std::string& path, const std::string& text) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-int run(const Options& options, Context& context) {
+int run(const CompareOptions& options, Context& context) {
   const NewFolder csv_folder(std::filesystem::path(options.csv).parent_path());
   const NewFolder plot_folder(std::filesystem::path(options.plot).parent_path());
   for (const std::string& path : {options.csv, options.plot})
@@ -49,7 +49,7 @@ int run(const Options& options, Context& context) {
 }  // namespace
 
 void add_compare_command(const Command& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   const Command command =
       root.add_command("compare", "Print MSE, RMSE, PSNR and SSIM of pictures, folders of frames or videos, frame by frame");
   command.add_option("REFERENCE", options->reference, "The reference: a picture, a folder or a video").required();

@@ -19,7 +19,7 @@
 namespace lippmann::app {
 namespace {
 
-struct Options {
+struct ConvertOptions {
   std::string in, out, from, to, views, quilt, crop, keep, display, filter;
   double aspect = 0.0, sigma = 0.0;
   int bits = 0;
@@ -33,7 +33,7 @@ ViewFilter read_filter(const std::string& word) {
   return word == "gaussian" ? ViewFilter::kGaussian : ViewFilter::kNearest;
 }
 
-ConvertParams params_of(const Options& options) {
+ConvertParams params_of(const ConvertOptions& options) {
   ConvertParams params;
   params.from = options.from, params.to = options.to;
   params.options.views = read_grid(options.views, "--views");
@@ -48,7 +48,7 @@ ConvertParams params_of(const Options& options) {
   return params;
 }
 
-int run(const Options& options, const Context& context) {
+int run(const ConvertOptions& options, const Context& context) {
   require_no_render(options.out);
   if (options.orthoscopic.are_given())
     return run_orthoscopic(options.orthoscopic, options.in, options.out, options.json, context);
@@ -86,7 +86,7 @@ std::string formats_help() {
 }  // namespace
 
 void add_convert_command(const Command& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   const Command command = root.add_command("convert", "Convert light fields from one format to another, without loss");
   command.add_option("IN", options->in, "A picture or folder in the input format, or a folder of several: frame_0000, ...")
       .required();

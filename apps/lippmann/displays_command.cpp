@@ -15,7 +15,7 @@
 namespace lippmann::app {
 namespace {
 
-struct Options {
+struct DisplaysOptions {
   std::string display;
   bool json = false;
 };
@@ -62,7 +62,7 @@ void print_details(const Display& d) {
                d.video.quilts ? "" : "; quilts as pictures only");
 }
 
-int run(const Options& options) {
+int run(const DisplaysOptions& options) {
   const bool one = !options.display.empty();
   const std::vector<Display> displays = one ? std::vector{load_display(options.display)} : display_presets();
   if (options.json) {
@@ -80,7 +80,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_displays_command(const Command& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DisplaysOptions>();
   const Command command = root.add_command("displays", "List the known displays, or describe one of them");
   command.add_option("DISPLAY", options->display, "A name from the list, a display's .toml, or a calibration's .json");
   command.add_flag("--json", options->json, "Print JSON on stdout");

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr int kEncoderThreads = 4;
 constexpr double kUsualRate = 25.0;
 
-struct Options {
+struct EncodeOptions {
   std::string from, out, codec, frames;
   std::optional<int> crf;
   std::optional<double> fps;
@@ -35,19 +35,19 @@ struct Options {
 };
 
 /// As said, or as the report beside the frames says.
-double rate_of(const Options& options, const std::vector<NumberedFrame>& frames) {
+double rate_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   if (options.fps) return *options.fps;
   const std::optional<Rendering> rendering = rendering_of(frames.front().path);
   return rendering ? rendering->frames_per_second.value_or(kUsualRate) : kUsualRate;
 }
 
 /// All of the folder's, or those that are said; none of them may be missing.
-std::vector<NumberedFrame> wanted_frames(const Options& options) {
+std::vector<NumberedFrame> wanted_frames(const EncodeOptions& options) {
   if (options.frames.empty()) return find_frames(options.from);
   return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));
 }
 
-int run(const Options& options, Context& context) {
+int run(const EncodeOptions& options, Context& context) {
   VideoOptions video{.rate = {}, .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
   if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
   const std::vector<NumberedFrame> frames = wanted_frames(options);
@@ -73,7 +73,7 @@ int run(const Options& options, Context& context) {
 }  // namespace
 
 void add_encode_command(const Command& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EncodeOptions>();
   const Command command = root.add_command("encode", "Make a video of finished frames");
   command.add_option("FROM", options->from, "A folder of frame_0000.png, ..., or a pattern: dir/view_%03d.png, 'dir/*.png'")
       .required();

@@ -13,12 +13,12 @@
 namespace lippmann::app {
 namespace {
 
-struct Options {
+struct InfoOptions {
   ParamFlags flags;
   bool json = false;
 };
 
-int run(const Options& options, const Context& context) {
+int run(const InfoOptions& options, const Context& context) {
   const SceneInfo info = describe_scene(with_scene_defaults(options.flags.read()), context);
   if (options.json)
     print_json(to_json(info));
@@ -30,7 +30,7 @@ int run(const Options& options, const Context& context) {
 }  // namespace
 
 void add_info_command(const Command& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoOptions>();
   const Command command = root.add_command("info", "Describe a scene and how the lens array is fitted to it");
   add_param_flags(
       command, options->flags,

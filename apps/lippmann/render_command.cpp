@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct RenderOptions {
   ParamFlags flags;
   std::string dump_job, also, progress, program;
   bool force = false;
@@ -183,7 +183,7 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
 }
 
 /// Says what a render would make, and makes nothing.
-void plan_only(const RenderParams& params, const Options& options, Context& context) {
+void plan_only(const RenderParams& params, const RenderOptions& options, Context& context) {
   RenderObserver observer;
   observer.force = options.force;
   observer.only_plan = true;
@@ -191,14 +191,14 @@ void plan_only(const RenderParams& params, const Options& options, Context& cont
   render_animation(params, context, observer);
 }
 
-RenderProgressKind progress_kind(const Options& options) {
+RenderProgressKind progress_kind(const RenderOptions& options) {
   if (options.quiet) return RenderProgressKind::kNone;
   if (options.verbose) return RenderProgressKind::kVerbose;
   return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
 }
 
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
-RenderReport render(const RenderParams& params, const Options& options, Context& context) {
+RenderReport render(const RenderParams& params, const RenderOptions& options, Context& context) {
   std::optional<RenderProgress> progress;
   Planned planned;
   RenderObserver observer;
@@ -217,7 +217,7 @@ RenderReport render(const RenderParams& params, const Options& options, Context&
   return report;
 }
 
-int run(const Options& options, Context& context) {
+int run(const RenderOptions& options, Context& context) {
   if (options.quiet && (options.verbose || !options.progress.empty()))
     throw usage_error("--quiet", "and --verbose or --progress ask for opposites", "one of them");
   if (options.verbose && !options.progress.empty())
@@ -237,7 +237,7 @@ int run(const Options& options, Context& context) {
 }  // namespace
 
 void add_render_command(const Command& root, Action& chosen, const std::string& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   options->program = program;
   const Command command = root.add_command("render", "Render a scene's animation as integral images");
   add_param_flags(command, options->flags);

@@ -17,7 +17,7 @@
 namespace lippmann::app {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   ReplayParams params;
   std::string in, report, from, views, quilt, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
   std::vector<double> eye;
@@ -49,7 +49,7 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
   return stack;
 }
 
-ReplayParams params_of(const Options& options) {
+ReplayParams params_of(const ReplayOptions& options) {
   ReplayParams params = options.params;
   params.in = options.in, params.field.report = options.report, params.field.from = options.from;
   params.field.views = read_grid(options.views, "--views"), params.field.tiles = read_grid(options.quilt, "--quilt");
@@ -76,7 +76,7 @@ void print_result(const Replayed& result) {
   print_json({{"eye_mm", eye}, {"out_of_zone", result.out_of_zone}, {"files", files}});
 }
 
-int run(const Options& options, Context& context) {
+int run(const ReplayOptions& options, Context& context) {
   context.threads = options.threads;
   const Replayed result = replay(params_of(options), context);
   if (options.json)
@@ -87,7 +87,7 @@ int run(const Options& options, Context& context) {
   return 0;
 }
 
-void add_eye_flags(const Command& command, Options& options) {
+void add_eye_flags(const Command& command, ReplayOptions& options) {
   const Command group = command.add_group("Eye");
   group
       .add_option("--eye", options.eye,
@@ -111,7 +111,7 @@ void add_eye_flags(const Command& command, Options& options) {
       .type_name("WxH");
 }
 
-void add_refocus_flags(const Command& command, Options& options) {
+void add_refocus_flags(const Command& command, ReplayOptions& options) {
   const Command group = command.add_group("Refocusing");
   group.add_option("--refocus", options.params.refocus_mm, "Refocus at this depth; positive depths are in front of the lenses")
       .type_name("MM");
@@ -127,7 +127,7 @@ void add_refocus_flags(const Command& command, Options& options) {
       .type_name("COLUMN");
 }
 
-void add_source_flags(const Command& command, Options& options) {
+void add_source_flags(const Command& command, ReplayOptions& options) {
   const Command group = command.add_group("Light fields that no report.json describes");
   group.add_option("--from", options.from, "The format of IN, as `lippmann convert --help` lists them; default: by its name")
       .type_name("FORMAT");
@@ -143,7 +143,7 @@ void add_source_flags(const Command& command, Options& options) {
 }  // namespace
 
 void add_replay_command(const Command& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayOptions>();
   const Command command = root.add_command("replay", "Show what an eye sees of a light field on its display, and refocus it");
   command.footer("Lengths are in millimetres of the display, whose lens plane is z = 0; see docs/replay.md.");
   command

@@ -23,6 +23,7 @@ inline constexpr float kPi = std::numbers::pi_v<float>;
 
 inline constexpr float radians(float degrees) { return degrees * (kPi / 180.0f); }
 inline constexpr float degrees(float radians) { return radians * (180.0f / kPi); }
+inline constexpr float squared(float x) { return x * x; }
 
 /// p -> linear * p + translation.
 struct Affine3f {

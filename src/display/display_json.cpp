@@ -5,22 +5,22 @@
 namespace lippmann {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json calibration_json(const Calibration& c) {
-  Json json{{"pitch", c.pitch},
-            {"slope", c.slope},
-            {"center", c.center},
-            {"invView", c.invert},
-            {"flipImageX", c.flip_image_x},
-            {"flipImageY", c.flip_image_y},
-            {"flipSubp", c.flip_sub_pixels},
-            {"verticalAngle", c.vertical_angle_deg},
-            {"fringe", c.fringe},
-            {"CellPatternMode", c.cell_pattern},
-            {"patterns", c.patterns == Calibration::Patterns::kColumns ? "columns" : "rows"},
-            {"inversion", c.inversion == Calibration::Inversion::kAlways ? "always" : "if-flagged"}};
-  json["subpixelCells"] = Json::array();
+OrderedJson calibration_json(const Calibration& c) {
+  OrderedJson json{{"pitch", c.pitch},
+                   {"slope", c.slope},
+                   {"center", c.center},
+                   {"invView", c.invert},
+                   {"flipImageX", c.flip_image_x},
+                   {"flipImageY", c.flip_image_y},
+                   {"flipSubp", c.flip_sub_pixels},
+                   {"verticalAngle", c.vertical_angle_deg},
+                   {"fringe", c.fringe},
+                   {"CellPatternMode", c.cell_pattern},
+                   {"patterns", c.patterns == Calibration::Patterns::kColumns ? "columns" : "rows"},
+                   {"inversion", c.inversion == Calibration::Inversion::kAlways ? "always" : "if-flagged"}};
+  json["subpixelCells"] = OrderedJson::array();
   for (const SubPixelCell& cell : c.cells)
     json["subpixelCells"].push_back({{"ROffsetX", cell[0].x},
                                      {"ROffsetY", cell[0].y},
@@ -31,7 +31,7 @@ Json calibration_json(const Calibration& c) {
   return json;
 }
 
-Json lenses_json(const DisplayLenses& lenses) {
+OrderedJson lenses_json(const DisplayLenses& lenses) {
   return {{"pitch_mm", lenses.pitch_mm},
           {"lenses_per_inch", 25.4 / lenses.pitch_mm},
           {"slant_deg", lenses.slant_deg},
@@ -40,18 +40,18 @@ Json lenses_json(const DisplayLenses& lenses) {
 
 }  // namespace
 
-Json display_json(const Display& d) {
-  Json json{{"name", d.name},
-            {"description", d.description},
-            {"kind", to_string(d.kind)},
-            {"serials", d.serials},
-            {"pixels", {d.pixels.x, d.pixels.y}},
-            {"dpi", d.dpi},
-            {"size_mm", {d.size_mm().x, d.size_mm().y}},
-            {"views", views_of(d)},
-            {"view_cone_deg", d.view_cone_deg},
-            {"viewing_distance_mm", viewing_distance_mm(d)},
-            {"depth_budget_mm", depth_budget_mm(native_optics(d))}};
+OrderedJson display_json(const Display& d) {
+  OrderedJson json{{"name", d.name},
+                   {"description", d.description},
+                   {"kind", to_string(d.kind)},
+                   {"serials", d.serials},
+                   {"pixels", {d.pixels.x, d.pixels.y}},
+                   {"dpi", d.dpi},
+                   {"size_mm", {d.size_mm().x, d.size_mm().y}},
+                   {"views", views_of(d)},
+                   {"view_cone_deg", d.view_cone_deg},
+                   {"viewing_distance_mm", viewing_distance_mm(d)},
+                   {"depth_budget_mm", depth_budget_mm(native_optics(d))}};
   if (d.kind == DisplayKind::kSlantedPanel) {
     json["calibration"] = calibration_json(d.calibration);
     json["periods"] = periods_of(d);

@@ -63,9 +63,9 @@ void prepare_library() {
   });
 }
 
-class Decoder {
+class ExrDecoder {
  public:
-  Decoder(FileBytes file, const std::string& where) : bytes_(file), input_(file), where_(where) {
+  ExrDecoder(FileBytes file, const std::string& where) : bytes_(file), input_(file), where_(where) {
     prepare_library();
     check_exr_headers(file, where);
     file_.emplace(input_, 0, false);
@@ -147,12 +147,12 @@ auto without_foreign_exceptions(const std::string& where, const Decode& decode) 
 bool is_exr(FileBytes file) { return file.size() >= 4 && std::memcmp(file.data(), "\x76\x2f\x31\x01", 4) == 0; }
 
 PictureHeader exr_header(FileBytes file, const std::string& where) {
-  return without_foreign_exceptions(where, [&] { return Decoder(file, where).header(); });
+  return without_foreign_exceptions(where, [&] { return ExrDecoder(file, where).header(); });
 }
 
 DecodedPicture decode_exr(FileBytes file, const std::string& where) {
   return without_foreign_exceptions(where, [&] {
-    Decoder decoder(file, where);
+    ExrDecoder decoder(file, where);
     return DecodedPicture{decoder.header(), decoder.samples()};
   });
 }

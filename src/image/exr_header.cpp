@@ -49,9 +49,9 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kSizes{{
 }};
 
 /// Bytes that are read from the front. What is asked for and is not there is a truncated header.
-class Input {
+class HeaderInput {
  public:
-  Input(FileBytes bytes, const std::string& where) : rest_(bytes), where_(where) {}
+  HeaderInput(FileBytes bytes, const std::string& where) : rest_(bytes), where_(where) {}
 
   bool empty() const { return rest_.empty(); }
   bool begins_with_zero() const { return !rest_.empty() && rest_.front() == std::byte{0}; }
@@ -88,18 +88,18 @@ class Input {
   const std::string& where_;
 };
 
-bool is_channel_list(Input value) {
+bool is_channel_list(HeaderInput value) {
   constexpr std::uint64_t kChannelBytes = 16;
   while (!value.text().empty()) value.bytes(kChannelBytes);
   return value.empty();
 }
 
-bool is_list_of_texts(Input value) {
+bool is_list_of_texts(HeaderInput value) {
   while (!value.empty()) value.bytes(value.size());
   return true;
 }
 
-bool is_preview(Input value) {
+bool is_preview(HeaderInput value) {
   const auto width = value.number<std::uint32_t>(), height = value.number<std::uint32_t>();
   if (width > kMaxImageSide || height > kMaxImageSide) return false;
   value.bytes(std::uint64_t{4} * width * height);
@@ -110,9 +110,9 @@ bool is_preview(Input value) {
 bool fits_type(std::string_view type, FileBytes value, const std::string& where) {
   const auto fixed = std::find_if(kSizes.begin(), kSizes.end(), [&](const auto& known) { return known.first == type; });
   if (fixed != kSizes.end()) return value.size() == fixed->second;
-  if (type == "chlist") return is_channel_list(Input(value, where));
-  if (type == "stringvector") return is_list_of_texts(Input(value, where));
-  if (type == "preview") return is_preview(Input(value, where));
+  if (type == "chlist") return is_channel_list(HeaderInput(value, where));
+  if (type == "stringvector") return is_list_of_texts(HeaderInput(value, where));
+  if (type == "preview") return is_preview(HeaderInput(value, where));
   if (type == "floatvector") return value.size() % sizeof(float) == 0;
   return type == "string" || !Imf::Attribute::knownType(type.data());
 }
@@ -143,7 +143,7 @@ struct PartSize {
   }
 };
 
-std::uint64_t read_chunks_of_part(Input& input, const std::string& where) {
+std::uint64_t read_chunks_of_part(HeaderInput& input, const std::string& where) {
   PartSize size;
   for (std::string_view name = input.text(); !name.empty(); name = input.text()) {
     const std::string_view type = input.text();
@@ -159,7 +159,7 @@ std::uint64_t read_chunks_of_part(Input& input, const std::string& where) {
 
 void check_exr_headers(FileBytes file, const std::string& where) {
   constexpr std::uint64_t kMagicAndVersion = 8, kPlaceBytes = 8;
-  Input input(file, where);
+  HeaderInput input(file, where);
   const bool several = std::to_integer<int>(input.bytes(kMagicAndVersion)[5]) & 0x10;
   std::uint64_t chunks = 0;
   do chunks += read_chunks_of_part(input, where);

@@ -17,15 +17,15 @@
 namespace lippmann {
 namespace {
 
-constexpr unsigned char kMagic[] = {0xff, 0xd8, 0xff};
+constexpr unsigned char kJpegMagic[] = {0xff, 0xd8, 0xff};
 
 /// A block of 8 x 8 samples takes at least one bit.
 constexpr std::uint64_t kMostSamplesPerByte = 8 * 64;
 constexpr int kMostScans = 200;
 
-class Decoder {
+class JpegDecoder {
  public:
-  Decoder(FileBytes file, const std::string& where) : file_(file), where_(where) {
+  JpegDecoder(FileBytes file, const std::string& where) : file_(file), where_(where) {
     jpeg_.err = jpeg_std_error(&errors_);
     jpeg_.client_data = this;
     errors_.error_exit = &on_error;
@@ -33,9 +33,9 @@ class Decoder {
     errors_.output_message = [](j_common_ptr) {};
     progress_.progress_monitor = &on_progress;
   }
-  ~Decoder() { jpeg_destroy_decompress(&jpeg_); }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
+  ~JpegDecoder() { jpeg_destroy_decompress(&jpeg_); }
+  JpegDecoder(const JpegDecoder&) = delete;
+  JpegDecoder& operator=(const JpegDecoder&) = delete;
 
   PictureHeader header() {
     if (!read_header()) throw unreadable_picture(where_, reason_);
@@ -58,9 +58,9 @@ class Decoder {
   }
 
  private:
-  static Decoder& of(j_common_ptr jpeg) { return *static_cast<Decoder*>(jpeg->client_data); }
+  static JpegDecoder& of(j_common_ptr jpeg) { return *static_cast<JpegDecoder*>(jpeg->client_data); }
   [[noreturn]] static void fail(j_common_ptr jpeg, const char* text) {
-    Decoder& decoder = of(jpeg);
+    JpegDecoder& decoder = of(jpeg);
     std::strncpy(decoder.reason_, text, sizeof decoder.reason_ - 1);
     std::longjmp(decoder.back_, 1);
   }
@@ -119,12 +119,14 @@ class Decoder {
 
 }  // namespace
 
-bool is_jpeg(FileBytes file) { return file.size() >= sizeof kMagic && std::memcmp(file.data(), kMagic, sizeof kMagic) == 0; }
+bool is_jpeg(FileBytes file) {
+  return file.size() >= sizeof kJpegMagic && std::memcmp(file.data(), kJpegMagic, sizeof kJpegMagic) == 0;
+}
 
-PictureHeader jpeg_header(FileBytes file, const std::string& where) { return Decoder(file, where).header(); }
+PictureHeader jpeg_header(FileBytes file, const std::string& where) { return JpegDecoder(file, where).header(); }
 
 DecodedPicture decode_jpeg(FileBytes file, const std::string& where) {
-  Decoder decoder(file, where);
+  JpegDecoder decoder(file, where);
   const PictureHeader header = decoder.header();
   return {header, decoder.samples(header)};
 }

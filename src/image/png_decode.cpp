@@ -1,5 +1,5 @@
 // PNG, by libpng. Its errors jump: what lies between setjmp() and them has no destructors, and everything that owns memory
-// lives in the Decoder around it.
+// lives in the PngDecoder around it.
 #include <png.h>
 
 #include <csetjmp>
@@ -11,11 +11,11 @@
 namespace lippmann {
 namespace {
 
-constexpr unsigned char kMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr unsigned char kPngMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-class Decoder {
+class PngDecoder {
  public:
-  Decoder(FileBytes file, const std::string& where) : rest_(file), size_(file.size()), where_(where) {
+  PngDecoder(FileBytes file, const std::string& where) : rest_(file), size_(file.size()), where_(where) {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &on_error, &on_warning);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
     if (!info_) {
@@ -27,9 +27,9 @@ class Decoder {
     constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // profiles and texts, which are not used
     png_set_chunk_malloc_max(png_, kMaxChunk);
   }
-  ~Decoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
+  ~PngDecoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngDecoder(const PngDecoder&) = delete;
+  PngDecoder& operator=(const PngDecoder&) = delete;
 
   PictureHeader header() {
     if (!read_header()) throw unreadable_picture(where_, reason_);
@@ -53,15 +53,15 @@ class Decoder {
   }
 
  private:
-  static Decoder& of(png_structp png) { return *static_cast<Decoder*>(png_get_error_ptr(png)); }
+  static PngDecoder& of(png_structp png) { return *static_cast<PngDecoder*>(png_get_error_ptr(png)); }
   [[noreturn]] static void on_error(png_structp png, png_const_charp text) {
-    Decoder& decoder = of(png);
+    PngDecoder& decoder = of(png);
     std::strncpy(decoder.reason_, text, sizeof decoder.reason_ - 1);
     std::longjmp(decoder.back_, 1);
   }
   static void on_warning(png_structp, png_const_charp) {}
   static void on_read(png_structp png, png_bytep to, std::size_t count) {
-    Decoder& decoder = *static_cast<Decoder*>(png_get_io_ptr(png));
+    PngDecoder& decoder = *static_cast<PngDecoder*>(png_get_io_ptr(png));
     if (count > decoder.rest_.size()) png_error(png, "the file is truncated");
     std::memcpy(to, decoder.rest_.data(), count);
     decoder.rest_ = decoder.rest_.subspan(count);
@@ -100,12 +100,14 @@ class Decoder {
 
 }  // namespace
 
-bool is_png(FileBytes file) { return file.size() >= sizeof kMagic && std::memcmp(file.data(), kMagic, sizeof kMagic) == 0; }
+bool is_png(FileBytes file) {
+  return file.size() >= sizeof kPngMagic && std::memcmp(file.data(), kPngMagic, sizeof kPngMagic) == 0;
+}
 
-PictureHeader png_header(FileBytes file, const std::string& where) { return Decoder(file, where).header(); }
+PictureHeader png_header(FileBytes file, const std::string& where) { return PngDecoder(file, where).header(); }
 
 DecodedPicture decode_png(FileBytes file, const std::string& where) {
-  Decoder decoder(file, where);
+  PngDecoder decoder(file, where);
   const PictureHeader header = decoder.header();
   if (header.kind == SampleKind::kWord) return {header, decoder.samples<std::uint16_t>(header)};
   return {header, decoder.samples<std::uint8_t>(header)};

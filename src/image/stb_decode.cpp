@@ -31,12 +31,12 @@ struct Freed {
   void operator()(void* p) const { stbi_image_free(p); }
 };
 
-class Input {
+class StbInput {
  public:
-  explicit Input(FileBytes file) : rest_(file) {}
+  explicit StbInput(FileBytes file) : rest_(file) {}
 
   static int read(void* user, char* to, int size) {
-    Input& input = *static_cast<Input*>(user);
+    StbInput& input = *static_cast<StbInput*>(user);
     const auto wanted = static_cast<std::size_t>(std::max(size, 0)), there = std::min(wanted, input.rest_.size());
     std::memcpy(to, input.rest_.data(), there);
     input.rest_ = input.rest_.subspan(there);
@@ -47,12 +47,12 @@ class Input {
     return size;
   }
   static void skip(void* user, int count) {
-    Input& input = *static_cast<Input*>(user);
+    StbInput& input = *static_cast<StbInput*>(user);
     const auto wanted = static_cast<std::size_t>(std::max(count, 0)), there = std::min(wanted, input.rest_.size());
     input.rest_ = input.rest_.subspan(there);
     input.truncated_ = input.truncated_ || there < wanted;
   }
-  static int at_end(void* user) { return static_cast<Input*>(user)->rest_.empty(); }
+  static int at_end(void* user) { return static_cast<StbInput*>(user)->rest_.empty(); }
 
   bool truncated() const { return truncated_; }
 
@@ -85,8 +85,8 @@ std::uint64_t pixels_of(const Shape& shape) {
 /// `load` is one of stb_image's functions that read through callbacks.
 template <class Sample, class Load>
 DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader header, const Load& load) {
-  constexpr stbi_io_callbacks kCallbacks{&Input::read, &Input::skip, &Input::at_end};
-  Input input(file);
+  constexpr stbi_io_callbacks kCallbacks{&StbInput::read, &StbInput::skip, &StbInput::at_end};
+  StbInput input(file);
   Shape shape;
   const std::unique_ptr<Sample[], Freed> samples(load(&kCallbacks, &input, &shape.width, &shape.height, &shape.channels, 0));
   if (input.truncated()) throw unreadable_picture(where, "the file is truncated");

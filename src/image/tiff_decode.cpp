@@ -38,9 +38,9 @@ struct Layout {
   std::size_t block_channels() const { return planes == PLANARCONFIG_SEPARATE ? 1 : channels; }
 };
 
-class Decoder {
+class TiffDecoder {
  public:
-  Decoder(FileBytes file, const std::string& where) : file_(file), where_(where) {
+  TiffDecoder(FileBytes file, const std::string& where) : file_(file), where_(where) {
     const std::unique_ptr<TIFFOpenOptions, OptionsDeleter> options(TIFFOpenOptionsAlloc());
     if (!options) throw std::bad_alloc();
     constexpr tmsize_t kMaxAllocation = tmsize_t{1} << 30;
@@ -77,13 +77,13 @@ class Decoder {
 
  private:
   static int on_error(TIFF*, void* user, const char*, const char* format, va_list arguments) {
-    Decoder& decoder = *static_cast<Decoder*>(user);
+    TiffDecoder& decoder = *static_cast<TiffDecoder*>(user);
     if (decoder.reason_[0] == 0) std::vsnprintf(decoder.reason_.data(), decoder.reason_.size(), format, arguments);
     return 1;
   }
   static int on_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
   static tmsize_t on_read(thandle_t user, void* to, tmsize_t count) {
-    Decoder& decoder = *static_cast<Decoder*>(user);
+    TiffDecoder& decoder = *static_cast<TiffDecoder*>(user);
     const std::uint64_t there = decoder.at_ < decoder.file_.size() ? decoder.file_.size() - decoder.at_ : 0;
     const auto taken = std::min<std::uint64_t>(there, static_cast<std::uint64_t>(std::max<tmsize_t>(count, 0)));
     if (taken > 0) std::memcpy(to, decoder.file_.data() + decoder.at_, taken);
@@ -93,12 +93,12 @@ class Decoder {
   }
   static tmsize_t on_write(thandle_t, void*, tmsize_t) { return 0; }
   static toff_t on_seek(thandle_t user, toff_t offset, int whence) {
-    Decoder& decoder = *static_cast<Decoder*>(user);
+    TiffDecoder& decoder = *static_cast<TiffDecoder*>(user);
     const std::uint64_t from = whence == SEEK_SET ? 0 : whence == SEEK_CUR ? decoder.at_ : decoder.file_.size();
     return decoder.at_ = from + offset;
   }
   static int on_close(thandle_t) { return 0; }
-  static toff_t on_size(thandle_t user) { return static_cast<Decoder*>(user)->file_.size(); }
+  static toff_t on_size(thandle_t user) { return static_cast<TiffDecoder*>(user)->file_.size(); }
   static int on_map(thandle_t, void**, toff_t*) { return 0; }
   static void on_unmap(thandle_t, void*, toff_t) {}
 
@@ -228,10 +228,10 @@ bool is_tiff(FileBytes file) {
   return begins("II*\0") || begins("MM\0*") || begins("II+\0") || begins("MM\0+");
 }
 
-PictureHeader tiff_header(FileBytes file, const std::string& where) { return Decoder(file, where).header(); }
+PictureHeader tiff_header(FileBytes file, const std::string& where) { return TiffDecoder(file, where).header(); }
 
 DecodedPicture decode_tiff(FileBytes file, const std::string& where) {
-  Decoder decoder(file, where);
+  TiffDecoder decoder(file, where);
   return {decoder.header(), decoder.samples()};
 }
 

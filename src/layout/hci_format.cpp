@@ -73,7 +73,7 @@ void read_depth(const fs::path& folder, const HciParameters& parameters, LightFi
   }
 }
 
-LightField read(const fs::path& folder, const FormatOptions& options) {
+LightField read_hci(const fs::path& folder, const FormatOptions& options) {
   static const TextPattern name("input_Cam([0-9]{1,6})\\.[^.]+");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "input_Cam000.png, input_Cam001.png, ...");
   const int count = static_cast<int>(files.size());
@@ -127,7 +127,7 @@ void write_depth(const LightField& field, const fs::path& folder, HciParameters&
   }
 }
 
-std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions&) {
+std::vector<fs::path> write_hci(const LightField& field, const fs::path& folder, const FormatOptions&) {
   std::optional<HciParameters> parameters;
   if (field.cameras) parameters = hci_parameters(field, folder.string());
   const char* ending = exact_ending(field.stack);
@@ -145,9 +145,10 @@ std::vector<fs::path> write(const LightField& field, const fs::path& folder, con
 }  // namespace
 
 LightFieldFormat hci_format() {
-  return {"hci", "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left; cameras, depth, disparity",
-          true,  true,
-          read,  write};
+  return {
+      "hci",    "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left; cameras, depth, disparity",
+      true,     true,
+      read_hci, write_hci};
 }
 
 }  // namespace lippmann

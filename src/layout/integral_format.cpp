@@ -14,12 +14,12 @@ ViewGrid said_views(const fs::path& path, const FormatOptions& options) {
 }
 
 template <LayoutKind kind>
-LightField read(const fs::path& path, const FormatOptions& options) {
+LightField read_integral(const fs::path& path, const FormatOptions& options) {
   return read_packed(path, {kind, said_views(path, options), {}}, options.with_depth);
 }
 
 template <LayoutKind kind>
-std::vector<fs::path> write(const LightField& field, const fs::path& path, const FormatOptions&) {
+std::vector<fs::path> write_integral(const LightField& field, const fs::path& path, const FormatOptions&) {
   return write_packed(field, {kind, field.grid, {}}, path);
 }
 
@@ -30,8 +30,8 @@ LightFieldFormat integral_format() {
           "what lies behind a lens array; --views: pixels below each lens",
           false,
           false,
-          read<LayoutKind::kIntegral>,
-          write<LayoutKind::kIntegral>};
+          read_integral<LayoutKind::kIntegral>,
+          write_integral<LayoutKind::kIntegral>};
 }
 
 LightFieldFormat eslf_format() {
@@ -39,8 +39,8 @@ LightFieldFormat eslf_format() {
           "plenoptic camera: view (u, v) from the top left is every N-th pixel from (u, v); --views 14x14 and the like",
           false,
           false,
-          read<LayoutKind::kEslf>,
-          write<LayoutKind::kEslf>};
+          read_integral<LayoutKind::kEslf>,
+          write_integral<LayoutKind::kEslf>};
 }
 
 }  // namespace lippmann

@@ -22,7 +22,7 @@ std::uint16_t rescaled(std::uint16_t code, int from_highest, int to_highest) {
   return static_cast<std::uint16_t>((code * static_cast<std::uint32_t>(to_highest) + from / 2) / from);
 }
 
-LightField read(const fs::path& folder, const FormatOptions&) {
+LightField read_jpeg_pleno(const fs::path& folder, const FormatOptions&) {
   static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.ppm");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "000_000.ppm, 000_001.ppm, ...");
   const ViewGrid grid = complete_grid(folder, files);
@@ -60,7 +60,7 @@ PpmCodes codes_of(const Picture& picture, int bits) {
   return ppm;
 }
 
-std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions& options) {
+std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& folder, const FormatOptions& options) {
   if (std::holds_alternative<Image>(field.stack))
     throw Error(folder.string(), "PPM holds codes, and the samples are floats", "pictures of 8 or 16 bits");
   const int own_bits = std::holds_alternative<Image8>(field.stack) ? 8 : 16;
@@ -78,8 +78,12 @@ std::vector<fs::path> write(const LightField& field, const fs::path& folder, con
 }  // namespace
 
 LightFieldFormat jpeg_pleno_format() {
-  return {"jpeg-pleno", "JPEG Pleno's folder: {row}_{column}.ppm, from the top left; --bits of its codes", true, false, read,
-          write};
+  return {"jpeg-pleno",
+          "JPEG Pleno's folder: {row}_{column}.ppm, from the top left; --bits of its codes",
+          true,
+          false,
+          read_jpeg_pleno,
+          write_jpeg_pleno};
 }
 
 }  // namespace lippmann

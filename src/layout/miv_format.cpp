@@ -90,7 +90,7 @@ void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, L
   }
 }
 
-LightField read(const fs::path& folder, const FormatOptions& options) {
+LightField read_miv(const fs::path& folder, const FormatOptions& options) {
   std::vector<MivCamera> cameras = read_cameras(folder / "cameras.json");
   if (cameras.empty()) throw Error((folder / "cameras.json").string(), "has no cameras");
   sort_as_views(cameras);
@@ -132,7 +132,7 @@ Image16 depth_codes(const LightField& field, int view, const DepthRange& range) 
   return codes;
 }
 
-std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions&) {
+std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder, const FormatOptions&) {
   if (!field.cameras)
     throw Error(folder.string(), "it is not known what cameras saw these views",
                 "pictures with render's report.json beside them, or an HCI folder with parameters.cfg");
@@ -158,8 +158,9 @@ std::vector<fs::path> write(const LightField& field, const fs::path& folder, con
 }  // namespace
 
 LightFieldFormat miv_format() {
-  return {"miv", "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth", true, true, read,
-          write};
+  return {"miv",    "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth",
+          true,     true,
+          read_miv, write_miv};
 }
 
 }  // namespace lippmann

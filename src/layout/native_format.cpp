@@ -21,7 +21,7 @@ const Display& said_display(const FormatOptions& options) {
 }
 
 /// As many views as are said, else those of the display's quilt, of its tiles' size.
-LightField read(const fs::path& path, const FormatOptions& options) {
+LightField read_native(const fs::path& path, const FormatOptions& options) {
   const Display& display = said_display(options);
   const DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
   const int count = options.views ? options.views->count() : quilt.columns * quilt.rows;
@@ -35,7 +35,7 @@ LightField read(const fs::path& path, const FormatOptions& options) {
   return field;
 }
 
-std::vector<fs::path> write(const LightField& field, const fs::path& path, const FormatOptions& options) {
+std::vector<fs::path> write_native(const LightField& field, const fs::path& path, const FormatOptions& options) {
   const InterlaceParams params{options.filter.value_or(ViewFilter::kNearest), options.sigma_views.value_or(0.5)};
   write_picture(path, interlace(field, said_display(options), params, all_threads()));
   return {path};
@@ -44,8 +44,9 @@ std::vector<fs::path> write(const LightField& field, const fs::path& path, const
 }  // namespace
 
 LightFieldFormat native_format() {
-  return {"native", "the frame of a slanted panel, each sub-pixel of its own view; --display: which panel", false, false, read,
-          write};
+  return {"native",    "the frame of a slanted panel, each sub-pixel of its own view; --display: which panel",
+          false,       false,
+          read_native, write_native};
 }
 
 }  // namespace lippmann

@@ -48,7 +48,7 @@ void turn_round(LightField& field) {
   }
 }
 
-LightField read(const fs::path& path, const FormatOptions& options) {
+LightField read_quilt(const fs::path& path, const FormatOptions& options) {
   const Quilt quilt = described(path, options);
   const ViewGrid grid = options.views.value_or(ViewGrid{quilt.views, 1});
   if (grid.count() != quilt.views)
@@ -71,7 +71,7 @@ ViewGrid tiles_for(const LightField& field, const FormatOptions& options) {
   return field.grid.rows > 1 ? field.grid : squarest_tiles(count);
 }
 
-std::vector<fs::path> write(const LightField& field, const fs::path& path, const FormatOptions& options) {
+std::vector<fs::path> write_quilt(const LightField& field, const fs::path& path, const FormatOptions& options) {
   const QuiltName quilt{tiles_for(field, options), options.aspect.value_or(field.aspect)};
   const fs::path named = with_quilt_name(path, quilt);
   std::vector<fs::path> written = write_packed(field, {LayoutKind::kQuilt, field.grid, quilt.tiles}, named);
@@ -83,8 +83,9 @@ std::vector<fs::path> write(const LightField& field, const fs::path& path, const
 }  // namespace
 
 LightFieldFormat quilt_format() {
-  return {"quilt", "views side by side, the first at the bottom left (Looking Glass); --quilt: tiles", false, false, read,
-          write};
+  return {"quilt",    "views side by side, the first at the bottom left (Looking Glass); --quilt: tiles",
+          false,      false,
+          read_quilt, write_quilt};
 }
 
 }  // namespace lippmann

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-LightField read(const fs::path& folder, const FormatOptions&) {
+LightField read_stanford(const fs::path& folder, const FormatOptions&) {
   static const TextPattern name("out_([0-9]{1,5})_([0-9]{1,5})(?:_.*)?\\.(?:png|jpg|exr|ppm|tif|tiff)");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "out_00_00_<y>_<x>.png, ...");
   const ViewGrid grid = complete_grid(folder, files);
@@ -23,7 +23,7 @@ LightField read(const fs::path& folder, const FormatOptions&) {
   return read_view_files(by_view, grid);
 }
 
-std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions&) {
+std::vector<fs::path> write_stanford(const LightField& field, const fs::path& folder, const FormatOptions&) {
   const char* ending = exact_ending(field.stack);
   return write_view_files(field, folder, [&](int view) {
     const int row = field.grid.rows - 1 - view / field.grid.columns, column = view % field.grid.columns;
@@ -36,8 +36,9 @@ std::vector<fs::path> write(const LightField& field, const fs::path& folder, con
 }  // namespace
 
 LightFieldFormat stanford_format() {
-  return {"stanford", "the Stanford archive's folder: out_{row}_{column}_{y}_{x}.png, from the top left", true, true, read,
-          write};
+  return {"stanford",    "the Stanford archive's folder: out_{row}_{column}_{y}_{x}.png, from the top left",
+          true,          true,
+          read_stanford, write_stanford};
 }
 
 }  // namespace lippmann

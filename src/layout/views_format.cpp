@@ -22,7 +22,7 @@ void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
   }
 }
 
-LightField read(const fs::path& folder, const FormatOptions& options) {
+LightField read_views(const fs::path& folder, const FormatOptions& options) {
   static const TextPattern name("view_([0-9]{1,6})\\.[^.]+");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "view_000.png, view_001.png, ...");
   const int first = files.front().numbers[0], count = static_cast<int>(files.size());
@@ -39,7 +39,7 @@ LightField read(const fs::path& folder, const FormatOptions& options) {
   return field;
 }
 
-std::vector<fs::path> write(const LightField& field, const fs::path& folder, const FormatOptions&) {
+std::vector<fs::path> write_views(const LightField& field, const fs::path& folder, const FormatOptions&) {
   const char* ending = exact_ending(field.stack);
   return write_view_files(field, folder, [&](int view) { return fmt::format("view_{:03}.{}", view, ending); });
 }
@@ -47,8 +47,9 @@ std::vector<fs::path> write(const LightField& field, const fs::path& folder, con
 }  // namespace
 
 LightFieldFormat views_format() {
-  return {"views", "a folder of view_000.png, ...; from left to right, then upwards; --views: across and up", true, false, read,
-          write};
+  return {"views",    "a folder of view_000.png, ...; from left to right, then upwards; --views: across and up",
+          true,       false,
+          read_views, write_views};
 }
 
 }  // namespace lippmann

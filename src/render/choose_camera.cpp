@@ -13,16 +13,16 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoCamera = static_cast<std::size_t>(-1);
 
 /// Names first: a camera may be called "1".
 std::size_t find_camera(const std::vector<std::string>& names, const std::string& wanted) {
   const auto named = std::find(names.begin(), names.end(), wanted);
   if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
-  std::size_t index = kNone;
+  std::size_t index = kNoCamera;
   const char* const end = wanted.data() + wanted.size();
   const auto [rest, failure] = std::from_chars(wanted.data(), end, index);
-  return failure == std::errc{} && rest == end && index < names.size() ? index : kNone;
+  return failure == std::errc{} && rest == end && index < names.size() ? index : kNoCamera;
 }
 
 Error no_such_camera(const std::vector<std::string>& names, const std::string& wanted) {
@@ -83,7 +83,7 @@ void choose_camera(Scene& scene, const std::string& wanted) {
   if (wanted.empty()) return;
   const std::vector<std::string> names = camera_names(scene);
   const std::size_t chosen = find_camera(names, wanted);
-  if (chosen == kNone) throw no_such_camera(names, wanted);
+  if (chosen == kNoCamera) throw no_such_camera(names, wanted);
   const auto at = scene.cameras.begin() + static_cast<std::ptrdiff_t>(chosen);
   std::rotate(scene.cameras.begin(), at, at + 1);
   scene.display.reset();

@@ -8,16 +8,16 @@
 namespace lippmann {
 namespace {
 
-constexpr const char* kFlag = "--denoise";
+constexpr const char* kDenoiseFlag = "--denoise";
 
 }  // namespace
 
 void check_denoise(const RenderParams& params) {
   if (!params.denoise) return;
   if (integrator_of(params) != Integrator::kPath)
-    throw usage_error(kFlag, "only paths have noise", "--integrator path with it");
+    throw usage_error(kDenoiseFlag, "only paths have noise", "--integrator path with it");
   if (samples_per_pixel(params) < 2)
-    throw usage_error(kFlag, "the noise of one sample cannot be told", "--spp of 2 or more with it");
+    throw usage_error(kDenoiseFlag, "the noise of one sample cannot be told", "--spp of 2 or more with it");
 }
 
 DenoisedFrames::DenoisedFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
@@ -25,7 +25,7 @@ DenoisedFrames::DenoisedFrames(Stage& stage, const RenderParams& params, const T
       params_(params),
       pool_(pool),
       context_(context),
-      denoiser_(stage.placed.optics, film_layout(stage.placed.optics, kFlag)) {}
+      denoiser_(stage.placed.optics, film_layout(stage.placed.optics, kDenoiseFlag)) {}
 
 RenderedFrame DenoisedFrames::make(int frame) {
   while (!traced_.empty() && traced_.begin()->first < frame - 1) traced_.erase(traced_.begin());

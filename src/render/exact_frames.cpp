@@ -7,7 +7,7 @@ namespace lippmann {
 namespace {
 
 // Reuse that saves less than this share of the time is given up for a while, a longer one each time.
-constexpr double kLeastSaving = 0.02;
+constexpr double kLeastSpanSaving = 0.02;
 constexpr int kLongestRest = 256;
 
 }  // namespace
@@ -71,7 +71,7 @@ RenderedFrame ExactFrames::from_key(int frame) {
 /// Ends the key's span where it does not pay: where the span's frames will take about as long as full ones.
 void ExactFrames::judge(const FrameReport& in_between) {
   const double span_seconds = key_seconds_ + (span_ - 1) * in_between.cpu_seconds;
-  if (span_seconds < (1.0 - kLeastSaving) * span_ * full_seconds_) {
+  if (span_seconds < (1.0 - kLeastSpanSaving) * span_ * full_seconds_) {
     next_rest_ = 16;
     return;
   }

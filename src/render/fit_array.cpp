@@ -37,8 +37,6 @@ Affine3f similarity(const Affine3f& a) {
 
 Mat3f rotation_of(const Affine3f& similarity) { return similarity.linear / uniform_scale(similarity); }
 
-float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
-
 /// What all the rules look at.
 struct Setting {
   const Scene& scene;

@@ -16,7 +16,7 @@ constexpr int kSegmentIntervals = 8;
 /// Where a prediction costs more than this share of a traced frame it is not even tried: what is left to trace takes the rest.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
 /// The least saving of a whole interval, its key counted, for which frames are predicted: costs are known to a third only.
-constexpr double kLeastSaving = 0.05;
+constexpr double kLeastIntervalSaving = 0.05;
 /// What keys twice as near take from the cost of what is to trace, in traced frames: seldom more.
 constexpr double kHalvingGains = 0.1;
 
@@ -92,9 +92,9 @@ FlooredFrames::Segment FlooredFrames::try_segment(int first) {
     const FrameInterval interval{first, std::min(first + length, last_frame_)};
     const FloorLesson lesson = learn(interval);
     const auto saving = [&](int frames, double cost) { return (1.0 - prediction - cost) * (frames - 1) / frames; };
-    if (saving(length, lesson.cost) >= kLeastSaving) return {length, lesson.evidence};
+    if (saving(length, lesson.cost) >= kLeastIntervalSaving) return {length, lesson.evidence};
     const bool may_halve = !params_.keyframes && interval.last - first == length;
-    if (!may_halve || saving(length / 2, lesson.cost - kHalvingGains) < kLeastSaving) break;
+    if (!may_halve || saving(length / 2, lesson.cost - kHalvingGains) < kLeastIntervalSaving) break;
   }
   return {};
 }

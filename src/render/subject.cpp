@@ -24,8 +24,6 @@ constexpr float kSmallBefore = 0.25f;  ///< the same where only a wall, or a she
 
 using Indices = std::vector<std::size_t>;
 
-float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
-
 /// One of the six sides of a box.
 struct Face {
   int axis;

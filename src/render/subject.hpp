@@ -36,6 +36,9 @@ std::vector<int> sampled_frames(const Timeline& timeline);
 /// The subject over the whole animation. Without anything finite but surroundings: everything.
 Subject find_subject(const Scene& scene);
 
+/// The length of a box's diagonal; 0 of an empty one.
+inline float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
+
 /// "'Plane', 'Wall' and 3 others": the instances that are not the subject.
 std::string list_surroundings(const Scene& scene, const Subject& subject);
 

@@ -8,12 +8,12 @@
 namespace lippmann {
 namespace {
 
-constexpr const char* kFlag = "--precompensate";
+constexpr const char* kPrecompensateFlag = "--precompensate";
 
 double said_crosstalk(const RenderParams& params, const Optics& optics, const Display* display) {
   if (params.crosstalk_px) return *params.crosstalk_px;
   if (!display || !display->crosstalk_px)
-    throw usage_error(kFlag, "nothing says how much neighbours leak into one another",
+    throw usage_error(kPrecompensateFlag, "nothing says how much neighbours leak into one another",
                       "--crosstalk, or a display whose file says it");
   const auto* views = std::get_if<MultiView>(&optics.model);
   if (!views) return *display->crosstalk_px;
@@ -27,18 +27,19 @@ std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics
     if (params.crosstalk_px) throw usage_error("--crosstalk", "means nothing without --precompensate", "both, or neither");
     return std::nullopt;
   }
-  if (params.pseudoscopic) throw usage_error(kFlag, "recorded pictures are not shown as they are", "no --pseudoscopic with it");
+  if (params.pseudoscopic)
+    throw usage_error(kPrecompensateFlag, "recorded pictures are not shown as they are", "no --pseudoscopic with it");
   const double sigma = said_crosstalk(params, optics, display);
   Image nothing;
-  precompensate(optics, sigma, kFlag, nothing);  // refuses before hours are spent on frames
+  precompensate(optics, sigma, kPrecompensateFlag, nothing);  // refuses before hours are spent on frames
   return sigma;
 }
 
 Precompensation undo_crosstalk(const Optics& optics, double sigma_px, Encoding encoding, Image& film) {
-  if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, kFlag, film);
+  if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, kPrecompensateFlag, film);
   // Display-referred values: the light that they become is what adds up.
   for (float& value : film.data) value = static_cast<float>(linear_from_srgb(value > 0.0f ? std::min(value, 1.0f) : 0.0f));
-  const Precompensation done = precompensate(optics, sigma_px, kFlag, film);
+  const Precompensation done = precompensate(optics, sigma_px, kPrecompensateFlag, film);
   for (float& value : film.data) value = static_cast<float>(srgb_from_linear(value));
   return done;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kStripPixels = 8192;  // worked on at a time
 
-constexpr std::size_t kBlock = 64;  // pixels; loops of this fixed length turn into vector instructions
+constexpr std::size_t kAveragedBlock = 64;  // pixels; loops of this fixed length turn into vector instructions
 
 /// a + weight_b (b - a), of equals the same bits, for `count` floats: 3, or 4 where the next one may be read and written too.
 template <std::size_t count>
@@ -40,9 +40,9 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
   const float *film_a = a.film, *film_b = b.film;
   const auto last = static_cast<std::uint32_t>(film.data.size() / 3 - 1);  // has no next one to read; kNoSource is above
   std::size_t count = 0, p = first;
-  for (; p + kBlock < end; p += kBlock) {
-    alignas(64) std::uint32_t source_a[kBlock], source_b[kBlock], is_special[kBlock];
-    for (std::size_t i = 0; i < kBlock; ++i) {
+  for (; p + kAveragedBlock < end; p += kAveragedBlock) {
+    alignas(64) std::uint32_t source_a[kAveragedBlock], source_b[kAveragedBlock], is_special[kAveragedBlock];
+    for (std::size_t i = 0; i < kAveragedBlock; ++i) {
       const std::uint64_t key_a = keys_a[p + i], key_b = keys_b[p + i];
       const std::uint32_t at_a = SplatBuffer::source(key_a), at_b = SplatBuffer::source(key_b);
       const std::uint32_t nearest_last = at_a > at_b ? at_a : at_b;
@@ -50,12 +50,12 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
       is_special[i] = nearest_last >= last ? 1u : changes;
       source_a[i] = at_a < last ? at_a : 0u, source_b[i] = at_b < last ? at_b : 0u;
     }
-    for (std::size_t i = 0; i < kBlock; ++i) {  // all under way at once
+    for (std::size_t i = 0; i < kAveragedBlock; ++i) {  // all under way at once
       __builtin_prefetch(film_a + 3 * std::size_t{source_a[i]});
       __builtin_prefetch(film_b + 3 * std::size_t{source_b[i]});
     }
     float* out = film.data.data() + 3 * p;
-    for (std::size_t i = 0; i < kBlock; ++i) {
+    for (std::size_t i = 0; i < kAveragedBlock; ++i) {
       mix<4>(film_a + 3 * std::size_t{source_a[i]}, film_b + 3 * std::size_t{source_b[i]}, weight_b, out + 3 * i);
       special[count] = static_cast<std::uint32_t>(p + i);
       count += is_special[i];

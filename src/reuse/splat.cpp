@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr int kBlock = 64;           // pixels projected at a time
+constexpr int kSplatBlock = 64;      // pixels projected at a time
 constexpr int kRowsPerStrip = 64;    // of the panel; a strip of sources, and the strip of targets that a thread writes
 constexpr float kNearEnough = 0.1f;  // steps from a sample's centre within which its colour is good enough
 constexpr int kLeftBit = 1;          // of PointImage::contrast
@@ -21,9 +21,9 @@ constexpr float kBackgroundBelow = std::numeric_limits<float>::lowest();
 
 /// Where a block of points lands; -1: nowhere.
 struct Block {
-  alignas(64) std::int32_t target[kBlock];
-  alignas(64) std::uint32_t order[kBlock];   ///< who wins: the upper half of SplatBuffer's keys
-  alignas(64) std::uint32_t source[kBlock];  ///< the lower half
+  alignas(64) std::int32_t target[kSplatBlock];
+  alignas(64) std::uint32_t order[kSplatBlock];   ///< who wins: the upper half of SplatBuffer's keys
+  alignas(64) std::uint32_t source[kSplatBlock];  ///< the lower half
 };
 
 /// The points of one row, from some pixel on.
@@ -215,8 +215,8 @@ struct Splatter::Impl {
     Block block;
     std::fill(keys + own.begin, keys + own.end, 0);
     for (int row_begin = own.begin; row_begin < own.end; row_begin += limits.width)
-      for (int i = 0; i < limits.width; i += kBlock) {
-        const int count = std::min(kBlock, limits.width - i);
+      for (int i = 0; i < limits.width; i += kSplatBlock) {
+        const int count = std::min(kSplatBlock, limits.width - i);
         const auto at = static_cast<std::size_t>(row_begin + i);
         const std::uint8_t* contrast = image.contrast.empty() ? nullptr : &image.contrast[at];
         const RowOfPoints points{&p.z[at], &p.object[at], contrast, row_begin / limits.width, i};

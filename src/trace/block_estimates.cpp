@@ -30,11 +30,11 @@ constexpr float kBlack = 0.003f;
 LIPPMANN_INLINE float shown(float luminance) { return std::min(std::max(luminance, kBlack), 1.0f); }
 
 /// Of sRGB's curve (0 ... 1), but for what is nearly black.
-LIPPMANN_INLINE float code_of(float luminance) { return 1.055f * fast_pow(shown(luminance), 1.0f / 2.4f) - 0.055f; }
+LIPPMANN_INLINE float fast_code_of(float luminance) { return 1.055f * fast_pow(shown(luminance), 1.0f / 2.4f) - 0.055f; }
 
 /// The scatter of which n samples would leave the error of having missed light of an `other` luminance.
 LIPPMANN_INLINE float missed(float own, float other, float n, float weight) {
-  const float error = code_of(own + (other - own) / (n + 2.0f)) - code_of(own);
+  const float error = fast_code_of(own + (other - own) / (n + 2.0f)) - fast_code_of(own);
   return std::abs(other - own) <= kSlight * own ? 0.0f : weight * error * error;
 }
 

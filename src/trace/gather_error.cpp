@@ -39,7 +39,7 @@ constexpr double kMostMixed = 0.75;
 /// More edges, and half the allowed error, are tried so often where means of patches err by too much, and kept where they leave
 /// this much.
 constexpr int kBlockTrials = 4;
-constexpr float kHelped = 0.8f;
+constexpr float kHelpedByFiner = 0.8f;
 
 /// With fewer than kLeastSamples, what sRGB's curve makes of noise would pass for an error.
 int fewer_samples(int all, int fewer) {
@@ -298,7 +298,7 @@ void GatherMeasure::refine_for_blocks(const GatherSources& sources, GatherPlan& 
       finer.error = finer.error_alone = 0.5f * plan.error_alone;
     finer.expected = gather(sources, finer.effort_alone(), {});
     const bool helps =
-        rays_of_last_ <= kLargestShare * rays_of_paths_ && finer.expected.blocks <= kHelped * plan.expected.blocks;
+        rays_of_last_ <= kLargestShare * rays_of_paths_ && finer.expected.blocks <= kHelpedByFiner * plan.expected.blocks;
     if (!helps && !is_of_edges) return;
     finer.share_of_rays = rays_of_last_ / rays_of_paths_;
     if (helps)

@@ -21,8 +21,6 @@ constexpr float kSure = 4.0f;
 /// Cells of fewer samples are not asked.
 constexpr float kLeastSamples = 2.0f;
 
-float squared(float x) { return x * x; }
-
 /// Half of the second difference of the light, as codes show it.
 EdgesToPaths edges_with(float light, float second_difference) {
   const float codes = code_of(kAlbedo * (light + 0.5f * second_difference)) - code_of(kAlbedo * light);

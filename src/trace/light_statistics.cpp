@@ -29,8 +29,6 @@ constexpr float kNone = 1e-20f;
 /// them meet the same thing again, and others make up for those.
 constexpr float kChanging = 0.5f;
 
-float squared(float x) { return x * x; }
-
 float fourth_root(float x) { return std::sqrt(std::sqrt(std::max(x, 0.0f))); }
 
 }  // namespace

@@ -9,8 +9,6 @@ constexpr float kCoatF0 = 0.04f;
 constexpr float kLeastCosine = 1e-4f;
 constexpr Vec3f kUp(0.0f, 0.0f, 1.0f);
 
-float squared(float x) { return x * x; }
-
 bool smooth(float alpha) { return alpha < kSmoothAlpha; }
 
 Vec3f lift(Vec3f local) {  // grazing views have no digits left for masking

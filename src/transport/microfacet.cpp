@@ -1,12 +1,6 @@
 #include "transport/microfacet.hpp"
 
 namespace lippmann {
-namespace {
-
-float squared(float x) { return x * x; }
-
-}  // namespace
-
 Vec3f Ggx::sample_visible(Vec3f v, Vec2f u) const {
   const Vec3f stretched = glm::normalize(Vec3f(alpha * v.x, alpha * v.y, v.z));
   // A uniform point of the spherical cap of mirror directions, then the half vector.

@@ -78,8 +78,8 @@ Branch bent_branch(float length, float base_radius, float tip_radius, float bend
 }
 
 Quatf growing_towards(Vec3f direction, float roll) {
-  constexpr Vec3f kUp(0.0f, 1.0f, 0.0f);
-  return glm::normalize(Quatf(kUp, direction) * glm::angleAxis(roll, kUp));
+  constexpr Vec3f kYAxis(0.0f, 1.0f, 0.0f);
+  return glm::normalize(Quatf(kYAxis, direction) * glm::angleAxis(roll, kYAxis));
 }
 
 Vec3f leaning(float angle, float bearing) {

@@ -9,15 +9,14 @@
 namespace lippmann::builtin {
 namespace {
 
-constexpr Vec3f kUp(0.0f, 1.0f, 0.0f);
-constexpr float kOrbitRadius = 3.0f;
+constexpr float kCarouselRadius = 3.0f;
 constexpr int kRiders = 6;
 
 /// A place on the merry-go-round that bobs and turns; shapes stand in it around its origin.
 int add_rider(SceneBuilder& scene, int carousel, int index, Vec3f spin_axis, int turns) {
   const float angle = 2.0f * kPi * static_cast<float>(index) / kRiders;
   const int place =
-      scene.add_node("rider", carousel, at({kOrbitRadius * std::sin(angle), 1.15f, kOrbitRadius * std::cos(angle)}));
+      scene.add_node("rider", carousel, at({kCarouselRadius * std::sin(angle), 1.15f, kCarouselRadius * std::cos(angle)}));
   scene.bob(place, kUp, {.amplitude = 0.28f, .cycles = 2, .phase = static_cast<float>(index % 2) * 0.5f});
   const int turning = scene.add_node("turning rider", place);
   scene.spin(turning, glm::normalize(spin_axis), turns);

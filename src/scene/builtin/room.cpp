@@ -10,7 +10,7 @@
 namespace lippmann::builtin {
 namespace {
 
-constexpr Vec3f kUp(0.0f, 1.0f, 0.0f), kRight(1.0f, 0.0f, 0.0f), kTowardsViewer(0.0f, 0.0f, 1.0f);
+constexpr Vec3f kRight(1.0f, 0.0f, 0.0f), kTowardsViewer(0.0f, 0.0f, 1.0f);
 constexpr float kHalfWidth = 2.2f, kHeight = 3.95f, kBack = -2.6f, kFront = 0.25f, kFloorFront = 1.3f;
 constexpr Vec3f kTable(0.1f, 0.0f, -0.35f);
 

@@ -13,6 +13,8 @@ inline constexpr double kFramesPerSecond = 30.0;
 inline constexpr int kFrameCount = 480;
 inline constexpr double kLoopSeconds = kFrameCount / kFramesPerSecond;
 
+inline constexpr Vec3f kUp(0.0f, 1.0f, 0.0f);
+
 /// One transform without a rotation, and one that turns about an axis.
 Transform at(Vec3f translation, float scale = 1.0f);
 Transform turned(Vec3f translation, Vec3f unit_axis, float angle, float scale = 1.0f);

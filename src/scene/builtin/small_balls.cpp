@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kChildren = 9;
 constexpr float kChildSize = 1.0f / 3.0f;
-constexpr Vec3f kUp(0.0f, 1.0f, 0.0f);
 
 Vec3f child_direction(int child) {
   const bool around = child < 6;

@@ -13,7 +13,6 @@ namespace {
 constexpr int kPatchSteps = 44;  // 32 patches of 2 x 44 x 44 triangles: edges are well below a pixel at 4096 lines
 constexpr int kCups = 3;
 constexpr float kOrbitRadius = 3.3f;
-constexpr Vec3f kUp(0.0f, 1.0f, 0.0f);
 
 Mesh teapot_mesh() {
   Mesh mesh;

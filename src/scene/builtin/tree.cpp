@@ -12,7 +12,6 @@
 namespace lippmann::builtin {
 namespace {
 
-constexpr Vec3f kUp(0.0f, 1.0f, 0.0f);
 constexpr int kLimbs = 9, kBoughsPerLimb = 6, kSpraysPerBough = 4;
 constexpr int kVariants = 3;  // of every shared mesh
 constexpr int kLeavesPerSpray = 1750;

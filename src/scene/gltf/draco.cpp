@@ -24,7 +24,7 @@
 namespace lippmann::gltf {
 namespace {
 
-constexpr const char* kName = "KHR_draco_mesh_compression";
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
 /// Called with what decoding is about to need; throws where that is too much.
 struct Allowance {
@@ -251,7 +251,7 @@ class PrimitiveUnpacker {
 }  // namespace
 
 void lend_views(nlohmann::json& root) {
-  const nlohmann::json::json_pointer view(std::string("/extensions/") + kName + "/bufferView");
+  const nlohmann::json::json_pointer view(std::string("/extensions/") + kDraco + "/bufferView");
   if (!root.contains("meshes") || !root.contains("accessors")) return;
   for (nlohmann::json& mesh : root.at("meshes"))
     for (nlohmann::json& primitive : mesh.at("primitives"))
@@ -264,7 +264,7 @@ void unpack_primitives(Document& document) {
   for (std::size_t m = 0; m < document.model.meshes.size(); ++m)
     for (std::size_t p = 0; p < document.model.meshes[m].primitives.size(); ++p) {
       const tinygltf::Primitive& primitive = document.model.meshes[m].primitives[p];
-      const auto found = primitive.extensions.find(kName);
+      const auto found = primitive.extensions.find(kDraco);
       if (found != primitive.extensions.end()) unpacker.unpack({static_cast<int>(m), static_cast<int>(p)}, found->second);
     }
 }

@@ -14,7 +14,7 @@ namespace lippmann::gltf {
 namespace {
 
 using Json = nlohmann::json;
-constexpr const char* kName = "EXT_meshopt_compression";
+constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
 Bytes packed_bytes(const Document& document, const PackedView& view, const std::string& where) {
   const Bytes buffer = document.buffers[static_cast<std::size_t>(view.buffer)];
@@ -85,7 +85,7 @@ void take_packed_views(Json& root, Document& document) {
     Json& view = (*views)[i];
     const auto extensions = view.find("extensions");
     if (extensions == view.end()) continue;
-    if (const auto packed = extensions->find(kName); packed != extensions->end())
+    if (const auto packed = extensions->find(kMeshopt); packed != extensions->end())
       document.packed_views[i] = {.buffer = packed->at("buffer").get<int>(),
                                   .byte_offset = packed->value("byteOffset", std::size_t{0}),
                                   .byte_length = packed->at("byteLength").get<std::size_t>(),
@@ -98,14 +98,14 @@ void take_packed_views(Json& root, Document& document) {
 }
 
 bool is_fallback(const Json& buffer) {
-  const Json::json_pointer fallback(std::string("/extensions/") + kName + "/fallback");
+  const Json::json_pointer fallback(std::string("/extensions/") + kMeshopt + "/fallback");
   return buffer.contains(fallback) && buffer.at(fallback).get<bool>();
 }
 
 void unpack_views(Document& document) {
   for (std::size_t i = 0; i < document.packed_views.size(); ++i) {
     if (!document.packed_views[i]) continue;
-    const std::string where = element("bufferViews", i) + ".extensions." + kName;
+    const std::string where = element("bufferViews", i) + ".extensions." + kMeshopt;
     document.loaded.push_back(unpack_view(document, *document.packed_views[i], where));
     tinygltf::BufferView& view = document.model.bufferViews[i];
     view.buffer = static_cast<int>(document.buffers.size());

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kLargestText = std::size_t{64} << 20, kLargestPicture = std::size_t{256} << 20;
 constexpr TextureBudget kTextures{16384, std::uint64_t{512} << 20, std::uint64_t{512} << 20};
-constexpr float kLargestNumber = 1e6f;
+constexpr float kLargestMaterialNumber = 1e6f;
 
 MetallicRoughness matt_grey() {
   MetallicRoughness surface;
@@ -82,7 +82,7 @@ struct Draft {
   }
 };
 
-float number(Lexer& lexer, std::string_view wanted) { return std::max(0.0f, lexer.number(wanted, kLargestNumber)); }
+float number(Lexer& lexer, std::string_view wanted) { return std::max(0.0f, lexer.number(wanted, kLargestMaterialNumber)); }
 float share(Lexer& lexer, std::string_view wanted) { return std::min(1.0f, number(lexer, wanted)); }
 
 /// R, or R G B.

@@ -26,7 +26,7 @@ namespace obj {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
-constexpr float kLargestNumber = 1e18f;  // squares and products of two of them stay finite
+constexpr float kLargestCoordinate = 1e18f;  // squares and products of two of them stay finite
 
 /// Indices of a face's corner; -1: none.
 struct Corner {
@@ -81,7 +81,7 @@ class Reader {
     else if (keyword == "vt")
       parse_uv();
     else if (keyword == "vn")
-      normals_.push_back(lexer_.vector("vn", kLargestNumber));
+      normals_.push_back(lexer_.vector("vn", kLargestCoordinate));
     else if (keyword == "f")
       parse_face();
     else if (keyword == "usemtl")
@@ -97,18 +97,18 @@ class Reader {
 
   /// x y z, perhaps w, perhaps r g b.
   void parse_position() {
-    positions_.push_back(lexer_.vector("v", kLargestNumber));
+    positions_.push_back(lexer_.vector("v", kLargestCoordinate));
     std::array<float, 4> more{};
     std::size_t count = 0;
-    while (count < more.size() && !lexer_.at_line_end()) more[count++] = lexer_.number("v", kLargestNumber);
+    while (count < more.size() && !lexer_.at_line_end()) more[count++] = lexer_.number("v", kLargestCoordinate);
     if (count < 3) return;
     colors_.resize(positions_.size(), Vec3f(1.0f));
     colors_.back() = linear({more[count - 3], more[count - 2], more[count - 1]});
   }
 
   void parse_uv() {
-    const float u = lexer_.number("vt", kLargestNumber);
-    const float v = lexer_.at_line_end() ? 0.0f : lexer_.number("vt", kLargestNumber);
+    const float u = lexer_.number("vt", kLargestCoordinate);
+    const float v = lexer_.at_line_end() ? 0.0f : lexer_.number("vt", kLargestCoordinate);
     uvs_.emplace_back(u, 1.0f - v);
     lexer_.rest_of_line();
   }
