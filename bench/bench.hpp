@@ -30,6 +30,7 @@ struct Request {
   int reference_spp = 0;                      ///< samples of references; 0: the benchmark's own choice
   std::string references;                     ///< folder where they are kept; empty: the user's cache
   std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
+  bool denoise = false;                       ///< frames of both sides are denoised
   std::string pictures;                       ///< folder for pictures of what was compared; empty: none
   bool list = false;                          ///< say what scenes there are, and measure nothing
   std::string plot;                           ///< folder for plots; empty: none

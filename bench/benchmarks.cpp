@@ -18,7 +18,7 @@ const std::vector<Benchmark>& benchmarks() {
       {"light",
        "path-traced light with reuse beside full path tracing: time, error, flicker and memory, and the bars",
        measure_light,
-       {"--scene", "--list", "--frames", "--views", "--view-pixels", "--quick", "--pictures", "--reference-spp",
+       {"--scene", "--list", "--frames", "--views", "--view-pixels", "--denoise", "--quick", "--pictures", "--reference-spp",
         "--references"}},
       {"native",
        "the own frame of a slanted panel beside one interlaced from 48 views, against 512 views",

@@ -16,6 +16,7 @@ LightSettings settings_of(const Request& request) {
   LightSettings settings;
   settings.references = request.references.empty() ? default_reference_folder() : std::filesystem::path(request.references);
   settings.pictures = request.pictures;
+  settings.denoise = request.denoise;
   settings.say = request.say;
   return settings;
 }

@@ -30,13 +30,14 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-RenderParams with_reuse(RenderParams params, Reuse reuse) {
-  params.reuse = reuse;
+RenderParams with_reuse(RenderParams params, Reuse reuse, bool denoise) {
+  params.reuse = reuse, params.denoise = denoise;
   return params;
 }
 
 RenderParams reference_params(RenderParams params, int spp) {
   params.spp = spp;
+  params.denoise = false;
   params.seed += 1;  // references must not share the noise of what is held against them
   return params;
 }
@@ -64,8 +65,8 @@ class LightBench {
         settings_(settings),
         context_(context),
         pool_(resolved_threads(context)),
-        full_params_(with_reuse(wanted.params, Reuse::kNone)),
-        reuse_params_(with_reuse(wanted.params, Reuse::kExact)),
+        full_params_(with_reuse(wanted.params, Reuse::kNone, settings.denoise)),
+        reuse_params_(with_reuse(wanted.params, Reuse::kExact, settings.denoise)),
         stage_(scene_of(wanted, context), full_params_, pool_),
         rows_(rows_to_compare(stage_.placed.optics, wanted.row_share)),
         views_(neighbouring_views(stage_.placed.optics, rows_)),
@@ -151,7 +152,8 @@ class LightBench {
     const RenderParams quick = reference_params(full_params_, 1);
     render_frame(stage_, quick, wanted_.first, pool_, context_);  // warms up
     const double before = resident_bytes();
-    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, reuse_params_, pool_, context_);
+    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, reuse_params_, pool_, context_),
+                                      full_maker = make_frame_maker(stage_, full_params_, pool_, context_);
     Made full, reuse;
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame) {
       say(fmt::format("{}, frame {}: rendering with reuse{}", wanted_.name, frame, is_compared(frame) ? " and in full" : ""));
@@ -159,7 +161,7 @@ class LightBench {
       run_.grown_bytes = std::max(run_.grown_bytes, resident_bytes() - before);
       add(made, reuse);
       maker->recycle(std::move(made.pictures.film));
-      if (is_compared(frame)) add(render_frame(stage_, full_params_, frame, pool_, context_), full);
+      if (is_compared(frame)) add(full_maker->make(frame), full);
     }
     if (context_.cancelled) return;
     judge(full), judge(reuse);
@@ -198,9 +200,10 @@ class LightBench {
     say(fmt::format("{}: rendering in full at {} samples", wanted_.name, spp));
     RenderParams params = full_params_;
     params.spp = spp;
+    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, params, pool_, context_);
     Made made;
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame)
-      if (is_compared(frame)) add(render_frame(stage_, params, frame, pool_, context_), made);
+      if (is_compared(frame)) add(maker->make(frame), made);
     if (context_.cancelled) return;
     judge(made);
     run_.full_by_spp.push_back({spp, made.figures.seconds, made.figures.psnr_db});

@@ -37,6 +37,7 @@ struct LightCase {
 struct LightSettings {
   std::filesystem::path references;
   std::filesystem::path pictures;  ///< a folder for pictures of the compared frames (light_pictures.hpp); empty: none
+  bool denoise = false;            ///< frames of both ways to render
   std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
 };
 

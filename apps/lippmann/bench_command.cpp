@@ -177,6 +177,7 @@ void add_bench_command(const Command& root, Action& chosen) {
                                        "Width and height of each view; 0: 120 with --views, else each row's own optics")
                            .type_name("N")
                            .range(0, 4096));
+  own("--denoise", command.add_flag("--denoise", request.denoise, "Denoise the frames of both sides, not the references"));
   own("--large", command.add_flag("--large", request.large, "Also measure the teapot at 3840x2160 pixels"));
   own("--quick", command.add_flag("--quick", request.quick, "Measure a few small frames, to see that the benchmark works"));
   own("--reference-spp", command

@@ -36,8 +36,6 @@ std::shared_ptr<const Denoiser::Frame> Denoiser::prepare(const DenoiserInput& in
   const std::vector<std::uint32_t>& pixels = impl_->views.pixels();
   to.texels.resize(pixels.size()), to.from_before.resize(pixels.size()), to.from_after.resize(pixels.size());
   to.seen.resize(pixels.size()), to.albedo_factor.resize(pixels.size());
-  const auto spp = static_cast<float>(input.spp);
-  const float odd_share = spp / static_cast<float>(input.spp / 2), even_share = spp / static_cast<float>((input.spp + 1) / 2);
   constexpr std::size_t kPiece = 4096;
   pool.for_each((pixels.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
     for (std::size_t i = piece * kPiece; i < std::min(pixels.size(), (piece + 1) * kPiece); ++i) {
@@ -50,9 +48,8 @@ std::shared_ptr<const Denoiser::Frame> Denoiser::prepare(const DenoiserInput& in
       if (!(t.met > 0.0f)) continue;
       const Vec3f inverse = 1.0f / to.albedo_factor[i];
       t.light = (rgb(input.film, p) - to.seen[i]) * inverse;
-      const Vec3f odd = rgb(input.odd, p) * odd_share, even = (rgb(input.film, p) - rgb(input.odd, p)) * even_share;
-      const Vec3f half_difference = 0.5f * (even - odd) * inverse;
-      t.variance = glm::dot(half_difference, half_difference);
+      const Vec3f noise = rgb(input.noise, p) * inverse;
+      t.variance = glm::dot(noise, noise);
       const Vec3f normal = input.display_from_world * rgb(input.normal, p);
       const float length = glm::length(rgb(input.normal, p)), scaled = glm::length(normal);
       if (scaled > 0.0f) t.normal = normal * (length / scaled / t.met) * Vec3f(1.0f, -1.0f, 1.0f);
@@ -70,6 +67,7 @@ Image Denoiser::denoise(const Frame* before, const Frame& now, const Frame* afte
   std::vector<Estimate> light =
       gather(views, before ? &before->texels : nullptr, frame, after ? &after->texels : nullptr, pool);
   for (const int step : kSteps) light = smooth(views, frame.texels, light, step, pool);
+  take_back_blur(views, frame.texels, light, pool);
   Image film(impl_->panel.x, impl_->panel.y, 3);
   for (std::size_t i = 0; i < light.size(); ++i) {
     const Vec3f color = frame.seen[i] + frame.albedo_factor[i] * light[i].light;

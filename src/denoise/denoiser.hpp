@@ -23,12 +23,10 @@
 
 namespace lippmann {
 
-/// One frame as traced, in the panel's own places, each image of the panel's size. As in trace/noisy_frame.hpp: means over
-/// samples; odd: of the odd samples alone, over the number of all.
+/// One frame as traced, in the panel's own places, each image of the panel's size: as in trace/noisy_frame.hpp.
 struct DenoiserInput {
-  const Image &film, &odd, &seen, &albedo, &normal, &z, &met;
+  const Image &film, &noise, &seen, &albedo, &normal, &z, &met;
   const Image &motion, &motion_after;  ///< 2 channels, pixels of a view: place now - place in the frame before, after
-  int spp;                             ///< samples per pixel, 2 or more
   Mat3f display_from_world{1.0f};      ///< of directions, any scale
 };
 

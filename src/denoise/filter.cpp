@@ -19,6 +19,10 @@ constexpr float kLeastWeight = 1e-4f;
 
 constexpr int kViewReach = 3;
 
+/// Light may differ from a pixel's own by so much of the variance that it is told to have, which is about twice of what it has
+/// (NoisyFrame::noise); sums over 49 pixels are known to about a quarter.
+constexpr float kExplained = 0.7f;
+
 float square(float x) { return x * x; }
 float squared_length(Vec3f v) { return glm::dot(v, v); }
 float inverse_square(float x) { return 1.0f / (x * x); }
@@ -195,6 +199,26 @@ std::vector<Estimate> smooth(const ViewGeometry& views, const std::vector<Texel>
     smoothed[index] = mean.finished();
   });
   return smoothed;
+}
+
+void take_back_blur(const ViewGeometry& views, const std::vector<Texel>& texels, std::vector<Estimate>& filtered,
+                    const ThreadPool& pool) {
+  constexpr int kReach = 3;
+  const Vec2i size = views.view_size();
+  std::vector<float> share(texels.size());  // of the change that stays
+  for_each_pixel(views, pool, [&](int, int x, int y, std::size_t index) {
+    float change = 0.0f, variance = 0.0f;
+    for (int j = std::max(0, y - kReach); j <= std::min(size.y - 1, y + kReach); ++j)
+      for (int i = std::max(0, x - kReach); i <= std::min(size.x - 1, x + kReach); ++i) {
+        const std::size_t other = index + static_cast<std::ptrdiff_t>(j - y) * size.x + (i - x);
+        if (!(texels[other].met > 0.0f)) continue;
+        change += squared_length(filtered[other].light - texels[other].light);
+        variance += texels[other].variance;
+      }
+    share[index] = change > kExplained * variance ? kExplained * variance / change : 1.0f;
+  });
+  for (std::size_t i = 0; i < filtered.size(); ++i)
+    filtered[i].light = texels[i].light + share[i] * (filtered[i].light - texels[i].light);
 }
 
 }  // namespace lippmann

@@ -41,6 +41,11 @@ void make_guides(const ViewGeometry& views, const ThreadPool& pool, std::vector<
 std::vector<Estimate> gather(const ViewGeometry& views, const TexelFrame* before, const TexelFrame& now,
                              const TexelFrame* after, const ThreadPool& pool);
 
+/// Takes back what noise does not explain: where filtered light differs from a pixel's own by more, over 7 x 7 pixels together,
+/// than their noise does, it has been blurred, and becomes a mix of both that differs by no more.
+void take_back_blur(const ViewGeometry& views, const std::vector<Texel>& texels, std::vector<Estimate>& filtered,
+                    const ThreadPool& pool);
+
 /// One pass of 5 x 5 neighbours `step` pixels apart in the same view.
 std::vector<Estimate> smooth(const ViewGeometry& views, const std::vector<Texel>& texels, const std::vector<Estimate>& light,
                              int step, const ThreadPool& pool);

@@ -1,5 +1,7 @@
 #include "render/denoised_frames.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "render/aov_params.hpp"
 #include "render/frame_layout.hpp"
@@ -25,14 +27,19 @@ DenoisedFrames::DenoisedFrames(Stage& stage, const RenderParams& params, const T
       params_(params),
       pool_(pool),
       context_(context),
-      denoiser_(stage.placed.optics, film_layout(stage.placed.optics, kDenoiseFlag)) {}
+      denoiser_(stage.placed.optics, film_layout(stage.placed.optics, kDenoiseFlag)) {
+  if (LitFrames::serves(params)) lit_.emplace(stage, params, pool, context);
+}
 
 RenderedFrame DenoisedFrames::make(int frame) {
   while (!traced_.empty() && traced_.begin()->first < frame - 1) traced_.erase(traced_.begin());
   RenderedFrame rendered;
-  const Traced* before = traced(frame - 1);
+  const auto neighbour = [&](int other) {
+    return lit_ && !LitFrames::are_of_one_history(frame, other) ? nullptr : traced(other);
+  };
+  const Traced* before = neighbour(frame - 1);
   Traced* now = traced(frame);
-  const Traced* after = traced(frame + 1);
+  const Traced* after = neighbour(frame + 1);
   if (context_.cancelled) return rendered;
   rendered.report = now->report;
   unused_.erase(frame);
@@ -47,27 +54,42 @@ RenderedFrame DenoisedFrames::make(int frame) {
 DenoisedFrames::Traced* DenoisedFrames::traced(int frame) {
   if (frame < 0 || frame >= stage_.scene.timeline.frame_count || context_.cancelled) return nullptr;
   if (const auto found = traced_.find(frame); found != traced_.end()) return &found->second;
-  const FrameClock clock(pool_);
   const Moment moment = stage_.moment_at(frame);
-  stage_.device.update(moment.resolved, pool_);
-  TraceParams trace = trace_params(params_, stage_.scene);
-  trace.frame = static_cast<std::uint32_t>(frame);
   Traced made;
-  made.aovs = wanted_aovs(params_);
-  made.report.frame = frame;
   NoisyFrame noisy;
-  const Optics& optics = stage_.placed.optics;
-  made.report.rays =
-      trace_noisy_frame(stage_.device, optics, moment.world_from_display, trace, pool_, context_, noisy, made.aovs);
+  made.report = trace(frame, moment, made, noisy);
   if (context_.cancelled) return nullptr;
+  const FrameClock clock(pool_);
   add_first_hits(stage_, params_, moment, frame, pool_, made.aovs);
   const Image motion = motion_from(moment, frame - 1), motion_after = motion_from(moment, frame + 1);
-  made.ready = denoiser_.prepare({noisy.film, noisy.odd, noisy.seen, noisy.albedo, noisy.normal, noisy.z, noisy.met, motion,
-                                  motion_after, trace.spp, inverse(moment.world_from_display).linear},
+  made.ready = denoiser_.prepare({noisy.film, noisy.noise, noisy.seen, noisy.albedo, noisy.normal, noisy.z, noisy.met, motion,
+                                  motion_after, inverse(moment.world_from_display).linear},
                                  pool_);
   clock.add_to(made.report);
   unused_[frame] = made.report;
   return &(traced_[frame] = std::move(made));
+}
+
+/// The frame with its noise, and its layers.
+FrameReport DenoisedFrames::trace(int frame, const Moment& moment, Traced& made, NoisyFrame& noisy) {
+  FramePictures pictures;
+  pictures.aovs = wanted_aovs(params_);
+  FrameReport report;
+  if (lit_) {
+    report = lit_->make_noisy(frame, pictures, noisy);
+    noisy.film = std::move(pictures.film);
+  } else {
+    const FrameClock clock(pool_);
+    stage_.device.update(moment.resolved, pool_);
+    TraceParams trace = trace_params(params_, stage_.scene);
+    trace.frame = static_cast<std::uint32_t>(frame);
+    report.frame = frame;
+    report.rays = trace_noisy_frame(stage_.device, stage_.placed.optics, moment.world_from_display, trace, pool_, context_,
+                                    noisy, pictures.aovs);
+    clock.add_to(report);
+  }
+  made.aovs = std::move(pictures.aovs);
+  return report;
 }
 
 /// How far the points of the present frame have come since (or will have gone back until) another.
@@ -82,14 +104,16 @@ Image DenoisedFrames::motion_from(const Moment& now, int other) {
 }
 
 std::vector<FrameReport> DenoisedFrames::sources() const {
-  std::vector<FrameReport> reports;
+  std::vector<FrameReport> reports = lit_ ? lit_->sources() : std::vector<FrameReport>{};
   for (const auto& [frame, report] : unused_) reports.push_back(report);
+  std::sort(reports.begin(), reports.end(), [](const FrameReport& a, const FrameReport& b) { return a.frame < b.frame; });
   return reports;
 }
 
-double DenoisedFrames::bytes_kept_per_pixel() {
+double DenoisedFrames::bytes_kept_per_pixel(const RenderParams& params) {
   constexpr double kNoisyBytes = 84.0 + 16.0;  // images of a NoisyFrame, two of motion
-  return 3.0 * Denoiser::kFrameBytesPerPixel + std::max(kNoisyBytes, Denoiser::kWorkBytesPerPixel);
+  const double of_light = LitFrames::serves(params) ? LitFrames::bytes_kept_per_pixel() : 0.0;
+  return of_light + 3.0 * Denoiser::kFrameBytesPerPixel + std::max(kNoisyBytes, Denoiser::kWorkBytesPerPixel);
 }
 
 }  // namespace lippmann

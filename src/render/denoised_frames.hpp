@@ -3,9 +3,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
 #include "denoise/denoiser.hpp"
-#include "render/frame_maker.hpp"
+#include "render/lit_frames.hpp"
 
 namespace lippmann {
 
@@ -14,14 +15,15 @@ void check_denoise(const RenderParams& params);
 
 class DenoisedFrames final : public FrameMaker {
  public:
-  /// Throws a usage Error where the optics have no views of whole pixels.
+  /// Whether the frames share light where the parameters serve for that; then, like histories, frames of one have no
+  /// neighbours in another. Throws a usage Error where the optics have no views of whole pixels.
   DenoisedFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
 
   RenderedFrame make(int frame) override;
   std::vector<FrameReport> sources() const override;
 
   /// Three frames made ready, one as traced, and what filtering takes.
-  static double bytes_kept_per_pixel();
+  static double bytes_kept_per_pixel(const RenderParams& params);
 
  private:
   struct Traced {
@@ -32,6 +34,7 @@ class DenoisedFrames final : public FrameMaker {
 
   /// Null beyond the animation's ends, and when the context was cancelled meanwhile.
   Traced* traced(int frame);
+  FrameReport trace(int frame, const Moment& moment, Traced& made, NoisyFrame& noisy);
   Image motion_from(const Moment& now, int other);
 
   Stage& stage_;
@@ -39,6 +42,7 @@ class DenoisedFrames final : public FrameMaker {
   const ThreadPool& pool_;
   const Context& context_;
   Denoiser denoiser_;
+  std::optional<LitFrames> lit_;  ///< none: whole paths
   std::map<int, Traced> traced_;
   std::map<int, FrameReport> unused_;  ///< reports of frames that were traced and not asked for so far
 };

@@ -51,8 +51,7 @@ class PatternFrames final : public FrameMaker {
 /// What is asked for needs whole paths, so that no light is shared although it would be by default.
 void warn_of_whole_paths(const RenderParams& params, const Context& context) {
   if (!LitFrames::is_wanted(params) || LitFrames::serves(params)) return;
-  context.warning(params.denoise ? "--denoise averages whole paths: no light is shared by --reuse exact"
-                                 : "--aov direct and indirect are parts of whole paths: no light is shared by --reuse exact");
+  context.warning("--aov direct and indirect are parts of whole paths: no light is shared by --reuse exact");
 }
 
 /// Points are carried from frame to frame with their nodes, which says nothing of meshes that change their shape.
@@ -89,7 +88,7 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
 double bytes_kept_per_pixel(const RenderParams& params) {
   if (params.reuse == Reuse::kForward && params.min_psnr_db) return FlooredFrames::bytes_kept_per_pixel();
   if (params.reuse == Reuse::kForward) return ForwardFrames::bytes_kept_per_pixel(params);
-  if (params.denoise) return DenoisedFrames::bytes_kept_per_pixel();
+  if (params.denoise) return DenoisedFrames::bytes_kept_per_pixel(params);
   if (LitFrames::serves(params)) return LitFrames::bytes_kept_per_pixel();
   return params.reuse == Reuse::kExact ? ExactFrames::bytes_kept_per_pixel() : 0.0;
 }

@@ -42,15 +42,13 @@ bool LitFrames::is_wanted(const RenderParams& params) {
 
 bool LitFrames::serves(const RenderParams& params) {
   const FrameAovs aovs = wanted_aovs(params);
-  return is_wanted(params) && !params.denoise && !aovs.wants(Aov::kDirect) && !aovs.wants(Aov::kIndirect);
+  return is_wanted(params) && !aovs.wants(Aov::kDirect) && !aovs.wants(Aov::kIndirect);
 }
 
 RenderedFrame LitFrames::make(int frame) {
-  const int start = frame / kSegment * kSegment;
-  if (next_ < start || next_ > frame) next_ = start;
   RenderedFrame rendered;
   rendered.pictures.aovs = wanted_aovs(params_);
-  while (next_ < frame && !context_.cancelled) sources_.push_back(visit(next_, rendered.pictures));
+  go_to(frame, rendered.pictures);
   rendered.report = visit(frame, rendered.pictures);
   const FrameClock clock(pool_);
   if (!context_.cancelled) add_first_hits(stage_, params_, stage_.moment_at(frame), frame, pool_, rendered.pictures.aovs);
@@ -58,7 +56,21 @@ RenderedFrame LitFrames::make(int frame) {
   return rendered;
 }
 
-FrameReport LitFrames::visit(int frame, FramePictures& pictures) {
+FrameReport LitFrames::make_noisy(int frame, FramePictures& pictures, NoisyFrame& noisy) {
+  go_to(frame, pictures);
+  return visit(frame, pictures, &noisy);
+}
+
+bool LitFrames::are_of_one_history(int frame, int other) { return frame / kSegment == other / kSegment; }
+
+/// Visits what comes before a frame in its history and has not been visited yet.
+void LitFrames::go_to(int frame, FramePictures& pictures) {
+  const int start = frame / kSegment * kSegment;
+  if (next_ < start || next_ > frame) next_ = start;
+  while (next_ < frame && !context_.cancelled) sources_.push_back(visit(next_, pictures));
+}
+
+FrameReport LitFrames::visit(int frame, FramePictures& pictures, NoisyFrame* noisy) {
   const FrameClock clock(pool_);
   if (frame % kSegment == 0) tracer_.restart();
   const Moment moment = stage_.moment_at(frame);
@@ -74,7 +86,7 @@ FrameReport LitFrames::visit(int frame, FramePictures& pictures) {
   const std::vector<HorizonBox> moving =
       frame % kSegment > 0 ? swept_.around(frame - 1, kTwoFrames, frame) : std::vector<HorizonBox>{};
   const CachedLightReport light = tracer_.trace(moment.resolved, stage_.placed.optics, moment.world_from_display, trace, goal,
-                                                moving, pool_, context_, pictures.film, &pictures.aovs);
+                                                moving, pool_, context_, {pictures.film, &pictures.aovs, noisy});
   next_ = frame + 1;
   FrameReport report;
   report.frame = frame;

@@ -13,6 +13,13 @@ class LitFrames final : public FrameMaker {
 
   RenderedFrame make(int frame) override;
 
+  /// The same with what a denoiser wants to know: `pictures` as make() has them, for which layers are wanted; frames in
+  /// ascending order.
+  FrameReport make_noisy(int frame, FramePictures& pictures, NoisyFrame& noisy);
+
+  /// Whether both frames share light: else they have nothing to do with each other, so that each can be made alone.
+  static bool are_of_one_history(int frame, int other);
+
   /// Earlier frames of a history, where only later ones were asked for.
   std::vector<FrameReport> sources() const override { return sources_; }
 
@@ -23,7 +30,8 @@ class LitFrames final : public FrameMaker {
   static double bytes_kept_per_pixel() { return CachedLightTracer::bytes_per_pixel(); }
 
  private:
-  FrameReport visit(int frame, FramePictures& pictures);
+  void go_to(int frame, FramePictures& pictures);
+  FrameReport visit(int frame, FramePictures& pictures, NoisyFrame* noisy = nullptr);
 
   Stage& stage_;
   const RenderParams& params_;

@@ -35,7 +35,7 @@ void check_reuse(const RenderParams& params) {
   const std::string stray = forward_only_flag(params);
   if (params.reuse != Reuse::kForward && !stray.empty())
     throw usage_error(stray, "means nothing without interpolated frames", "it together with --reuse forward");
-  if (params.debug == DebugPicture::kProvenance && !LitFrames::serves(params))
+  if (params.debug == DebugPicture::kProvenance && (params.denoise || !LitFrames::serves(params)))
     throw usage_error("--debug", "provenance shows where reused light came from, and none is",
                       "--integrator path --reuse exact with it, 8 --spp or more, no --denoise and no --aov direct or indirect");
   if (params.reuse == Reuse::kNone && params.keyframes)
@@ -44,7 +44,7 @@ void check_reuse(const RenderParams& params) {
     throw usage_error("--reuse", "forward does not know path-traced frames", "none or exact, or --integrator whitted");
   if (params.time_budget_s && !LitFrames::serves(params))
     throw usage_error("--time-budget", "is for path-traced frames that share light",
-                      "--integrator path --reuse exact with it, no --denoise and no --aov direct or indirect");
+                      "--integrator path --reuse exact with it, and no --aov direct or indirect");
   if (params.time_budget_s && params.min_psnr_db)
     throw usage_error("--time-budget", "and --min-psnr both say how good frames should be", "one of the two");
   if (params.reuse == Reuse::kNone && params.min_psnr_db)

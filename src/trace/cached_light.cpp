@@ -82,6 +82,11 @@ int path_samples_for(float goal, int samples, float found, int most) {
   return std::clamp(static_cast<int>(std::min(wanted, static_cast<float>(most))), samples, std::max(samples, most));
 }
 
+/// Null: not wanted.
+Image* alpha_of(const CachedLightPictures& pictures) {
+  return pictures.aovs && pictures.aovs->wants(Aov::kAlpha) ? &(*pictures.aovs)[Aov::kAlpha] : nullptr;
+}
+
 /// A goal that needs more than so many times the paths that were asked for is missed.
 constexpr int kMostMorePaths = 64;
 
@@ -105,8 +110,8 @@ class CachedFrame {
   void begin_history(const CachedLightGoal& goal);
   void go_on(const std::vector<HorizonBox>& moving);
   void learn_from(const FrameErrors& former);
-  bool make_gathered(const CachedLightGoal& goal, Image& film, FrameAovs& aovs);
-  void make_traced(const CachedLightGoal& goal, Image& film, FrameAovs& aovs);
+  bool make_gathered(const CachedLightGoal& goal, const CachedLightPictures& pictures);
+  void make_traced(const CachedLightGoal& goal, const CachedLightPictures& pictures);
 
   const RayCounts& counts() const { return counts_; }
 
@@ -130,7 +135,7 @@ class CachedFrame {
   void confirm(BeginningOutcome& outcome, const FrameError& may, GatherMeasure& fresh);
   GatherEffort effort() { return {error(), history_.plan->edges, history_.plan->mix}; }
   float& error() { return before_.empty() ? history_.plan->error_alone : history_.plan->error; }
-  void gather(bool provenance, Image& film, FrameAovs& aovs);
+  void gather(bool provenance, const CachedLightPictures& pictures);
   enum class Mending { kNone, kGood, kFailed };
   Mending mend(const FrameErrors& former, GatherMeasure& measure);
   FrameError gather_apart(GatherMeasure& measure);
@@ -139,6 +144,7 @@ class CachedFrame {
   void adjust_mix(const GatherMeasure& measure, bool was_mixed);
   void feed_more(int attempt);
   int path_samples(const CachedLightGoal& goal, int samples, float found) const;
+  RayCounts trace_whole(const TraceParams& whole, const CachedLightPictures& pictures) const;
   FrameError measure_traced(const TraceParams& whole, bool shows_all, const Image& film);
   void feed_scarce(const FeedTarget& target, PacketGroups scarce, int first_round, int end);
   LightCells cells() const { return {places_, beam_, history_.samples_per_cell, history_.lights_from}; }
@@ -228,18 +234,18 @@ void CachedFrame::learn_from(const FrameErrors& former) {
 }
 
 /// A frame from the cache, if it errs by no more than it may; else a traced one. Whether it is the former.
-bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameAovs& aovs) {
+bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPictures& pictures) {
   GatherMeasure measure = this->measure(goal, kChecking);
   const FrameErrors former = history_.errors;
   const bool was_mixed = history_.plan->mix.samples > 0;
   learn_from(former);
-  const bool shows_all = !goal.provenance && !aovs.wants(Aov::kAlpha);  // as the paths that are compared with
+  const bool shows_all = !goal.provenance && !alpha_of(pictures);  // as the paths that are compared with
   const auto gather_and_measure = [&] {
-    gather(goal.provenance, film, aovs);
-    measure.choose_pixels_of(film, history_.scatter);
+    gather(goal.provenance, pictures);
+    measure.choose_pixels_of(pictures.film, history_.scatter);
     const FrameError apart = shows_all ? FrameError{} : gather_apart(measure);
     history_.errors = former;
-    history_.errors.add(shows_all ? measure.error_of(film) : apart, measure.goal());
+    history_.errors.add(shows_all ? measure.error_of(pictures.film) : apart, measure.goal());
   };
   gather_and_measure();
   Mending mending = Mending::kNone;
@@ -249,7 +255,7 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, Image& film, FrameA
   if (mending != Mending::kFailed && !goal.seconds) adjust_mix(measure, was_mixed);
   if (mending == Mending::kFailed) {
     history_.errors = former;  // this one is not among them any more
-    make_traced(goal, film, aovs);
+    make_traced(goal, pictures);
   }
   add(measure.counts(), counts_);
   was_worth_it_ = !moved_ || static_cast<double>(counts_.total()) < kWorthless * measure.rays_of_whole_frame();
@@ -455,26 +461,36 @@ double CachedFrame::seconds_for_pixels(double seconds) const {
   return std::max(kLeastShare * seconds, seconds - feeding_seconds_ / std::max(round_, 1));
 }
 
-void CachedFrame::gather(bool provenance, Image& film, FrameAovs& aovs) {
+void CachedFrame::gather(bool provenance, const CachedLightPictures& pictures) {
   const LightCells in = cells();
   const GatherSources sources{device_, in, *history_.cache, optics_, world_from_display_};
-  if (aovs.wants(Aov::kAlpha)) aovs.allocate(Aov::kAlpha, optics_.panel, 0.0f);
-  Image* const alpha = aovs.wants(Aov::kAlpha) ? &aovs[Aov::kAlpha] : nullptr;
-  const RayCounts rays =
-      gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter}, pool_, context_, film, alpha);
+  Image* const alpha = alpha_of(pictures);
+  if (alpha) pictures.aovs->allocate(Aov::kAlpha, optics_.panel, 0.0f);
+  const RayCounts rays = gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter}, pool_,
+                                      context_, {pictures.film, alpha, pictures.noisy});
   add(rays, counts_);
   rays_of_gather_ = rays.total();
 }
 
 /// Paths, as many as the goal is known to take; where these fall short, the frames after have more.
-void CachedFrame::make_traced(const CachedLightGoal& goal, Image& film, FrameAovs& aovs) {
+void CachedFrame::make_traced(const CachedLightGoal& goal, const CachedLightPictures& pictures) {
   TraceParams whole = params_;
   whole.spp = history_.path_samples;
-  add(trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, film, &aovs), counts_);
+  add(trace_whole(whole, pictures), counts_);
   if (context_.cancelled) return;
-  const FrameError found = measure_traced(whole, !aovs.wants(Aov::kAlpha), film);
+  const FrameError found = measure_traced(whole, !alpha_of(pictures), pictures.film);
   history_.path_errors.add(found, found);
   history_.path_samples = path_samples(goal, history_.path_samples, history_.path_errors.found().pixels);
+}
+
+RayCounts CachedFrame::trace_whole(const TraceParams& whole, const CachedLightPictures& pictures) const {
+  FrameAovs none;
+  FrameAovs& aovs = pictures.aovs ? *pictures.aovs : none;
+  if (!pictures.noisy) return trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, pictures.film, &aovs);
+  const RayCounts rays =
+      trace_noisy_frame(device_, optics_, world_from_display_, whole, pool_, context_, *pictures.noisy, aovs);
+  pictures.film = std::exchange(pictures.noisy->film, {});
+  return rays;
 }
 
 int CachedFrame::path_samples(const CachedLightGoal& goal, int samples, float found) const {
@@ -515,7 +531,8 @@ double CachedLightTracer::bytes_per_pixel() {
 CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const Optics& optics,
                                            const Affine3f& world_from_display, const TraceParams& params,
                                            const CachedLightGoal& goal, const std::vector<HorizonBox>& moving,
-                                           const ThreadPool& pool, const Context& context, Image& film, FrameAovs* aovs) {
+                                           const ThreadPool& pool, const Context& context,
+                                           const CachedLightPictures& pictures) {
   History& history = impl_->history;
   impl_->places.update(resolved);
   CachedFrame frame(impl_->device, impl_->places, optics, world_from_display, params, pool, context, history);
@@ -523,16 +540,14 @@ CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const 
     frame.begin_history(goal);
   else if (history.plan)
     frame.go_on(moving);
-  FrameAovs none;
-  FrameAovs& layers = aovs ? *aovs : none;
   CachedLightReport report;
   if (!context.cancelled && history.plan) {
-    report.traced = !frame.make_gathered(goal, film, layers);
+    report.traced = !frame.make_gathered(goal, pictures);
     history.failures = report.traced || !(goal.seconds || frame.was_worth_it()) ? history.failures + 1 : 0;
     if (history.failures >= kMostFailures) history.plan.reset();
   } else if (!context.cancelled) {
     report.traced = true;
-    frame.make_traced(goal, film, layers);
+    frame.make_traced(goal, pictures);
   }
   const FrameError& error = report.traced ? history.path_errors.found() : history.errors.found();
   report.squared_error = static_cast<double>(error.pixels), report.block_squared_error = static_cast<double>(error.blocks);

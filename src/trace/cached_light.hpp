@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "scene/timeline.hpp"
-#include "trace/trace_frame.hpp"
+#include "trace/noisy_frame.hpp"
 
 namespace lippmann {
 
@@ -27,6 +27,13 @@ struct CachedLightGoal {
   std::optional<double> seconds{};  ///< of a frame on this machine, in place of an error: frames are as good as these allow
 };
 
+/// Where a frame goes.
+struct CachedLightPictures {
+  Image& film;
+  FrameAovs* aovs = nullptr;    ///< of them, alpha is filled where it is wanted, which must be so for all frames of a history
+  NoisyFrame* noisy = nullptr;  ///< receives what a denoiser wants to know beside the film, which stays without; else null
+};
+
 class CachedLightTracer {
  public:
   /// `scene` was made for Integrator::kPath, and outlives it.
@@ -39,11 +46,10 @@ class CachedLightTracer {
   /// A frame, as trace_frame. `resolved` is what `scene` was updated with. What the frames before it, since restart(), have
   /// found helps: they must be the same, in the same order, for the same bits. Not so where the goal is a time: then samples
   /// go by the clock. moving: boxes around everything that has moved since the frame before, at both places; without end: light
-  /// may have changed everywhere. aovs: of them, alpha is filled where it is wanted, which must be the same for all frames of a
-  /// history; errors are those of pictures that show the surroundings.
+  /// may have changed everywhere. Errors are those of pictures that show the surroundings.
   CachedLightReport trace(const ResolvedScene& resolved, const Optics& optics, const Affine3f& world_from_display,
                           const TraceParams& params, const CachedLightGoal& goal, const std::vector<HorizonBox>& moving,
-                          const ThreadPool& pool, const Context& context, Image& film, FrameAovs* aovs = nullptr);
+                          const ThreadPool& pool, const Context& context, const CachedLightPictures& pictures);
 
   /// Kept from frame to frame at most, per pixel; less than two thousand more make up for it in small frames.
   static double bytes_per_pixel();

@@ -221,7 +221,7 @@ FrameError GatherMeasure::gather(const GatherSources& sources, const GatherEffor
   Image film;
   TraceParams trace = trace_;
   trace.frame += frame;
-  const RayCounts rays = gather_frame(sources, {trace, effort}, patches_.wanted, history, pool_, quiet, film);
+  const RayCounts rays = gather_frame(sources, {trace, effort}, patches_.wanted, history, pool_, quiet, {film});
   add(rays, counts_);
   rays_of_last_ = static_cast<double>(rays.total());
   last_ = error_of_patches(film);

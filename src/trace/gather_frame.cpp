@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/random.hpp"
-#include "trace/block_estimates.hpp"
+#include "trace/block_guides.hpp"
 #include "trace/packet_source.hpp"
 #include "trace/trace_packets.hpp"
 #include "transport/sampler.hpp"
@@ -83,18 +83,23 @@ constexpr float kAlphaError = 0.01f;
 
 class BlockGatherer {
  public:
-  BlockGatherer(const GatherSources& sources, const SamplePackets& packets, const GatherParams& params, bool is_transparent)
+  BlockGatherer(const GatherSources& sources, const SamplePackets& packets, const GatherParams& params,
+                const GatheredPictures& pictures)
       : packets_(packets),
         error_(params.effort.error),
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
         gatherer_(sources.scene.impl(), sources.cells, sources.cache, path_params(params.trace), light_) {
     gatherer_.leave_to_paths(params.effort.edges);
     if (params.provenance) gatherer_.show_provenance();
-    if (is_transparent) gatherer_.leave_open(open_.data());
+    if (pictures.alpha) gatherer_.leave_open(open_.data());
+    if (!pictures.noisy) return;
+    guides_ = std::make_unique<BlockGuides>(display_z(sources.world_from_display));
+    gatherer_.describe(guides_->surfaces_of_slots(), guides_->seen_of_slots());
   }
 
   /// Fills a block whose pixels are listed.
   void gather(BlockEstimates& block) {
+    if (guides_) guides_->begin();
     block.alpha_weight = std::max(1.0f, error_ * error_ / (kAlphaError * kAlphaError));
     std::vector<Work> work;
     for (std::uint32_t s = 0; s < kFirstSamples; ++s)
@@ -114,6 +119,9 @@ class BlockGatherer {
     encode(block);
   }
 
+  /// Of the block that was gathered last.
+  void write(const BlockEstimates& block, NoisyFrame& noisy) const { guides_->write(block, noisy); }
+
   RayCounts counts() const { return gatherer_.counts(); }
 
  private:
@@ -132,7 +140,9 @@ class BlockGatherer {
       gatherer_.finish_batch();
       for (std::size_t w = begin; w < end; ++w) {
         float* light = &light_.data[3 * (w - begin)];
-        block.add(work[w].estimate, {light[0], light[1], light[2]}, open_[w - begin]);
+        const Vec3f radiance(light[0], light[1], light[2]);
+        block.add(work[w].estimate, radiance, open_[w - begin]);
+        if (guides_) guides_->add(work[w].estimate, work[w].sample, w - begin, radiance);
         light[0] = light[1] = light[2] = open_[w - begin] = 0.0f;
       }
     }
@@ -142,6 +152,7 @@ class BlockGatherer {
   float error_;
   Image light_;
   std::array<float, BlockEstimates::kMost> open_{};
+  std::unique_ptr<BlockGuides> guides_;  ///< null: nobody asks
   LightGatherer gatherer_;
 };
 
@@ -232,14 +243,16 @@ Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool&
 namespace {
 
 RayCounts gather_cached(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
-                        const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film,
-                        Image* alpha) {
+                        const GatherHistory& history, const ThreadPool& pool, const Context& context,
+                        const GatheredPictures& pictures) {
   if (history.now)
     history.now->assign(
         static_cast<std::size_t>(sources.optics.panel.width) * static_cast<std::size_t>(sources.optics.panel.height), -1.0f);
   const Optics& optics = sources.optics;
+  Image& film = pictures.film;
   film.width = optics.panel.width, film.height = optics.panel.height, film.channels = 3;
   film.data.resize(3 * static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
+  if (pictures.noisy) clear_guides(optics.panel, *pictures.noisy);
   const PacketSource source(optics, sources.world_from_display, params.trace.order, SubPixel{});
   const SamplePackets packets(optics, sources.world_from_display, params.trace);
   const auto strips = static_cast<std::size_t>(source.strips());
@@ -248,7 +261,7 @@ RayCounts gather_cached(const GatherSources& sources, const GatherParams& params
   std::atomic<std::size_t> done{0};
   const Scatter unknown;
   pool.for_each(strips, [&](std::size_t strip) {
-    BlockGatherer gatherer(sources, packets, params, alpha != nullptr);
+    BlockGatherer gatherer(sources, packets, params, pictures);
     const auto block = std::make_unique<BlockEstimates>();
     for (std::size_t b = 0; b < blocks && !context.cancelled; ++b) {
       list_pixels(source, strip, b, wanted, history.before ? *history.before : unknown, *block);
@@ -257,10 +270,11 @@ RayCounts gather_cached(const GatherSources& sources, const GatherParams& params
       for (std::size_t e = 0; e < block->size; ++e) {
         const std::size_t pixel = block->pixel[e];
         if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
-        if (alpha) alpha->data[pixel] = block->alpha(e);
+        if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
         const Vec3f radiance = block->radiance(e);
         std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
       }
+      if (pictures.noisy) gatherer.write(*block, *pictures.noisy);
     }
     counts[strip] = gatherer.counts();
     const std::size_t finished = ++done;
@@ -276,6 +290,11 @@ void mix_into(Image& image, const Image& more, float weight) {
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] += weight * (more.data[i] - image.data[i]);
 }
 
+Image difference(Image a, const Image& b) {
+  for (std::size_t i = 0; i < a.data.size(); ++i) a.data[i] -= b.data[i];
+  return a;
+}
+
 /// All light of paths is what this frame traced (LightGatherer::show_provenance).
 void show_as_traced(Image& film) {
   for (std::size_t i = 0; i < film.data.size(); i += 3) {
@@ -284,34 +303,48 @@ void show_as_traced(Image& film) {
   }
 }
 
+void mix_into(NoisyFrame& noisy, const NoisyFrame& more, float weight) {
+  for (Image NoisyFrame::*image :
+       {&NoisyFrame::noise, &NoisyFrame::seen, &NoisyFrame::albedo, &NoisyFrame::normal, &NoisyFrame::z, &NoisyFrame::met})
+    mix_into(noisy.*image, more.*image, weight);
+}
+
 /// Paths with random numbers of their own, so that their errors have nothing to do with those of what they are mixed into.
 RayCounts mix_paths_into(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
-                         const ThreadPool& pool, Image& film, Image* alpha) {
+                         const ThreadPool& pool, const GatheredPictures& pictures) {
+  const auto& [device, cells, cache, optics, world_from_display] = sources;
   TraceParams trace = params.trace;
   trace.spp = params.effort.mix.samples;
   trace.seed = hash(trace.seed, 0x6d697865u);
   const Context quiet;  // the frame's progress has been told
-  Image paths = film;   // outside of `wanted` nothing changes
+  NoisyFrame paths;
   FrameAovs layers;
-  if (alpha) layers.want(Aov::kAlpha);
-  const RayCounts rays =
-      wanted.empty()
-          ? trace_frame(sources.scene, sources.optics, sources.world_from_display, trace, pool, quiet, paths, &layers)
-          : trace_packets(sources.scene, sources.optics, sources.world_from_display, trace, wanted, pool, quiet, paths);
-  if (params.provenance) show_as_traced(paths);
-  mix_into(film, paths, params.effort.mix.weight);
-  if (alpha) mix_into(*alpha, layers[Aov::kAlpha], params.effort.mix.weight);
+  if (pictures.alpha) layers.want(Aov::kAlpha);
+  RayCounts rays;
+  if (pictures.noisy) {
+    rays = trace_noisy_frame(device, optics, world_from_display, trace, pool, quiet, paths, layers);
+    if (trace.spp == 1) paths.noise = difference(paths.film, pictures.film);  // of one sample there are no halves
+  } else if (wanted.empty()) {
+    rays = trace_frame(device, optics, world_from_display, trace, pool, quiet, paths.film, &layers);
+  } else {
+    paths.film = pictures.film;  // outside of `wanted` nothing changes
+    rays = trace_packets(device, optics, world_from_display, trace, wanted, pool, quiet, paths.film);
+  }
+  if (params.provenance) show_as_traced(paths.film);
+  const float weight = params.effort.mix.weight;
+  mix_into(pictures.film, paths.film, weight);
+  if (pictures.alpha) mix_into(*pictures.alpha, layers[Aov::kAlpha], weight);
+  if (pictures.noisy) mix_into(*pictures.noisy, paths, weight);
   return rays;
 }
 
 }  // namespace
 
 RayCounts gather_frame(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
-                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film,
-                       Image* alpha) {
-  RayCounts rays = gather_cached(sources, params, wanted, history, pool, context, film, alpha);
-  if (params.effort.mix.samples > 0 && !context.cancelled)
-    add(mix_paths_into(sources, params, wanted, pool, film, alpha), rays);
+                       const GatherHistory& history, const ThreadPool& pool, const Context& context,
+                       const GatheredPictures& pictures) {
+  RayCounts rays = gather_cached(sources, params, wanted, history, pool, context, pictures);
+  if (params.effort.mix.samples > 0 && !context.cancelled) add(mix_paths_into(sources, params, wanted, pool, pictures), rays);
   return rays;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "trace/light_gatherer.hpp"
+#include "trace/noisy_frame.hpp"
 #include "trace/path_mix.hpp"
 
 namespace lippmann {
@@ -48,12 +49,19 @@ struct GatherHistory {
   Scatter* now = nullptr;           ///< receives what this frame finds, of the gathered pixels; null: nobody asks
 };
 
-/// Fills `film` (3 channels, linear, the panel's size), or of it only the packets that are not 0 in `wanted` (by packet, as in
-/// trace_packets; empty: all). alpha: null, or as large as the film with 1 channel; then receives Aov::kAlpha, and the film is
-/// free of the surroundings. The same bits for any number of threads. Returns early when context.cancelled is set.
+/// Where a gathered frame goes.
+struct GatheredPictures {
+  Image& film;
+  Image* alpha = nullptr;       ///< receives Aov::kAlpha, and the film is free of the surroundings; else null
+  NoisyFrame* noisy = nullptr;  ///< of whole frames, receives what a denoiser wants to know beside the film; else null
+};
+
+/// Fills pictures.film (3 channels, linear, the panel's size), or of it only the packets that are not 0 in `wanted` (by packet,
+/// as in trace_packets; empty: all). pictures.alpha has the film's size and 1 channel. The same bits for any number of threads.
+/// Returns early when context.cancelled is set.
 RayCounts gather_frame(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
-                       const GatherHistory& history, const ThreadPool& pool, const Context& context, Image& film,
-                       Image* alpha = nullptr);
+                       const GatherHistory& history, const ThreadPool& pool, const Context& context,
+                       const GatheredPictures& pictures);
 
 /// Packets of a frame, as trace_packets and gather_frame count them.
 struct FramePackets {

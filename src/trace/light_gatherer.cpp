@@ -118,7 +118,7 @@ LaneMask LightGatherer::phong_lanes() const {
 void LightGatherer::shade_sky(const RayHitPacket& packet, int i, const PathRay& ray) {
   const unsigned id = packet.hit.geomID[i];
   if (id >= kLightId && id != kNoId) {
-    if (ray.density == kInfinity) add(ray.pixel, ray.throughput * scene_.lights[id - kLightId].color);
+    if (ray.density == kInfinity) add_seen(ray, ray.throughput * scene_.lights[id - kLightId].color);
     return;
   }
   if (open_ && ray.depth == 0) {
@@ -131,7 +131,7 @@ void LightGatherer::shade_sky(const RayHitPacket& packet, int i, const PathRay& 
     const LightTable::Sky sky = lights.sky(ray.direction);
     share = power_heuristic(ray.density * lights.chance(sky.group), sky.density);
   }
-  add(ray.pixel, ray.throughput * lights.environment().radiance(ray.direction) * share);
+  add_seen(ray, ray.throughput * lights.environment().radiance(ray.direction) * share);
 }
 
 void LightGatherer::add_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission) {
@@ -142,7 +142,7 @@ void LightGatherer::add_emission(const RayHitPacket& packet, int i, const PathRa
     const float of_light = lights.density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction);
     share = power_heuristic(ray.density * lights.chance(kLamps), of_light);
   }
-  add(ray.pixel, ray.throughput * emission * share);
+  add_seen(ray, ray.throughput * emission * share);
 }
 
 void LightGatherer::shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {
@@ -154,6 +154,7 @@ void LightGatherer::shade_surface(const RayHitPacket& packet, int i, const PathR
       return;
     }
   }
+  describe_first(point, i, ray);
   if (point.emission != Vec3f(0.0f)) add_emission(packet, i, ray, point.emission);
   if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
   const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
@@ -172,6 +173,9 @@ void LightGatherer::shade_surface(const RayHitPacket& packet, int i, const PathR
 /// What shade_surface() does for one, for Phong's surfaces where all lights that are asked are points.
 void LightGatherer::shade_phong(const RayHitPacket& packet, LaneMask lanes) {
   evaluate_phong(surface_, scene_.tachyon, lanes, phong_);
+  if (seen_)
+    for (int i = 0; i < kLanes; ++i)
+      if (lanes.lane[i]) describe_first(shading_point(scene_, surface_, i), i, lanes_.at(packet.ray, i));
   if (phong_.any_emission)
     for (int i = 0; i < kLanes; ++i)
       if (lanes.lane[i] && phong_.emission.get(i) != Vec3f(0.0f))
@@ -307,6 +311,17 @@ void LightGatherer::add_cached(std::uint32_t slot, Vec3f radiance, const LightPl
   if (!shows_provenance_) return deposit(slot, radiance);
   const float past = cache_.share_of_past(place);
   deposit(slot, luminance(radiance) * Vec3f(0.0f, 1.0f - past, past));
+}
+
+/// Light that the ray has met: where it comes straight from the camera, there is no noise of paths in it.
+void LightGatherer::add_seen(const PathRay& ray, Vec3f radiance) {
+  if (seen_ && ray.depth == 0)
+    for (int c = 0; c < 3; ++c) seen_[3 * static_cast<std::size_t>(ray.pixel) + static_cast<std::size_t>(c)] += radiance[c];
+  add(ray.pixel, radiance);
+}
+
+void LightGatherer::describe_first(const ShadingPoint& point, int i, const PathRay& ray) {
+  if (seen_ && ray.depth == 0 && point.scatters) surfaces_.add(point, surface_.normal.get(i), ray.pixel, 1.0f);
 }
 
 void LightGatherer::add(std::uint32_t slot, Vec3f radiance) {

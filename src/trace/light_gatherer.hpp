@@ -29,6 +29,9 @@ class LightGatherer {
   /// From now on the surroundings light surfaces, but where a sample would see them it adds 1 to its slot here instead.
   void leave_open(float* open) { open_ = open; }
 
+  /// From now on samples tell of their first surfaces, and of the light that has met none or shines from it: by slot, too.
+  void describe(const FirstSurfaces& surfaces, float* seen) { surfaces_ = surfaces, seen_ = seen; }
+
   /// A primary ray per active lane: sample number sample[i] of pixel[i] of the panel, its light goes to slot[i] of the film.
   void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, const std::uint32_t* sample,
                const std::uint32_t* slot);
@@ -60,6 +63,8 @@ class LightGatherer {
   void trace_shadow_rays();
   void add_cached(std::uint32_t slot, Vec3f radiance, const LightPlace& place);
   void add(std::uint32_t slot, Vec3f radiance);
+  void add_seen(const PathRay& ray, Vec3f radiance);
+  void describe_first(const ShadingPoint& point, int i, const PathRay& ray);
   void deposit(std::uint32_t slot, Vec3f value);
 
   const DeviceScene::Impl& scene_;
@@ -68,6 +73,8 @@ class LightGatherer {
   PathParams params_;
   float* film_;
   float* open_ = nullptr;  ///< by slot, too
+  float* seen_ = nullptr;  ///< likewise; null: nobody asks for surfaces
+  FirstSurfaces surfaces_{};
   bool shows_provenance_ = false;
   EdgesToPaths edges_ = EdgesToPaths::kNone;
   bool asks_points_alone_;  ///< lights that are asked at a diffuse surface are few and points

@@ -1,5 +1,7 @@
-// A path-traced frame as a denoiser wants it: its light in two halves, and what is known of the surfaces without noise.
+// A path-traced frame as a denoiser wants it: its light, how noisy it is, and what is known of the surfaces without noise.
 #pragma once
+
+#include <bit>
 
 #include "trace/trace_frame.hpp"
 
@@ -9,13 +11,20 @@ namespace lippmann {
 /// meets first and that scatter light; what alpha does not cover counts as not met.
 struct NoisyFrame {
   Image film;    ///< 3 channels: all light
-  Image odd;     ///< 3 channels: the odd samples' part of it: of two halves of the samples the second
+  Image noise;   ///< 3 channels: half of what the means of two halves of the samples differ by: of the film's error's size
   Image seen;    ///< 3 channels: the part that has met no surface, or shines from the first: free of the noise of paths
   Image albedo;  ///< 3 channels: base colour, 0 where no surface was met
   Image normal;  ///< 3 channels: world space; shorter than 1 where samples differ
   Image z;       ///< 1 channel: in display mm, 0 where no surface was met: to be divided by `met`
   Image met;     ///< 1 channel: share of samples that met a surface
 };
+
+/// Which of two halves of a pixel's samples each belongs to: that with an even or an odd number of binary ones. Each half of
+/// 2^k samples is then spread over the pixel and over directions as evenly as the other.
+inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(sample) & 1) != 0; }
+
+/// Gives all images but the film the panel's size, and 0.
+void clear_guides(const Panel& panel, NoisyFrame& noisy);
 
 /// As trace_frame for the same scene, made for paths, at 2 or more samples per pixel: noisy.film has the bits of its film.
 RayCounts trace_noisy_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,

@@ -12,6 +12,20 @@ constexpr int kRouletteDepth = 3;
 
 }  // namespace
 
+void FirstSurfaces::add(const ShadingPoint& point, Vec3f normal_there, std::size_t pixel, float weight) const {
+  for (int c = 0; c < 3; ++c) {
+    albedo[3 * pixel + static_cast<std::size_t>(c)] += weight * point.base_color[c];
+    normal[3 * pixel + static_cast<std::size_t>(c)] += weight * normal_there[c];
+  }
+  z[pixel] += weight * glm::dot(display_z, Vec4f(point.position, 1.0f));
+  met[pixel] += weight;
+}
+
+Vec4f display_z(const Affine3f& world_from_display) {
+  const Affine3f to_display = inverse(world_from_display);
+  return {to_display.linear[0].z, to_display.linear[1].z, to_display.linear[2].z, to_display.translation.z};
+}
+
 PathTracer::PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params,
                        const PathFilm& film)
     : scene_(scene), beam_(beam), params_(params), film_(film) {}
@@ -121,7 +135,8 @@ void PathTracer::shade_surface(const RayHitPacket& packet, int i, const PathRay&
     next_.push_back(passed(ray, point, length));
     return;
   }
-  if (film_.surfaces && ray.depth == 0 && point.scatters) add_first_surface(point, i, ray);
+  if (film_.surfaces && ray.depth == 0 && point.scatters)
+    film_.surfaces->add(point, surface_.normal.get(i), ray.pixel, weight_);
   if (point.emission != Vec3f(0.0f)) add_emission(packet, i, ray, point.emission);
   if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
   const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
@@ -225,17 +240,6 @@ void PathTracer::trace_shadow_rays() {
       shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
 }
 
-void PathTracer::add_first_surface(const ShadingPoint& point, int i, const PathRay& ray) {
-  const FirstSurfaces& to = *film_.surfaces;
-  const std::size_t pixel = ray.pixel;
-  for (int c = 0; c < 3; ++c) {
-    to.albedo[3 * pixel + static_cast<std::size_t>(c)] += weight_ * point.base_color[c];
-    to.normal[3 * pixel + static_cast<std::size_t>(c)] += weight_ * surface_.normal.get(i)[c];
-  }
-  to.z[pixel] += weight_ * glm::dot(to.display_z, Vec4f(point.position, 1.0f));
-  to.met[pixel] += weight_;
-}
-
 void PathTracer::end_path(const PathRay& ray, Vec3f light, float share) {
   add(ray.pixel, clamped(ray.throughput * light * share, ray.depth), ray.depth);
 }
@@ -250,14 +254,15 @@ Vec3f PathTracer::clamped(Vec3f radiance, int depth) const {
 
 /// depth: vertices that have scattered it.
 void PathTracer::add(std::uint32_t pixel, Vec3f radiance, int depth) {
-  const auto add_to = [&](float* film) {
+  const auto add_weighted = [&](float* film, float weight) {
     float* p = film + 3 * static_cast<std::size_t>(pixel);
-    for (int c = 0; c < 3; ++c) p[c] += weight_ * radiance[c];
+    for (int c = 0; c < 3; ++c) p[c] += weight * radiance[c];
   };
+  const auto add_to = [&](float* film) { add_weighted(film, weight_); };
   add_to(film_.all);
   if (float* part = depth > 1 ? film_.indirect : film_.direct) add_to(part);
   if (film_.seen && depth == 0) add_to(film_.seen);
-  if (film_.odd && (sample_ & 1u) != 0) add_to(film_.odd);
+  if (film_.noise) add_weighted(film_.noise, weight_ * noise_weight_);
 }
 
 }  // namespace lippmann

@@ -32,14 +32,18 @@ struct FirstSurfaces {
   float *albedo, *normal;                   ///< three channels
   float *z, *met;                           ///< one
   Vec4f display_z{0.0f, 0.0f, 0.0f, 0.0f};  ///< z in display mm = dot with (x, y, z, 1)
+
+  void add(const ShadingPoint& point, Vec3f normal_there, std::size_t pixel, float weight) const;
 };
+/// The last row of the matrix from world to display.
+Vec4f display_z(const Affine3f& world_from_display);
 
 /// Where light goes: three channels a pixel each; null: nowhere.
 struct PathFilm {
   float* all = nullptr;
   float* direct = nullptr;    ///< what shines by itself, and what one surface has scattered
   float* indirect = nullptr;  ///< the rest
-  float* odd = nullptr;       ///< of samples with odd numbers
+  float* noise = nullptr;     ///< see begin_sample()
   float* seen = nullptr;      ///< what has met no surface, or shines from the first
   const FirstSurfaces* surfaces = nullptr;
   float* open = nullptr;  ///< one channel: how many samples would see the surroundings, which they then do not
@@ -51,8 +55,11 @@ class PathTracer {
   /// `scene` was made for Integrator::kPath; film.all is not null.
   PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
 
-  /// From now on paths are sample number `sample` of their pixels.
-  void begin_sample(int sample) { sample_ = static_cast<std::uint32_t>(sample); }
+  /// From now on paths are sample number `sample` of their pixels; in film.noise their light counts noise_weight as much.
+  void begin_sample(int sample, float noise_weight = 0.0f) {
+    sample_ = static_cast<std::uint32_t>(sample);
+    noise_weight_ = noise_weight;
+  }
 
   /// Traces and shades a packet of primary rays (origin, direction, tnear, tfar set); adds weight x radiance to each active
   /// lane's pixel. What goes on from there waits for finish_batch().
@@ -101,7 +108,6 @@ class PathTracer {
   void trace_shadow_rays();
   void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
   Vec3f clamped(Vec3f radiance, int depth) const;
-  void add_first_surface(const ShadingPoint& point, int lane, const PathRay& ray);
   void end_path(const PathRay& ray, Vec3f light, float share);
   void add(std::uint32_t pixel, Vec3f radiance, int depth);
 
@@ -113,6 +119,7 @@ class PathTracer {
   std::vector<Doubt>* doubts_ = nullptr;
   std::uint32_t sample_ = 0;
   float weight_ = 1.0f;  ///< of one sample
+  float noise_weight_ = 0.0f;
   RayCounts counts_;
   std::vector<PathRay> wave_, next_;
   ShadowQueue shadow_rays_;

@@ -18,6 +18,14 @@
 namespace lippmann {
 namespace {
 
+/// With which the light of samples of either half, each 1 / spp of the film's, adds up to NoisyFrame::noise.
+std::array<float, 2> weights_of_halves(int spp) {
+  int second = 0;
+  for (int s = 0; s < spp; ++s) second += is_of_second_half(static_cast<std::uint32_t>(s)) ? 1 : 0;
+  const auto weight = [&](int count) { return 0.5f * static_cast<float>(spp) / static_cast<float>(std::max(count, 1)); };
+  return {weight(spp - second), -weight(second)};
+}
+
 /// What tracing a frame needs, whichever blocks of it are traced.
 class FrameTracer {
  public:
@@ -27,7 +35,8 @@ class FrameTracer {
         params_(params),
         beam_(optics, world_from_display, params.spp),
         source_(optics, world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter}),
-        film_(film) {}
+        film_(film),
+        noise_weights_(weights_of_halves(params.spp)) {}
 
   void capture_to(const PointCapture* capture) { capture_ = capture; }
   /// Light is also added to these, which are 0 so far; of Whitted's only what is open is known.
@@ -113,7 +122,8 @@ class FrameTracer {
     LaneMask active;
     alignas(64) std::uint32_t pixel[kLanes];
     for (int sample = 0; sample < params_.spp; ++sample) {
-      if constexpr (std::is_same_v<Tracer, PathTracer>) tracer.begin_sample(sample);
+      if constexpr (std::is_same_v<Tracer, PathTracer>)
+        tracer.begin_sample(sample, noise_weights_[is_of_second_half(static_cast<std::uint32_t>(sample))]);
       for (const int p : packets) {
         if (source_.fill(strip, p, sample, packet.ray, active, pixel) == 0) continue;
         if (sample == 0) clear_pixels(active, pixel);
@@ -133,6 +143,7 @@ class FrameTracer {
   BeamFootprint beam_;
   PacketSource source_;
   Image& film_;
+  std::array<float, 2> noise_weights_;  ///< of a sample of either half
   PathFilm parts_;
   const PointCapture* capture_ = nullptr;
   const TouchProbe* probe_ = nullptr;
@@ -189,22 +200,24 @@ void finish_alpha(int spp, FrameAovs& aovs) {
   for (float& alpha : aovs[Aov::kAlpha].data) alpha = std::max(0.0f, 1.0f - alpha / static_cast<float>(spp));
 }
 
-Image& cleared(Image& image, const Panel& panel, int channels) { return image = Image(panel.width, panel.height, channels); }
-
 }  // namespace
+
+void clear_guides(const Panel& panel, NoisyFrame& noisy) {
+  for (Image* image : {&noisy.noise, &noisy.seen, &noisy.albedo, &noisy.normal}) *image = Image(panel.width, panel.height, 3);
+  for (Image* image : {&noisy.z, &noisy.met}) *image = Image(panel.width, panel.height, 1);
+}
 
 RayCounts trace_noisy_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
                             const TraceParams& params, const ThreadPool& pool, const Context& context, NoisyFrame& noisy,
                             FrameAovs& aovs) {
   const Panel& panel = optics.panel;
-  FrameTracer tracer(scene, optics, world_from_display, params, cleared(noisy.film, panel, 3));
+  noisy.film = Image(panel.width, panel.height, 3);
+  clear_guides(panel, noisy);
+  FrameTracer tracer(scene, optics, world_from_display, params, noisy.film);
   PathFilm film = allocated_light(panel, aovs);
-  film.odd = cleared(noisy.odd, panel, 3).data.data();
-  film.seen = cleared(noisy.seen, panel, 3).data.data();
-  FirstSurfaces surfaces{cleared(noisy.albedo, panel, 3).data.data(), cleared(noisy.normal, panel, 3).data.data(),
-                         cleared(noisy.z, panel, 1).data.data(), cleared(noisy.met, panel, 1).data.data()};
-  const Affine3f to_display = inverse(world_from_display);
-  surfaces.display_z = {to_display.linear[0].z, to_display.linear[1].z, to_display.linear[2].z, to_display.translation.z};
+  film.noise = noisy.noise.data.data(), film.seen = noisy.seen.data.data();
+  const FirstSurfaces surfaces{noisy.albedo.data.data(), noisy.normal.data.data(), noisy.z.data.data(), noisy.met.data.data(),
+                               display_z(world_from_display)};
   film.surfaces = &surfaces;
   tracer.split_to(film);
   const RayCounts counts =

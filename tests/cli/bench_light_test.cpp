@@ -46,6 +46,17 @@ TEST(BenchLight, rows_are_measured_in_other_views) {
   EXPECT_NE(wrong.err.find("--views"), std::string::npos) << wrong.err;
 }
 
+// Of the same paths at the same frame: without their noise, both are nearer to the same reference.
+TEST(BenchLight, both_sides_are_denoised_where_that_is_asked_for) {
+  const TempDir dir;
+  const Words scene{"--scene", "fast-lamp", "--frames", "2"};
+  const Json noisy = light_rows(dir, scene)[0], denoised = light_rows(dir, scene + Words{"--denoise"})[0];
+  EXPECT_EQ(denoised["references_kept"], noisy["references_rendered"]);
+  EXPECT_GT(denoised["full_psnr_db"], noisy["full_psnr_db"]);
+  const auto with_reuse = [](const Json& row) { return row["full_psnr_db"].get<double>() + row["gain_db"].get<double>(); };
+  EXPECT_GT(with_reuse(denoised), with_reuse(noisy));
+}
+
 TEST(BenchLight, full_render_with_more_samples_is_nearer_to_the_reference) {
   const TempDir dir;
   const Json rows = light_rows(dir, {"--scene", "primitives", "--frames", "1"});

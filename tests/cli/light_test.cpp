@@ -76,10 +76,26 @@ TEST(Light, shared_light_before_nothing_gives_the_same_pictures_whole_and_in_par
 
 TEST(Light, frames_that_are_traced_although_light_could_be_shared_say_so) {
   const TempDir dir;
-  for (const Words& flags : {Words{"--aov", "direct"}, Words{"--denoise"}})
-    EXPECT_THAT(run_tool(dir, small_shared(flags.back(), "0") + flags).err, HasSubstr("no light is shared"));
-  for (const Words& flags : {Words{"--aov", "depth"}, Words{"--transparent"}, Words{"--reuse", "none", "--aov", "direct"}})
+  EXPECT_THAT(run_tool(dir, small_shared("parts", "0") + Words{"--aov", "direct"}).err, HasSubstr("no light is shared"));
+  for (const Words& flags :
+       {Words{"--aov", "depth"}, Words{"--transparent"}, Words{"--denoise"}, Words{"--reuse", "none", "--aov", "direct"}})
     EXPECT_EQ(run_tool(dir, small_shared(flags.front(), "0") + flags).err.find("no light is shared"), std::string::npos);
+}
+
+// Frames without noise are made of shared light too, whole and in parts, and of neighbours in the same history alone: frame 15
+// ends one, whether or not frame 16 follows.
+TEST(Light, shared_light_goes_together_with_denoising) {
+  const TempDir dir;
+  const Words denoised{"--denoise", "--transparent"};
+  const nlohmann::json frames = report_of(dir, small_shared("reported", "0-1") + denoised).at("frames");
+  for (const auto& frame : frames) EXPECT_EQ(frame.at("kind"), "shared");
+  const Files whole = rendered(dir, small_shared("whole", "15-16") + denoised, "whole"),
+              part = rendered(dir, small_shared("part", "15") + denoised + Words{"--threads", "3"}, "part"),
+              next = rendered(dir, small_shared("next", "16") + denoised, "next"),
+              noisy = rendered(dir, small_shared("noisy", "16") + Words{"--transparent"}, "noisy");
+  EXPECT_EQ(part.at("frame_0015.png"), whole.at("frame_0015.png"));
+  EXPECT_EQ(next.at("frame_0016.png"), whole.at("frame_0016.png"));
+  EXPECT_NE(noisy.at("frame_0016.png"), next.at("frame_0016.png"));
 }
 
 TEST(Light, shared_light_saves_rays_and_tells_its_error) {

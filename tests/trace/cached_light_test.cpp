@@ -36,7 +36,7 @@ Frames cached(const Scene& scene, const Optics& optics, int count, TraceParams p
     std::vector<HorizonBox> moving;
     if (f > from && !scene.timeline.animations.empty()) moving.push_back({{Vec3f(-kInfinity), Vec3f(kInfinity)}, 0});
     frames.reports.push_back(
-        tracer.trace(resolved, optics, {}, params, goal, moving, pool, context, frames.films.emplace_back()));
+        tracer.trace(resolved, optics, {}, params, goal, moving, pool, context, {frames.films.emplace_back()}));
   }
   return frames;
 }
@@ -266,7 +266,7 @@ TEST(CachedLight, what_no_cache_can_reach_is_traced_with_as_many_paths_as_it_tak
   params.spp = 2;
   Image film;
   const CachedLightReport report =
-      tracer.trace(evaluate(s.scene, 0.0), single_view(32), {}, params, {.squared_error = 1e-9f}, {}, pool, context, film);
+      tracer.trace(evaluate(s.scene, 0.0), single_view(32), {}, params, {.squared_error = 1e-9f}, {}, pool, context, {film});
   EXPECT_TRUE(report.traced);
   EXPECT_GE(report.rays.primary, 32u * 32u * 2u * 64u);  // at most 64 times as many
 }
@@ -299,8 +299,8 @@ std::pair<Picture, CachedLightReport> cached_without_surroundings(const Scene& s
   picture.aovs.want(Aov::kAlpha);
   CachedLightReport report;
   for (; params.frame < 2; ++params.frame)
-    report = tracer.trace(resolved, optics, {}, params, {.squared_error = squared_error}, {}, pool, context, picture.film,
-                          &picture.aovs);
+    report = tracer.trace(resolved, optics, {}, params, {.squared_error = squared_error}, {}, pool, context,
+                          {picture.film, &picture.aovs});
   return {std::move(picture), report};
 }
 

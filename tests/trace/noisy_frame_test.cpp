@@ -22,16 +22,35 @@ NoisyFrame traced(const Scene& scene, int spp, const Affine3f& world_from_displa
   return noisy;
 }
 
-TEST(NoisyFrame, film_is_that_of_the_frame_and_halves_are_parts_of_it) {
+double mean_square(const Image& a) {
+  double sum = 0.0;
+  for (const float v : a.data) sum += static_cast<double>(v) * static_cast<double>(v);
+  return sum / static_cast<double>(a.data.size());
+}
+
+TEST(NoisyFrame, film_is_that_of_the_frame_whether_or_not_halves_of_its_samples_are_equal) {
   const SmallScene s = busy_scene(3);
-  const NoisyFrame noisy = traced(s.scene, 4);
-  EXPECT_EQ(noisy.film.data, trace_paths(s.scene, single_view(kSize), 4).film.data);
-  double odd = 0.0, all = 0.0;
-  for (std::size_t i = 0; i < noisy.film.data.size(); ++i) {
-    ASSERT_LE(noisy.odd.data[i], noisy.film.data[i] * 1.0001f) << i;
-    odd += static_cast<double>(noisy.odd.data[i]), all += static_cast<double>(noisy.film.data[i]);
+  for (const int spp : {3, 4})
+    EXPECT_EQ(traced(s.scene, spp).film.data, trace_paths(s.scene, single_view(kSize), spp).film.data);
+}
+
+// Halves of evenly spread samples differ by more than their mean errs by, as they fill each other's gaps.
+TEST(NoisyFrame, noise_is_of_the_size_of_the_errors_and_has_no_preferred_sign) {
+  const SmallScene s = busy_scene(3);
+  const Image truth = trace_paths(s.scene, single_view(kSize), 1024).film;
+  for (const int spp : {3, 8, 16}) {
+    const NoisyFrame noisy = traced(s.scene, spp);
+    Image error = noisy.film;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < error.data.size(); ++i) {
+      error.data[i] -= truth.data[i];
+      sum += static_cast<double>(noisy.noise.data[i]);
+    }
+    const double told = mean_square(noisy.noise), is = mean_square(error), count = static_cast<double>(error.data.size());
+    EXPECT_GT(told, 0.7 * is) << spp;
+    EXPECT_LT(told, 3.0 * is) << spp;
+    EXPECT_LT(std::abs(sum / count), 4.0 * std::sqrt(told / (count / 3.0))) << spp;
   }
-  EXPECT_NEAR(odd / all, 0.5, 0.02);
 }
 
 // The square's edge runs through pixel 24 at 0.4 of it, as in the tests of alpha; it lies 2 mm before the display's plane.
