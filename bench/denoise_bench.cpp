@@ -33,10 +33,10 @@ class DenoiseCase {
     rows_ = rows_to_compare(optics, request.quick ? kQuickDenoiseRowShare : kDenoiseRowShare);
     triples_ = neighbouring_views(optics, rows_);
     RenderParams converged = params_;
-    converged.seed = kReferenceSeed;
-    converged.spp = request.reference_spp > 0 ? request.reference_spp
-                    : request.quick           ? kQuickDenoiseReferenceSamples
-                                              : kDenoiseReferenceSamples;
+    converged.sampling.seed = kReferenceSeed;
+    converged.sampling.spp = request.reference_spp > 0 ? request.reference_spp
+                             : request.quick           ? kQuickDenoiseReferenceSamples
+                                                       : kDenoiseReferenceSamples;
     LightReferences references(
         stage_, converged, rows_,
         request.references.empty() ? default_reference_folder() : std::filesystem::path(request.references), pool, context,
@@ -51,7 +51,7 @@ class DenoiseCase {
 
   MeasuredNoise measure(int spp, bool denoise) {
     RenderParams params = params_;
-    params.spp = spp, params.denoise = denoise;
+    params.sampling.spp = spp, params.sampling.denoise = denoise;
     const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, params, pool_, context_);
     const RenderedFrame made = maker->make(frame_);
     const Frames frames{take_rows(to_codes(made.pictures.film, stage_.scene.encoding), rows_)};
@@ -71,10 +71,10 @@ class DenoiseCase {
 
 /// Eight views of 128 x 128 pixels.
 RenderParams quilt_of(RenderParams params) {
-  params.optics = OpticsKind::kMultiview;
-  params.views = {8, 1};
-  params.size = {8 * 128, 128};
-  params.view_angle_deg = 20.0f;
+  params.optics.kind = OpticsKind::kMultiview;
+  params.optics.views = {8, 1};
+  params.optics.size = {8 * 128, 128};
+  params.optics.view_angle_deg = 20.0f;
   return params;
 }
 
@@ -88,9 +88,10 @@ Report measure_denoise(const Request& request, const Context& context) {
   for (const BenchScene& scene : bench_scenes(wanted, context))
     for (const bool quilt : {false, true}) {
       RenderParams params = quilt ? quilt_of(scene.params) : scene.params;
-      params.integrator = Integrator::kPath;
-      params.spp = 4;
-      if (request.quick) (quilt ? params.size : params.lenses) = quilt ? Extent<int>{8 * 16, 16} : Extent<int>{16, 16};
+      params.sampling.integrator = Integrator::kPath;
+      params.sampling.spp = 4;
+      if (request.quick)
+        (quilt ? params.optics.size : params.optics.lenses) = quilt ? Extent<int>{8 * 16, 16} : Extent<int>{16, 16};
       DenoiseCase bench(params, scene.frame, request, pool, context);
       for (const int spp : {4, 16, 64}) {
         begin_step(request, context, fmt::format("denoise: {} {}, {} spp", scene.name, quilt ? "quilt" : "integral", spp));

@@ -11,16 +11,16 @@ constexpr int kSamples = 64;
 
 RenderParams path_params_of(const std::string& name) {
   RenderParams params = params_of(name);
-  params.integrator = Integrator::kPath;
-  params.spp = kSamples;
+  params.sampling.integrator = Integrator::kPath;
+  params.sampling.spp = kSamples;
   return params;
 }
 
 RenderParams quilt(const std::string& name, Extent<int> views, int view_pixels) {
   RenderParams params = path_params_of(name);
-  params.optics = OpticsKind::kMultiview;
-  params.views = views;
-  params.size = {views.x * view_pixels, views.y * view_pixels};
+  params.optics.kind = OpticsKind::kMultiview;
+  params.optics.views = views;
+  params.optics.size = {views.x * view_pixels, views.y * view_pixels};
   return params;
 }
 

@@ -93,14 +93,14 @@ std::uint64_t LightReferences::fingerprint_of(const RenderParams& params, int fr
 Reference LightReferences::frame(int frame) {
   stage_.device.update(stage_.moment_at(frame).resolved, pool_);
   RenderParams first = params_;
-  first.spp = std::max(1, samples_per_pixel(params_) / 2);
+  first.sampling.spp = std::max(1, samples_per_pixel(params_) / 2);
   RenderParams second = first;
-  second.seed += 1;
+  second.sampling.seed += 1;
   return {half(first, frame), half(second, frame)};
 }
 
 Image8 LightReferences::half(const RenderParams& params, int frame) {
-  const std::string scene = std::filesystem::path(params_.scene).stem().string();
+  const std::string scene = std::filesystem::path(params_.scene.name).stem().string();
   const auto file = folder_ / fmt::format("{}_{:04}_{:016x}.png", scene, frame, fingerprint_of(params, frame));
   if (auto codes = read_kept(file, film_.width, rows_.size())) {
     ++kept_;

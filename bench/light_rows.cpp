@@ -58,7 +58,7 @@ LightCase quiet_case(const std::string& name, const std::string& scene, const Re
   LightCase result;
   result.name = name, result.scene = scene;
   result.params = params_of(scene);
-  result.params.integrator = Integrator::kPath;
+  result.params.sampling.integrator = Integrator::kPath;
   result.reference_spp = kReferenceSamples;
   result.row_share = request.quick ? kQuickRowShare : kRowShare;
   return result;
@@ -68,7 +68,7 @@ LightCase animation_of(const std::string& name, const Request& request, const Co
   LightCase result = quiet_case(name, name, request);
   const int wanted = request.frames > 0 ? request.frames : request.quick ? kQuickFrames : kFrames;
   result.count = std::min(wanted, wanted_scene(result.params, context).timeline.frame_count);
-  if (request.quick) result.params.lenses = {8, 8};
+  if (request.quick) result.params.optics.lenses = {8, 8};
   return result;
 }
 
@@ -77,8 +77,8 @@ LightCase quilt_of(const std::string& name, const Request& request) {
   LightCase result = quiet_case(name, scene_of_quilt(name), request);
   const int tile = request.quick ? kQuickTile : 128;
   result.still = true;
-  result.params.optics = OpticsKind::kMultiview;
-  result.params.size = {8 * tile, 6 * tile};
+  result.params.optics.kind = OpticsKind::kMultiview;
+  result.params.optics.size = {8 * tile, 6 * tile};
   return result;
 }
 
@@ -93,10 +93,10 @@ LightCase hostile_case(const HostileScene& scene, const Request& request) {
   result.equal_time = false;
   if (!request.quick) return result;
   RenderParams& params = result.params;
-  if (params.views.x > 0)
-    params.size = {kQuickTile * params.views.x, kQuickTile * params.views.y};
+  if (params.optics.views.x > 0)
+    params.optics.size = {kQuickTile * params.optics.views.x, kQuickTile * params.optics.views.y};
   else
-    params.lenses = {8, 8};
+    params.optics.lenses = {8, 8};
   return result;
 }
 
@@ -112,10 +112,10 @@ void choose_views(const Request& request, LightCase& wanted) {
   const Extent<int> views = request.views.empty() ? Extent<int>{3, 1} : read_extent(request.views, 1, kMostViews, "--views");
   const int pixels = request.view_pixels > 0 ? request.view_pixels : kViewPixels;
   RenderParams& params = wanted.params;
-  params.optics = OpticsKind::kMultiview;
-  params.views = {views.x, std::max(views.y, 1)}, params.lenses = {};
-  params.size = {params.views.x * pixels, params.views.y * pixels};
-  wanted.row_share = row_share_of(params.size.x, params.size.y);
+  params.optics.kind = OpticsKind::kMultiview;
+  params.optics.views = {views.x, std::max(views.y, 1)}, params.optics.lenses = {};
+  params.optics.size = {params.optics.views.x * pixels, params.optics.views.y * pixels};
+  wanted.row_share = row_share_of(params.optics.size.x, params.optics.size.y);
 }
 
 LightCase light_case(const std::string& name, const Request& request, const Context& context) {
@@ -124,7 +124,7 @@ LightCase light_case(const std::string& name, const Request& request, const Cont
   LightCase result = hostile          ? hostile_case(*hostile, request)
                      : is_quilt(name) ? quilt_of(name, request)
                                       : animation_of(name, request, context);
-  if (request.quick) result.params.spp = kQuickSamples, result.reference_spp = kQuickReferenceSamples;
+  if (request.quick) result.params.sampling.spp = kQuickSamples, result.reference_spp = kQuickReferenceSamples;
   choose_views(request, result);
   if (request.reference_spp > 0) result.reference_spp = request.reference_spp;
   return result;

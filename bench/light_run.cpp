@@ -31,14 +31,14 @@ double resident_bytes() {
 }
 
 RenderParams with_reuse(RenderParams params, Reuse reuse, bool denoise) {
-  params.reuse = reuse, params.denoise = denoise;
+  params.reuse.mode = reuse, params.sampling.denoise = denoise;
   return params;
 }
 
 RenderParams reference_params(RenderParams params, int spp) {
-  params.spp = spp;
-  params.denoise = false;
-  params.seed += 1;  // references must not share the noise of what is held against them
+  params.sampling.spp = spp;
+  params.sampling.denoise = false;
+  params.sampling.seed += 1;  // references must not share the noise of what is held against them
   return params;
 }
 
@@ -199,7 +199,7 @@ class LightBench {
   void measure_full(int spp) {
     say(fmt::format("{}: rendering in full at {} samples", wanted_.name, spp));
     RenderParams params = full_params_;
-    params.spp = spp;
+    params.sampling.spp = spp;
     const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, params, pool_, context_);
     Made made;
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame)

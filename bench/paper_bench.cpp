@@ -25,13 +25,13 @@ using Json = nlohmann::ordered_json;
 constexpr int kPaperRepetitions = 5;
 
 std::vector<ReuseMethod> forward_methods(RenderParams params) {
-  params.reuse = Reuse::kForward;
+  params.reuse.mode = Reuse::kForward;
   std::vector<ReuseMethod> methods;
   for (const bool halving : {false, true})
     for (const int interval : {2, 4, 8}) {
       if (halving && interval == 2) continue;  // the same
-      params.halving = halving;
-      params.keyframes = interval;
+      params.reuse.halving = halving;
+      params.reuse.keyframes = interval;
       methods.push_back({halving ? "forward, halving" : "forward", params});
     }
   return methods;

@@ -182,8 +182,8 @@ Report measure_replay(const Request& request, const Context& context) {
     BenchScene setup = bench_scenes(one, context).front();
     begin_step(request, context, fmt::format("replay: {} lenticular", scene));
     measure(scene + " lenticular", ReplayBench(setup.params, setup.frame, pool, context), report);
-    setup.params.optics = OpticsKind::kMicrolens;
-    setup.params.lenses = {96, 96};
+    setup.params.optics.kind = OpticsKind::kMicrolens;
+    setup.params.optics.lenses = {96, 96};
     begin_step(request, context, fmt::format("replay: {} microlens", scene));
     measure(scene + " microlens", ReplayBench(setup.params, setup.frame, pool, context), report);
   }

@@ -21,10 +21,10 @@ constexpr int kRounds = 3;
 
 /// Plain interpolation, whose errors have no bound, is in `lippmann bench paper`.
 std::vector<ReuseMethod> reuse_methods(RenderParams params) {
-  params.reuse = Reuse::kExact;
+  params.reuse.mode = Reuse::kExact;
   const ReuseMethod exact{"exact", params};
-  params.reuse = Reuse::kForward;
-  params.min_psnr_db = kFloor;
+  params.reuse.mode = Reuse::kForward;
+  params.reuse.min_psnr_db = kFloor;
   return {exact, {fmt::format("forward, {:.0f} dB", kFloor), params}};
 }
 

@@ -170,7 +170,7 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
         const FrameInterval keys = key_interval(frame, runs[m].keyframes, last_of_all);
         RenderedFrame made = makers[m]->make(frame);
         stop_if_cancelled(context);
-        runs[m].frames.push_back(compare(made, traced, keys, encoding, methods[m].params.reuse == Reuse::kExact));
+        runs[m].frames.push_back(compare(made, traced, keys, encoding, methods[m].params.reuse.mode == Reuse::kExact));
         makers[m]->recycle(std::move(made.pictures.film));
       }
     traced.erase(traced.begin(), traced.lower_bound(first + kTurn));

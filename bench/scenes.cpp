@@ -17,8 +17,8 @@ bool is_wanted(const Request& request, const std::string& name) {
 
 RenderParams params_of(const std::string& scene) {
   RenderParams params;
-  params.scene = scene;
-  params.fit_depth = false;
+  params.scene.name = scene;
+  params.optics.fit_depth = false;
   return params;
 }
 
@@ -57,10 +57,10 @@ std::vector<BenchAnimation> bench_animations(const Request& request, const Conte
     result.push_back({name, params_of(name), 0, std::min(request.frames > 0 ? request.frames : kFrames, all)});
   }
   for (const BenchScene& scene : tachyon_scenes(request)) {
-    const std::filesystem::path path = std::filesystem::path(scene.params.scene).replace_extension(".cam");
+    const std::filesystem::path path = std::filesystem::path(scene.params.scene.name).replace_extension(".cam");
     if (!std::filesystem::exists(path)) continue;
     RenderParams params = scene.params;
-    params.camera_path = path.string();
+    params.scene.camera_path = path.string();
     const int all = wanted_scene(params, context).timeline.frame_count;
     const int wanted = request.frames > 0 ? request.frames : kTachyonFrames;
     const int first = request.frames > all - kTachyonFirst ? 0 : kTachyonFirst;
@@ -68,8 +68,8 @@ std::vector<BenchAnimation> bench_animations(const Request& request, const Conte
   }
   if (request.large && is_wanted(request, "teapot")) {
     BenchAnimation large{"teapot 3840x2160", params_of("teapot"), 0, request.frames > 0 ? request.frames : kLargeFrames};
-    large.params.size = {3840, 2160};
-    large.params.lens_pixels = {10.0f, 10.0f};
+    large.params.optics.size = {3840, 2160};
+    large.params.optics.lens_pixels = {10.0f, 10.0f};
     result.push_back(std::move(large));
   }
   if (result.empty())

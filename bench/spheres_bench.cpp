@@ -113,7 +113,7 @@ Report measure_spheres(const Request& request, const Context& context) {
       const EmbreeScene theirs = scene_of_points(impl.device.get(), table.primitives);
 
       const PacketSource source(stage.placed.optics, world_from_display(stage.array, stage.placed.units_per_mm, resolved),
-                                setup.params.order, SubPixel{});
+                                setup.params.sampling.order, SubPixel{});
       Packets packets;
       LogEntry entry;
       alignas(64) std::uint32_t pixel[kLanes];

@@ -21,7 +21,7 @@ class CameraFile {
  public:
   explicit CameraFile(const BenchAnimation& animation)
       : path_(std::filesystem::temp_directory_path() / fmt::format("lippmann-reuse-bench-{}.cam", getpid())) {
-    std::ifstream all(animation.params.camera_path);
+    std::ifstream all(animation.params.scene.camera_path);
     std::ofstream some(path_);
     std::string line;
     for (int frame = 0; frame < animation.first + animation.count && std::getline(all, line); ++frame)
@@ -50,9 +50,9 @@ double seconds(const std::filesystem::path& scene, const CameraFile& cameras, in
 }  // namespace
 
 std::optional<double> tachyon_seconds_per_frame(const BenchAnimation& animation, double pixels) {
-  if (animation.params.camera_path.empty()) return std::nullopt;
+  if (animation.params.scene.camera_path.empty()) return std::nullopt;
   const CameraFile cameras(animation);
-  const std::filesystem::path scene = std::filesystem::absolute(animation.params.scene);
+  const std::filesystem::path scene = std::filesystem::absolute(animation.params.scene.name);
   const int size = static_cast<int>(std::lround(std::sqrt(pixels)));
   try {
     const double both = seconds(scene, cameras, size) - seconds(scene, cameras, kTinySize);

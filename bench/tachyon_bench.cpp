@@ -39,8 +39,8 @@ class OurFrame {
 
  private:
   static RenderParams with_optics(RenderParams params, OpticsKind optics) {
-    params.optics = optics;
-    if (optics == OpticsKind::kSingle) params.size = {kTachyonSize, kTachyonSize};
+    params.optics.kind = optics;
+    if (optics == OpticsKind::kSingle) params.optics.size = {kTachyonSize, kTachyonSize};
     return params;
   }
 
@@ -55,7 +55,8 @@ nlohmann::ordered_json measure_scene(const BenchScene& setup, const ThreadPool& 
   OurFrame integral(setup.params, OpticsKind::kLenticular, pool, context);
   std::vector<double> theirs, ours_single, ours_integral, single_ratios, integral_ratios;
   for (int repetition = 0; repetition < kTachyonRepetitions; ++repetition) {
-    theirs.push_back(tachyon_seconds(setup.params.scene, kTachyonSize) - tachyon_seconds(setup.params.scene, kTachyonTinySize));
+    theirs.push_back(tachyon_seconds(setup.params.scene.name, kTachyonSize) -
+                     tachyon_seconds(setup.params.scene.name, kTachyonTinySize));
     ours_single.push_back(single.seconds());
     ours_integral.push_back(integral.seconds());
     single_ratios.push_back(theirs.back() / ours_single.back());

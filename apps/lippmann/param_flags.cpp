@@ -45,7 +45,7 @@ RenderParams ParamFlags::read() const {
   const bool scene_is_job = std::filesystem::path(scene).extension() == ".toml";
   if (scene_is_job && !job.empty()) throw usage_error("--job", "a second job file", "one");
   if (scene_is_job || !job.empty()) read_job(scene_is_job ? scene : job, params);
-  if (!scene.empty() && !scene_is_job) params.scene = scene;
+  if (!scene.empty() && !scene_is_job) params.scene.name = scene;
   for (const auto& [name, texts] : values) {
     if (texts.empty()) continue;
     const ParamInfo& info = *find_param(name);
@@ -53,7 +53,7 @@ RenderParams ParamFlags::read() const {
       throw usage_error(fmt::format("--{}", name), fmt::format("and --{} are opposites", info.opposite), "one of them");
     info.set(params, texts, fmt::format("--{}", name));
   }
-  if (params.scene.empty())
+  if (params.scene.name.empty())
     throw usage_error("SCENE", "no scene is named", "a built-in name (see: lippmann scenes), a file, or a job");
   return params;
 }

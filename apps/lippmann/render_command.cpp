@@ -79,7 +79,7 @@ std::string describe_forward_reuse(const RenderReport& report) {
 
 /// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
 bool can_be_replayed(const RenderReport& report) {
-  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.mirror;
+  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.output.mirror;
 }
 
 /// With what the pictures were made, and what makes better ones.
@@ -113,14 +113,14 @@ void print_summary(const RenderReport& report, const Planned& plan, const std::s
         line("video", video);
         line("play", "ffplay -loop 0 " + shell_word(video));
       }
-    if (report.params.reuse == Reuse::kForward) line("reuse", describe_forward_reuse(report));
-    if (report.params.reuse == Reuse::kExact && integrator_of(report.params) == Integrator::kPath) {
+    if (report.params.reuse.mode == Reuse::kForward) line("reuse", describe_forward_reuse(report));
+    if (report.params.reuse.mode == Reuse::kExact && integrator_of(report.params) == Integrator::kPath) {
       line("reuse", shared_light_sentence(report.frames));
-      if (const std::optional<double> floor = report.params.min_psnr_db)
+      if (const std::optional<double> floor = report.params.reuse.min_psnr_db)
         for (const std::string& warning :
              {below_floor_sentence(report.frames, *floor), unmeasured_sentence(report.frames, *floor)})
           if (!warning.empty()) line("warning", warning);
-    } else if (report.params.reuse == Reuse::kExact && frames > 1) {
+    } else if (report.params.reuse.mode == Reuse::kExact && frames > 1) {
       line("reuse", describe_exact_reuse(report));
     }
     if (can_be_replayed(report)) line("one eye", program + " replay " + shell_word(folder.string()));
@@ -153,7 +153,7 @@ std::string describe_parts(const FileSizes& sizes) {
 }
 
 void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
-  const std::uint64_t bytes = largest_picture_bytes(plan, params.exr_pixels);
+  const std::uint64_t bytes = largest_picture_bytes(plan, params.output.exr_pixels);
   const FileSizes sizes = estimated_file_sizes(plan, params);
   const PlacedOptics& placed = plan.stage.placed;
   const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);

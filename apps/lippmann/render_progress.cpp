@@ -47,14 +47,14 @@ void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   if (placed.depth_scale >= 1.0f) return;
   const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
   fmt::print(stderr, "{}{}\n", depth_budget_sentence(shown, placed.optics, placed.depth_scale),
-             params.fit_depth ? "" : " --full-depth shows all of it.");
+             params.optics.fit_depth ? "" : " --full-depth shows all of it.");
 }
 
 }  // namespace
 
 RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& params, RenderProgressKind kind)
     : kind_(kind),
-      reuse_(params.reuse),
+      reuse_(params.reuse.mode),
       frames_(static_cast<int>(plan.frames.size())),
       wanted_(static_cast<int>(plan.frames.size()) - plan.kept) {
   if (kind == RenderProgressKind::kNone) return;

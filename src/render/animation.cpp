@@ -50,7 +50,7 @@ class Stopwatch {
 
 std::vector<int> frames_to_render(const RenderParams& params, const Timeline& timeline) {
   const int last = timeline.frame_count - 1;
-  const FrameRanges ranges = params.frames.value_or(FrameRanges{{0, last}});
+  const FrameRanges ranges = params.output.frames.value_or(FrameRanges{{0, last}});
   for (const FrameRange& range : ranges)
     if (range.last > last)
       throw usage_error("--frames", fmt::format("{} is outside the animation", write_frames({range})),
@@ -63,9 +63,9 @@ void require_memory(const RenderParams& params, const Optics& optics, bool moves
   const Panel& panel = optics.panel;
   constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
   const double pixels = static_cast<double>(panel.width) * panel.height;
-  const double films = (moves_pixels ? 2.0 : 1.0) + (params.precompensate ? 2.0 : 0.0);
-  const double frame =
-      pixels * (films * kFilmBytes + kCodeBytes + kAovBytes * static_cast<double>(params.aov.size() + params.transparent));
+  const double films = (moves_pixels ? 2.0 : 1.0) + (params.optics.precompensate ? 2.0 : 0.0);
+  const double frame = pixels * (films * kFilmBytes + kCodeBytes +
+                                 kAovBytes * static_cast<double>(params.sampling.aov.size() + params.sampling.transparent));
   const double needed = frame * frames_at_a_time + pixels * bytes_kept_per_pixel(params);
   const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   if (needed > available)
@@ -101,7 +101,7 @@ std::uint64_t peak_memory_bytes() {
 
 /// Frames are kept where the job says so; not where a video wants codes that the pictures do not hold to the bit.
 bool keeps_frames(const RenderParams& params) {
-  return params.resume && (params.video.empty() || params.format == PictureFormat::kPng);
+  return params.resume && (params.output.video.empty() || params.output.format == PictureFormat::kPng);
 }
 
 int count_kept(const RenderParams& params, FinishedFrames& finished, const std::vector<int>& frames) {
@@ -120,7 +120,7 @@ fs::path chosen_folder(const RenderParams& params, const std::string& job, bool 
   const fs::path wanted = output_folder(params);
   if (wanted == "-")
     throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
-  if (!params.output.empty() || force) return wanted;
+  if (!params.output.folder.empty() || force) return wanted;
   fs::path folder = free_folder(wanted, job);
   if (folder != wanted)
     context.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
@@ -146,8 +146,8 @@ void write_job_of_folder(const fs::path& folder, const RenderParams& params, con
   }
   if (is_there && std::includes(before.begin(), before.end(), frames.begin(), frames.end())) return;
   RenderParams whole = params;
-  if (journal.asked != frames) whole.frames = ranges_of(journal.asked);
-  if (journal.asked != frames && static_cast<int>(journal.asked.size()) == frame_count) whole.frames.reset();
+  if (journal.asked != frames) whole.output.frames = ranges_of(journal.asked);
+  if (journal.asked != frames && static_cast<int>(journal.asked.size()) == frame_count) whole.output.frames.reset();
   write_job(file, whole);
   finished.add_file(kJobFile);
 }
@@ -175,7 +175,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   Stage stage(params, pool, context);
   const std::vector<int> frames = frames_to_render(params, stage.scene.timeline);
   const FrameLayout layout(params, stage.placed.optics, stage.display.get());
-  layout.check_picture_size(!params.aov.empty());
+  layout.check_picture_size(!params.sampling.aov.empty());
   require_memory(params, stage.placed.optics, layout.moves(),
                  std::min(FrameSink::frames_in_memory(pool.threads()), static_cast<int>(frames.size())));
 
@@ -183,17 +183,17 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
 
   std::vector<std::string> videos;
-  for (const std::string& video : params.video) videos.push_back(layout.video_path(video).string());
+  for (const std::string& video : params.output.video) videos.push_back(layout.video_path(video).string());
   const std::string job = job_fingerprint(params, stage.scene, stage.display.get());
   const fs::path folder = chosen_folder(params, job, observer.force, context);
-  if (folder != output_folder(params)) params.output = folder.string();
+  if (folder != output_folder(params)) params.output.folder = folder.string();
   if (!observer.force) require_free_folder(folder, job, params, frames, videos);
   RenderPlan plan{stage, folder, layout.names(), frames, videos, 0, layout.picture_size()};
   if (observer.only_plan) {
     if (observer.planned) observer.planned(plan);
     return {};
   }
-  if (stage.display && !params.video.empty()) warn_of_videos(*stage.display, layout, context);
+  if (stage.display && !params.output.video.empty()) warn_of_videos(*stage.display, layout, context);
   for (const std::string& video : videos) make_room_for_video(video, params, stage.placed.optics.panel);
   make_folder(folder);
   remove_stale_temporaries(folder);
@@ -205,7 +205,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   plan.kept = count_kept(params, finished, frames);
 
   RenderReport report;
-  report.scene = params.scene;
+  report.scene = params.scene.name;
   report.optics = stage.placed.optics;
   report.params = params;
   report.light = stage.light;
@@ -215,7 +215,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   report.crosstalk_px = crosstalk;
   report.threads = pool.threads();
   report.videos = videos;
-  const double fps = params.fps > 0.0 ? params.fps : stage.scene.timeline.frames_per_second;
+  const double fps = params.scene.fps > 0.0 ? params.scene.fps : stage.scene.timeline.frames_per_second;
   report.frames_per_second = fps;
   const auto maker = make_frame_maker(stage, params, pool, context);
   FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, stage.placed.depth_scale,

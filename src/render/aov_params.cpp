@@ -9,23 +9,25 @@ namespace {
 
 void check_transparent(const RenderParams& params) {
   constexpr const char* kFlag = "--transparent";
-  if (params.scene == kTestPattern) throw usage_error(kFlag, "the test pattern has no surroundings", "a scene with it");
-  if (params.reuse == Reuse::kForward) throw usage_error(kFlag, "interpolated frames have no alpha", "--reuse none with it");
-  if (!params.video.empty())
+  if (params.scene.name == kTestPattern) throw usage_error(kFlag, "the test pattern has no surroundings", "a scene with it");
+  if (params.reuse.mode == Reuse::kForward)
+    throw usage_error(kFlag, "interpolated frames have no alpha", "--reuse none with it");
+  if (!params.output.video.empty())
     throw usage_error(kFlag, "none of the codecs of videos keeps alpha", "pictures alone: no --video with it");
-  if (params.layout == PictureLayout::kNative || params.layout == PictureLayout::kPrint)
+  if (params.output.layout == PictureLayout::kNative || params.output.layout == PictureLayout::kPrint)
     throw usage_error(kFlag, "what a panel or paper shows lies before nothing", "--layout integral, quilt or views");
-  if (params.precompensate) throw usage_error(kFlag, "crosstalk mixes neighbours, alpha or not", "no --precompensate with it");
+  if (params.optics.precompensate)
+    throw usage_error(kFlag, "crosstalk mixes neighbours, alpha or not", "no --precompensate with it");
 }
 
 }  // namespace
 
 void check_aovs(const RenderParams& params) {
-  if (params.transparent) check_transparent(params);
+  if (params.sampling.transparent) check_transparent(params);
   constexpr const char* kFlag = "--aov";
-  if (params.aov.empty()) return;
-  if (params.scene == kTestPattern) throw usage_error(kFlag, "the test pattern has no extra layers", "a scene with it");
-  if (params.reuse == Reuse::kForward)
+  if (params.sampling.aov.empty()) return;
+  if (params.scene.name == kTestPattern) throw usage_error(kFlag, "the test pattern has no extra layers", "a scene with it");
+  if (params.reuse.mode == Reuse::kForward)
     throw usage_error(kFlag, "interpolated frames have no extra layers", "--reuse none with it");
   const FrameAovs aovs = wanted_aovs(params);
   if ((aovs.wants(Aov::kDirect) || aovs.wants(Aov::kIndirect)) && integrator_of(params) != Integrator::kPath)
@@ -34,8 +36,8 @@ void check_aovs(const RenderParams& params) {
 
 FrameAovs wanted_aovs(const RenderParams& params) {
   FrameAovs aovs;
-  for (const Aov aov : params.aov) aovs.want(aov);
-  if (params.transparent) aovs.want(Aov::kAlpha);
+  for (const Aov aov : params.sampling.aov) aovs.want(aov);
+  if (params.sampling.transparent) aovs.want(Aov::kAlpha);
   return aovs;
 }
 

@@ -15,7 +15,7 @@ constexpr const char* kDenoiseFlag = "--denoise";
 }  // namespace
 
 void check_denoise(const RenderParams& params) {
-  if (!params.denoise) return;
+  if (!params.sampling.denoise) return;
   if (integrator_of(params) != Integrator::kPath)
     throw usage_error(kDenoiseFlag, "only paths have noise", "--integrator path with it");
   if (samples_per_pixel(params) < 2)
@@ -99,7 +99,7 @@ Image DenoisedFrames::motion_from(const Moment& now, int other) {
   const int last = stage_.scene.timeline.frame_count - 1;
   const Moment then = stage_.moment_at(std::clamp(other, 0, last));
   const FrameStep step{now.resolved, then.resolved, then.world_from_display};
-  find_first_hits(stage_.device, stage_.placed.optics, now.world_from_display, params_.order, &step, pool_, aovs);
+  find_first_hits(stage_.device, stage_.placed.optics, now.world_from_display, params_.sampling.order, &step, pool_, aovs);
   return std::move(aovs[Aov::kMotion]);
 }
 

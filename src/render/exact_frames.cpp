@@ -18,12 +18,12 @@ ExactFrames::ExactFrames(Stage& stage, const RenderParams& params, const ThreadP
       pool_(pool),
       context_(context),
       last_frame_(stage.scene.timeline.frame_count - 1),
-      settled_(stage.scene, stage.array.node, params.keyframes) {}
+      settled_(stage.scene, stage.array.node, params.reuse.keyframes) {}
 
 RenderedFrame ExactFrames::make(int frame) {
   if (frame > key_ && frame < key_ + span_) return from_key(frame);
   span_ = 0;
-  const bool must = params_.keyframes.has_value();
+  const bool must = params_.reuse.keyframes.has_value();
   if (must || (full_seconds_ > 0.0 && rest_ == 0)) {
     blocks_.boxes = settled_.boxes(frame, last_frame_);
     if (SettledBlocks::can_settle(blocks_.boxes)) return key(frame);
@@ -64,7 +64,7 @@ RenderedFrame ExactFrames::from_key(int frame) {
   rendered.report.reused_pixels =
       (samples - rendered.report.rays.primary) / static_cast<std::uint64_t>(samples_per_pixel(params_));
   clock.add_to(rendered.report);
-  if (!params_.keyframes) judge(rendered.report);
+  if (!params_.reuse.keyframes) judge(rendered.report);
   return rendered;
 }
 

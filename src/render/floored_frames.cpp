@@ -93,7 +93,7 @@ FlooredFrames::Segment FlooredFrames::try_segment(int first) {
     const FloorLesson lesson = learn(interval);
     const auto saving = [&](int frames, double cost) { return (1.0 - prediction - cost) * (frames - 1) / frames; };
     if (saving(length, lesson.cost) >= kLeastIntervalSaving) return {length, lesson.evidence};
-    const bool may_halve = !params_.keyframes && interval.last - first == length;
+    const bool may_halve = !params_.reuse.keyframes && interval.last - first == length;
     if (!may_halve || saving(length / 2, lesson.cost - kHalvingGains) < kLeastIntervalSaving) break;
   }
   return {};

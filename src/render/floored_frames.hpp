@@ -24,7 +24,7 @@ namespace lippmann {
 
 class FlooredFrames final : public FrameMaker {
  public:
-  /// `params.min_psnr_db` is given.
+  /// `params.reuse.min_psnr_db` is given.
   FlooredFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
 
   RenderedFrame make(int frame) override;

@@ -42,7 +42,7 @@ RenderedFrame ForwardFrames::make(int frame) {
     for (std::size_t i = 0; i + 1 < path.size() && !context_.cancelled; ++i)
       if (const int middle = middle_frame(path[i]); !sources_.contains(middle)) add(between(middle, path[i], true));
     if (context_.cancelled) return rendered;
-    if (params_.halving && is_source(frame, path.back())) {
+    if (params_.reuse.halving && is_source(frame, path.back())) {
       copy(add(between(frame, path.back(), true)));
     } else {
       Source made = between(frame, path.back(), false);
@@ -55,7 +55,7 @@ RenderedFrame ForwardFrames::make(int frame) {
 }
 
 std::vector<FrameInterval> ForwardFrames::path_to(int frame) const {
-  if (params_.halving) return halving_path(frame, every_, last_frame_);
+  if (params_.reuse.halving) return halving_path(frame, every_, last_frame_);
   return {key_interval(frame, every_, last_frame_)};
 }
 
@@ -109,7 +109,7 @@ std::vector<FrameReport> ForwardFrames::sources() const {
 double ForwardFrames::bytes_kept_per_pixel(const RenderParams& params) {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   // Two keys, one made frame per halving, and the keys of two splats.
-  const int images = 2 + (params.halving ? halving_depth(key_frame_interval(params)) : 0);
+  const int images = 2 + (params.reuse.halving ? halving_depth(key_frame_interval(params)) : 0);
   return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t);
 }
 

@@ -17,7 +17,7 @@ ForwardSource trace_source(Stage& stage, const RenderParams& params, int frame, 
   TouchedBlocks blocks;
   source.report.rays =
       trace_frame(stage.device, stage.placed.optics, image.moment.world_from_display, trace_params(params, stage.scene), pool,
-                  context, image.film, nullptr, &image.points, params.min_psnr_db ? &blocks : nullptr);
+                  context, image.film, nullptr, &image.points, params.reuse.min_psnr_db ? &blocks : nullptr);
   image.rays = std::move(blocks.rays);
   maker.prepare(image, pool);
   clock.add_to(source.report);

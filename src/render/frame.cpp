@@ -10,32 +10,33 @@
 namespace lippmann {
 
 AngularFilter wanted_angular_filter(const RenderParams& params) {
-  if (params.angular_filter) return *params.angular_filter;
-  return !params.display.empty() && samples_per_pixel(params) > 1 && params.reuse != Reuse::kForward ? AngularFilter::kBox
-                                                                                                     : AngularFilter::kNone;
+  if (params.sampling.angular_filter) return *params.sampling.angular_filter;
+  return !params.optics.display.empty() && samples_per_pixel(params) > 1 && params.reuse.mode != Reuse::kForward
+             ? AngularFilter::kBox
+             : AngularFilter::kNone;
 }
 
 void check_angular_filter(const RenderParams& params, const Optics& optics) {
   constexpr const char* kFlag = "--angular-filter";
-  if (params.angular_filter != AngularFilter::kBox) return;
+  if (params.sampling.angular_filter != AngularFilter::kBox) return;
   if (!std::holds_alternative<MultiView>(optics.model))
     throw usage_error(kFlag,
                       "only views have eyes to be spread: below lenses, the samples of a pixel are seen from all of its "
                       "directions anyway",
                       "--optics multiview, or --spp alone");
   if (samples_per_pixel(params) == 1) throw usage_error(kFlag, "one sample is seen from one eye", "--spp of 2 or more with it");
-  if (params.reuse == Reuse::kForward)
+  if (params.reuse.mode == Reuse::kForward)
     throw usage_error(kFlag, "points that are moved by --reuse forward are those of one eye", "--reuse exact or none");
 }
 
 TraceParams trace_params(const RenderParams& params, const Scene& scene) {
   TraceParams trace;
-  trace.order = params.order;
+  trace.order = params.sampling.order;
   trace.spp = samples_per_pixel(params);
-  trace.max_depth = params.max_depth > 0 ? params.max_depth : scene.max_depth;
-  trace.seed = params.seed;
+  trace.max_depth = params.sampling.max_depth > 0 ? params.sampling.max_depth : scene.max_depth;
+  trace.seed = params.sampling.seed;
   trace.angular_filter = wanted_angular_filter(params);
-  trace.clamp_indirect = params.clamp_indirect;
+  trace.clamp_indirect = params.sampling.clamp_indirect;
   return trace;
 }
 
@@ -50,7 +51,7 @@ Stage::Stage(SceneNotes notes, const RenderParams& params, const ThreadPool& poo
 Stage::Stage(Scene described, const RenderParams& params, const ThreadPool& pool)
     : display(wanted_display(params)),
       scene(std::move(described)),
-      array(fit_array(scene, window_aspect(params, scene.resolution, display.get()), view_wish(params))),
+      array(fit_array(scene, window_aspect(params, scene.resolution, display.get()), params.scene.view)),
       placed(make_optics(params, scene, array, display.get())),
       device(scene, pool, integrator_of(params)) {}
 
@@ -66,8 +67,8 @@ void add_first_hits(const Stage& stage, const RenderParams& params, const Moment
   if (aovs.wants(Aov::kMotion) && frame > 0) before = stage.moment_at(frame - 1);
   std::optional<FrameStep> step;
   if (before) step.emplace(FrameStep{moment.resolved, before->resolved, before->world_from_display});
-  find_first_hits(stage.device, stage.placed.optics, moment.world_from_display, params.order, step ? &*step : nullptr, pool,
-                  aovs);
+  find_first_hits(stage.device, stage.placed.optics, moment.world_from_display, params.sampling.order, step ? &*step : nullptr,
+                  pool, aovs);
 }
 
 RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context,

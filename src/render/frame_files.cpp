@@ -87,9 +87,9 @@ class PictureWriter {
         write_tiff(picture, pictures.codes, pixels_per_mm_);
         break;
       case PictureFormat::kExr:
-        layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(params_.exr_pixels)));
+        layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(params_.output.exr_pixels)));
         if (pictures.aovs.wants(Aov::kAlpha))
-          layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(params_.exr_pixels)));
+          layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(params_.output.exr_pixels)));
         write_exr(picture, layers, ExrCompression::kZip, about_);
         return {picture};
     }

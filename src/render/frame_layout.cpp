@@ -17,8 +17,8 @@ ViewLayout wanted_layout(const RenderParams& params, PictureLayout layout, const
   const ViewGrid& grid = film.grid;
   if (layout == PictureLayout::kIntegral) return {LayoutKind::kIntegral, grid, {}};
   if (layout == PictureLayout::kViews) return {LayoutKind::kStack, grid, {}};
-  ViewGrid tiles{params.quilt.x, params.quilt.y};
-  if (params.quilt.x == 0) {
+  ViewGrid tiles{params.output.quilt.x, params.output.quilt.y};
+  if (params.output.quilt.x == 0) {
     tiles = grid.rows > 1 ? grid : squarest_tiles(grid.count());
     if (film.kind == LayoutKind::kQuilt) tiles = film.tiles;
   }
@@ -72,15 +72,15 @@ ViewLayout film_layout(const Optics& optics, const char* flag) {
 
 FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics, const Display* display)
     : film_(optics.panel.width, optics.panel.height), sub_pixels_(std::holds_alternative<SlantedPanel>(optics.model)) {
-  const PictureLayout layout = params.layout.value_or(default_layout(optics, display));
+  const PictureLayout layout = params.output.layout.value_or(default_layout(optics, display));
   const bool is_print = layout == PictureLayout::kPrint;
-  names_.format = is_print ? PictureFormat::kTiff : params.format;
-  refuse_without(layout == PictureLayout::kQuilt, params.quilt.x > 0, "--quilt", "--layout quilt");
-  refuse_without(is_print, params.mirror, "--mirror", "--layout print");
+  names_.format = is_print ? PictureFormat::kTiff : params.output.format;
+  refuse_without(layout == PictureLayout::kQuilt, params.output.quilt.x > 0, "--quilt", "--layout quilt");
+  refuse_without(is_print, params.output.mirror, "--mirror", "--layout print");
   refuse_without(display != nullptr, layout == PictureLayout::kNative || is_print, "--layout native or print", "--display");
-  mirrors_ = params.mirror;
+  mirrors_ = params.output.mirror;
   if (display) pixels_per_mm_ = 1.0 / display->pixel_mm();
-  if (params.pseudoscopic) {
+  if (params.output.pseudoscopic) {
     turn_round(optics, layout);
     return;
   }
@@ -90,8 +90,8 @@ FrameLayout::FrameLayout(const RenderParams& params, const Optics& optics, const
                         "--layout without --optics");
     return;
   }
-  if (!params.layout && !display) return;
-  if (std::holds_alternative<SingleView>(optics.model) && !params.layout) return;
+  if (!params.output.layout && !display) return;
+  if (std::holds_alternative<SingleView>(optics.model) && !params.output.layout) return;
   arrange_views(params, layout, optics);
 }
 
@@ -120,7 +120,8 @@ void FrameLayout::arrange_views(const RenderParams& params, PictureLayout layout
   }
   if (wanted.kind == LayoutKind::kStack) {
     names_.views = film.grid.count();
-    if (!params.video.empty()) throw usage_error("--video", "views are pictures of their own", "--layout quilt or integral");
+    if (!params.output.video.empty())
+      throw usage_error("--video", "views are pictures of their own", "--layout quilt or integral");
   }
   if (!same_places(film, wanted)) arrangement_.emplace(film, wanted, film_, "--layout");
 }

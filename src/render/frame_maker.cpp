@@ -70,15 +70,15 @@ void refuse_deforming_meshes(const Scene& scene) {
 
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
                                              const Context& context) {
-  if (params.scene == kTestPattern) return std::make_unique<PatternFrames>(stage, pool);
-  if (params.reuse == Reuse::kForward) refuse_deforming_meshes(stage.scene);
-  if (params.reuse == Reuse::kForward && params.min_psnr_db)
+  if (params.scene.name == kTestPattern) return std::make_unique<PatternFrames>(stage, pool);
+  if (params.reuse.mode == Reuse::kForward) refuse_deforming_meshes(stage.scene);
+  if (params.reuse.mode == Reuse::kForward && params.reuse.min_psnr_db)
     return std::make_unique<FlooredFrames>(stage, params, pool, context);
-  if (params.reuse == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
+  if (params.reuse.mode == Reuse::kForward) return std::make_unique<ForwardFrames>(stage, params, pool, context);
   warn_of_whole_paths(params, context);
-  if (params.denoise) return std::make_unique<DenoisedFrames>(stage, params, pool, context);
+  if (params.sampling.denoise) return std::make_unique<DenoisedFrames>(stage, params, pool, context);
   // Extra layers are of every pixel of every frame: with them nothing is left to reuse.
-  if (params.reuse == Reuse::kExact && params.aov.empty() && !params.transparent &&
+  if (params.reuse.mode == Reuse::kExact && params.sampling.aov.empty() && !params.sampling.transparent &&
       integrator_of(params) == Integrator::kWhitted)
     return std::make_unique<ExactFrames>(stage, params, pool, context);
   if (LitFrames::serves(params)) return std::make_unique<LitFrames>(stage, params, pool, context);
@@ -86,11 +86,11 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
 }
 
 double bytes_kept_per_pixel(const RenderParams& params) {
-  if (params.reuse == Reuse::kForward && params.min_psnr_db) return FlooredFrames::bytes_kept_per_pixel();
-  if (params.reuse == Reuse::kForward) return ForwardFrames::bytes_kept_per_pixel(params);
-  if (params.denoise) return DenoisedFrames::bytes_kept_per_pixel(params);
+  if (params.reuse.mode == Reuse::kForward && params.reuse.min_psnr_db) return FlooredFrames::bytes_kept_per_pixel();
+  if (params.reuse.mode == Reuse::kForward) return ForwardFrames::bytes_kept_per_pixel(params);
+  if (params.sampling.denoise) return DenoisedFrames::bytes_kept_per_pixel(params);
   if (LitFrames::serves(params)) return LitFrames::bytes_kept_per_pixel();
-  return params.reuse == Reuse::kExact ? ExactFrames::bytes_kept_per_pixel() : 0.0;
+  return params.reuse.mode == Reuse::kExact ? ExactFrames::bytes_kept_per_pixel() : 0.0;
 }
 
 }  // namespace lippmann

@@ -24,7 +24,7 @@ namespace {
 
 /// What EXR files say of the render, for those who get them without its report.
 std::vector<ExrAttribute> about_render(const FrameSink::Settings& settings) {
-  std::vector<ExrAttribute> about{{"lippmann.version", LIPPMANN_VERSION}, {"lippmann.scene", settings.params.scene}};
+  std::vector<ExrAttribute> about{{"lippmann.version", LIPPMANN_VERSION}, {"lippmann.scene", settings.params.scene.name}};
   if (!settings.optics) return about;
   about.push_back({"lippmann.optics", json_to_text(optics_json(*settings.optics), -1)});
   about.push_back({"lippmann.depth_scale", fmt::format("{}", settings.depth_scale)});
@@ -57,14 +57,14 @@ class TimedWork {
 
 /// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
 bool needs_codes(PictureFormat format, const RenderParams& params) {
-  return format == PictureFormat::kPng || format == PictureFormat::kTiff || !params.video.empty();
+  return format == PictureFormat::kPng || format == PictureFormat::kTiff || !params.output.video.empty();
 }
 
 }  // namespace
 
 VideoOptions video_options(const RenderParams& params, const std::string& file, double frames_per_second) {
-  VideoOptions options{.rate = frame_rate(frames_per_second), .codec = params.video_codec, .crf = params.crf};
-  if (!params.video_codec && std::filesystem::path(file).extension() == ".mkv") options.crf.reset();  // it loses nothing
+  VideoOptions options{.rate = frame_rate(frames_per_second), .codec = params.output.video_codec, .crf = params.output.crf};
+  if (!params.output.video_codec && std::filesystem::path(file).extension() == ".mkv") options.crf.reset();  // it loses nothing
   return options;
 }
 

@@ -36,8 +36,8 @@ LitFrames::LitFrames(Stage& stage, const RenderParams& params, const ThreadPool&
     : stage_(stage), params_(params), pool_(pool), context_(context), swept_(stage.scene, -1), tracer_(stage.device) {}
 
 bool LitFrames::is_wanted(const RenderParams& params) {
-  return params.reuse == Reuse::kExact && integrator_of(params) == Integrator::kPath &&
-         (samples_per_pixel(params) >= kLeastPaths || params.min_psnr_db || params.time_budget_s);
+  return params.reuse.mode == Reuse::kExact && integrator_of(params) == Integrator::kPath &&
+         (samples_per_pixel(params) >= kLeastPaths || params.reuse.min_psnr_db || params.reuse.time_budget_s);
 }
 
 bool LitFrames::serves(const RenderParams& params) {
@@ -78,10 +78,10 @@ FrameReport LitFrames::visit(int frame, FramePictures& pictures, NoisyFrame* noi
   TraceParams trace = trace_params(params_, stage_.scene);
   trace.frame = static_cast<std::uint32_t>(frame);
   CachedLightGoal goal;
-  if (params_.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *params_.min_psnr_db));
-  goal.seconds = params_.time_budget_s;
+  if (params_.reuse.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *params_.reuse.min_psnr_db));
+  goal.seconds = params_.reuse.time_budget_s;
   goal.frames = std::min(kSegment, stage_.scene.timeline.frame_count - frame / kSegment * kSegment);
-  goal.provenance = params_.debug == DebugPicture::kProvenance;
+  goal.provenance = params_.reuse.debug == DebugPicture::kProvenance;
   constexpr int kTwoFrames[] = {2};
   const std::vector<HorizonBox> moving =
       frame % kSegment > 0 ? swept_.around(frame - 1, kTwoFrames, frame) : std::vector<HorizonBox>{};

@@ -18,7 +18,7 @@ constexpr float kSingleWidthMm = 64.0f;  ///< of views without lenses: as wide a
 constexpr float kViewAngleDeg = 28.0f;   ///< where nobody says
 constexpr float kViewerHeights = 3.0f;   ///< where nobody says how far the viewer stands: as one does before a picture
 
-float view_angle_deg(const RenderParams& params) { return params.view_angle_deg.value_or(kViewAngleDeg); }
+float view_angle_deg(const RenderParams& params) { return params.optics.view_angle_deg.value_or(kViewAngleDeg); }
 
 /// The centre of the cell nearest to the panel's middle, when a cell begins at the panel's edge, `extent` wide.
 float cell_center_nearest_middle(float extent, float cell) {
@@ -38,7 +38,7 @@ LensGeometry lens_geometry(float cell_mm, float view_angle_deg, float viewing_di
 
 LenticularSheet lenticular_sheet(const RenderParams& params, const Panel& panel, float lens_pixels, float distance_mm) {
   LenticularSheet sheet;
-  sheet.slant = radians(params.slant_deg);
+  sheet.slant = radians(params.optics.slant_deg);
   const float cell = lens_pixels * panel.pixel_pitch_mm * std::cos(sheet.slant);  // lens_pixels counts along a pixel row
   const LensGeometry lens = lens_geometry(cell, view_angle_deg(params), distance_mm);
   const float width = static_cast<float>(panel.width) * panel.pixel_pitch_mm * std::cos(sheet.slant);
@@ -52,10 +52,10 @@ LenticularSheet lenticular_sheet(const RenderParams& params, const Panel& panel,
 MicrolensArray microlens_array(const RenderParams& params, const Panel& panel, float lens_pixels, float distance_mm) {
   MicrolensArray array;
   const float cell = lens_pixels * panel.pixel_pitch_mm;
-  const float row = params.packing == LensPacking::kHexagonal ? cell * std::sqrt(0.75f) : cell;
+  const float row = params.optics.packing == LensPacking::kHexagonal ? cell * std::sqrt(0.75f) : cell;
   const LensGeometry lens = lens_geometry(cell, view_angle_deg(params), distance_mm);
   const Vec2f extent = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
-  array.packing = params.packing;
+  array.packing = params.optics.packing;
   array.lens_pitch_mm = lens.pitch_mm;
   array.gap_mm = lens.gap_mm;
   array.offset_mm =
@@ -74,7 +74,7 @@ OpticsModel make_model(const RenderParams& params, const Panel& panel, const Pan
     case OpticsKind::kMultiview: {
       const Extent<int> views = quilt_views(params);
       MultiView model{views.x, views.y, radians(view_angle_deg(params)), false, distance_mm};
-      if (params.camera_grid)
+      if (params.optics.camera_grid)
         model.baseline_mm =
             2.0f * distance_mm * std::tan(0.5f * model.view_cone) / static_cast<float>(std::max(views.x, views.y));
       return model;
@@ -93,9 +93,9 @@ Panel make_panel(const PanelSize& size, int columns) {
 /// Where the cells converge (lens arrays) or the eyes stand (the others, which need one at a finite distance).
 float viewing_distance_mm(const RenderParams& params, float fitted_mm, float window_height_mm) {
   const bool lenses = optics_kind(params) == OpticsKind::kLenticular || optics_kind(params) == OpticsKind::kMicrolens;
-  const float distance = params.viewing_distance_mm.value_or(fitted_mm);
+  const float distance = params.optics.viewing_distance_mm.value_or(fitted_mm);
   if (lenses || std::isfinite(distance)) return distance;
-  if (params.viewing_distance_mm)
+  if (params.optics.viewing_distance_mm)
     throw usage_error("--viewing-distance", "an infinite distance, and no lenses", "millimetres above 0, or auto");
   return kViewerHeights * window_height_mm;
 }

@@ -33,8 +33,8 @@ void require_agreement(int size, int lenses, float pixels, const char* direction
 
 /// Pixels below a lens, across: as said, or the share of a lens in the said size, or the default.
 float lens_pixels_across(const RenderParams& params) {
-  const int size = params.size.x, lenses = params.lenses.x;
-  const float pixels = params.lens_pixels.x;
+  const int size = params.optics.size.x, lenses = params.optics.lenses.x;
+  const float pixels = params.optics.lens_pixels.x;
   if (pixels > 0.0f && size > 0 && lenses > 0) require_agreement(size, lenses, pixels, "across");
   if (pixels > 0.0f) return pixels;
   if (size == 0 || lenses == 0) return kDefaultLensPixels;
@@ -47,42 +47,44 @@ float lens_pixels_across(const RenderParams& params) {
 /// Lenses have no extent along a lenticular sheet: numbers down only say how high the panel is.
 PanelSize lenticular_size(const RenderParams& params) {
   const float pixels = lens_pixels_across(params);
-  if (params.size.x > 0) return {params.size.x, params.size.y, pixels};
-  const int lenses = params.lenses.x > 0 ? params.lenses.x : kDefaultLenses;
+  if (params.optics.size.x > 0) return {params.optics.size.x, params.optics.size.y, pixels};
+  const int lenses = params.optics.lenses.x > 0 ? params.optics.lenses.x : kDefaultLenses;
   return {covered_pixels(lenses, pixels),
-          covered_pixels(params.lenses.y > 0 ? params.lenses.y : lenses,
-                         params.lens_pixels.y > 0.0f ? params.lens_pixels.y : pixels),
+          covered_pixels(params.optics.lenses.y > 0 ? params.optics.lenses.y : lenses,
+                         params.optics.lens_pixels.y > 0.0f ? params.optics.lens_pixels.y : pixels),
           pixels};
 }
 
 /// Lenslets are round: as many pixels down as across.
 PanelSize microlens_size(const RenderParams& params) {
   const float pixels = lens_pixels_across(params);
-  if (params.lens_pixels.y > 0.0f && params.lens_pixels.y != pixels)
-    throw usage_error("--lens-pixels", fmt::format("{} pixels across but {} down", pixels, params.lens_pixels.y),
+  if (params.optics.lens_pixels.y > 0.0f && params.optics.lens_pixels.y != pixels)
+    throw usage_error("--lens-pixels", fmt::format("{} pixels across but {} down", pixels, params.optics.lens_pixels.y),
                       "the same number both ways: lenslets are round");
-  const float row_pixels = params.packing == LensPacking::kHexagonal ? pixels * kHexagonalRow : pixels;
-  if (params.size.x > 0) {
-    if (params.lenses.y > 0) require_agreement(params.size.y, params.lenses.y, row_pixels, "down");
-    return {params.size.x, params.size.y, pixels};
+  const float row_pixels = params.optics.packing == LensPacking::kHexagonal ? pixels * kHexagonalRow : pixels;
+  if (params.optics.size.x > 0) {
+    if (params.optics.lenses.y > 0) require_agreement(params.optics.size.y, params.optics.lenses.y, row_pixels, "down");
+    return {params.optics.size.x, params.optics.size.y, pixels};
   }
-  const int lenses = params.lenses.x > 0 ? params.lenses.x : kDefaultLenses;
-  return {covered_pixels(lenses, pixels), covered_pixels(params.lenses.y > 0 ? params.lenses.y : lenses, row_pixels), pixels};
+  const int lenses = params.optics.lenses.x > 0 ? params.optics.lenses.x : kDefaultLenses;
+  return {covered_pixels(lenses, pixels),
+          covered_pixels(params.optics.lenses.y > 0 ? params.optics.lenses.y : lenses, row_pixels), pixels};
 }
 
 PanelSize quilt_size(const RenderParams& params) {
   const Extent<int> views = quilt_views(params);
-  if (params.size.x == 0) return {covered_pixels(views.x, kDefaultTile), covered_pixels(views.y, kDefaultTile), 0.0f};
-  if (params.size.x % views.x != 0 || params.size.y % views.y != 0)
-    throw usage_error(
-        "--size", fmt::format("{}x{} pixels do not divide into --views {}x{}", params.size.x, params.size.y, views.x, views.y),
-        fmt::format("for example {}x{}", std::max(1, params.size.x / views.x) * views.x,
-                    std::max(1, params.size.y / views.y) * views.y));
-  return {params.size.x, params.size.y, 0.0f};
+  if (params.optics.size.x == 0) return {covered_pixels(views.x, kDefaultTile), covered_pixels(views.y, kDefaultTile), 0.0f};
+  if (params.optics.size.x % views.x != 0 || params.optics.size.y % views.y != 0)
+    throw usage_error("--size",
+                      fmt::format("{}x{} pixels do not divide into --views {}x{}", params.optics.size.x, params.optics.size.y,
+                                  views.x, views.y),
+                      fmt::format("for example {}x{}", std::max(1, params.optics.size.x / views.x) * views.x,
+                                  std::max(1, params.optics.size.y / views.y) * views.y));
+  return {params.optics.size.x, params.optics.size.y, 0.0f};
 }
 
 PanelSize single_size(const RenderParams& params, Vec2i scene_resolution) {
-  if (params.size.x > 0) return {params.size.x, params.size.y, 0.0f};
+  if (params.optics.size.x > 0) return {params.optics.size.x, params.optics.size.y, 0.0f};
   if (scene_resolution.x > 0 && scene_resolution.y > 0) return {scene_resolution.x, scene_resolution.y, 0.0f};
   return {kDefaultSingle, kDefaultSingle, 0.0f};
 }
@@ -95,12 +97,14 @@ void refuse(bool said, const char* flag, const char* accepted) {
 void refuse_what_has_no_meaning(const RenderParams& params) {
   const bool lenticular = optics_kind(params) == OpticsKind::kLenticular,
              microlens = optics_kind(params) == OpticsKind::kMicrolens;
-  refuse(params.slant_deg != 0.0f && !lenticular, "--slant", "with --optics lenticular");
-  refuse(params.packing != LensPacking::kSquare && !microlens, "--packing", "with --optics microlens");
-  refuse(params.lenses.x > 0 && !lenticular && !microlens, "--lenses", "with --optics lenticular or microlens");
-  refuse(params.lens_pixels.x > 0.0f && !lenticular && !microlens, "--lens-pixels", "with --optics lenticular or microlens");
-  refuse(params.camera_grid && optics_kind(params) != OpticsKind::kMultiview, "--camera-grid", "with --optics multiview");
-  refuse(params.views.x > 0 && optics_kind(params) != OpticsKind::kMultiview, "--views", "with --optics multiview");
+  refuse(params.optics.slant_deg != 0.0f && !lenticular, "--slant", "with --optics lenticular");
+  refuse(params.optics.packing != LensPacking::kSquare && !microlens, "--packing", "with --optics microlens");
+  refuse(params.optics.lenses.x > 0 && !lenticular && !microlens, "--lenses", "with --optics lenticular or microlens");
+  refuse(params.optics.lens_pixels.x > 0.0f && !lenticular && !microlens, "--lens-pixels",
+         "with --optics lenticular or microlens");
+  refuse(params.optics.camera_grid && optics_kind(params) != OpticsKind::kMultiview, "--camera-grid",
+         "with --optics multiview");
+  refuse(params.optics.views.x > 0 && optics_kind(params) != OpticsKind::kMultiview, "--views", "with --optics multiview");
 }
 
 PanelSize size_of_kind(const RenderParams& params, Vec2i scene_resolution) {
@@ -119,7 +123,9 @@ PanelSize size_of_kind(const RenderParams& params, Vec2i scene_resolution) {
 
 }  // namespace
 
-Extent<int> quilt_views(const RenderParams& params) { return params.views.x > 0 ? params.views : Extent<int>{8, 6}; }
+Extent<int> quilt_views(const RenderParams& params) {
+  return params.optics.views.x > 0 ? params.optics.views : Extent<int>{8, 6};
+}
 
 PanelSize panel_size(const RenderParams& params, Vec2i scene_resolution) {
   refuse_what_has_no_meaning(params);

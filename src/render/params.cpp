@@ -18,15 +18,15 @@ bool is_builtin_scene(const std::string& scene) {
 }
 
 RenderParams with_scene_defaults(RenderParams params) {
-  if (params.integrator) return params;
-  const bool paths = is_physical_format(params.scene) && params.reuse != Reuse::kForward;
-  params.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
-  if (paths && params.spp == 0) params.spp = kFirstPathSamples;
+  if (params.sampling.integrator) return params;
+  const bool paths = is_physical_format(params.scene.name) && params.reuse.mode != Reuse::kForward;
+  params.sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
+  if (paths && params.sampling.spp == 0) params.sampling.spp = kFirstPathSamples;
   return params;
 }
 
 bool fits_depth(const RenderParams& params) {
-  return params.fit_depth.value_or(!params.display.empty() || optics_kind(params) != OpticsKind::kMultiview);
+  return params.optics.fit_depth.value_or(!params.optics.display.empty() || optics_kind(params) != OpticsKind::kMultiview);
 }
 
 std::vector<int> frames_of(const FrameRanges& ranges) {
@@ -50,25 +50,25 @@ FrameRanges ranges_of(const std::vector<int>& frames) {
 }
 
 Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes) {
-  if (params.scene == kTestPattern) return test_pattern_scene();
+  if (params.scene.name == kTestPattern) return test_pattern_scene();
   LoadOptions options;
-  if (!params.camera_path.empty()) options.camera_path = params.camera_path;
-  options.frames_per_second = params.fps;
-  options.animation = params.animation;
-  options.asset_root = params.asset_root;
-  Scene scene = load_scene(params.scene, options, context);
+  if (!params.scene.camera_path.empty()) options.camera_path = params.scene.camera_path;
+  options.frames_per_second = params.scene.fps;
+  options.animation = params.scene.animation;
+  options.asset_root = params.scene.asset_root;
+  Scene scene = load_scene(params.scene.name, options, context);
   SceneNotes known{camera_names(scene), {}};
-  choose_camera(scene, params.camera);
-  turn_upright(scene, params.up);
-  for (Light& light : scene.lights) light.color *= params.light_scale;
+  choose_camera(scene, params.scene.camera);
+  turn_upright(scene, params.scene.up);
+  for (Light& light : scene.lights) light.color *= params.scene.light_scale;
   known.light = light_scene(scene, params, context);
   if (notes) *notes = std::move(known);
   return scene;
 }
 
 std::string output_folder(const RenderParams& params) {
-  if (!params.output.empty()) return params.output;
-  return (std::filesystem::path("out") / std::filesystem::path(params.scene).stem()).string();
+  if (!params.output.folder.empty()) return params.output.folder;
+  return (std::filesystem::path("out") / std::filesystem::path(params.scene.name).stem()).string();
 }
 
 }  // namespace lippmann

@@ -58,24 +58,26 @@ struct Extent {
   bool operator==(const Extent&) const = default;
 };
 
-struct RenderParams {
-  // Scene
-  std::string scene;                  ///< a built-in name or a file
-  std::string camera_path;            ///< a Tachyon .cam file for a .dat scene; empty: none
-  std::string animation;              ///< name or index of the one to show, of scenes that hold several; empty: the first
-  std::string asset_root;             ///< files that the scene names may lie below it; empty: in its own folder only
-  std::string camera;                 ///< name or index of the one that decides the view; empty: the first
-  UpAxis up = UpAxis::kY;             ///< the axis of the scene's file that points upwards
-  std::string focus, fit_to;          ///< of ViewWish
-  float zoom = 1.0f;                  ///< of ViewWish
-  Orbit orbit;                        ///< of ViewWish
-  std::optional<FrameRanges> frames;  ///< none: the whole animation
-  float light_scale = 1.0f;           ///< factor on the light of the file's lamps
-  double fps = 0.0;                   ///< frames per second of the animation and of videos; 0: the scene's own
+/// Which scene, in what light, and what of it is looked at.
+struct SceneParams {
+  std::string name;                       ///< a built-in name or a file
+  std::string camera_path;                ///< a Tachyon .cam file for a .dat scene; empty: none
+  std::string animation;                  ///< name or index of the one to show, of scenes that hold several; empty: the first
+  std::string asset_root;                 ///< files that the scene names may lie below it; empty: in its own folder only
+  std::string camera;                     ///< name or index of the one that decides the view; empty: the first
+  UpAxis up = UpAxis::kY;                 ///< the axis of the scene's file that points upwards
+  double fps = 0.0;                       ///< frames per second of the animation and of videos; 0: the scene's own
+  float light_scale = 1.0f;               ///< factor on the light of the file's lamps
+  std::string environment;                ///< none, studio, a colour or a panorama; empty: see render/scene_light.hpp
+  float environment_strength = 1.0f;      ///< factor
+  float environment_rotation_deg = 0.0f;  ///< about the vertical
+  ViewWish view;
+};
 
-  // Optics
+/// What it is rendered for.
+struct OpticsParams {
   std::string display;                         ///< a preset, a file of one's own or a calibration; empty: none
-  std::optional<OpticsKind> optics;            ///< none: the display's, or lenticular
+  std::optional<OpticsKind> kind;              ///< none: the display's, or lenticular
   LensPacking packing = LensPacking::kSquare;  ///< microlens arrays
   Extent<int> lenses;                          ///< 0: 64 across, and as many down as fill the panel
   Extent<float> lens_pixels;                   ///< pixels below a lens, not necessarily whole; 0: 8
@@ -88,25 +90,25 @@ struct RenderParams {
   float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
   std::optional<double> crosstalk_px;          ///< sigma (optics/crosstalk.hpp); none: the display's
   bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
+};
 
-  // Rendering
+/// How a frame is traced, and which layers it has.
+struct Sampling {
   std::optional<Integrator> integrator;  ///< none: see with_scene_defaults
   RayOrder order = RayOrder::kViewTiles;
   int spp = 0;                                  ///< samples per pixel; 0: 1, of paths kPathSamples
   std::optional<AngularFilter> angular_filter;  ///< none: see wanted_angular_filter (render/frame.hpp)
   int max_depth = 0;                            ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
-  float clamp_indirect = 0.0f;            ///< paths: the brightest indirect contribution to a sample; 0: any
-  bool denoise = false;                   ///< paths: frames are filtered (denoise/denoiser.hpp)
-  std::string environment;                ///< none, studio, a colour or a panorama; empty: see render/scene_light.hpp
-  float environment_strength = 1.0f;      ///< factor
-  float environment_rotation_deg = 0.0f;  ///< about the vertical
-  bool transparent = false;               ///< pictures have alpha: the surroundings light the scene but are not seen
-  float exposure_ev = 0.0f;               ///< of pictures in codes and of videos; EXR stays as the light is
-  ToneCurve tone = ToneCurve::kNone;      ///< likewise
+  float clamp_indirect = 0.0f;  ///< paths: the brightest indirect contribution to a sample; 0: any
+  bool denoise = false;         ///< paths: frames are filtered (denoise/denoiser.hpp)
+  bool transparent = false;     ///< pictures have alpha: the surroundings light the scene but are not seen
+  std::vector<Aov> aov;         ///< extra layers beside the picture
+};
 
-  // Reuse between frames
-  Reuse reuse = Reuse::kExact;
+/// What frames take from each other.
+struct ReuseParams {
+  Reuse mode = Reuse::kExact;
   std::optional<int> keyframes;         ///< a key frame every K frames; none: exact chooses, forward takes kDefaultKeyframes
   std::optional<double> min_psnr_db;    ///< of every frame, 8-bit codes; none: forward's errors are not bounded
   std::optional<double> time_budget_s;  ///< of a path-traced frame, about, on this machine; none: as long as it takes
@@ -115,21 +117,32 @@ struct RenderParams {
   bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only
   bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, for study
   DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black; kProvenance: where light came from
+};
 
-  // Files
-  std::string output;                   ///< folder; empty: out/<scene name>
+/// Which frames are written, where to, and as what.
+struct OutputParams {
+  std::string folder;                   ///< empty: out/<scene name>
+  std::optional<FrameRanges> frames;    ///< none: the whole animation
+  float exposure_ev = 0.0f;             ///< of pictures in codes and of videos; EXR stays as the light is
+  ToneCurve tone = ToneCurve::kNone;    ///< likewise
   std::optional<PictureLayout> layout;  ///< none: as the optics lie, lens by lens or tile by tile
   bool pseudoscopic = false;            ///< kIntegral: as a lens array records, depth turned round
   bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
   Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
-  std::vector<Aov> aov;                   ///< extra layers beside the picture
   std::vector<std::string> video;         ///< files; the ending says which kind
   std::optional<VideoCodec> video_codec;  ///< of all of them; none: by ending and size
   std::optional<int> crf;                 ///< of all that lose anything; none: the codec's own
+};
 
-  // Running
+/// All of it, and how it is run.
+struct RenderParams {
+  SceneParams scene;
+  OpticsParams optics;
+  Sampling sampling;
+  ReuseParams reuse;
+  OutputParams output;
   int threads = 0;      ///< 0: one per processor
   bool resume = false;  ///< keep the frames that the same job has finished before
 };
@@ -143,22 +156,22 @@ inline constexpr int kPathSamples = 64, kFirstPathSamples = 16;
 /// takes the parameters as they are after this.
 RenderParams with_scene_defaults(RenderParams params);
 
-inline Integrator integrator_of(const RenderParams& params) { return params.integrator.value_or(Integrator::kWhitted); }
-
-inline int samples_per_pixel(const RenderParams& params) {
-  return params.spp > 0 ? params.spp : integrator_of(params) == Integrator::kPath ? kPathSamples : 1;
+inline Integrator integrator_of(const RenderParams& params) {
+  return params.sampling.integrator.value_or(Integrator::kWhitted);
 }
 
-inline ViewWish view_wish(const RenderParams& params) { return {params.focus, params.fit_to, params.zoom, params.orbit}; }
+inline int samples_per_pixel(const RenderParams& params) {
+  return params.sampling.spp > 0 ? params.sampling.spp : integrator_of(params) == Integrator::kPath ? kPathSamples : 1;
+}
 
-inline Tone tone_of(const RenderParams& params) { return {params.exposure_ev, params.tone}; }
+inline Tone tone_of(const RenderParams& params) { return {params.output.exposure_ev, params.output.tone}; }
 
 /// As said; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a display
 /// are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.
 bool fits_depth(const RenderParams& params);
 
 /// What is traced: as said, or lenticular.
-inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.value_or(OpticsKind::kLenticular); }
+inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.kind.value_or(OpticsKind::kLenticular); }
 
 /// Whether `scene` names one of the built-in scenes, and thus no file.
 bool is_builtin_scene(const std::string& scene);

@@ -14,7 +14,7 @@ inline constexpr double kLeastBudgetS = 0.001, kMostBudgetS = 86400.0;  ///< sec
 void check_reuse(const RenderParams& params);
 
 /// Every how many frames one is traced, or at least is, where it is chosen; reuse only.
-inline int key_frame_interval(const RenderParams& params) { return params.keyframes.value_or(kDefaultKeyframes); }
+inline int key_frame_interval(const RenderParams& params) { return params.reuse.keyframes.value_or(kDefaultKeyframes); }
 
 ForwardParams forward_params(const RenderParams& params);
 

@@ -107,7 +107,7 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   count(scene, info);
   info.bounds = bounds_over_animation(scene);
   const auto display = wanted_display(params);
-  info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()), view_wish(params));
+  info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()), params.scene.view);
   const PlacedOptics placed = make_optics(params, scene, info.array, display.get());
   info.optics = placed.optics;
   info.units_per_mm = placed.units_per_mm, info.depth_scale = placed.depth_scale;

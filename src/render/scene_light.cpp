@@ -56,8 +56,8 @@ std::optional<Vec3f> read_color(std::string_view value, const std::string& where
 }
 
 void surround_with(Scene& scene, EnvironmentMap map, const RenderParams& params, float share) {
-  map.strength *= share * params.environment_strength;
-  map.rotation += radians(params.environment_rotation_deg);
+  map.strength *= share * params.scene.environment_strength;
+  map.rotation += radians(params.scene.environment_rotation_deg);
   scene.background.map = std::move(map);
 }
 
@@ -68,24 +68,24 @@ void surround_with(Scene& scene, Vec3f color) {
 
 /// What --environment asks for.
 std::string light_as_asked(Scene& scene, const RenderParams& params) {
-  const std::string& value = params.environment;
+  const std::string& value = params.scene.environment;
   if (value == kNone) return "The scene has its own light alone, as --environment none asks for.";
   if (value == kStudio) {
     surround_with(scene, studio_environment(viewer_orientation(scene)), params, 1.0f);
     return "The built-in studio lights the scene, as --environment asks for.";
   }
   if (const std::optional<Vec3f> color = read_color(value, "--environment")) {
-    surround_with(scene, params.environment_strength * *color);
+    surround_with(scene, params.scene.environment_strength * *color);
     return fmt::format("The colour {} surrounds the scene, as --environment asks for.", value);
   }
-  scene.background.map = read_environment(value, params.environment_strength, params.environment_rotation_deg);
+  scene.background.map = read_environment(value, params.scene.environment_strength, params.scene.environment_rotation_deg);
   return fmt::format("The panorama {} lights the scene, as --environment asks for.", value);
 }
 
 std::string light_for_whitted(Scene& scene, const RenderParams& params, const Context& context) {
   if (!lacks_lamps(scene)) return "The scene has its own light.";
-  context.warning(
-      fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added", params.scene));
+  context.warning(fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added",
+                              params.scene.name));
   add_default_light(scene);
   return "A key light from above left of the viewer lights the scene, because the file has no lamps.";
 }
@@ -115,9 +115,9 @@ std::string read_environment_choice(std::string_view value, const std::string& w
 }
 
 std::string light_scene(Scene& scene, const RenderParams& params, const Context& context) {
-  if (!params.environment.empty()) return light_as_asked(scene, params);
+  if (!params.scene.environment.empty()) return light_as_asked(scene, params);
   if (integrator_of(params) == Integrator::kWhitted) return light_for_whitted(scene, params, context);
-  if (!is_physical_format(params.scene)) return "The scene has its own light.";
+  if (!is_physical_format(params.scene.name)) return "The scene has its own light.";
   return light_for_paths(scene, params);
 }
 

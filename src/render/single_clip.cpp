@@ -22,14 +22,15 @@ Extent<int> picture_size(const Optics& optics) {
 RenderParams single_clip(const RenderParams& params, const Optics& optics) {
   const RenderParams defaults;
   RenderParams single = params;
-  single.optics = OpticsKind::kSingle;
-  single.packing = defaults.packing, single.lenses = {}, single.lens_pixels = {}, single.views = {};
-  single.camera_grid = false, single.slant_deg = 0.0f, single.fit_depth.reset();
-  single.crosstalk_px.reset(), single.precompensate = false, single.angular_filter.reset();
-  single.size = params.display.empty() ? picture_size(optics) : Extent<int>{};
-  single.layout.reset(), single.mirror = false, single.pseudoscopic = false, single.quilt = {};
-  single.output = (fs::path(output_folder(params)) / "single").string();
-  for (std::string& video : single.video) video = beside(video);
+  single.optics.kind = OpticsKind::kSingle;
+  single.optics.packing = defaults.optics.packing, single.optics.lenses = {}, single.optics.lens_pixels = {},
+  single.optics.views = {};
+  single.optics.camera_grid = false, single.optics.slant_deg = 0.0f, single.optics.fit_depth.reset();
+  single.optics.crosstalk_px.reset(), single.optics.precompensate = false, single.sampling.angular_filter.reset();
+  single.optics.size = params.optics.display.empty() ? picture_size(optics) : Extent<int>{};
+  single.output.layout.reset(), single.output.mirror = false, single.output.pseudoscopic = false, single.output.quilt = {};
+  single.output.folder = (fs::path(output_folder(params)) / "single").string();
+  for (std::string& video : single.output.video) video = beside(video);
   return single;
 }
 

@@ -15,7 +15,7 @@ enum class Texture { kClean, kDenoised, kNoisy };
 
 Texture texture_of(const RenderParams& params) {
   if (integrator_of(params) == Integrator::kWhitted) return Texture::kClean;
-  return params.denoise ? Texture::kDenoised : Texture::kNoisy;
+  return params.sampling.denoise ? Texture::kDenoised : Texture::kNoisy;
 }
 
 double of(Texture texture, double clean, double denoised, double noisy) {
@@ -38,7 +38,7 @@ double picture_bytes_per_sample(const RenderParams& params, PictureFormat format
     case PictureFormat::kExr:
       break;
   }
-  return (params.exr_pixels == ExrPixels::kFloat ? 2.2 : 1.0) * of(texture, 1.2, 1.3, 1.4);
+  return (params.output.exr_pixels == ExrPixels::kFloat ? 2.2 : 1.0) * of(texture, 1.2, 1.3, 1.4);
 }
 
 double layer_bytes_per_pixel(Aov aov) {
@@ -69,7 +69,7 @@ double video_bytes_per_pixel(const RenderParams& params, VideoCodec codec) {
   const Texture texture = texture_of(params);
   const std::optional<CrfRange> range = crf_range(codec);
   if (!range) return of(texture, 0.8, 0.9, 1.0);  // loses nothing
-  const double crf_steps = params.crf.value_or(range->standard) - range->standard;
+  const double crf_steps = params.output.crf.value_or(range->standard) - range->standard;
   return of(texture, 0.06, 0.06, 0.07) * std::pow(2.0, -crf_steps / 6.0);  // six steps halve a video
 }
 
@@ -80,10 +80,10 @@ FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& param
   const double pixels = picture * std::max(1, plan.names.views) * static_cast<double>(plan.frames.size());
   FileSizes sizes;
   sizes.pictures = 3.0 * pixels * picture_bytes_per_sample(params, plan.names.format);
-  for (const Aov aov : params.aov) sizes.layers += pixels * layer_bytes_per_pixel(aov);
+  for (const Aov aov : params.sampling.aov) sizes.layers += pixels * layer_bytes_per_pixel(aov);
   for (const std::string& video : plan.videos)
-    sizes.videos += pixels * video_bytes_per_pixel(
-                                 params, choose_codec(video, params.video_codec, plan.picture_size.x, plan.picture_size.y));
+    sizes.videos += pixels * video_bytes_per_pixel(params, choose_codec(video, params.output.video_codec, plan.picture_size.x,
+                                                                        plan.picture_size.y));
   return sizes;
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kPrecompensateFlag = "--precompensate";
 
 double said_crosstalk(const RenderParams& params, const Optics& optics, const Display* display) {
-  if (params.crosstalk_px) return *params.crosstalk_px;
+  if (params.optics.crosstalk_px) return *params.optics.crosstalk_px;
   if (!display || !display->crosstalk_px)
     throw usage_error(kPrecompensateFlag, "nothing says how much neighbours leak into one another",
                       "--crosstalk, or a display whose file says it");
@@ -23,11 +23,12 @@ double said_crosstalk(const RenderParams& params, const Optics& optics, const Di
 }  // namespace
 
 std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics& optics, const Display* display) {
-  if (!params.precompensate) {
-    if (params.crosstalk_px) throw usage_error("--crosstalk", "means nothing without --precompensate", "both, or neither");
+  if (!params.optics.precompensate) {
+    if (params.optics.crosstalk_px)
+      throw usage_error("--crosstalk", "means nothing without --precompensate", "both, or neither");
     return std::nullopt;
   }
-  if (params.pseudoscopic)
+  if (params.output.pseudoscopic)
     throw usage_error(kPrecompensateFlag, "recorded pictures are not shown as they are", "no --pseudoscopic with it");
   const double sigma = said_crosstalk(params, optics, display);
   Image nothing;

@@ -60,7 +60,7 @@ TEST(HostileScenes, have_the_optics_that_they_ask_for) {
     const FittedArray array = fit_array(scene);
     const PlacedOptics placed = make_optics(hostile.params, scene, array);
     EXPECT_NO_THROW(validate(placed.optics)) << hostile.name;
-    EXPECT_EQ(hostile.params.integrator, Integrator::kPath) << hostile.name;
+    EXPECT_EQ(hostile.params.sampling.integrator, Integrator::kPath) << hostile.name;
   }
 }
 

@@ -54,8 +54,8 @@ TEST(DepthBudget, of_views_is_where_the_middle_ones_are_a_pixel_apart) {
 
 RenderParams fitted_depth() {
   RenderParams params;
-  params.fit_depth = true;
-  params.view_angle_deg = 28.0f;
+  params.optics.fit_depth = true;
+  params.optics.view_angle_deg = 28.0f;
   return params;
 }
 
@@ -73,17 +73,17 @@ TEST(FitDepth, is_the_default_of_lenses_and_displays_and_not_of_views_that_are_d
   };
   RenderParams params;
   EXPECT_LT(scale(params), 0.1f) << "a lenticular sheet";
-  params.optics = OpticsKind::kMultiview;
+  params.optics.kind = OpticsKind::kMultiview;
   EXPECT_EQ(scale(params), 1.0f) << "views of no display";
-  params.camera_grid = true;
+  params.optics.camera_grid = true;
   EXPECT_EQ(scale(params), 1.0f) << "a camera grid";
   params = {};
-  params.optics = OpticsKind::kSingle;
+  params.optics.kind = OpticsKind::kSingle;
   EXPECT_EQ(scale(params), 1.0f) << "a single view";
   params = {};
-  params.display = "portrait";
+  params.optics.display = "portrait";
   EXPECT_LT(scale(params, "portrait"), 0.5f) << "the quilt of a display";
-  params.fit_depth = false;
+  params.optics.fit_depth = false;
   EXPECT_EQ(scale(params, "portrait"), 1.0f);
 }
 
@@ -101,7 +101,7 @@ TEST(FitDepth, scene_that_fits_stays_as_it_is) {
 
 TEST(FitDepth, optics_are_those_of_the_display_whatever_the_depth) {
   RenderParams plain = fitted_depth();
-  plain.fit_depth = false;
+  plain.optics.fit_depth = false;
   ASSERT_EQ(make_optics(plain, Scene{}, array_of_depth(4.0f)).depth_scale, 1.0f);
   const auto gap = [](const RenderParams& params) {
     return std::get<LenticularSheet>(make_optics(params, Scene{}, array_of_depth(4.0f)).optics.model).gap_mm;

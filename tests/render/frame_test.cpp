@@ -8,8 +8,8 @@ namespace {
 
 RenderParams small_params() {
   RenderParams params;
-  params.scene = "primitives";
-  params.lenses = {4, 4};
+  params.scene.name = "primitives";
+  params.optics.lenses = {4, 4};
   return params;
 }
 

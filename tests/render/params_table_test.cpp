@@ -163,14 +163,14 @@ TEST(ParamsTable, extents_of_zero_or_beyond_reason_are_refused) {
 TEST(ParamsTable, extent_with_one_number_leaves_the_other_unsaid) {
   RenderParams params;
   param("lenses").set(params, {"64"}, "test");
-  EXPECT_EQ(params.lenses, (Extent<int>{64, 0}));
+  EXPECT_EQ(params.optics.lenses, (Extent<int>{64, 0}));
   EXPECT_EQ(param("lenses").get(params), Values{"64"});
 }
 
 TEST(ParamsTable, frames_accept_a_range_or_one_and_refuse_the_rest) {
   RenderParams params;
   param("frames").set(params, {"5"}, "test");
-  EXPECT_EQ(params.frames, (FrameRanges{{5, 5}}));
+  EXPECT_EQ(params.output.frames, (FrameRanges{{5, 5}}));
   for (const char* bad : {"7-3", "-1-3", "a-b", "3-", "", "0-4:0", "0-4:", "1,", ",1", "0;2"})
     EXPECT_THAT(message_of_setting("frames", bad), HasSubstr("0 <= A <= B"));
 }
@@ -178,7 +178,7 @@ TEST(ParamsTable, frames_accept_a_range_or_one_and_refuse_the_rest) {
 TEST(ParamsTable, frames_accept_lists_and_steps) {
   RenderParams params;
   param("frames").set(params, {"20,0-9:3,4,4-5"}, "test");
-  EXPECT_EQ(frames_of(*params.frames), (std::vector<int>{0, 3, 4, 5, 6, 9, 20}));
+  EXPECT_EQ(frames_of(*params.output.frames), (std::vector<int>{0, 3, 4, 5, 6, 9, 20}));
   EXPECT_EQ(param("frames").get(params), Values{"20,0-9:3,4,4-5"});
 }
 
@@ -187,15 +187,15 @@ TEST(ParamsTable, more_frames_than_anything_has_are_refused_before_they_are_list
   EXPECT_THAT(message_of_setting("frames", "0-9999999,0"), HasSubstr("at most 10000000"));
   RenderParams params;
   param("frames").set(params, {"0-2147483647:1000"}, "test");
-  EXPECT_EQ(frames_of(*params.frames).size(), 2147484u);
+  EXPECT_EQ(frames_of(*params.output.frames).size(), 2147484u);
 }
 
 TEST(ParamsTable, viewing_distance_reads_auto_inf_and_millimetres) {
   RenderParams params;
   param("viewing-distance").set(params, {"inf"}, "test");
-  EXPECT_EQ(params.viewing_distance_mm, kInfinity);
+  EXPECT_EQ(params.optics.viewing_distance_mm, kInfinity);
   param("viewing-distance").set(params, {"auto"}, "test");
-  EXPECT_EQ(params.viewing_distance_mm, std::nullopt);
+  EXPECT_EQ(params.optics.viewing_distance_mm, std::nullopt);
   for (const char* bad : {"0", "-5", "nan", "near"})
     EXPECT_THAT(message_of_setting("viewing-distance", bad), HasSubstr("above 0, inf, or auto"));
 }
@@ -208,15 +208,15 @@ TEST(ParamsTable, unknown_choice_lists_the_known_ones) {
 TEST(ParamsTable, aov_accepts_commas_and_repeats_and_keeps_each_once) {
   RenderParams params;
   param("aov").set(params, {"depth,normal", "depth"}, "test");
-  EXPECT_EQ(params.aov, (std::vector<Aov>{Aov::kDepth, Aov::kNormal}));
+  EXPECT_EQ(params.sampling.aov, (std::vector<Aov>{Aov::kDepth, Aov::kNormal}));
   EXPECT_THAT(message_of_setting("aov", "depth,,id"), HasSubstr("depth, normal, id, position"));
 }
 
 TEST(OutputFolder, unsaid_is_out_slash_scene_name) {
   RenderParams params;
-  params.scene = "some/where/BoxAnimated.glb";
+  params.scene.name = "some/where/BoxAnimated.glb";
   EXPECT_EQ(output_folder(params), "out/BoxAnimated");
-  params.output = "elsewhere";
+  params.output.folder = "elsewhere";
   EXPECT_EQ(output_folder(params), "elsewhere");
 }
 

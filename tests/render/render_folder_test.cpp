@@ -209,7 +209,7 @@ TEST(RenderFolder, differences_are_the_parameters_that_decide_pictures) {
   const test::TempDir dir;
   std::ofstream(dir / "job.toml") << "scene = \"teapot\"\nspp = 4\nview-angle = 40\nthreads = 3\nframes = \"0-3\"\n";
   RenderParams params;
-  params.scene = "teapot";
+  params.scene.name = "teapot";
   EXPECT_THAT(differences(dir / "job.toml", with_scene_defaults(params)), ElementsAre("view-angle", "spp"));
   std::ofstream(dir / "job.toml") << "no job";
   EXPECT_THAT(differences(dir / "job.toml", params), ElementsAre());

@@ -79,9 +79,9 @@ TEST(Report, totals_are_sums_over_the_frames) {
 
 TEST(Report, settings_have_json_types_and_null_for_what_is_not_said) {
   RenderReport report;
-  report.params.spp = 4;
-  report.params.lenses = {32, 0};
-  report.params.video = {"a.mp4"};
+  report.params.sampling.spp = 4;
+  report.params.optics.lenses = {32, 0};
+  report.params.output.video = {"a.mp4"};
   const Json settings = to_json(report)["settings"];
   EXPECT_EQ(settings["spp"], 4);
   EXPECT_EQ(settings["lenses"], "32");

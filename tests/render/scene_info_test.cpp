@@ -14,8 +14,8 @@ namespace {
 TEST(SceneInfo, small_scene_is_counted_and_measured) {
   const test::TempDir dir;
   RenderParams params;
-  params.scene = (dir / "two.dat").string();
-  std::ofstream(params.scene) << R"(BEGIN_SCENE
+  params.scene.name = (dir / "two.dat").string();
+  std::ofstream(params.scene.name) << R"(BEGIN_SCENE
 RESOLUTION 8 8
 CAMERA
   ZOOM 1.0 ASPECTRATIO 1.0 ANTIALIASING 0 RAYDEPTH 2
@@ -57,7 +57,7 @@ TEST(SceneInfo, file_with_animations_says_whether_its_keys_are_on_frames) {
 
 TEST(SceneInfo, animated_scene_says_what_moves) {
   RenderParams params;
-  params.scene = "gears";
+  params.scene.name = "gears";
   const SceneInfo info = describe_scene(params, Context{});
   EXPECT_GE(info.frames, 400);
   EXPECT_GT(info.moving_instances, 0u);

@@ -21,8 +21,8 @@ class SceneLight : public testing::Test {
   RenderParams params_of(const std::string& name, const std::string& contents) const {
     std::ofstream(dir_ / name, std::ios::binary) << contents;
     RenderParams params;
-    params.scene = (dir_ / name).string();
-    params.integrator = Integrator::kPath;
+    params.scene.name = (dir_ / name).string();
+    params.sampling.integrator = Integrator::kPath;
     return params;
   }
 
@@ -52,7 +52,7 @@ TEST_F(SceneLight, is_the_studio_where_a_file_brings_none) {
   for (const RenderParams& params : {plain_file(), params_of("a.gltf", gltf_of("", "")), params_of("a.ply", ply)}) {
     SceneNotes notes;
     const Scene scene = wanted_scene(params, {}, &notes);
-    ASSERT_TRUE(scene.background.map) << params.scene;
+    ASSERT_TRUE(scene.background.map) << params.scene.name;
     EXPECT_EQ(scene.background.map->strength, 1.0f);
     EXPECT_TRUE(scene.lights.empty());
     EXPECT_EQ(notes.light, "The built-in studio lights the scene, because the file has no lamps and no surroundings.");
@@ -71,8 +71,8 @@ TEST_F(SceneLight, is_a_dim_studio_around_lamps_of_the_file) {
 TEST_F(SceneLight, of_the_studio_is_scaled_and_turned_as_of_a_panorama) {
   RenderParams params = plain_file();
   const float rotation = wanted_scene(params, {}).background.map->rotation;
-  params.environment_strength = 3.0f;
-  params.environment_rotation_deg = 90.0f;
+  params.scene.environment_strength = 3.0f;
+  params.scene.environment_rotation_deg = 90.0f;
   const Scene scene = wanted_scene(params, {});
   EXPECT_EQ(scene.background.map->strength, 3.0f);
   EXPECT_FLOAT_EQ(scene.background.map->rotation, rotation + 0.5f * kPi);
@@ -80,38 +80,38 @@ TEST_F(SceneLight, of_the_studio_is_scaled_and_turned_as_of_a_panorama) {
 
 TEST_F(SceneLight, of_whitted_and_of_other_formats_stays_as_it_was) {
   RenderParams whitted = plain_file();
-  whitted.integrator = Integrator::kWhitted;
+  whitted.sampling.integrator = Integrator::kWhitted;
   const Scene scene = wanted_scene(whitted, {});
   EXPECT_FALSE(scene.background.map);
   EXPECT_EQ(scene.lights.size(), 1u) << "the default light";
   EXPECT_FALSE(wanted_scene(params_of("a.nff", "s 0 0 0 1\n"), {}).background.map);
   RenderParams teapot;
-  teapot.scene = "teapot";
-  teapot.integrator = Integrator::kPath;
+  teapot.scene.name = "teapot";
+  teapot.sampling.integrator = Integrator::kPath;
   EXPECT_FALSE(wanted_scene(teapot, {}).background.map);
 }
 
 TEST_F(SceneLight, is_what_environment_asks_for) {
   RenderParams params = plain_file();
-  params.environment = "none";
+  params.scene.environment = "none";
   Scene scene = wanted_scene(params, {});
   EXPECT_FALSE(scene.background.map);
   EXPECT_EQ(scene.background.zenith, Vec3f(0.0f));
-  params.integrator = Integrator::kWhitted;
+  params.sampling.integrator = Integrator::kWhitted;
   EXPECT_TRUE(wanted_scene(params, {}).lights.empty());
 
-  params.environment = "studio";
-  params.scene = "teapot";
+  params.scene.environment = "studio";
+  params.scene.name = "teapot";
   SceneNotes notes;
   EXPECT_TRUE(wanted_scene(params, {}, &notes).background.map);
   EXPECT_EQ(notes.light, "The built-in studio lights the scene, as --environment asks for.");
 
-  params.environment_strength = 2.0f;
-  params.environment = "0.5,0.25,1";
+  params.scene.environment_strength = 2.0f;
+  params.scene.environment = "0.5,0.25,1";
   scene = wanted_scene(params, {});
   EXPECT_EQ(scene.background.horizon, Vec3f(1.0f, 0.5f, 2.0f));
   EXPECT_EQ(scene.background.zenith, scene.background.horizon);
-  params.environment = "#ff00bc";
+  params.scene.environment = "#ff00bc";
   scene = wanted_scene(params, {});
   EXPECT_NEAR(scene.background.zenith.x, 2.0f, 1e-6f);
   EXPECT_EQ(scene.background.zenith.y, 0.0f);

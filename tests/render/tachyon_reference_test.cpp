@@ -21,10 +21,10 @@ const fs::path kScenes = "/usr/share/doc/tachyon/examples/scenes";
 /// Frame `frame` of a scene through one pinhole, as 8-bit codes.
 Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_path = {}, int frame = 0) {
   RenderParams params;
-  params.scene = scene.string();
-  params.camera_path = camera_path.string();
-  params.optics = OpticsKind::kSingle;
-  params.size = {size.x, size.y};
+  params.scene.name = scene.string();
+  params.scene.camera_path = camera_path.string();
+  params.optics.kind = OpticsKind::kSingle;
+  params.optics.size = {size.x, size.y};
   const ThreadPool pool(2);
   const Context context;
   Stage stage(params, pool, context);

@@ -18,7 +18,7 @@ class WantedScene : public testing::Test {
   RenderParams params_of(const std::string& name, const std::string& contents) const {
     std::ofstream(dir_ / name, std::ios::binary) << contents;
     RenderParams params;
-    params.scene = (dir_ / name).string();
+    params.scene.name = (dir_ / name).string();
     return params;
   }
 
@@ -27,7 +27,7 @@ class WantedScene : public testing::Test {
 
 TEST_F(WantedScene, light_scale_multiplies_lamps) {
   RenderParams params = params_of("a.nff", "l 1 2 3 0.5 0.25 1\ns 0 0 0 1\n");
-  params.light_scale = 4.0f;
+  params.scene.light_scale = 4.0f;
   EXPECT_EQ(wanted_scene(params, {}).lights.at(0).color, Vec3f(2.0f, 1.0f, 4.0f));
 }
 
@@ -44,14 +44,14 @@ TEST_F(WantedScene, camera_is_chosen_by_name_or_index) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
   EXPECT_EQ(wanted_scene(params, {}).cameras.at(0).name, "Front");
   for (const char* said : {"Side", "1"}) {
-    params.camera = said;
+    params.scene.camera = said;
     EXPECT_EQ(wanted_scene(params, {}).cameras.at(0).name, "Side") << said;
   }
 }
 
 TEST_F(WantedScene, unknown_camera_is_an_error_that_lists_them) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
-  params.camera = "Sied";
+  params.scene.camera = "Sied";
   try {
     wanted_scene(params, {});
     FAIL() << "no error";
@@ -64,7 +64,7 @@ TEST_F(WantedScene, unknown_camera_is_an_error_that_lists_them) {
 
 TEST_F(WantedScene, camera_names_are_in_the_files_order) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
-  params.camera = "Side";
+  params.scene.camera = "Side";
   SceneNotes notes;
   wanted_scene(params, {}, &notes);
   EXPECT_THAT(notes.camera_names, testing::ElementsAre("Front", "Side"));
@@ -77,7 +77,7 @@ TEST_F(WantedScene, up_axis_of_the_file_becomes_y) {
                                                  {UpAxis::kMinusY, "0 -3 0"}, {UpAxis::kMinusZ, "0 0 -3"}};
   for (const auto& [up, center] : axes) {
     RenderParams params = params_of("a.nff", std::string("s ") + center + " 1\n");
-    params.up = up;
+    params.scene.up = up;
     const Scene scene = wanted_scene(params, {});
     const Vec3f at = finite_bounds(scene, evaluate(scene, 0.0)).center();
     EXPECT_LT(glm::length(at - Vec3f(0, 3, 0)), 1e-5f) << center;
@@ -87,7 +87,7 @@ TEST_F(WantedScene, up_axis_of_the_file_becomes_y) {
 TEST_F(WantedScene, turned_scene_keeps_its_camera_before_it) {
   const std::string text = "v from 0 -8 0 at 0 0 0 up 0 0 1 angle 30\nl 0 -9 9\ns 0 0 0 1\n";
   RenderParams params = params_of("a.nff", text);
-  params.up = UpAxis::kZ;
+  params.scene.up = UpAxis::kZ;
   const Scene scene = wanted_scene(params, {});
   const Affine3f world_from_camera = evaluate(scene, 0.0).of(scene.cameras.at(0).node);
   EXPECT_LT(glm::length(world_from_camera.translation - Vec3f(0, 0, 8)), 1e-5f);
