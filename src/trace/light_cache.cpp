@@ -14,12 +14,12 @@ namespace {
 LIPPMANN_MULTIVERSION void find_keys(const LightQueries& q, int level, float reach, std::uint64_t* keys) {
   LIPPMANN_FOR_LANES(i) {
     const int exponent = exponent_of(q.size[i], level);
-    const float edge = power_of_two(exponent), scale = power_of_two(-exponent);
+    const float edge = power_of_two(exponent), scale = power_of_two(-exponent), origin = origin_in_cell(exponent);
     const Frame frame(q.normal.get(i));
     const float x = reach * edge * (q.u[i] - 0.5f), y = reach * edge * (q.v[i] - 0.5f);
-    const std::int64_t at_x = cell_at((q.position.x[i] + (x * frame.x.x + y * frame.y.x)) * scale);
-    const std::int64_t at_y = cell_at((q.position.y[i] + (x * frame.x.y + y * frame.y.y)) * scale);
-    const std::int64_t at_z = cell_at((q.position.z[i] + (x * frame.x.z + y * frame.y.z)) * scale);
+    const std::int64_t at_x = whole_cell((q.position.x[i] + (x * frame.x.x + y * frame.y.x)) * scale + origin);
+    const std::int64_t at_y = whole_cell((q.position.y[i] + (x * frame.x.y + y * frame.y.y)) * scale + origin);
+    const std::int64_t at_z = whole_cell((q.position.z[i] + (x * frame.x.z + y * frame.y.z)) * scale + origin);
     keys[i] = key_of(base_key(q.thing[i], part_at(q.part[i], level), exponent), static_cast<std::uint64_t>(at_x),
                      static_cast<std::uint64_t>(at_y), static_cast<std::uint64_t>(at_z));
   }
@@ -74,7 +74,7 @@ const LightCache::Cell* LightCache::cell_of(std::uint64_t key) const {
 
 /// A cell around another knows at least what that knows, unless it belongs to places that are seen from farther away.
 std::pair<std::size_t, std::uint32_t> LightCache::parent_index(const Cell& cell) const {
-  const glm::i64vec3 at = cell_at(cell.center * std::ldexp(1.0f, -(cell.exponent + 1)));
+  const glm::i64vec3 at = cell_at(cell.center, cell.exponent + 1);
   for (const std::uint32_t part : {cell.part, kAllParts}) {
     const std::uint64_t key = key_of(base_key(cell.thing, part, cell.exponent + 1), at);
     const Slot* slot = find(key);
@@ -100,8 +100,8 @@ void LightCache::add(std::span<const std::span<const LightRecord>> records, cons
       const LightPlace& place = records[piece][r].place;
       for (int level = 0; level < kLevels; ++level) {
         const int exponent = exponent_of(place.size, level);
-        const std::uint64_t key = key_of(base_key(place.thing, part_at(place.part, level), exponent),
-                                         cell_at(place.position * std::ldexp(1.0f, -exponent)));
+        const std::uint64_t key =
+            key_of(base_key(place.thing, part_at(place.part, level), exponent), cell_at(place.position, exponent));
         targets[piece][shard_of(key)].push_back({key, r, static_cast<std::uint32_t>(level)});
       }
     }
@@ -121,8 +121,7 @@ void LightCache::add(std::span<const std::span<const LightRecord>> records, cons
           cell.thing = record.place.thing;
           cell.part = part_at(record.place.part, level);
           cell.exponent = exponent_of(record.place.size, level);
-          const float edge = std::ldexp(1.0f, cell.exponent);
-          cell.center = (Vec3f(cell_at(record.place.position / edge)) + 0.5f) * edge;
+          cell.center = center_of_cell(cell_at(record.place.position, cell.exponent), cell.exponent);
         }
         cell.now.add(record.light);
         cell.fed += 1.0f;
@@ -165,9 +164,9 @@ LaneMask LightCache::pick(const LightQueries& queries, EdgesToPaths edges, Lanes
 }
 
 LightCache::Interpolated LightCache::interpolate(Vec3f p, std::uint64_t base, int exponent) const {
-  const Vec3f q = p * std::ldexp(1.0f, -exponent) - 0.5f;
+  const Vec3f q = in_cells(p, exponent) - 0.5f;
   const Vec3f lower = glm::floor(q), f = q - lower;
-  const glm::i64vec3 at = cell_at(q);
+  const glm::i64vec3 at = whole_cell(q);
   Interpolated result;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::i64vec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
@@ -203,16 +202,16 @@ Vec4f LightCache::look_up(const LightPlace& place) const {
 
 float LightCache::samples(const LightPlace& place) const {
   const int exponent = exponent_of(place.size, 0);
-  const Cell* cell = cell_of(
-      key_of(base_key(place.thing, part_at(place.part, 0), exponent), cell_at(place.position * std::ldexp(1.0f, -exponent))));
+  const Cell* cell =
+      cell_of(key_of(base_key(place.thing, part_at(place.part, 0), exponent), cell_at(place.position, exponent)));
   return cell ? cell->past.count + cell->now.count : 0.0f;
 }
 
 float LightCache::share_of_past(const LightPlace& place) const {
   for (int level = 0; level < kLevels; ++level) {
     const int exponent = exponent_of(place.size, level);
-    const Cell* cell = cell_of(key_of(base_key(place.thing, part_at(place.part, level), exponent),
-                                      cell_at(place.position * std::ldexp(1.0f, -exponent))));
+    const Cell* cell =
+        cell_of(key_of(base_key(place.thing, part_at(place.part, level), exponent), cell_at(place.position, exponent)));
     if (cell) return cell->past.count / std::max(cell->past.count + cell->now.count, 1e-6f);
   }
   return 0.0f;

@@ -42,11 +42,25 @@ inline std::uint64_t key_of(std::uint64_t base, glm::i64vec3 at) {
 
 inline std::size_t shard_of(std::uint64_t key) { return key >> 58; }
 
+/// Cells are 2^exponent wide, and the origin lies a third (of even exponents) or two thirds of a cell above a border: people
+/// put floors and walls at 0 and at round numbers, and were these borders, rounding would share every plane's light out among
+/// the cells on both sides. A cell twice as wide still holds whole ones: 2 * 2/3 - 1/3 and 2 * 1/3 - 2/3 are whole numbers.
+LIPPMANN_INLINE float origin_in_cell(int exponent) { return (exponent & 1) ? 2.0f / 3.0f : 1.0f / 3.0f; }
+
 /// Far beyond any scene's cells coordinates have no digits left for them: they all end in one.
-LIPPMANN_INLINE std::int64_t cell_at(float p) {
+LIPPMANN_INLINE std::int64_t whole_cell(float p) {
   return static_cast<std::int64_t>(std::min(std::max(std::floor(p), -1e15f), 1e15f));
 }
 
-inline glm::i64vec3 cell_at(Vec3f p) { return {cell_at(p.x), cell_at(p.y), cell_at(p.z)}; }
+inline glm::i64vec3 whole_cell(Vec3f p) { return {whole_cell(p.x), whole_cell(p.y), whole_cell(p.z)}; }
+
+/// In cells, from the border of the one numbered 0.
+inline Vec3f in_cells(Vec3f p, int exponent) { return p * std::ldexp(1.0f, -exponent) + origin_in_cell(exponent); }
+
+inline glm::i64vec3 cell_at(Vec3f p, int exponent) { return whole_cell(in_cells(p, exponent)); }
+
+inline Vec3f center_of_cell(glm::i64vec3 at, int exponent) {
+  return (Vec3f(at) + (0.5f - origin_in_cell(exponent))) * std::ldexp(1.0f, exponent);
+}
 
 }  // namespace lippmann

@@ -55,7 +55,7 @@ LightCache::Bend LightCache::bend(const Cell& cell, const Cell& before, const Ce
 LightCache::Bend LightCache::bend(const Cell& cell) const {
   constexpr int kCube = 27;  // of the cells around one, and itself in the middle
   if (cell.samples < kLeastSamples) return {};
-  const glm::i64vec3 at = cell_at(cell.center * std::ldexp(1.0f, -cell.exponent));
+  const glm::i64vec3 at = cell_at(cell.center, cell.exponent);
   const std::uint64_t base = base_key(cell.thing, cell.part, cell.exponent);
   const auto neighbour = [&](glm::i64vec3 step) {
     const Cell* const found = cell_of(key_of(base, at + step));

@@ -98,10 +98,14 @@ TEST(Light, shared_light_goes_together_with_denoising) {
   EXPECT_NE(noisy.at("frame_0016.png"), next.at("frame_0016.png"));
 }
 
+// The room: with four seeds 27 to 53 % of the rays of paths. So small a picture of the teapot is edges above all, and takes 40
+// to 160 %, by luck.
 TEST(Light, shared_light_saves_rays_and_tells_its_error) {
   const TempDir dir;
   const auto second_frame = [&](const std::string& reuse) {
-    return report_of(dir, small_shared(reuse, "0-1") + Words{"--reuse", reuse}).at("frames").at(1);
+    Words words = small_shared(reuse, "0-1") + Words{"--reuse", reuse};
+    words[1] = "room";
+    return report_of(dir, words).at("frames").at(1);
   };
   const nlohmann::json shared = second_frame("exact"), paths = second_frame("none");
   const auto rays = [](const nlohmann::json& frame) {
@@ -109,7 +113,7 @@ TEST(Light, shared_light_saves_rays_and_tells_its_error) {
     for (const auto& [kind, count] : frame.at("rays").items()) sum += count.get<std::int64_t>();
     return sum;
   };
-  EXPECT_LT(rays(shared), 2 * rays(paths) / 3);  // about half: small pictures are edges above all
+  EXPECT_LT(rays(shared), 2 * rays(paths) / 3);
   EXPECT_GT(shared.at("estimated_psnr_db").get<double>(), 25.0);
   EXPECT_TRUE(paths.at("estimated_psnr_db").is_null());
 }

@@ -12,7 +12,11 @@ namespace {
 
 constexpr std::size_t kPlenty = 1u << 20;
 
-LightPlace place(float x, float y = 0.3f, std::uint32_t thing = 7) { return {{x, y, 0.1f}, thing, 1, 1.0f}; }
+/// x and y in cells of the smallest size from a corner that cells of all sizes share (light_cell_keys.hpp).
+LightPlace place(float x, float y = 0.3f, std::uint32_t thing = 7) {
+  constexpr float kCorner = 8.0f / 3.0f;
+  return {Vec3f(x, y, 0.1f) + kCorner, thing, 1, 1.0f};
+}
 
 /// `count` places spread over x in [0, 32), y in [0, 8), and light(x) on them, noise of deviation `noise` added.
 template <class Light>
@@ -49,6 +53,19 @@ TEST(LightCache, a_place_that_was_never_fed_is_unknown) {
   LightCache cache(kPlenty);
   EXPECT_EQ(cache.look_up(place(3)).w, 0.0f);
   EXPECT_EQ(pick(cache, place(3), Vec2f(0.5f)).w, 0.0f);
+}
+
+// Hits on a floor at 0 lie at 0 only as far as Embree's rounding goes, which differs from processor to processor.
+TEST(LightCache, rounding_does_not_split_a_plane_at_a_round_number_into_two_layers_of_cells) {
+  for (const float height : {0.0f, 1.0f, -2.0f, 3.0f, 0.5f}) {
+    LightCache flat(kPlenty), rounded(kPlenty);
+    std::vector<LightRecord> records = spread(4000, 0.0f, 1, [](float) { return 1.0f; });
+    for (LightRecord& record : records) record.place.position.z = height;
+    feed(flat, records);
+    for (std::size_t i = 0; i < records.size(); ++i) records[i].place.position.z = height + (i % 2 ? 1e-6f : -1e-6f);
+    feed(rounded, records);
+    EXPECT_EQ(rounded.cells(), flat.cells()) << height;
+  }
 }
 
 TEST(LightCache, a_place_that_was_fed_once_has_that_light_all_around) {
