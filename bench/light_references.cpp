@@ -69,7 +69,7 @@ LightReferences::LightReferences(Stage& stage, const RenderParams& params, std::
 
 Image8 LightReferences::trace(const RenderParams& params, int frame, int spp) {
   const Moment moment = stage_.moment_at(frame);
-  TraceParams trace = trace_params(params, stage_.scene);
+  TraceParams trace = trace_params(params, stage_);
   trace.order = RayOrder::kRows;
   trace.frame = static_cast<std::uint32_t>(frame);
   trace.spp = spp;
@@ -83,7 +83,7 @@ std::uint64_t LightReferences::fingerprint_of(const RenderParams& params, int fr
   trace(params, frame, kProbeSamples);
   Fingerprint print;
   for (const int row : rows_) print.add_bytes(film_.pixel(0, row), 3 * sizeof(float) * static_cast<std::size_t>(film_.width));
-  const TraceParams trace = trace_params(params, stage_.scene);
+  const TraceParams trace = trace_params(params, stage_);
   print.add(trace.spp);
   print.add(trace.max_depth);
   print.add(stage_.scene.encoding);

@@ -106,7 +106,7 @@ class StyleTimer {
 
   template <class Fn>
   double milliseconds(RayOrder order, const Fn& work) {
-    TraceParams trace = trace_params(params_, stage_.scene);
+    TraceParams trace = trace_params(params_, stage_);
     trace.order = order;
     std::vector<double> all;
     for (int i = 0; i < kPaperRepetitions; ++i) all.push_back(1e3 * second_run([&] { work(trace); }));

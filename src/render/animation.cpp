@@ -28,6 +28,7 @@
 #include "render/param_text.hpp"
 #include "render/render_folder.hpp"
 #include "render/reuse_params.hpp"
+#include "render/test_pattern.hpp"
 #include "render/undo_crosstalk.hpp"
 #include "video/video_writer.hpp"
 
@@ -169,6 +170,7 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   const Stopwatch setup;
   RenderParams params = with_scene_defaults(said);
   check_reuse(params);
+  check_floor(params);
   check_aovs(params);
   check_denoise(params);
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
@@ -217,7 +219,8 @@ RenderReport render_animation(const RenderParams& said, const Context& context, 
   report.videos = videos;
   const double fps = params.scene.fps > 0.0 ? params.scene.fps : stage.scene.timeline.frames_per_second;
   report.frames_per_second = fps;
-  const auto maker = make_frame_maker(stage, params, pool, context);
+  const auto maker =
+      params.scene.name == kTestPattern ? make_pattern_frames(stage, pool) : make_frame_maker(stage, params, pool, context);
   FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, stage.placed.depth_scale,
                   crosstalk, pool.threads(), [&](Image film) { maker->recycle(std::move(film)); }, observer.written},
                  finished);

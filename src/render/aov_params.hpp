@@ -9,7 +9,10 @@ namespace lippmann {
 /// it.
 void check_aovs(const RenderParams& params);
 
+/// The part of it that has nothing to do with files.
+void check_layers(const FrameParams& params);
+
 /// Which layers a frame has to have.
-FrameAovs wanted_aovs(const RenderParams& params);
+FrameAovs wanted_aovs(const FrameParams& params);
 
 }  // namespace lippmann

@@ -14,7 +14,7 @@ constexpr const char* kDenoiseFlag = "--denoise";
 
 }  // namespace
 
-void check_denoise(const RenderParams& params) {
+void check_denoise(const FrameParams& params) {
   if (!params.sampling.denoise) return;
   if (integrator_of(params) != Integrator::kPath)
     throw usage_error(kDenoiseFlag, "only paths have noise", "--integrator path with it");
@@ -22,7 +22,7 @@ void check_denoise(const RenderParams& params) {
     throw usage_error(kDenoiseFlag, "the noise of one sample cannot be told", "--spp of 2 or more with it");
 }
 
-DenoisedFrames::DenoisedFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+DenoisedFrames::DenoisedFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context)
     : stage_(stage),
       params_(params),
       pool_(pool),
@@ -81,7 +81,7 @@ FrameReport DenoisedFrames::trace(int frame, const Moment& moment, Traced& made,
   } else {
     const FrameClock clock(pool_);
     stage_.device.update(moment.resolved, pool_);
-    TraceParams trace = trace_params(params_, stage_.scene);
+    TraceParams trace = trace_params(params_, stage_);
     trace.frame = static_cast<std::uint32_t>(frame);
     report.frame = frame;
     report.rays = trace_noisy_frame(stage_.device, stage_.placed.optics, moment.world_from_display, trace, pool_, context_,
@@ -110,7 +110,7 @@ std::vector<FrameReport> DenoisedFrames::sources() const {
   return reports;
 }
 
-double DenoisedFrames::bytes_kept_per_pixel(const RenderParams& params) {
+double DenoisedFrames::bytes_kept_per_pixel(const FrameParams& params) {
   constexpr double kNoisyBytes = 84.0 + 16.0;  // images of a NoisyFrame, two of motion
   const double of_light = LitFrames::serves(params) ? LitFrames::bytes_kept_per_pixel() : 0.0;
   return of_light + 3.0 * Denoiser::kFrameBytesPerPixel + std::max(kNoisyBytes, Denoiser::kWorkBytesPerPixel);

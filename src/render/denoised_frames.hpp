@@ -11,19 +11,19 @@
 namespace lippmann {
 
 /// Throws a usage Error where frames cannot be denoised as the parameters have them made.
-void check_denoise(const RenderParams& params);
+void check_denoise(const FrameParams& params);
 
 class DenoisedFrames final : public FrameMaker {
  public:
   /// Whether the frames share light where the parameters serve for that; then, like histories, frames of one have no
   /// neighbours in another. Throws a usage Error where the optics have no views of whole pixels.
-  DenoisedFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
+  DenoisedFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context);
 
   RenderedFrame make(int frame) override;
   std::vector<FrameReport> sources() const override;
 
   /// Three frames made ready, one as traced, and what filtering takes.
-  static double bytes_kept_per_pixel(const RenderParams& params);
+  static double bytes_kept_per_pixel(const FrameParams& params);
 
  private:
   struct Traced {
@@ -38,7 +38,7 @@ class DenoisedFrames final : public FrameMaker {
   Image motion_from(const Moment& now, int other);
 
   Stage& stage_;
-  const RenderParams& params_;
+  const FrameParams& params_;
   const ThreadPool& pool_;
   const Context& context_;
   Denoiser denoiser_;

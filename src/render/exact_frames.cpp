@@ -12,7 +12,7 @@ constexpr int kLongestRest = 256;
 
 }  // namespace
 
-ExactFrames::ExactFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+ExactFrames::ExactFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context)
     : stage_(stage),
       params_(params),
       pool_(pool),
@@ -55,7 +55,7 @@ RenderedFrame ExactFrames::from_key(int frame) {
   rendered.pictures.film = film_;
   stage_.device.update(moment.resolved, pool_);
   rendered.report.rays =
-      trace_blocks(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(params_, stage_.scene),
+      trace_blocks(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(params_, stage_),
                    settled_.unsettled(blocks_, frame - key_), pool_, context_, rendered.pictures.film);
   rendered.report.frame = frame;
   rendered.report.kind = "in-between";

@@ -9,7 +9,7 @@ namespace lippmann {
 
 class ExactFrames final : public FrameMaker {
  public:
-  ExactFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
+  ExactFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context);
 
   RenderedFrame make(int frame) override;
 
@@ -21,7 +21,7 @@ class ExactFrames final : public FrameMaker {
   void judge(const FrameReport& in_between);
 
   Stage& stage_;
-  const RenderParams& params_;
+  const FrameParams& params_;
   const ThreadPool& pool_;
   const Context& context_;
   int last_frame_;

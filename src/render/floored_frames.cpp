@@ -36,7 +36,7 @@ double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0
 
 }  // namespace
 
-FlooredFrames::FlooredFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+FlooredFrames::FlooredFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context)
     : stage_(stage),
       params_(params),
       pool_(pool),
@@ -130,7 +130,7 @@ bool FlooredFrames::predict_or_trace(int frame, const FrameInterval& interval, c
   const TracePackets trace = [&](std::span<const std::uint8_t> wanted, Image& film) {
     if (!updated) stage_.device.update(image.moment.resolved, pool_);
     updated = true;
-    add(trace_packets(stage_.device, stage_.placed.optics, image.moment.world_from_display, trace_params(params_, stage_.scene),
+    add(trace_packets(stage_.device, stage_.placed.optics, image.moment.world_from_display, trace_params(params_, stage_),
                       wanted, pool_, context_, film),
         rays);
   };

@@ -25,7 +25,7 @@ namespace lippmann {
 class FlooredFrames final : public FrameMaker {
  public:
   /// `params.reuse.min_psnr_db` is given.
-  FlooredFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
+  FlooredFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context);
 
   RenderedFrame make(int frame) override;
   std::vector<FrameReport> sources() const override;
@@ -56,7 +56,7 @@ class FlooredFrames final : public FrameMaker {
   RenderedFrame take(int frame);
 
   Stage& stage_;
-  const RenderParams& params_;
+  const FrameParams& params_;
   const ThreadPool& pool_;
   const Context& context_;
   int every_, last_frame_;

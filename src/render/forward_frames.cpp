@@ -14,7 +14,7 @@ bool is_source(int frame, const FrameInterval& interval) { return frame - interv
 
 }  // namespace
 
-ForwardFrames::ForwardFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+ForwardFrames::ForwardFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context)
     : stage_(stage),
       params_(params),
       pool_(pool),
@@ -89,8 +89,8 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
   RayCounts rays;
   const TracePixels trace = [&](std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points) {
     stage_.device.update(moment.resolved, pool_);
-    rays = trace_pixels(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(params_, stage_.scene),
-                        pixels, pool_, context_, film, points);
+    rays = trace_pixels(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(params_, stage_), pixels,
+                        pool_, context_, film, points);
   };
   const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
   const InBetweenCounts counts = maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, position,
@@ -106,7 +106,7 @@ std::vector<FrameReport> ForwardFrames::sources() const {
   return reports;
 }
 
-double ForwardFrames::bytes_kept_per_pixel(const RenderParams& params) {
+double ForwardFrames::bytes_kept_per_pixel(const FrameParams& params) {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   // Two keys, one made frame per halving, and the keys of two splats.
   const int images = 2 + (params.reuse.halving ? halving_depth(key_frame_interval(params)) : 0);

@@ -17,13 +17,13 @@ namespace lippmann {
 
 class ForwardFrames final : public FrameMaker {
  public:
-  ForwardFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
+  ForwardFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context);
 
   RenderedFrame make(int frame) override;
   void recycle(Image film) override { spare_films_.give(std::move(film)); }
   std::vector<FrameReport> sources() const override;
 
-  static double bytes_kept_per_pixel(const RenderParams& params);
+  static double bytes_kept_per_pixel(const FrameParams& params);
 
  private:
   using Source = ForwardSource;
@@ -36,7 +36,7 @@ class ForwardFrames final : public FrameMaker {
   const Source& add(Source source);
 
   Stage& stage_;
-  const RenderParams& params_;
+  const FrameParams& params_;
   const ThreadPool& pool_;
   const Context& context_;
   int every_, last_frame_;

@@ -5,7 +5,7 @@
 
 namespace lippmann {
 
-ForwardSource trace_source(Stage& stage, const RenderParams& params, int frame, const InBetweenMaker& maker,
+ForwardSource trace_source(Stage& stage, const FrameParams& params, int frame, const InBetweenMaker& maker,
                            const ThreadPool& pool, const Context& context) {
   const FrameClock clock(pool);
   ForwardSource source;
@@ -16,7 +16,7 @@ ForwardSource trace_source(Stage& stage, const RenderParams& params, int frame, 
   source.report.kind = "key";
   TouchedBlocks blocks;
   source.report.rays =
-      trace_frame(stage.device, stage.placed.optics, image.moment.world_from_display, trace_params(params, stage.scene), pool,
+      trace_frame(stage.device, stage.placed.optics, image.moment.world_from_display, trace_params(params, stage), pool,
                   context, image.film, nullptr, &image.points, params.reuse.min_psnr_db ? &blocks : nullptr);
   image.rays = std::move(blocks.rays);
   maker.prepare(image, pool);

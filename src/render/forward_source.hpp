@@ -12,7 +12,7 @@ struct ForwardSource {
 };
 
 /// Traces a key frame, with its points, and prepares it for `maker`. Unfinished when context.cancelled is set meanwhile.
-ForwardSource trace_source(Stage& stage, const RenderParams& params, int frame, const InBetweenMaker& maker,
+ForwardSource trace_source(Stage& stage, const FrameParams& params, int frame, const InBetweenMaker& maker,
                            const ThreadPool& pool, const Context& context);
 
 /// Of a frame made from others; without times.

@@ -9,14 +9,13 @@
 
 namespace lippmann {
 
-AngularFilter wanted_angular_filter(const RenderParams& params) {
+AngularFilter wanted_angular_filter(const FrameParams& params, const PlacedOptics& placed) {
   if (params.sampling.angular_filter) return *params.sampling.angular_filter;
-  return !params.optics.display.empty() && samples_per_pixel(params) > 1 && params.reuse.mode != Reuse::kForward
-             ? AngularFilter::kBox
-             : AngularFilter::kNone;
+  return placed.for_display && samples_per_pixel(params) > 1 && params.reuse.mode != Reuse::kForward ? AngularFilter::kBox
+                                                                                                     : AngularFilter::kNone;
 }
 
-void check_angular_filter(const RenderParams& params, const Optics& optics) {
+void check_angular_filter(const FrameParams& params, const Optics& optics) {
   constexpr const char* kFlag = "--angular-filter";
   if (params.sampling.angular_filter != AngularFilter::kBox) return;
   if (!std::holds_alternative<MultiView>(optics.model))
@@ -29,13 +28,13 @@ void check_angular_filter(const RenderParams& params, const Optics& optics) {
     throw usage_error(kFlag, "points that are moved by --reuse forward are those of one eye", "--reuse exact or none");
 }
 
-TraceParams trace_params(const RenderParams& params, const Scene& scene) {
+TraceParams trace_params(const FrameParams& params, const Stage& stage) {
   TraceParams trace;
   trace.order = params.sampling.order;
   trace.spp = samples_per_pixel(params);
-  trace.max_depth = params.sampling.max_depth > 0 ? params.sampling.max_depth : scene.max_depth;
+  trace.max_depth = params.sampling.max_depth > 0 ? params.sampling.max_depth : stage.scene.max_depth;
   trace.seed = params.sampling.seed;
-  trace.angular_filter = wanted_angular_filter(params);
+  trace.angular_filter = wanted_angular_filter(params, stage.placed);
   trace.clamp_indirect = params.sampling.clamp_indirect;
   return trace;
 }
@@ -55,13 +54,16 @@ Stage::Stage(Scene described, const RenderParams& params, const ThreadPool& pool
       placed(make_optics(params, scene, array, display.get())),
       device(scene, pool, integrator_of(params)) {}
 
+Stage::Stage(Scene described, FittedArray fitted, PlacedOptics of_array, Integrator integrator, const ThreadPool& pool)
+    : scene(std::move(described)), array(std::move(fitted)), placed(std::move(of_array)), device(scene, pool, integrator) {}
+
 Moment Stage::moment_at(int frame) const {
   Moment moment{evaluate(scene, scene.timeline.time(frame)), {}};
   moment.world_from_display = world_from_display(array, placed.units_per_mm, moment.resolved);
   return moment;
 }
 
-void add_first_hits(const Stage& stage, const RenderParams& params, const Moment& moment, int frame, const ThreadPool& pool,
+void add_first_hits(const Stage& stage, const FrameParams& params, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs) {
   std::optional<Moment> before;
   if (aovs.wants(Aov::kMotion) && frame > 0) before = stage.moment_at(frame - 1);
@@ -71,7 +73,7 @@ void add_first_hits(const Stage& stage, const RenderParams& params, const Moment
                   pool, aovs);
 }
 
-RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context,
+RenderedFrame render_frame(Stage& stage, const FrameParams& params, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched) {
   const FrameClock clock(pool);
   const Moment moment = stage.moment_at(frame);
@@ -80,7 +82,7 @@ RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, 
   RenderedFrame rendered;
   rendered.pictures.aovs = wanted_aovs(params);
   rendered.report.frame = frame;
-  TraceParams trace = trace_params(params, stage.scene);
+  TraceParams trace = trace_params(params, stage);
   trace.frame = static_cast<std::uint32_t>(frame);
   rendered.report.rays = trace_frame(stage.device, stage.placed.optics, moment.world_from_display, trace, pool, context,
                                      rendered.pictures.film, &rendered.pictures.aovs, nullptr, touched);

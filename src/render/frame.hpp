@@ -31,6 +31,8 @@ struct Stage {
   /// The same for a scene that is there already and passes validate(); it is lit by what it holds, whatever environment the
   /// parameters name. Throws Error.
   Stage(Scene scene, const RenderParams& params, const ThreadPool& pool);
+  /// The same for optics that have their place already, too.
+  Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
@@ -66,21 +68,21 @@ class FrameClock {
 
 /// As said; else kBox for quilts that displays show, which show them as beams as wide as a view, where there are several
 /// samples and no points to be moved.
-AngularFilter wanted_angular_filter(const RenderParams& params);
+AngularFilter wanted_angular_filter(const FrameParams& params, const PlacedOptics& placed);
 
 /// Throws a usage Error where the filter that is said cannot be.
-void check_angular_filter(const RenderParams& params, const Optics& optics);
+void check_angular_filter(const FrameParams& params, const Optics& optics);
 
 /// How the parameters have a frame traced.
-TraceParams trace_params(const RenderParams& params, const Scene& scene);
+TraceParams trace_params(const FrameParams& params, const Stage& stage);
 
 /// Fills the layers that do not come with the light; the device scene is at the frame's `moment`.
-void add_first_hits(const Stage& stage, const RenderParams& params, const Moment& moment, int frame, const ThreadPool& pool,
+void add_first_hits(const Stage& stage, const FrameParams& params, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs);
 
 /// Moves the device scene to the frame's time and traces it; `touched` as for trace_frame. Unfinished when context.cancelled is
 /// set meanwhile.
-RenderedFrame render_frame(Stage& stage, const RenderParams& params, int frame, const ThreadPool& pool, const Context& context,
+RenderedFrame render_frame(Stage& stage, const FrameParams& params, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched = nullptr);
 
 }  // namespace lippmann

@@ -17,19 +17,18 @@ namespace {
 
 class TracedFrames final : public FrameMaker {
  public:
-  TracedFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+  TracedFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context)
       : stage_(stage), params_(params), pool_(pool), context_(context) {}
 
   RenderedFrame make(int frame) override { return render_frame(stage_, params_, frame, pool_, context_); }
 
  private:
   Stage& stage_;
-  const RenderParams& params_;
+  const FrameParams& params_;
   const ThreadPool& pool_;
   const Context& context_;
 };
 
-/// Of the test pattern, which no ray has to be traced for.
 class PatternFrames final : public FrameMaker {
  public:
   PatternFrames(const Stage& stage, const ThreadPool& pool) : stage_(stage), pool_(pool) {}
@@ -49,7 +48,7 @@ class PatternFrames final : public FrameMaker {
 };
 
 /// What is asked for needs whole paths, so that no light is shared although it would be by default.
-void warn_of_whole_paths(const RenderParams& params, const Context& context) {
+void warn_of_whole_paths(const FrameParams& params, const Context& context) {
   if (!LitFrames::is_wanted(params) || LitFrames::serves(params)) return;
   context.warning("--aov direct and indirect are parts of whole paths: no light is shared by --reuse exact");
 }
@@ -68,9 +67,8 @@ void refuse_deforming_meshes(const Scene& scene) {
 
 }  // namespace
 
-std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
+std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context) {
-  if (params.scene.name == kTestPattern) return std::make_unique<PatternFrames>(stage, pool);
   if (params.reuse.mode == Reuse::kForward) refuse_deforming_meshes(stage.scene);
   if (params.reuse.mode == Reuse::kForward && params.reuse.min_psnr_db)
     return std::make_unique<FlooredFrames>(stage, params, pool, context);
@@ -85,7 +83,11 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& p
   return std::make_unique<TracedFrames>(stage, params, pool, context);
 }
 
-double bytes_kept_per_pixel(const RenderParams& params) {
+std::unique_ptr<FrameMaker> make_pattern_frames(const Stage& stage, const ThreadPool& pool) {
+  return std::make_unique<PatternFrames>(stage, pool);
+}
+
+double bytes_kept_per_pixel(const FrameParams& params) {
   if (params.reuse.mode == Reuse::kForward && params.reuse.min_psnr_db) return FlooredFrames::bytes_kept_per_pixel();
   if (params.reuse.mode == Reuse::kForward) return ForwardFrames::bytes_kept_per_pixel(params);
   if (params.sampling.denoise) return DenoisedFrames::bytes_kept_per_pixel(params);

@@ -25,10 +25,13 @@ class FrameMaker {
 };
 
 /// All arguments outlive the result. `params` must pass check_reuse().
-std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const RenderParams& params, const ThreadPool& pool,
+std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context);
 
+/// Of the test pattern (render/test_pattern.hpp), which no ray has to be traced for.
+std::unique_ptr<FrameMaker> make_pattern_frames(const Stage& stage, const ThreadPool& pool);
+
 /// Bytes per pixel that a maker keeps from frame to frame.
-double bytes_kept_per_pixel(const RenderParams& params);
+double bytes_kept_per_pixel(const FrameParams& params);
 
 }  // namespace lippmann

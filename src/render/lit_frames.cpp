@@ -32,15 +32,15 @@ void tell_errors(const CachedLightReport& light, FrameReport& report) {
 
 }  // namespace
 
-LitFrames::LitFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context)
+LitFrames::LitFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context)
     : stage_(stage), params_(params), pool_(pool), context_(context), swept_(stage.scene, -1), tracer_(stage.device) {}
 
-bool LitFrames::is_wanted(const RenderParams& params) {
+bool LitFrames::is_wanted(const FrameParams& params) {
   return params.reuse.mode == Reuse::kExact && integrator_of(params) == Integrator::kPath &&
          (samples_per_pixel(params) >= kLeastPaths || params.reuse.min_psnr_db || params.reuse.time_budget_s);
 }
 
-bool LitFrames::serves(const RenderParams& params) {
+bool LitFrames::serves(const FrameParams& params) {
   const FrameAovs aovs = wanted_aovs(params);
   return is_wanted(params) && !aovs.wants(Aov::kDirect) && !aovs.wants(Aov::kIndirect);
 }
@@ -75,7 +75,7 @@ FrameReport LitFrames::visit(int frame, FramePictures& pictures, NoisyFrame* noi
   if (frame % kSegment == 0) tracer_.restart();
   const Moment moment = stage_.moment_at(frame);
   stage_.device.update(moment.resolved, pool_);
-  TraceParams trace = trace_params(params_, stage_.scene);
+  TraceParams trace = trace_params(params_, stage_);
   trace.frame = static_cast<std::uint32_t>(frame);
   CachedLightGoal goal;
   if (params_.reuse.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *params_.reuse.min_psnr_db));

@@ -9,7 +9,7 @@ namespace lippmann {
 
 class LitFrames final : public FrameMaker {
  public:
-  LitFrames(Stage& stage, const RenderParams& params, const ThreadPool& pool, const Context& context);
+  LitFrames(Stage& stage, const FrameParams& params, const ThreadPool& pool, const Context& context);
 
   RenderedFrame make(int frame) override;
 
@@ -24,8 +24,8 @@ class LitFrames final : public FrameMaker {
   std::vector<FrameReport> sources() const override { return sources_; }
 
   /// Whether these parameters ask for it, and whether it can do what they ask for.
-  static bool is_wanted(const RenderParams& params);
-  static bool serves(const RenderParams& params);
+  static bool is_wanted(const FrameParams& params);
+  static bool serves(const FrameParams& params);
 
   static double bytes_kept_per_pixel() { return CachedLightTracer::bytes_per_pixel(); }
 
@@ -34,7 +34,7 @@ class LitFrames final : public FrameMaker {
   FrameReport visit(int frame, FramePictures& pictures, NoisyFrame* noisy = nullptr);
 
   Stage& stage_;
-  const RenderParams& params_;
+  const FrameParams& params_;
   const ThreadPool& pool_;
   const Context& context_;
   SweptBoxes swept_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "core/error.hpp"
@@ -133,17 +134,23 @@ Optics optics_of_params(const RenderParams& params, const Scene& scene, const Fi
 
 }  // namespace
 
-PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array, const Display* display) {
+PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth) {
   PlacedOptics placed;
-  Optics& optics = placed.optics;
-  optics = display ? display_optics(params, *display) : optics_of_params(params, scene, array);
   placed.units_per_mm = scene_units_per_mm(array, window_size_mm(optics).y);
   optics.z_front_mm = array.viewing_distance / placed.units_per_mm;
-  if (fits_depth(params)) {
+  if (fit_depth) {
     placed.depth_scale = fitting_depth(shown_depth(array, placed.units_per_mm, 1.0f, optics));
     optics = with_parallax(optics, placed.depth_scale);
   }
   validate(optics);
+  placed.optics = std::move(optics);
+  return placed;
+}
+
+PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array, const Display* display) {
+  PlacedOptics placed =
+      placed_on(array, display ? display_optics(params, *display) : optics_of_params(params, scene, array), fits_depth(params));
+  placed.for_display = display != nullptr;
   return placed;
 }
 

@@ -17,6 +17,7 @@ namespace lippmann {
 struct PlacedOptics {
   Optics optics;
   float units_per_mm = 1.0f;  ///< scene units per millimetre: what world_from_display (render/fit_array.hpp) takes
+  bool for_display = false;   ///< of a display by name or file, which shows views as beams
   float depth_scale = 1.0f;   ///< the parallax of the optics, see fits_depth(): below 1 the scene is shown less deep than it is
 };
 
@@ -25,6 +26,9 @@ struct PlacedOptics {
 /// Throws a usage Error for parameters that contradict each other (render/panel_size.hpp) or make no rays.
 PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array,
                          const Display* display = nullptr);
+
+/// Optics in the proportions of the array: as deep as they are, or fitted to what they resolve. Throws Error as validate().
+PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth);
 
 /// Width / height of what is seen of the display plane: the panel, or one view of a quilt. Throws likewise.
 float window_aspect(const RenderParams& params, Vec2i scene_resolution, const Display* display = nullptr);

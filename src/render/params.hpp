@@ -12,22 +12,14 @@
 #include "image/tone.hpp"
 #include "optics/optics.hpp"
 #include "render/choose_camera.hpp"
+#include "render/frame_params.hpp"
 #include "render/view_wish.hpp"
-#include "reuse/in_between.hpp"
 #include "scene/load.hpp"
-#include "trace/trace_frame.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {
 
 enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
-enum class Reuse {
-  kNone,     ///< every frame is traced
-  kExact,    ///< Whitted: pixels that provably stay as they are are copied from key frames, the same bits as kNone; paths:
-             ///< soft light is shared by pixels, views and frames
-  kForward,  ///< the paper's: frames between key frames are interpolated from these frames' points
-};
-enum class DebugPicture { kNone, kMissed, kProvenance };
 enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 
 /// What each frame's picture holds (layout/view_layout.hpp).
@@ -92,33 +84,6 @@ struct OpticsParams {
   bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
 };
 
-/// How a frame is traced, and which layers it has.
-struct Sampling {
-  std::optional<Integrator> integrator;  ///< none: see with_scene_defaults
-  RayOrder order = RayOrder::kViewTiles;
-  int spp = 0;                                  ///< samples per pixel; 0: 1, of paths kPathSamples
-  std::optional<AngularFilter> angular_filter;  ///< none: see wanted_angular_filter (render/frame.hpp)
-  int max_depth = 0;                            ///< path vertices; 0: the scene's own limit
-  std::uint32_t seed = 0;
-  float clamp_indirect = 0.0f;  ///< paths: the brightest indirect contribution to a sample; 0: any
-  bool denoise = false;         ///< paths: frames are filtered (denoise/denoiser.hpp)
-  bool transparent = false;     ///< pictures have alpha: the surroundings light the scene but are not seen
-  std::vector<Aov> aov;         ///< extra layers beside the picture
-};
-
-/// What frames take from each other.
-struct ReuseParams {
-  Reuse mode = Reuse::kExact;
-  std::optional<int> keyframes;         ///< a key frame every K frames; none: exact chooses, forward takes kDefaultKeyframes
-  std::optional<double> min_psnr_db;    ///< of every frame, 8-bit codes; none: forward's errors are not bounded
-  std::optional<double> time_budget_s;  ///< of a path-traced frame, about, on this machine; none: as long as it takes
-  SplatMode splat = SplatMode::kView;
-  MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
-  bool halving = false;                        ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only
-  bool no_z_buffer = false;                    ///< points overwrite each other in pixel order: wrong, for study
-  DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black; kProvenance: where light came from
-};
-
 /// Which frames are written, where to, and as what.
 struct OutputParams {
   std::string folder;                   ///< empty: out/<scene name>
@@ -137,32 +102,18 @@ struct OutputParams {
 };
 
 /// All of it, and how it is run.
-struct RenderParams {
+struct RenderParams : FrameParams {
   SceneParams scene;
   OpticsParams optics;
-  Sampling sampling;
-  ReuseParams reuse;
   OutputParams output;
   int threads = 0;      ///< 0: one per processor
   bool resume = false;  ///< keep the frames that the same job has finished before
 };
 
-/// Samples per pixel where nothing is said: of paths that are asked for, and of those that are the scene's default, so that a
-/// first picture comes within seconds.
-inline constexpr int kPathSamples = 64, kFirstPathSamples = 16;
-
 /// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format),
 /// unless --reuse forward is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything below
 /// takes the parameters as they are after this.
 RenderParams with_scene_defaults(RenderParams params);
-
-inline Integrator integrator_of(const RenderParams& params) {
-  return params.sampling.integrator.value_or(Integrator::kWhitted);
-}
-
-inline int samples_per_pixel(const RenderParams& params) {
-  return params.sampling.spp > 0 ? params.sampling.spp : integrator_of(params) == Integrator::kPath ? kPathSamples : 1;
-}
 
 inline Tone tone_of(const RenderParams& params) { return {params.output.exposure_ev, params.output.tone}; }
 

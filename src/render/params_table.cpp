@@ -125,8 +125,8 @@ template <class T>
 T& member_of(T& value) {
   return value;
 }
-template <class T, class M, class... Rest>
-auto& member_of(T& value, M std::remove_const_t<T>::*member, Rest... rest) {
+template <class T, class Group, class M, class... Rest>
+auto& member_of(T& value, M Group::*member, Rest... rest) {
   return member_of(value.*member, rest...);
 }
 
@@ -148,8 +148,8 @@ template <class T>
 ParamInfo row(ParamKind kind, T RenderParams::*member, Codec<T> codec, Documentation words) {
   return row_of(kind, codec, words, member);
 }
-template <class G, class T>
-ParamInfo row(ParamKind kind, G RenderParams::*group, T G::*member, Codec<T> codec, Documentation words) {
+template <class P, class G, class T>
+ParamInfo row(ParamKind kind, G P::*group, T G::*member, Codec<T> codec, Documentation words) {
   return row_of(kind, codec, words, group, member);
 }
 template <class T>

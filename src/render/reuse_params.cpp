@@ -9,8 +9,8 @@ namespace lippmann {
 namespace {
 
 /// The first flag that only reuse forward knows and that is not as it is by default; empty if there is none.
-std::string forward_only_flag(const RenderParams& params) {
-  const RenderParams defaults;
+std::string forward_only_flag(const FrameParams& params) {
+  const FrameParams defaults;
   if (params.reuse.splat != defaults.reuse.splat) return "--splat";
   if (params.reuse.fill != defaults.reuse.fill) return "--fill";
   if (params.reuse.halving) return "--halving";
@@ -20,8 +20,8 @@ std::string forward_only_flag(const RenderParams& params) {
 }
 
 /// The first flag that would take from a frame what its floor promises; empty if there is none.
-std::string flag_against_floor(const RenderParams& params) {
-  const RenderParams defaults;
+std::string flag_against_floor(const FrameParams& params) {
+  const FrameParams defaults;
   if (params.reuse.fill != defaults.reuse.fill) return "--fill";
   if (params.reuse.halving) return "--halving";
   if (params.reuse.no_z_buffer) return "--no-z-buffer";
@@ -31,7 +31,7 @@ std::string flag_against_floor(const RenderParams& params) {
 
 }  // namespace
 
-void check_reuse(const RenderParams& params) {
+void check_reuse(const FrameParams& params) {
   const std::string stray = forward_only_flag(params);
   if (params.reuse.mode != Reuse::kForward && !stray.empty())
     throw usage_error(stray, "means nothing without interpolated frames", "it together with --reuse forward");
@@ -51,13 +51,16 @@ void check_reuse(const RenderParams& params) {
     throw usage_error("--min-psnr", "means nothing where every frame is traced", "it together with --reuse forward");
   if (const std::string against = flag_against_floor(params); params.reuse.min_psnr_db && !against.empty())
     throw usage_error(against, "cannot be together with --min-psnr, which traces what is missed or doubted", "one of the two");
-  if (params.reuse.min_psnr_db && !tone_of(params).is_identity())
-    throw usage_error("--min-psnr", "is a floor for pictures that show light as it is", "no --exposure and --tone with it");
   if (params.reuse.debug == DebugPicture::kMissed && params.reuse.fill == MissedFill::kRetrace)
     throw usage_error("--fill", "retraced pixels would not be seen: --debug missed leaves them black", "one of the two");
 }
 
-ForwardParams forward_params(const RenderParams& params) {
+void check_floor(const RenderParams& params) {
+  if (params.reuse.min_psnr_db && !tone_of(params).is_identity())
+    throw usage_error("--min-psnr", "is a floor for pictures that show light as it is", "no --exposure and --tone with it");
+}
+
+ForwardParams forward_params(const FrameParams& params) {
   ForwardParams forward;
   forward.splat = {params.reuse.splat, !params.reuse.no_z_buffer};
   forward.fill = params.reuse.debug == DebugPicture::kMissed ? MissedFill::kBlack : params.reuse.fill;
