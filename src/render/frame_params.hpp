@@ -1,5 +1,5 @@
-// How the frames of a scene on its optics are made: how each is traced, and what it takes from others. It knows no scene's name,
-// no folder and no flag; render/params.hpp adds those.
+// How the frames of a scene on its optics are made: how each is traced, and what it takes from others. It knows no scene's
+// name, no folder and no flag; render/params.hpp adds those.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ enum class DebugPicture { kNone, kMissed, kProvenance };
 struct Sampling {
   std::optional<Integrator> integrator{};  ///< none: see with_scene_defaults
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 0;                                  ///< samples per pixel; 0: 1, of paths kPathSamples
+  int spp = 0;                                    ///< samples per pixel; 0: 1, of paths kPathSamples
   std::optional<AngularFilter> angular_filter{};  ///< none: see wanted_angular_filter (render/frame.hpp)
-  int max_depth = 0;                            ///< path vertices; 0: the scene's own limit
+  int max_depth = 0;                              ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
   float clamp_indirect = 0.0f;  ///< paths: the brightest indirect contribution to a sample; 0: any
   bool denoise = false;         ///< paths: frames are filtered (denoise/denoiser.hpp)
   bool transparent = false;     ///< pictures have alpha: the surroundings light the scene but are not seen
-  std::vector<Aov> aov{};         ///< extra layers beside the picture
+  std::vector<Aov> aov{};       ///< extra layers beside the picture
 };
 
 /// What frames take from each other.
@@ -55,9 +55,7 @@ struct FrameParams {
 /// first picture comes within seconds.
 inline constexpr int kPathSamples = 64, kFirstPathSamples = 16;
 
-inline Integrator integrator_of(const FrameParams& params) {
-  return params.sampling.integrator.value_or(Integrator::kWhitted);
-}
+inline Integrator integrator_of(const FrameParams& params) { return params.sampling.integrator.value_or(Integrator::kWhitted); }
 
 inline int samples_per_pixel(const FrameParams& params) {
   return params.sampling.spp > 0 ? params.sampling.spp : integrator_of(params) == Integrator::kPath ? kPathSamples : 1;

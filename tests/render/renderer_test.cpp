@@ -78,8 +78,8 @@ TEST(Renderer, refuses_frames_that_are_not_there_and_parameters_that_contradict_
   EXPECT_THROW(renderer.frame(-1), Error);
   EXPECT_THROW(renderer.frame(scene.timeline.frame_count), Error);
   EXPECT_THROW(Renderer(scene, placement, {.sampling = {.denoise = true}}, context), Error);
-  EXPECT_THROW(
-      Renderer(scene, placement, {.sampling = {.aov = {Aov::kDepth}}, .reuse = {.mode = Reuse::kForward}}, context), Error);
+  EXPECT_THROW(Renderer(scene, placement, {.sampling = {.aov = {Aov::kDepth}}, .reuse = {.mode = Reuse::kForward}}, context),
+               Error);
   Scene broken = scene;
   broken.instances.front().node = 1 << 20;
   EXPECT_THROW(Renderer(broken, placement, {}, context), Error);
