@@ -8,8 +8,8 @@
 //   quilt.model = MultiView{.columns = 8, .rows = 6};
 //   const Placement placement = place(scene, quilt);
 //   Renderer renderer(scene, placement, {.sampling = {.integrator = Integrator::kPath, .spp = 64}}, context);
-//   const RenderedFrame frame = renderer.frame(0);
-//   write_picture("quilt.png", encode(frame.pictures.film));
+//   const auto frame = renderer.frame(0);
+//   write_picture("quilt.png", to_codes(frame->pictures.film, scene.encoding));
 #pragma once
 
 #include <memory>
