@@ -46,6 +46,8 @@ struct ReuseParams {
   DebugPicture debug = DebugPicture::kNone;    ///< kMissed: missed pixels stay black; kProvenance: where light came from
 };
 
+/// All that frames of a scene and its optics depend on. Values that are out of range are refused where text is read
+/// (render/params_table.cpp), combinations that contradict each other by check_reuse() and its like.
 struct FrameParams {
   Sampling sampling{};
   ReuseParams reuse{};

@@ -98,8 +98,8 @@ TEST(Light, shared_light_goes_together_with_denoising) {
   EXPECT_NE(noisy.at("frame_0016.png"), next.at("frame_0016.png"));
 }
 
-// The room: with four seeds 27 to 53 % of the rays of paths. So small a picture of the teapot is edges above all, and takes 40
-// to 160 %, by luck.
+// The room: with four seeds 27 to 53 % of the rays of paths. So small a picture of the teapot is edges above all, and takes 41
+// to 150 %, by luck.
 TEST(Light, shared_light_saves_rays_and_tells_its_error) {
   const TempDir dir;
   const auto second_frame = [&](const std::string& reuse) {

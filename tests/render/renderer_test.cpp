@@ -61,6 +61,27 @@ TEST(Renderer, shares_light_between_views_and_frames_and_reports_its_error) {
   EXPECT_TRUE(second->report.estimated_psnr_db.has_value());
 }
 
+TEST(Renderer, interpolates_frames_between_key_frames) {
+  const Context context;
+  const Scene scene = built_in("primitives");
+  Renderer renderer(scene, place(scene, small_quilt()), {.reuse = {.mode = Reuse::kForward, .keyframes = 2}}, context);
+  const auto key = renderer.frame(0), in_between = renderer.frame(1);
+  ASSERT_TRUE(key && in_between);
+  EXPECT_EQ(key->report.kind, "key");
+  EXPECT_EQ(in_between->report.kind, "in-between");
+}
+
+TEST(Renderer, denoises_paths) {
+  const Context context;
+  const Scene scene = built_in("primitives");
+  const Placement placement = place(scene, small_quilt());
+  const auto film = [&](bool denoise) {
+    Renderer renderer(scene, placement, {.sampling = {.integrator = Integrator::kPath, .spp = 2, .denoise = denoise}}, context);
+    return renderer.frame(0)->pictures.film.data;
+  };
+  EXPECT_NE(film(true), film(false));
+}
+
 TEST(Renderer, has_the_layers_that_are_asked_for) {
   const Context context;
   const Scene scene = built_in("primitives");
