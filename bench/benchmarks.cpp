@@ -1,6 +1,6 @@
 #include "bench/benchmarks.hpp"
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann::bench {
 

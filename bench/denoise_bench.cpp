@@ -9,9 +9,9 @@
 #include "bench/light_references.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
-#include "core/error.hpp"
-#include "image/encode.hpp"
-#include "image/metrics.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/image/metrics.hpp"
 #include "render/frame_maker.hpp"
 
 namespace lippmann::bench {

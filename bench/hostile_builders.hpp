@@ -1,7 +1,7 @@
 // What builds each of the hostile scenes (hostile_scenes.hpp).
 #pragma once
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann::bench {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "lippmann/scene/scene.hpp"
 #include "render/params.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann::bench {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/random.hpp"
-#include "image/encode.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann::bench {
 namespace {

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "image/image.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann::bench {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "image/picture_file.hpp"
+#include "lippmann/image/picture_file.hpp"
 
 namespace lippmann::bench {
 namespace {

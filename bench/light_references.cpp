@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "bench/light_figures.hpp"
-#include "core/error.hpp"
 #include "core/fingerprint.hpp"
-#include "image/encode.hpp"
-#include "image/picture_file.hpp"
-#include "trace/ray_order.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "trace/strip_order.hpp"
 
 namespace lippmann::bench {
 namespace {

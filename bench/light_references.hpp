@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "bench/light_figures.hpp"
-#include "core/context.hpp"
-#include "core/parallel.hpp"
-#include "image/image.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/image/image.hpp"
 #include "render/frame.hpp"
 
 namespace lippmann::bench {

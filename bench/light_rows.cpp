@@ -9,9 +9,9 @@
 
 #include "bench/hostile_scenes.hpp"
 #include "bench/scenes.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/builtin.hpp"
 #include "render/param_text.hpp"
-#include "scene/builtin.hpp"
 
 namespace lippmann::bench {
 namespace {

@@ -13,12 +13,12 @@
 
 #include "bench/light_pictures.hpp"
 #include "bench/light_references.hpp"
-#include "core/error.hpp"
-#include "image/encode.hpp"
-#include "image/metrics.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/image/metrics.hpp"
+#include "lippmann/scene/load.hpp"
 #include "render/frame_maker.hpp"
 #include "render/reuse_params.hpp"
-#include "scene/load.hpp"
 
 namespace lippmann::bench {
 namespace {

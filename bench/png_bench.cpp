@@ -10,12 +10,12 @@
 
 #include "bench/benchmarks.hpp"
 #include "bench/timing.hpp"
-#include "core/error.hpp"
-#include "core/math.hpp"
 #include "core/random.hpp"
-#include "image/encode.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann::bench {
 namespace {

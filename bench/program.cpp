@@ -7,7 +7,7 @@
 
 #include <cerrno>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann::bench {
 namespace {

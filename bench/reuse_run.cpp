@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "core/error.hpp"
-#include "image/encode.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 #include "render/frame_maker.hpp"
 #include "render/reuse_params.hpp"
 #include "reuse/frame_plan.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bench/scenes.hpp"
-#include "image/metrics.hpp"
+#include "lippmann/image/metrics.hpp"
 
 namespace lippmann::bench {
 

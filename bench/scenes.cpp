@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/error.hpp"
-#include "scene/builtin.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/builtin.hpp"
 
 namespace lippmann::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/frame.hpp"
 #include "trace/device_scene_impl.hpp"
 #include "trace/packet_source.hpp"

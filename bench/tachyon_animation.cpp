@@ -9,7 +9,7 @@
 #include <string>
 
 #include "bench/program.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann::bench {
 namespace {

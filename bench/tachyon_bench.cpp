@@ -12,7 +12,7 @@
 #include "bench/program.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/frame.hpp"
 
 namespace lippmann::bench {

@@ -1,12 +1,15 @@
 # Compile options that every target shares (INTERFACE target lippmann_options), and helpers to declare parts.
 
 add_library(lippmann_options INTERFACE)
-target_include_directories(lippmann_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
 
 # Floating point: contraction to FMA is off, so that every instruction-set clone of a kernel (core/multiversion.hpp) gives the
 # same bits; errno and traps are not used, which lets the compiler vectorise floor, sqrt and selects.
 target_compile_options(lippmann_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+
+# Parts are joined in a shared library, too (library.cmake), within which functions call each other directly all the same.
+target_compile_options(lippmann_options INTERFACE -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 
 if(LIPPMANN_WERROR)
   target_compile_options(lippmann_options INTERFACE -Werror)
@@ -38,6 +41,7 @@ function(lippmann_part name)
   cmake_parse_arguments(PART "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(lippmann_${name} STATIC ${PART_SOURCES})
   add_library(lippmann::${name} ALIAS lippmann_${name})
+  set_property(GLOBAL APPEND PROPERTY LIPPMANN_PARTS ${name})
   target_link_libraries(lippmann_${name} PUBLIC lippmann_options ${PART_DEPENDS} PRIVATE ${PART_PRIVATE_DEPENDS})
   lippmann_use_precompiled(lippmann_${name} lippmann_common_headers)
   lippmann_may_join(lippmann_${name})

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "display/display_json.hpp"
-#include "display/load_display.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/display/load_display.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   using namespace lippmann;

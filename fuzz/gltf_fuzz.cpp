@@ -8,10 +8,10 @@
 #include <cstring>
 #include <vector>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "scene/gltf.hpp"
-#include "scene/load.hpp"
-#include "scene/timeline.hpp"
 
 namespace {
 

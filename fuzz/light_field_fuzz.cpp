@@ -8,12 +8,12 @@
 #include <span>
 #include <string>
 
-#include "core/error.hpp"
 #include "image/netpbm.hpp"
 #include "layout/hci_parameters.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/quilt_side_file.hpp"
-#include "layout/subset.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/subset.hpp"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <iostream>
 #include <string>
 
-#include "core/error.hpp"
-#include "scene/load.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "scene/obj.hpp"
 
 namespace {

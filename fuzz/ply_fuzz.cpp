@@ -5,8 +5,8 @@
 #include <iostream>
 #include <string>
 
-#include "core/error.hpp"
-#include "scene/load.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "scene/ply.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

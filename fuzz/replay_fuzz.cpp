@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/replay/eye_view.hpp"
+#include "lippmann/replay/refocus.hpp"
+#include "lippmann/replay/viewing.hpp"
 #include "optics/optics_json.hpp"
-#include "replay/eye_view.hpp"
-#include "replay/refocus.hpp"
 #include "replay/rotate_elemental.hpp"
 #include "replay/spoc.hpp"
-#include "replay/viewing.hpp"
 
 using namespace lippmann;
 

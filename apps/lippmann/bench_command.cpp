@@ -14,8 +14,8 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "bench/bench.hpp"
-#include "core/error.hpp"
 #include "core/json_text.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann::app {
 namespace {

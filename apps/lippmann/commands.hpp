@@ -17,7 +17,7 @@
 #include <functional>
 #include <string>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
 
 namespace lippmann::app {
 

@@ -11,9 +11,9 @@
 #include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "core/error.hpp"
-#include "display/load_display.hpp"
-#include "layout/convert.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "lippmann/layout/convert.hpp"
 #include "render/render_folder.hpp"
 
 namespace lippmann::app {

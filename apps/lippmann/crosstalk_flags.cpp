@@ -7,9 +7,9 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "core/error.hpp"
-#include "display/load_display.hpp"
-#include "optics/crosstalk.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 #include "replay/precompensated_frames.hpp"
 
 namespace lippmann::app {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
 
 namespace lippmann::app {
 

@@ -10,7 +10,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "display/display_json.hpp"
-#include "display/load_display.hpp"
+#include "lippmann/display/load_display.hpp"
 
 namespace lippmann::app {
 namespace {

@@ -12,9 +12,9 @@
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/progress.hpp"
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "core/folder.hpp"
 #include "layout/rendered.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/param_text.hpp"
 #include "video/encode_frames.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "layout/view_layout.hpp"
+#include "lippmann/layout/view_layout.hpp"
 
 namespace lippmann::app {
 

@@ -14,8 +14,9 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/interrupt.hpp"
-#include "core/error.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/version.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -40,7 +41,7 @@ void check_stack_limit() {
 int run(int argc, char** argv) {
   check_stack_limit();
   CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
-                           "lippmann " LIPPMANN_VERSION);
+                           std::string("lippmann ") + version());
   const Command root = command_line.root();
   Action chosen;
   add_render_command(root, chosen, called_as(argc, argv));

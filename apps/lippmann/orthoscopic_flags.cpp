@@ -6,7 +6,7 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "replay/orthoscopic.hpp"
 
 namespace lippmann::app {

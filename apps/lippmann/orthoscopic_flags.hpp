@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
 
 namespace lippmann::app {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "apps/lippmann/command_line.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/job_file.hpp"
 #include "render/params_table.hpp"
 

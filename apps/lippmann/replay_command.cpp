@@ -10,8 +10,8 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "core/error.hpp"
-#include "optics/crosstalk.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 #include "replay/replay.hpp"
 
 namespace lippmann::app {

@@ -7,7 +7,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "scene/builtin.hpp"
+#include "lippmann/scene/builtin.hpp"
 
 namespace lippmann::app {
 namespace {

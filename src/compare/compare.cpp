@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "compare/frame_source.hpp"
-#include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/parallel.hpp"
 
 namespace lippmann {
 namespace {

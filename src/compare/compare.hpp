@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
-#include "image/metrics.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/image/metrics.hpp"
 
 namespace lippmann {
 

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/core/error.hpp"
 #include "video/video_reader.hpp"
 
 namespace lippmann {

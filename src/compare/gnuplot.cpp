@@ -8,7 +8,7 @@
 #include <cerrno>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compare/gnuplot.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

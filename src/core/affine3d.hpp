@@ -1,7 +1,7 @@
 // Affine transforms in double precision: for chains of them in worlds that are large beside a pixel.
 #pragma once
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

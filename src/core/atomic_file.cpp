@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

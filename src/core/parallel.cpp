@@ -1,4 +1,4 @@
-#include "core/parallel.hpp"
+#include "lippmann/core/parallel.hpp"
 
 #include <pthread.h>
 #include <sched.h>

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 

@@ -16,10 +16,10 @@
 
 #include <memory>
 
-#include "core/parallel.hpp"
-#include "image/image.hpp"
-#include "layout/view_layout.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/layout/view_layout.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/parallel.hpp"
 #include "denoise/view_geometry.hpp"
+#include "lippmann/core/parallel.hpp"
 
 namespace lippmann {
 

@@ -8,9 +8,9 @@
 
 #include <vector>
 
-#include "core/math.hpp"
-#include "layout/view_layout.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/layout/view_layout.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 

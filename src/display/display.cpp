@@ -1,4 +1,4 @@
-#include "display/display.hpp"
+#include "lippmann/display/display.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "display/display.hpp"
+#include "lippmann/display/display.hpp"
 
 namespace lippmann {
 

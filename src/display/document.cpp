@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
 #include "core/suggest.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

@@ -1,4 +1,4 @@
-#include "display/load_display.hpp"
+#include "lippmann/display/load_display.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
 #include "core/suggest.hpp"
 #include "display/document.hpp"
 #include "display/presets.hpp"
 #include "display/read_display.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

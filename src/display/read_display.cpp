@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
 #include "display/fields.hpp"
-#include "optics/crosstalk.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 
 namespace lippmann {
 namespace {

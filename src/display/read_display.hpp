@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "display/display.hpp"
+#include "lippmann/display/display.hpp"
 
 namespace lippmann {
 

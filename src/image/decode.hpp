@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/error.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 

@@ -1,7 +1,7 @@
 // Shows where two pictures differ.
 #pragma once
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

@@ -2,7 +2,7 @@
 // itself. A float's exponent and top 7 mantissa bits name a bucket so small that it holds at most one step, and its entry is
 //   (code at the bucket's start) 2^16 + (2^16 - the step's place in the bucket), or without a step just the first term;
 // adding the float's lower 16 bits then carries into the code exactly when the float lies at or beyond the step.
-#include "image/encode.hpp"
+#include "lippmann/image/encode.hpp"
 
 #include <algorithm>
 #include <array>

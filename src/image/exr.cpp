@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "image/exr_file.hpp"
 #include "image/limits.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <fstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 

@@ -1,4 +1,4 @@
-#include "image/metrics.hpp"
+#include "lippmann/image/metrics.hpp"
 
 #include <array>
 #include <cassert>

@@ -11,9 +11,9 @@
 #include <string_view>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "image/file_bytes.hpp"
 #include "image/limits.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

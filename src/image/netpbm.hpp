@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

@@ -1,15 +1,15 @@
-#include "image/picture_file.hpp"
+#include "lippmann/image/picture_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
-#include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

@@ -7,10 +7,10 @@
 #include <array>
 #include <utility>
 
-#include "core/error.hpp"
 #include "image/decode.hpp"
-#include "image/encode.hpp"
 #include "image/file_bytes.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,7 +1,7 @@
 // Structural similarity of two pictures; defined in image/metrics.hpp.
 #pragma once
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

@@ -15,9 +15,9 @@
 #include <utility>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "image/limits.hpp"
 #include "image/rgba.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

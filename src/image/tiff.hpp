@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

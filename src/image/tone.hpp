@@ -4,8 +4,8 @@
 // of B. Wrensch, "Minimal AgX Implementation", 2023.
 #pragma once
 
-#include "core/math.hpp"
-#include "image/image.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

@@ -1,4 +1,4 @@
-#include "layout/arrangement.hpp"
+#include "lippmann/layout/arrangement.hpp"
 
 #include <algorithm>
 

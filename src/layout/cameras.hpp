@@ -9,8 +9,8 @@
 
 #include <optional>
 
-#include "layout/light_field.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/layout/light_field.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 

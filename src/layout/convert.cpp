@@ -1,12 +1,12 @@
-#include "layout/convert.hpp"
+#include "lippmann/layout/convert.hpp"
 
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/folder.hpp"
 #include "layout/light_field_source.hpp"
-#include "layout/quilt_name.hpp"
 #include "layout/view_files.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "core/error.hpp"
-#include "layout/interlace.hpp"
 #include "layout/sub_pixel_views.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/interlace.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,9 +1,9 @@
-#include "layout/formats.hpp"
+#include "lippmann/layout/formats.hpp"
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 

@@ -13,13 +13,13 @@
 #include <sstream>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
-#include "layout/formats.hpp"
 #include "layout/hci_parameters.hpp"
 #include "layout/view_files.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 namespace {

@@ -7,9 +7,9 @@
 #include <map>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
 #include "layout/cameras.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "layout/light_field.hpp"
+#include "lippmann/layout/light_field.hpp"
 
 namespace lippmann {
 

@@ -1,7 +1,7 @@
 // What lies behind a lens array, and the plenoptic camera's variant of it, whose elements are not turned round.
-#include "core/error.hpp"
-#include "layout/formats.hpp"
 #include "layout/packed_views.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 namespace {

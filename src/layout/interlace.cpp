@@ -1,12 +1,12 @@
-#include "layout/interlace.hpp"
+#include "lippmann/layout/interlace.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "core/error.hpp"
 #include "layout/sub_pixel_views.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

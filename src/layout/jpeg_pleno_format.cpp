@@ -5,12 +5,12 @@
 
 #include <bit>
 
-#include "core/error.hpp"
 #include "core/folder.hpp"
 #include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
-#include "layout/formats.hpp"
 #include "layout/view_files.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 namespace {

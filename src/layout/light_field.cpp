@@ -1,4 +1,4 @@
-#include "layout/light_field.hpp"
+#include "lippmann/layout/light_field.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "core/error.hpp"
 #include "core/text_pattern.hpp"
-#include "layout/quilt_name.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "layout/cameras.hpp"
-#include "layout/formats.hpp"
 #include "layout/rendered.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 

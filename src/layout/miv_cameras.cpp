@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "layout/light_field.hpp"
+#include "lippmann/layout/light_field.hpp"
 
 namespace lippmann {
 

@@ -7,10 +7,10 @@
 #include <sstream>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
-#include "layout/formats.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/view_files.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <thread>
 
-#include "core/error.hpp"
-#include "layout/formats.hpp"
-#include "layout/interlace.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/interlace.hpp"
 
 namespace lippmann {
 namespace {

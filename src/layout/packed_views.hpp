@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "layout/light_field.hpp"
+#include "lippmann/layout/light_field.hpp"
 
 namespace lippmann {
 

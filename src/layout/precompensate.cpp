@@ -15,9 +15,9 @@
 #include <numeric>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/multiversion.hpp"
-#include "optics/crosstalk.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 
 namespace lippmann {
 namespace {

@@ -5,20 +5,14 @@
 // bounds, contrast is out of reach, and by how much is what comes back.
 #pragma once
 
-#include "image/image.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/layout/precompensation.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 
 /// Larger sigmas leave so little of what tells neighbours apart (8 %) that there is nothing to gain.
 inline constexpr double kMaxPrecompensatedPx = 0.75;
-
-struct Precompensation {
-  double clipped_share = 0.0;     ///< of samples: that would have to be darker than black or brighter than white
-  double largest_residual = 0.0;  ///< how far what is seen is from what was wanted, at worst; linear light, 1 is white
-
-  bool operator==(const Precompensation&) const = default;
-};
 
 /// `picture`: what the panel is to show, 3 channels of linear light, above 1 as bright as the display is; a slanted panel's of
 /// whole pixels. It becomes what makes an eye see that. 0 <= sigma_px <= kMaxPrecompensatedPx. Throws a usage Error naming

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "layout/formats.hpp"
 #include "layout/packed_views.hpp"
-#include "layout/quilt_name.hpp"
 #include "layout/quilt_side_file.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
 namespace {

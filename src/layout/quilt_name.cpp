@@ -1,12 +1,12 @@
-#include "layout/quilt_name.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/text_pattern.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {
@@ -24,6 +24,8 @@ Number read(const std::string& digits) {
 }
 
 }  // namespace
+
+QuiltName quilt_name_of(const DisplayQuilt& quilt) { return {{quilt.columns, quilt.rows}, quilt.aspect}; }
 
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path) {
   const std::optional<PatternMatch> found = pattern().search(path.stem().string());

@@ -9,9 +9,9 @@
 #include <span>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "core/json_text.hpp"
 #include "core/regular_file.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

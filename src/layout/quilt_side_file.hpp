@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "layout/quilt_name.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
 

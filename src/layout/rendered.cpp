@@ -6,11 +6,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
 #include "core/json_text.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/core/error.hpp"
 #include "optics/optics_json.hpp"
 
 namespace lippmann {

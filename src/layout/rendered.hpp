@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "image/image.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "core/text_pattern.hpp"
-#include "layout/formats.hpp"
 #include "layout/view_files.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 namespace {

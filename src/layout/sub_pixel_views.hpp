@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "display/display.hpp"
+#include "lippmann/display/display.hpp"
 
 namespace lippmann {
 

@@ -1,7 +1,7 @@
 // Films of sub-pixels, three in a row for every pixel (optics/optics.hpp: slanted panels), as pictures of pixels.
 #pragma once
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

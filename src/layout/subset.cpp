@@ -1,12 +1,12 @@
-#include "layout/subset.hpp"
+#include "lippmann/layout/subset.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/text_pattern.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

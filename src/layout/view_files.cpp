@@ -6,8 +6,8 @@
 #include <charconv>
 #include <set>
 
-#include "core/error.hpp"
 #include "core/folder.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace fs = std::filesystem;

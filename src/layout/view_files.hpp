@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/text_pattern.hpp"
-#include "layout/light_field.hpp"
+#include "lippmann/layout/light_field.hpp"
 
 namespace lippmann {
 

@@ -1,10 +1,10 @@
-#include "layout/view_layout.hpp"
+#include "lippmann/layout/view_layout.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

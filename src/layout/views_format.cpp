@@ -1,11 +1,11 @@
 // A folder of view_000.png, view_001.png, ...: view 0 from the left and below, as layout/view_layout.hpp numbers them.
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "core/text_pattern.hpp"
-#include "layout/formats.hpp"
 #include "layout/rendered.hpp"
 #include "layout/view_files.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 namespace {

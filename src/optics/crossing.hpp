@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/math.hpp"
 #include "core/multiversion.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 

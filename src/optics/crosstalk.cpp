@@ -1,4 +1,4 @@
-#include "optics/crosstalk.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <vector>
 
+#include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
 #include "optics/lens_axis.hpp"
-#include "optics/optics.hpp"
 
 namespace lippmann {
 

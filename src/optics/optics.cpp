@@ -1,4 +1,4 @@
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 
 #include "optics/ray_generator.hpp"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

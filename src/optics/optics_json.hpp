@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 

@@ -3,10 +3,10 @@
 
 #include <variant>
 
+#include "lippmann/optics/optics.hpp"
 #include "optics/lenticular.hpp"
 #include "optics/microlens.hpp"
 #include "optics/multi_view.hpp"
-#include "optics/optics.hpp"
 #include "optics/single_view.hpp"
 #include "optics/slanted_panel.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
-#include "optics/optics.hpp"
 
 namespace lippmann {
 

@@ -10,9 +10,9 @@
 #include <cmath>
 #include <vector>
 
+#include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
 #include "optics/multi_view.hpp"
-#include "optics/optics.hpp"
 
 namespace lippmann {
 

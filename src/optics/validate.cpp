@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 namespace {

@@ -10,8 +10,8 @@
 
 #include <optional>
 
-#include "core/math.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 

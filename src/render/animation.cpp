@@ -14,11 +14,11 @@
 #include <utility>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "core/folder.hpp"
 #include "core/json_text.hpp"
-#include "core/parallel.hpp"
 #include "core/regular_file.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/parallel.hpp"
 #include "render/aov_params.hpp"
 #include "render/denoised_frames.hpp"
 #include "render/finished_frames.hpp"

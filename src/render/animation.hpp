@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
 #include "render/frame_files.hpp"
 #include "render/params.hpp"
 #include "render/report.hpp"

@@ -1,6 +1,6 @@
 #include "render/aov_params.hpp"
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/test_pattern.hpp"
 
 namespace lippmann {

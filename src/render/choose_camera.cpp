@@ -6,9 +6,9 @@
 #include <charconv>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
 #include "core/suggest.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/aov_params.hpp"
 #include "render/frame_layout.hpp"
+#include "trace/first_hits.hpp"
 #include "trace/noisy_frame.hpp"
 
 namespace lippmann {

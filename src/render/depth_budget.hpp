@@ -4,8 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "optics/optics.hpp"
-#include "render/fit_array.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/render/fit_array.hpp"
 
 namespace lippmann {
 

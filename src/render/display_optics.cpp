@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "display/load_display.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/display/load_display.hpp"
 #include "render/panel_size.hpp"
 
 namespace lippmann {

@@ -7,8 +7,8 @@
 
 #include <memory>
 
-#include "display/display.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/display/display.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "render/params.hpp"
 
 namespace lippmann {

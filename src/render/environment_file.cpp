@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 

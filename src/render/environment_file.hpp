@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

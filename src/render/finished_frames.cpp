@@ -11,10 +11,11 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/fingerprint.hpp"
 #include "core/json_text.hpp"
 #include "display/display_json.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/version.hpp"
 #include "render/params_table.hpp"
 #include "render/render_folder.hpp"
 #include "scene/fingerprint.hpp"
@@ -45,7 +46,7 @@ void begin_journal(const fs::path& path, const std::string& job) {
 
 std::string job_fingerprint(const RenderParams& params, const Scene& scene, const Display* display) {
   Fingerprint print;
-  print.add(LIPPMANN_VERSION);
+  print.add(version());
   for (const ParamInfo& info : params_table()) {
     if (!info.changes_pictures) continue;
     print.add(info.name);

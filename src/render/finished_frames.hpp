@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "display/display.hpp"
+#include "lippmann/display/display.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "render/folder_journal.hpp"
 #include "render/frame_files.hpp"
 #include "render/params.hpp"
 #include "render/report.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann {
 

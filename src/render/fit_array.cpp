@@ -3,15 +3,16 @@
 // With R and L the largest values of +-p.x cos a + p.z sin a over all points, both sides touch the points if
 // x = (R - L) / (2 cos a) and d = (R + L) / (2 sin a). The same for the height; the larger d counts. R and L are bounds along
 // slanted axes, which finite_bounds knows exactly for every kind of shape.
-#include "render/fit_array.hpp"
+#include "lippmann/render/fit_array.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
+#include "render/read_view_wish.hpp"
 #include "render/seen_bounds.hpp"
 #include "render/subject.hpp"
 #include "scene/default_view.hpp"

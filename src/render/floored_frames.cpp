@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "image/metrics.hpp"
+#include "lippmann/image/metrics.hpp"
 #include "render/reuse_params.hpp"
 #include "reuse/tracing_costs.hpp"
 #include "trace/trace_packets.hpp"

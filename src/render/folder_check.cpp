@@ -4,7 +4,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

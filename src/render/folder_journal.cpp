@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/param_text.hpp"
 #include "render/params.hpp"
 #include "video/video_reader.hpp"

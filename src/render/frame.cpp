@@ -3,9 +3,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/aov_params.hpp"
 #include "render/display_optics.hpp"
+#include "trace/first_hits.hpp"
 
 namespace lippmann {
 

@@ -4,16 +4,16 @@
 #include <chrono>
 #include <memory>
 
-#include "core/context.hpp"
-#include "core/parallel.hpp"
-#include "render/fit_array.hpp"
-#include "render/frame_files.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/render/fit_array.hpp"
+#include "lippmann/render/rendered_frame.hpp"
+#include "lippmann/scene/load.hpp"
 #include "render/make_optics.hpp"
 #include "render/params.hpp"
-#include "render/report.hpp"
 #include "reuse/point_image.hpp"
-#include "scene/load.hpp"
 #include "trace/device_scene.hpp"
+#include "trace/trace_frame.hpp"
 
 namespace lippmann {
 
@@ -42,12 +42,6 @@ struct Stage {
  private:
   /// notes: room for what loading the scene finds out.
   Stage(SceneNotes notes, const RenderParams& params, const ThreadPool& pool, const Context& context);
-};
-
-/// A frame as traced, and what that took. The codes are not made yet.
-struct RenderedFrame {
-  FramePictures pictures;
-  FrameReport report;
 };
 
 /// Measures the rendering of one frame, from its making on.

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "core/folder.hpp"
-#include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "image/tiff.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann {
 namespace {

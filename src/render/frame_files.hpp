@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "image/encoding.hpp"
 #include "image/exr.hpp"
-#include "image/image.hpp"
+#include "lippmann/image/encoding.hpp"
+#include "lippmann/render/rendered_frame.hpp"
 #include "render/params.hpp"
-#include "trace/trace_frame.hpp"
 
 namespace lippmann {
 
@@ -26,12 +25,6 @@ std::string frame_name(const FrameNames& names, int frame);
 
 /// DIR/frame_0000.png, or DIR/frame_0000/view_000.png and so on.
 std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& folder, const FrameNames& names, int frame);
-
-struct FramePictures {
-  Image film;
-  FrameAovs aovs;
-  Image8 codes;  ///< of the film: what 8-bit files and videos hold; empty where nothing asked for them
-};
 
 /// Writes what `params` asks for, each file whole or not at all. Views lie one below the other in `pictures`. Extra layers go
 /// into EXR pictures, else into aov_0000.exr beside the picture (aov_000.exr beside a view).

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "image/tiff.hpp"
 #include "layout/sub_pixels.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <optional>
 
-#include "display/display.hpp"
-#include "layout/arrangement.hpp"
-#include "layout/quilt_name.hpp"
-#include "layout/view_layout.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/display/display.hpp"
+#include "lippmann/layout/arrangement.hpp"
+#include "lippmann/layout/quilt_name.hpp"
+#include "lippmann/layout/view_layout.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "render/frame_files.hpp"
 #include "render/params.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/denoised_frames.hpp"
 #include "render/exact_frames.hpp"
 #include "render/floored_frames.hpp"

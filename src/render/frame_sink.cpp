@@ -13,10 +13,11 @@
 
 #include "core/background.hpp"
 #include "core/json_text.hpp"
-#include "image/encode.hpp"
 #include "image/read_image.hpp"
 #include "layout/cameras.hpp"
 #include "layout/quilt_side_file.hpp"
+#include "lippmann/core/version.hpp"
+#include "lippmann/image/encode.hpp"
 #include "optics/optics_json.hpp"
 
 namespace lippmann {
@@ -24,7 +25,7 @@ namespace {
 
 /// What EXR files say of the render, for those who get them without its report.
 std::vector<ExrAttribute> about_render(const FrameSink::Settings& settings) {
-  std::vector<ExrAttribute> about{{"lippmann.version", LIPPMANN_VERSION}, {"lippmann.scene", settings.params.scene.name}};
+  std::vector<ExrAttribute> about{{"lippmann.version", version()}, {"lippmann.scene", settings.params.scene.name}};
   if (!settings.optics) return about;
   about.push_back({"lippmann.optics", json_to_text(optics_json(*settings.optics), -1)});
   about.push_back({"lippmann.depth_scale", fmt::format("{}", settings.depth_scale)});

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "image/encoding.hpp"
+#include "lippmann/image/encoding.hpp"
 #include "render/finished_frames.hpp"
 #include "render/frame.hpp"
 #include "render/frame_layout.hpp"

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
-#include "display/load_display.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/version.hpp"
+#include "lippmann/display/load_display.hpp"
 #include "render/params_table.hpp"
 #include "render/scene_light.hpp"
 
@@ -124,7 +125,7 @@ void read_job(const fs::path& file, RenderParams& params) {
 }
 
 std::string job_text(const RenderParams& params, const fs::path& folder) {
-  std::string text = "# A job of lippmann " LIPPMANN_VERSION ". It renders again with: lippmann render FILE\n";
+  std::string text = std::string("# A job of lippmann ") + version() + ". It renders again with: lippmann render FILE\n";
   std::string_view group;
   for (const ParamInfo& info : params_table()) {
     std::vector<std::string> values = info.get(params);

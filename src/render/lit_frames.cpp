@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/metrics.hpp"
+#include "lippmann/image/metrics.hpp"
 #include "render/aov_params.hpp"
 
 namespace lippmann {

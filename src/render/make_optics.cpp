@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/depth_budget.hpp"
 #include "render/display_optics.hpp"
 #include "render/panel_size.hpp"

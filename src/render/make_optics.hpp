@@ -6,20 +6,14 @@
 // its longer side: they stand 2 V tan(a/2) / N apart.
 #pragma once
 
-#include "display/display.hpp"
-#include "optics/optics.hpp"
-#include "render/fit_array.hpp"
+#include "lippmann/display/display.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/render/fit_array.hpp"
+#include "lippmann/render/placement.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "render/params.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann {
-
-struct PlacedOptics {
-  Optics optics;
-  float units_per_mm = 1.0f;  ///< scene units per millimetre: what world_from_display (render/fit_array.hpp) takes
-  bool for_display = false;   ///< of a display by name or file, which shows views as beams
-  float depth_scale = 1.0f;   ///< the parallax of the optics, see fits_depth(): below 1 the scene is shown less deep than it is
-};
 
 /// Of the display where one is given (render/display_optics.hpp), else of the parameters alone.
 /// Rays start where the fitted viewer stands, so that a camera inside a room sees the room.

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 #include "render/params.hpp"
 
 namespace lippmann {

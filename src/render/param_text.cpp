@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

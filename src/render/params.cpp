@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "lippmann/scene/builtin.hpp"
 #include "render/scene_light.hpp"
 #include "render/test_pattern.hpp"
-#include "scene/builtin.hpp"
 
 namespace lippmann {
 

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
-#include "core/math.hpp"
 #include "image/tone.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/render/frame_params.hpp"
+#include "lippmann/render/view_wish.hpp"
+#include "lippmann/scene/load.hpp"
 #include "render/choose_camera.hpp"
-#include "render/frame_params.hpp"
-#include "render/view_wish.hpp"
-#include "scene/load.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {

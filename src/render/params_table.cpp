@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "core/suggest.hpp"
-#include "optics/crosstalk.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 #include "render/param_text.hpp"
+#include "render/read_view_wish.hpp"
 #include "render/reuse_params.hpp"
 #include "render/scene_light.hpp"
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "core/regular_file.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/folder_check.hpp"
 #include "render/folder_journal.hpp"
 #include "render/job_file.hpp"

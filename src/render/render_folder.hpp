@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
 #include "render/params.hpp"
 
 namespace lippmann {

@@ -1,14 +1,17 @@
-#include "render/renderer.hpp"
+#include "lippmann/render/renderer.hpp"
 
 #include <fmt/core.h>
 
 #include <utility>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/scene/load.hpp"
 #include "render/aov_params.hpp"
 #include "render/denoised_frames.hpp"
+#include "render/frame.hpp"
+#include "render/frame_maker.hpp"
 #include "render/reuse_params.hpp"
-#include "scene/load.hpp"
 
 namespace lippmann {
 namespace {
@@ -29,28 +32,37 @@ Scene checked(Scene scene) {
 
 }  // namespace
 
-Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish) {
-  validate(optics);
-  const Vec2f window = window_size_mm(optics);
-  Placement placement;
-  placement.array = fit_array(scene, window.x / window.y, wish.view);
-  placement.placed = placed_on(placement.array, optics, wish.fit_depth);
-  return placement;
-}
+struct Renderer::Impl {
+  const Context& context;
+  FrameParams params;
+  ThreadPool pool;
+  Stage stage;
+  std::unique_ptr<FrameMaker> maker;
+
+  Impl(Scene scene, Placement placement, FrameParams said, const Context& caller)
+      : context(caller),
+        params(checked(std::move(said), placement.placed.optics)),
+        pool(resolved_threads(caller)),
+        stage(checked(std::move(scene)), std::move(placement.array), std::move(placement.placed), integrator_of(params), pool),
+        maker(make_frame_maker(stage, params, pool, caller)) {}
+};
 
 Renderer::Renderer(Scene scene, Placement placement, FrameParams params, const Context& context)
-    : context_(context),
-      params_(checked(std::move(params), placement.placed.optics)),
-      pool_(resolved_threads(context)),
-      stage_(checked(std::move(scene)), std::move(placement.array), std::move(placement.placed), integrator_of(params_), pool_),
-      maker_(make_frame_maker(stage_, params_, pool_, context)) {}
+    : impl_(std::make_unique<Impl>(std::move(scene), std::move(placement), std::move(params), context)) {}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+const Scene& Renderer::scene() const { return impl_->stage.scene; }
+const Optics& Renderer::optics() const { return impl_->stage.placed.optics; }
 
 std::optional<RenderedFrame> Renderer::frame(int index) {
-  const int count = stage_.scene.timeline.frame_count;
+  const int count = scene().timeline.frame_count;
   if (index < 0 || index >= count)
     throw Error("frame", fmt::format("{} is outside the animation", index), fmt::format("frames from 0 to {}", count - 1));
-  RenderedFrame rendered = maker_->make(index);
-  if (context_.cancelled) return std::nullopt;
+  RenderedFrame rendered = impl_->maker->make(index);
+  if (impl_->context.cancelled) return std::nullopt;
   return rendered;
 }
 

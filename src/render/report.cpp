@@ -5,7 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json_text.hpp"
-#include "optics/crosstalk.hpp"
+#include "lippmann/core/version.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 #include "optics/optics_json.hpp"
 #include "render/params_table.hpp"
 
@@ -115,7 +116,7 @@ Json to_json(const FrameReport& frame) {
 Json to_json(const RenderReport& report) {
   Json frames = Json::array();
   for (const FrameReport& frame : report.frames) frames.push_back(to_json(frame));
-  return {{"version", LIPPMANN_VERSION},
+  return {{"version", version()},
           {"scene", report.scene},
           {"light", report.light},
           {"view", report.view},

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/lit_frames.hpp"
 
 namespace lippmann {

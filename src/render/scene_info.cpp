@@ -7,6 +7,8 @@
 #include <variant>
 
 #include "core/printable.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "optics/optics_json.hpp"
 #include "render/depth_budget.hpp"
 #include "render/display_optics.hpp"
@@ -14,8 +16,6 @@
 #include "render/panel_size.hpp"
 #include "render/report.hpp"
 #include "scene/deform.hpp"
-#include "scene/load.hpp"
-#include "scene/timeline.hpp"
 
 namespace lippmann {
 namespace {

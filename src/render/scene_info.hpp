@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
-#include "core/math.hpp"
-#include "optics/optics.hpp"
-#include "render/fit_array.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/render/fit_array.hpp"
 #include "render/params.hpp"
 
 namespace lippmann {

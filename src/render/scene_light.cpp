@@ -6,12 +6,13 @@
 #include <charconv>
 #include <optional>
 
-#include "core/error.hpp"
-#include "image/encode.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/render/lighting.hpp"
+#include "lippmann/scene/load.hpp"
 #include "render/environment_file.hpp"
 #include "render/param_text.hpp"
 #include "scene/default_light.hpp"
-#include "scene/load.hpp"
 #include "scene/studio_light.hpp"
 
 namespace lippmann {
@@ -55,9 +56,15 @@ std::optional<Vec3f> read_color(std::string_view value, const std::string& where
   return is_list ? std::optional(read_linear(value, where)) : std::nullopt;
 }
 
-void surround_with(Scene& scene, EnvironmentMap map, const RenderParams& params, float share) {
-  map.strength *= share * params.scene.environment_strength;
-  map.rotation += radians(params.scene.environment_rotation_deg);
+/// How panoramas are taken.
+struct Surrounding {
+  float strength = 1.0f;  ///< factor
+  float rotation_deg = 0.0f;
+};
+
+void surround_with(Scene& scene, EnvironmentMap map, const Surrounding& how, float share) {
+  map.strength *= share * how.strength;
+  map.rotation += radians(how.rotation_deg);
   scene.background.map = std::move(map);
 }
 
@@ -66,12 +73,16 @@ void surround_with(Scene& scene, Vec3f color) {
   scene.background.horizon = scene.background.zenith = color;
 }
 
+Surrounding surrounding_of(const RenderParams& params) {
+  return {params.scene.environment_strength, params.scene.environment_rotation_deg};
+}
+
 /// What --environment asks for.
 std::string light_as_asked(Scene& scene, const RenderParams& params) {
   const std::string& value = params.scene.environment;
   if (value == kNone) return "The scene has its own light alone, as --environment none asks for.";
   if (value == kStudio) {
-    surround_with(scene, studio_environment(viewer_orientation(scene)), params, 1.0f);
+    surround_with(scene, studio_environment(viewer_orientation(scene)), surrounding_of(params), 1.0f);
     return "The built-in studio lights the scene, as --environment asks for.";
   }
   if (const std::optional<Vec3f> color = read_color(value, "--environment")) {
@@ -82,20 +93,18 @@ std::string light_as_asked(Scene& scene, const RenderParams& params) {
   return fmt::format("The panorama {} lights the scene, as --environment asks for.", value);
 }
 
-std::string light_for_whitted(Scene& scene, const RenderParams& params, const Context& context) {
+std::string light_for_whitted(Scene& scene) {
   if (!lacks_lamps(scene)) return "The scene has its own light.";
-  context.warning(fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added",
-                              params.scene.name));
   add_default_light(scene);
   return "A key light from above left of the viewer lights the scene, because the file has no lamps.";
 }
 
-std::string light_for_paths(Scene& scene, const RenderParams& params) {
+std::string light_for_paths(Scene& scene, const Surrounding& how) {
   const OwnLight own = own_light(scene);
   if (own == OwnLight::kNotNeeded) return "The scene's surfaces show their colours without light.";
   if (own == OwnLight::kSurroundings) return "The scene has its own light.";
   const bool has_lamps = own == OwnLight::kLamps;
-  surround_with(scene, studio_environment(viewer_orientation(scene)), params, has_lamps ? kDimStudio : 1.0f);
+  surround_with(scene, studio_environment(viewer_orientation(scene)), how, has_lamps ? kDimStudio : 1.0f);
   if (!has_lamps) return "The built-in studio lights the scene, because the file has no lamps and no surroundings.";
   return fmt::format(
       "The file's lamps light the scene; the built-in studio surrounds it at {:.0f} % of its brightness, because the file has "
@@ -116,9 +125,18 @@ std::string read_environment_choice(std::string_view value, const std::string& w
 
 std::string light_scene(Scene& scene, const RenderParams& params, const Context& context) {
   if (!params.scene.environment.empty()) return light_as_asked(scene, params);
-  if (integrator_of(params) == Integrator::kWhitted) return light_for_whitted(scene, params, context);
+  if (integrator_of(params) == Integrator::kWhitted) {
+    if (lacks_lamps(scene))
+      context.warning(fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added",
+                                  params.scene.name));
+    return light_for_whitted(scene);
+  }
   if (!is_physical_format(params.scene.name)) return "The scene has its own light.";
-  return light_for_paths(scene, params);
+  return light_for_paths(scene, surrounding_of(params));
+}
+
+std::string add_missing_light(Scene& scene, Integrator integrator) {
+  return integrator == Integrator::kWhitted ? light_for_whitted(scene) : light_for_paths(scene, Surrounding{});
 }
 
 }  // namespace lippmann

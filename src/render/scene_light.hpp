@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "lippmann/scene/scene.hpp"
 #include "render/params.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann {
 

@@ -6,9 +6,9 @@
 
 #include <vector>
 
-#include "core/math.hpp"
-#include "scene/scene.hpp"
-#include "scene/timeline.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/scene/scene.hpp"
+#include "lippmann/scene/timeline.hpp"
 
 namespace lippmann {
 

@@ -1,7 +1,7 @@
 // The plain picture beside a light field: the same frames as one eye in the middle sees them, for screens without lenses.
 #pragma once
 
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "render/params.hpp"
 
 namespace lippmann {

@@ -9,9 +9,9 @@
 #include <variant>
 
 #include "core/printable.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "render/seen_bounds.hpp"
 #include "scene/deform.hpp"
-#include "scene/timeline.hpp"
 
 namespace lippmann {
 namespace {

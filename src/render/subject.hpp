@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "core/math.hpp"
-#include "scene/scene.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -12,10 +12,10 @@
 
 #include <string_view>
 
-#include "core/parallel.hpp"
-#include "image/image.hpp"
-#include "optics/optics.hpp"
-#include "scene/scene.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "image/encode.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann {
 namespace {

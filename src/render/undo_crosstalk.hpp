@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "display/display.hpp"
-#include "image/encoding.hpp"
 #include "layout/precompensate.hpp"
+#include "lippmann/display/display.hpp"
+#include "lippmann/image/encoding.hpp"
 #include "render/params.hpp"
 
 namespace lippmann {

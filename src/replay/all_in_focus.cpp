@@ -1,10 +1,10 @@
-#include "replay/all_in_focus.hpp"
+#include "lippmann/replay/all_in_focus.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "replay/viewing.hpp"
+#include "lippmann/replay/viewing.hpp"
 
 namespace lippmann {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "core/folder.hpp"
 #include "core/json_text.hpp"
+#include "lippmann/core/error.hpp"
 #include "optics/optics_json.hpp"
 
 namespace lippmann {

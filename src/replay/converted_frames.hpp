@@ -6,8 +6,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "core/context.hpp"
-#include "replay/rendered_frames.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/replay/rendered_frames.hpp"
 
 namespace lippmann {
 

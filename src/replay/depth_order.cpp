@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 namespace {

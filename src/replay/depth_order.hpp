@@ -6,7 +6,7 @@
 // distance. In pseudoscopic pictures it lies at the same distance on the other side. Which of the two is more alike?
 #pragma once
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

@@ -1,12 +1,12 @@
-#include "replay/epipolar_image.hpp"
+#include "lippmann/replay/epipolar_image.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "replay/eye_view.hpp"
-#include "replay/viewing.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/replay/eye_view.hpp"
+#include "lippmann/replay/viewing.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,12 +1,12 @@
-#include "replay/eye_sampler.hpp"
+#include "lippmann/replay/eye_sampler.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
+#include "lippmann/replay/viewing.hpp"
 #include "replay/sight.hpp"
 #include "replay/slanted_sight.hpp"
-#include "replay/viewing.hpp"
 
 namespace lippmann {
 namespace {

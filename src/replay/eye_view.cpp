@@ -1,4 +1,4 @@
-#include "replay/eye_view.hpp"
+#include "lippmann/replay/eye_view.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/error.hpp"
-#include "replay/viewing.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/replay/viewing.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,4 +1,4 @@
-#include "replay/light_field_frames.hpp"
+#include "lippmann/replay/light_field_frames.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include "core/error.hpp"
 #include "layout/light_field_source.hpp"
-#include "layout/quilt_name.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
 namespace {

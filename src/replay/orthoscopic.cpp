@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "replay/converted_frames.hpp"
 #include "replay/rotate_elemental.hpp"
 

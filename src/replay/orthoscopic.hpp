@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
 #include "replay/spoc.hpp"
 
 namespace lippmann {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/picture_file.hpp"
+#include "lippmann/image/picture_file.hpp"
 
 namespace lippmann {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "optics/crosstalk.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 #include "replay/converted_frames.hpp"
 
 namespace lippmann {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/context.hpp"
 #include "layout/precompensate.hpp"
+#include "lippmann/core/context.hpp"
 
 namespace lippmann {
 

@@ -1,4 +1,4 @@
-#include "replay/refocus.hpp"
+#include "lippmann/replay/refocus.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/replay/viewing.hpp"
 #include "optics/ray_generator.hpp"
-#include "replay/viewing.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,4 +1,4 @@
-#include "replay/rendered_frames.hpp"
+#include "lippmann/replay/rendered_frames.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <cctype>
 #include <variant>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
-#include "image/picture_file.hpp"
-#include "layout/quilt_name.hpp"
 #include "layout/rendered.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
 namespace {

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "image/encode.hpp"
-#include "replay/all_in_focus.hpp"
-#include "replay/epipolar_image.hpp"
-#include "replay/light_field_frames.hpp"
-#include "replay/refocus.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/replay/all_in_focus.hpp"
+#include "lippmann/replay/epipolar_image.hpp"
+#include "lippmann/replay/light_field_frames.hpp"
+#include "lippmann/replay/refocus.hpp"
+#include "lippmann/replay/viewing.hpp"
 #include "replay/replay_files.hpp"
-#include "replay/viewing.hpp"
 
 namespace lippmann {
 namespace {

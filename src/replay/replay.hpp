@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/context.hpp"
-#include "replay/eye_view.hpp"
-#include "replay/light_field_frames.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/replay/eye_view.hpp"
+#include "lippmann/replay/light_field_frames.hpp"
 
 namespace lippmann {
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "core/error.hpp"
-#include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {

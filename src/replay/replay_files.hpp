@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/folder.hpp"
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "replay/pixel_map.hpp"
 
 namespace lippmann {

@@ -7,9 +7,9 @@
 
 #include <variant>
 
+#include "lippmann/replay/viewer.hpp"
 #include "optics/lenticular.hpp"
 #include "optics/microlens.hpp"
-#include "replay/viewer.hpp"
 
 namespace lippmann {
 

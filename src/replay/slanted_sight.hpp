@@ -5,8 +5,8 @@
 // has the fraction 1 - v (or v). Beyond the cone, directions repeat. The three colours of that place are those of three pixels.
 #pragma once
 
-#include "optics/optics.hpp"
-#include "replay/viewer.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/replay/viewer.hpp"
 
 namespace lippmann {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/replay/viewing.hpp"
 #include "replay/sight.hpp"
-#include "replay/viewing.hpp"
 
 namespace lippmann {
 namespace {

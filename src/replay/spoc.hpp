@@ -24,7 +24,7 @@
 // unless none has.
 #pragma once
 
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "replay/pixel_map.hpp"
 
 namespace lippmann {

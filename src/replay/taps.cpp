@@ -1,4 +1,4 @@
-#include "replay/taps.hpp"
+#include "lippmann/replay/taps.hpp"
 
 #include <cmath>
 

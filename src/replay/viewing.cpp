@@ -1,10 +1,10 @@
-#include "replay/viewing.hpp"
+#include "lippmann/replay/viewing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "replay/rendered_panel.hpp"
+#include "lippmann/replay/rendered_panel.hpp"
 
 namespace lippmann {
 namespace {

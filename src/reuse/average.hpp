@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/parallel.hpp"
+#include "lippmann/core/parallel.hpp"
 #include "reuse/epipolar.hpp"
 #include "reuse/motion.hpp"
 #include "reuse/point_image.hpp"

@@ -20,10 +20,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/parallel.hpp"
-#include "image/encoding.hpp"
-#include "image/image.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/image/encoding.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "reuse/splat.hpp"
 
 namespace lippmann {

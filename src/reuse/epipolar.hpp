@@ -20,9 +20,9 @@
 #include <cstdint>
 #include <span>
 
-#include "core/parallel.hpp"
-#include "image/encoding.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/image/encoding.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "reuse/make_landing.hpp"
 #include "reuse/motion.hpp"
 #include "reuse/point_image.hpp"

@@ -20,12 +20,6 @@ enum class SplatSampling {
   kEpipolar,  ///< where colours change, that between samples (epipolar.hpp); arrays with whole pixels per lens only
 };
 
-enum class MissedFill {
-  kInterpolate,  ///< from neighbours
-  kRetrace,      ///< traced
-  kBlack,        ///< left black, to be looked at (the paper's figures 4 and 5)
-};
-
 struct ForwardParams {
   SplatParams splat;
   SplatSampling sampling = SplatSampling::kEpipolar;

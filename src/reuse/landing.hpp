@@ -25,10 +25,10 @@
 #include <limits>
 #include <vector>
 
+#include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
 #include "optics/lenticular.hpp"
 #include "optics/microlens.hpp"
-#include "optics/optics.hpp"
 #include "reuse/splat.hpp"
 
 namespace lippmann {

@@ -1,6 +1,6 @@
 #include "reuse/make_landing.hpp"
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "optics/multi_view.hpp"
 #include "optics/single_view.hpp"
 #include "reuse/move_points.hpp"

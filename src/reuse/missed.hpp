@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 #include "reuse/average.hpp"
 #include "reuse/splat.hpp"
 #include "reuse/view_steps.hpp"

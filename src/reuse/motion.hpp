@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lippmann/scene/scene.hpp"
 #include "reuse/point_image.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trace/ray_order.hpp"
+#include "trace/strip_order.hpp"
 
 namespace lippmann {
 

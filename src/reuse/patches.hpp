@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "core/parallel.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "trace/trace_frame.hpp"
 
 namespace lippmann {

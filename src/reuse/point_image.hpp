@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "core/math.hpp"
-#include "image/image.hpp"
-#include "scene/timeline.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "trace/primary_points.hpp"
 
 namespace lippmann {

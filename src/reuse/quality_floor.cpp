@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "image/encode.hpp"
+#include "lippmann/image/encode.hpp"
 #include "reuse/tracing_costs.hpp"
 
 namespace lippmann {

@@ -11,8 +11,8 @@
 
 #include <span>
 
-#include "core/parallel.hpp"
-#include "image/encoding.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/image/encoding.hpp"
 #include "reuse/held_out.hpp"
 #include "reuse/patches.hpp"
 #include "reuse/retrace.hpp"

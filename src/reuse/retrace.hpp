@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 #include "trace/primary_points.hpp"
 
 namespace lippmann {

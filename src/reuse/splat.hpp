@@ -13,17 +13,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/parallel.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/reuse/projection_choices.hpp"
 #include "reuse/motion.hpp"
 #include "reuse/point_image.hpp"
 
 namespace lippmann {
-
-enum class SplatMode {
-  kLens,  ///< a point stays below its own lens (the paper's); when it leaves the lens's cell it is dropped
-  kView,  ///< a point stays in its own directional view
-};
 
 inline constexpr std::uint32_t kNoSource = 0x7fffffffu;
 

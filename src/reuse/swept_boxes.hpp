@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.hpp"
-#include "scene/timeline.hpp"
+#include "lippmann/scene/scene.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "trace/touched_blocks.hpp"
 
 namespace lippmann {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "trace/trace_frame.hpp"
 
 namespace lippmann {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "lippmann/optics/optics.hpp"
 #include "optics/lenticular.hpp"
 #include "optics/microlens.hpp"
-#include "optics/optics.hpp"
 #include "reuse/splat.hpp"
 
 namespace lippmann {

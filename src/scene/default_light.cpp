@@ -4,8 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include "lippmann/scene/timeline.hpp"
 #include "scene/default_view.hpp"
-#include "scene/timeline.hpp"
 
 namespace lippmann {
 namespace {

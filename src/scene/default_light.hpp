@@ -1,7 +1,7 @@
 // Light for scenes whose file brings none.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -2,7 +2,7 @@
 // shows.
 #pragma once
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

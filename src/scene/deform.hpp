@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene.hpp"
-#include "scene/timeline.hpp"
+#include "lippmann/scene/scene.hpp"
+#include "lippmann/scene/timeline.hpp"
 
 namespace lippmann {
 

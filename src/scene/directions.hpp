@@ -1,7 +1,7 @@
 // Directions and the rotations that look along them, from vectors of any length as files have them.
 #pragma once
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
-#include "scene/scene.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

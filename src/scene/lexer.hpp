@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/error.hpp"
-#include "core/math.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

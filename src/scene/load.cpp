@@ -1,4 +1,4 @@
-#include "scene/load.hpp"
+#include "lippmann/scene/load.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <system_error>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/suggest.hpp"
-#include "scene/builtin.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/builtin.hpp"
 #include "scene/gltf.hpp"
 #include "scene/nff.hpp"
 #include "scene/obj.hpp"

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "core/context.hpp"
-#include "scene/scene.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

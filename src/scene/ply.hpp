@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "core/context.hpp"
-#include "scene/scene.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 

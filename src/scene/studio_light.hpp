@@ -1,7 +1,7 @@
 // The built-in studio: a neutral panorama of soft boxes, for scenes whose file brings no light or no surroundings.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/context.hpp"
-#include "scene/scene.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/error.hpp"
 #include "image/decode.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -4,7 +4,7 @@
 //
 // Bounds are exact for every affine map: with L the linear part and l its i-th row, a ball of radius r reaches r |l| to either
 // side of its centre along world axis i, and a disc with unit normal n reaches r |l - (l . n) n|.
-#include "scene/timeline.hpp"
+#include "lippmann/scene/timeline.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <set>
 #include <type_traits>
 
-#include "core/error.hpp"
-#include "scene/load.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,7 +1,7 @@
 // Makes the winding of triangles agree with their vertices' normals, for formats whose files say by normals where outside is.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "trace/lanes.hpp"
-#include "trace/ray_order.hpp"
+#include "trace/strip_order.hpp"
 
 namespace lippmann {
 

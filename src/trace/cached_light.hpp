@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "scene/timeline.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "trace/noisy_frame.hpp"
 
 namespace lippmann {

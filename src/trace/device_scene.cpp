@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
 #include "trace/device_scene_impl.hpp"
 #include "trace/posed_mesh.hpp"

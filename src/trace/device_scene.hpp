@@ -3,17 +3,12 @@
 
 #include <memory>
 
-#include "core/parallel.hpp"
-#include "scene/scene.hpp"
-#include "scene/timeline.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/scene/scene.hpp"
+#include "lippmann/scene/timeline.hpp"
+#include "lippmann/trace/integrator.hpp"
 
 namespace lippmann {
-
-/// How light is computed.
-enum class Integrator {
-  kWhitted,  ///< direct light, sharp shadows, mirrors, refraction
-  kPath,     ///< all of it, by random paths
-};
 
 /// Built once per scene, updated once per frame. What never moves is built once; what moves rigidly is moved, not rebuilt.
 /// The Scene must outlive it. Tracing reads it from any number of threads; update() must not overlap with tracing.

@@ -9,7 +9,7 @@
 
 #include "core/affine3d.hpp"
 #include "scene/deform.hpp"
-#include "trace/aovs.hpp"
+#include "trace/first_hits.hpp"
 #include "trace/surface.hpp"
 
 namespace lippmann {

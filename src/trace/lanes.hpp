@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "core/math.hpp"
 #include "core/multiversion.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

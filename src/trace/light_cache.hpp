@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/math.hpp"
-#include "core/parallel.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/core/parallel.hpp"
 #include "trace/lanes.hpp"
 
 namespace lippmann {

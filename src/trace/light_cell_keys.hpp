@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 #include "trace/fast_math.hpp"
 #include "trace/lanes.hpp"
 

@@ -1,8 +1,8 @@
 #include "trace/light_feeder.hpp"
 
 #include "core/random.hpp"
-#include "trace/ray_order.hpp"
 #include "trace/scene_query.hpp"
+#include "trace/strip_order.hpp"
 #include "transport/sampler.hpp"
 
 namespace lippmann {

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "trace/texture.hpp"
 
 namespace lippmann {

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/math.hpp"
-#include "scene/scene.hpp"
-#include "scene/timeline.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/scene/scene.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "trace/device_scene.hpp"
 
 namespace lippmann {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "image/encode.hpp"
-#include "image/image.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

@@ -1,7 +1,7 @@
 #include "trace/packet_source.hpp"
 
-#include "core/error.hpp"
 #include "core/random.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

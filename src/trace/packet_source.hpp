@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "optics/angular_filter.hpp"
+#include "lippmann/optics/angular_filter.hpp"
 #include "optics/ray_generator.hpp"
 #include "trace/embree_shim.hpp"
-#include "trace/ray_order.hpp"
+#include "trace/strip_order.hpp"
 
 namespace lippmann {
 

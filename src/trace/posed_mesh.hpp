@@ -2,7 +2,7 @@
 // src/trace.
 #pragma once
 
-#include "core/parallel.hpp"
+#include "lippmann/core/parallel.hpp"
 #include "scene/deform.hpp"
 #include "trace/device_scene_impl.hpp"
 

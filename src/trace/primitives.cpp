@@ -1,6 +1,6 @@
 #include "trace/primitives.hpp"
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 namespace {

@@ -10,7 +10,7 @@
 // path is the length of the whole path from the eye, mirrors included.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "trace/lanes.hpp"
 
 namespace lippmann {

@@ -1,94 +1,9 @@
-#include "trace/ray_order.hpp"
+#include "lippmann/trace/ray_order.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
+#include <initializer_list>
 
 namespace lippmann {
-namespace {
-
-constexpr int kRowsPerStrip = 16;
-
-/// Appends the pixels of [x0, x1) x [y0, y1) with the given steps, down first.
-void append_down(std::vector<StripPixel>& out, int x0, int x1, int dx, int y0, int y1, int dy) {
-  for (int x = x0; x < x1; x += dx)
-    for (int y = y0; y < y1; y += dy) out.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
-}
-
-void append_rows(std::vector<StripPixel>& out, int width, int height) {
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) out.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
-}
-
-/// Tiles of 4 x 4 samples of one view (lens steps n.x, n.y), lens rows that fit into the strip. For single and multi-view
-/// pictures (n = 1 x 1) these are plain 4 x 4 tiles.
-void append_view_tiles(std::vector<StripPixel>& out, Vec2i n, int width, int height) {
-  constexpr int kTile = 4;
-  for (int v = 0; v < n.y; ++v)
-    for (int u = 0; u < n.x; ++u)
-      for (int y = v; y < height; y += kTile * n.y)
-        for (int x = u; x < width; x += kTile * n.x)
-          append_down(out, x, std::min(width, x + kTile * n.x), n.x, y, std::min(height, y + kTile * n.y), n.y);
-}
-
-/// Groups of neighbouring lenses one after the other, so that what is traced soon after one another is near one another; within
-/// a group view by view.
-void append_lens_groups(std::vector<StripPixel>& out, int n, int width, int height) {
-  const int group = n * std::max(1, kPacketsPerBlock / n);
-  for (int x0 = 0; x0 < width; x0 += group)
-    for (int u = 0; u < n; ++u) append_down(out, x0 + u, std::min(width, x0 + group), n, 0, height, 1);
-}
-
-/// Two neighbouring sub-pixels in 8 rows, moved along with the slant of the lenses: of a slanted panel's directions these
-/// differ least. (Rows of one lens, of two and of four lenses, and straight columns were all slower, and the same 16 rows
-/// high.) Around the panel's edge where they would leave it, so that packets stay whole.
-void append_along_slant(std::vector<StripPixel>& out, double columns_per_row, int width, int height) {
-  constexpr int kColumns = 2, kRows = 8;
-  for (int x0 = 0; x0 < width; x0 += kColumns)
-    for (int y0 = 0; y0 < height; y0 += kRows)
-      for (int x = x0; x < std::min(width, x0 + kColumns); ++x)
-        for (int y = y0; y < std::min(height, y0 + kRows); ++y) {
-          const long shifted = (x + std::lround(columns_per_row * y)) % width;
-          out.push_back({static_cast<std::uint16_t>(shifted < 0 ? shifted + width : shifted), static_cast<std::uint16_t>(y)});
-        }
-}
-
-int strip_height(const Optics& optics, Vec2i n) {
-  // Two-dimensional lenses: four lens rows, so that view tiles are 4 x 4.
-  if (std::holds_alternative<MicrolensArray>(optics.model) && n.y > 0) return 4 * n.y;
-  return kRowsPerStrip;
-}
-
-}  // namespace
-
-StripOrder make_strip_order(const Optics& optics, RayOrder order) {
-  const Vec2i n = whole_pixels_per_lens(optics);
-  const int width = optics.panel.width;
-  StripOrder strip;
-  strip.strip_height = std::min(strip_height(optics, n), optics.panel.height);
-  strip.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(strip.strip_height));
-  const bool one_dimensional = std::holds_alternative<LenticularSheet>(optics.model);
-  switch (order) {
-    case RayOrder::kRows:
-      append_rows(strip.pixels, width, strip.strip_height);
-      break;
-    case RayOrder::kColumns:
-      append_down(strip.pixels, 0, width, 1, 0, strip.strip_height, 1);
-      break;
-    case RayOrder::kViewTiles:
-      if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) {
-        append_along_slant(strip.pixels, width * slanted->tilt / optics.panel.height, width, strip.strip_height);
-      } else if (one_dimensional && n.x > 0) {
-        append_lens_groups(strip.pixels, n.x, width, strip.strip_height);
-      } else if (one_dimensional) {
-        append_down(strip.pixels, 0, width, 1, 0, strip.strip_height, 1);
-      } else {
-        append_view_tiles(strip.pixels, n.x > 0 ? n : Vec2i(1, 1), width, strip.strip_height);
-      }
-      break;
-  }
-  return strip;
-}
 
 const char* to_string(RayOrder order) {
   switch (order) {

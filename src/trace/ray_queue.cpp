@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -2,7 +2,7 @@
 // src/trace.
 #pragma once
 
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "trace/device_scene_impl.hpp"
 #include "trace/embree_shim.hpp"
 

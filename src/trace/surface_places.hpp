@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "scene/timeline.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "trace/light_cache.hpp"
 #include "trace/surface.hpp"
 

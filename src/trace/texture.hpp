@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "core/math.hpp"
-#include "scene/scene.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "trace/lanes.hpp"
 
 namespace lippmann {

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

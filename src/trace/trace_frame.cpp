@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "trace/noisy_frame.hpp"
 #include "trace/packet_source.hpp"
 #include "trace/path_tracer.hpp"

@@ -4,16 +4,17 @@
 #include <cstdint>
 #include <span>
 
-#include "core/context.hpp"
-#include "core/math.hpp"
-#include "core/parallel.hpp"
-#include "image/image.hpp"
-#include "optics/angular_filter.hpp"
-#include "optics/optics.hpp"
-#include "trace/aovs.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/optics/angular_filter.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/trace/aovs.hpp"
+#include "lippmann/trace/ray_counts.hpp"
+#include "lippmann/trace/ray_order.hpp"
 #include "trace/device_scene.hpp"
 #include "trace/primary_points.hpp"
-#include "trace/ray_order.hpp"
 #include "trace/touched_blocks.hpp"
 
 namespace lippmann {
@@ -29,20 +30,10 @@ struct TraceParams {
   float clamp_indirect = 0.0f;  ///< paths: > 0: no indirect contribution to a sample is brighter; loses light
 };
 
-struct RayCounts {
-  std::uint64_t primary = 0, shadow = 0, reflection = 0, indirect = 0;  ///< reflection: mirror and refracted rays
-  std::uint64_t total() const { return primary + shadow + reflection + indirect; }
-};
-
-inline void add(const RayCounts& more, RayCounts& counts) {
-  counts.primary += more.primary, counts.shadow += more.shadow;
-  counts.reflection += more.reflection, counts.indirect += more.indirect;
-}
-
 /// Fills `film` (3 channels, linear, the panel's size) with the frame, and where given: of `aovs` the layers of light (paths
-/// only; others are found by find_first_hits, trace/aovs.hpp), `points` with the first hits behind the pixels' centres (free at
-/// one sample per pixel, else a pass of its own) and in `touched` the blocks whose rays meet its boxes. The same bits for any
-/// number of threads. Returns early, film unfinished, when context.cancelled is set.
+/// only; others are found by find_first_hits, trace/first_hits.hpp), `points` with the first hits behind the pixels' centres
+/// (free at one sample per pixel, else a pass of its own) and in `touched` the blocks whose rays meet its boxes. The same bits
+/// for any number of threads. Returns early, film unfinished, when context.cancelled is set.
 RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
                       const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film,
                       FrameAovs* aovs = nullptr, PrimaryPoints* points = nullptr, TouchedBlocks* touched = nullptr);

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 #include "trace/direct_light.hpp"
 #include "trace/point_capture.hpp"
 #include "trace/ray_log.hpp"

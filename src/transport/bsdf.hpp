@@ -1,7 +1,7 @@
 // What both kinds of surface answer: how much light goes from one direction to another, and a direction worth following.
 #pragma once
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 #include "transport/sampling.hpp"
 
 namespace lippmann {

@@ -5,7 +5,7 @@
 // Blender shows them to a scene that it has imported from glTF).
 #pragma once
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "transport/sky_patches.hpp"
 
 namespace lippmann {

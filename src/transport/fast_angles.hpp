@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "core/math.hpp"
 #include "core/multiversion.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 #include "transport/glass_albedo.hpp"
 
 namespace lippmann {

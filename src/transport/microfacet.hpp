@@ -7,7 +7,7 @@
 // 1994.
 #pragma once
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

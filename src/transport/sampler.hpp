@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

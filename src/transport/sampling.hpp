@@ -4,7 +4,7 @@
 // Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 #pragma once
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 

@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 #include "transport/discrete.hpp"
 
 namespace lippmann {

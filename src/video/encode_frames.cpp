@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "core/background.hpp"
-#include "core/error.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
-#include "layout/quilt_name.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {

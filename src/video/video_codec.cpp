@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "video/container.hpp"
 #include "video/video_module.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {
@@ -14,11 +14,21 @@ namespace fs = std::filesystem;
 
 constexpr const char* kName = "liblippmann_video.so";
 
-/// The only place that knows where the module lies: beside the program, as it is built, or in ../lib/lippmann, as it is
-/// installed.
-std::array<fs::path, 2> module_places() {
+/// Of the program, or of the shared library that this is a part of.
+fs::path own_file() {
   std::error_code ignored;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  Dl_info info;
+  if (dladdr(reinterpret_cast<const void*>(&video_module), &info) != 0 && info.dli_fname) {
+    const fs::path file = fs::canonical(info.dli_fname, ignored);
+    if (file.filename().string().starts_with("liblippmann.so")) return file;
+  }
+  return fs::read_symlink("/proc/self/exe", ignored);
+}
+
+/// The only place that knows where the module lies: beside the program or library, as they are built, or in lib/lippmann, as it
+/// is installed.
+std::array<fs::path, 2> module_places() {
+  const fs::path folder = own_file().parent_path();
   return {folder / kName, folder.parent_path() / "lib" / "lippmann" / kName};
 }
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {

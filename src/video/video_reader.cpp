@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "video/video_module.hpp"
 
 namespace lippmann {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann {
 

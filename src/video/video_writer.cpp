@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "video/container.hpp"
 #include "video/video_module.hpp"
 

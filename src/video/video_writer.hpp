@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "render/make_optics.hpp"
-#include "scene/load.hpp"
-#include "scene/timeline.hpp"
 
 namespace lippmann::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "bench/light_pictures.hpp"
-#include "image/metrics.hpp"
+#include "lippmann/image/metrics.hpp"
 
 namespace lippmann::bench {
 namespace {

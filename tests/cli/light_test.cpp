@@ -5,9 +5,9 @@
 #include <fstream>
 
 #include "cli/tool.hpp"
-#include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann::test {
 namespace {

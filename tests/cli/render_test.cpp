@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"
+#include "lippmann/core/version.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -141,7 +142,7 @@ TEST(Render, exr_files_say_version_optics_and_views_in_their_header) {
       const auto* attribute = exr.header().findTypedAttribute<Imf::StringAttribute>(name);
       return attribute ? attribute->value() : std::string();
     };
-    EXPECT_EQ(text("lippmann.version"), LIPPMANN_VERSION) << file;
+    EXPECT_EQ(text("lippmann.version"), version()) << file;
     EXPECT_EQ(text("lippmann.scene"), "teapot") << file;
     EXPECT_EQ(text("lippmann.views"), "8x1") << file;
     const auto report = json_of(bytes_of(dir / "a/report.json"));

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/temp_dir.hpp"

@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 #include <gtest/gtest.h>
 

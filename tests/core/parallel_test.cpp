@@ -1,4 +1,4 @@
-#include "core/parallel.hpp"
+#include "lippmann/core/parallel.hpp"
 
 #include <gtest/gtest.h>
 

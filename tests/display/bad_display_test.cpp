@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "calibrations.hpp"
-#include "display/load_display.hpp"
+#include "lippmann/display/load_display.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

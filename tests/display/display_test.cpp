@@ -1,11 +1,11 @@
 // Figures of displays, worked out by hand.
-#include "display/display.hpp"
+#include "lippmann/display/display.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "display/load_display.hpp"
+#include "lippmann/display/load_display.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,4 +1,4 @@
-#include "display/load_display.hpp"
+#include "lippmann/display/load_display.hpp"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "display/load_display.hpp"
+#include "lippmann/display/load_display.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,4 +1,4 @@
-#include "image/encode.hpp"
+#include "lippmann/image/encode.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,11 +8,11 @@
 #include <functional>
 #include <iterator>
 
-#include "core/error.hpp"
 #include "image/exr.hpp"
-#include "image/image.hpp"
 #include "image/png.hpp"
 #include "image/tiff.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/image.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {

@@ -8,11 +8,11 @@
 #include <iterator>
 #include <limits>
 
-#include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
 #include "image/tiff.hpp"
+#include "lippmann/image/encode.hpp"
 #include "support/error_message.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/pictures.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

@@ -1,8 +1,8 @@
-#include "layout/arrangement.hpp"
+#include "lippmann/layout/arrangement.hpp"
 
 #include <gmock/gmock.h>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

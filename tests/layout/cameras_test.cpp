@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
 #include "layout/hci_parameters.hpp"
 #include "light_fields.hpp"
+#include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

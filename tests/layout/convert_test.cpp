@@ -1,13 +1,13 @@
-#include "layout/convert.hpp"
+#include "lippmann/layout/convert.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
-#include "core/error.hpp"
 #include "image/exr.hpp"
-#include "image/picture_file.hpp"
 #include "image/png.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/picture_file.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 

@@ -1,15 +1,15 @@
 // Every format brings back what was written, alone and by way of every other; and each puts views where its convention says.
-#include "layout/formats.hpp"
+#include "lippmann/layout/formats.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
-#include "core/error.hpp"
 #include "image/netpbm.hpp"
 #include "image/png.hpp"
-#include "layout/convert.hpp"
 #include "light_fields.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/convert.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 

@@ -1,11 +1,11 @@
 // Frames of slanted panels from views, and views from such frames.
-#include "layout/interlace.hpp"
+#include "lippmann/layout/interlace.hpp"
 
 #include <gmock/gmock.h>
 
-#include "display/load_display.hpp"
-#include "layout/convert.hpp"
 #include "light_fields.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "lippmann/layout/convert.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 

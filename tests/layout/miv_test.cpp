@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "layout/formats.hpp"
 #include "layout/miv_cameras.hpp"
 #include "light_fields.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "optics/crosstalk.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

@@ -1,8 +1,8 @@
-#include "layout/quilt_name.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

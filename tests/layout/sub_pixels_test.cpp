@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 namespace {

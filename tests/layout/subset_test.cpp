@@ -1,10 +1,10 @@
 // Parts of light fields: which pixels and views stay, and what is refused.
-#include "layout/subset.hpp"
+#include "lippmann/layout/subset.hpp"
 
 #include <gmock/gmock.h>
 
-#include "core/error.hpp"
 #include "light_fields.hpp"
+#include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

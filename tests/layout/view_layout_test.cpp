@@ -1,12 +1,12 @@
-#include "layout/view_layout.hpp"
+#include "lippmann/layout/view_layout.hpp"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "core/error.hpp"
-#include "optics/optics.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,4 +1,4 @@
-#include "optics/angular_filter.hpp"
+#include "lippmann/optics/angular_filter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "optics/crosstalk.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // What others ask of an array, and what validate() refuses.
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann::test {
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "display/load_display.hpp"
+#include "lippmann/display/load_display.hpp"
 #include "render/make_optics.hpp"
 
 namespace lippmann {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/folder_check.hpp"
 #include "render/frame_files.hpp"
 #include "support/temp_dir.hpp"

@@ -1,11 +1,11 @@
-#include "render/fit_array.hpp"
+#include "lippmann/render/fit_array.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {

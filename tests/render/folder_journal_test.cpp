@@ -7,7 +7,7 @@
 #include <fstream>
 #include <random>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/folder_check.hpp"
 #include "support/temp_dir.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/params_table.hpp"
 #include "support/temp_dir.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "render/finished_frames.hpp"
 #include "render/folder_check.hpp"
 #include "support/temp_dir.hpp"

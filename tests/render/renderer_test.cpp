@@ -1,11 +1,11 @@
 // A program that holds a scene in memory: placed optics and frames, without flags and folders.
-#include "render/renderer.hpp"
+#include "lippmann/render/renderer.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
-#include "scene/load.hpp"
+#include "lippmann/scene/load.hpp"
 
 namespace lippmann {
 namespace {

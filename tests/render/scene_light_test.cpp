@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "scene/studio_light.hpp"
 #include "support/temp_dir.hpp"
 

@@ -6,9 +6,10 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "render/fit_array.hpp"
-#include "scene/timeline.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/render/fit_array.hpp"
+#include "lippmann/scene/timeline.hpp"
+#include "render/read_view_wish.hpp"
 
 namespace lippmann {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <fstream>
 
-#include "image/encode.hpp"
-#include "image/metrics.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/image/metrics.hpp"
 #include "render/frame.hpp"
 #include "support/command.hpp"
 #include "support/image_compare.hpp"

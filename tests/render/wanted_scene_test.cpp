@@ -4,9 +4,9 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "render/params.hpp"
-#include "scene/timeline.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {

@@ -1,9 +1,9 @@
-#include "replay/all_in_focus.hpp"
+#include "lippmann/replay/all_in_focus.hpp"
 
 #include <gtest/gtest.h>
 
+#include "lippmann/replay/refocus.hpp"
 #include "recorded.hpp"
-#include "replay/refocus.hpp"
 
 namespace lippmann {
 namespace {

@@ -1,4 +1,4 @@
-#include "replay/epipolar_image.hpp"
+#include "lippmann/replay/epipolar_image.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "replay/eye_view.hpp"
+#include "lippmann/replay/eye_view.hpp"
 
 #include <gmock/gmock.h>
 

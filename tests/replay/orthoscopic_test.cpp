@@ -5,10 +5,10 @@
 #include <functional>
 #include <random>
 
+#include "lippmann/replay/eye_view.hpp"
+#include "lippmann/replay/refocus.hpp"
 #include "recorded.hpp"
 #include "replay/depth_order.hpp"
-#include "replay/eye_view.hpp"
-#include "replay/refocus.hpp"
 #include "replay/rotate_elemental.hpp"
 #include "replay/spoc.hpp"
 #include "support/error_message.hpp"

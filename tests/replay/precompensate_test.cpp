@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lippmann/replay/eye_sampler.hpp"
 #include "recorded.hpp"
-#include "replay/eye_sampler.hpp"
 
 namespace lippmann {
 namespace {

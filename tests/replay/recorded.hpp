@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "optics/optics.hpp"
-#include "replay/rendered_panel.hpp"
-#include "replay/viewing.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/replay/rendered_panel.hpp"
+#include "lippmann/replay/viewing.hpp"
 
 namespace lippmann::test {
 

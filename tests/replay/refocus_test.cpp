@@ -1,4 +1,4 @@
-#include "replay/refocus.hpp"
+#include "lippmann/replay/refocus.hpp"
 
 #include <gmock/gmock.h>
 

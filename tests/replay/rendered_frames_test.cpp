@@ -1,4 +1,4 @@
-#include "replay/rendered_frames.hpp"
+#include "lippmann/replay/rendered_frames.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "image/encode.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
+#include "lippmann/image/encode.hpp"
 #include "optics/optics_json.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"

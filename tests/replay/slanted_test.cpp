@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "lippmann/replay/eye_view.hpp"
+#include "lippmann/replay/refocus.hpp"
 #include "recorded.hpp"
-#include "replay/eye_view.hpp"
-#include "replay/refocus.hpp"
 
 namespace lippmann {
 namespace {

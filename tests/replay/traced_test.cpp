@@ -1,8 +1,8 @@
 // Through the renderer itself: what an eye sees of a traced panel, beside what is traced from that eye.
 #include <gtest/gtest.h>
 
+#include "lippmann/replay/eye_view.hpp"
 #include "recorded.hpp"
-#include "replay/eye_view.hpp"
 #include "trace/small_scene.hpp"
 
 namespace lippmann {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <sstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "optics/random_optics.hpp"
 #include "reuse/make_landing.hpp"
 #include "reuse/point_images.hpp"

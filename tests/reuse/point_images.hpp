@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "optics/optics.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "reuse/motion.hpp"
 #include "reuse/point_image.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "scene/default_view.hpp"
-#include "scene/load.hpp"
-#include "scene/timeline.hpp"
 
 namespace lippmann {
 namespace {

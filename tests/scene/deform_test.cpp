@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "scene/load.hpp"
+#include "lippmann/scene/load.hpp"
 
 namespace lippmann {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <exception>
 
+#include "lippmann/scene/load.hpp"
 #include "scene/deform.hpp"
-#include "scene/load.hpp"
 
 namespace {
 

@@ -1,11 +1,11 @@
-#include "scene/load.hpp"
+#include "lippmann/scene/load.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {

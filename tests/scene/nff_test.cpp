@@ -5,10 +5,10 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
-#include "scene/load.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "scene/nff/cone.hpp"
-#include "scene/timeline.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {

@@ -5,9 +5,9 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
 #include "image/png.hpp"
-#include "scene/load.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {

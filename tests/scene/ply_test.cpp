@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "core/error.hpp"
-#include "scene/load.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {

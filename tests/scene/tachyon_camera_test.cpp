@@ -1,7 +1,7 @@
 // CAMERA, camera paths, lights and what belongs to the whole scene.
 #include <cmath>
 
-#include "scene/timeline.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "tachyon_support.hpp"
 
 namespace lippmann {

@@ -1,4 +1,4 @@
-#include "scene/timeline.hpp"
+#include "lippmann/scene/timeline.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <limits>
 
-#include "core/error.hpp"
-#include "scene/load.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 
 namespace lippmann {
 namespace {

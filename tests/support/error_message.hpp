@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann::test {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/random.hpp"
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 
 namespace lippmann::test {
 

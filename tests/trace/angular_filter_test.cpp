@@ -1,5 +1,5 @@
 // Views whose samples are seen from several eyes.
-#include "optics/angular_filter.hpp"
+#include "lippmann/optics/angular_filter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "image/encode.hpp"
+#include "lippmann/image/encode.hpp"
 #include "trace/feed_frame.hpp"
 #include "trace/small_scene.hpp"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/random.hpp"
-#include "image/encode.hpp"
+#include "lippmann/image/encode.hpp"
 #include "trace/small_scene.hpp"
 
 namespace lippmann {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 namespace {

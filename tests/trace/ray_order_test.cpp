@@ -1,4 +1,4 @@
-#include "trace/ray_order.hpp"
+#include "trace/strip_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 
+#include "trace/first_hits.hpp"
 #include "trace/trace_frame.hpp"
 
 namespace lippmann::test {

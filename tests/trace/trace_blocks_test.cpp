@@ -1,9 +1,9 @@
 // Blocks of a frame: traced alone they are as in the frame, and they know which boxes their rays meet.
 #include <gtest/gtest.h>
 
-#include "optics/optics.hpp"
-#include "trace/ray_order.hpp"
+#include "lippmann/optics/optics.hpp"
 #include "trace/small_scene.hpp"
+#include "trace/strip_order.hpp"
 #include "trace/trace_packets.hpp"
 
 namespace lippmann {

@@ -1,7 +1,7 @@
 // Shading against values worked out by hand. The view is from (0, 0, 10) at the square +-2; its central rays run along -z.
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "trace/small_scene.hpp"
 
 namespace lippmann {

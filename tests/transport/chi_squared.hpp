@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann::test {
 

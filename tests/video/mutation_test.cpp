@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/random.hpp"
+#include "lippmann/core/error.hpp"
 #include "support/command.hpp"
 #include "support/error_message.hpp"
 #include "support/pictures.hpp"

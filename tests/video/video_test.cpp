@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "image/metrics.hpp"
+#include "lippmann/image/metrics.hpp"
 #include "support/command.hpp"
 #include "support/error_message.hpp"
 #include "support/file_size_limit.hpp"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann::builtin {
 

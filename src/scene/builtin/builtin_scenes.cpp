@@ -1,4 +1,4 @@
-#include "scene/builtin.hpp"
+#include "lippmann/scene/builtin.hpp"
 #include "scene/builtin/scenes.hpp"
 
 namespace lippmann {

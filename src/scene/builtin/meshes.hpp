@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann::builtin {
 

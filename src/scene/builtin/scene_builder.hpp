@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann::builtin {
 

@@ -1,7 +1,7 @@
 // One builder per built-in scene; the table of them is builtin_scenes.cpp.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann::builtin {
 

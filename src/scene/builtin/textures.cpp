@@ -7,7 +7,7 @@
 
 #include "core/multiversion.hpp"
 #include "core/random.hpp"
-#include "image/encode.hpp"
+#include "lippmann/image/encode.hpp"
 
 namespace lippmann::builtin {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 #include "scene/gltf/document.hpp"
 
 namespace lippmann::gltf {

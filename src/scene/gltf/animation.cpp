@@ -8,10 +8,10 @@
 #include <cmath>
 #include <map>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "scene/gltf.hpp"
 #include "scene/gltf/accessor.hpp"
-#include "scene/timeline.hpp"
 
 namespace lippmann::gltf {
 namespace {

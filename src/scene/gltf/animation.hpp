@@ -1,9 +1,9 @@
 // Turns one of a glTF file's animations into a Timeline.
 #pragma once
 
+#include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
 #include "scene/gltf/nodes.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann::gltf {
 

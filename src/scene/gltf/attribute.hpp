@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann::gltf {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/timeline.hpp"
+#include "lippmann/scene/timeline.hpp"
 
 namespace lippmann::gltf {
 namespace {

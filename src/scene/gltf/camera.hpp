@@ -1,9 +1,9 @@
 // Reads the cameras of a glTF file.
 #pragma once
 
+#include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
 #include "scene/gltf/nodes.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann::gltf {
 

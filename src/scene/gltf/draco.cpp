@@ -18,7 +18,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "scene/gltf/attribute.hpp"
 
 namespace lippmann::gltf {

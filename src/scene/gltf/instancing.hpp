@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann::gltf {
 

@@ -1,9 +1,9 @@
 // Reads the lights of a glTF file (KHR_lights_punctual).
 #pragma once
 
+#include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
 #include "scene/gltf/nodes.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann::gltf {
 

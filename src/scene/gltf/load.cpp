@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
 #include "scene/gltf/animation.hpp"
 #include "scene/gltf/camera.hpp"

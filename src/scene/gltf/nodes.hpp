@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann::gltf {
 

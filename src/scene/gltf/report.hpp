@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/context.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/context.hpp"
 
 namespace lippmann::gltf {
 

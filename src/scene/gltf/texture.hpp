@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
-#include "scene/scene.hpp"
 #include "scene/texture_image.hpp"
 
 namespace lippmann::gltf {

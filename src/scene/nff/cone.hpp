@@ -1,7 +1,7 @@
 // The side of a cone or of a part of one, as a mesh.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann::nff {
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
 #include "scene/lexer.hpp"
 #include "scene/side_file.hpp"
 #include "scene/text_file.hpp"

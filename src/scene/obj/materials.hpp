@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/context.hpp"
-#include "scene/scene.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "scene/side_file.hpp"
 #include "scene/texture_image.hpp"
 

@@ -11,9 +11,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
-#include "image/encode.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 #include "scene/directions.hpp"
 #include "scene/lexer.hpp"
 #include "scene/obj/materials.hpp"

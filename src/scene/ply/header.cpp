@@ -7,9 +7,9 @@
 #include <charconv>
 #include <iterator>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
 #include "core/suggest.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann::ply {
 namespace {

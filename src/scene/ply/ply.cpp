@@ -9,9 +9,9 @@
 #include <cstring>
 #include <initializer_list>
 
-#include "core/error.hpp"
 #include "core/printable.hpp"
-#include "image/encode.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 #include "scene/directions.hpp"
 #include "scene/ply/header.hpp"
 #include "scene/polygon.hpp"

@@ -8,9 +8,9 @@
 
 #include <optional>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "scene/lexer.hpp"
-#include "scene/scene.hpp"
 
 namespace lippmann::tachyon {
 

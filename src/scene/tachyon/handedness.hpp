@@ -6,7 +6,7 @@
 // Distances, angles and u.p products (image maps) do not change.
 #pragma once
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann::tachyon {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "image/read_image.hpp"
+#include "lippmann/core/error.hpp"
 #include "scene/lexer.hpp"
 
 namespace lippmann::tachyon {

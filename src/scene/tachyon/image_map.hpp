@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann::tachyon {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "core/context.hpp"
+#include "lippmann/core/context.hpp"
 #include "scene/lexer.hpp"
 #include "scene/tachyon/camera.hpp"
 #include "scene/tachyon/scene_builder.hpp"

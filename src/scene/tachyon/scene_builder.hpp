@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "lippmann/scene/scene.hpp"
 
 namespace lippmann::tachyon {
 

@@ -3,7 +3,7 @@
 // RGB frames are copied code by code. YUV goes through libswscale with its exact, reproducible settings.
 #pragma once
 
-#include "image/image.hpp"
+#include "lippmann/image/image.hpp"
 #include "video/ffmpeg/ffmpeg.hpp"
 
 namespace lippmann {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 #include "video/ffmpeg/convert.hpp"
 #include "video/ffmpeg/ffmpeg.hpp"
 

@@ -11,7 +11,7 @@ extern "C" {
 #include <memory>
 #include <string>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 

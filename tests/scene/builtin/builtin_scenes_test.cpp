@@ -8,11 +8,11 @@
 #include <set>
 #include <string>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/builtin.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "mesh_checks.hpp"
-#include "scene/builtin.hpp"
-#include "scene/load.hpp"
-#include "scene/timeline.hpp"
 
 namespace lippmann {
 

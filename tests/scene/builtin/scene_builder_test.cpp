@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scene/timeline.hpp"
+#include "lippmann/scene/timeline.hpp"
 
 namespace lippmann::builtin {
 namespace {

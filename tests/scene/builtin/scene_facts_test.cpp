@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "lippmann/scene/timeline.hpp"
 #include "scene/builtin/scenes.hpp"
-#include "scene/timeline.hpp"
 
 namespace lippmann::builtin {
 namespace {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "lippmann/scene/load.hpp"
 #include "scene/gltf/gltf_builder.hpp"
-#include "scene/load.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

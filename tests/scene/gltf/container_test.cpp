@@ -3,9 +3,9 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "scene/gltf/gltf_builder.hpp"
-#include "scene/load.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 

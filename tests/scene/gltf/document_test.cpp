@@ -6,7 +6,7 @@
 #include <fstream>
 #include <functional>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
 #include "scene/gltf/gltf_builder.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"

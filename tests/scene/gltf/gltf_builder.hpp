@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/math.hpp"
+#include "lippmann/core/math.hpp"
 #include "scene/gltf.hpp"
 
 namespace lippmann::test {

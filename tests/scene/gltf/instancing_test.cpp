@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "scene/gltf/gltf_builder.hpp"
-#include "scene/load.hpp"
-#include "scene/timeline.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

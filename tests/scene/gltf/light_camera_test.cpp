@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
 #include "scene/gltf/gltf_builder.hpp"
-#include "scene/load.hpp"
-#include "scene/timeline.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "core/error.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "scene/gltf/gltf_builder.hpp"
-#include "scene/load.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {

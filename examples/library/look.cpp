@@ -1,0 +1,28 @@
+// Looks at a light field that lies in files, of any format that `lippmann convert` reads: what an eye sees, a step to the left
+// and to the right of the middle, and the picture focused in the plane of the display.
+//   look FILE|FOLDER FOLDER
+#include <filesystem>
+#include <iostream>
+#include <lippmann/lippmann.hpp>
+
+using namespace lippmann;
+
+int main(int, char** argv) try {
+  const std::filesystem::path folder = argv[2];
+  std::filesystem::create_directories(folder);
+  const LightFieldFrames frames = find_light_field_frames(argv[1], {});
+  if (!frames.assumption.empty()) std::cout << frames.assumption << "\n";
+  const RenderedPanel panel = frames.read(0);
+  const ThreadPool pool(resolved_threads(Context{}));
+  EyeView view;
+  const Vec3d middle = default_eye_mm(panel.optics);
+  for (const int side : {-1, 1}) {
+    view.eye_mm = middle + Vec3d(side * 0.05 * middle.z, 0.0, 0.0);
+    validate(view);
+    write_picture(folder / (side < 0 ? "left.png" : "right.png"), to_codes(eye_view(panel, view, pool), Encoding::kSrgb));
+  }
+  write_picture(folder / "focused.png", to_codes(refocus(panel, 0.0, {0, 0}, pool), Encoding::kSrgb));
+} catch (const Error& error) {
+  std::cerr << error.what() << "\n";
+  return error.exit_code();
+}

@@ -1,0 +1,68 @@
+// A scene that is made in memory: a red ball bounces before a wall, seen through a lenticular sheet. Every frame is written as
+// the panel behind the sheet shows it, with the depth behind every pixel, and how the frame was made is printed.
+//   own_scene FOLDER
+#include <cstdio>
+#include <filesystem>
+#include <lippmann/lippmann.hpp>
+
+using namespace lippmann;
+
+namespace {
+
+Material surface(Vec3f color, float roughness) {
+  MetallicRoughness material;
+  material.base_color = Vec4f(color, 1.0f);
+  material.metallic = 0.0f;
+  material.roughness = roughness;
+  return {"", material};
+}
+
+/// Metres; the ball's node moves up and down, the wall and the floor have none.
+Scene bouncing_ball() {
+  Scene scene;
+  scene.nodes = {{.name = "ball"}};
+  scene.shapes = {Spheres{{Vec3f(0.0f), 0.5f}}, Planes{{Vec3f(0.0f, 0.0f, -2.0f), Vec3f(0.0f, 0.0f, 1.0f)},
+                                                       {Vec3f(0.0f, -1.0f, 0.0f), Vec3f(0.0f, 1.0f, 0.0f)}}};
+  scene.materials = {surface({0.8f, 0.1f, 0.1f}, 0.3f), surface({0.6f, 0.6f, 0.7f}, 0.9f)};
+  scene.instances = {{.name = "ball", .shape = 0, .material = 0, .node = 0}, {.name = "room", .shape = 1, .material = 1}};
+  NodeAnimation bounce;
+  bounce.node = 0;
+  bounce.translation.times = {0.0, 0.5, 1.0};
+  bounce.translation.values = {Vec3f(0.0f, 0.6f, 0.0f), Vec3f(0.0f, -0.5f, 0.0f), Vec3f(0.0f, 0.6f, 0.0f)};
+  scene.timeline = {.frames_per_second = 4.0, .frame_count = 4, .animations = {bounce}};
+  return scene;
+}
+
+Optics lenticular_sheet() {
+  Optics optics;
+  optics.panel = {.width = 256, .height = 192, .pixel_pitch_mm = 0.125f};
+  optics.model = LenticularSheet{.lens_pitch_mm = 1.0f, .gap_mm = 2.0f};
+  return optics;
+}
+
+}  // namespace
+
+int main(int, char** argv) try {
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder);
+  const Context context;
+  Scene scene = bouncing_ball();
+  add_missing_light(scene, Integrator::kPath);
+  FrameParams params;
+  params.sampling.integrator = Integrator::kPath;
+  params.sampling.spp = 16;
+  params.sampling.aov = {Aov::kDepth};
+  Renderer renderer(scene, place(scene, lenticular_sheet()), params, context);
+  for (int i = 0; i < scene.timeline.frame_count; ++i) {
+    const RenderedFrame frame = *renderer.frame(i);
+    const std::string number = std::to_string(i);
+    write_picture(folder / ("panel_" + number + ".png"), to_codes(frame.pictures.film, scene.encoding));
+    const Image& depth = frame.pictures.aovs[Aov::kDepth];
+    const float middle = *depth.pixel(depth.width / 2, depth.height / 2);
+    std::printf("frame %d: %s, %llu rays, %.2f mm at the middle\n", i, frame.report.kind.c_str(),
+                static_cast<unsigned long long>(frame.report.rays.total()), static_cast<double>(middle));
+  }
+} catch (const Error& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return error.exit_code();
+}

@@ -1,0 +1,14 @@
+// A quilt of any scene for a display: path traced, with shared light.
+//   quilt SCENE DISPLAY OUT.png      quilt vase.glb looking-glass-portrait vase.png
+#include <lippmann/lippmann.hpp>
+using namespace lippmann;
+int main(int, char** argv) {
+  const Context context;
+  const Display display = load_display(argv[2]);
+  Scene scene = load_scene(argv[1], {}, context);
+  add_missing_light(scene, Integrator::kPath);
+  const Placement placement = place(scene, display, DisplayPicture::kQuilt);
+  Renderer renderer(scene, placement, {.sampling = {.integrator = Integrator::kPath, .spp = 16}}, context);
+  const Image8 quilt = to_codes(renderer.frame(0)->pictures.film, scene.encoding);
+  write_picture(with_quilt_name(argv[3], quilt_name_of(*display.quilt)), quilt);
+}

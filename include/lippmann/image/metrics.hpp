@@ -1,0 +1,35 @@
+// How much a picture differs from a reference: mean squared error, PSNR and SSIM of 8-bit codes.
+//
+// Exact definitions (also in docs/metrics.md), for codes 0 ... 255 of reference a and test b:
+//   MSE of a channel   mean over all pixels of (a - b)^2; its mean: (R + G + B) / 3
+//   RMSE               square root of the MSE; of the mean: of the mean MSE (not the mean of three roots)
+//   PSNR               10 log10(255^2 / mean MSE) dB; infinite for equal pictures
+//   SSIM               Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment: from error visibility to structural
+//                      similarity", IEEE Trans. Image Processing 13(4), 2004, eq. 13, of the luma Y = 0.299 R + 0.587 G +
+//                      0.114 B (BT.601, not rounded): 11 x 11 Gaussian window of sigma 1.5 that sums to 1, K1 = 0.01,
+//                      K2 = 0.03, L = 255, averaged over the places where the window lies wholly inside the picture.
+//                      Not a number for pictures with a side below 11 pixels.
+#pragma once
+
+#include "lippmann/image/image.hpp"
+
+namespace lippmann {
+
+struct ChannelErrors {
+  double r = 0.0, g = 0.0, b = 0.0, mean = 0.0;
+};
+
+struct PictureMetrics {
+  ChannelErrors mse, rmse;  ///< in codes squared, in codes
+  double psnr_db = 0.0;
+  double ssim = 1.0;
+  bool identical = true;
+};
+
+/// Pictures of one size, at least one pixel.
+PictureMetrics measure_difference(const Image8& reference, const Image8& test);
+
+/// PSNR of a mean squared error; infinite for 0.
+double psnr_db(double mean_mse);
+
+}  // namespace lippmann

@@ -1,0 +1,29 @@
+// Pictures with the samples that their file stores, for programs that move pixels without touching them.
+#pragma once
+
+#include <filesystem>
+#include <variant>
+
+#include "lippmann/image/image.hpp"
+
+namespace lippmann {
+
+/// 8-bit codes, 16-bit codes, or floats of 3 channels.
+using Picture = std::variant<Image8, Image16, Image>;
+
+/// Of more than 3 channels the first three, of fewer the first one three times. Throws Error as read_image.
+Picture read_picture(const std::filesystem::path& path);
+
+/// 8- and 16-bit codes as .png, floats as .exr. Throws Error naming the file, also where the ending does not suit.
+void write_picture(const std::filesystem::path& path, const Picture& picture);
+
+/// Linear light: codes are sRGB's, floats are linear already. What is not finite becomes 0.
+Image to_linear(Picture picture);
+
+/// The inverse: linear light (3 channels) in samples of the kind that `like` has.
+Picture with_samples_like(const Picture& like, Image linear);
+
+/// Throws Error if a picture read from `from` cannot be written to `path` without changing samples.
+void check_picture_ending(const std::filesystem::path& path, const Picture& picture);
+
+}  // namespace lippmann

@@ -1,0 +1,28 @@
+// Moves the pixels of a picture from the places that one layout of its views gives them to those of another.
+#pragma once
+
+#include <string>
+
+#include "lippmann/core/math.hpp"
+#include "lippmann/image/image.hpp"
+#include "lippmann/layout/view_layout.hpp"
+
+namespace lippmann {
+
+class Arrangement {
+ public:
+  /// From pictures of size `picture`. Throws Error naming `where` if the views do not fill them (view_layout.hpp).
+  Arrangement(const ViewLayout& from, const ViewLayout& to, Vec2i picture, const std::string& where);
+
+  Vec2i view_size() const { return view_; }
+  Vec2i target_size() const { return to_size_; }
+
+  /// Of any number of channels. Padding of a quilt stays behind.
+  Image apply(const Image& picture) const;
+
+ private:
+  ViewLayout from_, to_;
+  Vec2i from_size_, view_, to_size_;
+};
+
+}  // namespace lippmann

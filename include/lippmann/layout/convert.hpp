@@ -1,0 +1,37 @@
+// Turns light fields of one format into another. Pixels are moved, never changed, so that ways and back are exact wherever
+// both formats hold the same samples.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/subset.hpp"
+
+namespace lippmann {
+
+struct ConvertParams {
+  std::string from, to = "views";  ///< names of formats; `from` empty: as the name of a quilt or the report beside it says
+  FormatOptions options;
+  std::optional<Crop> crop;       ///< of every view
+  std::optional<KeptViews> keep;  ///< of the views; before they are cropped
+};
+
+struct Converted {
+  std::vector<std::filesystem::path> written;
+  ViewGrid views;
+  Vec2i view_size{0, 0};
+  bool lacks_cameras = false, lacks_depth = false;  ///< which a format would have taken, but nothing said
+};
+
+/// Where a report.json of `render` lies beside a picture, it says what its views are, unless the options say it; and for
+/// formats that want them, what their cameras are, and the layer of depth comes with them.
+///
+/// `in`: a light field of that format, or a folder of frame_* (pictures or folders of views), of which each is converted, into
+/// pictures or folders of the same names. A picture without an ending gets the one that suits its samples. A quilt is written
+/// under its proper name (quilt_name.hpp). Throws Error naming the file or flag.
+Converted convert(const std::filesystem::path& in, const std::filesystem::path& out, const ConvertParams& params);
+
+}  // namespace lippmann

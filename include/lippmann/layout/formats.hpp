@@ -1,0 +1,59 @@
+// The formats of light fields that `convert` reads and writes: one table, of which help, messages and the conversion come.
+//
+// Each format is one file, NAME_format.cpp, with one reader and one writer.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lippmann/display/display.hpp"
+#include "lippmann/layout/interlace.hpp"
+#include "lippmann/layout/light_field.hpp"
+
+namespace lippmann {
+
+/// What is said about a format beside its name; each uses what concerns it.
+struct FormatOptions {
+  std::optional<ViewGrid> views = {};     ///< how many views across and up: needed where neither names nor side files say it
+  std::optional<ViewGrid> tiles = {};     ///< of a quilt; none: as its name says, or as square as can be
+  std::optional<double> aspect = {};      ///< of the display, for a quilt's name; none: as the source's, or the picture's
+  bool with_depth = false;                ///< read it from beside a rendered picture too, where it is (layout/rendered.hpp)
+  std::optional<int> bits = {};           ///< of the codes of PPM files, 1 ... 16; none: as the source's
+  std::optional<Display> display = {};    ///< whose own frame a native picture is
+  std::optional<ViewFilter> filter = {};  ///< of views when native frames are made; none: the nearest
+  std::optional<double> sigma_views = {};
+};
+
+/// Paths are those of one light field, of one moment: a picture or a folder.
+struct LightFieldFormat {
+  std::string_view name;
+  std::string_view is;        ///< in one line
+  bool is_folder = false;     ///< of one or more files for each view; else one picture
+  bool uses_cameras = false;  ///< its writer wants cameras and depth, where they are known
+  /// Throws Error naming the file or the flag of an option.
+  LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
+  /// Returns what was written, pictures first. Folders are made. Throws likewise.
+  std::vector<std::filesystem::path> (*write)(const LightField& field, const std::filesystem::path& path,
+                                              const FormatOptions& options) = nullptr;
+};
+
+LightFieldFormat integral_format();
+LightFieldFormat quilt_format();
+LightFieldFormat views_format();
+LightFieldFormat hci_format();
+LightFieldFormat stanford_format();
+LightFieldFormat jpeg_pleno_format();
+LightFieldFormat eslf_format();
+LightFieldFormat native_format();
+LightFieldFormat miv_format();
+
+/// All of them, in the order of --help.
+const std::vector<LightFieldFormat>& light_field_formats();
+
+/// Throws a usage Error naming `flag` and the known names.
+const LightFieldFormat& find_format(const std::string& name, const std::string& flag);
+
+}  // namespace lippmann

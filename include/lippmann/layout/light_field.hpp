@@ -1,0 +1,65 @@
+// A light field in memory: the views of one moment, and what is known of the cameras that saw them. Every format that
+// `convert` reads becomes one, and every format that it writes is made from one (layout/formats.hpp).
+//
+// Views are numbered as in layout/view_layout.hpp: column 0 is seen by the leftmost eye, row 0 by the lowest.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lippmann/core/math.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "lippmann/layout/view_layout.hpp"
+
+namespace lippmann {
+
+using Vec2d = glm::dvec2;
+
+/// Parallel cameras that look along -z through one plane z = 0, each off its axis: the model of render's views and of the data
+/// sets of vision research. Lengths in mm of the display frame (optics/optics.hpp).
+struct ViewCameras {
+  double distance_mm = 0.0;         ///< from every eye to the plane z = 0, where views coincide
+  Vec2d pixel_mm{0.0};              ///< of a view in that plane: width and height
+  Vec2d centre_px{0.0};             ///< where the middle of the plane, x = y = 0, lies in every view, from its top left corner
+  std::vector<Vec2d> eyes_mm = {};  ///< x to the right and y up, by view
+};
+
+struct LightField {
+  Picture stack;  ///< the views one below the other, view 0 on top
+  ViewGrid grid;
+  Vec2i view_size{0, 0};
+  double aspect = 1.0;                      ///< of the display they are made for; else of the picture they came from
+  std::optional<ViewGrid> tiles = {};       ///< of the quilt that they came from
+  int bits = 0;                             ///< of the codes of the file they came from, where fewer than the stack's
+  std::optional<Image> depth = {};          ///< a stack likewise: z in mm, above 0 in front of z = 0; -inf: nothing there
+  std::optional<ViewCameras> cameras = {};  ///< where they are known
+};
+
+/// Of the stack of all views.
+inline Vec2i stack_size(const LightField& field) { return {field.view_size.x, field.view_size.y * field.grid.count()}; }
+
+Vec2i size_of(const Picture& picture);
+
+/// A black picture of the same kind of samples.
+Picture blank(const Picture& like, Vec2i size);
+
+/// to[to_pixel[i]] = from[from_pixel[i]]; an empty list counts up. Both of one kind of samples.
+void move_pixels(const Picture& from, const std::vector<std::uint32_t>& from_pixel, Picture& to,
+                 const std::vector<std::uint32_t>& to_pixel);
+void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel, Image& to,
+                 const std::vector<std::uint32_t>& to_pixel);
+
+/// One view of a stack.
+Picture view_of(const LightField& field, int view);
+Image depth_of(const LightField& field, int view);
+
+/// Puts a picture (or a depth image of 1 channel) in the place of a view. Both are of its size and kind.
+void set_view(LightField& field, int view, const Picture& picture);
+void set_depth(LightField& field, int view, const Image& depth);
+
+/// View v of rows counted from the top: what other tools number from the top left, row by row.
+inline int from_top_left(const ViewGrid& grid, int v) {
+  return (grid.rows - 1 - v / grid.columns) * grid.columns + v % grid.columns;
+}
+
+}  // namespace lippmann

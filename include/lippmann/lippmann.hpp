@@ -1,0 +1,26 @@
+// All that other programs need of Lippmann: a scene, optics and a placement go into a Renderer, frames come out; pictures and
+// light fields are read, converted, looked at and written. Each header below says what it is for.
+#pragma once
+
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/version.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/image/metrics.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "lippmann/layout/convert.hpp"
+#include "lippmann/layout/quilt_name.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/render/lighting.hpp"
+#include "lippmann/render/placement.hpp"
+#include "lippmann/render/renderer.hpp"
+#include "lippmann/replay/all_in_focus.hpp"
+#include "lippmann/replay/epipolar_image.hpp"
+#include "lippmann/replay/eye_view.hpp"
+#include "lippmann/replay/light_field_frames.hpp"
+#include "lippmann/replay/refocus.hpp"
+#include "lippmann/replay/viewing.hpp"
+#include "lippmann/scene/builtin.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"

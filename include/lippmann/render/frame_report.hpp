@@ -1,0 +1,32 @@
+// What making one frame took, and how good it is.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "lippmann/layout/precompensation.hpp"
+#include "lippmann/trace/ray_counts.hpp"
+
+namespace lippmann {
+
+struct FrameReport {
+  int frame = 0;
+  /// full: traced; key: traced, and others are made from it; in-between: made from others; shared: path-traced, with soft light
+  /// from the cache.
+  std::string kind = "full";
+  double seconds = 0.0;      ///< wall time of rendering, without writing files
+  double cpu_seconds = 0.0;  ///< of all threads, without writing files
+  RayCounts rays;
+  std::uint64_t missed_pixels = 0;  ///< onto which no point of another frame projected; for one of two causes:
+  std::uint64_t newly_visible_pixels = 0, not_covered_pixels = 0;
+  std::uint64_t retraced_pixels = 0;
+  std::uint64_t reused_pixels = 0;
+  std::optional<double> estimated_psnr_db;         ///< from held-out pixels; none: exact, or not estimated
+  std::optional<double> psnr_at_least_db;          ///< lower bound of it at 95 % confidence; none where there is no estimate
+  std::optional<double> estimated_block_psnr_db;   ///< of means over 64 neighbouring pixels; shared frames only
+  std::optional<Precompensation> precompensation;  ///< of crosstalk; none: not asked for
+  bool kept = false;                               ///< finished by an earlier run, which its figures are of
+};
+
+}  // namespace lippmann

@@ -1,0 +1,49 @@
+// The frames that `replay` looks at: what a render has left, or a light field in any format that `convert` reads, each as a
+// panel with optics.
+//
+// A render's report.json says the optics; pictures that show the views in another way than the panel does (--layout) are put
+// back. Without a report the cameras are those that the format states (HCI, MIV), and the panel is a quilt of the views. Where
+// nothing states them, they are assumed: see assumed_optics.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lippmann/layout/light_field.hpp"
+#include "lippmann/replay/rendered_frames.hpp"
+
+namespace lippmann {
+
+/// What flags say about the light field.
+struct LightFieldSaid {
+  std::filesystem::path report = {};          ///< empty: report.json beside the pictures
+  std::string from = {};                      ///< a format of `convert`; empty: as names and the report say
+  std::optional<ViewGrid> views = {};         ///< how many across and up
+  std::optional<ViewGrid> tiles = {};         ///< of a quilt
+  std::optional<double> view_angle_deg = {};  ///< between the outermost views, where nothing states the cameras
+};
+
+struct LightFieldFrames {
+  Optics optics;
+  std::vector<std::filesystem::path> files;  ///< ascending: pictures, or folders of views
+  std::filesystem::path folder;              ///< beside what is read: where results go
+  double frames_per_second = 25.0;
+  std::string assumption = {};  ///< one sentence on what was assumed of the cameras; empty: nothing
+  /// The frame of that index. Throws Error naming the file, also where its size is not that of the optics' panel.
+  std::function<RenderedPanel(std::size_t)> read;
+};
+
+/// Throws Error naming the file, or the flag that has to say what nothing else says.
+LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldSaid& said);
+
+/// A quilt of those views. Throws Error naming `where` for cameras that are not a regular grid around the axis.
+Optics optics_of_cameras(const LightField& field, const std::string& where);
+
+/// The same of views whose cameras nobody states: a display 100 mm high, seen from 300 mm away, by a row of views that spread
+/// over an angle (40 degrees unless said), or by a grid of cameras (10 degrees across).
+Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg);
+
+}  // namespace lippmann

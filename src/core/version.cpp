@@ -1,0 +1,7 @@
+#include "lippmann/core/version.hpp"
+
+namespace lippmann {
+
+const char* version() { return LIPPMANN_VERSION; }
+
+}  // namespace lippmann

@@ -1,0 +1,142 @@
+#include "trace/first_hits.hpp"
+
+#include <algorithm>
+
+#include "optics/view_place.hpp"
+#include "trace/former_places.hpp"
+#include "trace/packet_source.hpp"
+#include "trace/scene_query.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr Aov kOfHits[] = {Aov::kDepth, Aov::kNormal, Aov::kId, Aov::kPosition, Aov::kRayDepth, Aov::kAlbedo, Aov::kMotion};
+
+/// However many holes lie behind one another: then whatever comes is taken.
+constexpr int kMostHoles = 64;
+
+float value_of_nothing(Aov aov) {
+  if (aov == Aov::kDepth) return -kInfinity;
+  if (aov == Aov::kRayDepth) return kInfinity;
+  return aov == Aov::kId ? -1.0f : 0.0f;
+}
+
+Vec3f unit_direction(const RayHitPacket& packet, int i) {
+  return {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
+}
+
+/// What alpha does not cover, whatever glass of the same material lets through.
+bool is_hole(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i) {
+  const Material& material = scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
+  const auto* m = std::get_if<MetallicRoughness>(&material.surface);
+  if (!m || !(m->blend || m->alpha_cutoff > 0.0f)) return false;
+  const float solid = scene.path ? 1.0f : 1.0f - m->transmission;
+  return surface.opacity[i] < 0.5f * solid;
+}
+
+/// Finds the first hits of a strip's pixels and stores what they are.
+class FirstHits {
+ public:
+  FirstHits(const DeviceScene::Impl& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
+            const FrameStep* step, FrameAovs& aovs)
+      : scene_(scene),
+        source_(optics, world_from_display, order, SubPixel{}),
+        beam_(optics, world_from_display),
+        display_from_world_(inverse(world_from_display)),
+        mm_per_unit_(1.0f / uniform_scale(world_from_display)),
+        views_(optics),
+        aovs_(aovs) {
+    if (step && aovs.wants(Aov::kMotion)) former_.emplace(scene, world_from_display, *step);
+  }
+
+  std::size_t strips() const { return static_cast<std::size_t>(source_.strips()); }
+
+  void fill_strip(int strip) const {
+    RayHitPacket packet;
+    LaneMask active;
+    SurfacePacket surface;
+    alignas(64) std::uint32_t pixel[kLanes];
+    for (int p = 0; p < source_.packets_per_strip(); ++p) {
+      if (source_.fill(strip, p, 0, packet.ray, active, pixel) == 0) continue;
+      for (int hole = 0; hole <= kMostHoles; ++hole) {
+        const RayPacket rays = packet.ray;
+        clear_hits(packet);
+        intersect_scene(scene_, active, packet, hole == 0 ? Coherence::kCoherent : Coherence::kIncoherent);
+        evaluate_surfaces(scene_, packet, active, Lanes{}, beam_, surface);
+        if (!store(packet, surface, pixel, hole == kMostHoles, active)) break;
+        // Behind holes, along the same rays.
+        for (int i = 0; i < kLanes; ++i)
+          packet.ray.tnear[i] = active.lane[i] ? packet.ray.tfar[i] + surface.t_near[i] : rays.tnear[i];
+        std::copy_n(rays.tfar, kLanes, packet.ray.tfar);
+      }
+    }
+  }
+
+ private:
+  /// Stores the lanes that have hit something; those that have hit a hole stay active. Whether there are any.
+  bool store(const RayHitPacket& packet, const SurfacePacket& surface, const std::uint32_t* pixel, bool last,
+             LaneMask& active) const {
+    bool any_hole = false;
+    for (int i = 0; i < kLanes; ++i) {
+      const bool hit = active.lane[i] && surface.hit.lane[i];
+      const bool hole = hit && !last && is_hole(scene_, surface, i);
+      active.lane[i] = hole ? -1 : 0;
+      any_hole |= hole;
+      if (hit && !hole) store(packet, surface, i, pixel[i]);
+    }
+    return any_hole;
+  }
+
+  void store(const RayHitPacket& packet, const SurfacePacket& surface, int i, std::size_t pixel) const {
+    const Vec3f position = surface.position.get(i);
+    set(Aov::kDepth, pixel, transform_point(display_from_world_, position).z);
+    set(Aov::kNormal, pixel, surface.normal.get(i));
+    set(Aov::kId, pixel, static_cast<float>(surface.instance[i]));
+    set(Aov::kPosition, pixel, position);
+    set(Aov::kRayDepth, pixel, packet.ray.tfar[i] * mm_per_unit_);
+    set(Aov::kAlbedo, pixel, surface.color.get(i));
+    if (former_) set_motion(packet, surface, i, pixel);
+  }
+
+  void set(Aov aov, std::size_t pixel, float value) const {
+    if (aovs_.wants(aov)) aovs_[aov].data[pixel] = value;
+  }
+  void set(Aov aov, std::size_t pixel, Vec3f value) const {
+    if (!aovs_.wants(aov)) return;
+    for (std::size_t c = 0; c < 3; ++c) aovs_[aov].data[3 * pixel + c] = value[static_cast<int>(c)];
+  }
+
+  void set_motion(const RayHitPacket& packet, const SurfacePacket& surface, int i, std::size_t pixel) const {
+    const std::optional<Vec3f> before = former_->of(packet, surface, i);
+    if (!before) return;
+    const Vec3f origin(packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i]);
+    const Ray ray{transform_point(display_from_world_, origin),
+                  glm::normalize(transform_vector(display_from_world_, unit_direction(packet, i)))};
+    const std::optional<Vec2f> from = views_.place_in_view(ray, *before);
+    const std::optional<Vec2f> to = views_.place_in_view(ray, transform_point(display_from_world_, surface.position.get(i)));
+    if (!from || !to) return;
+    for (std::size_t c = 0; c < 2; ++c) aovs_[Aov::kMotion].data[2 * pixel + c] = (*to - *from)[static_cast<int>(c)];
+  }
+
+  const DeviceScene::Impl& scene_;
+  PacketSource source_;
+  BeamFootprint beam_;
+  Affine3f display_from_world_;
+  float mm_per_unit_;
+  ViewPlaces views_;
+  std::optional<FormerPlaces> former_;
+  FrameAovs& aovs_;
+};
+
+}  // namespace
+
+void find_first_hits(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
+                     const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs) {
+  if (!aovs.wants_any(false)) return;
+  for (const Aov aov : kOfHits)
+    if (aovs.wants(aov)) aovs.allocate(aov, optics.panel, value_of_nothing(aov));
+  const FirstHits hits(scene.impl(), optics, world_from_display, order, step, aovs);
+  pool.for_each(hits.strips(), [&](std::size_t strip) { hits.fill_strip(static_cast<int>(strip)); });
+}
+
+}  // namespace lippmann

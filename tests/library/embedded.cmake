@@ -1,0 +1,29 @@
+# Takes the whole tree into another project: only its library is there, and it is built without tool, tests and what they need.
+#   cmake -D SOURCE=... -D WORK=... -D CXX=... -P embedded.cmake
+cmake_minimum_required(VERSION 3.25)
+
+file(REMOVE_RECURSE ${WORK})
+file(WRITE ${WORK}/CMakeLists.txt "
+cmake_minimum_required(VERSION 3.25)
+project(embedder LANGUAGES CXX)
+add_subdirectory(${SOURCE} lippmann)
+add_executable(program ${SOURCE}/examples/library/look.cpp)
+target_link_libraries(program PRIVATE lippmann::lippmann)
+foreach(target lippmann cli_test lippmann_bench)
+  if(TARGET \${target})
+    message(FATAL_ERROR \"\${target} is built for nobody\")
+  endif()
+endforeach()
+get_target_property(options program COMPILE_OPTIONS)
+if(options)
+  message(FATAL_ERROR \"options of ours reach the program: \${options}\")
+endif()
+")
+execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${CXX}
+  -D CMAKE_BUILD_TYPE=Release -D LIPPMANN_PCH=OFF COMMAND_ERROR_IS_FATAL ANY)
+
+# All that the program is made of has a rule; the library itself is compiled by the build that this test belongs to.
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target program -- -n COMMAND_ERROR_IS_FATAL ANY)
+# Its own source compiles with what reaches it through the target.
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target CMakeFiles/program.dir${SOURCE}/examples/library/look.cpp.o
+  COMMAND_ERROR_IS_FATAL ANY)

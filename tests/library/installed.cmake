@@ -1,0 +1,59 @@
+# Installs the library, builds examples/library against it as a project of its own, and runs these programs on a scene.
+#   cmake -D BUILD=... -D SOURCE=... -D CXX=... -D FLAGS=... -P installed.cmake
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDERR OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+  message(STATUS "${output}")
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(require_file path)
+  if(NOT EXISTS ${path})
+    message(FATAL_ERROR "${path} is missing")
+  endif()
+endfunction()
+
+set(work ${BUILD}/tests/library/work)
+set(examples ${work}/build)
+file(REMOVE_RECURSE ${work})
+run(${CMAKE_COMMAND} --install ${BUILD} --component development --prefix ${work}/prefix)
+
+# Nobody's copy of the sources is seen from here: what the headers need is installed with them.
+run(${CMAKE_COMMAND} -S ${SOURCE}/examples/library -B ${examples} -D CMAKE_PREFIX_PATH=${work}/prefix
+  -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_EXE_LINKER_FLAGS=${FLAGS}")
+run(${CMAKE_COMMAND} --build ${examples})
+
+# A path-traced quilt with shared light takes no more than 15 lines, and is the one that the tool renders.
+file(STRINGS ${SOURCE}/examples/library/quilt.cpp lines)
+list(FILTER lines EXCLUDE REGEX "^(//|$)")
+list(LENGTH lines count)
+if(count GREATER 15)
+  message(FATAL_ERROR "examples/library/quilt.cpp has ${count} lines of code")
+endif()
+set(display ${CMAKE_CURRENT_LIST_DIR}/small_panel.toml)
+run(${examples}/quilt ${SOURCE}/examples/desk.glb ${display} ${work}/desk.png)
+require_file(${work}/desk_qs4x2a0.5625.png)
+run(${BUILD}/lippmann render ${SOURCE}/examples/desk.glb --display ${display} --frames 0 --spp 16 -o ${work}/tool)
+run(${CMAKE_COMMAND} -E compare_files ${work}/desk_qs4x2a0.5625.png ${work}/tool/frame_0000_qs4x2a0.5625.png)
+
+run(${examples}/own_scene ${work}/ball)
+foreach(frame 0 1 2 3)
+  require_file(${work}/ball/panel_${frame}.png)
+  if(NOT output MATCHES "frame ${frame}: [a-z]+, [1-9][0-9]* rays, -?[0-9.]+ mm at the middle")
+    message(FATAL_ERROR "frame ${frame} is not reported: ${output}")
+  endif()
+endforeach()
+
+run(${examples}/look ${work}/desk_qs4x2a0.5625.png ${work}/seen)
+foreach(picture left right focused)
+  require_file(${work}/seen/${picture}.png)
+endforeach()
+
+find_program(pkg_config pkg-config REQUIRED)
+set(ENV{PKG_CONFIG_PATH} ${work}/prefix/lib/pkgconfig)
+run(${pkg_config} --cflags --libs lippmann)
+separate_arguments(flags UNIX_COMMAND "${FLAGS} -std=c++20 ${output}")
+run(${CXX} ${SOURCE}/examples/library/look.cpp -o ${work}/look ${flags} -Wl,-rpath,${work}/prefix/lib)
+run(${work}/look ${work}/desk_qs4x2a0.5625.png ${work}/seen_again)
+run(${CMAKE_COMMAND} -E compare_files ${work}/seen/left.png ${work}/seen_again/left.png)
