@@ -9,10 +9,12 @@
 #include "bench/light_references.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "frames/frame_maker.hpp"
+#include "job/job_stage.hpp"
+#include "job/reuse_params.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/image/metrics.hpp"
-#include "render/frame_maker.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -52,7 +54,7 @@ class DenoiseCase {
   MeasuredNoise measure(int spp, bool denoise) {
     RenderParams params = params_;
     params.sampling.spp = spp, params.sampling.denoise = denoise;
-    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, params, pool_, context_);
+    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, frame_params(params), pool_, context_);
     const RenderedFrame made = maker->make(frame_);
     const Frames frames{take_rows(to_codes(made.pictures.film, stage_.scene.encoding), rows_)};
     return {psnr_db(mean_squared_error(reference_, frames)), flicker_of(frames), made.report.cpu_seconds};
@@ -63,7 +65,7 @@ class DenoiseCase {
   int frame_;
   const ThreadPool& pool_;
   const Context& context_;
-  Stage stage_;
+  JobStage stage_;
   std::vector<int> rows_;
   std::vector<ViewTriple> triples_;
   References reference_;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "job/params.hpp"
 #include "lippmann/scene/scene.hpp"
-#include "render/params.hpp"
 
 namespace lippmann::bench {
 

@@ -53,7 +53,7 @@ Json light_json(const LightCase& wanted, const LightRun& run, const std::optiona
           {"frames", wanted.count},
           {"compared_frames", run.compared_frames},
           {"reference_step", wanted.reference_step},
-          {"spp", samples_per_pixel(wanted.params)},
+          {"spp", samples_per_pixel(wanted.params.sampling)},
           {"reference_spp", wanted.reference_spp},
           {"compared_pixels", run.compared_pixels},
           {"references_rendered", run.references_rendered},

@@ -69,7 +69,7 @@ LightReferences::LightReferences(Stage& stage, const RenderParams& params, std::
 
 Image8 LightReferences::trace(const RenderParams& params, int frame, int spp) {
   const Moment moment = stage_.moment_at(frame);
-  TraceParams trace = trace_params(params, stage_);
+  TraceParams trace = trace_params(params.sampling, stage_);
   trace.order = RayOrder::kRows;
   trace.frame = static_cast<std::uint32_t>(frame);
   trace.spp = spp;
@@ -83,7 +83,7 @@ std::uint64_t LightReferences::fingerprint_of(const RenderParams& params, int fr
   trace(params, frame, kProbeSamples);
   Fingerprint print;
   for (const int row : rows_) print.add_bytes(film_.pixel(0, row), 3 * sizeof(float) * static_cast<std::size_t>(film_.width));
-  const TraceParams trace = trace_params(params, stage_);
+  const TraceParams trace = trace_params(params.sampling, stage_);
   print.add(trace.spp);
   print.add(trace.max_depth);
   print.add(stage_.scene.encoding);
@@ -93,7 +93,7 @@ std::uint64_t LightReferences::fingerprint_of(const RenderParams& params, int fr
 Reference LightReferences::frame(int frame) {
   stage_.device.update(stage_.moment_at(frame).resolved, pool_);
   RenderParams first = params_;
-  first.sampling.spp = std::max(1, samples_per_pixel(params_) / 2);
+  first.sampling.spp = std::max(1, samples_per_pixel(params_.sampling) / 2);
   RenderParams second = first;
   second.sampling.seed += 1;
   return {half(first, frame), half(second, frame)};
@@ -106,8 +106,9 @@ Image8 LightReferences::half(const RenderParams& params, int frame) {
     ++kept_;
     return std::move(*codes);
   }
-  if (say_) say_(fmt::format("{}, frame {}: rendering a reference of {} samples", scene, frame, samples_per_pixel(params)));
-  Image8 codes = trace(params, frame, samples_per_pixel(params));
+  if (say_)
+    say_(fmt::format("{}, frame {}: rendering a reference of {} samples", scene, frame, samples_per_pixel(params.sampling)));
+  Image8 codes = trace(params, frame, samples_per_pixel(params.sampling));
   if (context_.cancelled) return codes;
   std::error_code ignored;  // the writing below says what is wrong
   std::filesystem::create_directories(folder_, ignored);

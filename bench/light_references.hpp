@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "bench/light_figures.hpp"
+#include "frames/frame.hpp"
+#include "job/params.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/image/image.hpp"
-#include "render/frame.hpp"
 
 namespace lippmann::bench {
 

@@ -9,9 +9,9 @@
 
 #include "bench/hostile_scenes.hpp"
 #include "bench/scenes.hpp"
+#include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/builtin.hpp"
-#include "render/param_text.hpp"
 
 namespace lippmann::bench {
 namespace {

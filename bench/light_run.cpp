@@ -13,12 +13,13 @@
 
 #include "bench/light_pictures.hpp"
 #include "bench/light_references.hpp"
+#include "frames/frame_maker.hpp"
+#include "job/job_stage.hpp"
+#include "job/reuse_params.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/image/metrics.hpp"
 #include "lippmann/scene/load.hpp"
-#include "render/frame_maker.hpp"
-#include "render/reuse_params.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -30,8 +31,8 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-RenderParams with_reuse(RenderParams params, Reuse reuse, bool denoise) {
-  params.reuse.mode = reuse, params.sampling.denoise = denoise;
+RenderParams with_reuse(RenderParams params, ReuseChoice reuse, bool denoise) {
+  params.reuse.choice = reuse, params.sampling.denoise = denoise;
   return params;
 }
 
@@ -65,13 +66,13 @@ class LightBench {
         settings_(settings),
         context_(context),
         pool_(resolved_threads(context)),
-        full_params_(with_reuse(wanted.params, Reuse::kNone, settings.denoise)),
-        reuse_params_(with_reuse(wanted.params, Reuse::kExact, settings.denoise)),
+        full_params_(with_reuse(wanted.params, ReuseChoice::kNone, settings.denoise)),
+        reuse_params_(with_reuse(wanted.params, ReuseChoice::kAuto, settings.denoise)),
         stage_(scene_of(wanted, context), full_params_, pool_),
         rows_(rows_to_compare(stage_.placed.optics, wanted.row_share)),
         views_(neighbouring_views(stage_.placed.optics, rows_)),
         blocks_(view_blocks(stage_.placed.optics, rows_)) {
-    check_reuse(reuse_params_);
+    frame_params(reuse_params_);  // refuses contradictions
     run_.width = stage_.placed.optics.panel.width, run_.height = stage_.placed.optics.panel.height;
     run_.compared_pixels = rows_.size() * static_cast<std::size_t>(run_.width);
   }
@@ -150,10 +151,10 @@ class LightBench {
 
   void render_in_turn() {
     const RenderParams quick = reference_params(full_params_, 1);
-    render_frame(stage_, quick, wanted_.first, pool_, context_);  // warms up
+    render_frame(stage_, quick.sampling, wanted_.first, pool_, context_);  // warms up
     const double before = resident_bytes();
-    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, reuse_params_, pool_, context_),
-                                      full_maker = make_frame_maker(stage_, full_params_, pool_, context_);
+    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, frame_params(reuse_params_), pool_, context_),
+                                      full_maker = make_frame_maker(stage_, frame_params(full_params_), pool_, context_);
     Made full, reuse;
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame) {
       say(fmt::format("{}, frame {}: rendering with reuse{}", wanted_.name, frame, is_compared(frame) ? " and in full" : ""));
@@ -168,8 +169,8 @@ class LightBench {
     run_.full = full.figures, run_.reuse = reuse.figures;
     run_.estimates_db = reuse.estimates_db;
     run_.estimate = judge_estimates(reuse.estimates_db, reuse.figures.psnr_db_by_frame);
-    run_.stated_bytes = bytes_kept_per_pixel(reuse_params_) * run_.width * run_.height;
-    run_.full_by_spp.push_back({samples_per_pixel(full_params_), run_.full.seconds, run_.full.psnr_db});
+    run_.stated_bytes = bytes_kept_per_pixel(frame_params(reuse_params_)) * run_.width * run_.height;
+    run_.full_by_spp.push_back({samples_per_pixel(full_params_.sampling), run_.full.seconds, run_.full.psnr_db});
     if (!settings_.pictures.empty()) write_pictures(full.frames, reuse.frames);
   }
 
@@ -184,7 +185,7 @@ class LightBench {
 
   /// Full renders at two powers of 2, of which one takes less time than the reuse did, if any does, and one more.
   void measure_equal_time() {
-    const double all = samples_per_pixel(full_params_);
+    const double all = samples_per_pixel(full_params_.sampling);
     int spp = 1;
     while (2 * spp <= all * std::min(0.5, run_.reuse.seconds / run_.full.seconds)) spp *= 2;
     if (2 * spp < all) measure_full(2 * spp);
@@ -200,7 +201,7 @@ class LightBench {
     say(fmt::format("{}: rendering in full at {} samples", wanted_.name, spp));
     RenderParams params = full_params_;
     params.sampling.spp = spp;
-    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, params, pool_, context_);
+    const std::unique_ptr<FrameMaker> maker = make_frame_maker(stage_, frame_params(params), pool_, context_);
     Made made;
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame)
       if (is_compared(frame)) add(maker->make(frame), made);
@@ -214,7 +215,7 @@ class LightBench {
   const Context& context_;
   ThreadPool pool_;
   RenderParams full_params_, reuse_params_;
-  Stage stage_;
+  JobStage stage_;
   std::vector<int> rows_;
   std::vector<ViewTriple> views_;
   std::vector<Block> blocks_;

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "bench/light_figures.hpp"
+#include "job/params.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/scene/scene.hpp"
-#include "render/params.hpp"
 
 namespace lippmann::bench {
 

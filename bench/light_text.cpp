@@ -84,7 +84,7 @@ std::string light_text(const LightCase& wanted, const LightRun& run, const std::
   std::string text = fmt::format("{}: {} of {} x {} pixels; {} pixels of {} against {} samples\n", wanted.name,
                                  wanted.still ? "one still quilt" : fmt::format("{} frames", wanted.count), run.width,
                                  run.height, run.compared_pixels, compared, wanted.reference_spp);
-  text += line_of("", fmt::format("full, {} spp", samples_per_pixel(wanted.params)), "reuse", "");
+  text += line_of("", fmt::format("full, {} spp", samples_per_pixel(wanted.params.sampling)), "reuse", "");
   text += line_of("CPU seconds per frame", per_frame("{:.3f}", full.seconds), per_frame("{:.3f}", reuse.seconds),
                   saving_bar(run, bar));
   text += line_of("  of the first frame", fmt::format("{:.3f}", full.first_seconds), fmt::format("{:.3f}", reuse.first_seconds),

@@ -8,6 +8,8 @@
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "frames/frame.hpp"
+#include "job/job_stage.hpp"
 #include "layout/sub_pixels.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
@@ -15,7 +17,6 @@
 #include "lippmann/image/metrics.hpp"
 #include "lippmann/layout/arrangement.hpp"
 #include "lippmann/layout/interlace.hpp"
-#include "render/frame.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -47,7 +48,7 @@ class NativeBench {
     stage_.placed.optics = optics;
     stage_.placed.units_per_mm = scene_units_per_mm(stage_.array, window_size_mm(optics).y);
     stage_.placed.optics.z_front_mm = stage_.array.viewing_distance / stage_.placed.units_per_mm;
-    RenderedFrame frame = render_frame(stage_, scene_.params, scene_.frame, pool_, context_);
+    RenderedFrame frame = render_frame(stage_, scene_.params.sampling, scene_.frame, pool_, context_);
     seconds += frame.report.cpu_seconds;
     return std::move(frame.pictures.film);
   }
@@ -72,7 +73,7 @@ class NativeBench {
   const BenchScene& scene_;
   const ThreadPool& pool_;
   const Context& context_;
-  Stage stage_;
+  JobStage stage_;
 };
 
 }  // namespace

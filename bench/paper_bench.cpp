@@ -14,7 +14,8 @@
 #include "bench/timing.hpp"
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
-#include "render/frame.hpp"
+#include "frames/frame.hpp"
+#include "job/job_stage.hpp"
 #include "trace/trace_pixels.hpp"
 
 namespace lippmann::bench {
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kPaperRepetitions = 5;
 
 std::vector<ReuseMethod> forward_methods(RenderParams params) {
-  params.reuse.mode = Reuse::kForward;
+  params.reuse.choice = ReuseChoice::kInterpolate;
   std::vector<ReuseMethod> methods;
   for (const bool halving : {false, true})
     for (const int interval : {2, 4, 8}) {
@@ -106,14 +107,14 @@ class StyleTimer {
 
   template <class Fn>
   double milliseconds(RayOrder order, const Fn& work) {
-    TraceParams trace = trace_params(params_, stage_);
+    TraceParams trace = trace_params(params_.sampling, stage_);
     trace.order = order;
     std::vector<double> all;
     for (int i = 0; i < kPaperRepetitions; ++i) all.push_back(1e3 * second_run([&] { work(trace); }));
     return median(all);
   }
 
-  Stage stage_;
+  JobStage stage_;
   RenderParams params_;
   int frame_;
   const ThreadPool& pool_;

@@ -12,8 +12,9 @@
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "frames/frame.hpp"
+#include "job/job_stage.hpp"
 #include "lippmann/core/error.hpp"
-#include "render/frame.hpp"
 #include "trace/primary.hpp"
 #include "trace/scene_query.hpp"
 #include "trace/whitted.hpp"
@@ -155,7 +156,7 @@ Report measure_rays(const Request& request, const Context& context) {
   const ThreadPool pool(1);
   pool.run([&] {
     for (const BenchScene& setup : bench_scenes(request, context)) {
-      Stage stage(setup.params, pool, context);
+      JobStage stage(setup.params, pool, context);
       const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(setup.frame));
       stage.device.update(resolved, pool);
       const Affine3f world_from_array = world_from_display(stage.array, stage.placed.units_per_mm, resolved);

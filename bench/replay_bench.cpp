@@ -15,12 +15,13 @@
 #include "bench/rounded_json.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "frames/frame.hpp"
+#include "job/job_stage.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/image/metrics.hpp"
 #include "lippmann/replay/eye_view.hpp"
 #include "lippmann/replay/viewing.hpp"
-#include "render/frame.hpp"
 #include "replay/depth_order.hpp"
 #include "replay/rotate_elemental.hpp"
 #include "trace/first_hits.hpp"
@@ -52,7 +53,7 @@ class ReplayBench {
  public:
   ReplayBench(const RenderParams& params, int frame, const ThreadPool& pool, const Context& context)
       : pool_(pool), context_(context), stage_(params, pool, context), params_(params) {
-    recorded_ = {stage_.placed.optics, render_frame(stage_, params, frame, pool, context).pictures.film};
+    recorded_ = {stage_.placed.optics, render_frame(stage_, params.sampling, frame, pool, context).pictures.film};
     world_from_display_ = stage_.moment_at(frame).world_from_display;
     grid_ = lens_grid(optics());
     view_.size = grid_;
@@ -84,7 +85,7 @@ class ReplayBench {
     Image film;
     FrameAovs aovs;
     aovs.want(Aov::kDepth);
-    const TraceParams trace = trace_params(params_, stage_);
+    const TraceParams trace = trace_params(params_.sampling, stage_);
     trace_frame(stage_.device, pinhole, world_from_display_ * moved, trace, pool_, context_, film);
     find_first_hits(stage_.device, pinhole, world_from_display_ * moved, trace.order, nullptr, pool_, aovs);
     return {every_column(film, per_lens), every_column(aovs[Aov::kDepth], per_lens)};
@@ -105,7 +106,7 @@ class ReplayBench {
  private:
   const ThreadPool& pool_;
   const Context& context_;
-  Stage stage_;
+  JobStage stage_;
   RenderParams params_;
   RenderedPanel recorded_;
   Affine3f world_from_display_;

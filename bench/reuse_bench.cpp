@@ -21,9 +21,9 @@ constexpr int kRounds = 3;
 
 /// Plain interpolation, whose errors have no bound, is in `lippmann bench paper`.
 std::vector<ReuseMethod> reuse_methods(RenderParams params) {
-  params.reuse.mode = Reuse::kExact;
+  params.reuse.choice = ReuseChoice::kCopy;
   const ReuseMethod exact{"exact", params};
-  params.reuse.mode = Reuse::kForward;
+  params.reuse.choice = ReuseChoice::kInterpolate;
   params.reuse.min_psnr_db = kFloor;
   return {exact, {fmt::format("forward, {:.0f} dB", kFloor), params}};
 }

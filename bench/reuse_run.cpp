@@ -6,10 +6,11 @@
 #include <cmath>
 #include <memory>
 
+#include "frames/frame_maker.hpp"
+#include "job/job_stage.hpp"
+#include "job/reuse_params.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
-#include "render/frame_maker.hpp"
-#include "render/reuse_params.hpp"
 #include "reuse/frame_plan.hpp"
 
 namespace lippmann::bench {
@@ -151,17 +152,17 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
   std::vector<ReuseRun> runs;
   const Panel& panel = stage.placed.optics.panel;
   for (const ReuseMethod& method : methods) {
-    makers.push_back(make_frame_maker(stage, method.params, pool, context));
+    makers.push_back(make_frame_maker(stage, frame_params(method.params), pool, context));
     const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
-    runs.push_back({animation.name, method.name, key_frame_interval(method.params), pixels, {}});
+    runs.push_back({animation.name, method.name, method.params.reuse.keyframes.value_or(kDefaultKeyframes), pixels, {}});
   }
-  render_frame(stage, animation.params, animation.first, pool, context);  // warms up
+  render_frame(stage, animation.params.sampling, animation.first, pool, context);  // warms up
   TracedFrames traced;
   for (int first = animation.first; first < end; first += kTurn) {
     begin_step(request, context, fmt::format("{}: frames {} to {}", animation.name, first, std::min(first + kTurn, end) - 1));
     for (int frame = first; frame <= std::min(first + kTurn, last_of_all); ++frame) {
       if (traced.contains(frame)) continue;
-      const RenderedFrame rendered = render_frame(stage, animation.params, frame, pool, context);
+      const RenderedFrame rendered = render_frame(stage, animation.params.sampling, frame, pool, context);
       stop_if_cancelled(context);
       traced[frame] = {to_codes(rendered.pictures.film, encoding), rendered.report.cpu_seconds};
     }
@@ -170,7 +171,7 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
         const FrameInterval keys = key_interval(frame, runs[m].keyframes, last_of_all);
         RenderedFrame made = makers[m]->make(frame);
         stop_if_cancelled(context);
-        runs[m].frames.push_back(compare(made, traced, keys, encoding, methods[m].params.reuse.mode == Reuse::kExact));
+        runs[m].frames.push_back(compare(made, traced, keys, encoding, methods[m].params.reuse.choice == ReuseChoice::kCopy));
         makers[m]->recycle(std::move(made.pictures.film));
       }
     traced.erase(traced.begin(), traced.lower_bound(first + kTurn));
@@ -183,7 +184,7 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
                                 const Request& request, const Context& context, int rounds) {
   const ThreadPool pool(resolved_threads(context));
-  Stage stage(animation.params, pool, context);
+  JobStage stage(animation.params, pool, context);
   std::vector<ReuseRun> runs = run_round(stage, animation, methods, request, pool, context);
   for (int round = 1; round < rounds; ++round) {
     const std::vector<ReuseRun> again = run_round(stage, animation, methods, request, pool, context);

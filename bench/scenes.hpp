@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "render/params.hpp"
+#include "job/params.hpp"
 
 namespace lippmann::bench {
 

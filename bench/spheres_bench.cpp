@@ -9,8 +9,9 @@
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "frames/frame.hpp"
+#include "job/job_stage.hpp"
 #include "lippmann/core/error.hpp"
-#include "render/frame.hpp"
 #include "trace/device_scene_impl.hpp"
 #include "trace/packet_source.hpp"
 #include "trace/scene_query.hpp"
@@ -104,7 +105,7 @@ Report measure_spheres(const Request& request, const Context& context) {
   pool.run([&] {
     for (const BenchScene& setup : bench_scenes(wanted, context)) {
       begin_step(request, context, fmt::format("spheres: {}", setup.name));
-      Stage stage(setup.params, pool, context);
+      JobStage stage(setup.params, pool, context);
       const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(setup.frame));
       PrimitiveTable<WorldSphere> table = world_spheres(stage.scene, resolved);
       if (table.primitives.empty()) throw Error(setup.name, "it has no spheres", "a scene with spheres, such as small-balls");

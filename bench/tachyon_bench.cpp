@@ -12,8 +12,9 @@
 #include "bench/program.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "frames/frame.hpp"
+#include "job/job_stage.hpp"
 #include "lippmann/core/error.hpp"
-#include "render/frame.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -34,7 +35,7 @@ class OurFrame {
       : params_(with_optics(std::move(params), optics)), stage_(params_, pool, context), pool_(pool), context_(context) {}
 
   double seconds() {
-    return second_run([&] { render_frame(stage_, params_, 0, pool_, context_); });
+    return second_run([&] { render_frame(stage_, params_.sampling, 0, pool_, context_); });
   }
 
  private:
@@ -45,7 +46,7 @@ class OurFrame {
   }
 
   RenderParams params_;
-  Stage stage_;
+  JobStage stage_;
   const ThreadPool& pool_;
   const Context& context_;
 };

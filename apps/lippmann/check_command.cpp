@@ -10,9 +10,9 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "core/printable.hpp"
-#include "render/folder_check.hpp"
-#include "render/param_text.hpp"
-#include "render/params.hpp"
+#include "job/folder_check.hpp"
+#include "job/param_text.hpp"
+#include "job/params.hpp"
 
 namespace lippmann::app {
 namespace {

@@ -93,6 +93,22 @@ int report(const CLI::ParseError& outcome, const CLI::App& root) {
 
 }  // namespace
 
+std::string with_flags(std::string_view text) {
+  constexpr std::string_view kOfNames = "abcdefghijklmnopqrstuvwxyz-";
+  std::string said;
+  while (!text.empty()) {
+    const std::size_t open = text.find('`');
+    said += text.substr(0, open);
+    if (open == text.npos) break;
+    text.remove_prefix(open + 1);
+    const std::size_t end = text.find_first_not_of(kOfNames);
+    const bool is_name = end != text.npos && end > 0 && text[end] == '`';
+    said += is_name ? fmt::format("--{}", text.substr(0, end)) : "`";
+    if (is_name) text.remove_prefix(end + 1);
+  }
+  return said;
+}
+
 const Flag& Flag::required() const { return option_->required(), *this; }
 const Flag& Flag::type_name(const std::string& name) const { return option_->type_name(name), *this; }
 const Flag& Flag::group(const std::string& heading) const { return option_->group(heading), *this; }
@@ -167,6 +183,15 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     return report(outcome, *app_);
   }
   return std::nullopt;
+}
+
+std::string CommandLine::message_of(const Error& error) const {
+  const std::string flag = "--" + error.where();
+  const std::vector<CLI::App*> commands = app_->get_subcommands([](CLI::App*) { return true; });
+  const bool is_flag = error.kind() == ErrorKind::kUsage &&
+                       std::any_of(commands.begin(), commands.end(),
+                                   [&](CLI::App* command) { return command->get_option_no_throw(flag) != nullptr; });
+  return (is_flag ? "--" : "") + with_flags(error.what());
 }
 
 }  // namespace lippmann::app

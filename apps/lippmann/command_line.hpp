@@ -7,7 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "lippmann/core/error.hpp"
 
 namespace CLI {
 class App;
@@ -15,6 +18,9 @@ class Option;
 }  // namespace CLI
 
 namespace lippmann::app {
+
+/// The library names its parameters in backquotes, `min-psnr`: the text with flags, --min-psnr, in place of these.
+std::string with_flags(std::string_view text);
 
 /// A flag, or an argument without a name, that a command has declared.
 class Flag {
@@ -71,6 +77,9 @@ class CommandLine {
   /// None: a command was named and is ready to run. Else all is said, on stdout --help or --version, on stderr one line about
   /// wrong usage, and this is the exit code.
   std::optional<int> parse(int argc, char** argv);
+
+  /// What an Error says, in the words of the command line.
+  std::string message_of(const Error& error) const;
 
  private:
   std::unique_ptr<CLI::App> app_;

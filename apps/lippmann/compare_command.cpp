@@ -14,8 +14,8 @@
 #include "compare/plot.hpp"
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
-#include "render/param_text.hpp"
-#include "render/params.hpp"
+#include "job/param_text.hpp"
+#include "job/params.hpp"
 
 namespace lippmann::app {
 namespace {

@@ -11,10 +11,10 @@
 #include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
+#include "job/render_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/convert.hpp"
-#include "render/render_folder.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -79,7 +79,8 @@ int run(const ConvertOptions& options, const Context& context) {
 
 std::string formats_help() {
   std::string text = "Formats:\n";
-  for (const LightFieldFormat& format : light_field_formats()) text += fmt::format("  {:<10}  {}\n", format.name, format.is);
+  for (const LightFieldFormat& format : light_field_formats())
+    text += fmt::format("  {:<10}  {}\n", format.name, with_flags(format.is));
   return text + "See docs/layouts.md for each, with an example.";
 }
 

@@ -13,9 +13,9 @@
 #include "apps/lippmann/progress.hpp"
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
+#include "job/param_text.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
-#include "render/param_text.hpp"
 #include "video/encode_frames.hpp"
 
 namespace lippmann::app {

@@ -8,7 +8,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/param_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "render/scene_info.hpp"
+#include "job/scene_info.hpp"
 
 namespace lippmann::app {
 namespace {

@@ -38,6 +38,16 @@ void check_stack_limit() {
                 fmt::format("at least {} KB", kLeastBytes >> 10));
 }
 
+/// Its exit code; Errors are said in the words of the command line.
+int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
+  try {
+    return chosen(context);
+  } catch (const Error& error) {
+    fmt::print(stderr, "lippmann: {}\n", command_line.message_of(error));
+    return error.exit_code();
+  }
+}
+
 int run(int argc, char** argv) {
   check_stack_limit();
   CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
@@ -56,9 +66,9 @@ int run(int argc, char** argv) {
   add_bench_command(root, chosen);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;
   Context context;
-  context.warn = [](std::string_view text) { fmt::print(stderr, "warning: {}\n", text); };
+  context.warn = [](std::string_view text) { fmt::print(stderr, "warning: {}\n", with_flags(text)); };
   const InterruptGuard interrupt(context.cancelled);
-  const int code = chosen(context);
+  const int code = run_command(command_line, chosen, context);
   const int interrupted = InterruptGuard::exit_code();
   return interrupted != 0 ? interrupted : code;
 }

@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "apps/lippmann/command_line.hpp"
+#include "job/job_file.hpp"
+#include "job/params_table.hpp"
 #include "lippmann/core/error.hpp"
-#include "render/job_file.hpp"
-#include "render/params_table.hpp"
 
 namespace lippmann::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/params.hpp"
+#include "job/params.hpp"
 
 namespace lippmann::app {
 

@@ -16,14 +16,15 @@
 #include "apps/lippmann/render_progress.hpp"
 #include "core/folder.hpp"
 #include "core/printable.hpp"
+#include "job/animation.hpp"
+#include "job/job_file.hpp"
+#include "job/job_stage.hpp"
+#include "job/reuse_sentence.hpp"
+#include "job/shared_light.hpp"
+#include "job/single_clip.hpp"
+#include "job/size_estimate.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/crosstalk.hpp"
-#include "render/animation.hpp"
-#include "render/frame.hpp"
-#include "render/job_file.hpp"
-#include "render/shared_light.hpp"
-#include "render/single_clip.hpp"
-#include "render/size_estimate.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -51,32 +52,6 @@ std::string describe_pictures(const Planned& plan) {
                      plan.picture_size.x, plan.picture_size.y);
 }
 
-/// How much of frames that are the same bits as traced ones was copied.
-std::string describe_exact_reuse(const RenderReport& report) {
-  double reused = 0.0;
-  for (const FrameReport& frame : report.frames) reused += static_cast<double>(frame.reused_pixels);
-  const double pixels = static_cast<double>(report.optics.panel.width) * report.optics.panel.height;
-  return fmt::format("{:.1f} % of all pixels copied from key frames, provably unchanged",
-                     100.0 * reused / (pixels * static_cast<double>(report.frames.size())));
-}
-
-/// How much was traced and how much interpolated from that.
-std::string describe_forward_reuse(const RenderReport& report) {
-  std::uint64_t keys = report.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
-  for (const FrameReport& frame : report.frames) {
-    keys += frame.kind == "key";
-    made += frame.kind == "in-between";
-    missed += frame.missed_pixels, newly_visible += frame.newly_visible_pixels, retraced += frame.retraced_pixels;
-  }
-  const double pixels = static_cast<double>(report.optics.panel.width) * report.optics.panel.height;
-  const double percent = 100.0 / std::max(pixels * static_cast<double>(made), 1.0);
-  return fmt::format(
-      "{} frames made between {} sources; {:.2f} % of their pixels missed ({:.2f} newly visible, {:.2f} not "
-      "covered), {}",
-      made, keys, percent * static_cast<double>(missed), percent * static_cast<double>(newly_visible),
-      percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
-}
-
 /// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
 bool can_be_replayed(const RenderReport& report) {
   return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.output.mirror;
@@ -84,7 +59,7 @@ bool can_be_replayed(const RenderReport& report) {
 
 /// With what the pictures were made, and what makes better ones.
 std::string describe_paths(const RenderParams& params) {
-  const int samples = samples_per_pixel(params);
+  const int samples = samples_per_pixel(params.sampling);
   return fmt::format("path traced with {} samples a pixel{}", samples,
                      samples < kPathSamples ? fmt::format("; --spp {} for less noise", kPathSamples) : "");
 }
@@ -113,19 +88,14 @@ void print_summary(const RenderReport& report, const Planned& plan, const std::s
         line("video", video);
         line("play", "ffplay -loop 0 " + shell_word(video));
       }
-    if (report.params.reuse.mode == Reuse::kForward) line("reuse", describe_forward_reuse(report));
-    if (report.params.reuse.mode == Reuse::kExact && integrator_of(report.params) == Integrator::kPath) {
-      line("reuse", shared_light_sentence(report.frames));
-      if (const std::optional<double> floor = report.params.reuse.min_psnr_db)
-        for (const std::string& warning :
-             {below_floor_sentence(report.frames, *floor), unmeasured_sentence(report.frames, *floor)})
-          if (!warning.empty()) line("warning", warning);
-    } else if (report.params.reuse.mode == Reuse::kExact && frames > 1) {
-      line("reuse", describe_exact_reuse(report));
-    }
+    if (frames > 1 || !std::holds_alternative<CopySettled>(report.reuse)) line("reuse", reuse_sentence(report));
+    if (const auto* light = std::get_if<ShareLight>(&report.reuse); light && light->min_psnr_db)
+      for (const std::string& warning :
+           {below_floor_sentence(report.frames, *light->min_psnr_db), unmeasured_sentence(report.frames, *light->min_psnr_db)})
+        if (!warning.empty()) line("warning", warning);
     if (can_be_replayed(report)) line("one eye", program + " replay " + shell_word(folder.string()));
   }
-  if (integrator_of(report.params) == Integrator::kPath) line("shading", describe_paths(report.params));
+  if (integrator_of(report.params.sampling) == Integrator::kPath) line("shading", describe_paths(report.params));
   if (!report.light.empty()) line("light", report.light);
   if (!report.view.empty()) line("view", report.view);
   if (const auto done = precompensation_of(report))

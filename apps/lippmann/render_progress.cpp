@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json_text.hpp"
-#include "render/depth_budget.hpp"
-#include "render/frame.hpp"
-#include "render/size_estimate.hpp"
+#include "job/job_stage.hpp"
+#include "job/size_estimate.hpp"
+#include "stage/depth_budget.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -18,8 +18,8 @@ ProgressStyle style_of(RenderProgressKind kind) {
   return Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines;
 }
 
-std::string frame_line(const FrameReport& frame, Reuse reuse) {
-  if (frame.kind == "in-between" && reuse == Reuse::kForward)
+std::string frame_line(const FrameReport& frame, bool interpolates) {
+  if (frame.kind == "in-between" && interpolates)
     return fmt::format("frame {}: {:.3f} s, between key frames, {} pixels missed", frame.frame, frame.seconds,
                        frame.missed_pixels);
   if (frame.kind == "in-between")
@@ -54,7 +54,7 @@ void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
 
 RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& params, RenderProgressKind kind)
     : kind_(kind),
-      reuse_(params.reuse.mode),
+      interpolates_(params.reuse.choice == ReuseChoice::kInterpolate),
       frames_(static_cast<int>(plan.frames.size())),
       wanted_(static_cast<int>(plan.frames.size()) - plan.kept) {
   if (kind == RenderProgressKind::kNone) return;
@@ -76,7 +76,7 @@ void RenderProgress::traced(const FrameReport& frame) {
   if (!progress_) return;
   if (style_of(kind_) == ProgressStyle::kBar) return progress_->step("");
   const std::lock_guard lock(mutex_);
-  lines_[frame.frame] = frame_line(frame, reuse_);
+  lines_[frame.frame] = frame_line(frame, interpolates_);
 }
 
 void RenderProgress::written(int frame, std::uintmax_t bytes) {

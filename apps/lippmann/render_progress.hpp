@@ -8,7 +8,7 @@
 #include <string>
 
 #include "apps/lippmann/progress.hpp"
-#include "render/animation.hpp"
+#include "job/animation.hpp"
 
 namespace lippmann::app {
 
@@ -38,7 +38,7 @@ class RenderProgress {
   void print_object(int frame) const;
 
   RenderProgressKind kind_;
-  Reuse reuse_;
+  bool interpolates_;
   int frames_ = 0, wanted_ = 0, written_ = 0;  ///< of the animation; of these to be rendered now; on disk of those
   double bytes_ = 0.0;                         ///< of those on disk
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;

@@ -107,7 +107,7 @@ class VideoFrames : public FrameSource {
       while (count_ < (*wanted_)[taken_] && reader_.next()) ++count_;
     std::optional<Image8> picture = reader_.next();
     if (!picture && wanted_)
-      throw Error(path_.string(), fmt::format("has no frame {}, which --frames asks for", (*wanted_)[taken_]));
+      throw Error(path_.string(), fmt::format("has no frame {}, which `frames` asks for", (*wanted_)[taken_]));
     if (!picture) return std::nullopt;
     ++taken_;
     return SourceFrame{fmt::format("frame_{:04}", count_++), [picture = std::move(*picture)] { return picture; }};
@@ -135,7 +135,7 @@ void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::ve
     const std::optional<int> number = number_of(file);
     return !number || !std::binary_search(wanted.begin(), wanted.end(), *number) || missing.erase(*number) == 0;
   });
-  if (!missing.empty()) throw Error(folder.string(), fmt::format("has no frame {}, which --frames asks for", *missing.begin()));
+  if (!missing.empty()) throw Error(folder.string(), fmt::format("has no frame {}, which `frames` asks for", *missing.begin()));
 }
 
 std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::optional<std::vector<int>>& wanted) {
@@ -162,7 +162,7 @@ std::unique_ptr<FrameSource> open_frames(const fs::path& path, const std::option
   if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
   if (fs::is_directory(path, ignored)) return open_folder(path, wanted);
   if (is_video_name(path)) return std::make_unique<VideoFrames>(path, wanted);
-  if (wanted) throw usage_error("--frames", path.string() + " is one picture", "a folder or a video with it");
+  if (wanted) throw usage_error("frames", path.string() + " is one picture", "a folder or a video with it");
   return std::make_unique<PictureFiles>(SourceKind::kPicture, std::vector{path});
 }
 

@@ -138,7 +138,7 @@ Display load_display(const std::string& preset_or_path) {
   const std::string ending = lower(fs::path(preset_or_path).extension().string());
   if (ending == ".toml" || ending == ".json") return load_file(preset_or_path);
   if (const PresetFile* preset = find_preset(lower(preset_or_path))) return named_preset(*preset);
-  throw unknown_preset("--display", preset_or_path);
+  throw unknown_preset("display", preset_or_path);
 }
 
 bool is_display_preset(const std::string& name) { return find_preset(lower(name)) != nullptr; }

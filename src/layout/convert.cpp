@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 class Conversion {
  public:
-  explicit Conversion(const ConvertParams& params) : params_(params), to_(find_format(params.to, "--to")) {}
+  explicit Conversion(const ConvertParams& params) : params_(params), to_(find_format(params.to, "to")) {}
 
   void convert_one(const fs::path& in, const fs::path& out, Converted& result) const {
     FormatOptions reading = params_.options;
@@ -24,14 +24,14 @@ class Conversion {
     LightField field = source.format->read(in, source.options);
     if (to_.uses_cameras && source.rendered && source.rendered->film.grid == field.grid)
       field.cameras = source.rendered->cameras;
-    if (params_.keep) keep(field, *params_.keep, "--keep");
-    if (params_.crop) crop(field, *params_.crop, "--crop");
+    if (params_.keep) keep(field, *params_.keep, "keep");
+    if (params_.crop) crop(field, *params_.crop, "crop");
     FormatOptions writing = params_.options;
     if (source.format->name == "quilt") writing.tiles.reset();  // they are the source's
     fs::path path = out;
     if (to_.name != "quilt" && parse_quilt_name(path))
       throw usage_error("OUT", path.string() + " is the name of a quilt, and the format is " + std::string(to_.name),
-                        "a name without _qs..., or --to quilt");
+                        "a name without _qs..., or `to` quilt");
     if (!to_.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(field.stack);
     const NewFolder folder(to_.is_folder ? path : path.parent_path());
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
@@ -59,7 +59,7 @@ Converted convert(const fs::path& in, const fs::path& out, const ConvertParams& 
   std::error_code ignored;
   const bool is_folder = fs::is_directory(in, ignored);
   const std::vector<fs::path> frames = is_folder ? light_field_frames(in, params.from) : std::vector<fs::path>();
-  const bool may_be_one = params.from.empty() || find_format(params.from, "--from").is_folder || !is_folder;
+  const bool may_be_one = params.from.empty() || find_format(params.from, "from").is_folder || !is_folder;
   if (frames.empty() && !may_be_one)
     throw Error(in.string(), "there are no frames in it", "frame_0000.png, frame_0001.png, ...");
   if (frames.empty()) {

@@ -45,11 +45,10 @@ ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options
   ViewGrid grid = options.views.value_or(ViewGrid{side, side});
   if (!options.views && parameters) grid = {parameters->columns, parameters->rows};
   if (!options.views && !parameters && side * side != count)
-    throw usage_error("--views", fmt::format("{} has {} views, which are no square", folder.string(), count),
-                      "CxR, such as 9x1");
+    throw usage_error("views", fmt::format("{} has {} views, which are no square", folder.string(), count), "CxR, such as 9x1");
   if (grid.count() != count)
     throw Error(folder.string(), fmt::format("it holds {} views, and not {}x{}", count, grid.columns, grid.rows),
-                "--views or a parameters.cfg that agrees");
+                "`views` or a parameters.cfg that agrees");
   return grid;
 }
 

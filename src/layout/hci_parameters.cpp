@@ -132,10 +132,10 @@ HciParameters hci_parameters(const LightField& field, const std::string& where) 
   const std::optional<double> baseline = common_baseline_mm(cameras, field.grid);
   if (!baseline)
     throw Error(where, "the views' eyes stand at distances that differ, and the format knows one baseline",
-                "views of --optics multiview --camera-grid or --optics microlens; --keep with equal steps");
+                "views of `optics` multiview `camera-grid` or `optics` microlens; `keep` with equal steps");
   if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)
     throw Error(where, "pixels are not square in views of cylindrical lenses, and the format knows no others",
-                "views of --optics multiview --camera-grid or --optics microlens");
+                "views of `optics` multiview `camera-grid` or `optics` microlens");
   HciParameters p;
   p.width = field.view_size.x, p.height = field.view_size.y;
   p.columns = field.grid.columns, p.rows = field.grid.rows;

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 ViewGrid said_views(const fs::path& path, const FormatOptions& options) {
   if (options.views) return *options.views;
-  throw usage_error("--views", path.string() + " does not say how many pixels lie below its lenses", "CxR, such as 8x1");
+  throw usage_error("views", path.string() + " does not say how many pixels lie below its lenses", "CxR, such as 8x1");
 }
 
 template <LayoutKind kind>
@@ -27,7 +27,7 @@ std::vector<fs::path> write_integral(const LightField& field, const fs::path& pa
 
 LightFieldFormat integral_format() {
   return {"integral",
-          "what lies behind a lens array; --views: pixels below each lens",
+          "what lies behind a lens array; `views`: pixels below each lens",
           false,
           false,
           read_integral<LayoutKind::kIntegral>,
@@ -36,7 +36,7 @@ LightFieldFormat integral_format() {
 
 LightFieldFormat eslf_format() {
   return {"eslf",
-          "plenoptic camera: view (u, v) from the top left is every N-th pixel from (u, v); --views 14x14 and the like",
+          "plenoptic camera: view (u, v) from the top left is every N-th pixel from (u, v); `views` 14x14 and the like",
           false,
           false,
           read_integral<LayoutKind::kEslf>,

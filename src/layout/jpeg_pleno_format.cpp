@@ -79,7 +79,7 @@ std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& 
 
 LightFieldFormat jpeg_pleno_format() {
   return {"jpeg-pleno",
-          "JPEG Pleno's folder: {row}_{column}.ppm, from the top left; --bits of its codes",
+          "JPEG Pleno's folder: {row}_{column}.ppm, from the top left; `bits` of its codes",
           true,
           false,
           read_jpeg_pleno,

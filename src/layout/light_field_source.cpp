@@ -37,12 +37,12 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   if (fs::is_directory(path, ignored)) return format_of_folder(path).value_or("views");
   if (parse_quilt_name(path)) return "quilt";
   if (source.rendering && !source.rendering->layout.empty()) return source.rendering->layout;
-  if (!source.rendered) throw usage_error("--from", "nothing says what " + path.string() + " is", "the name of a format");
+  if (!source.rendered) throw usage_error("from", "nothing says what " + path.string() + " is", "the name of a format");
   switch (source.rendered->film.kind) {
     case LayoutKind::kQuilt:
       return "quilt";
     case LayoutKind::kStack:
-      throw usage_error("--from", path.string() + " is a single view", "pictures of several");
+      throw usage_error("from", path.string() + " is a single view", "pictures of several");
     default:
       return "integral";
   }
@@ -72,7 +72,7 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   if (may_be_rendered) source.rendering = rendering_of(path);
   if (source.rendering)
     source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
-  source.format = &find_format(from.empty() ? format_of(path, source) : from, "--from");
+  source.format = &find_format(from.empty() ? format_of(path, source) : from, "from");
   if (source.format->is_folder && source.format->name != "views") source.rendering.reset(), source.rendered.reset();
   if (source.rendering && !source.rendering->has_depth_layer) source.options.with_depth = false;
   if (!source.rendered) return source;
@@ -86,7 +86,7 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
 bool is_light_field_folder(const fs::path& folder) { return format_of_folder(folder).has_value(); }
 
 std::vector<fs::path> light_field_frames(const fs::path& folder, const std::string& from) {
-  if (!from.empty()) return frames_in(folder, find_format(from, "--from").is_folder);
+  if (!from.empty()) return frames_in(folder, find_format(from, "from").is_folder);
   const std::vector<fs::path> pictures = frames_in(folder, false);
   return pictures.empty() ? frames_in(folder, true) : pictures;
 }

@@ -50,7 +50,7 @@ ViewGrid grid_of(const std::vector<MivCamera>& cameras, const FormatOptions& opt
   const ViewGrid grid = options.views.value_or(count % rows == 0 ? ViewGrid{count / rows, rows} : ViewGrid{count, 1});
   if (grid.count() != count)
     throw usage_error(
-        "--views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
+        "views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
   return grid;
 }
 

@@ -28,12 +28,12 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
   if (options.tiles) return {*options.tiles, options.tiles->count(), false, name ? std::optional(name->aspect) : std::nullopt};
   const std::optional<QuiltSideFile> side = read_quilt_side_file(path);
   if (!name && !side)
-    throw usage_error("--quilt", "the name of " + path.string() + " does not say how many tiles it has", "CxR, such as 8x6");
+    throw usage_error("quilt", "the name of " + path.string() + " does not say how many tiles it has", "CxR, such as 8x6");
   if (name && side && name->tiles != side->quilt.tiles)
     throw Error(path.string(),
                 fmt::format("its name speaks of {}x{} tiles, its side file of {}x{}", name->tiles.columns, name->tiles.rows,
                             side->quilt.tiles.columns, side->quilt.tiles.rows),
-                "--quilt with the right one");
+                "`quilt` with the right one");
   if (side) return {side->quilt.tiles, side->views, side->inverted, side->quilt.aspect};
   return {name->tiles, name->tiles.count(), false, name->aspect};
 }
@@ -52,8 +52,8 @@ LightField read_quilt(const fs::path& path, const FormatOptions& options) {
   const Quilt quilt = described(path, options);
   const ViewGrid grid = options.views.value_or(ViewGrid{quilt.views, 1});
   if (grid.count() != quilt.views)
-    throw usage_error("--views", fmt::format("{}x{} views are not as many as {}x{} tiles", grid.columns, grid.rows,
-                                             quilt.tiles.columns, quilt.tiles.rows));
+    throw usage_error("views", fmt::format("{}x{} views are not as many as {}x{} tiles", grid.columns, grid.rows,
+                                           quilt.tiles.columns, quilt.tiles.rows));
   LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles}, options.with_depth);
   if (quilt.inverted) turn_round(field);
   field.tiles = quilt.tiles;
@@ -65,7 +65,7 @@ ViewGrid tiles_for(const LightField& field, const FormatOptions& options) {
   const int count = field.grid.count();
   if (options.tiles && options.tiles->count() != count)
     throw usage_error(
-        "--quilt", fmt::format("{}x{} tiles are not as many as {} views", options.tiles->columns, options.tiles->rows, count));
+        "quilt", fmt::format("{}x{} tiles are not as many as {} views", options.tiles->columns, options.tiles->rows, count));
   if (options.tiles) return *options.tiles;
   if (field.tiles && field.tiles->count() == count) return *field.tiles;
   return field.grid.rows > 1 ? field.grid : squarest_tiles(count);
@@ -83,7 +83,7 @@ std::vector<fs::path> write_quilt(const LightField& field, const fs::path& path,
 }  // namespace
 
 LightFieldFormat quilt_format() {
-  return {"quilt",    "views side by side, the first at the bottom left (Looking Glass); --quilt: tiles",
+  return {"quilt",    "views side by side, the first at the bottom left (Looking Glass); `quilt`: tiles",
           false,      false,
           read_quilt, write_quilt};
 }

@@ -31,7 +31,7 @@ LightField read_views(const fs::path& folder, const FormatOptions& options) {
   const ViewGrid grid = options.views.value_or(ViewGrid{count, 1});
   if (grid.count() != count)
     throw usage_error(
-        "--views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
+        "views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
   std::vector<fs::path> by_view;
   for (const NumberedFile& file : files) by_view.push_back(file.path);
   LightField field = read_view_files(by_view, grid);
@@ -47,7 +47,7 @@ std::vector<fs::path> write_views(const LightField& field, const fs::path& folde
 }  // namespace
 
 LightFieldFormat views_format() {
-  return {"views",    "a folder of view_000.png, ...; from left to right, then upwards; --views: across and up",
+  return {"views",    "a folder of view_000.png, ...; from left to right, then upwards; `views`: across and up",
           true,       false,
           read_views, write_views};
 }

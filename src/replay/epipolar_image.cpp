@@ -22,7 +22,7 @@ void set(Image& picture, int x, int y, Vec3f color) { std::copy_n(&color.x, 3, p
 
 Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter) {
   const Vec2i grid = lens_grid(rendered.optics);
-  check_line("--epi", row, grid.y, "row");
+  check_line("epi", row, grid.y, "row");
   const int eyes = view_counts(rendered.optics).x;
   const Window window = display_window(rendered.optics);
   const EyeSampler sampler(rendered, filter);
@@ -36,9 +36,9 @@ Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter) 
 
 Image epipolar_column(const RenderedPanel& rendered, int column, SampleFilter filter) {
   if (!parallax_of(rendered.optics).along)
-    throw usage_error("--epi-column", "these optics have no vertical parallax", "--epi, or pictures of a microlens array");
+    throw usage_error("epi-column", "these optics have no vertical parallax", "`epi`, or pictures of a microlens array");
   const Vec2i grid = lens_grid(rendered.optics);
-  check_line("--epi-column", column, grid.x, "column");
+  check_line("epi-column", column, grid.x, "column");
   const int eyes = view_counts(rendered.optics).y;
   const Window window = display_window(rendered.optics);
   const EyeSampler sampler(rendered, filter);

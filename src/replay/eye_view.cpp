@@ -39,17 +39,17 @@ void validate(const EyeView& view) {
   const Vec3d eye = view.eye_mm;
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::abs(eye[axis]) <= kFarthestMm))
-      throw usage_error("--eye", fmt::format("({}, {}, {}) mm is no place", eye.x, eye.y, eye.z),
+      throw usage_error("eye", fmt::format("({}, {}, {}) mm is no place", eye.x, eye.y, eye.z),
                         "X,Y,Z in mm of the display frame");
   if (!(eye.z >= kNearestMm))
-    throw usage_error("--eye", fmt::format("an eye at z = {} mm is not in front of the display plane z = 0", eye.z),
+    throw usage_error("eye", fmt::format("an eye at z = {} mm is not in front of the display plane z = 0", eye.z),
                       fmt::format("z of at least {} mm", kNearestMm));
   if (!(view.pupil_mm >= 0.0 && view.pupil_mm <= kFarthestMm) || view.pupil_points < 1)
-    throw usage_error("--pupil", fmt::format("{} mm is no diameter", view.pupil_mm), "0 (a pinhole) or more");
+    throw usage_error("pupil", fmt::format("{} mm is no diameter", view.pupil_mm), "0 (a pinhole) or more");
   if (!(std::abs(view.focus_mm) <= kFarthestMm && view.focus_mm < 0.999 * eye.z))
-    throw usage_error("--focus", fmt::format("{} mm is no depth before the eye", view.focus_mm), "a depth below the eye's z");
+    throw usage_error("focus", fmt::format("{} mm is no depth before the eye", view.focus_mm), "a depth below the eye's z");
   if (!(view.crosstalk_px >= 0.0 && view.crosstalk_px <= kMaxBlurPx))
-    throw usage_error("--crosstalk", fmt::format("{} pixels", view.crosstalk_px), fmt::format("0 to {}", kMaxBlurPx));
+    throw usage_error("crosstalk", fmt::format("{} pixels", view.crosstalk_px), fmt::format("0 to {}", kMaxBlurPx));
 }
 
 Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadPool& pool) {

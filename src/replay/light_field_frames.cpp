@@ -34,7 +34,7 @@ Picture panel_picture(const LightField& field, const ViewLayout& film) {
 ViewLayout film_of(const Optics& optics, const std::string& where) {
   if (const std::optional<RenderedViews> rendered = rendered_views(optics)) return rendered->film;
   throw Error(where, "its lenses have no whole number of pixels, so that no views can be put back behind them",
-              "pictures of --layout integral or native");
+              "pictures of `layout` integral or native");
 }
 
 /// Whether a picture is as the panel of these optics shows it.
@@ -95,9 +95,9 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldSaid& said) {
   const fs::path& first = frames.files.front();
   if (said.view_angle_deg)
-    throw usage_error("--view-angle", "the report of the render says where the views were seen from", "no --view-angle");
+    throw usage_error("view-angle", "the report of the render says where the views were seen from", "no `view-angle`");
   if (rendering.mirrored)
-    throw Error(first.string(), "the pictures are mirrored, to be printed on the back of a sheet", "a render without --mirror");
+    throw Error(first.string(), "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
   frames.optics = rendering.optics;
   frames.frames_per_second = rendering.frames_per_second.value_or(frames.frames_per_second);
   std::error_code ignored;
@@ -115,13 +115,13 @@ LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& sour
   const LightField field = source.format->read(first, source.options);
   if (field.cameras) {
     if (said.view_angle_deg)
-      throw usage_error("--view-angle", first.string() + " says where its cameras stood", "no --view-angle");
+      throw usage_error("view-angle", first.string() + " says where its cameras stood", "no `view-angle`");
     frames.optics = optics_of_cameras(field, first.string());
   } else {
     frames.optics = assumed_optics(field, said.view_angle_deg);
     frames.assumption = fmt::format(
         "Nothing says where the cameras of {} stood. Assumed: a display {:.4g} mm high, seen from {:.4g} mm, whose views "
-        "spread over {:.4g} degrees. --view-angle sets another angle.",
+        "spread over {:.4g} degrees. `view-angle` sets another angle.",
         first.string(), kWindowHeightMm, kDistanceMm,
         said.view_angle_deg.value_or(field.grid.rows > 1 ? kGridAngleDeg : kConeDeg));
   }
@@ -190,7 +190,7 @@ LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldSai
     if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, said);
     if (!parse_quilt_name(first))
       throw Error(first.string(), "nothing says what this picture is: it has no report.json beside it, and no quilt's name",
-                  "--from FORMAT, such as --from integral --views 8x1; `lippmann convert --help` lists the formats");
+                  "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann convert --help` lists the formats");
   }
   const LightFieldSource source = light_field_source(first, said.from, options_of(said));
   if (source.rendering) return of_render(std::move(frames), *source.rendering, said);

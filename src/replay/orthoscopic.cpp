@@ -22,7 +22,7 @@ SpocDisplay display_as_recorded(const Optics& recorded) {
   if (const auto* sheet = std::get_if<LenticularSheet>(&recorded.model))
     return of(*sheet, sheet->lens_pitch_mm / std::cos(double{sheet->slant}) / m);
   if (const auto* array = std::get_if<MicrolensArray>(&recorded.model)) return of(*array, array->lens_pitch_mm / m);
-  throw usage_error("--spoc", "the picture was not recorded by a lens array", "pictures of --optics lenticular or microlens");
+  throw usage_error("spoc", "the picture was not recorded by a lens array", "pictures of `optics` lenticular or microlens");
 }
 
 struct Conversion {

@@ -9,7 +9,7 @@
 namespace lippmann {
 
 PrecompensatedFrames precompensate_frames(const PrecompensateParams& params, const Context& context) {
-  constexpr const char* kFlag = "--precompensate";
+  constexpr const char* kFlag = "precompensate";
   RenderedFrames frames =
       params.optics ? RenderedFrames{*params.optics, pictures_of(params.in)} : find_rendered_frames(params.in);
   Image nothing;

@@ -19,12 +19,12 @@ namespace fs = std::filesystem;
 /// Lens arrays are replayed from what lies behind them, views of them are not.
 void check_layout(const Rendering& rendering, const std::string& where) {
   if (rendering.mirrored)
-    throw Error(where, "the pictures are mirrored, to be printed on the back of a sheet", "a render without --mirror");
+    throw Error(where, "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
   const std::string& layout = rendering.layout;
   const bool is_quilt = std::holds_alternative<MultiView>(rendering.optics.model);
   if (layout == "views" || (layout == "quilt" && !is_quilt) || (layout == "integral" && is_quilt))
     throw Error(where, "the pictures are " + shown(layout) + ", not what the display itself shows",
-                "a render without --layout, or what `lippmann convert --to integral` makes of it");
+                "a render without `layout`, or the same converted to integral");
 }
 
 bool is_frame(const fs::directory_entry& entry) {

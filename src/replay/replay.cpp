@@ -80,7 +80,7 @@ class Replay {
     const Vec2i size = view_.size;
     if (size == Vec2i(0)) return;
     if (size.x < 1 || size.y < 1 || size.x > kMaxSide || size.y > kMaxSide || std::int64_t{size.x} * size.y > kMaxPixels)
-      throw usage_error("--size", fmt::format("{}x{} pixels", size.x, size.y),
+      throw usage_error("size", fmt::format("{}x{} pixels", size.x, size.y),
                         fmt::format("sides from 1 to {}, at most {} pixels", kMaxSide, kMaxPixels));
   }
 
@@ -95,15 +95,15 @@ class Replay {
 
   void check_products() const {
     if (params_.ipd_mm && !(std::abs(*params_.ipd_mm) <= 1e6))
-      throw usage_error("--ipd", fmt::format("{} mm is no distance of eyes", *params_.ipd_mm));
-    if (params_.refocus_mm) validate_depth(frames_.optics, *params_.refocus_mm, "--refocus");
+      throw usage_error("ipd", fmt::format("{} mm is no distance of eyes", *params_.ipd_mm));
+    if (params_.refocus_mm) validate_depth(frames_.optics, *params_.refocus_mm, "refocus");
     if (params_.focal_stack)
       for (const double z : {params_.focal_stack->first_mm, params_.focal_stack->last_mm})
-        validate_depth(frames_.optics, z, "--focal-stack");
+        validate_depth(frames_.optics, z, "focal-stack");
     if (params_.all_in_focus && !params_.focal_stack)
-      throw usage_error("--all-in-focus", "nothing says which depths", "--focal-stack Z0:Z1:N");
+      throw usage_error("all-in-focus", "nothing says which depths", "`focal-stack` Z0:Z1:N");
     if (!params_.video.empty() && asks_for_more() && !params_.ipd_mm && params_.sweep == 0)
-      throw usage_error("--video", "there is nothing of which a video is made", "eye views, --ipd or --sweep");
+      throw usage_error("video", "there is nothing of which a video is made", "eye views, `ipd` or `sweep`");
   }
 
   ReplayFiles::Settings file_settings() const {

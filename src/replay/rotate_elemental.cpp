@@ -45,7 +45,7 @@ PixelMap rotated_elemental_images(const Optics& optics, const std::string& where
   const Vec2i pixels = whole_pixels_per_lens(optics);
   if (pixels.x < 1)
     throw Error(where, "elemental images can only be rotated where whole pixels lie below every lens",
-                "a picture of such an array, or smart conversion (--spoc), which needs none");
+                "a picture of such an array, or smart conversion (`spoc`), which needs none");
   return map_of(optics.panel, [&](int x, int y) { return Vec2i(turned(x, pixels.x), turned(y, pixels.y)); });
 }
 

@@ -59,9 +59,9 @@ PixelMap map_rays(const Optics& display, const SpocParams& params, const Recorde
 
 void check(const SpocParams& params) {
   if (!(std::abs(params.distance_mm) <= 1e6))
-    throw usage_error("--spoc", fmt::format("{} mm is no distance", params.distance_mm));
+    throw usage_error("spoc", fmt::format("{} mm is no distance", params.distance_mm));
   if (!(params.reference_mm > 0.0 && params.reference_mm <= 1e6))
-    throw usage_error("--reference-plane", fmt::format("{} mm", params.reference_mm),
+    throw usage_error("reference-plane", fmt::format("{} mm", params.reference_mm),
                       "a distance before the recording array, > 0");
 }
 
@@ -69,7 +69,7 @@ void check(const SpocParams& params) {
 
 Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
   if (display.pixels < 1 || display.pixels > 4096 || !(display.lens_pitch_mm > 0.0))
-    throw usage_error("--lens-pixels", fmt::format("{} pixels below lenses of {} mm", display.pixels, display.lens_pitch_mm));
+    throw usage_error("lens-pixels", fmt::format("{} pixels below lenses of {} mm", display.pixels, display.lens_pitch_mm));
   Optics optics = recorded;
   const Vec2d window = display_window(recorded).size;
   const auto set_lens = [&](auto& model, double pitch_along_x, bool lenses_along) {
@@ -90,11 +90,11 @@ Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
   else if (auto* array = std::get_if<MicrolensArray>(&optics.model))
     array->offset_mm = set_lens(*array, display.lens_pitch_mm, true);
   else
-    throw usage_error("--spoc", "the picture was not recorded by a lens array", "pictures of --optics lenticular or microlens");
+    throw usage_error("spoc", "the picture was not recorded by a lens array", "pictures of `optics` lenticular or microlens");
   try {
     validate(optics);
   } catch (const Error& error) {
-    throw usage_error("--spoc", "the display makes no rays: " + error.where() + " " + error.problem(), error.accepted());
+    throw usage_error("spoc", "the display makes no rays: " + error.where() + " " + error.problem(), error.accepted());
   }
   return optics;
 }
@@ -107,7 +107,7 @@ PixelMap spoc(const Optics& recorded, const Optics& display, const SpocParams& p
   }
   const auto* array = std::get_if<MicrolensArray>(&recorded.model);
   if (!array)
-    throw usage_error("--spoc", "the picture was not recorded by a lens array", "pictures of --optics lenticular or microlens");
+    throw usage_error("spoc", "the picture was not recorded by a lens array", "pictures of `optics` lenticular or microlens");
   const MicrolensSight sight(recorded.panel, *array);
   return map_rays(display, params, RecordedPixels(recorded, sight, params.reference_mm));
 }

@@ -144,12 +144,11 @@ AnyLanding landing(const Panel& panel, const SingleView& view, SplatMode) { retu
 
 AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mode) {
   if (mode == SplatMode::kLens)
-    throw usage_error("--splat", "a slanted panel's lenses run across its rows: points do not stay below theirs",
-                      "--splat view");
+    throw usage_error("splat", "a slanted panel's lenses run across its rows: points do not stay below theirs", "`splat` view");
   const bool blue_first = slanted.sub_pixels == striped_sub_pixels(true);
   if (!blue_first && slanted.sub_pixels != striped_sub_pixels())
-    throw usage_error("--reuse", "forward does not interpolate frames of panels whose sub-pixels do not lie in stripes",
-                      "--reuse exact or none, or a quilt, which forward can interpolate");
+    throw usage_error("reuse", "interpolate does not know panels whose sub-pixels do not lie in stripes",
+                      "`reuse` copy or none, or a quilt, which can be interpolated");
   const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
   const auto width = static_cast<float>(panel.width), height = static_cast<float>(panel.height);
   const double per_sub_pixel = c.lenses_per_px / 3.0;

@@ -21,7 +21,7 @@ struct MotionGroups {
   std::vector<int> node_of_group;              ///< group 0 stands still: -1
 };
 
-/// Meshes that change their shape are not carried right: what interpolates frames refuses them (render/frame_maker.cpp).
+/// Meshes that change their shape are not carried right: what interpolates frames refuses them (frames/frame_maker.cpp).
 MotionGroups make_motion_groups(const Scene& scene);
 
 struct GroupMotion {

@@ -98,8 +98,7 @@ void require_readable_file(const fs::path& path) {
 void require_folder(const fs::path& asset_root) {
   std::error_code failure;
   if (!asset_root.empty() && !fs::is_directory(asset_root, failure))
-    throw usage_error("--asset-root", fmt::format("{} is not a folder", asset_root.string()),
-                      "the folder of a scene's textures");
+    throw usage_error("asset-root", fmt::format("{} is not a folder", asset_root.string()), "the folder of a scene's textures");
 }
 
 /// Lamps that are seen are something to see, too.
@@ -127,9 +126,9 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
   require_folder(options.asset_root);
   if (!format) throw Error(path.string(), "is not a scene format that is known", accepted_names());
   if (options.camera_path && !format->takes_camera_path)
-    throw usage_error("--camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
+    throw usage_error("camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
   if (!options.animation.empty() && !format->has_animations)
-    throw usage_error("--animation", fmt::format("{} has no animations to choose from", path.string()), "a glTF scene");
+    throw usage_error("animation", fmt::format("{} has no animations to choose from", path.string()), "a glTF scene");
   Scene scene = format->load(path, options, context);
   if (!format->may_be_empty) require_surfaces(scene, path);
   return scene;
@@ -144,9 +143,9 @@ const BuiltinScene* find_builtin(const std::string& name) {
 /// Another frame rate shows the same motion in the same time.
 Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
   if (options.camera_path)
-    throw usage_error("--camera-path", fmt::format("{} brings its own cameras", builtin.name), "a Tachyon .dat scene");
+    throw usage_error("camera-path", fmt::format("{} brings its own cameras", builtin.name), "a Tachyon .dat scene");
   if (!options.animation.empty())
-    throw usage_error("--animation", fmt::format("{} has no animations to choose from", builtin.name), "a glTF scene");
+    throw usage_error("animation", fmt::format("{} has no animations to choose from", builtin.name), "a glTF scene");
   Scene scene = builtin.build();
   Timeline& timeline = scene.timeline;
   if (options.frames_per_second > 0.0) {

@@ -46,13 +46,13 @@ bool is_allowed(const SideFolders& folders, std::string_view name, const std::st
 fs::path side_file(const SideFolders& folders, std::string_view name, const std::string& where) {
   if (!is_allowed(folders, name, where))
     throw Error(where, fmt::format("{} is not a file of this scene's folder", shown(name)),
-                "a file in the scene's own folder or below it; --asset-root DIR also allows files below DIR");
+                "a file in the scene's own folder or below it; `asset-root` DIR also allows files below DIR");
   return folder_of(folders) / name;
 }
 
 SideFile find_side_file(const SideFolders& folders, std::string_view name, const std::string& where) {
   if (!is_allowed(folders, name, where))
-    return {{}, fmt::format("{} is not a file of this scene's folder (--asset-root DIR allows files below DIR)", shown(name))};
+    return {{}, fmt::format("{} is not a file of this scene's folder (`asset-root` DIR allows files below DIR)", shown(name))};
   const fs::path path = folder_of(folders) / name;
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return {{}, fmt::format("{} does not exist", shown(name))};

@@ -114,7 +114,7 @@ void RayQueue::grow() {
   const std::size_t capacity = std::max<std::size_t>(2 * capacity_, 2048);
   if (capacity > kMostRays)
     throw Error("scene", fmt::format("mirrors that let light through split paths into more than {} rays at once", kMostRays),
-                "a smaller --max-depth: each vertex of a path may double its rays");
+                "a smaller `max-depth`: each vertex of a path may double its rays");
   auto values = std::make_unique_for_overwrite<float[]>(kFields * capacity);
   auto pixel = std::make_unique_for_overwrite<std::uint32_t[]>(capacity);
   for (std::size_t f = 0; f < kFields; ++f) std::copy_n(field(f), size_, values.get() + f * capacity);

@@ -106,7 +106,7 @@ std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int>
     const auto found = series.find(number);
     if (found == series.end())
       throw Error(from, fmt::format("frame {} is missing", number),
-                  fmt::format("all from {} to {}, or --frames with those that are there", begin, end));
+                  fmt::format("all from {} to {}, or `frames` with those that are there", begin, end));
     frames.push_back({number, found->second});
   }
   return frames;

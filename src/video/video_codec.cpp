@@ -68,7 +68,7 @@ void require_size(const fs::path& path, const Container& container, VideoCodec c
   throw Error(
       path.string(),
       fmt::format("{} holds frames of up to {} pixels a side, and these have {}", name_of(codec), longest_side(codec), side),
-      larger.empty() ? "smaller frames" : "smaller frames, or --codec (render: --video-codec) " + names(larger));
+      larger.empty() ? "smaller frames" : "smaller frames, or `codec` (render: `video-codec`) " + names(larger));
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
+#include "job/make_optics.hpp"
 #include "lippmann/scene/load.hpp"
 #include "lippmann/scene/timeline.hpp"
-#include "render/make_optics.hpp"
 
 namespace lippmann::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"
-#include "render/params_table.hpp"
+#include "job/params_table.hpp"
 
 namespace lippmann::test {
 namespace {

@@ -108,12 +108,12 @@ void expect_refusal(const fs::path& in, const fs::path& out, const ConvertParams
 TEST(Convert, what_cannot_be_is_refused) {
   const TempDir dir;
   write_png(dir / "in.png", picture8(10, 4));
-  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt), "--views", "does not say");
+  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt), "views", "does not say");
   expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{3, 1}), "in.png", "10x4");
-  expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral), "--quilt", "does not say");
-  expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral, ViewGrid{3, 1}, ViewGrid{2, 2}), "--views",
+  expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral), "quilt", "does not say");
+  expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral, ViewGrid{3, 1}, ViewGrid{2, 2}), "views",
                  "not as many");
-  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}, ViewGrid{3, 1}), "--quilt",
+  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}, ViewGrid{3, 1}), "quilt",
                  "not as many");
   expect_refusal(dir / "in.png", dir / "o.exr", params(kIntegral, kIntegral, ViewGrid{2, 1}), "o.exr", "ending");
   expect_refusal(dir / "missing.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}), "missing.png", "");

@@ -162,7 +162,7 @@ TEST(BadInterlacing, says_what_would_be_accepted) {
               }),
               HasSubstr("60x41"));
   const ConvertParams no_display{.from = "native", .to = "views", .options = {}, .crop = {}, .keep = {}};
-  EXPECT_THAT(test::error_message([&] { convert("frame.png", "views", no_display); }), HasSubstr("--display"));
+  EXPECT_THAT(test::error_message([&] { convert("frame.png", "views", no_display); }), testing::StartsWith("display"));
 }
 
 }  // namespace

@@ -50,6 +50,11 @@ foreach(picture left right focused)
   require_file(${work}/seen/${picture}.png)
 endforeach()
 
+run(${examples}/data_set ${work}/data)
+foreach(file input_Cam000.png input_Cam008.png gt_depth_lowres.pfm parameters.cfg)
+  require_file(${work}/data/${file})
+endforeach()
+
 find_program(pkg_config pkg-config REQUIRED)
 set(ENV{PKG_CONFIG_PATH} ${work}/prefix/lib/pkgconfig)
 run(${pkg_config} --cflags --libs lippmann)

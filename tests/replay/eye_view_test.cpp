@@ -216,7 +216,7 @@ TEST(EyeView, pupil_is_focused_on_the_depth_that_it_is_told) {
   EXPECT_GT(on_plane, on_display + 6.0);
   EXPECT_GT(on_display, linear_psnr(eye_view(panel, view, pool), sharp, 5));
   view.focus_mm = 100.0;
-  EXPECT_THAT(test::error_message([&] { validate(view); }), HasSubstr("--focus"));
+  EXPECT_THAT(test::error_message([&] { validate(view); }), HasSubstr("focus"));
 }
 
 TEST(EyeView, threads_do_not_change_a_bit) {

@@ -143,9 +143,9 @@ TEST(Spoc, impossible_planes_are_refused) {
   const auto message = [](double distance, double reference) {
     return test::error_message([&] { spoc(test::sheet(), test::sheet(), {distance, reference}); });
   };
-  EXPECT_THAT(message(std::nan(""), 10.0), HasSubstr("--spoc"));
-  EXPECT_THAT(message(10.0, 0.0), HasSubstr("--reference-plane"));
-  EXPECT_THAT(message(10.0, -4.0), HasSubstr("--reference-plane"));
+  EXPECT_THAT(message(std::nan(""), 10.0), HasSubstr("spoc"));
+  EXPECT_THAT(message(10.0, 0.0), HasSubstr("reference-plane"));
+  EXPECT_THAT(message(10.0, -4.0), HasSubstr("reference-plane"));
   EXPECT_THAT(test::error_message([] { spoc(test::quilt(), test::quilt(), {}); }), HasSubstr("lens array"));
 }
 

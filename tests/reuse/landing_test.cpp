@@ -346,9 +346,9 @@ TEST(Landing, what_slanted_panels_cannot_is_refused_with_what_would_be_accepted)
     return std::string("accepted");
   };
   EXPECT_EQ(refused(SplatMode::kView), "accepted");
-  EXPECT_EQ(refused(SplatMode::kLens), "--splat");
+  EXPECT_EQ(refused(SplatMode::kLens), "splat");
   slanted.sub_pixels[1][0][2].y = 0.25f;
-  EXPECT_EQ(refused(SplatMode::kView), "--reuse");
+  EXPECT_EQ(refused(SplatMode::kView), "reuse");
 }
 
 /// The whole splat: for every pixel the nearest of all points that land on it, found one point at a time.

@@ -242,7 +242,7 @@ TEST(Whitted, paths_that_split_without_end_are_an_error_that_names_max_depth) {
     trace(s.scene, single_view(kSize));
     FAIL() << "2^1000 rays were traced";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("--max-depth"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("`max-depth`"), std::string::npos) << error.what();
   }
 }
 

@@ -305,7 +305,7 @@ struct Scene {
   std::vector<Skin> skins;
   std::vector<Light> lights;
   std::vector<Camera> cameras;              ///< the first is the default one
-  std::optional<DisplayPlacement> display;  ///< none: fitted to the first camera (render/fit_array.hpp)
+  std::optional<DisplayPlacement> display;  ///< none: fitted to the first camera (stage/fit_array.hpp)
   Background background;
   Timeline timeline;
   std::vector<std::string> animation_names;  ///< of all that the file has

@@ -144,7 +144,7 @@ std::size_t choose(const std::vector<std::string>& names, const std::string& wan
   std::size_t index = 0;
   const auto [end, problem] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
   if (problem == std::errc{} && end == wanted.data() + wanted.size() && index < names.size()) return index;
-  throw usage_error("--animation", shown(wanted) + " is not in the file", listed(names));
+  throw usage_error("animation", shown(wanted) + " is not in the file", listed(names));
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   scene.timeline.frames_per_second = frames_per_second > 0.0 ? frames_per_second : kGltfFramesPerSecond;
   for (const tinygltf::Animation& animation : document.model.animations) scene.animation_names.push_back(animation.name);
   if (scene.animation_names.empty()) {
-    if (!wanted.empty()) throw usage_error("--animation", "the file has no animations", "no --animation with it");
+    if (!wanted.empty()) throw usage_error("animation", "the file has no animations", "no `animation` with it");
     return;
   }
   const std::size_t chosen = choose(scene.animation_names, wanted);

@@ -1,0 +1,27 @@
+// A light field for research: a built-in scene seen by a grid of 3 x 3 parallel cameras, with depth and disparity, as a folder
+// of the HCI benchmark's format.
+//   data_set FOLDER
+#include <iostream>
+#include <lippmann/lippmann.hpp>
+
+using namespace lippmann;
+
+int main(int, char** argv) try {
+  const Context context;
+  const Scene scene = load_scene("primitives", {}, context);
+  Optics cameras;
+  cameras.panel = {.width = 3 * 96, .height = 3 * 96, .pixel_pitch_mm = 1.0f};
+  cameras.model = MultiView{.columns = 3, .rows = 3, .distance_mm = 300.0f, .baseline_mm = 5.0f};
+  const Placement placement = place(scene, cameras, {.fit_depth = false});
+  FrameParams params;
+  params.sampling.spp = 4;
+  params.sampling.aov = {Aov::kDepth};
+  Renderer renderer(scene, placement, params, context);
+  const RenderedFrame frame = *renderer.frame(0);
+  LightField field = light_field_of(frame.pictures.film, renderer.optics(), &frame.pictures.aovs[Aov::kDepth]);
+  field.stack = to_codes(std::get<Image>(field.stack), scene.encoding);
+  for (const auto& file : find_format("hci", "format").write(field, argv[1], {})) std::cout << file.string() << "\n";
+} catch (const Error& error) {
+  std::cerr << error.what() << "\n";
+  return error.exit_code();
+}

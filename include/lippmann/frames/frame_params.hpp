@@ -1,0 +1,64 @@
+// How the frames of a scene on its optics are made: how each is sampled, and what it takes from others. It knows no scene's
+// name, no folder and no flag.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lippmann/frames/reuse.hpp"
+#include "lippmann/optics/angular_filter.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/trace/aovs.hpp"
+#include "lippmann/trace/integrator.hpp"
+#include "lippmann/trace/ray_order.hpp"
+
+namespace lippmann {
+
+/// How a frame is traced, and which layers it has.
+struct Sampling {
+  std::optional<Integrator> integrator{};  ///< none: Whitted's
+  RayOrder order = RayOrder::kViewTiles;
+  int spp = 0;                                    ///< samples per pixel; 0: 1, of paths kPathSamples
+  std::optional<AngularFilter> angular_filter{};  ///< none: kBox for several samples of a display's quilt, see PlacedOptics
+  int max_depth = 0;                              ///< path vertices; 0: the scene's own limit
+  std::uint32_t seed = 0;
+  float clamp_indirect = 0.0f;  ///< paths: the brightest indirect contribution to a sample; 0: any
+  bool denoise = false;         ///< paths: frames are filtered (denoise/denoiser.hpp)
+  bool transparent = false;     ///< pictures have alpha: the surroundings light the scene but are not seen
+  std::vector<Aov> aov{};       ///< extra layers beside the picture
+};
+
+/// All that frames of a scene and its optics depend on.
+struct FrameParams {
+  Sampling sampling{};
+  Reuse reuse{};
+};
+
+/// Samples per pixel of paths where nothing is said.
+inline constexpr int kPathSamples = 64;
+
+inline Integrator integrator_of(const Sampling& sampling) { return sampling.integrator.value_or(Integrator::kWhitted); }
+
+inline int samples_per_pixel(const Sampling& sampling) {
+  return sampling.spp > 0 ? sampling.spp : integrator_of(sampling) == Integrator::kPath ? kPathSamples : 1;
+}
+
+/// Whether frames sampled so can share light: paths, enough of them (or as many as `light` asks for), and no layers that are
+/// parts of whole paths.
+bool can_share_light(const Sampling& sampling, const ShareLight& light = {});
+
+/// Whether frames sampled so can be copied where they stay as they are: Whitted's shading, and no layers beside the picture.
+bool can_copy_settled(const Sampling& sampling);
+
+/// The kind of reuse that serves: as it is, and of AutoReuse what the sampling allows.
+Reuse resolved_reuse(const FrameParams& params);
+
+/// Throws a usage Error for parameters that contradict each other, or that the optics do not have. It names the member
+/// (min-psnr for min_psnr_db, as job files do) and what would be accepted.
+void check(const FrameParams& params, const Optics& optics);
+
+/// The part of it that does not depend on the optics.
+void check(const FrameParams& params);
+
+}  // namespace lippmann

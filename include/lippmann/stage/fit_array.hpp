@@ -1,0 +1,54 @@
+// Where the lens array stands in a scene: as the scene's author placed it, or fitted so that the scene straddles it.
+//
+// Where the scene has cameras, the first one decides the view: the array's plane is square to it, at its focus distance or,
+// where it has none, half way through the subject as far as the camera sees it; as high as what the camera sees there, and
+// viewed from where the camera is, so that the central directional view is the camera's own picture. A picture that is narrower
+// than the camera's shows more above and below, as far as that is needed to keep the subject that the camera shows.
+// Without a camera, or where a node is named that the view is to be fitted to: from the camera's direction, or from the front
+// and a little from above and the right, so near that the subject just fits into the picture in every frame, with the plane
+// through its middle. What the subject is: stage/subject.hpp. stage/view_wish.hpp has what people may say instead.
+// The fit is made once; after that the array moves rigidly with the camera's (or display's) node, so that it neither grows nor
+// breathes. What is fitted to a node's subject is fitted in that moving frame.
+//
+// Lengths are in units of that node (without a node: of the world): a parent that scales the camera scales the array with it.
+// Of a node's transform the rotation and one scale are used, its shear and uneven scale are left out.
+#pragma once
+
+#include <string>
+
+#include "lippmann/core/math.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/scene/scene.hpp"
+#include "lippmann/scene/timeline.hpp"
+#include "lippmann/stage/view_wish.hpp"
+
+namespace lippmann {
+
+struct FittedArray {
+  enum class Origin { kPlaced, kFocus, kSceneCenter, kBounds };
+  Origin origin = Origin::kPlaced;  ///< by the author; at the camera's focus; half way through what it sees; fitted to bounds
+  int node = -1;                    ///< that the array moves with; -1: none
+  Affine3f node_from_plane;         ///< rigid; the plane z = 0, +z towards the viewer, +y up, origin at its centre
+  float plane_height = 1.0f;
+  float viewing_distance = kInfinity;  ///< of the viewer in front of the plane
+  /// Nearest and farthest z of what the display should show sharply, in front of the viewer; 0 and 0 where there is nothing.
+  /// Placed by the author: of all finite shapes, at frame 0. Else of the subject as far as it is seen, and of walls within one
+  /// of its diagonals, at frame 0; of a subject that was fitted, over the animation.
+  float depth_front = 0.0f, depth_back = 0.0f;
+  bool leaves_out_surroundings = false;  ///< ground, walls or sky decide neither the plane nor, but for near walls, the depth
+  std::string how;                       ///< one sentence for people
+};
+
+/// aspect: width / height of the picture.
+/// Throws Error where the node of the camera or display is scaled to nothing, a usage Error for wishes that cannot be met.
+FittedArray fit_array(const Scene& scene, float aspect = 1.0f, const ViewWish& wish = {});
+
+/// Units of the array's node per millimetre of the display frame, where what is seen of the plane z = 0 is `height_mm` high:
+/// the panel, or one view of a quilt.
+inline float scene_units_per_mm(const FittedArray& array, float height_mm) { return array.plane_height / height_mm; }
+
+/// The display frame (mm) in the world, at one moment: a similarity.
+/// Throws Error where the array's node is scaled to nothing at that moment.
+Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved);
+
+}  // namespace lippmann

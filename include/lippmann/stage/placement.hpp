@@ -1,0 +1,49 @@
+// Where optics stand in a scene, and how large they are there.
+#pragma once
+
+#include "lippmann/display/display.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/scene/scene.hpp"
+#include "lippmann/stage/fit_array.hpp"
+#include "lippmann/stage/view_wish.hpp"
+
+namespace lippmann {
+
+/// Optics, and the size that they have in a scene.
+struct PlacedOptics {
+  Optics optics;
+  float units_per_mm = 1.0f;  ///< scene units per millimetre: what world_from_display (stage/fit_array.hpp) takes
+  bool for_display = false;   ///< of a display by name or file, which shows views as beams
+  float depth_scale = 1.0f;  ///< the parallax of the optics, see with_parallax: below 1 the scene is shown less deep than it is
+};
+
+/// The same, and the plane of the scene that they lie in.
+struct Placement {
+  FittedArray array;
+  PlacedOptics placed;
+};
+
+/// What is said of a placement, where not all is left to the fit.
+struct PlacementWish {
+  ViewWish view{};
+  bool fit_depth = true;  ///< a scene that is deeper than the optics resolve is shown less deep (PlacedOptics::depth_scale)
+};
+
+/// Which of a display's pictures is rendered.
+enum class DisplayPicture {
+  kNative,  ///< the panel's own pixels, each with its own ray (native_optics)
+  kQuilt,   ///< its views side by side (quilt_optics), which the display's player spreads over the panel
+};
+
+/// Optics in the proportions of the array: as deep as they are, or fitted to what they resolve. Throws Error as validate().
+PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth);
+
+/// Puts optics, in their own millimetres, into a scene that passes validate(): in the plane that fit_array() finds, which is as
+/// high there as the window of the optics is. Viewing distances are those of the optics. Throws Error as fit_array() and
+/// validate(const Optics&) do.
+Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish = {});
+
+/// The same of the optics of a display. Throws Error for a quilt where the display knows none, too.
+Placement place(const Scene& scene, const Display& display, DisplayPicture picture, const PlacementWish& wish = {});
+
+}  // namespace lippmann

@@ -1,0 +1,25 @@
+#include "core/number_text.hpp"
+
+#include <fmt/core.h>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+
+std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where) {
+  const auto value = parse_number<std::int64_t>(text);
+  if (!value || *value < lowest || *value > highest)
+    throw usage_error(where, fmt::format("'{}' is out of range or not a whole number", text),
+                      fmt::format("a whole number from {} to {}", lowest, highest));
+  return *value;
+}
+
+double read_number(std::string_view text, double lowest, double highest, const std::string& where) {
+  const auto value = parse_number<double>(text);
+  if (!value || !(*value >= lowest && *value <= highest))
+    throw usage_error(where, fmt::format("'{}' is out of range or not a number", text),
+                      fmt::format("a number from {} to {}", lowest, highest));
+  return *value;
+}
+
+}  // namespace lippmann

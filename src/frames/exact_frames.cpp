@@ -1,0 +1,84 @@
+#include "frames/exact_frames.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace lippmann {
+namespace {
+
+// Reuse that saves less than this share of the time is given up for a while, a longer one each time.
+constexpr double kLeastSpanSaving = 0.02;
+constexpr int kLongestRest = 256;
+
+}  // namespace
+
+ExactFrames::ExactFrames(Stage& stage, const Sampling& sampling, const CopySettled& reuse, const ThreadPool& pool,
+                         const Context& context)
+    : stage_(stage),
+      sampling_(sampling),
+      reuse_(reuse),
+      pool_(pool),
+      context_(context),
+      last_frame_(stage.scene.timeline.frame_count - 1),
+      settled_(stage.scene, stage.array.node, reuse.keyframes) {}
+
+RenderedFrame ExactFrames::make(int frame) {
+  if (frame > key_ && frame < key_ + span_) return from_key(frame);
+  span_ = 0;
+  const bool must = reuse_.keyframes.has_value();
+  if (must || (full_seconds_ > 0.0 && rest_ == 0)) {
+    blocks_.boxes = settled_.boxes(frame, last_frame_);
+    if (SettledBlocks::can_settle(blocks_.boxes)) return key(frame);
+  }
+  rest_ = std::max(0, rest_ - 1);
+  RenderedFrame rendered = render_frame(stage_, sampling_, frame, pool_, context_);
+  full_seconds_ = rendered.report.cpu_seconds;
+  return rendered;
+}
+
+RenderedFrame ExactFrames::key(int frame) {
+  RenderedFrame rendered = render_frame(stage_, sampling_, frame, pool_, context_, &blocks_);
+  if (context_.cancelled) return rendered;
+  rendered.report.kind = "key";
+  key_seconds_ = rendered.report.cpu_seconds;
+  key_ = frame;
+  span_ = settled_.choose_span(blocks_, frame, last_frame_);
+  if (span_ > 1)
+    film_ = rendered.pictures.film;
+  else
+    rest_ = next_rest_, next_rest_ = std::min(2 * next_rest_, kLongestRest);
+  return rendered;
+}
+
+RenderedFrame ExactFrames::from_key(int frame) {
+  const FrameClock clock(pool_);
+  RenderedFrame rendered;
+  const Moment moment = stage_.moment_at(frame);
+  rendered.pictures.film = film_;
+  stage_.device.update(moment.resolved, pool_);
+  rendered.report.rays =
+      trace_blocks(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(sampling_, stage_),
+                   settled_.unsettled(blocks_, frame - key_), pool_, context_, rendered.pictures.film);
+  rendered.report.frame = frame;
+  rendered.report.kind = "in-between";
+  const std::uint64_t samples = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height) *
+                                static_cast<std::uint64_t>(samples_per_pixel(sampling_));
+  rendered.report.reused_pixels =
+      (samples - rendered.report.rays.primary) / static_cast<std::uint64_t>(samples_per_pixel(sampling_));
+  clock.add_to(rendered.report);
+  if (!reuse_.keyframes) judge(rendered.report);
+  return rendered;
+}
+
+/// Ends the key's span where it does not pay: where the span's frames will take about as long as full ones.
+void ExactFrames::judge(const FrameReport& in_between) {
+  const double span_seconds = key_seconds_ + (span_ - 1) * in_between.cpu_seconds;
+  if (span_seconds < (1.0 - kLeastSpanSaving) * span_ * full_seconds_) {
+    next_rest_ = 16;
+    return;
+  }
+  span_ = 0;
+  rest_ = next_rest_, next_rest_ = std::min(2 * next_rest_, kLongestRest);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,202 @@
+#include "frames/floored_frames.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lippmann/image/metrics.hpp"
+#include "reuse/tracing_costs.hpp"
+#include "trace/trace_packets.hpp"
+
+namespace lippmann {
+namespace {
+
+/// In one of so many intervals it is found out whether predicting pays in all of them.
+constexpr int kSegmentIntervals = 8;
+/// Where a prediction costs more than this share of a traced frame it is not even tried: what is left to trace takes the rest.
+constexpr double kMostPredictionCost = 1.0 / 3.0;
+/// The least saving of a whole interval, its key counted, for which frames are predicted: costs are known to a third only.
+constexpr double kLeastIntervalSaving = 0.05;
+/// What keys twice as near take from the cost of what is to trace, in traced frames: seldom more.
+constexpr double kHalvingGains = 0.1;
+
+void add_spent(const FrameReport& spent, FrameReport& report) {
+  report.seconds += spent.seconds;
+  report.cpu_seconds += spent.cpu_seconds;
+  add(spent.rays, report.rays);
+}
+
+/// How far a frame is from the first to the last, 0 ... 1.
+float position(int frame, const FrameInterval& interval) {
+  return static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
+}
+
+/// An error of 0 among the held-out pixels is no proof that there is none.
+double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0.0 ? error.mse : error.bound); }
+
+}  // namespace
+
+FlooredFrames::FlooredFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
+                             const Context& context)
+    : stage_(stage),
+      sampling_(sampling),
+      reuse_(reuse),
+      pool_(pool),
+      context_(context),
+      every_(key_frame_interval(reuse)),
+      last_frame_(stage.scene.timeline.frame_count - 1),
+      maker_(stage.scene, stage.placed.optics, forward_params(sampling, reuse)) {}
+
+RenderedFrame FlooredFrames::make(int frame) {
+  std::erase_if(films_, [&](const auto& film) { return film.first < frame; });
+  if (!films_.contains(frame) && !keys_.contains(frame)) render(frame);
+  return context_.cancelled ? RenderedFrame{} : take(frame);
+}
+
+void FlooredFrames::render(int frame) {
+  const Segment& segment = segment_of(frame);
+  if (context_.cancelled || films_.contains(frame) || keys_.contains(frame)) return;
+  if (segment.length == 0) {
+    forget_before(frame);
+    trace(frame);
+  } else if (is_key_frame(frame, segment.length, last_frame_)) {
+    forget_before(frame);
+    key(frame);
+  } else {
+    render_between(frame, key_interval(frame, segment.length, last_frame_), segment.evidence);
+  }
+}
+
+void FlooredFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
+  forget_before(interval.first);
+  const bool holds = middle_holds(interval, learned);
+  if (context_.cancelled || films_.contains(frame)) return;  // it is the middle one
+  if (holds)
+    predict_or_trace(frame, interval, learned);
+  else
+    trace(frame);
+}
+
+const FlooredFrames::Segment& FlooredFrames::segment_of(int frame) {
+  const int first = frame - frame % (kSegmentIntervals * every_);
+  const auto known = segments_.find(first);
+  return known != segments_.end() ? known->second : segments_[first] = try_segment(first);
+}
+
+FlooredFrames::Segment FlooredFrames::try_segment(int first) {
+  const Panel& panel = stage_.placed.optics.panel;
+  const std::uint64_t pixels = static_cast<std::uint64_t>(panel.width) * static_cast<std::uint64_t>(panel.height);
+  if (last_frame_ - first < 2) return {};
+  key(first);
+  const double prediction = prediction_cost(stage_.scene, keys_.at(first).report.rays, pixels);
+  if (prediction > kMostPredictionCost) return {};
+  for (int length = every_; length > 1 && !context_.cancelled; length /= 2) {
+    const FrameInterval interval{first, std::min(first + length, last_frame_)};
+    const FloorLesson lesson = learn(interval);
+    const auto saving = [&](int frames, double cost) { return (1.0 - prediction - cost) * (frames - 1) / frames; };
+    if (saving(length, lesson.cost) >= kLeastIntervalSaving) return {length, lesson.evidence};
+    const bool may_halve = !reuse_.keyframes && interval.last - first == length;
+    if (!may_halve || saving(length / 2, lesson.cost - kHalvingGains) < kLeastIntervalSaving) break;
+  }
+  return {};
+}
+
+FloorLesson FlooredFrames::learn(const FrameInterval& interval) {
+  const int middle = middle_frame(interval);
+  const PointImage &previous = key(interval.first), &following = key(interval.last), &traced = key(middle);
+  if (context_.cancelled) return {};
+  const FrameClock clock(pool_);
+  FloorLesson lesson = maker_.learn_floor(previous, following, position(middle, interval), middle, traced, pool_);
+  FrameReport& report = keys_.at(middle).report;
+  clock.add_to(report);
+  report.kind = "full";
+  not_asked_for_[middle] = report;
+  return lesson;
+}
+
+bool FlooredFrames::middle_holds(const FrameInterval& interval, const Evidence& learned) {
+  const int middle = middle_frame(interval);
+  if (keys_.contains(middle)) return true;  // learned from
+  if (const auto known = middle_holds_.find(middle); known != middle_holds_.end()) return known->second;
+  const bool holds = predict_or_trace(middle, interval, learned);
+  return middle_holds_[middle] = holds;
+}
+
+bool FlooredFrames::predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned) {
+  const PointImage &previous = key(interval.first), &following = key(interval.last);
+  const FrameClock clock(pool_);
+  PointImage image;
+  image.moment = stage_.moment_at(frame);
+  RayCounts rays;
+  bool updated = false;
+  const TracePackets trace = [&](std::span<const std::uint8_t> wanted, Image& film) {
+    if (!updated) stage_.device.update(image.moment.resolved, pool_);
+    updated = true;
+    add(trace_packets(stage_.device, stage_.placed.optics, image.moment.world_from_display, trace_params(sampling_, stage_),
+                      wanted, pool_, context_, film),
+        rays);
+  };
+  InBetweenCounts counts;
+  const FloorOutcome outcome =
+      maker_.make_to_floor(previous, following, position(frame, interval), frame, learned, trace, pool_, image, counts);
+  FrameReport report = in_between_report(frame, counts, rays, stage_.placed.optics.panel);
+  if (outcome.holds) {
+    report.estimated_psnr_db = estimated_psnr(outcome.error);
+    report.psnr_at_least_db = psnr_db(outcome.error.bound);
+  }
+  clock.add_to(report);
+  if (outcome.holds) {
+    RenderedFrame& made = films_[frame];
+    made.pictures.film = std::move(image.film);
+    made.report = report;
+    not_asked_for_[frame] = report;
+  } else if (!context_.cancelled) {
+    this->trace(frame, report);
+  }
+  return outcome.holds;
+}
+
+void FlooredFrames::trace(int frame, const FrameReport& spent) {
+  RenderedFrame& rendered = films_[frame] = render_frame(stage_, sampling_, frame, pool_, context_);
+  add_spent(spent, rendered.report);
+  not_asked_for_[frame] = rendered.report;
+}
+
+const PointImage& FlooredFrames::key(int frame) {
+  const auto known = keys_.find(frame);
+  if (known != keys_.end()) return known->second.image;
+  ForwardSource& source = keys_[frame] = trace_source(stage_, sampling_, reuse_, frame, maker_, pool_, context_);
+  not_asked_for_[frame] = source.report;
+  return source.image;
+}
+
+void FlooredFrames::forget_before(int frame) {
+  std::erase_if(keys_, [&](const auto& source) { return source.first < frame; });
+}
+
+RenderedFrame FlooredFrames::take(int frame) {
+  not_asked_for_.erase(frame);
+  if (const auto made = films_.find(frame); made != films_.end()) return std::move(films_.extract(made).mapped());
+  const FrameClock clock(pool_);
+  const ForwardSource& source = keys_.at(frame);
+  RenderedFrame rendered;
+  rendered.pictures.film = source.image.film;
+  rendered.report = source.report;
+  clock.add_to(rendered.report);
+  return rendered;
+}
+
+std::vector<FrameReport> FlooredFrames::sources() const {
+  std::vector<FrameReport> reports;
+  for (const auto& [frame, report] : not_asked_for_) reports.push_back(report);
+  return reports;
+}
+
+double FlooredFrames::bytes_kept_per_pixel() {
+  constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
+  const int halvings = halving_depth(kDefaultKeyframes);
+  const int images = 2 + halvings, films = halvings;
+  constexpr double kDoubt = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;  // landed, predicted by either key, planes
+  return images * (kFilm + kPoint + kContrast) + films * kFilm + kDoubt;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,117 @@
+#include "frames/forward_frames.hpp"
+
+#include <set>
+#include <utility>
+
+#include "trace/trace_pixels.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Whether halving makes frames between this one and an end of the interval whose middle it is.
+bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
+
+}  // namespace
+
+ForwardFrames::ForwardFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
+                             const Context& context)
+    : stage_(stage),
+      sampling_(sampling),
+      reuse_(reuse),
+      pool_(pool),
+      context_(context),
+      every_(key_frame_interval(reuse)),
+      last_frame_(stage.scene.timeline.frame_count - 1),
+      maker_(stage.scene, stage.placed.optics, forward_params(sampling, reuse)) {}
+
+RenderedFrame ForwardFrames::make(int frame) {
+  keep_only_sources_of(frame);
+  RenderedFrame rendered;
+  const auto copy = [&](const Source& source) {
+    const FrameClock clock(pool_);
+    rendered.pictures.film = source.image.film;
+    rendered.report = source.report;
+    clock.add_to(rendered.report);
+  };
+  if (const auto known = sources_.find(frame); known != sources_.end()) {
+    copy(known->second);
+  } else if (is_key_frame(frame, every_, last_frame_)) {
+    copy(key(frame));
+  } else {
+    const std::vector<FrameInterval> path = path_to(frame);
+    key(path.front().first), key(path.front().last);
+    for (std::size_t i = 0; i + 1 < path.size() && !context_.cancelled; ++i)
+      if (const int middle = middle_frame(path[i]); !sources_.contains(middle)) add(between(middle, path[i], true));
+    if (context_.cancelled) return rendered;
+    if (reuse_.halving && is_source(frame, path.back())) {
+      copy(add(between(frame, path.back(), true)));
+    } else {
+      Source made = between(frame, path.back(), false);
+      rendered.pictures.film = std::move(made.image.film);
+      rendered.report = made.report;
+    }
+  }
+  not_asked_for_.erase(frame);
+  return rendered;
+}
+
+std::vector<FrameInterval> ForwardFrames::path_to(int frame) const {
+  if (reuse_.halving) return halving_path(frame, every_, last_frame_);
+  return {key_interval(frame, every_, last_frame_)};
+}
+
+void ForwardFrames::keep_only_sources_of(int frame) {
+  std::set<int> needed{frame};
+  if (!is_key_frame(frame, every_, last_frame_))
+    for (const FrameInterval& interval : path_to(frame)) {
+      needed.insert(interval.first);
+      needed.insert(interval.last);
+    }
+  std::erase_if(sources_, [&](const auto& source) { return !needed.contains(source.first); });
+}
+
+const ForwardFrames::Source& ForwardFrames::key(int frame) {
+  const auto known = sources_.find(frame);
+  return known != sources_.end() ? known->second : add(trace_source(stage_, sampling_, reuse_, frame, maker_, pool_, context_));
+}
+
+const ForwardFrames::Source& ForwardFrames::add(Source source) {
+  const int frame = source.report.frame;
+  not_asked_for_[frame] = source.report;
+  return sources_[frame] = std::move(source);
+}
+
+ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& interval, bool as_source) {
+  const FrameClock clock(pool_);
+  Source source;
+  source.image.film = spare_films_.take();
+  source.image.moment = stage_.moment_at(frame);
+  const Moment& moment = source.image.moment;
+  RayCounts rays;
+  const TracePixels trace = [&](std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points) {
+    stage_.device.update(moment.resolved, pool_);
+    rays = trace_pixels(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(sampling_, stage_), pixels,
+                        pool_, context_, film, points);
+  };
+  const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
+  const InBetweenCounts counts = maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, position,
+                                             as_source, trace, pool_, source.image);
+  source.report = in_between_report(frame, counts, rays, stage_.placed.optics.panel);
+  clock.add_to(source.report);
+  return source;
+}
+
+std::vector<FrameReport> ForwardFrames::sources() const {
+  std::vector<FrameReport> reports;
+  for (const auto& [frame, report] : not_asked_for_) reports.push_back(report);
+  return reports;
+}
+
+double ForwardFrames::bytes_kept_per_pixel(const Interpolate& reuse) {
+  constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
+  // Two keys, one made frame per halving, and the keys of two splats.
+  const int images = 2 + (reuse.halving ? halving_depth(key_frame_interval(reuse)) : 0);
+  return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,66 @@
+// Renders one frame: where everything is at its time, the scene made ready for tracing, every pixel traced.
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/frames/frame_params.hpp"
+#include "lippmann/frames/rendered_frame.hpp"
+#include "lippmann/stage/fit_array.hpp"
+#include "lippmann/stage/placement.hpp"
+#include "reuse/point_image.hpp"
+#include "trace/device_scene.hpp"
+#include "trace/trace_frame.hpp"
+
+namespace lippmann {
+
+/// What stays the same from frame to frame, set up once.
+struct Stage {
+  Scene scene;
+  FittedArray array;
+  PlacedOptics placed;
+  DeviceScene device;  ///< of `scene`: a Stage stays where it was made
+
+  /// Builds what rays are traced against. The scene passes validate().
+  Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  /// Where everything is in a frame.
+  Moment moment_at(int frame) const;
+};
+
+/// Measures the rendering of one frame, from its making on.
+class FrameClock {
+ public:
+  explicit FrameClock(const ThreadPool& pool) : pool_(pool), cpu_start_(pool.cpu_seconds()) {}
+  void add_to(FrameReport& report) const {
+    report.seconds += std::chrono::duration<double>(Clock::now() - start_).count();
+    report.cpu_seconds += pool_.cpu_seconds() - cpu_start_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const ThreadPool& pool_;
+  Clock::time_point start_ = Clock::now();
+  double cpu_start_;
+};
+
+/// Which layers a frame has to have.
+FrameAovs wanted_aovs(const Sampling& sampling);
+
+/// How frames are traced. Quilts that displays show are seen as beams as wide as a view, unless something else is said.
+TraceParams trace_params(const Sampling& sampling, const Stage& stage);
+
+/// Fills the layers that do not come with the light; the device scene is at the frame's `moment`.
+void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& moment, int frame, const ThreadPool& pool,
+                    FrameAovs& aovs);
+
+/// Moves the device scene to the frame's time and traces it; `touched` as for trace_frame. Unfinished when context.cancelled is
+/// set meanwhile.
+RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
+                           TouchedBlocks* touched = nullptr);
+
+}  // namespace lippmann

@@ -1,0 +1,106 @@
+#include "frames/frame_maker.hpp"
+
+#include <fmt/format.h>
+
+#include "core/printable.hpp"
+#include "frames/denoised_frames.hpp"
+#include "frames/exact_frames.hpp"
+#include "frames/floored_frames.hpp"
+#include "frames/forward_frames.hpp"
+#include "frames/lit_frames.hpp"
+#include "lippmann/core/error.hpp"
+#include "scene/deform.hpp"
+
+namespace lippmann {
+namespace {
+
+class TracedFrames final : public FrameMaker {
+ public:
+  TracedFrames(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context)
+      : stage_(stage), sampling_(sampling), pool_(pool), context_(context) {}
+
+  RenderedFrame make(int frame) override { return render_frame(stage_, sampling_, frame, pool_, context_); }
+
+ private:
+  Stage& stage_;
+  Sampling sampling_;
+  const ThreadPool& pool_;
+  const Context& context_;
+};
+
+/// Points are carried from frame to frame with their nodes, which says nothing of meshes that change their shape.
+void refuse_deforming_meshes(const Scene& scene) {
+  const std::vector<bool> moves = moving_instances(scene);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    if (moves[i] && is_posed(scene, scene.instances[i]))
+      throw usage_error(
+          "reuse",
+          fmt::format("interpolated frames need things to keep their shape, and {} changes it (skin or morph targets)",
+                      shown(scene.instances[i].name)),
+          "copy, none or auto for this scene");
+}
+
+/// A maker for each kind of reuse.
+class MakerOf {
+ public:
+  MakerOf(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context)
+      : stage_(stage), sampling_(sampling), pool_(pool), context_(context) {}
+
+  std::unique_ptr<FrameMaker> operator()(const AutoReuse&) const { return (*this)(TraceAll{}); }
+  std::unique_ptr<FrameMaker> operator()(const TraceAll&) const {
+    if (sampling_.denoise) return make<DenoisedFrames>(nullptr);
+    return std::make_unique<TracedFrames>(stage_, sampling_, pool_, context_);
+  }
+  std::unique_ptr<FrameMaker> operator()(const CopySettled& reuse) const { return make<ExactFrames>(reuse); }
+  std::unique_ptr<FrameMaker> operator()(const ShareLight& reuse) const {
+    if (sampling_.denoise) return make<DenoisedFrames>(&reuse);
+    return make<LitFrames>(reuse);
+  }
+  std::unique_ptr<FrameMaker> operator()(const Interpolate& reuse) const {
+    refuse_deforming_meshes(stage_.scene);
+    if (reuse.min_psnr_db) return make<FlooredFrames>(reuse);
+    return make<ForwardFrames>(reuse);
+  }
+
+ private:
+  template <class Frames, class How>
+  std::unique_ptr<FrameMaker> make(const How& how) const {
+    return std::make_unique<Frames>(stage_, sampling_, how, pool_, context_);
+  }
+
+  Stage& stage_;
+  const Sampling& sampling_;
+  const ThreadPool& pool_;
+  const Context& context_;
+};
+
+/// What each of them keeps.
+struct BytesKept {
+  const Sampling& sampling;
+
+  double operator()(const AutoReuse&) const { return 0.0; }
+  double operator()(const TraceAll&) const { return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(false) : 0.0; }
+  double operator()(const CopySettled&) const { return ExactFrames::bytes_kept_per_pixel(); }
+  double operator()(const ShareLight&) const {
+    return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(true) : LitFrames::bytes_kept_per_pixel();
+  }
+  double operator()(const Interpolate& reuse) const {
+    return reuse.min_psnr_db ? FlooredFrames::bytes_kept_per_pixel() : ForwardFrames::bytes_kept_per_pixel(reuse);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
+                                             const Context& context) {
+  Sampling sampling = params.sampling;
+  // Points that are moved are those of one eye.
+  if (std::holds_alternative<Interpolate>(params.reuse)) sampling.angular_filter = AngularFilter::kNone;
+  return std::visit(MakerOf(stage, sampling, pool, context), resolved_reuse(params));
+}
+
+double bytes_kept_per_pixel(const FrameParams& params) {
+  return std::visit(BytesKept{params.sampling}, resolved_reuse(params));
+}
+
+}  // namespace lippmann

@@ -1,0 +1,43 @@
+// Path-traced frames whose soft light is reused: across pixels, views and the frames of a segment.
+#pragma once
+
+#include "frames/frame_maker.hpp"
+#include "reuse/swept_boxes.hpp"
+#include "trace/cached_light.hpp"
+
+namespace lippmann {
+
+class LitFrames final : public FrameMaker {
+ public:
+  LitFrames(Stage& stage, const Sampling& sampling, const ShareLight& reuse, const ThreadPool& pool, const Context& context);
+
+  RenderedFrame make(int frame) override;
+
+  /// The same with what a denoiser wants to know: `pictures` as make() has them, for which layers are wanted; frames in
+  /// ascending order.
+  FrameReport make_noisy(int frame, FramePictures& pictures, NoisyFrame& noisy);
+
+  /// Whether both frames share light: else they have nothing to do with each other, so that each can be made alone.
+  static bool are_of_one_history(int frame, int other);
+
+  /// Earlier frames of a history, where only later ones were asked for.
+  std::vector<FrameReport> sources() const override { return sources_; }
+
+  static double bytes_kept_per_pixel() { return CachedLightTracer::bytes_per_pixel(); }
+
+ private:
+  void go_to(int frame, FramePictures& pictures);
+  FrameReport visit(int frame, FramePictures& pictures, NoisyFrame* noisy = nullptr);
+
+  Stage& stage_;
+  Sampling sampling_;
+  ShareLight reuse_;
+  const ThreadPool& pool_;
+  const Context& context_;
+  SweptBoxes swept_;
+  CachedLightTracer tracer_;
+  std::vector<FrameReport> sources_;
+  int next_ = -1;  ///< the frame that follows what the tracer has seen
+};
+
+}  // namespace lippmann

@@ -1,0 +1,64 @@
+#include "lippmann/frames/renderer.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "frames/frame.hpp"
+#include "frames/frame_maker.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/scene/load.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Before anything is built.
+FrameParams checked(FrameParams params, const Optics& optics) {
+  check(params, optics);
+  return params;
+}
+
+Scene checked(Scene scene) {
+  validate(scene, "scene");
+  return scene;
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+  const Context& context;
+  FrameParams params;
+  ThreadPool pool;
+  Stage stage;
+  std::unique_ptr<FrameMaker> maker;
+
+  Impl(Scene scene, Placement placement, FrameParams said, const Context& caller)
+      : context(caller),
+        params(checked(std::move(said), placement.placed.optics)),
+        pool(resolved_threads(caller)),
+        stage(checked(std::move(scene)), std::move(placement.array), std::move(placement.placed),
+              integrator_of(params.sampling), pool),
+        maker(make_frame_maker(stage, params, pool, caller)) {}
+};
+
+Renderer::Renderer(Scene scene, Placement placement, FrameParams params, const Context& context)
+    : impl_(std::make_unique<Impl>(std::move(scene), std::move(placement), std::move(params), context)) {}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+const Scene& Renderer::scene() const { return impl_->stage.scene; }
+const Optics& Renderer::optics() const { return impl_->stage.placed.optics; }
+
+std::optional<RenderedFrame> Renderer::frame(int index) {
+  const int count = scene().timeline.frame_count;
+  if (index < 0 || index >= count)
+    throw Error("frame", fmt::format("{} is outside the animation", index), fmt::format("frames from 0 to {}", count - 1));
+  RenderedFrame rendered = impl_->maker->make(index);
+  if (impl_->context.cancelled) return std::nullopt;
+  return rendered;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,53 @@
+// Renders an animation into a folder: frames in order, each traced while the ones before it are encoded and written.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "job/frame_files.hpp"
+#include "job/params.hpp"
+#include "job/report.hpp"
+#include "lippmann/core/context.hpp"
+
+namespace lippmann {
+
+struct JobStage;
+
+/// What is going to be done, once set-up has succeeded.
+struct RenderPlan {
+  const JobStage& stage;
+  std::filesystem::path folder;
+  FrameNames names;
+  std::vector<int> frames;               ///< ascending
+  std::vector<std::string> videos = {};  ///< files
+  int kept = 0;                          ///< of these frames, finished before by the same job
+  Vec2i picture_size{0, 0};
+};
+
+/// Bytes of all pictures of a plan before compression: more than what PNG and EXR files take. Layers and videos are not
+/// counted; job/size_estimate.hpp says what files are likely to take.
+std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels);
+
+/// Hears how a render goes. All functions may be empty; all but `written` are called in the thread that called
+/// render_animation.
+struct RenderObserver {
+  std::function<void(const RenderPlan&)> planned;
+  std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
+  /// A frame's pictures and layers are on disk, of so many bytes; in order, one at a time, on any thread. Not of kept frames.
+  std::function<void(int frame, std::uintmax_t bytes)> written;
+  bool force = false;      ///< another render in the folder is replaced, and videos that are there (render_folder.hpp)
+  bool only_plan = false;  ///< stop once `planned` was called, before anything is written; kept frames are not looked for
+};
+
+/// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte
+/// for byte, for any number of threads, and whether or not the render was interrupted and resumed.
+///
+/// When context.cancelled is set, it stops at the next chance: finished frames stay, the frame under way and videos leave
+/// nothing, report.json says `interrupted`. Throws Error for bad params or scenes (before any file is made) and for files that
+/// cannot be written; the frames finished until then stay, for --resume.
+RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer = {});
+
+}  // namespace lippmann

@@ -1,0 +1,101 @@
+#include "job/display_optics.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "job/panel_size.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/display/load_display.hpp"
+
+namespace lippmann {
+namespace {
+
+void refuse(bool said, const char* flag, const char* problem, const char* accepted) {
+  if (said) throw usage_error(flag, problem, accepted);
+}
+
+void refuse_what_the_display_decides(const RenderParams& params) {
+  constexpr const char* kAccepted = "a display of your own in a .toml file (docs/displays.md)";
+  refuse(params.optics.lenses.x > 0, "--lenses", "the display has its own", kAccepted);
+  refuse(params.optics.lens_pixels.x > 0.0f, "--lens-pixels", "the display has its own", kAccepted);
+  refuse(params.optics.packing != LensPacking::kSquare, "--packing", "the display has its own", kAccepted);
+  refuse(params.optics.slant_deg != 0.0f, "--slant", "the display has its own", kAccepted);
+  refuse(params.optics.camera_grid, "--camera-grid", "displays want views at equal angles", "no --display with it");
+}
+
+/// With what is said of angle, distance and, of all but quilts, size.
+Display with_said(const RenderParams& params, Display display, bool is_quilt) {
+  if (params.optics.view_angle_deg) display.view_cone_deg = *params.optics.view_angle_deg;
+  if (params.optics.viewing_distance_mm) display.viewing_distance_mm = *params.optics.viewing_distance_mm;
+  if (params.optics.size.x > 0 && !is_quilt) {
+    refuse(display.kind == DisplayKind::kSlantedPanel && optics_kind(params) != OpticsKind::kSingle, "--size",
+           "a calibrated panel has its own", "--layout quilt with it");
+    display.pixels = {params.optics.size.x, params.optics.size.y};
+  }
+  return display;
+}
+
+/// The display's quilt, or one as is said.
+Optics said_quilt(const RenderParams& params, Display display) {
+  refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display knows no quilt",
+         "--views CxR and --size WxH");
+  DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
+  if (params.optics.views.x > 0) quilt.columns = params.optics.views.x, quilt.rows = params.optics.views.y;
+  if (params.optics.size.x > 0) quilt.width = params.optics.size.x, quilt.height = params.optics.size.y;
+  if (quilt.width < quilt.columns || quilt.height < quilt.rows)
+    throw usage_error("--views",
+                      fmt::format("{}x{} views on {}x{} pixels", quilt.columns, quilt.rows, quilt.width, quilt.height),
+                      "fewer views");
+  display.quilt = quilt;
+  return *quilt_optics(display);
+}
+
+Optics single_optics(const Display& display) {
+  Optics optics;
+  optics.panel = {display.pixels.x, display.pixels.y, static_cast<float>(display.pixel_mm())};
+  optics.model = SingleView{static_cast<float>(viewing_distance_mm(display)), {}};
+  return optics;
+}
+
+OpticsKind own_kind(const Display& display) {
+  if (display.kind == DisplayKind::kLenticularSheet) return OpticsKind::kLenticular;
+  return display.kind == DisplayKind::kMicrolensArray ? OpticsKind::kMicrolens : OpticsKind::kMultiview;
+}
+
+void require_size(const Panel& panel) {
+  const std::int64_t pixels = std::int64_t{panel.width} * panel.height;
+  if (pixels > kMaxPixels || std::max(panel.width, panel.height) > kMaxSide)
+    throw usage_error("--display", fmt::format("a frame of {}x{} pixels", panel.width, panel.height),
+                      fmt::format("1 to {} pixels, at most {} a side: --size says a smaller one", kMaxPixels, kMaxSide));
+}
+
+}  // namespace
+
+std::unique_ptr<const Display> wanted_display(const RenderParams& params) {
+  return params.optics.display.empty() ? nullptr : std::make_unique<const Display>(load_display(params.optics.display));
+}
+
+Optics display_optics(const RenderParams& params, const Display& display) {
+  refuse_what_the_display_decides(params);
+  const bool slanted = display.kind == DisplayKind::kSlantedPanel, native = params.output.layout == PictureLayout::kNative;
+  const OpticsKind kind = params.optics.kind.value_or(own_kind(display));
+  const bool is_quilt = kind == OpticsKind::kMultiview && !(slanted && native);
+  refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no meaning for this kind of optics",
+         "with --optics multiview");
+  const Display said = with_said(params, display, is_quilt);
+  Optics optics;
+  if (kind == OpticsKind::kSingle)
+    optics = single_optics(said);
+  else if (is_quilt)
+    optics = said_quilt(params, said);
+  else if (kind == own_kind(display))
+    optics = native_optics(said);
+  else
+    throw usage_error("--optics", fmt::format("{} is a {}", display.name, to_string(display.kind)),
+                      "no --optics, multiview or single");
+  require_size(optics.panel);
+  return optics;
+}
+
+}  // namespace lippmann

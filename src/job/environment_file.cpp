@@ -1,0 +1,26 @@
+#include "job/environment_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/read_image.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+
+EnvironmentMap read_environment(const std::filesystem::path& path, float strength, float rotation_deg) {
+  constexpr const char* kAccepted = "an equirectangular panorama of floats, .hdr or .exr";
+  const Image file = read_image(path);
+  if (sample_kind(path) != SampleKind::kFloat) throw Error(path.string(), "has no linear light in its samples", kAccepted);
+  EnvironmentMap map{Image(file.width, file.height, 3), strength, radians(rotation_deg)};
+  const auto channels = static_cast<std::size_t>(file.channels);
+  for (std::size_t i = 0; i < map.radiance.data.size(); ++i) {
+    const std::size_t channel = channels >= 3 ? i % 3 : 0;
+    const float sample = file.data[i / 3 * channels + channel];
+    if (!std::isfinite(sample)) throw Error(path.string(), "a sample is not a finite number", kAccepted);
+    map.radiance.data[i] = std::max(sample, 0.0f);
+  }
+  return map;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,71 @@
+#include "job/folder_check.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_of_frame(const FolderJournal& journal, int frame, const std::string& name) {
+  const auto found = journal.frames.find(frame);
+  return found != journal.frames.end() && found->second.files.contains(name);
+}
+
+/// Those directly in folder / `below`.
+void add_foreign(const fs::path& folder, const fs::path& below, const FolderJournal& journal,
+                 std::vector<std::string>& foreign) {
+  std::error_code problem;
+  for (fs::directory_iterator entry(folder / below, problem); !problem && entry != fs::directory_iterator();
+       entry.increment(problem)) {
+    const fs::path name = below / entry->path().filename();
+    std::error_code ignored;
+    const bool is_folder = entry->symlink_status(ignored).type() == fs::file_type::directory;
+    const std::optional<int> frame = is_folder ? std::nullopt : frame_of_file(name.string());
+    if (frame && !is_of_frame(journal, *frame, name.string())) foreign.push_back(name.string());
+    if (is_folder && below.empty() && name.string().starts_with("frame_")) add_foreign(folder, name, journal, foreign);
+  }
+}
+
+void check_file(const fs::path& folder, const std::string& name, const std::optional<FileChecksum>& sum, FolderCheck& check) {
+  ++check.files;
+  std::error_code problem;
+  if (!fs::exists(fs::symlink_status(folder / name, problem)))
+    check.missing.push_back(name);
+  else if (!sum || file_checksum(folder / name) != sum)
+    check.damaged.push_back(name);
+}
+
+}  // namespace
+
+std::vector<std::string> foreign_files(const fs::path& folder, const FolderJournal& journal) {
+  std::vector<std::string> foreign;
+  add_foreign(folder, {}, journal, foreign);
+  std::sort(foreign.begin(), foreign.end());
+  return foreign;
+}
+
+FolderCheck check_folder(const fs::path& folder) {
+  const std::optional<FolderJournal> journal = read_journal(folder);
+  if (!journal || journal->job.empty())
+    throw Error(folder.string(), "holds no render that can be checked: there is no .lippmann-frames.jsonl in it",
+                "a folder that lippmann render has written to");
+  require_sound(folder, *journal);
+  FolderCheck check;
+  check.frames = static_cast<int>(journal->frames.size());
+  for (const auto& [frame, record] : journal->frames)
+    for (const auto& [name, sum] : record.files) check_file(folder, name, sum, check);
+  for (const auto& [name, sum] : journal->files) check_file(folder, name, sum, check);
+  for (const auto& [name, video] : journal->videos) check_file(folder, name, video.sum, check);
+  std::copy_if(journal->asked.begin(), journal->asked.end(), std::back_inserter(check.unfinished),
+               [&](int frame) { return !journal->frames.contains(frame); });
+  check.foreign = foreign_files(folder, *journal);
+  std::erase_if(check.foreign, [&](const std::string& name) { return is_unfinished(*journal, name); });
+  return check;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,38 @@
+// Values of parameters as text, both ways: numbers in a range, extents such as 64x64, frame ranges, names of choices.
+//
+// read_* throw a usage Error at `where` that says what would be accepted. Floats are written with the fewest digits that read
+// back to the same value.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/number_text.hpp"
+#include "job/params.hpp"
+
+namespace lippmann {
+
+/// "true" or "false".
+bool read_flag(std::string_view text, const std::string& where);
+
+/// "64" (y stays 0) or "64x32".
+Extent<int> read_extent(std::string_view text, int lowest, int highest, const std::string& where);
+Extent<float> read_extent(std::string_view text, float lowest, float highest, const std::string& where);
+std::string write_extent(const Extent<int>& extent);
+std::string write_extent(const Extent<float>& extent);
+
+/// "3-7", "3" for one frame, "0-10:2" for every second one, and several of these with commas between.
+FrameRanges read_frames(std::string_view text, const std::string& where);
+std::string write_frames(const FrameRanges& frames);
+
+/// Millimetres > 0, "inf", or "auto" (none).
+std::optional<float> read_distance(std::string_view text, const std::string& where);
+std::string write_distance(std::optional<float> distance_mm);
+
+/// One name of a list of choices, its index; the list is what the Error offers.
+std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where);
+
+}  // namespace lippmann

@@ -1,0 +1,74 @@
+#include "job/params.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "job/scene_light.hpp"
+#include "job/test_pattern.hpp"
+#include "lippmann/scene/builtin.hpp"
+
+namespace lippmann {
+
+bool is_builtin_scene(const std::string& scene) {
+  if (scene == kTestPattern) return true;
+  for (const BuiltinScene& builtin : builtin_scenes())
+    if (builtin.name == scene) return true;
+  return false;
+}
+
+RenderParams with_scene_defaults(RenderParams params) {
+  if (params.sampling.integrator) return params;
+  const bool paths = is_physical_format(params.scene.name) && params.reuse.choice != ReuseChoice::kInterpolate;
+  params.sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
+  if (paths && params.sampling.spp == 0) params.sampling.spp = kFirstPathSamples;
+  return params;
+}
+
+bool fits_depth(const RenderParams& params) {
+  return params.optics.fit_depth.value_or(!params.optics.display.empty() || optics_kind(params) != OpticsKind::kMultiview);
+}
+
+std::vector<int> frames_of(const FrameRanges& ranges) {
+  std::vector<int> frames;
+  for (const FrameRange& range : ranges)
+    for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) frames.push_back(static_cast<int>(frame));
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  return frames;
+}
+
+FrameRanges ranges_of(const std::vector<int>& frames) {
+  FrameRanges ranges;
+  for (const int frame : frames) {
+    if (!ranges.empty() && ranges.back().last + 1 == frame)
+      ranges.back().last = frame;
+    else
+      ranges.push_back({frame, frame});
+  }
+  return ranges;
+}
+
+Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes) {
+  if (params.scene.name == kTestPattern) return test_pattern_scene();
+  LoadOptions options;
+  if (!params.scene.camera_path.empty()) options.camera_path = params.scene.camera_path;
+  options.frames_per_second = params.scene.fps;
+  options.animation = params.scene.animation;
+  options.asset_root = params.scene.asset_root;
+  Scene scene = load_scene(params.scene.name, options, context);
+  SceneNotes known{camera_names(scene), {}};
+  choose_camera(scene, params.scene.camera);
+  turn_upright(scene, params.scene.up);
+  for (Light& light : scene.lights) light.color *= params.scene.light_scale;
+  known.light = light_scene(scene, params, context);
+  if (notes) *notes = std::move(known);
+  return scene;
+}
+
+std::string output_folder(const RenderParams& params) {
+  if (!params.output.folder.empty()) return params.output.folder;
+  return (std::filesystem::path("out") / std::filesystem::path(params.scene.name).stem()).string();
+}
+
+}  // namespace lippmann

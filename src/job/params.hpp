@@ -1,0 +1,163 @@
+// Everything that decides a render, as one plain struct with defaults. Command-line flags and job-file keys of the same names
+// are read into it, and written from it, through one table: params_table.hpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/tone.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/frames/frame_params.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/stage/view_wish.hpp"
+#include "stage/choose_camera.hpp"
+#include "video/video_codec.hpp"
+
+namespace lippmann {
+
+enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
+enum class ReuseChoice { kAuto, kNone, kCopy, kLight, kInterpolate };
+enum class DebugPicture { kNone, kMissed, kProvenance };
+enum class PictureFormat { kPng, kPng16, kTiff, kExr };
+
+/// What each frame's picture holds (layout/view_layout.hpp).
+enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint };
+enum class ExrPixels { kHalf, kFloat };
+
+/// Every step-th frame of an animation from `first` on, up to `last`.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+  int step = 1;  ///< >= 1
+  bool operator==(const FrameRange&) const = default;
+};
+
+/// Frames as they are said, in any order: 0,2,4 or 0-10:2,20.
+using FrameRanges = std::vector<FrameRange>;
+
+/// The frames of the ranges, each once, ascending.
+std::vector<int> frames_of(const FrameRanges& ranges);
+
+/// The fewest ranges of neighbours that hold these frames, which ascend.
+FrameRanges ranges_of(const std::vector<int>& frames);
+
+/// How many across and down; a 0 means "not said": it follows from the rest (job/panel_size.hpp).
+template <class T>
+struct Extent {
+  T x = 0, y = 0;
+  bool operator==(const Extent&) const = default;
+};
+
+/// Which scene, in what light, and what of it is looked at.
+struct SceneParams {
+  std::string name;                       ///< a built-in name or a file
+  std::string camera_path;                ///< a Tachyon .cam file for a .dat scene; empty: none
+  std::string animation;                  ///< name or index of the one to show, of scenes that hold several; empty: the first
+  std::string asset_root;                 ///< files that the scene names may lie below it; empty: in its own folder only
+  std::string camera;                     ///< name or index of the one that decides the view; empty: the first
+  UpAxis up = UpAxis::kY;                 ///< the axis of the scene's file that points upwards
+  double fps = 0.0;                       ///< frames per second of the animation and of videos; 0: the scene's own
+  float light_scale = 1.0f;               ///< factor on the light of the file's lamps
+  std::string environment;                ///< none, studio, a colour or a panorama; empty: see job/scene_light.hpp
+  float environment_strength = 1.0f;      ///< factor
+  float environment_rotation_deg = 0.0f;  ///< about the vertical
+  ViewWish view;
+};
+
+/// What it is rendered for.
+struct OpticsParams {
+  std::string display;                         ///< a preset, a file of one's own or a calibration; empty: none
+  std::optional<OpticsKind> kind;              ///< none: the display's, or lenticular
+  LensPacking packing = LensPacking::kSquare;  ///< microlens arrays
+  Extent<int> lenses;                          ///< 0: 64 across, and as many down as fill the panel
+  Extent<float> lens_pixels;                   ///< pixels below a lens, not necessarily whole; 0: 8
+  Extent<int> size;                            ///< the whole panel in pixels; 0: lenses x lens-pixels
+  Extent<int> views;                           ///< multi-view: columns and rows of the quilt; 0: 8x6
+  bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
+  std::optional<float> view_angle_deg;         ///< viewing zone, full angle; sets the gap; none: the display's, or 28
+  std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
+  std::optional<bool> fit_depth;               ///< depth is compressed to what the display can resolve; none: fits_depth()
+  float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
+  std::optional<double> crosstalk_px;          ///< sigma (optics/crosstalk.hpp); none: the display's
+  bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
+};
+
+/// What frames take from each other, as it is said: what the chosen kind does not know must not be said (job/reuse_params.hpp).
+struct ReuseParams {
+  ReuseChoice choice = ReuseChoice::kAuto;
+  std::optional<int> keyframes;         ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
+  std::optional<double> min_psnr_db;    ///< of every frame, 8-bit codes
+  std::optional<double> time_budget_s;  ///< of a path-traced frame, about, on this machine
+  SplatMode splat = SplatMode::kView;
+  MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
+  bool halving = false;
+  bool no_z_buffer = false;
+  DebugPicture debug = DebugPicture::kNone;  ///< kMissed: missed pixels stay black; kProvenance: where light came from
+};
+
+/// Which frames are written, where to, and as what.
+struct OutputParams {
+  std::string folder;                   ///< empty: out/<scene name>
+  std::optional<FrameRanges> frames;    ///< none: the whole animation
+  float exposure_ev = 0.0f;             ///< of pictures in codes and of videos; EXR stays as the light is
+  ToneCurve tone = ToneCurve::kNone;    ///< likewise
+  std::optional<PictureLayout> layout;  ///< none: as the optics lie, lens by lens or tile by tile
+  bool pseudoscopic = false;            ///< kIntegral: as a lens array records, depth turned round
+  bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
+  Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
+  PictureFormat format = PictureFormat::kPng;
+  ExrPixels exr_pixels = ExrPixels::kHalf;
+  std::vector<std::string> video;         ///< files; the ending says which kind
+  std::optional<VideoCodec> video_codec;  ///< of all of them; none: by ending and size
+  std::optional<int> crf;                 ///< of all that lose anything; none: the codec's own
+};
+
+/// All of it, and how it is run.
+struct RenderParams {
+  Sampling sampling;
+  ReuseParams reuse;
+  SceneParams scene;
+  OpticsParams optics;
+  OutputParams output;
+  int threads = 0;      ///< 0: one per processor
+  bool resume = false;  ///< keep the frames that the same job has finished before
+};
+
+/// Samples per pixel of paths that are the scene's default: a first picture comes within seconds.
+inline constexpr int kFirstPathSamples = 16;
+
+/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format),
+/// unless --reuse interpolate is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything
+/// below takes the parameters as they are after this.
+RenderParams with_scene_defaults(RenderParams params);
+
+inline Tone tone_of(const RenderParams& params) { return {params.output.exposure_ev, params.output.tone}; }
+
+/// As said; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a display
+/// are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.
+bool fits_depth(const RenderParams& params);
+
+/// What is traced: as said, or lenticular.
+inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.kind.value_or(OpticsKind::kLenticular); }
+
+/// Whether `scene` names one of the built-in scenes, and thus no file.
+bool is_builtin_scene(const std::string& scene);
+
+/// What is known of a scene beside what it holds.
+struct SceneNotes {
+  std::vector<std::string> camera_names;  ///< in the file's order
+  std::string light;                      ///< one sentence: which light was taken, and why
+};
+
+/// The scene that the parameters name, loaded and lit as they say, or nothing but a display for the test pattern
+/// (test_pattern.hpp). The camera that decides the view is its first. Throws Error.
+Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes = nullptr);
+
+/// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
+std::string output_folder(const RenderParams& params);
+
+}  // namespace lippmann

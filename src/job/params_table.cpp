@@ -1,0 +1,546 @@
+#include "job/params_table.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "core/suggest.hpp"
+#include "job/param_text.hpp"
+#include "job/reuse_params.hpp"
+#include "job/scene_light.hpp"
+#include "lippmann/optics/crosstalk.hpp"
+#include "stage/read_view_wish.hpp"
+
+namespace lippmann {
+namespace {
+
+using Values = std::vector<std::string>;
+
+constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens", "multiview", "single"};
+constexpr std::array<std::string_view, 6> kUpNames{"y", "x", "z", "-x", "-y", "-z"};
+constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
+constexpr std::array<std::string_view, 2> kIntegratorNames{"whitted", "path"};
+constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
+constexpr std::array<std::string_view, 3> kToneNames{"none", "neutral", "agx"};
+constexpr std::array<std::string_view, 5> kReuseNames{"auto", "none", "copy", "light", "interpolate"};
+constexpr std::array<std::string_view, 2> kAngularNames{"none", "box"};
+constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
+constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
+constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provenance"};
+constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
+constexpr std::array<std::string_view, 5> kLayoutNames{"integral", "quilt", "views", "native", "print"};
+constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
+/// Of those that can be asked for; alpha comes with --transparent.
+constexpr std::array<std::string_view, kAovs - 1> kAovNames{"depth",  "normal", "id",     "position", "ray-depth",
+                                                            "albedo", "motion", "direct", "indirect"};
+
+constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in make_optics
+
+/// How each type of member is read and written. One pair of functions makes a row's `set` and `get`.
+template <class T>
+struct Codec {
+  std::function<T(std::string_view, const std::string& where)> read;
+  std::function<std::string(const T&)> write;
+};
+
+Codec<std::string> text() {
+  return {[](std::string_view value, const std::string&) { return std::string(value); },
+          [](const std::string& value) { return value; }};
+}
+
+template <class T>
+Codec<T> integer(std::int64_t lowest, std::int64_t highest) {
+  return {[=](std::string_view value, const std::string& where) {
+            return static_cast<T>(read_integer(value, lowest, highest, where));
+          },
+          [](const T& value) { return fmt::format("{}", value); }};
+}
+
+template <class T>
+Codec<T> number(double lowest, double highest) {
+  return {[=](std::string_view value, const std::string& where) {
+            return static_cast<T>(read_number(value, lowest, highest, where));
+          },
+          [](const T& value) { return fmt::format("{}", value); }};
+}
+
+Codec<bool> flag() {
+  return {read_flag, [](const bool& value) { return std::string(value ? "true" : "false"); }};
+}
+
+template <class T>
+Codec<Extent<T>> extent(T lowest, T highest) {
+  return {[=](std::string_view value, const std::string& where) { return read_extent(value, lowest, highest, where); },
+          [](const Extent<T>& value) { return value.x == T{0} ? std::string() : write_extent(value); }};
+}
+
+/// Both numbers have to be said: WxH.
+Codec<Extent<int>> full_extent(int highest) {
+  Codec<Extent<int>> codec = extent(1, highest);
+  codec.read = [highest](std::string_view value, const std::string& where) {
+    Extent<int> both = read_extent(value, 1, highest, where);
+    if (both.y == 0) both.y = both.x;
+    return both;
+  };
+  return codec;
+}
+
+template <class E, std::size_t N>
+Codec<E> choice(const std::array<std::string_view, N>& names) {
+  return {
+      [&names](std::string_view value, const std::string& where) { return static_cast<E>(read_choice(value, names, where)); },
+      [&names](const E& value) { return std::string(names[static_cast<std::size_t>(value)]); }};
+}
+
+/// Jobs of before have other names.
+Codec<ReuseChoice> reuse_choice() {
+  Codec<ReuseChoice> codec = choice<ReuseChoice>(kReuseNames);
+  codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
+    if (value == "exact") return ReuseChoice::kAuto;
+    return value == "forward" ? ReuseChoice::kInterpolate : by_name(value, where);
+  };
+  return codec;
+}
+
+/// A flag that need not be said.
+Codec<std::optional<bool>> optional_flag() {
+  return {[](std::string_view value, const std::string& where) { return std::optional(read_flag(value, where)); },
+          [](const std::optional<bool>& value) { return value ? std::string(*value ? "true" : "false") : std::string(); }};
+}
+
+/// A number that need not be said.
+template <class T>
+Codec<std::optional<T>> optional_number(double lowest, double highest) {
+  const Codec<T> said = number<T>(lowest, highest);
+  return {[said](std::string_view value, const std::string& where) { return std::optional<T>(said.read(value, where)); },
+          [said](const std::optional<T>& value) { return value ? said.write(*value) : std::string(); }};
+}
+
+/// A choice that need not be made.
+template <class E, std::size_t N>
+Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& names) {
+  const Codec<E> made = choice<E>(names);
+  return {[made](std::string_view value, const std::string& where) { return std::optional<E>(made.read(value, where)); },
+          [made](const std::optional<E>& value) { return value ? made.write(*value) : std::string(); }};
+}
+
+struct Documentation {
+  std::string_view name, group, type, doc;
+};
+
+/// The member at the end of a way of members.
+template <class T>
+T& member_of(T& value) {
+  return value;
+}
+template <class T, class Group, class M, class... Rest>
+auto& member_of(T& value, M Group::*member, Rest... rest) {
+  return member_of(value.*member, rest...);
+}
+
+/// A row for the value at the end of a way of members. An empty text from the codec's `write` means "not said".
+template <class T, class... Members>
+ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members... way) {
+  ParamInfo info{words.name, words.group, words.type, words.doc, kind, true, false, {}, {}};
+  info.set = [=, read = codec.read](RenderParams& params, const Values& values, const std::string& where) {
+    member_of(params, way...) = read(values.empty() ? std::string_view() : std::string_view(values.back()), where);
+  };
+  info.get = [=, write = codec.write](const RenderParams& params) {
+    std::string value = write(member_of(params, way...));
+    return value.empty() ? Values{} : Values{std::move(value)};
+  };
+  return info;
+}
+
+template <class T>
+ParamInfo row(ParamKind kind, T RenderParams::*member, Codec<T> codec, Documentation words) {
+  return row_of(kind, codec, words, member);
+}
+template <class P, class G, class T>
+ParamInfo row(ParamKind kind, G P::*group, T G::*member, Codec<T> codec, Documentation words) {
+  return row_of(kind, codec, words, group, member);
+}
+template <class T>
+ParamInfo row(ParamKind kind, SceneParams RenderParams::*scene, ViewWish SceneParams::*view, T ViewWish::*member,
+              Codec<T> codec, Documentation words) {
+  return row_of(kind, codec, words, scene, view, member);
+}
+
+ParamInfo runs_only(ParamInfo info) {
+  info.changes_pictures = false;
+  return info;
+}
+
+ParamInfo path(ParamInfo info) {
+  info.is_path = true;
+  return info;
+}
+
+ParamInfo with_opposite(ParamInfo info, std::string_view name, std::string_view doc) {
+  info.opposite = name, info.opposite_doc = doc;
+  return info;
+}
+
+ParamInfo frames_row() {
+  ParamInfo info{"frames",
+                 "Scene",
+                 "A-B",
+                 "Frames A to B, both included, from 0; lists and steps: 0,2,4 or 0-10:2; default: the whole animation",
+                 ParamKind::kText,
+                 false,
+                 false,
+                 {},
+                 {}};
+  info.set = [](RenderParams& params, const Values& values, const std::string& where) {
+    params.output.frames = read_frames(values.empty() ? "" : values.back(), where);
+  };
+  info.get = [](const RenderParams& params) {
+    return params.output.frames ? Values{write_frames(*params.output.frames)} : Values{};
+  };
+  return info;
+}
+
+ParamInfo aov_row() {
+  ParamInfo info{"aov",
+                 "Files",
+                 "LAYER,...",
+                 "Extra layers for every frame: depth, ray-depth, normal, position, id, albedo, motion; of paths direct and "
+                 "indirect light; "
+                 "in the EXR itself, else in one beside the picture",
+                 ParamKind::kList,
+                 true,
+                 false,
+                 {},
+                 {}};
+  info.set = [](RenderParams& params, const Values& values, const std::string& where) {
+    params.sampling.aov.clear();
+    for (const std::string& value : values)
+      for (std::size_t start = 0; start <= value.size();) {
+        const std::size_t comma = std::min(value.find(',', start), value.size());
+        const auto layer =
+            static_cast<Aov>(read_choice(std::string_view(value).substr(start, comma - start), kAovNames, where));
+        if (std::find(params.sampling.aov.begin(), params.sampling.aov.end(), layer) == params.sampling.aov.end())
+          params.sampling.aov.push_back(layer);
+        start = comma + 1;
+      }
+  };
+  info.get = [](const RenderParams& params) {
+    Values names;
+    for (const Aov layer : params.sampling.aov) names.emplace_back(kAovNames[static_cast<std::size_t>(layer)]);
+    return names;
+  };
+  return info;
+}
+
+ParamInfo video_row() {
+  ParamInfo info{"video",
+                 "Files",
+                 "FILE",
+                 "Also write a video: .mp4, .mov, .webm or .mkv (lossless); may be given several times",
+                 ParamKind::kList,
+                 false,
+                 true,
+                 {},
+                 {}};
+  info.set = [](RenderParams& params, const Values& values, const std::string&) { params.output.video = values; };
+  info.get = [](const RenderParams& params) { return params.output.video; };
+  return info;
+}
+
+std::vector<ParamInfo> scene_rows() {
+  using P = RenderParams;
+  const Codec<Orbit> orbit{read_orbit, write_orbit};
+  return {
+      path(runs_only(row(ParamKind::kText, &P::scene, &SceneParams::name, text(),
+                         {"scene", "Scene", "SCENE", "A built-in name or a file"}))),
+      path(runs_only(row(ParamKind::kText, &P::scene, &SceneParams::camera_path, text(),
+                         {"camera-path", "Scene", "FILE", "A Tachyon camera path (.cam) for a .dat scene"}))),
+      runs_only(row(ParamKind::kText, &P::scene, &SceneParams::animation, text(),
+                    {"animation", "Scene", "NAME|INDEX",
+                     "Which animation of a glTF file to play; default: the first ('info' lists them)"})),
+      path(runs_only(row(ParamKind::kText, &P::scene, &SceneParams::asset_root, text(),
+                         {"asset-root", "Scene", "DIR",
+                          "Textures and other files that the scene names may lie below this folder; default: in its own"}))),
+      runs_only(row(ParamKind::kText, &P::scene, &SceneParams::camera, text(),
+                    {"camera", "Scene", "NAME|INDEX",
+                     "The camera that decides the view; default: the file's first ('info' lists them)"})),
+      runs_only(row(ParamKind::kText, &P::scene, &SceneParams::up, choice<UpAxis>(kUpNames),
+                    {"up", "Scene", "AXIS", "The axis of the file that points upwards: x, y, z, -x, -y or -z"})),
+      row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::focus, text(),
+          {"focus", "Scene", "NODE|X,Y,Z|DISTANCE",
+           "Where the display's plane lies along the view: at a node, at a point, or so far from the viewer (scene units)"}),
+      row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::fit_to, text(),
+          {"fit-to", "Scene", "NODE",
+           "Fit the view to this node and all below it, from the camera's direction; default: the camera's own view, or the "
+           "scene without its ground, walls and sky"}),
+      row(ParamKind::kNumber, &P::scene, &SceneParams::view, &ViewWish::zoom, number<float>(1e-3, 1e3),
+          {"zoom", "Scene", "FACTOR", "Show the middle of the view this many times as large"}),
+      row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::orbit, orbit,
+          {"orbit", "Scene", "YAW[,PITCH]",
+           "Turn the view about what it looks at, in degrees: the viewer moves to the right, and up"}),
+      frames_row(),
+      row(ParamKind::kNumber, &P::scene, &SceneParams::fps, number<double>(0.0, 1000.0),
+          {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),
+      runs_only(row(ParamKind::kNumber, &P::scene, &SceneParams::light_scale, number<float>(0.0, 1e6),
+                    {"light-scale", "Scene", "X", "Multiplies the light of the scene's lamps, for files in other units"})),
+  };
+}
+
+std::vector<ParamInfo> optics_rows() {
+  using P = RenderParams;
+  const Codec<std::optional<double>> crosstalk{
+      [](std::string_view value, const std::string& where) { return std::optional(read_crosstalk(value, where)); },
+      [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
+  const Codec<std::optional<float>> distance{read_distance, [](const std::optional<float>& v) { return write_distance(v); }};
+  return {
+      path(runs_only(row(
+          ParamKind::kText, &P::optics, &OpticsParams::display, text(),
+          {"display", "Optics", "NAME|FILE",
+           "The display to render for: a name (see: lippmann displays), a .toml file of your own, or a calibration .json"}))),
+      row(ParamKind::kText, &P::optics, &OpticsParams::kind, optional_choice<OpticsKind>(kOpticsNames),
+          {"optics", "Optics", "KIND",
+           "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view); default: the display's, else "
+           "lenticular"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::packing, choice<LensPacking>(kPackingNames),
+          {"packing", "Optics", "KIND", "How microlenses are packed: square or hexagonal"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::lenses, extent(1, kMaxCount),
+          {"lenses", "Optics", "N[xM]", "Lenses across and down; default 64, and as many down as make the panel square"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::lens_pixels, extent(1.0f, static_cast<float>(kMaxCount)),
+          {"lens-pixels", "Optics", "N[xM]", "Pixels below a lens, across and down, not necessarily whole; default 8"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::size, full_extent(kMaxCount),
+          {"size", "Optics", "WxH", "The whole picture in pixels; default: lenses times lens-pixels"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::views, full_extent(4096),
+          {"views", "Optics", "CxR", "Multiview: columns and rows of views in the quilt; default 8x6"}),
+      row(ParamKind::kFlag, &P::optics, &OpticsParams::camera_grid, flag(),
+          {"camera-grid", "Optics", "",
+           "Multiview: a grid of parallel cameras at equal distances, across and up, as in data sets of vision research"}),
+      row(ParamKind::kNumber, &P::optics, &OpticsParams::view_angle_deg, optional_number<float>(0.1, 170.0),
+          {"view-angle", "Optics", "DEG",
+           "Viewing zone, full angle; sets the gap between lenses and panel; default: the display's, else 28"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::viewing_distance_mm, distance,
+          {"viewing-distance", "Optics", "MM|inf|auto",
+           "Where the lenses' cells converge; auto: the display's, else where the camera stands"}),
+      row(ParamKind::kNumber, &P::optics, &OpticsParams::slant_deg, number<float>(-80.0, 80.0),
+          {"slant", "Optics", "DEG", "Angle of a lenticular sheet's lenses from the vertical"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::crosstalk_px, crosstalk,
+          {"crosstalk", "Optics", "PIXELS|C%",
+           "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
+           "neighbour: 0.4 or 10%; default: the display's"}),
+      row(ParamKind::kFlag, &P::optics, &OpticsParams::precompensate, flag(),
+          {"precompensate", "Optics", "",
+           "Pictures that crosstalk turns into the wanted ones, as far as light can be neither negative nor brighter than "
+           "white"}),
+      with_opposite(
+          row(ParamKind::kFlag, &P::optics, &OpticsParams::fit_depth, optional_flag(),
+              {"fit-depth", "Optics", "",
+               "Show the scene less deep than it is, if it is deeper than the display can resolve; the default for lenses and "
+               "for every --display"}),
+          "full-depth", "Show all of the scene's depth, blurred or in steps where the display cannot resolve it"),
+  };
+}
+
+std::vector<ParamInfo> rendering_rows() {
+  using P = RenderParams;
+  const Codec<std::string> environment{read_environment_choice, [](const std::string& value) { return value; }};
+  return {
+      row(ParamKind::kText, &P::sampling, &Sampling::integrator, optional_choice<Integrator>(kIntegratorNames),
+          {"integrator", "Rendering", "NAME",
+           "whitted: shadows, mirrors, refraction; path: all light, by random paths; default: path for glTF, OBJ and PLY "
+           "files, else whitted"}),
+      row(ParamKind::kNumber, &P::sampling, &Sampling::spp, integer<int>(0, 1 << 16),
+          {"spp", "Rendering", "N", "Samples per pixel; 0: 1, or of paths 64 (16 where they are the default)"}),
+      row(ParamKind::kText, &P::sampling, &Sampling::angular_filter, optional_choice<AngularFilter>(kAngularNames),
+          {"angular-filter", "Rendering", "NAME",
+           "Multiview: the samples of a pixel are seen from one eye (none), or from half-way to one neighbour to half-way to "
+           "the "
+           "other (box): what lies beyond the depth budget blurs and does not double; default: box for quilts of a --display"}),
+      row(ParamKind::kNumber, &P::sampling, &Sampling::max_depth, integer<int>(0, 1024),
+          {"max-depth", "Rendering", "N", "The most vertices that a path may have; 1: no mirrors; 0: the scene's own limit"}),
+      row(ParamKind::kNumber, &P::sampling, &Sampling::seed,
+          integer<std::uint32_t>(0, std::numeric_limits<std::uint32_t>::max()),
+          {"seed", "Rendering", "N", "Seed of the random numbers: where samples lie within their pixels, and paths"}),
+      row(ParamKind::kNumber, &P::sampling, &Sampling::clamp_indirect, number<float>(0.0, 1e6),
+          {"clamp-indirect", "Rendering", "X",
+           "Paths: no indirect contribution to a sample is brighter than X, which removes bright specks and loses light; 0: "
+           "off"}),
+      row(ParamKind::kFlag, &P::sampling, &Sampling::denoise, flag(),
+          {"denoise", "Rendering", "",
+           "Paths: take out noise by averaging over pixels, views and frames that show the same surface in the same light"}),
+      path(
+          row(ParamKind::kText, &P::scene, &SceneParams::environment, environment,
+              {"environment", "Rendering", "none|studio|COLOUR|FILE",
+               "What surrounds and lights the scene: nothing but its own light (none), the built-in studio, a colour (#rrggbb, "
+               "or R,G,B in linear light) or a panorama (.hdr, .exr); default: the scene's own, and the studio for path-traced "
+               "glTF, OBJ and PLY files that bring no light (dim where they bring lamps alone)"})),
+      row(ParamKind::kNumber, &P::scene, &SceneParams::environment_strength, number<float>(0.0, 1e6),
+          {"environment-strength", "Rendering", "X", "Multiplies the light of the surroundings"}),
+      row(ParamKind::kNumber, &P::scene, &SceneParams::environment_rotation_deg, number<float>(-360.0, 360.0),
+          {"environment-rotation", "Rendering", "DEG", "Turns the surroundings about the vertical"}),
+      row(ParamKind::kFlag, &P::sampling, &Sampling::transparent, flag(),
+          {"transparent", "Rendering", "",
+           "Pictures with alpha, the share of a pixel's samples that hit something: the surroundings light the scene but are "
+           "not seen"}),
+      row(ParamKind::kNumber, &P::output, &OutputParams::exposure_ev, number<float>(-64.0, 64.0),
+          {"exposure", "Rendering", "EV", "Exposure of pictures and videos in stops; EXR files stay linear"}),
+      row(ParamKind::kText, &P::output, &OutputParams::tone, choice<ToneCurve>(kToneNames),
+          {"tone", "Rendering", "CURVE",
+           "How light brighter than white is shown, except in EXR files: cut off (none), compressed with colours kept "
+           "(neutral), "
+           "or as film does (agx)"}),
+      runs_only(
+          row(ParamKind::kText, &P::sampling, &Sampling::order, choice<RayOrder>(kOrderNames),
+              {"order", "Rendering", "ORDER",
+               "The order in which pixels are traced, which changes only speed: rows, columns (below a lens), view-tiles"})),
+  };
+}
+
+std::vector<ParamInfo> reuse_rows() {
+  using P = RenderParams;
+  const Codec<std::optional<int>> keyframes{
+      [](std::string_view value, const std::string& where) -> std::optional<int> {
+        if (value == "auto") return std::nullopt;
+        return static_cast<int>(read_integer(value, 2, kMaxKeyframes, where));
+      },
+      [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string("auto"); }};
+  const Codec<std::optional<double>> min_psnr{
+      [](std::string_view value, const std::string& where) -> std::optional<double> {
+        return read_number(value, kLeastPsnr, kMostPsnr, where);
+      },
+      [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
+  const Codec<std::optional<double>> seconds{
+      [](std::string_view value, const std::string& where) -> std::optional<double> {
+        return read_number(value, kLeastBudgetS, kMostBudgetS, where);
+      },
+      [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
+  return {
+      row(ParamKind::kText, &P::reuse, &ReuseParams::choice, reuse_choice(),
+          {"reuse", "Reuse", "NAME",
+           "What frames take from each other. auto: light for paths, else copy; light: pixels, views and frames share soft "
+           "light, "
+           "as good as all --spp paths and measured; copy: pixels that provably stay as they are are copied, the same pictures "
+           "as "
+           "none; interpolate: frames between key frames are made from their points; none"}),
+      row(ParamKind::kText, &P::reuse, &ReuseParams::keyframes, keyframes,
+          {"keyframes", "Reuse", "K|auto",
+           "Copy, interpolate: a key frame, which is traced whole, every K frames; auto: chosen, or 8 for interpolate without "
+           "--min-psnr"}),
+      row(ParamKind::kNumber, &P::reuse, &ReuseParams::min_psnr_db, min_psnr,
+          {"min-psnr", "Reuse", "DB",
+           "Interpolate: pixels are traced wherever a frame's PSNR would otherwise fall below this, and key frames chosen to "
+           "suit; light: as many samples as it takes, in place of --spp"}),
+      row(ParamKind::kNumber, &P::reuse, &ReuseParams::time_budget_s, seconds,
+          {"time-budget", "Reuse", "S",
+           "Light: frames as good as about S seconds on this machine allow, the first of every 16 aside, in place of --spp; "
+           "what "
+           "they look like then depends on the machine"}),
+      row(ParamKind::kText, &P::reuse, &ReuseParams::splat, choice<SplatMode>(kSplatNames),
+          {"splat", "Reuse", "WHERE", "Interpolate: points stay below their lens (the paper's) or in their directional view"}),
+      row(ParamKind::kText, &P::reuse, &ReuseParams::fill, choice<MissedFill>(kFillNames),
+          {"fill", "Reuse", "HOW", "Interpolate: missed pixels are interpolated from their neighbours, or retraced"}),
+      row(ParamKind::kFlag, &P::reuse, &ReuseParams::halving, flag(),
+          {"halving", "Reuse", "",
+           "Interpolate: make the middle frame first, then the others from it too (the paper's recursion)"}),
+      row(ParamKind::kFlag, &P::reuse, &ReuseParams::no_z_buffer, flag(),
+          {"no-z-buffer", "Reuse", "",
+           "Interpolate: points overwrite each other in pixel order, without regard to depth: wrong pictures, for study"}),
+      row(ParamKind::kText, &P::reuse, &ReuseParams::debug, choice<DebugPicture>(kDebugNames),
+          {"debug", "Reuse", "PICTURE",
+           "Interpolate: missed shows missed pixels black; light: provenance shows light that was traced red, that "
+           "of the cache green, what it knows from frames before blue"}),
+  };
+}
+
+std::vector<ParamInfo> file_rows() {
+  using P = RenderParams;
+  const Codec<std::optional<VideoCodec>> video_codec{
+      [](std::string_view value, const std::string& where) -> std::optional<VideoCodec> {
+        return static_cast<VideoCodec>(read_choice(value, kVideoCodecNames, where));
+      },
+      [](const std::optional<VideoCodec>& value) { return value ? std::string(name_of(*value)) : std::string(); }};
+  const Codec<std::optional<int>> crf{
+      [](std::string_view value, const std::string& where) -> std::optional<int> {
+        return static_cast<int>(read_integer(value, 0, 63, where));
+      },
+      [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
+  return {
+      path(runs_only(
+          row(ParamKind::kText, &P::output, &OutputParams::folder, text(),
+              {"output", "Files", "DIR",
+               "The folder that everything is written to; default out/<scene name>, or -2, -3, ... where another render is"}))),
+      row(ParamKind::kText, &P::output, &OutputParams::layout, optional_choice<PictureLayout>(kLayoutNames),
+          {"layout", "Files", "LAYOUT",
+           "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
+           "them), "
+           "native (the display's own frame) or print (TIFF at the display's resolution); default: as the optics lie"}),
+      row(ParamKind::kFlag, &P::output, &OutputParams::pseudoscopic, flag(),
+          {"pseudoscopic", "Files", "",
+           "Layout integral: as a real array of lenses records it, every elemental image turned round, depth inverted"}),
+      row(ParamKind::kFlag, &P::output, &OutputParams::mirror, flag(),
+          {"mirror", "Files", "", "Layout print: left and right exchanged, for printing on the back of the sheet"}),
+      row(ParamKind::kText, &P::output, &OutputParams::quilt, full_extent(4096),
+          {"quilt", "Files", "CxR", "Tiles of --layout quilt; default: as the views lie, or as square as can be"}),
+      row(ParamKind::kText, &P::output, &OutputParams::format, choice<PictureFormat>(kFormatNames),
+          {"format", "Files", "FORMAT",
+           "File format of the pictures: png (8 bit), png16, tiff (8 bit, says its resolution) or exr (linear)"}),
+      row(ParamKind::kText, &P::output, &OutputParams::exr_pixels, choice<ExrPixels>(kExrPixelNames),
+          {"exr-pixels", "Files", "TYPE", "Number type of EXR colours: half or float"}),
+      aov_row(),
+      video_row(),
+      runs_only(
+          row(ParamKind::kText, &P::output, &OutputParams::video_codec, video_codec,
+              {"video-codec", "Files", "NAME",
+               "Codec of videos: h264, hevc, vp9, av1 or ffv1; default: .mp4 h264, above 4096 pixels a side hevc; .webm vp9; "
+               ".mkv ffv1"})),
+      runs_only(
+          row(ParamKind::kText, &P::output, &OutputParams::crf, crf,
+              {"crf", "Files", "N", "Quality of videos, 0 (best) to 51 (h264, hevc) or 63; default 18, hevc 20, else 24"})),
+  };
+}
+
+std::vector<ParamInfo> running_rows() {
+  using P = RenderParams;
+  return {
+      runs_only(row(ParamKind::kNumber, &P::threads, integer<int>(0, 1024),
+                    {"threads", "Running", "N", "Rendering threads; 0: one per processor"})),
+      runs_only(row(ParamKind::kFlag, &P::resume, flag(),
+                    {"resume", "Running", "", "Keep the frames that an earlier run of the same job has finished"})),
+  };
+}
+
+}  // namespace
+
+const std::vector<ParamInfo>& params_table() {
+  static const std::vector<ParamInfo> table = [] {
+    std::vector<ParamInfo> all;
+    for (auto rows : {scene_rows(), optics_rows(), rendering_rows(), reuse_rows(), file_rows(), running_rows()})
+      for (ParamInfo& info : rows) all.push_back(std::move(info));
+    return all;
+  }();
+  return table;
+}
+
+const ParamInfo* find_param(std::string_view name) {
+  for (const ParamInfo& info : params_table())
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+const ParamInfo* find_opposite(std::string_view name) {
+  for (const ParamInfo& info : params_table())
+    if (!info.opposite.empty() && info.opposite == name) return &info;
+  return nullptr;
+}
+
+std::string did_you_mean(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const ParamInfo& info : params_table())
+    for (const std::string_view known : {info.name, info.opposite})
+      if (!known.empty()) names.push_back(known);
+  const std::string nearest = nearest_name(name, names);
+  return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", nearest);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,22 @@
+// From what is said of reuse to the kind of reuse with its own parameters (frames/reuse.hpp).
+#pragma once
+
+#include "job/params.hpp"
+
+namespace lippmann {
+
+inline constexpr int kMaxKeyframes = 4096;
+inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;            ///< floors that can be asked for
+inline constexpr double kLeastBudgetS = 0.001, kMostBudgetS = 86400.0;  ///< seconds of a frame, likewise
+
+/// How the frames of a job are made: kAuto becomes what its sampling allows. `params` as with_scene_defaults() leaves them.
+/// Throws a usage Error for parameters of reuse that mean nothing to the kind that serves, and for all that check() refuses.
+FrameParams frame_params(const RenderParams& params);
+
+/// Throws a usage Error for a floor that is asked of pictures of another tone.
+void check_floor(const RenderParams& params);
+
+/// One sentence where light that could be shared is not because of what else is asked for; else empty.
+std::string whole_paths_sentence(const RenderParams& params);
+
+}  // namespace lippmann

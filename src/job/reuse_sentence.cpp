@@ -1,0 +1,57 @@
+#include "job/reuse_sentence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <variant>
+
+#include "job/shared_light.hpp"
+
+namespace lippmann {
+namespace {
+
+double pixels_of(const RenderReport& report) {
+  return static_cast<double>(report.optics.panel.width) * report.optics.panel.height;
+}
+
+/// How much of frames that are the same bits as traced ones was copied.
+std::string describe_copied(const RenderReport& report) {
+  double reused = 0.0;
+  for (const FrameReport& frame : report.frames) reused += static_cast<double>(frame.reused_pixels);
+  const double all = pixels_of(report) * std::max(static_cast<double>(report.frames.size()), 1.0);
+  return fmt::format("{:.1f} % of all pixels copied from key frames, provably unchanged", 100.0 * reused / all);
+}
+
+/// How much was traced and how much interpolated from that.
+std::string describe_interpolated(const RenderReport& report) {
+  std::uint64_t keys = report.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
+  for (const FrameReport& frame : report.frames) {
+    keys += frame.kind == "key";
+    made += frame.kind == "in-between";
+    missed += frame.missed_pixels, newly_visible += frame.newly_visible_pixels, retraced += frame.retraced_pixels;
+  }
+  const double percent = 100.0 / std::max(pixels_of(report) * static_cast<double>(made), 1.0);
+  return fmt::format(
+      "{} frame{} made between {} sources; {:.2f} % of the pixels missed ({:.2f} newly visible, {:.2f} not covered), {}", made,
+      made == 1 ? "" : "s", keys, percent * static_cast<double>(missed), percent * static_cast<double>(newly_visible),
+      percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
+}
+
+struct Describe {
+  const RenderReport& report;
+
+  std::string operator()(const AutoReuse&) const { return (*this)(TraceAll{}); }
+  std::string operator()(const TraceAll&) const { return "every frame was traced whole"; }
+  std::string operator()(const CopySettled&) const { return describe_copied(report); }
+  std::string operator()(const ShareLight&) const { return shared_light_sentence(report.frames); }
+  std::string operator()(const Interpolate&) const { return describe_interpolated(report); }
+};
+
+}  // namespace
+
+std::string reuse_sentence(const RenderReport& report) {
+  return fmt::format("{}: {}", name_of(report.reuse), std::visit(Describe{report}, report.reuse));
+}
+
+}  // namespace lippmann

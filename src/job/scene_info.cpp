@@ -1,0 +1,193 @@
+#include "job/scene_info.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "core/printable.hpp"
+#include "job/display_optics.hpp"
+#include "job/make_optics.hpp"
+#include "job/panel_size.hpp"
+#include "job/report.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
+#include "optics/optics_json.hpp"
+#include "scene/deform.hpp"
+#include "stage/depth_budget.hpp"
+
+namespace lippmann {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSampledFrames = 32;
+
+struct CountShape {
+  SceneInfo& info;
+  void operator()(const Mesh& mesh) const { ++info.meshes, info.triangles += mesh.triangles.size(); }
+  void operator()(const Spheres& spheres) const { info.spheres += spheres.size(); }
+  void operator()(const Cylinders& cylinders) const { info.cylinders += cylinders.size(); }
+  void operator()(const Planes& planes) const { info.planes += planes.size(); }
+  void operator()(const Rings& rings) const { info.rings += rings.size(); }
+  void operator()(const Boxes& boxes) const { info.boxes += boxes.size(); }
+};
+
+/// As often as they are shown.
+void count(const Scene& scene, SceneInfo& info) {
+  info.nodes = scene.nodes.size();
+  info.instances = scene.instances.size();
+  info.materials = scene.materials.size();
+  info.textures = scene.textures.size();
+  info.lights = scene.lights.size();
+  info.cameras = scene.cameras.size();
+  for (const Instance& instance : scene.instances)
+    std::visit(CountShape{info}, scene.shapes[static_cast<std::size_t>(instance.shape)]);
+  const std::vector<bool> moves = moving_instances(scene);
+  info.moving_instances = static_cast<std::size_t>(std::count(moves.begin(), moves.end(), true));
+}
+
+Bounds3f bounds_over_animation(const Scene& scene) {
+  Bounds3f bounds;
+  const int step = std::max(1, scene.timeline.frame_count / kSampledFrames);
+  for (int frame = 0; frame < scene.timeline.frame_count; frame += step)
+    bounds.add(finite_bounds(scene, evaluate(scene, scene.timeline.time(frame))));
+  return bounds;
+}
+
+Json vector_json(Vec3f v) { return {v.x, v.y, v.z}; }
+
+Json bounds_json(const Bounds3f& bounds) {
+  if (bounds.empty()) return nullptr;
+  return {{"lower", vector_json(bounds.lower)}, {"upper", vector_json(bounds.upper)}};
+}
+
+/// "shown: Walk (1); others: Survey (0), Run (2)".
+std::string list_animations(const SceneInfo& info) {
+  const auto shown_one = static_cast<std::size_t>(info.animation);
+  const auto label = [&](std::size_t i) { return fmt::format("{} ({})", printable(info.animations[i]), i); };
+  std::string text = fmt::format("shown: {}; others:", label(shown_one));
+  for (std::size_t i = 0; i < info.animations.size(); ++i)
+    if (i != shown_one) text += ' ' + label(i) + ',';
+  text.pop_back();
+  return text;
+}
+
+/// Of files that bring animations: whether frames show their keys.
+std::string describe_keys(const SceneInfo& info) {
+  if (info.animations.empty()) return "";
+  return info.keys_on_frames ? ", every key of the file on a frame" : ", not all keys of the file on frames (--fps chooses)";
+}
+
+/// "3 meshes, 1 light": what there is at all.
+std::string list_counts(std::initializer_list<std::pair<std::size_t, std::string_view>> counts) {
+  std::string text;
+  for (const auto& [number, name] : counts) {
+    if (number == 0) continue;
+    const std::string plural = number == 1 ? "" : name == "mesh" || name == "box" ? "es" : "s";
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", number, name, plural);
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+SceneInfo describe_scene(const RenderParams& params, const Context& context) {
+  SceneInfo info;
+  Context collecting;
+  collecting.threads = context.threads;
+  collecting.warn = [&](std::string_view text) { info.warnings.emplace_back(text); };
+  const Scene scene = wanted_scene(params, collecting, &info.notes);
+  info.name = scene.name;
+  info.animations = scene.animation_names, info.animation = scene.animation;
+  info.frames = scene.timeline.frame_count;
+  info.frames_per_second = scene.timeline.frames_per_second;
+  info.keys_on_frames = keys_fall_on_frames(scene.timeline, info.frames_per_second);
+  count(scene, info);
+  info.bounds = bounds_over_animation(scene);
+  const auto display = wanted_display(params);
+  info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()), params.scene.view);
+  const PlacedOptics placed = make_optics(params, scene, info.array, display.get());
+  info.optics = placed.optics;
+  info.units_per_mm = placed.units_per_mm, info.depth_scale = placed.depth_scale;
+  info.array_center = world_from_display(info.array, info.units_per_mm, evaluate(scene, scene.timeline.time(0))).translation;
+  return info;
+}
+
+Json to_json(const SceneInfo& info) {
+  const double distance = info.array.viewing_distance;
+  return {{"name", info.name},
+          {"nodes", info.nodes},
+          {"instances", info.instances},
+          {"moving_instances", info.moving_instances},
+          {"meshes", info.meshes},
+          {"triangles", info.triangles},
+          {"spheres", info.spheres},
+          {"cylinders", info.cylinders},
+          {"planes", info.planes},
+          {"rings", info.rings},
+          {"boxes", info.boxes},
+          {"materials", info.materials},
+          {"textures", info.textures},
+          {"lights", info.lights},
+          {"cameras", info.cameras},
+          {"camera_names", info.notes.camera_names},
+          {"light", info.notes.light},
+          {"animations", info.animations},
+          {"animation", info.animation < 0 ? Json(nullptr) : Json(info.animation)},
+          {"frames", info.frames},
+          {"frames_per_second", info.frames_per_second},
+          {"seconds", info.frames / info.frames_per_second},
+          {"keys_on_frames", info.keys_on_frames},
+          {"bounds", bounds_json(info.bounds)},
+          {"array",
+           {{"fitted", info.array.how},
+            {"center", vector_json(info.array_center)},
+            {"height", info.array.plane_height},
+            {"viewing_distance", std::isfinite(distance) ? Json(distance) : Json(nullptr)},
+            {"units_per_mm", info.units_per_mm}}},
+          {"optics", optics_json(info.optics)},
+          {"depth", depth_json(shown_depth(info.array, info.units_per_mm, info.depth_scale, info.optics), info.depth_scale,
+                               info.optics)},
+          {"warnings", info.warnings}};
+}
+
+std::string to_text(const SceneInfo& info) {
+  std::string text = fmt::format("{}\n", info.name);
+  const auto line = [&](std::string_view name, const std::string& value) { text += fmt::format("  {:<10} {}\n", name, value); };
+  line("shapes", list_counts({{info.meshes, "mesh"},
+                              {info.triangles, "triangle"},
+                              {info.spheres, "sphere"},
+                              {info.cylinders, "cylinder"},
+                              {info.planes, "plane"},
+                              {info.rings, "ring"},
+                              {info.boxes, "box"}}));
+  line("others", list_counts({{info.instances, "instance"},
+                              {info.materials, "material"},
+                              {info.textures, "texture"},
+                              {info.lights, "light"},
+                              {info.cameras, "camera"}}));
+  if (info.cameras > 1) line("cameras", list_cameras(info.notes.camera_names) + "; --camera chooses");
+  line("light", info.notes.light);
+  line("animation",
+       fmt::format("{} frames at {:g} a second = {:.1f} s{}; {} of {} instances move", info.frames, info.frames_per_second,
+                   info.frames / info.frames_per_second, describe_keys(info), info.moving_instances, info.instances));
+  if (info.animations.size() > 1) line("", list_animations(info));
+  if (!info.bounds.empty())
+    line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,
+                               info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));
+  line("array", info.array.how);
+  line("", fmt::format("Its centre is at ({:g}, {:g}, {:g}).", info.array_center.x, info.array_center.y, info.array_center.z));
+  const int per_pixel = sub_pixels_per_pixel(info.optics);
+  line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width / per_pixel,
+                            info.optics.panel.height, static_cast<float>(per_pixel) * info.optics.panel.pixel_pitch_mm,
+                            info.units_per_mm));
+  line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));
+  line("depth", depth_budget_sentence(shown_depth(info.array, info.units_per_mm, info.depth_scale, info.optics), info.optics,
+                                      info.depth_scale));
+  for (const std::string& warning : info.warnings) line("warning", warning);
+  return text;
+}
+
+}  // namespace lippmann

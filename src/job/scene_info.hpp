@@ -1,0 +1,48 @@
+// What is in a scene, how long its animation is, how the array was fitted, and whether the array can show its depth.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "job/params.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/stage/fit_array.hpp"
+
+namespace lippmann {
+
+struct SceneInfo {
+  std::string name;
+  std::size_t nodes = 0, instances = 0, meshes = 0, triangles = 0;
+  std::size_t spheres = 0, cylinders = 0, planes = 0, rings = 0, boxes = 0;
+  std::size_t materials = 0, textures = 0, lights = 0, cameras = 0;
+
+  SceneNotes notes;
+
+  int frames = 1;
+  double frames_per_second = 25.0;
+  bool keys_on_frames = true;           ///< every key of the animation falls on a frame
+  std::size_t moving_instances = 0;     ///< that move or change their shape
+  std::vector<std::string> animations;  ///< names of all that the file has
+  int animation = -1;                   ///< which of them is shown
+
+  Bounds3f bounds;  ///< world, of everything finite, over the animation (sampled at up to 32 frames)
+
+  FittedArray array;
+  Optics optics;
+  float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< of PlacedOptics
+  Vec3f array_center{0.0f};                       ///< world, at the first frame
+  std::vector<std::string> warnings;              ///< complete sentences: what the importer did not take over
+};
+
+/// Loads the scene and fits the array as a render with these params would. Throws Error.
+SceneInfo describe_scene(const RenderParams& params, const Context& context);
+
+nlohmann::ordered_json to_json(const SceneInfo& info);
+
+/// Several lines for people.
+std::string to_text(const SceneInfo& info);
+
+}  // namespace lippmann

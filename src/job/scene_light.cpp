@@ -1,0 +1,102 @@
+#include "job/scene_light.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "job/environment_file.hpp"
+#include "job/param_text.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/scene/load.hpp"
+#include "scene/default_light.hpp"
+#include "scene/studio_light.hpp"
+#include "stage/surroundings.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr std::string_view kNone = "none", kStudio = "studio";
+constexpr const char* kAccepted = "none, studio, a colour as #rrggbb or R,G,B (linear light), or a panorama, .hdr or .exr";
+
+/// "#ffcc00", codes of sRGB.
+std::optional<Vec3f> parse_hexadecimal(std::string_view text) {
+  unsigned codes = 0;
+  const char* const end = text.data() + text.size();
+  if (text.size() != 7) return std::nullopt;
+  if (const auto read = std::from_chars(text.data() + 1, end, codes, 16); read.ec != std::errc() || read.ptr != end)
+    return std::nullopt;
+  const auto channel = [&](int shift) { return static_cast<float>(linear_from_srgb(((codes >> shift) & 255u) / 255.0)); };
+  return Vec3f(channel(16), channel(8), channel(0));
+}
+
+/// "1,0.8,0.2", linear light.
+Vec3f read_linear(std::string_view text, const std::string& where) {
+  constexpr double kMost = 1e6;
+  Vec3f color{0.0f};
+  for (int c = 0; c < 3; ++c) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (c == 2)) throw usage_error(where, "a colour has three numbers", kAccepted);
+    color[c] = static_cast<float>(read_number(text.substr(0, comma), 0.0, kMost, where));
+    text.remove_prefix(c == 2 ? text.size() : comma + 1);
+  }
+  return color;
+}
+
+/// None where the value is no colour; throws where it looks like one and is none.
+std::optional<Vec3f> read_color(std::string_view value, const std::string& where) {
+  if (value.starts_with('#')) {
+    const std::optional<Vec3f> color = parse_hexadecimal(value);
+    if (!color) throw usage_error(where, fmt::format("'{}' is no colour", value), kAccepted);
+    return color;
+  }
+  const bool is_list = value.find(',') != std::string_view::npos && value.find_first_not_of("0123456789.,+-eE") == value.npos;
+  return is_list ? std::optional(read_linear(value, where)) : std::nullopt;
+}
+
+Surrounding surrounding_of(const RenderParams& params) {
+  return {params.scene.environment_strength, params.scene.environment_rotation_deg};
+}
+
+/// What --environment asks for.
+std::string light_as_asked(Scene& scene, const RenderParams& params) {
+  const std::string& value = params.scene.environment;
+  if (value == kNone) return "The scene has its own light alone, as --environment none asks for.";
+  if (value == kStudio) {
+    surround_with(scene, studio_environment(viewer_orientation(scene)), surrounding_of(params), 1.0f);
+    return "The built-in studio lights the scene, as --environment asks for.";
+  }
+  if (const std::optional<Vec3f> color = read_color(value, "--environment")) {
+    surround_with(scene, params.scene.environment_strength * *color);
+    return fmt::format("The colour {} surrounds the scene, as --environment asks for.", value);
+  }
+  scene.background.map = read_environment(value, params.scene.environment_strength, params.scene.environment_rotation_deg);
+  return fmt::format("The panorama {} lights the scene, as --environment asks for.", value);
+}
+
+}  // namespace
+
+bool environment_is_file(std::string_view value) {
+  return !value.empty() && value != kNone && value != kStudio && !read_color(value, "--environment");
+}
+
+std::string read_environment_choice(std::string_view value, const std::string& where) {
+  read_color(value, where);
+  return std::string(value);
+}
+
+std::string light_scene(Scene& scene, const RenderParams& params, const Context& context) {
+  if (!params.scene.environment.empty()) return light_as_asked(scene, params);
+  if (integrator_of(params.sampling) == Integrator::kWhitted) {
+    if (lacks_lamps(scene))
+      context.warning(fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added",
+                                  params.scene.name));
+    return light_for_whitted(scene);
+  }
+  if (!is_physical_format(params.scene.name)) return "The scene has its own light.";
+  return light_for_paths(scene, surrounding_of(params));
+}
+
+}  // namespace lippmann

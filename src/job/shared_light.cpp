@@ -1,0 +1,91 @@
+#include "job/shared_light.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string_view>
+
+namespace lippmann {
+namespace {
+
+/// So many frames are named; the others are counted.
+constexpr std::size_t kNamed = 5;
+
+std::vector<FrameReport> measured_frames(const std::vector<FrameReport>& frames) {
+  std::vector<FrameReport> some;
+  std::copy_if(frames.begin(), frames.end(), std::back_inserter(some),
+               [](const FrameReport& frame) { return frame.estimated_psnr_db && frame.estimated_block_psnr_db; });
+  return some;
+}
+
+/// The first of several that are as low.
+const FrameReport& lowest(const std::vector<FrameReport>& frames, std::optional<double> FrameReport::*figure) {
+  return *std::min_element(frames.begin(), frames.end(),
+                           [&](const FrameReport& a, const FrameReport& b) { return a.*figure < b.*figure; });
+}
+
+/// Of the mean of the squared errors.
+double mean_psnr_db(const std::vector<FrameReport>& frames) {
+  double squares = 0.0;
+  for (const FrameReport& frame : frames) squares += std::pow(10.0, -0.1 * frame.estimated_psnr_db.value());
+  return -10.0 * std::log10(squares / static_cast<double>(frames.size()));
+}
+
+/// "frames 0, 1, 2, 3, 4 and 7 more".
+std::string named(const std::vector<FrameReport>& frames) {
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < std::min(frames.size(), kNamed); ++i) numbers.push_back(frames[i].frame);
+  const std::string more = frames.size() > kNamed ? fmt::format(" and {} more", frames.size() - kNamed) : "";
+  return fmt::format("{} {}{}", frames.size() == 1 ? "frame" : "frames", fmt::join(numbers, ", "), more);
+}
+
+std::string how_many_share(const std::vector<FrameReport>& frames) {
+  const auto shared = static_cast<std::size_t>(
+      std::count_if(frames.begin(), frames.end(), [](const FrameReport& frame) { return frame.kind == "shared"; }));
+  if (shared == 0) return "every frame was traced whole";
+  if (frames.size() == 1) return "the frame shares light";
+  return fmt::format("{} of {} frames share light{}", shared, frames.size(),
+                     shared < frames.size() ? ", the others were traced whole" : "");
+}
+
+}  // namespace
+
+std::string shared_light_sentence(const std::vector<FrameReport>& frames) {
+  const std::string who = how_many_share(frames);
+  const std::vector<FrameReport> measured = measured_frames(frames);
+  if (measured.empty()) return who;
+  const FrameReport &worst = lowest(measured, &FrameReport::estimated_psnr_db),
+                    &worst_block = lowest(measured, &FrameReport::estimated_block_psnr_db);
+  if (frames.size() == 1)
+    return fmt::format("{}, PSNR as measured {:.1f} dB, {:.1f} dB of means over 64 pixels", who, *worst.estimated_psnr_db,
+                       *worst_block.estimated_block_psnr_db);
+  return fmt::format(
+      "{}, PSNR as measured {:.1f} dB on average, {:.1f} dB at worst (frame {}), {:.1f} dB at worst of means over 64 pixels "
+      "(frame {})",
+      who, mean_psnr_db(measured), *worst.estimated_psnr_db, worst.frame, *worst_block.estimated_block_psnr_db,
+      worst_block.frame);
+}
+
+std::string below_floor_sentence(const std::vector<FrameReport>& frames, double min_psnr_db) {
+  std::vector<FrameReport> unsure = measured_frames(frames);
+  std::erase_if(unsure, [&](const FrameReport& frame) { return frame.psnr_at_least_db >= min_psnr_db; });
+  if (unsure.empty()) return "";
+  const auto below = std::count_if(unsure.begin(), unsure.end(),
+                                   [&](const FrameReport& frame) { return frame.estimated_psnr_db < min_psnr_db; });
+  const std::string measured = below == 0 ? "none is" : fmt::format("{} of them {}", below, below == 1 ? "is" : "are");
+  return fmt::format("{} may fall short of --min-psnr {:g} (at 95 % confidence); {} below it as measured", named(unsure),
+                     min_psnr_db, measured);
+}
+
+std::string unmeasured_sentence(const std::vector<FrameReport>& frames, double min_psnr_db) {
+  std::vector<FrameReport> others = frames;
+  std::erase_if(others, [](const FrameReport& frame) { return frame.estimated_psnr_db.has_value(); });
+  if (others.empty()) return "";
+  return fmt::format("{} {} not measured: whether --min-psnr {:g} is reached is not known", named(others),
+                     others.size() == 1 ? "was" : "were", min_psnr_db);
+}
+
+}  // namespace lippmann

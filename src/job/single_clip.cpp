@@ -1,0 +1,37 @@
+#include "job/single_clip.hpp"
+
+#include <filesystem>
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string beside(const fs::path& video) {
+  return (video.parent_path() / (video.stem().string() + "_single" + video.extension().string())).string();
+}
+
+Extent<int> picture_size(const Optics& optics) {
+  const auto* views = std::get_if<MultiView>(&optics.model);
+  const int columns = views ? views->columns : 1, rows = views ? views->rows : 1;
+  return {optics.panel.width / columns, optics.panel.height / rows};
+}
+
+}  // namespace
+
+RenderParams single_clip(const RenderParams& params, const Optics& optics) {
+  const RenderParams defaults;
+  RenderParams single = params;
+  single.optics.kind = OpticsKind::kSingle;
+  single.optics.packing = defaults.optics.packing, single.optics.lenses = {}, single.optics.lens_pixels = {},
+  single.optics.views = {};
+  single.optics.camera_grid = false, single.optics.slant_deg = 0.0f, single.optics.fit_depth.reset();
+  single.optics.crosstalk_px.reset(), single.optics.precompensate = false, single.sampling.angular_filter.reset();
+  single.optics.size = params.optics.display.empty() ? picture_size(optics) : Extent<int>{};
+  single.output.layout.reset(), single.output.mirror = false, single.output.pseudoscopic = false, single.output.quilt = {};
+  single.output.folder = (fs::path(output_folder(params)) / "single").string();
+  for (std::string& video : single.output.video) video = beside(video);
+  return single;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,20 @@
+#include "layout/film_layout.hpp"
+
+#include <variant>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+
+ViewLayout film_layout(const Optics& optics, const char* where) {
+  if (const auto* views = std::get_if<MultiView>(&optics.model)) {
+    const ViewGrid tiles{views->columns, views->rows};
+    return {LayoutKind::kQuilt, views->baseline_mm > 0.0f ? tiles : ViewGrid{tiles.count(), 1}, tiles};
+  }
+  const Vec2i n = whole_pixels_per_lens(optics);
+  if (n.x > 0) return {LayoutKind::kIntegral, {n.x, n.y}, {}};
+  throw usage_error(where, "lenses that do not have a whole number of pixels make no views",
+                    "a whole number of pixels below every lens, without slant or hexagonal packing");
+}
+
+}  // namespace lippmann

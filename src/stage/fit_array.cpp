@@ -1,0 +1,451 @@
+// The fit is exact and needs no search. A viewer at (x, y, d) who looks along -z with half angle a sees a point p if it lies on
+// the inner side of the four sides of his pyramid, two of which say for the width: +-(p.x - x) cos a + p.z sin a <= d sin a.
+// With R and L the largest values of +-p.x cos a + p.z sin a over all points, both sides touch the points if
+// x = (R - L) / (2 cos a) and d = (R + L) / (2 sin a). The same for the height; the larger d counts. R and L are bounds along
+// slanted axes, which finite_bounds knows exactly for every kind of shape.
+#include "lippmann/stage/fit_array.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
+#include "scene/default_view.hpp"
+#include "scene/deform.hpp"
+#include "stage/read_view_wish.hpp"
+#include "stage/seen_bounds.hpp"
+#include "stage/subject.hpp"
+
+namespace lippmann {
+namespace {
+
+/// A plane much nearer to the camera than that would make all of the scene background.
+constexpr float kNearestPlane = 0.05f;  // diagonals of what is seen
+constexpr float kDefaultFov = radians(45.0f);
+constexpr float kMargin = 1.05f;  ///< what is seen, over what there is to see
+
+/// The rotation, place and one scale of a node's transform.
+Affine3f similarity(const Affine3f& a) {
+  const float scale = uniform_scale(a);
+  if (!(scale > 0.0f) || !std::isfinite(scale))
+    throw Error("scene", "the node that carries the lens array is scaled to nothing", "a scale other than 0");
+  const Vec3f z = glm::normalize(a.linear[2]);
+  const Vec3f y = glm::normalize(a.linear[1] - glm::dot(a.linear[1], z) * z);
+  return {scale * Mat3f(glm::cross(y, z), y, z), a.translation};
+}
+
+Mat3f rotation_of(const Affine3f& similarity) { return similarity.linear / uniform_scale(similarity); }
+
+/// What all the rules look at.
+struct Setting {
+  const Scene& scene;
+  const ResolvedScene& resolved;  ///< at frame 0
+  const Subject& subject;
+  float aspect;
+};
+
+/// Frame 0 and, where anything moves, others: calls visit(resolved) for each.
+template <class Visit>
+void visit_frames(const Scene& scene, const Visit& visit) {
+  const std::vector<bool> moves = moving_instances(scene), nodes_move = moving_nodes(scene);
+  const auto any = [](const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); };
+  const bool is_still = !any(moves) && !any(nodes_move);
+  for (const int frame : sampled_frames(scene.timeline)) {
+    if (frame > 0 && is_still) return;
+    visit(evaluate(scene, scene.timeline.time(frame)));
+  }
+}
+
+/// The array square to a camera's view, at a distance, filling it.
+void place_before_camera(FittedArray& array, float distance, float tangent_y) {
+  array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
+  array.plane_height = 2.0f * distance * tangent_y;
+  array.viewing_distance = distance;
+}
+
+std::string camera_name(const Camera& camera) {
+  return camera.name.empty() ? std::string("the camera") : fmt::format("camera '{}'", printable(camera.name));
+}
+
+// ---- What a camera sees -------------------------------------------------------------------------------------------------
+
+enum class Part { kSubject, kBackdrop, kAll };
+
+bool is_part(const Subject& subject, std::size_t instance, Part part) {
+  if (part == Part::kAll) return true;
+  return subject.roles[instance] == (part == Part::kSubject ? InstanceRole::kSubject : InstanceRole::kBackdrop);
+}
+
+SeenParts seen_of(const Setting& setting, Part part, const ResolvedScene& resolved, const Affine3f& frame_from_world,
+                  const ConvexRegion& region) {
+  SeenParts seen;
+  for (std::size_t i = 0; i < setting.scene.instances.size(); ++i)
+    if (is_part(setting.subject, i, part))
+      seen.add(seen_parts(setting.scene, setting.scene.instances[i], resolved, frame_from_world, region));
+  return seen;
+}
+
+/// Half the view's height over the distance: the camera's own, or more where the picture is too narrow for the part of the
+/// subject that the camera shows. Files that say how many pixels their picture has (Tachyon, NFF) mean the height of the view,
+/// whatever the size; those that say only its shape (glTF) mean the frame that their author saw.
+float tangent_for(const Setting& setting, const Camera& camera) {
+  const float own = std::tan(0.5f * camera.vertical_fov);
+  if (setting.scene.resolution.x > 0 || !(camera.aspect > 1.001f * setting.aspect)) return own;
+  const Vec2f tangent(own * camera.aspect, own);
+  float shown = 0.0f;
+  visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
+    const Affine3f camera_from_world = inverse(similarity(resolved.of(camera.node)));
+    const ConvexRegion region = view_region(Vec3f(0.0f), tangent);
+    shown = std::max(shown, seen_of(setting, Part::kSubject, resolved, camera_from_world, region).tangent.x);
+  });
+  return std::max(own, std::min(tangent.x, kMargin * shown) / setting.aspect);
+}
+
+std::string left_out_sentence(const Setting& setting) {
+  if (!setting.subject.has_surroundings()) return {};
+  return fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
+}
+
+std::string widened_sentence(const Camera& camera, float tangent_y) {
+  if (tangent_y <= 1.001f * std::tan(0.5f * camera.vertical_fov)) return {};
+  return fmt::format(
+      " The view is {:.3g} degrees high instead of {:.3g}, so that all of the subject that the camera shows fits.",
+      degrees(2.0f * std::atan(tangent_y)), degrees(camera.vertical_fov));
+}
+
+// ---- The rules, in order ------------------------------------------------------------------------------------------------
+
+FittedArray as_placed(const DisplayPlacement& display) {
+  FittedArray array;
+  array.origin = FittedArray::Origin::kPlaced;
+  array.node = display.node;
+  array.plane_height = display.plane_height;
+  array.viewing_distance = display.viewing_distance;
+  array.how = fmt::format("The scene places the array: {:.4g} units high, viewed from {:.4g} units.", display.plane_height,
+                          display.viewing_distance);
+  return array;
+}
+
+FittedArray at_focus(const Setting& setting, const Camera& camera) {
+  FittedArray array;
+  array.origin = FittedArray::Origin::kFocus;
+  array.node = camera.node;
+  const float tangent = tangent_for(setting, camera);
+  place_before_camera(array, camera.focus_distance, tangent);
+  array.how = fmt::format("The array is at the focus of {}, {:.4g} units away, and fills its view.{}", camera_name(camera),
+                          camera.focus_distance, widened_sentence(camera, tangent));
+  return array;
+}
+
+/// Only what the camera shows counts: of a room all around it, what is in front; of a ground without end, nothing.
+FittedArray half_way_through(const Setting& setting, const Camera& camera) {
+  FittedArray array;
+  array.origin = FittedArray::Origin::kSceneCenter;
+  array.node = camera.node;
+  const float tangent = tangent_for(setting, camera);
+  const Affine3f camera_from_world = inverse(similarity(setting.resolved.of(camera.node)));
+  const ConvexRegion region = view_region(Vec3f(0.0f), {tangent * setting.aspect, tangent});
+  Bounds3f seen = seen_of(setting, Part::kSubject, setting.resolved, camera_from_world, region).bounds;
+  const bool sees_subject = !seen.empty();
+  if (!sees_subject) seen = seen_of(setting, Part::kAll, setting.resolved, camera_from_world, region).bounds;
+  const bool sees_nothing = seen.empty();
+  if (sees_nothing) seen = finite_bounds(setting.scene, setting.resolved, camera_from_world);
+  float distance = 1.0f;
+  if (!seen.empty()) {
+    const float nearest = std::max(0.0f, -seen.upper.z), farthest = std::max(0.0f, -seen.lower.z);
+    const float size = diagonal(seen);
+    distance = std::max(0.5f * (nearest + farthest), kNearestPlane * (size > 0.0f ? size : 1.0f));
+  }
+  place_before_camera(array, distance, tangent);
+  const bool is_scene = sees_nothing || (sees_subject && !setting.subject.has_surroundings());
+  array.how = fmt::format("The array goes through the middle of {}, {:.4g} units in front of {}, and fills its view.{}{}",
+                          is_scene       ? "the scene"
+                          : sees_subject ? "its subject"
+                                         : "what the camera sees",
+                          distance, camera_name(camera), sees_subject ? left_out_sentence(setting) : "",
+                          widened_sentence(camera, tangent));
+  return array;
+}
+
+// ---- Fitted to bounds ---------------------------------------------------------------------------------------------------
+
+/// From where the subject is to be seen, and how wide the view is.
+struct Direction {
+  int node = -1;                                   ///< that the array moves with
+  Mat3f node_from_view{1.0f};                      ///< rotation; the view is along its -z
+  float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height over the distance
+};
+
+/// Bounds of the subject over the animation along the axes of the view, and along the slanted ones of its pyramid.
+struct SubjectBounds {
+  Bounds3f straight;
+  Vec2f right_up{-kInfinity}, left_down{-kInfinity};  ///< R and L of the width and of the height
+};
+
+SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction, Vec2f cosine, Vec2f sine) {
+  // Rows: x cos + z sin, -x cos + z sin and the same of y; the third axis of each is not needed.
+  const Affine3f width{glm::transpose(Mat3f({cosine.x, 0, sine.x}, {-cosine.x, 0, sine.x}, {0, 0, 1})), Vec3f(0.0f)};
+  const Affine3f height{glm::transpose(Mat3f({0, cosine.y, sine.y}, {0, -cosine.y, sine.y}, {0, 0, 1})), Vec3f(0.0f)};
+  SubjectBounds all;
+  visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
+    const Affine3f view_from_node{glm::transpose(direction.node_from_view), Vec3f(0.0f)};
+    const Affine3f view_from_world = view_from_node * inverse(similarity(resolved.of(direction.node)));
+    for (std::size_t i = 0; i < setting.scene.instances.size(); ++i) {
+      if (!setting.subject.contains(i)) continue;
+      const auto bounds = [&](const Affine3f& frame) {
+        return finite_bounds(setting.scene, setting.scene.instances[i], resolved, frame * view_from_world);
+      };
+      all.straight.add(bounds({}));
+      const Vec3f across = bounds(width).upper, up = bounds(height).upper;
+      all.right_up = glm::max(all.right_up, Vec2f(across.x, up.x));
+      all.left_down = glm::max(all.left_down, Vec2f(across.y, up.y));
+    }
+  });
+  return all;
+}
+
+/// So far away that the subject just fits, and so that it stands in the middle of the picture.
+FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction) {
+  FittedArray array;
+  array.origin = FittedArray::Origin::kBounds;
+  array.node = direction.node;
+  const Vec2f angle = glm::atan(Vec2f(direction.tangent_y * setting.aspect, direction.tangent_y) / kMargin);
+  const Vec2f cosine = glm::cos(angle), sine = glm::sin(angle);
+  SubjectBounds bounds = bounds_in_view(setting, direction, cosine, sine);
+  if (bounds.straight.empty()) {
+    bounds.straight.add(Vec3f(0.0f));
+    bounds.right_up = bounds.left_down = sine;
+  }
+  const Vec2f middle = (bounds.right_up - bounds.left_down) / (2.0f * cosine);
+  const Vec2f enough = (bounds.right_up + bounds.left_down) / (2.0f * sine);
+  const Vec3f size = bounds.straight.size();
+  const float plane_z = bounds.straight.center().z;
+  // A rod that is seen along its length, or a point, would be seen from within.
+  const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
+  const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
+  place_before_camera(array, distance, direction.tangent_y);
+  array.node_from_plane = {direction.node_from_view, direction.node_from_view * Vec3f(middle, plane_z)};
+  array.depth_front = bounds.straight.upper.z - plane_z;
+  array.depth_back = bounds.straight.lower.z - plane_z;
+  return array;
+}
+
+/// Turned about the world's vertical and then upwards, no farther than straight above or below.
+Mat3f turned(const Mat3f& world_from_view, const Orbit& orbit) {
+  const float elevation = degrees(std::asin(std::clamp(world_from_view[2].y, -1.0f, 1.0f)));
+  const bool is_upright = world_from_view[1].y >= 0.0f;
+  const float pitch = is_upright ? std::clamp(orbit.pitch_deg, -90.0f - elevation, 90.0f - elevation) : orbit.pitch_deg;
+  const Quatf yaw = glm::angleAxis(radians(orbit.yaw_deg), Vec3f(0.0f, 1.0f, 0.0f));
+  const Quatf up = glm::angleAxis(-radians(pitch), Vec3f(1.0f, 0.0f, 0.0f));
+  return glm::mat3_cast(yaw) * world_from_view * glm::mat3_cast(up);
+}
+
+Mat3f turned_in_node(const Setting& setting, int node, const Mat3f& node_from_view, const Orbit& orbit) {
+  if (orbit == Orbit{}) return node_from_view;
+  const Mat3f world_from_node = rotation_of(similarity(setting.resolved.of(node)));
+  return glm::transpose(world_from_node) * turned(world_from_node * node_from_view, orbit);
+}
+
+/// Of the view that would be there without the wish to fit it to something.
+Direction direction_of(const Scene& scene) {
+  Direction direction;
+  if (scene.display) {
+    direction.node = scene.display->node;
+    if (std::isfinite(scene.display->viewing_distance))
+      direction.tangent_y = 0.5f * scene.display->plane_height / scene.display->viewing_distance;
+  } else if (!scene.cameras.empty()) {
+    direction.node = scene.cameras.front().node;
+    direction.tangent_y = std::tan(0.5f * scene.cameras.front().vertical_fov);
+  } else {
+    direction.node_from_view = glm::mat3_cast(default_view());
+  }
+  return direction;
+}
+
+FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
+  Direction direction = direction_of(setting.scene);
+  direction.node_from_view = turned(direction.node_from_view, orbit);
+  FittedArray array = fitted_to_bounds(setting, direction);
+  array.how = fmt::format(
+      "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} is seen "
+      "whole.{}",
+      setting.subject.has_surroundings() ? "its subject's" : "its", array.viewing_distance,
+      orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says",
+      setting.subject.has_surroundings() ? "the subject" : "it", left_out_sentence(setting));
+  return array;
+}
+
+FittedArray fitted_to(const Setting& setting, const std::string& name, const Orbit& orbit) {
+  Direction direction = direction_of(setting.scene);
+  direction.node_from_view = turned_in_node(setting, direction.node, direction.node_from_view, orbit);
+  FittedArray array = fitted_to_bounds(setting, direction);
+  const char* from = !(orbit == Orbit{})              ? ", turned by the orbit"
+                     : setting.scene.display          ? ", from the direction of the scene's display"
+                     : !setting.scene.cameras.empty() ? ", from the camera's direction"
+                                                      : "";
+  array.how = fmt::format("The view is fitted to {}: the array goes through its middle and is viewed from {:.4g} units away{}.",
+                          shown(name), array.viewing_distance, from);
+  return array;
+}
+
+// ---- What people say beside the fit -------------------------------------------------------------------------------------
+
+/// Where --focus wants the plane: its z in the frame of the array as it is.
+float wanted_plane_z(const FittedArray& array, const Setting& setting, const std::string& focus) {
+  const Affine3f world_from_plane = similarity(setting.resolved.of(array.node)) * array.node_from_plane;
+  const Affine3f plane_from_world = inverse(world_from_plane);
+  if (is_name_of_node(setting.scene, focus)) {
+    Bounds3f bounds;
+    const std::vector<bool> meant = instances_named(setting.scene, focus, "focus");
+    for (std::size_t i = 0; i < meant.size(); ++i)
+      if (meant[i]) bounds.add(finite_bounds(setting.scene, setting.scene.instances[i], setting.resolved, plane_from_world));
+    if (bounds.empty()) throw usage_error("focus", shown(focus) + " has no end and no middle", "a node that shows a shape");
+    return bounds.center().z;
+  }
+  const std::vector<float> numbers = read_focus(setting.scene, focus);
+  if (numbers.size() == 3) return transform_point(plane_from_world, {numbers[0], numbers[1], numbers[2]}).z;
+  if (!std::isfinite(array.viewing_distance))
+    throw usage_error("focus", "a distance, and the scene's display is viewed from infinitely far away", "a node or X,Y,Z");
+  return array.viewing_distance - numbers[0] / uniform_scale(world_from_plane);
+}
+
+/// Moves the plane along the view; the viewer stays, and what he sees too.
+void focus_at(FittedArray& array, const Setting& setting, const std::string& focus) {
+  if (focus.empty()) return;
+  const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
+  if (!(distance > 1e-6f * array.viewing_distance) && std::isfinite(array.viewing_distance))
+    throw usage_error("focus", shown(focus) + " does not lie in front of the viewer", "something that the view shows");
+  if (std::isfinite(array.viewing_distance)) array.plane_height *= distance / array.viewing_distance;
+  array.node_from_plane.translation += z * array.node_from_plane.linear[2];
+  array.viewing_distance = distance;
+  array.depth_front -= z, array.depth_back -= z;
+  array.how += std::isfinite(distance)
+                   ? fmt::format(" The focus on {} puts the plane {:.4g} units from the viewer.", printable(focus), distance)
+                   : fmt::format(" The focus on {} moves the plane.", printable(focus));
+}
+
+/// Turns the whole array about the middle of its plane, which is what the view looks at.
+void turn(FittedArray& array, const Setting& setting, const Orbit& orbit) {
+  if (orbit == Orbit{}) return;
+  array.node_from_plane.linear = turned_in_node(setting, array.node, array.node_from_plane.linear, orbit);
+  array.how +=
+      fmt::format(" The orbit turns the view by {:g} degrees to the right and {:g} upwards about the middle of the plane.",
+                  orbit.yaw_deg, orbit.pitch_deg);
+}
+
+void zoom_in(FittedArray& array, float factor) {
+  if (factor == 1.0f) return;
+  array.plane_height /= factor;
+  array.how += fmt::format(" The zoom shows it {:g} times as large.", factor);
+}
+
+// ---- Depth --------------------------------------------------------------------------------------------------------------
+
+/// How far everything reaches in front of the plane and behind it, as far as the viewer sees.
+void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world) {
+  const Bounds3f bounds = finite_bounds(setting.scene, setting.resolved, plane_from_world);
+  if (bounds.empty()) return;
+  array.depth_front = std::min(bounds.upper.z, array.viewing_distance);
+  array.depth_back = std::min(bounds.lower.z, array.viewing_distance);
+}
+
+/// The same of what is looked at: the subject, and what of the walls behind and beside it is seen within one of its diagonals.
+/// subject: what is known of it already. A ground that reaches to the horizon decides nothing: it is as sharp as the subject
+/// where that stands on it.
+void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world, Bounds3f subject) {
+  const float tangent = 0.5f * array.plane_height / array.viewing_distance;
+  ConvexRegion region = view_region({0.0f, 0.0f, array.viewing_distance}, {tangent * setting.aspect, tangent});
+  const auto seen = [&](Part part) { return seen_of(setting, part, setting.resolved, plane_from_world, region).bounds; };
+  if (subject.empty()) subject = seen(Part::kSubject);
+  if (subject.empty()) subject = seen(Part::kAll);
+  if (subject.empty()) return measure_all_depth(array, setting, plane_from_world);
+  const float reach = diagonal(subject);
+  region.push_back({{0.0f, 0.0f, 1.0f}, reach - subject.lower.z});
+  region.push_back({{0.0f, 0.0f, -1.0f}, subject.upper.z + reach});
+  subject.add(seen(Part::kBackdrop));
+  array.depth_front = std::min(subject.upper.z, array.viewing_distance);
+  array.depth_back = std::min(subject.lower.z, array.viewing_distance);
+}
+
+/// Bounds of a fitted subject over the animation, in the array's frame.
+Bounds3f bounds_over_animation(const FittedArray& array, const Setting& setting) {
+  Bounds3f bounds;
+  visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
+    const Affine3f plane_from_world = inverse(similarity(resolved.of(array.node)) * array.node_from_plane);
+    for (std::size_t i = 0; i < setting.scene.instances.size(); ++i)
+      if (setting.subject.contains(i))
+        bounds.add(finite_bounds(setting.scene, setting.scene.instances[i], resolved, plane_from_world));
+  });
+  return bounds;
+}
+
+void measure_depth(FittedArray& array, const Setting& setting) {
+  const Affine3f plane_from_world = inverse(similarity(setting.resolved.of(array.node)) * array.node_from_plane);
+  const bool is_fitted = array.origin == FittedArray::Origin::kBounds;
+  if (array.origin == FittedArray::Origin::kPlaced)
+    measure_all_depth(array, setting, plane_from_world);
+  else
+    measure_depth(array, setting, plane_from_world, is_fitted ? bounds_over_animation(array, setting) : Bounds3f{});
+}
+
+/// Refuses arrays in whose space floats no longer tell the corners of small things apart, or overflow.
+void check_extent(const FittedArray& array, const ResolvedScene& resolved) {
+  constexpr float kSmallest = 1e-9f, kLargest = 1e15f;
+  const Affine3f world_from_node = resolved.of(array.node);
+  const float height = array.plane_height * uniform_scale(world_from_node);
+  if (!(height >= kSmallest && height <= kLargest))
+    throw Error("scene", fmt::format("the lens array fitted to it would be {:.4g} units high", std::abs(height)),
+                fmt::format("scenes of {:g} to {:g} units", kSmallest, kLargest));
+  const float away = glm::length(transform_point(world_from_node, array.node_from_plane.translation));
+  if (!(away <= kLargest))
+    throw Error("scene", fmt::format("the lens array would be {:.4g} units away from the origin", std::abs(away)),
+                fmt::format("at most {:g}", kLargest));
+}
+
+FittedArray place(const Setting& setting, const ViewWish& wish) {
+  const Scene& scene = setting.scene;
+  if (!wish.fit_to.empty()) return fitted_to(setting, wish.fit_to, wish.orbit);
+  if (scene.display) return as_placed(*scene.display);
+  if (scene.cameras.empty()) return without_camera(setting, wish.orbit);
+  const Camera& camera = scene.cameras.front();
+  return camera.focus_distance > 0.0f ? at_focus(setting, camera) : half_way_through(setting, camera);
+}
+
+/// What is named, or what is found where it matters: a display that the scene places shows what it shows.
+Subject wanted_subject(const Scene& scene, const ViewWish& wish) {
+  Subject subject{std::vector<InstanceRole>(scene.instances.size(), InstanceRole::kSubject)};
+  if (!wish.fit_to.empty()) {
+    const std::vector<bool> meant = instances_named(scene, wish.fit_to, "fit-to");
+    for (std::size_t i = 0; i < meant.size(); ++i)
+      if (!meant[i]) subject.roles[i] = InstanceRole::kGround;
+    return subject;
+  }
+  return scene.display ? subject : find_subject(scene);
+}
+
+}  // namespace
+
+FittedArray fit_array(const Scene& scene, float aspect, const ViewWish& wish) {
+  const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
+  const Subject subject = wanted_subject(scene, wish);
+  const Setting setting{scene, resolved, subject, aspect};
+  FittedArray array = place(setting, wish);
+  check_extent(array, resolved);
+  const bool is_turned = array.origin == FittedArray::Origin::kBounds;
+  focus_at(array, setting, wish.focus);
+  if (!is_turned) turn(array, setting, wish.orbit);
+  zoom_in(array, wish.zoom);
+  array.leaves_out_surroundings = subject.has_surroundings();
+  check_extent(array, resolved);
+  measure_depth(array, setting);
+  return array;
+}
+
+Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved) {
+  const Affine3f plane = similarity(resolved.of(array.node)) * array.node_from_plane;
+  return {plane.linear * units_per_mm, plane.translation};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,48 @@
+#include "lippmann/stage/placement.hpp"
+
+#include <optional>
+
+#include "lippmann/core/error.hpp"
+#include "stage/depth_budget.hpp"
+
+namespace lippmann {
+namespace {
+
+Optics optics_of(const Display& display, DisplayPicture picture) {
+  if (picture == DisplayPicture::kNative) return native_optics(display);
+  const std::optional<Optics> quilt = quilt_optics(display);
+  if (!quilt) throw Error("display", "it knows no quilt", "DisplayPicture::kNative, or a display whose quilt is set");
+  return *quilt;
+}
+
+}  // namespace
+
+PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth) {
+  PlacedOptics placed;
+  placed.units_per_mm = scene_units_per_mm(array, window_size_mm(optics).y);
+  optics.z_front_mm = array.viewing_distance / placed.units_per_mm;
+  if (fit_depth) {
+    placed.depth_scale = fitting_depth(shown_depth(array, placed.units_per_mm, 1.0f, optics));
+    optics = with_parallax(optics, placed.depth_scale);
+  }
+  validate(optics);
+  placed.optics = std::move(optics);
+  return placed;
+}
+
+Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish) {
+  validate(optics);
+  const Vec2f window = window_size_mm(optics);
+  Placement placement;
+  placement.array = fit_array(scene, window.x / window.y, wish.view);
+  placement.placed = placed_on(placement.array, optics, wish.fit_depth);
+  return placement;
+}
+
+Placement place(const Scene& scene, const Display& display, DisplayPicture picture, const PlacementWish& wish) {
+  Placement placement = place(scene, optics_of(display, picture), wish);
+  placement.placed.for_display = true;
+  return placement;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,222 @@
+#include "stage/subject.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <variant>
+
+#include "core/printable.hpp"
+#include "lippmann/scene/timeline.hpp"
+#include "scene/deform.hpp"
+#include "stage/seen_bounds.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr float kThin = 0.1f;          ///< a sheet's thickness over its longest side, at most
+constexpr float kNearFace = 0.05f;     ///< how far a sheet may lie from a face, over the box's size there
+constexpr float kSpanning = 0.8f;      ///< how much of a face its sheets span, at least
+constexpr float kMuchSmaller = 0.5f;   ///< diagonal of what remains over that of all
+constexpr float kSmallBefore = 0.25f;  ///< the same where only a wall, or a shell, says that this is a scene in surroundings
+
+using Indices = std::vector<std::size_t>;
+
+/// One of the six sides of a box.
+struct Face {
+  int axis;
+  bool upper;
+};
+constexpr Face kFloorFace{1, false}, kCeilingFace{1, true};
+constexpr std::array<Face, 4> kWallFaces{{{0, false}, {0, true}, {2, false}, {2, true}}};
+
+/// Takes surroundings away from a scene's instances, round by round: a room may stand on a lawn below a sky.
+class Peeling {
+ public:
+  explicit Peeling(const Scene& scene) : scene_(scene) {
+    measure();
+    roles_.assign(scene.instances.size(), InstanceRole::kSubject);
+    for (std::size_t i = 0; i < bounds_.size(); ++i)
+      if (!bounds_[i].empty()) left_.push_back(i);
+  }
+
+  std::vector<InstanceRole> run() {
+    while (left_.size() > 1 && (peel_sheets() || peel_shell())) {
+    }
+    return roles_;
+  }
+
+ private:
+  /// Bounds of each instance over the animation.
+  void measure() {
+    bounds_.resize(scene_.instances.size());
+    const std::vector<bool> moves = moving_instances(scene_);
+    const bool any_moves = std::find(moves.begin(), moves.end(), true) != moves.end();
+    for (const int frame : sampled_frames(scene_.timeline)) {
+      if (frame > 0 && !any_moves) break;
+      const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(frame));
+      for (std::size_t i = 0; i < bounds_.size(); ++i)
+        if (frame == 0 || moves[i]) bounds_[i].add(finite_bounds(scene_, scene_.instances[i], resolved));
+    }
+  }
+
+  Bounds3f bounds_of(const Indices& instances) const {
+    Bounds3f all;
+    for (const std::size_t i : instances) all.add(bounds_[i]);
+    return all;
+  }
+
+  Indices without(const Indices& removed) const {
+    std::vector<bool> is_removed(bounds_.size(), false);
+    for (const std::size_t i : removed) is_removed[i] = true;
+    Indices rest;
+    for (const std::size_t i : left_)
+      if (!is_removed[i]) rest.push_back(i);
+    return rest;
+  }
+
+  void remove(const Indices& instances, InstanceRole role) {
+    for (const std::size_t i : instances)
+      if (roles_[i] == InstanceRole::kSubject) roles_[i] = role;
+    left_ = without(instances);
+  }
+
+  // ---- Sheets -------------------------------------------------------------------------------------------------------
+
+  bool is_sheet_at(std::size_t i, Face face, const Bounds3f& all) const {
+    const Vec3f size = bounds_[i].size();
+    if (size[face.axis] > kThin * std::max({size.x, size.y, size.z})) return false;
+    const float gap =
+        face.upper ? all.upper[face.axis] - bounds_[i].upper[face.axis] : bounds_[i].lower[face.axis] - all.lower[face.axis];
+    return gap <= kNearFace * all.size()[face.axis];
+  }
+
+  static bool spans(const Bounds3f& sheet, Face face, const Bounds3f& all) {
+    if (sheet.empty()) return false;
+    for (int axis = 0; axis < 3; ++axis)
+      if (axis != face.axis && sheet.size()[axis] < kSpanning * all.size()[axis]) return false;
+    return true;
+  }
+
+  /// The sheets at a face if they span it, each of them or together; else none.
+  Indices sheets_at(Face face, const Bounds3f& all, bool each) const {
+    Indices sheets;
+    for (const std::size_t i : left_)
+      if (is_sheet_at(i, face, all) && (!each || spans(bounds_[i], face, all))) sheets.push_back(i);
+    return spans(bounds_of(sheets), face, all) ? sheets : Indices{};
+  }
+
+  /// each: only sheets that span their faces alone. So coins on a table stay, where the boards of a floor go.
+  bool peel_sheets(bool each) {
+    const Bounds3f all = bounds_of(left_);
+    const Indices floor = sheets_at(kFloorFace, all, each);
+    Indices walls, ceiling;
+    for (const Face face : kWallFaces) {
+      const Indices wall = sheets_at(face, all, each);
+      walls.insert(walls.end(), wall.begin(), wall.end());
+    }
+    if (!walls.empty()) ceiling = sheets_at(kCeilingFace, all, each);
+    const bool on_ground = has_ground_ || !floor.empty();
+    Indices removed = floor;
+    removed.insert(removed.end(), walls.begin(), walls.end());
+    removed.insert(removed.end(), ceiling.begin(), ceiling.end());
+    const Indices rest = without(removed);
+    if (removed.empty() || rest.empty()) return false;
+    if (diagonal(bounds_of(rest)) > (on_ground ? kMuchSmaller : kSmallBefore) * diagonal(all)) return false;
+    has_ground_ = on_ground;
+    remove(floor, InstanceRole::kGround);
+    remove(ceiling, InstanceRole::kGround);
+    remove(walls, InstanceRole::kBackdrop);
+    return true;
+  }
+
+  bool peel_sheets() { return peel_sheets(true) || peel_sheets(false); }
+
+  // ---- Shells -------------------------------------------------------------------------------------------------------
+
+  /// What would remain of the rest: a sky may stand around a ground that is nearly as wide.
+  Indices core_without(std::size_t shell) const {
+    Peeling inner(*this);
+    inner.left_ = without({shell});
+    while (inner.left_.size() > 1 && inner.peel_sheets()) {
+    }
+    return inner.left_;
+  }
+
+  /// Whether nothing of the shell comes nearer to what it surrounds than that is large, except from below.
+  bool leaves_free(std::size_t shell, const Bounds3f& core) const {
+    const Vec3f size = core.size();
+    const float reach = 0.5f * std::max({size.x, size.y, size.z});
+    Bounds3f around{core.lower - Vec3f(reach), core.upper + Vec3f(reach)};
+    around.lower.y = core.lower.y + 0.1f * size.y;
+    const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(0));
+    return seen_parts(scene_, scene_.instances[shell], resolved, {}, box_region(around)).bounds.empty();
+  }
+
+  bool is_shell(std::size_t i) const {
+    const Indices core = core_without(i);
+    const Bounds3f inner = bounds_of(core), &outer = bounds_[i];
+    if (inner.empty() || diagonal(inner) > kSmallBefore * diagonal(outer)) return false;
+    for (const int axis : {0, 2})
+      if (inner.lower[axis] < outer.lower[axis] || inner.upper[axis] > outer.upper[axis]) return false;
+    return leaves_free(i, inner);
+  }
+
+  /// Only the largest can be one.
+  bool peel_shell() {
+    const auto smaller = [&](std::size_t a, std::size_t b) { return diagonal(bounds_[a]) < diagonal(bounds_[b]); };
+    const std::size_t largest = *std::max_element(left_.begin(), left_.end(), smaller);
+    if (!is_shell(largest)) return false;
+    remove({largest}, InstanceRole::kBackdrop);
+    return true;
+  }
+
+  const Scene& scene_;
+  std::vector<Bounds3f> bounds_;
+  std::vector<InstanceRole> roles_;
+  Indices left_;
+  bool has_ground_ = false;
+};
+
+}  // namespace
+
+bool Subject::has_surroundings() const {
+  return std::any_of(roles.begin(), roles.end(), [](InstanceRole role) { return role != InstanceRole::kSubject; });
+}
+
+std::vector<int> sampled_frames(const Timeline& timeline) {
+  constexpr int kSampledFrames = 32;
+  const int step = std::max(1, timeline.frame_count / kSampledFrames);
+  std::vector<int> frames;
+  for (int frame = 0; frame < timeline.frame_count; frame += step) frames.push_back(frame);
+  return frames;
+}
+
+Subject find_subject(const Scene& scene) { return {Peeling(scene).run()}; }
+
+std::string list_surroundings(const Scene& scene, const Subject& subject) {
+  constexpr std::size_t kListed = 3;
+  std::set<std::string> known;
+  std::vector<std::string> names;
+  std::size_t unnamed = 0;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    if (subject.contains(i)) continue;
+    const std::string& name = scene.instances[i].name;
+    if (name.empty())
+      ++unnamed;
+    else if (known.insert(name).second)
+      names.push_back(fmt::format("'{}'", printable(name)));
+  }
+  const std::size_t others = unnamed + (names.size() > kListed ? names.size() - kListed : 0);
+  if (names.size() > kListed) names.resize(kListed);
+  if (others > 0)
+    names.push_back(names.empty() ? (others == 1 ? std::string("one shape") : fmt::format("{} shapes", others))
+                                  : fmt::format("{} other{}", others, others == 1 ? "" : "s"));
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+}  // namespace lippmann

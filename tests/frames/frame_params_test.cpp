@@ -1,0 +1,101 @@
+// Which reuse serves which sampling, and which combinations are refused.
+#include "lippmann/frames/frame_params.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+const Sampling kPaths{.integrator = Integrator::kPath, .spp = 32};
+
+/// The member that an Error names; empty: none is thrown.
+std::string refused(const FrameParams& params) {
+  try {
+    check(params);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+    EXPECT_FALSE(error.accepted().empty());
+    return error.where();
+  }
+  return {};
+}
+
+TEST(FrameParams, auto_shares_the_light_of_paths_and_copies_whitted_pixels) {
+  EXPECT_STREQ(name_of(resolved_reuse({kPaths, {}})), "light");
+  EXPECT_STREQ(name_of(resolved_reuse({})), "copy");
+}
+
+TEST(FrameParams, auto_traces_all_where_nothing_is_left_to_reuse) {
+  Sampling few = kPaths, parts = kPaths;
+  few.spp = 4;
+  parts.aov = {Aov::kIndirect};
+  for (const Sampling& sampling : {few, parts, Sampling{.transparent = true}, Sampling{.aov = {Aov::kDepth}}})
+    EXPECT_STREQ(name_of(resolved_reuse({sampling, {}})), "none");
+}
+
+TEST(FrameParams, a_kind_that_is_chosen_stays_as_it_is) {
+  for (const Reuse& reuse : {Reuse(TraceAll{}), Reuse(CopySettled{}), Reuse(ShareLight{}), Reuse(Interpolate{})})
+    EXPECT_EQ(resolved_reuse({kPaths, reuse}).index(), reuse.index());
+}
+
+TEST(FrameParams, few_paths_share_light_where_a_goal_says_how_many_it_takes) {
+  Sampling few = kPaths;
+  few.spp = 1;
+  EXPECT_FALSE(can_share_light(few));
+  EXPECT_TRUE(can_share_light(few, {.min_psnr_db = 40.0}));
+  EXPECT_TRUE(can_share_light(few, {.time_budget_s = 1.0}));
+}
+
+TEST(FrameParams, sampling_that_a_kind_of_reuse_does_not_know_is_refused) {
+  Sampling few = kPaths, parts = kPaths;
+  few.spp = 4;
+  parts.aov = {Aov::kDirect};
+  EXPECT_EQ(refused({kPaths, CopySettled{}}), "reuse");
+  EXPECT_EQ(refused({{.aov = {Aov::kDepth}}, CopySettled{}}), "reuse");
+  EXPECT_EQ(refused({{}, ShareLight{}}), "reuse");
+  EXPECT_EQ(refused({few, ShareLight{}}), "spp");
+  EXPECT_EQ(refused({parts, ShareLight{}}), "aov");
+  EXPECT_EQ(refused({kPaths, ShareLight{.min_psnr_db = 40.0, .time_budget_s = 1.0}}), "time-budget");
+  EXPECT_EQ(refused({kPaths, Interpolate{}}), "reuse");
+  EXPECT_EQ(refused({{.transparent = true}, Interpolate{}}), "transparent");
+  EXPECT_EQ(refused({{.aov = {Aov::kDepth}}, Interpolate{}}), "aov");
+  EXPECT_EQ(refused({{.angular_filter = AngularFilter::kBox}, Interpolate{}}), "angular-filter");
+}
+
+TEST(FrameParams, what_takes_from_a_floor_what_it_promises_is_refused) {
+  EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0}}), "");
+  EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0, .fill = MissedFill::kRetrace}}), "fill");
+  EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0, .halving = true}}), "halving");
+  EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0, .no_z_buffer = true}}), "no-z-buffer");
+}
+
+TEST(FrameParams, layers_and_denoising_of_paths_are_refused_without_them) {
+  EXPECT_EQ(refused({{.aov = {Aov::kIndirect}}, TraceAll{}}), "aov");
+  EXPECT_EQ(refused({{.denoise = true}, TraceAll{}}), "denoise");
+  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .spp = 1, .denoise = true}, TraceAll{}}), "denoise");
+  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .spp = 2, .denoise = true}, TraceAll{}}), "");
+}
+
+TEST(FrameParams, a_box_over_directions_needs_views_and_several_samples) {
+  Optics quilt, sheet;
+  quilt.model = MultiView{};
+  sheet.model = LenticularSheet{};
+  const auto refused_by = [](const Optics& optics, int spp) {
+    try {
+      check({{.spp = spp, .angular_filter = AngularFilter::kBox}, TraceAll{}}, optics);
+    } catch (const Error& error) {
+      return error.where();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused_by(quilt, 4), "");
+  EXPECT_EQ(refused_by(quilt, 1), "angular-filter");
+  EXPECT_EQ(refused_by(sheet, 4), "angular-filter");
+}
+
+}  // namespace
+}  // namespace lippmann

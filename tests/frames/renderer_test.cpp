@@ -1,0 +1,120 @@
+// A program that holds a scene in memory: placed optics and frames, without flags and folders.
+#include "lippmann/frames/renderer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lippmann/core/error.hpp"
+
+#include "frames/frame_maker.hpp"
+#include "job/job_stage.hpp"
+#include "job/reuse_params.hpp"
+#include "lippmann/scene/load.hpp"
+
+namespace lippmann {
+namespace {
+
+Optics small_quilt() {
+  Optics quilt;
+  quilt.panel = {128, 64, 1.0f};
+  quilt.model = MultiView{.columns = 2, .rows = 1};
+  return quilt;
+}
+
+Scene built_in(const char* name) { return load_scene(name, {}, Context{}); }
+
+TEST(Renderer, makes_the_frames_that_a_render_by_name_makes) {
+  RenderParams params;
+  params.scene.name = "primitives";
+  params.optics.lenses = {4, 4};
+  params.sampling.spp = 2;
+  const Context context;
+  const ThreadPool pool(1);
+  JobStage stage(params, pool, context);
+  Renderer renderer(built_in("primitives"), {stage.array, stage.placed}, frame_params(params), context);
+  const auto maker = make_frame_maker(stage, frame_params(params), pool, context);
+  for (const int frame : {3, 4, 9}) {
+    const auto made = renderer.frame(frame);
+    ASSERT_TRUE(made.has_value());
+    EXPECT_EQ(made->pictures.film.data, maker->make(frame).pictures.film.data) << frame;
+  }
+}
+
+TEST(Renderer, places_optics_as_high_as_what_the_camera_sees_of_their_plane) {
+  const Scene scene = built_in("room");
+  const Placement placement = place(scene, small_quilt(), {.fit_depth = false});
+  // The window of one view is 64 mm high.
+  EXPECT_FLOAT_EQ(placement.placed.units_per_mm * 64.0f, placement.array.plane_height);
+  EXPECT_EQ(placement.array.plane_height, fit_array(scene, 1.0f).plane_height);
+  EXPECT_EQ(placement.placed.depth_scale, 1.0f);
+}
+
+TEST(Renderer, fits_depth_to_what_optics_resolve_unless_told_not_to) {
+  const Scene scene = built_in("room");
+  EXPECT_LT(place(scene, small_quilt()).placed.depth_scale, 1.0f);
+}
+
+TEST(Renderer, shares_light_between_views_and_frames_and_reports_its_error) {
+  const Context context;
+  const Scene scene = built_in("room");
+  Renderer renderer(scene, place(scene, small_quilt()), {.sampling = {.integrator = Integrator::kPath, .spp = 32}}, context);
+  renderer.frame(0);
+  const auto second = renderer.frame(1);
+  ASSERT_TRUE(second.has_value());
+  EXPECT_EQ(second->report.kind, "shared");
+  EXPECT_TRUE(second->report.estimated_psnr_db.has_value());
+}
+
+TEST(Renderer, interpolates_frames_between_key_frames) {
+  const Context context;
+  const Scene scene = built_in("primitives");
+  Renderer renderer(scene, place(scene, small_quilt()), {.reuse = Interpolate{.keyframes = 2}}, context);
+  const auto key = renderer.frame(0), in_between = renderer.frame(1);
+  ASSERT_TRUE(key && in_between);
+  EXPECT_EQ(key->report.kind, "key");
+  EXPECT_EQ(in_between->report.kind, "in-between");
+}
+
+TEST(Renderer, denoises_paths) {
+  const Context context;
+  const Scene scene = built_in("primitives");
+  const Placement placement = place(scene, small_quilt());
+  const auto film = [&](bool denoise) {
+    Renderer renderer(scene, placement, {.sampling = {.integrator = Integrator::kPath, .spp = 2, .denoise = denoise}}, context);
+    return renderer.frame(0)->pictures.film.data;
+  };
+  EXPECT_NE(film(true), film(false));
+}
+
+TEST(Renderer, has_the_layers_that_are_asked_for) {
+  const Context context;
+  const Scene scene = built_in("primitives");
+  Renderer renderer(scene, place(scene, small_quilt()), {.sampling = {.aov = {Aov::kDepth}}}, context);
+  const auto frame = renderer.frame(0);
+  ASSERT_TRUE(frame.has_value());
+  EXPECT_EQ(frame->pictures.aovs[Aov::kDepth].width, 128);
+}
+
+TEST(Renderer, refuses_frames_that_are_not_there_and_parameters_that_contradict_each_other) {
+  const Context context;
+  const Scene scene = built_in("primitives");
+  const Placement placement = place(scene, small_quilt());
+  Renderer renderer(scene, placement, {}, context);
+  EXPECT_THROW(renderer.frame(-1), Error);
+  EXPECT_THROW(renderer.frame(scene.timeline.frame_count), Error);
+  EXPECT_THROW(Renderer(scene, placement, {.sampling = {.denoise = true}}, context), Error);
+  EXPECT_THROW(Renderer(scene, placement, {.sampling = {.aov = {Aov::kDepth}}, .reuse = Interpolate{}}, context), Error);
+  Scene broken = scene;
+  broken.instances.front().node = 1 << 20;
+  EXPECT_THROW(Renderer(broken, placement, {}, context), Error);
+}
+
+TEST(Renderer, that_is_cancelled_makes_no_frame) {
+  Context context;
+  const Scene scene = built_in("primitives");
+  Renderer renderer(scene, place(scene, small_quilt()), {}, context);
+  context.cancelled = true;
+  EXPECT_FALSE(renderer.frame(0).has_value());
+}
+
+}  // namespace
+}  // namespace lippmann

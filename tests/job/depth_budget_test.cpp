@@ -1,0 +1,134 @@
+#include "stage/depth_budget.hpp"
+
+#include <gmock/gmock.h>
+
+#include "job/make_optics.hpp"
+#include "lippmann/display/load_display.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+/// A scene that reaches that many units before the plane and behind it, 10 mm a unit; as high as 64 lenses of 1 mm.
+FittedArray array_of_depth(float half_depth) {
+  FittedArray array;
+  array.plane_height = 6.4f;
+  array.viewing_distance = 20.0f;
+  array.depth_front = half_depth, array.depth_back = -half_depth;
+  return array;
+}
+
+/// 64 lenses of 8 pixels: depth budget 16 mm.
+std::string budget_for(float half_depth) {
+  const Optics optics{.panel = {}, .model = LenticularSheet{}};
+  return depth_budget_sentence(shown_depth(array_of_depth(half_depth), 0.1f, 1.0f, optics), optics);
+}
+
+TEST(DepthBudget, scene_within_it_is_said_to_be) {
+  EXPECT_EQ(budget_for(1.5f),
+            "The scene reaches from -15.0 mm to +15.0 mm, within the depth budget of 16.0 mm on either side.");
+}
+
+TEST(DepthBudget, scene_beyond_it_is_told_by_how_much) {
+  EXPECT_EQ(budget_for(4.0f),
+            "The scene reaches from -40.0 mm to +40.0 mm, 24.0 mm beyond the depth budget of 16.0 mm on either "
+            "side: at 40.0 mm a pixel is as wide as 2.5 lenses.");
+}
+
+TEST(DepthBudget, single_view_has_none) {
+  const Optics optics{.panel = {}, .model = SingleView{}};
+  EXPECT_THAT(depth_budget_sentence(shown_depth(FittedArray{}, 1.0f, 1.0f, optics), optics), HasSubstr("no depth budget"));
+}
+
+TEST(DepthBudget, of_views_is_where_the_middle_ones_are_a_pixel_apart) {
+  // Two views 20 degrees apart at 500 mm: eyes at -+500 tan 10 deg. A point at z is seen through the plane z = 0 at
+  // x - z (e - x) / (500 - z): for x = 0 the two places are 2 z 88.163 / (500 - z) apart, which is 0.5 mm at z = 1.4138 mm.
+  const Optics optics{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
+  EXPECT_NEAR(depth_budget_mm(optics), 1.4138f, 1e-4f);
+  std::vector<Vec2f> pixels;
+  pixels_seeing(optics, {0.0f, 0.0f, depth_budget_mm(optics)}, pixels);
+  ASSERT_EQ(pixels.size(), 2u);
+  EXPECT_NEAR((pixels[0].x - 0.0f) - (pixels[1].x - 100.0f), 1.0f, 1e-3f);
+}
+
+RenderParams fitted_depth() {
+  RenderParams params;
+  params.optics.fit_depth = true;
+  params.optics.view_angle_deg = 28.0f;
+  return params;
+}
+
+TEST(FitDepth, deep_scene_is_shown_just_as_deep_as_can_be) {
+  const PlacedOptics placed = make_optics(fitted_depth(), Scene{}, array_of_depth(4.0f));
+  const ShownDepth shown = shown_depth(array_of_depth(4.0f), placed.units_per_mm, placed.depth_scale, placed.optics);
+  EXPECT_NEAR(shown.deepest_mm(), shown.budget_mm, 1e-3f * shown.budget_mm);
+  EXPECT_LT(placed.depth_scale, 0.5f);
+}
+
+TEST(FitDepth, is_the_default_of_lenses_and_displays_and_not_of_views_that_are_data) {
+  const auto scale = [](const RenderParams& params, const char* display = nullptr) {
+    const std::optional<Display> loaded = display ? std::optional(load_display(display)) : std::nullopt;
+    return make_optics(params, Scene{}, array_of_depth(40.0f), loaded ? &*loaded : nullptr).depth_scale;
+  };
+  RenderParams params;
+  EXPECT_LT(scale(params), 0.1f) << "a lenticular sheet";
+  params.optics.kind = OpticsKind::kMultiview;
+  EXPECT_EQ(scale(params), 1.0f) << "views of no display";
+  params.optics.camera_grid = true;
+  EXPECT_EQ(scale(params), 1.0f) << "a camera grid";
+  params = {};
+  params.optics.kind = OpticsKind::kSingle;
+  EXPECT_EQ(scale(params), 1.0f) << "a single view";
+  params = {};
+  params.optics.display = "portrait";
+  EXPECT_LT(scale(params, "portrait"), 0.5f) << "the quilt of a display";
+  params.optics.fit_depth = false;
+  EXPECT_EQ(scale(params, "portrait"), 1.0f);
+}
+
+TEST(FitDepth, is_told_with_the_factor_and_the_true_depth) {
+  const Optics optics{.panel = {}, .model = LenticularSheet{}};
+  EXPECT_EQ(
+      depth_budget_sentence(shown_depth(array_of_depth(4.0f), 0.1f, 0.4f, optics), optics, 0.4f),
+      "The scene reaches from -40.0 mm to +40.0 mm, deeper than the depth budget of 16.0 mm on either side: 0.4 of its depth "
+      "is shown, from -16.0 mm to +16.0 mm.");
+}
+
+TEST(FitDepth, scene_that_fits_stays_as_it_is) {
+  EXPECT_EQ(make_optics(fitted_depth(), Scene{}, array_of_depth(0.5f)).depth_scale, 1.0f);
+}
+
+TEST(FitDepth, optics_are_those_of_the_display_whatever_the_depth) {
+  RenderParams plain = fitted_depth();
+  plain.optics.fit_depth = false;
+  ASSERT_EQ(make_optics(plain, Scene{}, array_of_depth(4.0f)).depth_scale, 1.0f);
+  const auto gap = [](const RenderParams& params) {
+    return std::get<LenticularSheet>(make_optics(params, Scene{}, array_of_depth(4.0f)).optics.model).gap_mm;
+  };
+  EXPECT_EQ(gap(fitted_depth()), gap(plain));
+}
+
+TEST(FitDepth, middle_of_the_zone_shows_the_camera_s_own_picture_at_any_depth) {
+  // One lens of 512 pixels before the viewer's eye: its central pixel's ray stays, others turn towards it.
+  Optics optics{.panel = {512, 1, 0.125f},
+                .model = LenticularSheet{.lens_pitch_mm = 64.0f, .gap_mm = 100.0f, .offset_mm = 0.0f}};
+  for (const auto& [pixel, slope] : {std::pair(256.0f, 0.0f), std::pair(264.0f, -0.01f)}) {
+    const Ray ray = ray_of_pixel(with_parallax(optics, 0.5f), {pixel, 0.5f});
+    EXPECT_NEAR(ray.direction.x / ray.direction.z, 0.5f * slope, 1e-6f);
+    EXPECT_NEAR(ray.origin.x + ray.direction.x * (-ray.origin.z / ray.direction.z), 0.0f, 1e-4f);
+  }
+}
+
+TEST(FitDepth, views_of_a_quilt_come_from_eyes_nearer_together) {
+  // Eyes of two views 20 degrees apart at 500 mm: at -+500 tan 10 degrees, times the parallax.
+  const Optics quilt{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
+  for (const float parallax : {1.0f, 0.25f}) {
+    const Ray ray = ray_of_pixel(with_parallax(quilt, parallax), {50.0f, 50.0f});
+    const float at_eye = ray.origin.x + ray.direction.x * ((500.0f - ray.origin.z) / ray.direction.z);
+    EXPECT_NEAR(at_eye, -parallax * 88.163f, 1e-3f);
+  }
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,176 @@
+#include "job/job_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "job/params_table.hpp"
+#include "lippmann/core/error.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+std::filesystem::path write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path) << text;
+  return path;
+}
+
+RenderParams read(const std::filesystem::path& path) {
+  RenderParams params;
+  read_job(path, params);
+  return params;
+}
+
+std::string refusal(const std::filesystem::path& path) {
+  try {
+    read(path);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// Every parameter's texts: equal for equal params.
+std::vector<std::vector<std::string>> all_values(const RenderParams& params) {
+  std::vector<std::vector<std::string>> values;
+  for (const ParamInfo& info : params_table()) values.push_back(info.get(params));
+  return values;
+}
+
+RenderParams unusual_params(const test::TempDir& dir) {
+  RenderParams params;
+  params.scene.name = (dir / "a \"quoted\" scene\\with\ttab.dat").string();
+  params.scene.camera_path = (dir / "path.cam").string();
+  params.output.frames = FrameRanges{{3, 7}};
+  params.scene.fps = 29.97;
+  params.optics.kind = OpticsKind::kMicrolens;
+  params.optics.packing = LensPacking::kHexagonal;
+  params.optics.lenses = {32, 16};
+  params.optics.lens_pixels = {13.776f, 0.0f};
+  params.optics.view_angle_deg = 0.1f + 0.2f;
+  params.optics.viewing_distance_mm = kInfinity;
+  params.sampling.spp = 16;
+  params.sampling.max_depth = 3;
+  params.sampling.seed = 4294967295u;
+  params.sampling.order = RayOrder::kColumns;
+  params.output.folder = (dir / "out").string();
+  params.output.format = PictureFormat::kExr;
+  params.output.exr_pixels = ExrPixels::kFloat;
+  params.sampling.aov = {Aov::kDepth, Aov::kId};
+  params.output.video = {(dir / "a.mp4").string(), (dir / "b,c.mkv").string()};
+  params.threads = 3;
+  params.resume = true;
+  return params;
+}
+
+TEST(JobFile, written_and_read_gives_the_same_params) {
+  const test::TempDir dir;
+  RenderParams plain;
+  plain.scene.name = "teapot";
+  for (const RenderParams& params : {plain, unusual_params(dir)}) {
+    write_job(dir / "job.toml", params);
+    EXPECT_EQ(all_values(read(dir / "job.toml")), all_values(params));
+  }
+}
+
+TEST(JobFile, values_may_be_toml_numbers_flags_and_lists) {
+  const test::TempDir dir;
+  const RenderParams params = read(write(dir / "job.toml",
+                                         "scene = 'teapot'\nlenses = 32\nlens-pixels = 13.5\nviewing-distance = inf\n"
+                                         "spp = 4\nresume = true\naov = ['depth', 'id']\nframes = 5\n"));
+  EXPECT_EQ(params.optics.lenses, (Extent<int>{32, 0}));
+  EXPECT_EQ(params.optics.lens_pixels, (Extent<float>{13.5f, 0.0f}));
+  EXPECT_EQ(params.optics.viewing_distance_mm, kInfinity);
+  EXPECT_EQ(params.sampling.spp, 4);
+  EXPECT_TRUE(params.resume);
+  EXPECT_EQ(params.sampling.aov.size(), 2u);
+  EXPECT_EQ(params.output.frames, (FrameRanges{{5, 5}}));
+}
+
+TEST(JobFile, depth_is_said_by_either_of_two_opposite_keys_not_by_both) {
+  const test::TempDir dir;
+  const auto fit_depth = [&](const char* text) { return read(write(dir / "job.toml", text)).optics.fit_depth; };
+  EXPECT_EQ(fit_depth("scene = 'teapot'\n"), std::nullopt);
+  EXPECT_EQ(fit_depth("fit-depth = false\n"), false) << "what every job said before full-depth was known";
+  EXPECT_EQ(fit_depth("full-depth = true\n"), false);
+  EXPECT_EQ(fit_depth("full-depth = false\n"), true);
+  EXPECT_THAT(refusal(write(dir / "job.toml", "fit-depth = true\nfull-depth = true\n")),
+              HasSubstr("job.toml:2: full-depth: fit-depth says it already"));
+  EXPECT_THAT(refusal(write(dir / "job.toml", "full-depth = 3\n")), HasSubstr("true or false"));
+}
+
+TEST(JobFile, keys_that_are_absent_leave_the_params_alone) {
+  const test::TempDir dir;
+  RenderParams params;
+  params.sampling.spp = 9;
+  read_job(write(dir / "job.toml", "seed = 1\n"), params);
+  EXPECT_EQ(params.sampling.spp, 9);
+  EXPECT_EQ(params.sampling.seed, 1u);
+}
+
+TEST(JobFile, unknown_key_names_file_line_and_the_nearest_key) {
+  const test::TempDir dir;
+  const auto file = write(dir / "job.toml", "scene = 'teapot'\n\nlens_pixels = 8\n");
+  EXPECT_EQ(refusal(file), file.string() + ":3: there is no key 'lens_pixels', did you mean 'lens-pixels'?");
+}
+
+TEST(JobFile, bad_value_names_file_line_and_key) {
+  const test::TempDir dir;
+  const auto file = write(dir / "job.toml", "spp = -1\n");
+  EXPECT_THAT(refusal(file), HasSubstr(file.string() + ":1: spp: "));
+  EXPECT_THAT(refusal(write(file, "spp = [1, 2]\n")), HasSubstr("a list, where one value is expected"));
+  EXPECT_THAT(refusal(write(file, "[spp]\nx = 1\n")), HasSubstr(":1: spp: the value is of the wrong type"));
+}
+
+TEST(JobFile, broken_toml_names_file_and_line) {
+  const test::TempDir dir;
+  const auto file = write(dir / "job.toml", "scene = 'teapot'\nspp = \n");
+  EXPECT_THAT(refusal(file), HasSubstr(file.string() + ":2: "));
+}
+
+TEST(JobFile, missing_file_or_folder_is_refused) {
+  const test::TempDir dir;
+  EXPECT_THAT(refusal(dir / "none.toml"), HasSubstr("there is no such job file"));
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("is not a file"));
+}
+
+TEST(JobFile, relative_paths_are_relative_to_the_jobs_folder) {
+  const test::TempDir dir;
+  std::filesystem::create_directory(dir / "jobs");
+  const RenderParams params = read(
+      write(dir / "jobs/job.toml", "scene = '../scenes/a.dat'\noutput = '.'\nvideo = 'v.mp4'\ncamera-path = '/abs.cam'\n"));
+  EXPECT_EQ(params.scene.name, (dir / "scenes/a.dat").string());
+  EXPECT_EQ(params.output.folder, (dir / "jobs").string());
+  EXPECT_EQ(params.output.video, std::vector<std::string>{(dir / "jobs/v.mp4").string()});
+  EXPECT_EQ(params.scene.camera_path, "/abs.cam");
+}
+
+TEST(JobFile, written_relative_paths_lead_from_the_jobs_folder_to_the_same_files) {
+  RenderParams params;
+  params.scene.name = "scenes/a.dat";
+  params.output.folder = "out/a";
+  const std::string text = job_text(params, "out/a");
+  EXPECT_THAT(text, HasSubstr("scene = \"../../scenes/a.dat\"\n"));
+  EXPECT_THAT(text, HasSubstr("output = \".\"\n"));
+}
+
+TEST(JobFile, written_paths_of_a_job_in_the_working_folder_stay_as_they_are) {
+  RenderParams params;
+  params.scene.name = "scenes/a.dat";
+  EXPECT_THAT(job_text(params, ""), HasSubstr("scene = \"scenes/a.dat\"\n"));
+}
+
+TEST(JobFile, built_in_scene_name_stays_a_name) {
+  const test::TempDir dir;
+  EXPECT_EQ(read(write(dir / "job.toml", "scene = 'teapot'\n")).scene.name, "teapot");
+  RenderParams params;
+  params.scene.name = "teapot";
+  EXPECT_THAT(job_text(params, "out/teapot"), HasSubstr("scene = \"teapot\"\n"));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,224 @@
+#include "job/params_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+using Values = std::vector<std::string>;
+
+/// A value of every parameter that is not its default.
+const std::map<std::string_view, Values> kOtherValues{
+    {"scene", {"room"}},
+    {"camera-path", {"room.cam"}},
+    {"animation", {"Walk"}},
+    {"asset-root", {"models"}},
+    {"camera", {"Front"}},
+    {"up", {"-z"}},
+    {"focus", {"Head"}},
+    {"fit-to", {"Group"}},
+    {"zoom", {"1.5"}},
+    {"orbit", {"-30,12.5"}},
+    {"frames", {"3-7"}},
+    {"fps", {"29.97"}},
+    {"light-scale", {"0.25"}},
+    {"optics", {"microlens"}},
+    {"packing", {"hexagonal"}},
+    {"lenses", {"32x16"}},
+    {"lens-pixels", {"13.776"}},
+    {"size", {"640x480"}},
+    {"views", {"5x9"}},
+    {"view-angle", {"40.5"}},
+    {"viewing-distance", {"600"}},
+    {"slant", {"-9.46"}},
+    {"integrator", {"path"}},
+    {"clamp-indirect", {"10"}},
+    {"exposure", {"-1.5"}},
+    {"tone", {"agx"}},
+    {"environment", {"sky.hdr"}},
+    {"environment-strength", {"0.5"}},
+    {"environment-rotation", {"-90"}},
+    {"spp", {"16"}},
+    {"max-depth", {"3"}},
+    {"seed", {"4294967295"}},
+    {"order", {"columns"}},
+    {"output", {"some/folder"}},
+    {"format", {"exr"}},
+    {"exr-pixels", {"float"}},
+    {"aov", {"depth", "id"}},
+    {"video", {"a.mp4", "b.mkv"}},
+    {"threads", {"3"}},
+    {"resume", {"true"}},
+    {"reuse", {"forward"}},
+    {"keyframes", {"4"}},
+    {"min-psnr", {"45.5"}},
+    {"time-budget", {"2.5"}},
+    {"splat", {"lens"}},
+    {"fill", {"retrace"}},
+    {"no-z-buffer", {"true"}},
+    {"debug", {"missed"}},
+    {"halving", {"true"}},
+    {"layout", {"views"}},
+    {"quilt", {"4x2"}},
+    {"camera-grid", {"true"}},
+    {"video-codec", {"hevc"}},
+    {"crf", {"30"}},
+    {"fit-depth", {"true"}},
+    {"angular-filter", {"box"}},
+    {"crosstalk", {"0.4"}},
+    {"precompensate", {"true"}},
+    {"display", {"portrait"}},
+    {"mirror", {"true"}},
+    {"pseudoscopic", {"true"}},
+    {"transparent", {"true"}},
+    {"denoise", {"true"}},
+};
+
+const ParamInfo& param(std::string_view name) {
+  const ParamInfo* info = find_param(name);
+  if (!info) throw std::logic_error("no parameter " + std::string(name));
+  return *info;
+}
+
+std::string message_of_setting(std::string_view name, const std::string& value) {
+  RenderParams params;
+  try {
+    param(name).set(params, {value}, "--" + std::string(name));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_code(), 2);
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(ParamsTable, every_parameter_set_and_got_is_the_same_text) {
+  for (const ParamInfo& info : params_table()) {
+    ASSERT_TRUE(kOtherValues.contains(info.name)) << info.name << ": give it a value in this test";
+    RenderParams params;
+    info.set(params, kOtherValues.at(info.name), "test");
+    EXPECT_EQ(info.get(params), kOtherValues.at(info.name)) << info.name;
+  }
+}
+
+TEST(ParamsTable, setting_one_parameter_leaves_all_others_alone) {
+  const RenderParams defaults;
+  for (const ParamInfo& info : params_table()) {
+    RenderParams params;
+    info.set(params, kOtherValues.at(info.name), "test");
+    for (const ParamInfo& other : params_table())
+      if (other.name != info.name) {
+        EXPECT_EQ(other.get(params), other.get(defaults)) << other.name << " after " << info.name;
+      }
+  }
+}
+
+TEST(ParamsTable, every_said_default_is_accepted_by_its_own_setter) {
+  const RenderParams defaults;
+  for (const ParamInfo& info : params_table()) {
+    const Values values = info.get(defaults);
+    if (values.empty()) continue;
+    RenderParams params;
+    EXPECT_NO_THROW(info.set(params, values, "test")) << info.name;
+    EXPECT_EQ(info.get(params), values) << info.name;
+  }
+}
+
+TEST(ParamsTable, names_are_unique_flags_without_underscores) {
+  std::set<std::string_view> names;
+  for (const ParamInfo& info : params_table()) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    EXPECT_EQ(info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string_view::npos) << info.name;
+    EXPECT_FALSE(info.doc.empty()) << info.name;
+  }
+}
+
+TEST(ParamsTable, numbers_outside_their_range_name_the_flag_and_the_range) {
+  EXPECT_THAT(message_of_setting("spp", "-1"), testing::StartsWith("--spp: "));
+  EXPECT_THAT(message_of_setting("spp", "-1"), HasSubstr("from 0 to 65536"));
+  EXPECT_THAT(message_of_setting("spp", "many"), HasSubstr("from 0 to 65536"));
+  EXPECT_THAT(message_of_setting("spp", "4.5"), HasSubstr("whole number"));
+  EXPECT_THAT(message_of_setting("spp", ""), HasSubstr("whole number"));
+  EXPECT_THAT(message_of_setting("spp", "99999999999999999999"), HasSubstr("from 0 to 65536"));
+  EXPECT_THAT(message_of_setting("view-angle", "nan"), HasSubstr("from 0.1 to 170"));
+  EXPECT_THAT(message_of_setting("view-angle", "180"), HasSubstr("from 0.1 to 170"));
+  EXPECT_THAT(message_of_setting("seed", "-1"), HasSubstr("from 0 to 4294967295"));
+}
+
+TEST(ParamsTable, extents_of_zero_or_beyond_reason_are_refused) {
+  EXPECT_THAT(message_of_setting("size", "0x512"), HasSubstr("from 1 to"));
+  EXPECT_THAT(message_of_setting("size", "512x"), HasSubstr("N or NxM"));
+  EXPECT_THAT(message_of_setting("size", "512x512x512"), HasSubstr("N or NxM"));
+  EXPECT_THAT(message_of_setting("lenses", "0"), HasSubstr("from 1 to"));
+  EXPECT_THAT(message_of_setting("lens-pixels", "0.5"), HasSubstr("from 1 to"));
+  EXPECT_THAT(message_of_setting("lens-pixels", "inf"), HasSubstr("from 1 to"));
+}
+
+TEST(ParamsTable, extent_with_one_number_leaves_the_other_unsaid) {
+  RenderParams params;
+  param("lenses").set(params, {"64"}, "test");
+  EXPECT_EQ(params.optics.lenses, (Extent<int>{64, 0}));
+  EXPECT_EQ(param("lenses").get(params), Values{"64"});
+}
+
+TEST(ParamsTable, frames_accept_a_range_or_one_and_refuse_the_rest) {
+  RenderParams params;
+  param("frames").set(params, {"5"}, "test");
+  EXPECT_EQ(params.output.frames, (FrameRanges{{5, 5}}));
+  for (const char* bad : {"7-3", "-1-3", "a-b", "3-", "", "0-4:0", "0-4:", "1,", ",1", "0;2"})
+    EXPECT_THAT(message_of_setting("frames", bad), HasSubstr("0 <= A <= B"));
+}
+
+TEST(ParamsTable, frames_accept_lists_and_steps) {
+  RenderParams params;
+  param("frames").set(params, {"20,0-9:3,4,4-5"}, "test");
+  EXPECT_EQ(frames_of(*params.output.frames), (std::vector<int>{0, 3, 4, 5, 6, 9, 20}));
+  EXPECT_EQ(param("frames").get(params), Values{"20,0-9:3,4,4-5"});
+}
+
+TEST(ParamsTable, more_frames_than_anything_has_are_refused_before_they_are_listed) {
+  EXPECT_THAT(message_of_setting("frames", "0-2147483647"), HasSubstr("at most 10000000"));
+  EXPECT_THAT(message_of_setting("frames", "0-9999999,0"), HasSubstr("at most 10000000"));
+  RenderParams params;
+  param("frames").set(params, {"0-2147483647:1000"}, "test");
+  EXPECT_EQ(frames_of(*params.output.frames).size(), 2147484u);
+}
+
+TEST(ParamsTable, viewing_distance_reads_auto_inf_and_millimetres) {
+  RenderParams params;
+  param("viewing-distance").set(params, {"inf"}, "test");
+  EXPECT_EQ(params.optics.viewing_distance_mm, kInfinity);
+  param("viewing-distance").set(params, {"auto"}, "test");
+  EXPECT_EQ(params.optics.viewing_distance_mm, std::nullopt);
+  for (const char* bad : {"0", "-5", "nan", "near"})
+    EXPECT_THAT(message_of_setting("viewing-distance", bad), HasSubstr("above 0, inf, or auto"));
+}
+
+TEST(ParamsTable, unknown_choice_lists_the_known_ones) {
+  EXPECT_THAT(message_of_setting("optics", "lenticuler"), HasSubstr("lenticular, microlens, multiview, single"));
+  EXPECT_THAT(message_of_setting("order", "spiral"), HasSubstr("rows, columns, view-tiles"));
+}
+
+TEST(ParamsTable, aov_accepts_commas_and_repeats_and_keeps_each_once) {
+  RenderParams params;
+  param("aov").set(params, {"depth,normal", "depth"}, "test");
+  EXPECT_EQ(params.sampling.aov, (std::vector<Aov>{Aov::kDepth, Aov::kNormal}));
+  EXPECT_THAT(message_of_setting("aov", "depth,,id"), HasSubstr("depth, normal, id, position"));
+}
+
+TEST(OutputFolder, unsaid_is_out_slash_scene_name) {
+  RenderParams params;
+  params.scene.name = "some/where/BoxAnimated.glb";
+  EXPECT_EQ(output_folder(params), "out/BoxAnimated");
+  params.output.folder = "elsewhere";
+  EXPECT_EQ(output_folder(params), "elsewhere");
+}
+
+}  // namespace
+}  // namespace lippmann

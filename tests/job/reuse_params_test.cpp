@@ -1,0 +1,106 @@
+// From what is said of reuse to the kind that serves, and the sentence that tells of it afterwards.
+#include "job/reuse_params.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "job/reuse_sentence.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+RenderParams said(ReuseChoice choice, Integrator integrator = Integrator::kWhitted) {
+  RenderParams params;
+  params.sampling.integrator = integrator;
+  params.sampling.spp = integrator == Integrator::kPath ? 32 : 1;
+  params.reuse.choice = choice;
+  return params;
+}
+
+std::string refused(const RenderParams& params) {
+  try {
+    frame_params(params);
+  } catch (const Error& error) {
+    return error.where();
+  }
+  return {};
+}
+
+TEST(ReuseParams, auto_takes_goals_and_key_frames_to_the_kind_that_serves) {
+  RenderParams paths = said(ReuseChoice::kAuto, Integrator::kPath);
+  paths.reuse.min_psnr_db = 42.0;
+  EXPECT_EQ(std::get<ShareLight>(frame_params(paths).reuse).min_psnr_db, 42.0);
+  RenderParams whitted = said(ReuseChoice::kAuto);
+  whitted.reuse.keyframes = 5;
+  EXPECT_EQ(std::get<CopySettled>(frame_params(whitted).reuse).keyframes, 5);
+}
+
+TEST(ReuseParams, missed_pixels_stay_black_to_be_looked_at) {
+  RenderParams params = said(ReuseChoice::kInterpolate);
+  params.reuse.debug = DebugPicture::kMissed;
+  EXPECT_EQ(std::get<Interpolate>(frame_params(params).reuse).fill, MissedFill::kBlack);
+  params.reuse.fill = MissedFill::kRetrace;
+  EXPECT_EQ(refused(params), "--fill");
+  params.reuse.fill = MissedFill::kInterpolate;
+  params.reuse.min_psnr_db = 50.0;
+  EXPECT_EQ(refused(params), "--debug");
+}
+
+TEST(ReuseParams, what_the_kind_that_serves_does_not_know_is_refused) {
+  const auto with = [](RenderParams params, auto set) {
+    set(params.reuse);
+    return refused(params);
+  };
+  const auto keyframes = [](ReuseParams& reuse) { reuse.keyframes = 4; };
+  const auto splat = [](ReuseParams& reuse) { reuse.splat = SplatMode::kLens; };
+  const auto budget = [](ReuseParams& reuse) { reuse.time_budget_s = 1.0; };
+  const auto floor = [](ReuseParams& reuse) { reuse.min_psnr_db = 40.0; };
+  const auto provenance = [](ReuseParams& reuse) { reuse.debug = DebugPicture::kProvenance; };
+  EXPECT_EQ(with(said(ReuseChoice::kNone), keyframes), "--keyframes");
+  EXPECT_EQ(with(said(ReuseChoice::kNone), floor), "--min-psnr");
+  EXPECT_EQ(with(said(ReuseChoice::kCopy), splat), "--splat");
+  EXPECT_EQ(with(said(ReuseChoice::kCopy), budget), "--time-budget");
+  EXPECT_EQ(with(said(ReuseChoice::kInterpolate), budget), "--time-budget");
+  EXPECT_EQ(with(said(ReuseChoice::kInterpolate), provenance), "--debug");
+  EXPECT_EQ(with(said(ReuseChoice::kLight, Integrator::kPath), keyframes), "--keyframes");
+  EXPECT_EQ(with(said(ReuseChoice::kLight, Integrator::kPath), splat), "--splat");
+  EXPECT_EQ(with(said(ReuseChoice::kAuto, Integrator::kPath), keyframes), "--keyframes");
+}
+
+TEST(ReuseParams, copied_pixels_keep_to_any_floor) {
+  RenderParams params = said(ReuseChoice::kAuto);
+  params.reuse.min_psnr_db = 50.0;
+  EXPECT_STREQ(name_of(frame_params(params).reuse), "copy");
+}
+
+TEST(ReuseParams, layers_of_whole_paths_keep_light_from_being_shared_and_that_is_said) {
+  RenderParams params = said(ReuseChoice::kAuto, Integrator::kPath);
+  EXPECT_EQ(whole_paths_sentence(params), "");
+  params.sampling.aov = {Aov::kDirect};
+  EXPECT_STREQ(name_of(frame_params(params).reuse), "none");
+  EXPECT_THAT(whole_paths_sentence(params), HasSubstr("no light is shared"));
+}
+
+TEST(ReuseSentence, begins_with_the_kind_that_served_and_tells_what_it_did) {
+  RenderReport report;
+  report.optics.panel = {10, 10, 1.0f};
+  report.frames.resize(2);
+  report.frames[1].reused_pixels = 50;
+  report.reuse = CopySettled{};
+  EXPECT_EQ(reuse_sentence(report), "copy: 25.0 % of all pixels copied from key frames, provably unchanged");
+  report.reuse = TraceAll{};
+  EXPECT_EQ(reuse_sentence(report), "none: every frame was traced whole");
+  report.reuse = ShareLight{};
+  EXPECT_THAT(reuse_sentence(report), StartsWith("light: every frame was traced whole"));
+  report.frames[1].kind = "in-between";
+  report.frames[1].missed_pixels = 10;
+  report.reuse = Interpolate{};
+  EXPECT_THAT(reuse_sentence(report), StartsWith("interpolate: 1 frame made between 0 sources; 10.00 % of the pixels missed"));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,134 @@
+// Which light a scene is rendered in, and what is said about it.
+#include "job/scene_light.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "lippmann/core/error.hpp"
+#include "scene/studio_light.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+class SceneLight : public testing::Test {
+ protected:
+  /// Parameters that name a file with these contents.
+  RenderParams params_of(const std::string& name, const std::string& contents) const {
+    std::ofstream(dir_ / name, std::ios::binary) << contents;
+    RenderParams params;
+    params.scene.name = (dir_ / name).string();
+    params.sampling.integrator = Integrator::kPath;
+    return params;
+  }
+
+  RenderParams plain_file() const { return params_of("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }
+
+  test::TempDir dir_;
+};
+
+/// A triangle and what else the file holds.
+std::string gltf_of(const std::string& nodes, const std::string& extensions) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0)" + std::string(nodes.empty() ? "" : ",1") +
+         R"(]}],"nodes":[{"mesh":0})" + nodes + "]" + extensions +
+         R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+ "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+ "bufferViews":[{"buffer":0,"byteLength":36}],
+ "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+}
+
+const char* const kLampNode = R"(,{"extensions":{"KHR_lights_punctual":{"light":0}}})";
+const char* const kLamp = R"(,"extensionsUsed":["KHR_lights_punctual"],
+ "extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional"}]}})";
+
+TEST_F(SceneLight, is_the_studio_where_a_file_brings_none) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const RenderParams& params : {plain_file(), params_of("a.gltf", gltf_of("", "")), params_of("a.ply", ply)}) {
+    SceneNotes notes;
+    const Scene scene = wanted_scene(params, {}, &notes);
+    ASSERT_TRUE(scene.background.map) << params.scene.name;
+    EXPECT_EQ(scene.background.map->strength, 1.0f);
+    EXPECT_TRUE(scene.lights.empty());
+    EXPECT_EQ(notes.light, "The built-in studio lights the scene, because the file has no lamps and no surroundings.");
+  }
+}
+
+TEST_F(SceneLight, is_a_dim_studio_around_lamps_of_the_file) {
+  SceneNotes notes;
+  const Scene scene = wanted_scene(params_of("a.gltf", gltf_of(kLampNode, kLamp)), {}, &notes);
+  ASSERT_EQ(scene.lights.size(), 1u);
+  ASSERT_TRUE(scene.background.map);
+  EXPECT_EQ(scene.background.map->strength, kDimStudio);
+  EXPECT_THAT(notes.light, HasSubstr("at 8 % of its brightness, because the file has no surroundings"));
+}
+
+TEST_F(SceneLight, of_the_studio_is_scaled_and_turned_as_of_a_panorama) {
+  RenderParams params = plain_file();
+  const float rotation = wanted_scene(params, {}).background.map->rotation;
+  params.scene.environment_strength = 3.0f;
+  params.scene.environment_rotation_deg = 90.0f;
+  const Scene scene = wanted_scene(params, {});
+  EXPECT_EQ(scene.background.map->strength, 3.0f);
+  EXPECT_FLOAT_EQ(scene.background.map->rotation, rotation + 0.5f * kPi);
+}
+
+TEST_F(SceneLight, of_whitted_and_of_other_formats_stays_as_it_was) {
+  RenderParams whitted = plain_file();
+  whitted.sampling.integrator = Integrator::kWhitted;
+  const Scene scene = wanted_scene(whitted, {});
+  EXPECT_FALSE(scene.background.map);
+  EXPECT_EQ(scene.lights.size(), 1u) << "the default light";
+  EXPECT_FALSE(wanted_scene(params_of("a.nff", "s 0 0 0 1\n"), {}).background.map);
+  RenderParams teapot;
+  teapot.scene.name = "teapot";
+  teapot.sampling.integrator = Integrator::kPath;
+  EXPECT_FALSE(wanted_scene(teapot, {}).background.map);
+}
+
+TEST_F(SceneLight, is_what_environment_asks_for) {
+  RenderParams params = plain_file();
+  params.scene.environment = "none";
+  Scene scene = wanted_scene(params, {});
+  EXPECT_FALSE(scene.background.map);
+  EXPECT_EQ(scene.background.zenith, Vec3f(0.0f));
+  params.sampling.integrator = Integrator::kWhitted;
+  EXPECT_TRUE(wanted_scene(params, {}).lights.empty());
+
+  params.scene.environment = "studio";
+  params.scene.name = "teapot";
+  SceneNotes notes;
+  EXPECT_TRUE(wanted_scene(params, {}, &notes).background.map);
+  EXPECT_EQ(notes.light, "The built-in studio lights the scene, as --environment asks for.");
+
+  params.scene.environment_strength = 2.0f;
+  params.scene.environment = "0.5,0.25,1";
+  scene = wanted_scene(params, {});
+  EXPECT_EQ(scene.background.horizon, Vec3f(1.0f, 0.5f, 2.0f));
+  EXPECT_EQ(scene.background.zenith, scene.background.horizon);
+  params.scene.environment = "#ff00bc";
+  scene = wanted_scene(params, {});
+  EXPECT_NEAR(scene.background.zenith.x, 2.0f, 1e-6f);
+  EXPECT_EQ(scene.background.zenith.y, 0.0f);
+  EXPECT_NEAR(scene.background.zenith.z, 2.0f * 0.50289f, 1e-4f) << "code 188 of sRGB";
+}
+
+TEST(EnvironmentChoice, that_looks_like_a_colour_and_is_none_is_refused) {
+  for (const char* value : {"#12345", "#12345g", "1,2", "1,2,3,4", "1,2,-3", ",,"})
+    EXPECT_THROW(read_environment_choice(value, "--environment"), Error) << value;
+  for (const char* value : {"none", "studio", "#123456", "1,2,3e-1", "a,b.hdr", "sky.exr"})
+    EXPECT_EQ(read_environment_choice(value, "--environment"), value);
+}
+
+TEST(EnvironmentChoice, is_a_file_where_it_is_no_word_and_no_colour) {
+  for (const char* value : {"", "none", "studio", "#123456", "1,2,3"}) EXPECT_FALSE(environment_is_file(value)) << value;
+  for (const char* value : {"sky.hdr", "studio.exr", "a,b.hdr"}) EXPECT_TRUE(environment_is_file(value)) << value;
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,79 @@
+#include "job/shared_light.hpp"
+
+#include <gmock/gmock.h>
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+FrameReport traced_frame(int number) {
+  FrameReport frame;
+  frame.frame = number;
+  return frame;
+}
+
+FrameReport shared_frame(int number, double psnr_db, double at_least_db, double block_psnr_db) {
+  FrameReport frame = traced_frame(number);
+  frame.kind = "shared";
+  frame.estimated_psnr_db = psnr_db, frame.psnr_at_least_db = at_least_db, frame.estimated_block_psnr_db = block_psnr_db;
+  return frame;
+}
+
+TEST(SharedLight, sentence_counts_frames_and_names_the_worst_of_pixels_and_of_means) {
+  const std::vector<FrameReport> frames{shared_frame(4, 40.0, 39.0, 50.0), traced_frame(5), shared_frame(6, 30.0, 29.0, 52.0),
+                                        traced_frame(7)};
+  // Squared errors of 1e-4 and 1e-3: their mean is 5.5e-4, which is 32.6 dB.
+  EXPECT_EQ(shared_light_sentence(frames),
+            "2 of 4 frames share light, the others were traced whole, PSNR as measured 32.6 dB on average, 30.0 dB at worst "
+            "(frame 6), 50.0 dB at worst of means over 64 pixels (frame 4)");
+}
+
+TEST(SharedLight, sentence_says_that_no_frame_or_every_frame_was_traced_whole) {
+  EXPECT_THAT(shared_light_sentence({shared_frame(0, 40.0, 39.0, 50.0), shared_frame(1, 41.0, 40.0, 51.0)}),
+              testing::StartsWith("2 of 2 frames share light, PSNR"));
+  EXPECT_EQ(shared_light_sentence({traced_frame(0), traced_frame(1)}), "every frame was traced whole");
+}
+
+TEST(SharedLight, sentence_tells_the_errors_of_traced_frames_that_were_measured) {
+  FrameReport measured = shared_frame(1, 30.0, 29.0, 48.0);
+  measured.kind = "full";
+  EXPECT_EQ(
+      shared_light_sentence({traced_frame(0), measured}),
+      "every frame was traced whole, PSNR as measured 30.0 dB on average, 30.0 dB at worst (frame 1), 48.0 dB at worst of "
+      "means over 64 pixels (frame 1)");
+  EXPECT_THAT(below_floor_sentence({traced_frame(0), measured}, 30.0), testing::StartsWith("frame 1 may fall short"));
+}
+
+TEST(SharedLight, sentence_of_a_single_frame_has_no_average) {
+  EXPECT_EQ(shared_light_sentence({shared_frame(3, 38.84, 37.0, 52.06)}),
+            "the frame shares light, PSNR as measured 38.8 dB, 52.1 dB of means over 64 pixels");
+}
+
+TEST(SharedLight, frames_are_below_a_floor_that_their_lower_bound_does_not_reach) {
+  const std::vector<FrameReport> frames{shared_frame(0, 41.0, 40.0, 50.0), shared_frame(1, 41.0, 39.9, 50.0), traced_frame(2),
+                                        shared_frame(3, 39.5, 38.0, 50.0)};
+  EXPECT_EQ(below_floor_sentence(frames, 40.0),
+            "frames 1, 3 may fall short of --min-psnr 40 (at 95 % confidence); 1 of them is below it as measured");
+  EXPECT_EQ(below_floor_sentence(frames, 39.0),
+            "frame 3 may fall short of --min-psnr 39 (at 95 % confidence); none is below it as measured");
+  EXPECT_EQ(below_floor_sentence(frames, 38.0), "");
+}
+
+TEST(SharedLight, frames_that_are_not_measured_are_not_known_to_reach_a_floor) {
+  const std::vector<FrameReport> frames{traced_frame(0), shared_frame(1, 41.0, 39.9, 50.0), traced_frame(2)};
+  EXPECT_EQ(unmeasured_sentence(frames, 40.0), "frames 0, 2 were not measured: whether --min-psnr 40 is reached is not known");
+  EXPECT_THAT(unmeasured_sentence({frames[2]}, 40.0), HasSubstr("frame 2 was not measured"));
+  EXPECT_EQ(unmeasured_sentence({frames[1]}, 40.0), "");
+}
+
+TEST(SharedLight, many_frames_below_a_floor_are_counted) {
+  std::vector<FrameReport> frames;
+  for (int f = 10; f < 17; ++f) frames.push_back(shared_frame(f, 35.0, 34.0, 50.0));
+  EXPECT_EQ(below_floor_sentence(frames, 36.5),
+            "frames 10, 11, 12, 13, 14 and 2 more may fall short of --min-psnr 36.5 (at 95 % confidence); 7 of them are below "
+            "it as measured");
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,37 @@
+#include "job/single_clip.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lippmann {
+namespace {
+
+TEST(SingleClip, is_one_view_in_a_folder_beside_the_pictures) {
+  RenderParams params;
+  params.scene.name = "room";
+  params.optics.lenses = {64, 0};
+  params.optics.slant_deg = 5.0f;
+  params.output.layout = PictureLayout::kIntegral;
+  params.output.video = {"clips/room.mp4"};
+  const RenderParams single = single_clip(params, Optics{.panel = {512, 384, 0.125f}, .model = LenticularSheet{}});
+  EXPECT_EQ(single.optics.kind, OpticsKind::kSingle);
+  EXPECT_EQ(single.optics.size, (Extent<int>{512, 384}));
+  EXPECT_EQ(single.optics.lenses.x, 0);
+  EXPECT_EQ(single.optics.slant_deg, 0.0f);
+  EXPECT_FALSE(single.output.layout.has_value());
+  EXPECT_EQ(single.output.folder, "out/room/single");
+  EXPECT_EQ(single.output.video, std::vector<std::string>{"clips/room_single.mp4"});
+}
+
+TEST(SingleClip, beside_a_quilt_has_the_size_of_one_tile) {
+  const Optics quilt{.panel = {800, 600, 0.1f}, .model = MultiView{8, 6}};
+  EXPECT_EQ(single_clip({}, quilt).optics.size, (Extent<int>{100, 100}));
+}
+
+TEST(SingleClip, on_a_display_leaves_the_size_to_it) {
+  RenderParams params;
+  params.optics.display = "portrait";
+  EXPECT_EQ(single_clip(params, Optics{}).optics.size.x, 0);
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,69 @@
+// The views of a film: each where its optics put it, with its camera and its depth.
+#include "lippmann/layout/film_views.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Every sample says where it is.
+Image numbered(int width, int height, int channels) {
+  Image image(width, height, channels);
+  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(i);
+  return image;
+}
+
+Optics quilt() {
+  Optics optics;
+  optics.panel = {6, 4, 1.0f};
+  optics.model = MultiView{.columns = 3, .rows = 2, .distance_mm = 300.0f};
+  return optics;
+}
+
+TEST(FilmViews, of_a_quilt_are_its_tiles_from_the_lower_left_on) {
+  const Image film = numbered(6, 4, 3), depth = numbered(6, 4, 1);
+  const LightField field = light_field_of(film, quilt(), &depth);
+  EXPECT_EQ(field.grid, (ViewGrid{6, 1}));
+  EXPECT_EQ(field.view_size, Vec2i(2, 2));
+  ASSERT_TRUE(field.tiles.has_value());
+  EXPECT_EQ(*field.tiles, (ViewGrid{3, 2}));
+  const Image first = std::get<Image>(view_of(field, 0)), last = std::get<Image>(view_of(field, 5));
+  EXPECT_EQ(first.pixel(0, 0)[0], film.pixel(0, 2)[0]);
+  EXPECT_EQ(last.pixel(1, 1)[2], film.pixel(5, 1)[2]);
+  EXPECT_EQ(depth_of(field, 5).pixel(1, 1)[0], depth.pixel(5, 1)[0]);
+}
+
+TEST(FilmViews, below_lenses_the_leftmost_eye_sees_the_rightmost_pixels) {
+  Optics sheet;
+  sheet.panel = {8, 2, 0.25f};
+  sheet.model = LenticularSheet{.lens_pitch_mm = 1.0f};
+  const Image film = numbered(8, 2, 3);
+  const LightField field = light_field_of(film, sheet);
+  EXPECT_EQ(field.grid, (ViewGrid{4, 1}));
+  EXPECT_EQ(std::get<Image>(view_of(field, 0)).pixel(1, 0)[0], film.pixel(7, 0)[0]);
+  EXPECT_FALSE(field.cameras.has_value());  // seen from infinity
+  EXPECT_FALSE(field.depth.has_value());
+}
+
+TEST(FilmViews, have_the_eyes_of_their_optics) {
+  const LightField field = light_field_of(numbered(6, 4, 3), quilt());
+  ASSERT_TRUE(field.cameras.has_value());
+  ASSERT_EQ(field.cameras->eyes_mm.size(), 6u);
+  EXPECT_LT(field.cameras->eyes_mm.front().x, 0.0);
+  EXPECT_NEAR(field.cameras->eyes_mm.front().x, -field.cameras->eyes_mm.back().x, 1e-4);
+}
+
+TEST(FilmViews, what_is_not_of_the_panel_and_lenses_without_whole_pixels_are_refused) {
+  EXPECT_THROW(light_field_of(numbered(5, 4, 3), quilt()), Error);
+  const Image depth = numbered(6, 3, 1);
+  EXPECT_THROW(light_field_of(numbered(6, 4, 3), quilt(), &depth), Error);
+  Optics slanted;
+  slanted.panel = {8, 2, 0.25f};
+  slanted.model = LenticularSheet{.lens_pitch_mm = 1.0f, .slant = 0.2f};
+  EXPECT_THROW(light_field_of(numbered(8, 2, 3), slanted), Error);
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,267 @@
+#include "lippmann/stage/fit_array.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+// A few roundings of lengths up to 100.
+constexpr float kRounding = 2e-5f;
+
+void expect_near(Vec3f a, Vec3f b) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], kRounding) << "component " << c;
+}
+
+int add_node(Scene& scene, const Transform& local, int parent = -1) {
+  Node node;
+  node.local = local;
+  node.parent = parent;
+  scene.nodes.push_back(node);
+  return static_cast<int>(scene.nodes.size()) - 1;
+}
+
+void add_box(Scene& scene, Vec3f lower, Vec3f upper) {
+  Instance instance;
+  instance.shape = static_cast<int>(scene.shapes.size());
+  scene.shapes.push_back(Boxes{{lower, upper}});
+  scene.instances.push_back(instance);
+}
+
+Camera& add_camera(Scene& scene, const Transform& local, int parent = -1) {
+  Camera camera;
+  camera.name = "shot";
+  camera.vertical_fov = radians(60.0f);
+  camera.node = add_node(scene, local, parent);
+  scene.cameras.push_back(camera);
+  return scene.cameras.back();
+}
+
+Affine3f plane_in_world(const Scene& scene, const FittedArray& array) {
+  return world_from_display(array, 1.0f, evaluate(scene, 0.0));
+}
+
+Transform at(Vec3f position) { return {position, Quatf(1, 0, 0, 0), Vec3f(1.0f)}; }
+
+// ---- The rules, in order ----------------------------------------------------------------------------------------------
+
+TEST(FitArray, placed_by_the_scene_is_used_as_it_is) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, at({0, 0, 9})).focus_distance = 2.0f;
+  scene.display = DisplayPlacement{add_node(scene, {{0, 1, 0.5f}, glm::angleAxis(radians(90.0f), Vec3f(0, 1, 0)), Vec3f(1.0f)}),
+                                   3.0f, 7.0f};
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.origin, FittedArray::Origin::kPlaced);
+  EXPECT_EQ(array.node, 1);
+  EXPECT_EQ(array.plane_height, 3.0f);
+  EXPECT_EQ(array.viewing_distance, 7.0f);
+  // Its +z is the world's +x: the box reaches from x = -1 to 1.
+  expect_near(transform_vector(plane_in_world(scene, array), {0, 0, 1}), {1, 0, 0});
+  EXPECT_NEAR(array.depth_front, 1.0f, kRounding);
+  EXPECT_NEAR(array.depth_back, -1.0f, kRounding);
+  EXPECT_THAT(array.how, HasSubstr("scene places"));
+}
+
+TEST(FitArray, focus_distance_places_the_plane_there) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, at({0, 0, 10})).focus_distance = 4.0f;
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.origin, FittedArray::Origin::kFocus);
+  expect_near(plane_in_world(scene, array).translation, {0, 0, 6});
+  EXPECT_NEAR(array.plane_height, 8.0f * std::tan(radians(30.0f)), kRounding);
+  EXPECT_EQ(array.viewing_distance, 4.0f);
+  // The box lies 5 to 7 units behind the plane.
+  EXPECT_NEAR(array.depth_front, -5.0f, kRounding);
+  EXPECT_NEAR(array.depth_back, -7.0f, kRounding);
+  EXPECT_THAT(array.how, HasSubstr("'shot'"));
+}
+
+TEST(FitArray, camera_without_focus_gets_the_plane_through_the_scenes_centre) {
+  Scene scene;
+  add_box(scene, {-1, -1, -3}, {1, 1, 1});
+  // Looks along +x, from off the axis: only the distance along the view counts.
+  add_camera(scene, {{-10, 0.5f, 0}, glm::angleAxis(radians(-90.0f), Vec3f(0, 1, 0)), Vec3f(1.0f)});
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
+  expect_near(plane_in_world(scene, array).translation, {0, 0.5f, 0});
+  EXPECT_NEAR(array.viewing_distance, 10.0f, kRounding);
+  EXPECT_NEAR(array.plane_height, 20.0f * std::tan(radians(30.0f)), kRounding);
+  EXPECT_NEAR(array.depth_front, 1.0f, kRounding);
+  EXPECT_NEAR(array.depth_back, -1.0f, kRounding);
+}
+
+TEST(FitArray, central_view_is_the_cameras_own_picture) {
+  Scene scene;
+  add_box(scene, {-1, -1, -3}, {1, 1, 1});
+  add_camera(scene, at({0.5f, 0, 8}));
+  const FittedArray array = fit_array(scene);
+  const Panel panel{100, 100, 0.5f};
+  const float units_per_mm = scene_units_per_mm(array, 50.0f);
+  const Optics optics{.panel = panel, .model = SingleView{array.viewing_distance / units_per_mm}};
+  const Affine3f world = world_from_display(array, units_per_mm, evaluate(scene, 0));
+  const Ray centre = ray_of_pixel(optics, {50, 50}), top = ray_of_pixel(optics, {50, 0});
+  expect_near(transform_point(world, centre.origin), {0.5f, 0, 8});
+  expect_near(glm::normalize(transform_vector(world, centre.direction)), {0, 0, -1});
+  EXPECT_NEAR(std::acos(glm::dot(centre.direction, top.direction)), radians(30.0f), kRounding);
+}
+
+TEST(FitArray, camera_inside_the_scene_looks_half_way_through_what_it_sees) {
+  Scene scene;
+  add_box(scene, {-5, -5, -8}, {5, 5, 6});
+  add_camera(scene, at({0, 0, 4}));
+  const FittedArray array = fit_array(scene);
+  // The far wall is 12 away; the walls at the sides come into view 5 / tan(30 degrees) away.
+  const float nearest = 5.0f / std::tan(radians(30.0f)), distance = 0.5f * (nearest + 12.0f);
+  EXPECT_NEAR(array.viewing_distance, distance, kRounding);
+  expect_near(plane_in_world(scene, array).translation, {0, 0, 4.0f - distance});
+  // What is not in view does not count as depth.
+  EXPECT_NEAR(array.depth_front, distance - nearest, kRounding);
+  EXPECT_NEAR(array.depth_back, distance - 12.0f, kRounding);
+}
+
+TEST(FitArray, scene_behind_the_camera_keeps_a_twentieth_of_its_size) {
+  Scene scene;
+  add_box(scene, {-1, -2, 4}, {1, 2, 8});  // diagonal 6
+  add_camera(scene, at({0, 0, 0}));
+  const FittedArray array = fit_array(scene);
+  EXPECT_NEAR(array.viewing_distance, 0.3f, kRounding);
+  EXPECT_LE(array.depth_front, array.viewing_distance);
+}
+
+/// How far from the middle of the picture the corners of a box are seen, at most; 1: at its edge.
+Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
+  const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
+  Vec2f extent(0.0f);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3f world(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
+    const Vec3f p = transform_point(plane_from_world, world);
+    const float shrink = array.viewing_distance / (array.viewing_distance - p.z);  // to the plane, as seen by the viewer
+    extent = glm::max(extent, glm::abs(Vec2f(p.x / aspect, p.y)) * shrink / (0.5f * array.plane_height));
+  }
+  return extent;
+}
+
+TEST(FitArray, scene_without_a_camera_is_seen_whole_from_front_above_and_right) {
+  const Vec3f lower(-1, 2, -3), upper(3, 5, 7);
+  Scene scene;
+  add_box(scene, lower, upper);
+  for (const float aspect : {1.0f, 2.0f}) {
+    const FittedArray array = fit_array(scene, aspect);
+    EXPECT_EQ(array.origin, FittedArray::Origin::kBounds);
+    EXPECT_EQ(array.node, -1);
+    const Affine3f plane = plane_in_world(scene, array);
+    EXPECT_NEAR(transform_point(inverse(plane), {1, 3.5f, 2}).z, 0.0f, kRounding) << "through its middle";
+    const Vec3f towards_viewer = transform_vector(plane, {0, 0, 1});
+    EXPECT_GT(towards_viewer.z, 0.8f);
+    EXPECT_GT(towards_viewer.y, 0.1f);
+    EXPECT_GT(towards_viewer.x, 0.1f);
+    EXPECT_NEAR(transform_vector(plane, {1, 0, 0}).y, 0.0f, kRounding) << "upright";
+    EXPECT_NEAR(2.0f * std::atan(0.5f * array.plane_height / array.viewing_distance), radians(45.0f), kRounding);
+    const Vec2f extent = seen_extent(scene, array, aspect, lower, upper);
+    EXPECT_LE(std::max(extent.x, extent.y), 1.0f);
+    EXPECT_GE(std::max(extent.x, extent.y), 0.85f) << "and fills the picture";
+  }
+}
+
+TEST(FitArray, scene_without_a_camera_is_seen_whole_all_through_its_animation) {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {1, 1, 1});
+  scene.timeline.frame_count = 26;  // one second
+  NodeAnimation rise;
+  rise.node = scene.instances[0].node = add_node(scene, {});
+  rise.translation = {{0.0, 1.0}, {Vec3f(0.0f), Vec3f(0.0f, 4.0f, 0.0f)}, Interpolation::kLinear};
+  scene.timeline.animations.push_back(rise);
+  const FittedArray array = fit_array(scene);
+  const Vec2f extent = seen_extent(scene, array, 1.0f, {0, 0, 0}, {1, 5, 1});
+  EXPECT_LE(std::max(extent.x, extent.y), 1.0f);
+}
+
+TEST(FitArray, scene_with_nothing_finite_still_gets_an_array) {
+  Scene scene;
+  FittedArray array = fit_array(scene);
+  EXPECT_GT(array.plane_height, 0.0f);
+  EXPECT_TRUE(std::isfinite(array.viewing_distance));
+  add_camera(scene, at({0, 0, 5}));
+  array = fit_array(scene);
+  EXPECT_EQ(array.viewing_distance, 1.0f);
+  EXPECT_EQ(array.depth_front, 0.0f);
+  EXPECT_EQ(array.depth_back, 0.0f);
+}
+
+// ---- How it moves -----------------------------------------------------------------------------------------------------
+
+TEST(FitArray, array_moves_rigidly_with_its_camera) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, at({0, 0, 10}));
+  NodeAnimation move;
+  move.node = 0;
+  move.translation = {{0, 1}, {{0, 0, 10}, {3, 0, 20}}};
+  scene.timeline.animations.push_back(move);
+  const FittedArray array = fit_array(scene);
+  expect_near(world_from_display(array, 1.0f, evaluate(scene, 0)).translation, {0, 0, 0});
+  expect_near(world_from_display(array, 1.0f, evaluate(scene, 1)).translation, {3, 0, 10});
+}
+
+TEST(FitArray, scaled_parent_scales_the_array_with_the_camera) {
+  // The same camera, once plain at (0, 0, 10), once at (0, 0, 5) below a parent that doubles lengths.
+  Scene plain, scaled;
+  add_box(plain, Vec3f(-1), Vec3f(1));
+  add_box(scaled, Vec3f(-1), Vec3f(1));
+  add_camera(plain, at({0, 0, 10}));
+  const int parent = add_node(scaled, {Vec3f(0), Quatf(1, 0, 0, 0), Vec3f(2.0f)});
+  add_camera(scaled, at({0, 0, 5}), parent);
+  const FittedArray a = fit_array(plain), b = fit_array(scaled);
+  const Affine3f world_a = world_from_display(a, scene_units_per_mm(a, 64.0f), evaluate(plain, 0));
+  const Affine3f world_b = world_from_display(b, scene_units_per_mm(b, 64.0f), evaluate(scaled, 0));
+  expect_near(world_a.translation, world_b.translation);
+  for (int c = 0; c < 3; ++c) expect_near(world_a.linear[c], world_b.linear[c]);
+  EXPECT_NEAR(a.viewing_distance, 2.0f * b.viewing_distance, kRounding);
+}
+
+TEST(FitArray, uneven_scale_and_mirrors_leave_a_similarity_that_looks_the_same_way) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  const int parent = add_node(scene, {Vec3f(0), Quatf(1, 0, 0, 0), Vec3f(-1.0f, 2.0f, 4.0f)});
+  add_camera(scene, at({0, 0, 2}), parent);
+  const Affine3f world = plane_in_world(scene, fit_array(scene));
+  EXPECT_NEAR(glm::determinant(world.linear), 8.0f, 1e-4f);  // no mirror; the scale is the cube root of 1 * 2 * 4
+  expect_near(world.linear[0], {2, 0, 0});
+  expect_near(world.linear[1], {0, 2, 0});
+  expect_near(world.linear[2], {0, 0, 2});
+}
+
+TEST(FitArray, node_scaled_to_nothing_is_refused) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, {{0, 0, 5}, Quatf(1, 0, 0, 0), Vec3f(0.0f)});
+  EXPECT_THROW(fit_array(scene), Error);
+}
+
+TEST(FitArray, scenes_too_large_or_too_far_for_floats_are_refused_as_scenes) {
+  Scene wide, distant;
+  add_box(wide, Vec3f(-1e30f), Vec3f(1e30f));
+  add_box(distant, Vec3f(-1), Vec3f(1));
+  add_camera(distant, at({0, 1e20f, 0})).focus_distance = 2.0f;
+  Scene small = distant;
+  small.nodes.back().local = {Vec3f(0.0f), Quatf(1, 0, 0, 0), Vec3f(1e-11f)};
+  for (const Scene* scene : {&wide, &distant, &small}) {
+    try {
+      fit_array(*scene);
+      FAIL() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("scene: the lens array"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lippmann
