@@ -73,7 +73,7 @@ Image8 LightReferences::trace(const RenderParams& params, int frame, int spp) {
   trace.order = RayOrder::kRows;
   trace.frame = static_cast<std::uint32_t>(frame);
   trace.spp = spp;
-  trace_blocks(stage_.device, stage_.placed.optics, moment.world_from_display, trace, wanted_, pool_, context_, film_);
+  trace_blocks(stage_.shot(moment), trace, wanted_, {pool_, context_}, film_);
   return take_rows(to_codes(film_, stage_.scene.encoding), rows_);
 }
 

@@ -92,13 +92,13 @@ class StyleTimer {
 
   double lens_ms(RayOrder order) {
     return milliseconds(order, [&](const TraceParams& trace) {
-      trace_pixels(stage_.device, stage_.placed.optics, world_from_display_, trace, first_lens_, pool_, context_, film_);
+      trace_pixels({stage_.device, stage_.placed.optics, world_from_display_}, trace, first_lens_, {pool_, context_}, film_);
     });
   }
 
   double frame_ms(RayOrder order) {
     return milliseconds(order, [&](const TraceParams& trace) {
-      trace_frame(stage_.device, stage_.placed.optics, world_from_display_, trace, pool_, context_, film_);
+      trace_frame({stage_.device, stage_.placed.optics, world_from_display_}, trace, {pool_, context_}, {film_});
     });
   }
 

@@ -86,8 +86,8 @@ class ReplayBench {
     FrameAovs aovs;
     aovs.want(Aov::kDepth);
     const TraceParams trace = trace_params(params_.sampling, stage_);
-    trace_frame(stage_.device, pinhole, world_from_display_ * moved, trace, pool_, context_, film);
-    find_first_hits(stage_.device, pinhole, world_from_display_ * moved, trace.order, nullptr, pool_, aovs);
+    trace_frame({stage_.device, pinhole, world_from_display_ * moved}, trace, {pool_, context_}, {film});
+    find_first_hits({stage_.device, pinhole, world_from_display_ * moved}, trace.order, nullptr, pool_, aovs);
     return {every_column(film, per_lens), every_column(aovs[Aov::kDepth], per_lens)};
   }
 

@@ -70,8 +70,7 @@ FrameReport DenoisedFrames::trace(int frame, const Moment& moment, Traced& made,
     TraceParams trace = trace_params(sampling_, stage_);
     trace.frame = static_cast<std::uint32_t>(frame);
     report.frame = frame;
-    report.rays = trace_noisy_frame(stage_.device, stage_.placed.optics, moment.world_from_display, trace, pool_, context_,
-                                    noisy, pictures.aovs);
+    report.rays = trace_noisy_frame(stage_.shot(moment), trace, {pool_, context_}, noisy, pictures.aovs);
     clock.add_to(report);
   }
   made.aovs = std::move(pictures.aovs);
@@ -85,7 +84,7 @@ Image DenoisedFrames::motion_from(const Moment& now, int other) {
   const int last = stage_.scene.timeline.frame_count - 1;
   const Moment then = stage_.moment_at(std::clamp(other, 0, last));
   const FrameStep step{now.resolved, then.resolved, then.world_from_display};
-  find_first_hits(stage_.device, stage_.placed.optics, now.world_from_display, sampling_.order, &step, pool_, aovs);
+  find_first_hits(stage_.shot(now), sampling_.order, &step, pool_, aovs);
   return std::move(aovs[Aov::kMotion]);
 }
 

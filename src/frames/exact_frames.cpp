@@ -56,9 +56,8 @@ RenderedFrame ExactFrames::from_key(int frame) {
   const Moment moment = stage_.moment_at(frame);
   rendered.pictures.film = film_;
   stage_.device.update(moment.resolved, pool_);
-  rendered.report.rays =
-      trace_blocks(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(sampling_, stage_),
-                   settled_.unsettled(blocks_, frame - key_), pool_, context_, rendered.pictures.film);
+  rendered.report.rays = trace_blocks(stage_.shot(moment), trace_params(sampling_, stage_),
+                                      settled_.unsettled(blocks_, frame - key_), {pool_, context_}, rendered.pictures.film);
   rendered.report.frame = frame;
   rendered.report.kind = "in-between";
   const std::uint64_t samples = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height) *

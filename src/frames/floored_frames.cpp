@@ -131,9 +131,7 @@ bool FlooredFrames::predict_or_trace(int frame, const FrameInterval& interval, c
   const TracePackets trace = [&](std::span<const std::uint8_t> wanted, Image& film) {
     if (!updated) stage_.device.update(image.moment.resolved, pool_);
     updated = true;
-    add(trace_packets(stage_.device, stage_.placed.optics, image.moment.world_from_display, trace_params(sampling_, stage_),
-                      wanted, pool_, context_, film),
-        rays);
+    add(trace_packets(stage_.shot(image.moment), trace_params(sampling_, stage_), wanted, {pool_, context_}, film), rays);
   };
   InBetweenCounts counts;
   const FloorOutcome outcome =

@@ -90,8 +90,7 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
   RayCounts rays;
   const TracePixels trace = [&](std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points) {
     stage_.device.update(moment.resolved, pool_);
-    rays = trace_pixels(stage_.device, stage_.placed.optics, moment.world_from_display, trace_params(sampling_, stage_), pixels,
-                        pool_, context_, film, points);
+    rays = trace_pixels(stage_.shot(moment), trace_params(sampling_, stage_), pixels, {pool_, context_}, film, points);
   };
   const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
   const InBetweenCounts counts = maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, position,

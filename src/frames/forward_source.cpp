@@ -24,9 +24,8 @@ ForwardSource trace_source(Stage& stage, const Sampling& sampling, const Interpo
   source.report.frame = frame;
   source.report.kind = "key";
   TouchedBlocks blocks;
-  source.report.rays =
-      trace_frame(stage.device, stage.placed.optics, image.moment.world_from_display, trace_params(sampling, stage), pool,
-                  context, image.film, nullptr, &image.points, reuse.min_psnr_db ? &blocks : nullptr);
+  source.report.rays = trace_frame(stage.shot(image.moment), trace_params(sampling, stage), {pool, context},
+                                   {image.film, nullptr, &image.points, reuse.min_psnr_db ? &blocks : nullptr});
   image.rays = std::move(blocks.rays);
   maker.prepare(image, pool);
   clock.add_to(source.report);

@@ -49,8 +49,7 @@ void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& 
   if (aovs.wants(Aov::kMotion) && frame > 0) before = stage.moment_at(frame - 1);
   std::optional<FrameStep> step;
   if (before) step.emplace(FrameStep{moment.resolved, before->resolved, before->world_from_display});
-  find_first_hits(stage.device, stage.placed.optics, moment.world_from_display, sampling.order, step ? &*step : nullptr, pool,
-                  aovs);
+  find_first_hits(stage.shot(moment), sampling.order, step ? &*step : nullptr, pool, aovs);
 }
 
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
@@ -64,8 +63,8 @@ RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, co
   rendered.report.frame = frame;
   TraceParams trace = trace_params(sampling, stage);
   trace.frame = static_cast<std::uint32_t>(frame);
-  rendered.report.rays = trace_frame(stage.device, stage.placed.optics, moment.world_from_display, trace, pool, context,
-                                     rendered.pictures.film, &rendered.pictures.aovs, nullptr, touched);
+  rendered.report.rays = trace_frame(stage.shot(moment), trace, {pool, context},
+                                     {rendered.pictures.film, &rendered.pictures.aovs, nullptr, touched});
   if (!context.cancelled) add_first_hits(stage, sampling, moment, frame, pool, rendered.pictures.aovs);
   clock.add_to(rendered.report);
   return rendered;

@@ -30,6 +30,9 @@ struct Stage {
 
   /// Where everything is in a frame.
   Moment moment_at(int frame) const;
+
+  /// What is rendered of the moment that the device scene was moved to.
+  Shot shot(const Moment& moment) const { return {device, placed.optics, moment.world_from_display}; }
 };
 
 /// Measures the rendering of one frame, from its making on.

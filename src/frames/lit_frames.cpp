@@ -78,8 +78,8 @@ FrameReport LitFrames::visit(int frame, FramePictures& pictures, NoisyFrame* noi
   constexpr int kTwoFrames[] = {2};
   const std::vector<HorizonBox> moving =
       frame % kSegment > 0 ? swept_.around(frame - 1, kTwoFrames, frame) : std::vector<HorizonBox>{};
-  const CachedLightReport light = tracer_.trace(moment.resolved, stage_.placed.optics, moment.world_from_display, trace, goal,
-                                                moving, pool_, context_, {pictures.film, &pictures.aovs, noisy});
+  const CachedLightReport light = tracer_.trace(stage_.shot(moment), moment.resolved, trace, goal, moving, {pool_, context_},
+                                                {pictures.film, &pictures.aovs, noisy});
   next_ = frame + 1;
   FrameReport report;
   report.frame = frame;

@@ -64,13 +64,14 @@ Interpolate interpolate(const ReuseParams& said) {
           said.halving,   said.no_z_buffer};
 }
 
-/// Pixels that are copied are those of a traced frame: they keep to any floor.
-Reuse reuse_by_sampling(const ReuseParams& said, const Sampling& sampling) {
-  if (can_share_light(sampling, {said.min_psnr_db, said.time_budget_s})) return share_light(said);
+/// What is said of key frames and floors holds for any scene, as jobs for many scenes say it: frames that share light have no
+/// key frames, and pixels that are copied or traced keep to any floor.
+Reuse reuse_by_sampling(ReuseParams said, const Sampling& sampling) {
   if (can_copy_settled(sampling)) return copy_settled(said);
-  ReuseParams whole = said;
-  if (integrator_of(sampling) == Integrator::kWhitted) whole.keyframes.reset(), whole.min_psnr_db.reset();
-  return trace_all(whole);
+  said.keyframes.reset();
+  if (can_share_light(sampling, {said.min_psnr_db, said.time_budget_s})) return share_light(said);
+  if (integrator_of(sampling) == Integrator::kWhitted) said.min_psnr_db.reset();
+  return trace_all(said);
 }
 
 Reuse wanted_reuse(const ReuseParams& said, const Sampling& sampling) {

@@ -93,19 +93,17 @@ constexpr int kMostMorePaths = 64;
 /// One frame on its way.
 class CachedFrame {
  public:
-  CachedFrame(const DeviceScene& device, const SurfacePlaces& places, const Optics& optics, const Affine3f& world_from_display,
-              const TraceParams& params, const ThreadPool& pool, const Context& context, History& history)
-      : device_(device),
+  CachedFrame(const Shot& shot, const SurfacePlaces& places, const TraceParams& params, const Workers& workers,
+              History& history)
+      : shot_(shot),
         places_(places),
-        optics_(optics),
-        world_from_display_(world_from_display),
         params_(params),
-        pool_(pool),
-        context_(context),
+        pool_(workers.pool),
+        context_(workers.context),
         history_(history),
-        beam_(optics, world_from_display, kTextureSamples),
-        feeder_(device.impl(), optics, world_from_display, params),
-        before_(smoothed(history.scatter, optics, pool)) {}
+        beam_(shot.optics, shot.world_from_display, kTextureSamples),
+        feeder_(shot.device.impl(), shot.optics, shot.world_from_display, params),
+        before_(smoothed(history.scatter, shot.optics, workers.pool)) {}
 
   void begin_history(const CachedLightGoal& goal);
   void go_on(const std::vector<HorizonBox>& moving);
@@ -149,10 +147,8 @@ class CachedFrame {
   void feed_scarce(const FeedTarget& target, PacketGroups scarce, int first_round, int end);
   LightCells cells() const { return {places_, beam_, history_.samples_per_cell, history_.lights_from}; }
 
-  const DeviceScene& device_;
+  Shot shot_;
   const SurfacePlaces& places_;
-  const Optics& optics_;
-  const Affine3f& world_from_display_;
   const TraceParams& params_;
   const ThreadPool& pool_;
   const Context& context_;
@@ -188,7 +184,7 @@ void CachedFrame::go_on(const std::vector<HorizonBox>& moving) {
   LightCache& cache = *history_.cache;
   cache.begin_frame([this](std::uint32_t thing, Vec3f at) { return places_.moved(thing, at); }, pool_);
   const LightCells in = cells();
-  moved_.emplace(device_.impl().device.get(), device_.impl().native_width, moving);
+  moved_.emplace(shot_.device.impl().device.get(), shot_.device.impl().native_width, moving);
   const FeedTarget target{in, cache, pool_, context_, &*moved_};
   const Fed everywhere = feeder_.feed(target, 0);
   add(everywhere.rays, counts_);
@@ -218,7 +214,7 @@ void CachedFrame::feed_scarce(const FeedTarget& target, PacketGroups scarce, int
 }
 
 GatherMeasure CachedFrame::measure(const CachedLightGoal& goal, const MeasuredPlaces& places) const {
-  return {device_, optics_, world_from_display_, params_, goal.squared_error, places, before_, pool_};
+  return {shot_, params_, goal.squared_error, places, before_, pool_};
 }
 
 /// As much is done as frames before have needed.
@@ -265,7 +261,7 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPi
 /// What the frame's patches err by, gathered by themselves.
 FrameError CachedFrame::gather_apart(GatherMeasure& measure) {
   const LightCells in = cells();
-  return measure.check({device_, in, *history_.cache, optics_, world_from_display_}, effort(), before_);
+  return measure.check({shot_.device, in, *history_.cache, shot_.optics, shot_.world_from_display}, effort(), before_);
 }
 
 /// Where the frame errs by more than it may, it is given more light and more samples, as often as may help.
@@ -348,7 +344,7 @@ void CachedFrame::feed_more(int attempt) {
 
 void CachedFrame::start_cache(float samples_per_cell, LightGroup lights_from) {
   if (history_.cache && samples_per_cell == history_.samples_per_cell && lights_from == history_.lights_from) return;
-  const double pixels = static_cast<double>(optics_.panel.width) * static_cast<double>(optics_.panel.height);
+  const double pixels = static_cast<double>(shot_.optics.panel.width) * static_cast<double>(shot_.optics.panel.height);
   history_.cache.emplace(static_cast<std::size_t>(std::max(kCellsPerPixel * pixels, kLeastCells)));
   history_.samples_per_cell = samples_per_cell, history_.lights_from = lights_from;
   round_ = 0, records_ = 0, feeding_seconds_ = 0.0;
@@ -382,7 +378,7 @@ void CachedFrame::begin(const Beginning& beginning, float fitting_cell) {
 void CachedFrame::begin_history(const CachedLightGoal& goal) {
   GatherMeasure measure = this->measure(goal, kPlanning);
   const float fitting = fitting_cell();
-  const LightTable& lights = *device_.impl().path->lights;
+  const LightTable& lights = *shot_.device.impl().path->lights;
   Beginnings beginnings(lights.chance(kLamps) > 0.0f, lights.chance(kSkyLight) > 0.0f);
   const double most_rays = most_spent(goal.frames) * measure.rays_of_whole_frame();
   std::optional<GatherPlan> good;
@@ -406,7 +402,7 @@ void CachedFrame::begin_history(const CachedLightGoal& goal) {
   if (history_.plan && !goal.seconds && !context_.cancelled) {
     begin(good ? *beginnings.good() : mixed->beginning, fitting);
     const LightCells in = cells();
-    measure.plan_frames_in_a_row({device_, in, *history_.cache, optics_, world_from_display_}, *history_.plan);
+    measure.plan_frames_in_a_row({shot_.device, in, *history_.cache, shot_.optics, shot_.world_from_display}, *history_.plan);
   }
   history_.least = history_.plan ? history_.plan->effort() : GatherEffort{};
   history_.path_samples = path_samples(goal, params_.spp, measure.of_paths());
@@ -427,7 +423,7 @@ void CachedFrame::keep_mixed(const GatherMeasure& measure, const Beginning& begi
 /// What frames from the cache as it is now err by, and the plan for them.
 BeginningOutcome CachedFrame::try_beginning(const CachedLightGoal& goal, GatherMeasure& measure) {
   const LightCells in = cells();
-  const GatherSources sources{device_, in, *history_.cache, optics_, world_from_display_};
+  const GatherSources sources{shot_.device, in, *history_.cache, shot_.optics, shot_.world_from_display};
   BeginningOutcome outcome;
   if (goal.seconds) {
     const GatherMeasure::Timed found = measure.plan_within(sources, seconds_for_pixels(*goal.seconds));
@@ -447,8 +443,8 @@ BeginningOutcome CachedFrame::try_beginning(const CachedLightGoal& goal, GatherM
 /// Of many beginnings one is good by chance where it was tried: only what is good elsewhere, too, is taken.
 void CachedFrame::confirm(BeginningOutcome& outcome, const FrameError& may, GatherMeasure& fresh) {
   const LightCells in = cells();
-  const FrameError found =
-      fresh.check({device_, in, *history_.cache, optics_, world_from_display_}, history_.plan->effort_alone(), {});
+  const FrameError found = fresh.check({shot_.device, in, *history_.cache, shot_.optics, shot_.world_from_display},
+                                       history_.plan->effort_alone(), {});
   FrameError& expected = history_.plan->expected;
   expected.pixels = std::max(expected.pixels, found.pixels), expected.blocks = std::max(expected.blocks, found.blocks);
   outcome.excess = std::max({outcome.excess, found.pixels / may.pixels, found.blocks / may.blocks});
@@ -463,9 +459,9 @@ double CachedFrame::seconds_for_pixels(double seconds) const {
 
 void CachedFrame::gather(bool provenance, const CachedLightPictures& pictures) {
   const LightCells in = cells();
-  const GatherSources sources{device_, in, *history_.cache, optics_, world_from_display_};
+  const GatherSources sources{shot_.device, in, *history_.cache, shot_.optics, shot_.world_from_display};
   Image* const alpha = alpha_of(pictures);
-  if (alpha) pictures.aovs->allocate(Aov::kAlpha, optics_.panel, 0.0f);
+  if (alpha) pictures.aovs->allocate(Aov::kAlpha, shot_.optics.panel, 0.0f);
   const RayCounts rays = gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter}, pool_,
                                       context_, {pictures.film, alpha, pictures.noisy});
   add(rays, counts_);
@@ -486,9 +482,8 @@ void CachedFrame::make_traced(const CachedLightGoal& goal, const CachedLightPict
 RayCounts CachedFrame::trace_whole(const TraceParams& whole, const CachedLightPictures& pictures) const {
   FrameAovs none;
   FrameAovs& aovs = pictures.aovs ? *pictures.aovs : none;
-  if (!pictures.noisy) return trace_frame(device_, optics_, world_from_display_, whole, pool_, context_, pictures.film, &aovs);
-  const RayCounts rays =
-      trace_noisy_frame(device_, optics_, world_from_display_, whole, pool_, context_, *pictures.noisy, aovs);
+  if (!pictures.noisy) return trace_frame(shot_, whole, {pool_, context_}, {pictures.film, &aovs});
+  const RayCounts rays = trace_noisy_frame(shot_, whole, {pool_, context_}, *pictures.noisy, aovs);
   pictures.film = std::exchange(pictures.noisy->film, {});
   return rays;
 }
@@ -501,7 +496,7 @@ int CachedFrame::path_samples(const CachedLightGoal& goal, int samples, float fo
 /// shows_all: the surroundings, too, as the paths do that it is compared with.
 FrameError CachedFrame::measure_traced(const TraceParams& whole, bool shows_all, const Image& film) {
   MeasuredPixels where = choose_pixels(film, kWatching, {}, hash(params_.seed, params_.frame));
-  const PixelMeasure measure(device_, optics_, world_from_display_, whole, std::move(where), shows_all ? 1 : 2, pool_);
+  const PixelMeasure measure(shot_, whole, std::move(where), shows_all ? 1 : 2, pool_);
   add(measure.counts(), counts_);
   const PixelError pixels = shows_all ? measure.of_paths(film) : measure.of_paths();
   // Errors of paths have nothing to do with each other, from pixel to pixel.
@@ -511,9 +506,8 @@ FrameError CachedFrame::measure_traced(const TraceParams& whole, bool shows_all,
 }  // namespace
 
 struct CachedLightTracer::Impl {
-  explicit Impl(const DeviceScene& of) : device(of), places(of.impl()) {}
+  explicit Impl(const DeviceScene& of) : places(of.impl()) {}
 
-  const DeviceScene& device;
   SurfacePlaces places;
   History history;
 };
@@ -528,24 +522,22 @@ double CachedLightTracer::bytes_per_pixel() {
   return kCellsPerPixel * static_cast<double>(LightCache::bytes_per_cell()) + 2.0 * sizeof(float);
 }
 
-CachedLightReport CachedLightTracer::trace(const ResolvedScene& resolved, const Optics& optics,
-                                           const Affine3f& world_from_display, const TraceParams& params,
+CachedLightReport CachedLightTracer::trace(const Shot& shot, const ResolvedScene& resolved, const TraceParams& params,
                                            const CachedLightGoal& goal, const std::vector<HorizonBox>& moving,
-                                           const ThreadPool& pool, const Context& context,
-                                           const CachedLightPictures& pictures) {
+                                           const Workers& workers, const CachedLightPictures& pictures) {
   History& history = impl_->history;
   impl_->places.update(resolved);
-  CachedFrame frame(impl_->device, impl_->places, optics, world_from_display, params, pool, context, history);
+  CachedFrame frame(shot, impl_->places, params, workers, history);
   if (!history.cache)
     frame.begin_history(goal);
   else if (history.plan)
     frame.go_on(moving);
   CachedLightReport report;
-  if (!context.cancelled && history.plan) {
+  if (!workers.context.cancelled && history.plan) {
     report.traced = !frame.make_gathered(goal, pictures);
     history.failures = report.traced || !(goal.seconds || frame.was_worth_it()) ? history.failures + 1 : 0;
     if (history.failures >= kMostFailures) history.plan.reset();
-  } else if (!context.cancelled) {
+  } else if (!workers.context.cancelled) {
     report.traced = true;
     frame.make_traced(goal, pictures);
   }

@@ -43,13 +43,14 @@ class CachedLightTracer {
   /// Forgets all frames: the next one begins a history.
   void restart();
 
-  /// A frame, as trace_frame. `resolved` is what `scene` was updated with. What the frames before it, since restart(), have
-  /// found helps: they must be the same, in the same order, for the same bits. Not so where the goal is a time: then samples
-  /// go by the clock. moving: boxes around everything that has moved since the frame before, at both places; without end: light
-  /// may have changed everywhere. Errors are those of pictures that show the surroundings.
-  CachedLightReport trace(const ResolvedScene& resolved, const Optics& optics, const Affine3f& world_from_display,
-                          const TraceParams& params, const CachedLightGoal& goal, const std::vector<HorizonBox>& moving,
-                          const ThreadPool& pool, const Context& context, const CachedLightPictures& pictures);
+  /// A frame, as trace_frame. `shot` is of the scene that this was made for, `resolved` what that was updated with. What the
+  /// frames before it, since restart(), have found helps: they must be the same, in the same order, for the same bits. Not so
+  /// where the goal is a time: then samples go by the clock. moving: boxes around everything that has moved since the frame
+  /// before, at both places; without end: light may have changed everywhere. Errors are those of pictures that show the
+  /// surroundings.
+  CachedLightReport trace(const Shot& shot, const ResolvedScene& resolved, const TraceParams& params,
+                          const CachedLightGoal& goal, const std::vector<HorizonBox>& moving, const Workers& workers,
+                          const CachedLightPictures& pictures);
 
   /// Kept from frame to frame at most, per pixel; less than two thousand more make up for it in small frames.
   static double bytes_per_pixel();

@@ -37,16 +37,15 @@ bool is_hole(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i
 /// Finds the first hits of a strip's pixels and stores what they are.
 class FirstHits {
  public:
-  FirstHits(const DeviceScene::Impl& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-            const FrameStep* step, FrameAovs& aovs)
-      : scene_(scene),
-        source_(optics, world_from_display, order, SubPixel{}),
-        beam_(optics, world_from_display),
-        display_from_world_(inverse(world_from_display)),
-        mm_per_unit_(1.0f / uniform_scale(world_from_display)),
-        views_(optics),
+  FirstHits(const Shot& shot, RayOrder order, const FrameStep* step, FrameAovs& aovs)
+      : scene_(shot.device.impl()),
+        source_(shot.optics, shot.world_from_display, order, SubPixel{}),
+        beam_(shot.optics, shot.world_from_display),
+        display_from_world_(inverse(shot.world_from_display)),
+        mm_per_unit_(1.0f / uniform_scale(shot.world_from_display)),
+        views_(shot.optics),
         aovs_(aovs) {
-    if (step && aovs.wants(Aov::kMotion)) former_.emplace(scene, world_from_display, *step);
+    if (step && aovs.wants(Aov::kMotion)) former_.emplace(scene_, shot.world_from_display, *step);
   }
 
   std::size_t strips() const { return static_cast<std::size_t>(source_.strips()); }
@@ -130,12 +129,11 @@ class FirstHits {
 
 }  // namespace
 
-void find_first_hits(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-                     const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs) {
+void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs) {
   if (!aovs.wants_any(false)) return;
   for (const Aov aov : kOfHits)
-    if (aovs.wants(aov)) aovs.allocate(aov, optics.panel, value_of_nothing(aov));
-  const FirstHits hits(scene.impl(), optics, world_from_display, order, step, aovs);
+    if (aovs.wants(aov)) aovs.allocate(aov, shot.optics.panel, value_of_nothing(aov));
+  const FirstHits hits(shot, order, step, aovs);
   pool.for_each(hits.strips(), [&](std::size_t strip) { hits.fill_strip(static_cast<int>(strip)); });
 }
 

@@ -7,7 +7,7 @@
 #include "lippmann/scene/timeline.hpp"
 #include "lippmann/trace/aovs.hpp"
 #include "lippmann/trace/ray_order.hpp"
-#include "trace/device_scene.hpp"
+#include "trace/shot.hpp"
 
 namespace lippmann {
 
@@ -20,7 +20,6 @@ struct FrameStep {
 
 /// Fills the layers of `aovs` that are wanted and no light: one ray through the centre of every pixel. Without `step` nothing
 /// has moved. The same bits for any number of threads.
-void find_first_hits(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-                     const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs);
+void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs);
 
 }  // namespace lippmann

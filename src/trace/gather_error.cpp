@@ -82,26 +82,22 @@ double product(Vec3f a, Vec3f b, Vec3f c, Vec3f d) {
 
 }  // namespace
 
-GatherMeasure::GatherMeasure(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                             const TraceParams& trace, std::optional<float> goal, const MeasuredPlaces& places,
-                             const Scatter& likely, const ThreadPool& pool)
-    : scene_(scene),
-      optics_(optics),
-      world_from_display_(world_from_display),
+GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, std::optional<float> goal,
+                             const MeasuredPlaces& places, const Scatter& likely, const ThreadPool& pool)
+    : shot_(shot),
       trace_(trace),
       asked_(goal),
       measured_(places),
       seed_(hash(trace.seed, trace.frame, places.salt)),
       pool_(pool) {
-  patches_ = choose_patches(optics, world_from_display, trace.order, places.patches, likely, seed_);
+  patches_ = choose_patches(shot.optics, shot.world_from_display, trace.order, places.patches, likely, seed_);
   trace_patches(places.fewer);
   set_goal(difference_of_paths());
 }
 
 void GatherMeasure::choose_pixels_of(const Image& film, const Scatter& scatter) {
   if (pixels_ || !measured_.with_pixels()) return;
-  pixels_.emplace(scene_, optics_, world_from_display_, trace_, choose_pixels(film, measured_.pixels, scatter, seed_), 2,
-                  pool_);
+  pixels_.emplace(shot_, trace_, choose_pixels(film, measured_.pixels, scatter, seed_), 2, pool_);
   add(pixels_->counts(), counts_);
   set_goal(pixels_->of_paths());
 }
@@ -116,14 +112,14 @@ void GatherMeasure::set_goal(const PixelError& of_paths) {
 /// of half as many.
 void GatherMeasure::trace_patches(int fewer) {
   const Context quiet;  // a few patches are no progress of the frame
-  Image film(optics_.panel.width, optics_.panel.height, 3);
+  Image film(shot_.optics.panel.width, shot_.optics.panel.height, 3);
   TraceParams params = trace_;
   params.spp = fewer_samples(trace_.spp, fewer);
   const bool in_halves = params.spp < trace_.spp;
   if (in_halves) params.spp = (params.spp + 1) / 2;
   const auto trace_with = [&](std::uint32_t seed_of_set) {
     params.seed = seed_of_set;
-    add(trace_packets(scene_, optics_, world_from_display_, params, patches_.wanted, pool_, quiet, film), counts_);
+    add(trace_packets(shot_, params, patches_.wanted, {pool_, quiet}, film), counts_);
   };
   for (std::uint32_t set = 0; set < 2; ++set) {
     trace_with(hash(seed_, 0x70617468u, set));

@@ -55,8 +55,8 @@ class GatherMeasure {
  public:
   /// goal: the mean squared error that pixels may have; none: that of paths with trace.spp samples. likely: as choose_patches
   /// has it. All arguments outlive it.
-  GatherMeasure(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, const TraceParams& trace,
-                std::optional<float> goal, const MeasuredPlaces& places, const Scatter& likely, const ThreadPool& pool);
+  GatherMeasure(const Shot& shot, const TraceParams& trace, std::optional<float> goal, const MeasuredPlaces& places,
+                const Scatter& likely, const ThreadPool& pool);
 
   /// Chooses the pixels that are measured one by one, by a picture of the frame and how much its samples scattered, if there
   /// are any to be and they are not chosen yet. Before it no goal is known but one that was asked for.
@@ -123,9 +123,7 @@ class GatherMeasure {
   void refine_for_blocks(const GatherSources& sources, GatherPlan& plan);
   float error_in_a_row(const GatherSources& sources, const GatherEffort& alone, float enough);
 
-  const DeviceScene& scene_;
-  const Optics& optics_;
-  Affine3f world_from_display_;
+  Shot shot_;
   TraceParams trace_;
   std::optional<float> asked_;  ///< goal of pixels
   MeasuredPlaces measured_;

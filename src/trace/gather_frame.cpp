@@ -322,13 +322,13 @@ RayCounts mix_paths_into(const GatherSources& sources, const GatherParams& param
   if (pictures.alpha) layers.want(Aov::kAlpha);
   RayCounts rays;
   if (pictures.noisy) {
-    rays = trace_noisy_frame(device, optics, world_from_display, trace, pool, quiet, paths, layers);
+    rays = trace_noisy_frame({device, optics, world_from_display}, trace, {pool, quiet}, paths, layers);
     if (trace.spp == 1) paths.noise = difference(paths.film, pictures.film);  // of one sample there are no halves
   } else if (wanted.empty()) {
-    rays = trace_frame(device, optics, world_from_display, trace, pool, quiet, paths.film, &layers);
+    rays = trace_frame({device, optics, world_from_display}, trace, {pool, quiet}, {paths.film, &layers});
   } else {
     paths.film = pictures.film;  // outside of `wanted` nothing changes
-    rays = trace_packets(device, optics, world_from_display, trace, wanted, pool, quiet, paths.film);
+    rays = trace_packets({device, optics, world_from_display}, trace, wanted, {pool, quiet}, paths.film);
   }
   if (params.provenance) show_as_traced(paths.film);
   const float weight = params.effort.mix.weight;

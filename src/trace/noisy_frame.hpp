@@ -27,8 +27,7 @@ inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(samp
 void clear_guides(const Panel& panel, NoisyFrame& noisy);
 
 /// As trace_frame for the same scene, made for paths, at 2 or more samples per pixel: noisy.film has the bits of its film.
-RayCounts trace_noisy_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                            const TraceParams& params, const ThreadPool& pool, const Context& context, NoisyFrame& noisy,
+RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,
                             FrameAovs& aovs);
 
 }  // namespace lippmann

@@ -8,15 +8,14 @@
 
 namespace lippmann {
 
-PixelMeasure::PixelMeasure(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                           const TraceParams& trace, MeasuredPixels where, int sets, const ThreadPool& pool)
+PixelMeasure::PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredPixels where, int sets, const ThreadPool& pool)
     : where_(std::move(where)) {
   const Context quiet;  // a few pixels are no progress of the frame
-  Image film(optics.panel.width, optics.panel.height, 3);
+  Image film(shot.optics.panel.width, shot.optics.panel.height, 3);
   TraceParams params = trace;
   for (int set = 0; set < sets; ++set) {
     params.seed = hash(trace.seed, trace.frame, 0x70697865u + static_cast<std::uint32_t>(set));
-    add(trace_pixels(scene, optics, world_from_display, params, where_.pixels, pool, quiet, film), counts_);
+    add(trace_pixels(shot, params, where_.pixels, {pool, quiet}, film), counts_);
     sets_.push_back(codes_at(film, where_.pixels));
   }
 }

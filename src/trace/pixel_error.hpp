@@ -14,8 +14,7 @@ struct PixelError {
 /// Fewer paths for more pixels would tell less, as sRGB's curve makes noise darker.
 class PixelMeasure {
  public:
-  PixelMeasure(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, const TraceParams& trace,
-               MeasuredPixels where, int sets, const ThreadPool& pool);
+  PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredPixels where, int sets, const ThreadPool& pool);
 
   /// Of paths with trace.spp samples: half the squared difference of both sets.
   PixelError of_paths() const;

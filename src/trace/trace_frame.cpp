@@ -29,12 +29,11 @@ std::array<float, 2> weights_of_halves(int spp) {
 /// What tracing a frame needs, whichever blocks of it are traced.
 class FrameTracer {
  public:
-  FrameTracer(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, const TraceParams& params,
-              Image& film)
-      : scene_(scene.impl()),
+  FrameTracer(const Shot& shot, const TraceParams& params, Image& film)
+      : scene_(shot.device.impl()),
         params_(params),
-        beam_(optics, world_from_display, params.spp),
-        source_(optics, world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter}),
+        beam_(shot.optics, shot.world_from_display, params.spp),
+        source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter}),
         film_(film),
         noise_weights_(weights_of_halves(params.spp)) {}
 
@@ -152,10 +151,11 @@ class FrameTracer {
 
 /// trace(strip) for every strip.
 template <class Fn>
-RayCounts trace_strips(std::size_t strips, const ThreadPool& pool, const Context& context, const Fn& trace) {
+RayCounts trace_strips(std::size_t strips, const Workers& workers, const Fn& trace) {
   std::vector<RayCounts> counts(strips);
   std::atomic<std::size_t> done{0};
-  pool.for_each(strips, [&](std::size_t strip) {
+  const Context& context = workers.context;
+  workers.pool.for_each(strips, [&](std::size_t strip) {
     if (!context.cancelled) counts[strip] = trace(strip);
     const std::size_t finished = ++done;
     if (context.frame_progress) context.frame_progress(static_cast<double>(finished) / static_cast<double>(strips));
@@ -166,9 +166,8 @@ RayCounts trace_strips(std::size_t strips, const ThreadPool& pool, const Context
 }
 
 /// The first hits behind the centres of pixels whose samples lie elsewhere.
-void capture_points(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-                    const ThreadPool& pool, const PointCapture& capture) {
-  const PacketSource source(optics, world_from_display, order, SubPixel{});
+void capture_points(const Shot& shot, RayOrder order, const ThreadPool& pool, const PointCapture& capture) {
+  const PacketSource source(shot.optics, shot.world_from_display, order, SubPixel{});
   pool.for_each(static_cast<std::size_t>(source.strips()), [&](std::size_t strip) {
     RayHitPacket packet;
     LaneMask active;
@@ -176,7 +175,7 @@ void capture_points(const DeviceScene& scene, const Optics& optics, const Affine
     for (int p = 0; p < source.packets_per_strip(); ++p) {
       if (source.fill(static_cast<int>(strip), p, 0, packet.ray, active, pixel) == 0) continue;
       clear_hits(packet);
-      intersect_scene(scene.impl(), active, packet, Coherence::kCoherent);
+      intersect_scene(shot.device.impl(), active, packet, Coherence::kCoherent);
       capture.store(packet, active, pixel);
     }
   });
@@ -207,67 +206,62 @@ void clear_guides(const Panel& panel, NoisyFrame& noisy) {
   for (Image* image : {&noisy.z, &noisy.met}) *image = Image(panel.width, panel.height, 1);
 }
 
-RayCounts trace_noisy_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                            const TraceParams& params, const ThreadPool& pool, const Context& context, NoisyFrame& noisy,
+RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,
                             FrameAovs& aovs) {
-  const Panel& panel = optics.panel;
+  const Panel& panel = shot.optics.panel;
   noisy.film = Image(panel.width, panel.height, 3);
   clear_guides(panel, noisy);
-  FrameTracer tracer(scene, optics, world_from_display, params, noisy.film);
+  FrameTracer tracer(shot, params, noisy.film);
   PathFilm film = allocated_light(panel, aovs);
   film.noise = noisy.noise.data.data(), film.seen = noisy.seen.data.data();
   const FirstSurfaces surfaces{noisy.albedo.data.data(), noisy.normal.data.data(), noisy.z.data.data(), noisy.met.data.data(),
-                               display_z(world_from_display)};
+                               display_z(shot.world_from_display)};
   film.surfaces = &surfaces;
   tracer.split_to(film);
-  const RayCounts counts =
-      trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_strip(s, {}); });
+  const RayCounts counts = trace_strips(tracer.strips(), workers, [&](std::size_t s) { return tracer.trace_strip(s, {}); });
   finish_alpha(params.spp, aovs);
   return counts;
 }
 
-RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                      const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film, FrameAovs* aovs,
-                      PrimaryPoints* points, TouchedBlocks* touched) {
-  const std::size_t pixels = static_cast<std::size_t>(optics.panel.width) * static_cast<std::size_t>(optics.panel.height);
-  film.width = optics.panel.width, film.height = optics.panel.height, film.channels = 3;
-  film.data.resize(3 * pixels);
-  FrameTracer tracer(scene, optics, world_from_display, params, film);
-  if (aovs) tracer.split_to(allocated_light(optics.panel, *aovs));
+RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into) {
+  const DeviceScene::Impl& scene = shot.device.impl();
+  const Panel& panel = shot.optics.panel;
+  const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
+  into.film.width = panel.width, into.film.height = panel.height, into.film.channels = 3;
+  into.film.data.resize(3 * pixels);
+  FrameTracer tracer(shot, params, into.film);
+  if (into.aovs) tracer.split_to(allocated_light(panel, *into.aovs));
   std::optional<PointCapture> capture;
-  if (points) {
-    points->resize(pixels);
-    capture.emplace(scene.impl(), inverse(world_from_display), *points);
+  if (into.points) {
+    into.points->resize(pixels);
+    capture.emplace(scene, inverse(shot.world_from_display), *into.points);
   }
-  const bool along = capture && params.spp == 1 && !scene.impl().path;
+  const bool along = capture && params.spp == 1 && !scene.path;
   if (along) tracer.capture_to(&*capture);
   std::optional<TouchProbe> probe;
-  if (touched) {
-    probe.emplace(scene.impl().device.get(), scene.impl().native_width, touched->boxes);
+  if (into.touched) {
+    probe.emplace(scene.device.get(), scene.native_width, into.touched->boxes);
     const std::size_t blocks = tracer.strips() * tracer.blocks_per_strip();
-    touched->lowest_horizon.assign(blocks, TouchedBlocks::kNever);
-    touched->rays.assign(blocks, 0);
-    tracer.probe_with(&*probe, touched);
+    into.touched->lowest_horizon.assign(blocks, TouchedBlocks::kNever);
+    into.touched->rays.assign(blocks, 0);
+    tracer.probe_with(&*probe, into.touched);
   }
-  const RayCounts counts =
-      trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_strip(s, {}); });
-  if (aovs) finish_alpha(params.spp, *aovs);
-  if (capture && !along) capture_points(scene, optics, world_from_display, params.order, pool, *capture);
+  const RayCounts counts = trace_strips(tracer.strips(), workers, [&](std::size_t s) { return tracer.trace_strip(s, {}); });
+  if (into.aovs) finish_alpha(params.spp, *into.aovs);
+  if (capture && !along) capture_points(shot, params.order, workers.pool, *capture);
   return counts;
 }
 
-RayCounts trace_blocks(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                       const TraceParams& params, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
-                       const Context& context, Image& film) {
-  const FrameTracer tracer(scene, optics, world_from_display, params, film);
-  return trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_strip(s, wanted); });
+RayCounts trace_blocks(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
+                       const Workers& workers, Image& film) {
+  const FrameTracer tracer(shot, params, film);
+  return trace_strips(tracer.strips(), workers, [&](std::size_t s) { return tracer.trace_strip(s, wanted); });
 }
 
-RayCounts trace_packets(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                        const TraceParams& params, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
-                        const Context& context, Image& film) {
-  const FrameTracer tracer(scene, optics, world_from_display, params, film);
-  return trace_strips(tracer.strips(), pool, context, [&](std::size_t s) { return tracer.trace_packets_of_strip(s, wanted); });
+RayCounts trace_packets(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
+                        const Workers& workers, Image& film) {
+  const FrameTracer tracer(shot, params, film);
+  return trace_strips(tracer.strips(), workers, [&](std::size_t s) { return tracer.trace_packets_of_strip(s, wanted); });
 }
 
 }  // namespace lippmann

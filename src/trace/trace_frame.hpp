@@ -13,8 +13,8 @@
 #include "lippmann/trace/aovs.hpp"
 #include "lippmann/trace/ray_counts.hpp"
 #include "lippmann/trace/ray_order.hpp"
-#include "trace/device_scene.hpp"
 #include "trace/primary_points.hpp"
+#include "trace/shot.hpp"
 #include "trace/touched_blocks.hpp"
 
 namespace lippmann {
@@ -30,18 +30,20 @@ struct TraceParams {
   float clamp_indirect = 0.0f;  ///< paths: > 0: no indirect contribution to a sample is brighter; loses light
 };
 
-/// Fills `film` (3 channels, linear, the panel's size) with the frame, and where given: of `aovs` the layers of light (paths
-/// only; others are found by find_first_hits, trace/first_hits.hpp), `points` with the first hits behind the pixels' centres
-/// (free at one sample per pixel, else a pass of its own) and in `touched` the blocks whose rays meet its boxes. The same bits
-/// for any number of threads. Returns early, film unfinished, when context.cancelled is set.
-RayCounts trace_frame(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                      const TraceParams& params, const ThreadPool& pool, const Context& context, Image& film,
-                      FrameAovs* aovs = nullptr, PrimaryPoints* points = nullptr, TouchedBlocks* touched = nullptr);
+/// What a traced frame goes into.
+struct FrameTargets {
+  Image& film;                       ///< becomes 3 channels, linear, of the panel's size
+  FrameAovs* aovs = nullptr;         ///< layers of light (paths only; find_first_hits, trace/first_hits.hpp, finds others)
+  PrimaryPoints* points = nullptr;   ///< first hits behind the pixels' centres: free at one sample per pixel, else a pass
+  TouchedBlocks* touched = nullptr;  ///< the blocks whose rays meet its boxes
+};
+
+/// Traces a frame. The same bits for any number of threads. Returns early, film unfinished, when the context is cancelled.
+RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into);
 
 /// Traces the blocks of a frame for which `wanted` (by block, as in TouchedBlocks) is not 0, to the same bits as trace_frame;
 /// `film` has the panel's size, and what lies in other blocks stays as it is.
-RayCounts trace_blocks(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                       const TraceParams& params, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
-                       const Context& context, Image& film);
+RayCounts trace_blocks(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
+                       const Workers& workers, Image& film);
 
 }  // namespace lippmann

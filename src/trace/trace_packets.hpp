@@ -13,8 +13,7 @@ namespace lippmann {
 /// rays, but for how crossings round where other rays share their mirror packets. `film` has the panel's size, and what lies in
 /// other packets stays as it is. The same bits for any number of threads. Returns early, some packets unfinished, when
 /// context.cancelled is set.
-RayCounts trace_packets(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                        const TraceParams& params, std::span<const std::uint8_t> wanted, const ThreadPool& pool,
-                        const Context& context, Image& film);
+RayCounts trace_packets(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
+                        const Workers& workers, Image& film);
 
 }  // namespace lippmann

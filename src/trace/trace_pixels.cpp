@@ -127,36 +127,38 @@ RayCounts sum(const std::vector<RayCounts>& counts) {
 
 }  // namespace
 
-RayCounts trace_pixels(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                       const TraceParams& params, Pixels pixels, const ThreadPool& pool, const Context& context, Image& film,
+RayCounts trace_pixels(const Shot& shot, const TraceParams& params, Pixels pixels, const Workers& workers, Image& film,
                        PrimaryPoints* points) {
   if (pixels.empty()) return {};
+  const DeviceScene::Impl& scene = shot.device.impl();
+  const Optics& optics = shot.optics;
+  const Affine3f& world_from_display = shot.world_from_display;
   const OrderedPixels ordered = in_ray_order(pixels, optics, params.order);
   const BeamFootprint beam(optics, world_from_display, params.spp);
   const SubPixel sub_pixel{params.seed, params.spp, params.angular_filter};
   const PixelPackets packets(optics, world_from_display, sub_pixel);
   std::optional<PointCapture> capture;
-  if (points) capture.emplace(scene.impl(), inverse(world_from_display), *points);
-  const bool along = capture && params.spp == 1 && !scene.impl().path;
+  if (points) capture.emplace(scene, inverse(world_from_display), *points);
+  const bool along = capture && params.spp == 1 && !scene.path;
   std::vector<RayCounts> counts(ordered.begin.size() - 1);
-  pool.for_each(counts.size(), [&](std::size_t strip) {
+  workers.pool.for_each(counts.size(), [&](std::size_t strip) {
     const std::size_t first = ordered.begin[strip];
     const Pixels of_strip = Pixels(ordered.pixels).subspan(first, ordered.begin[strip + 1] - first);
-    if (of_strip.empty() || context.cancelled) return;
+    if (of_strip.empty() || workers.context.cancelled) return;
     for (const std::uint32_t pixel : of_strip) std::fill_n(film.data.begin() + 3 * static_cast<std::ptrdiff_t>(pixel), 3, 0.0f);
-    if (scene.impl().path) {
+    if (scene.path) {
       PathFilm light;
       light.all = film.data.data();
-      PathTracer tracer(scene.impl(), beam, path_params(params), light);
+      PathTracer tracer(scene, beam, path_params(params), light);
       trace_strip(packets, of_strip, sub_pixel, tracer);
       counts[strip] = tracer.counts();
     } else {
-      WhittedTracer tracer(scene.impl(), beam, params.max_depth, film);
+      WhittedTracer tracer(scene, beam, params.max_depth, film);
       tracer.capture_to(along ? &*capture : nullptr);
       trace_strip(packets, of_strip, sub_pixel, tracer);
       counts[strip] = tracer.counts();
     }
-    if (capture && !along) capture_strip(packets, of_strip, scene.impl(), *capture);
+    if (capture && !along) capture_strip(packets, of_strip, scene, *capture);
   });
   return sum(counts);
 }

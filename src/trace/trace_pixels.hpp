@@ -12,8 +12,7 @@ namespace lippmann {
 /// into `film` (3 channels, the panel's size) and, where given, `points`; everything else in both stays as it is.
 /// The pixels are packed into packets in the ray order's own sequence, so that those of one strip and view travel together.
 /// The same bits for any number of threads. Returns early, some pixels unfinished, when context.cancelled is set.
-RayCounts trace_pixels(const DeviceScene& scene, const Optics& optics, const Affine3f& world_from_display,
-                       const TraceParams& params, std::span<const std::uint32_t> pixels, const ThreadPool& pool,
-                       const Context& context, Image& film, PrimaryPoints* points = nullptr);
+RayCounts trace_pixels(const Shot& shot, const TraceParams& params, std::span<const std::uint32_t> pixels,
+                       const Workers& workers, Image& film, PrimaryPoints* points = nullptr);
 
 }  // namespace lippmann

@@ -224,7 +224,7 @@ TEST(Light, a_floor_takes_more_rays_the_higher_it_is) {
 TEST(Light, provenance_is_refused_where_no_light_is_reused) {
   const TempDir dir;
   expect_refusal(run_tool(dir, small_paths("out") + Words{"--debug", "provenance"}), 2,
-                 "--debug: provenance shows where reused light");
+                 "--debug: provenance shows where shared light");
   expect_refusal(run_tool(dir, small_teapot("0", "out") + Words{"--debug", "provenance"}), 2, "--debug: provenance");
   EXPECT_EQ(run_tool(dir, small_shared("out", "0") + Words{"--debug", "provenance"}).exit_code, 0);
 }
@@ -241,7 +241,7 @@ TEST(Light, forward_reuse_of_paths_is_refused) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_paths("out") + Words{"--reuse", "forward"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("--reuse: forward does not know path-traced frames"));
+  EXPECT_THAT(result.err, HasSubstr("--reuse: interpolate does not know path-traced frames"));
 }
 
 TEST(Light, layers_of_light_are_written_beside_others_and_sum_to_the_picture) {

@@ -144,7 +144,7 @@ TEST(Compare, wanted_frames_of_a_video_are_met_by_those_of_a_folder) {
   EXPECT_THAT(error_message([&] {
                 compare_quietly(dir / "a.mkv", dir / "a.mkv", 2, std::vector{1, 7});
               }),
-              HasSubstr("a.mkv: has no frame 7, which --frames asks for"));
+              HasSubstr("a.mkv: has no frame 7, which `frames` asks for"));
 }
 
 TEST(Compare, frames_of_different_sizes_are_named) {

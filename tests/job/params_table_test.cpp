@@ -56,7 +56,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"video", {"a.mp4", "b.mkv"}},
     {"threads", {"3"}},
     {"resume", {"true"}},
-    {"reuse", {"forward"}},
+    {"reuse", {"interpolate"}},
     {"keyframes", {"4"}},
     {"min-psnr", {"45.5"}},
     {"time-budget", {"2.5"}},

@@ -34,6 +34,8 @@ TEST(ReuseParams, auto_takes_goals_and_key_frames_to_the_kind_that_serves) {
   RenderParams paths = said(ReuseChoice::kAuto, Integrator::kPath);
   paths.reuse.min_psnr_db = 42.0;
   EXPECT_EQ(std::get<ShareLight>(frame_params(paths).reuse).min_psnr_db, 42.0);
+  paths.reuse.keyframes = 5;  // as jobs for many scenes say it: frames that share light have none
+  EXPECT_STREQ(name_of(frame_params(paths).reuse), "light");
   RenderParams whitted = said(ReuseChoice::kAuto);
   whitted.reuse.keyframes = 5;
   EXPECT_EQ(std::get<CopySettled>(frame_params(whitted).reuse).keyframes, 5);
@@ -68,7 +70,6 @@ TEST(ReuseParams, what_the_kind_that_serves_does_not_know_is_refused) {
   EXPECT_EQ(with(said(ReuseChoice::kInterpolate), provenance), "--debug");
   EXPECT_EQ(with(said(ReuseChoice::kLight, Integrator::kPath), keyframes), "--keyframes");
   EXPECT_EQ(with(said(ReuseChoice::kLight, Integrator::kPath), splat), "--splat");
-  EXPECT_EQ(with(said(ReuseChoice::kAuto, Integrator::kPath), keyframes), "--keyframes");
 }
 
 TEST(ReuseParams, copied_pixels_keep_to_any_floor) {

@@ -29,8 +29,8 @@ class Animation {
     PointImage frame;
     frame.moment = moment(time);
     device_.update(frame.moment.resolved, pool_);
-    trace_frame(device_, optics_, frame.moment.world_from_display, trace_params(), pool_, context_, frame.film, nullptr,
-                &frame.points);
+    trace_frame({device_, optics_, frame.moment.world_from_display}, trace_params(), {pool_, context_},
+                {frame.film, nullptr, &frame.points});
     maker_.prepare(frame, pool_);
     return frame;
   }
@@ -41,7 +41,8 @@ class Animation {
     frame.moment = moment(time);
     const TracePixels trace = [&](std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points) {
       device_.update(frame.moment.resolved, pool_);
-      trace_pixels(device_, optics_, frame.moment.world_from_display, trace_params(), pixels, pool_, context_, film, points);
+      trace_pixels({device_, optics_, frame.moment.world_from_display}, trace_params(), pixels, {pool_, context_}, film,
+                   points);
     };
     counts = maker_.make(previous, following, static_cast<float>(time), true, trace, pool_, frame);
     return frame;

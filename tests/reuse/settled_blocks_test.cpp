@@ -130,13 +130,13 @@ void expect_settled_blocks_as_traced(const Optics& optics) {
     blocks.boxes = settled.boxes(0, 5);
     Image key;
     device.update(evaluate(s.scene, 0.0), pool);
-    trace_frame(device, optics, {}, params, pool, context, key, nullptr, nullptr, &blocks);
+    trace_frame({device, optics, {}}, params, {pool, context}, {key, nullptr, nullptr, &blocks});
     for (int frame = 1; frame < 6; ++frame) {
       device.update(evaluate(s.scene, s.scene.timeline.time(frame)), pool);
       Image traced, made = key;
-      trace_frame(device, optics, {}, params, pool, context, traced);
+      trace_frame({device, optics, {}}, params, {pool, context}, {traced});
       const std::vector<std::uint8_t> wanted = settled.unsettled(blocks, frame);
-      trace_blocks(device, optics, {}, params, wanted, pool, context, made);
+      trace_blocks({device, optics, {}}, params, wanted, {pool, context}, made);
       settled_blocks += static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), 0));
       ASSERT_EQ(made.data, traced.data) << "scene " << seed << ", frame " << frame;
     }

@@ -56,7 +56,7 @@ TEST(LoadScene, asset_root_must_be_a_folder) {
   std::ofstream(dir / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   LoadOptions options;
   options.asset_root = dir / "none";
-  EXPECT_THAT(error_of((dir / "a.obj").string(), options), HasSubstr("--asset-root: "));
+  EXPECT_THAT(error_of((dir / "a.obj").string(), options), HasSubstr("asset-root: "));
 }
 
 }  // namespace

@@ -132,10 +132,10 @@ const BadStatement kBad[] = {
 
     // Side files.
     {"include_missing", "INCLUDE no.inc", "4: no.inc does not exist", ""},
-    {"include_outside", "INCLUDE ../a.dat", "4: '../a.dat' is not a file of this scene's folder", "--asset-root DIR"},
+    {"include_outside", "INCLUDE ../a.dat", "4: '../a.dat' is not a file of this scene's folder", "`asset-root` DIR"},
     {"include_folder", "INCLUDE .", "4: . is not a regular file", ""},
     {"tpoly_outside", "TPOLYFILE SCALE 1 1 1 ROT 0 0 0 CENTER 0 0 0\nFILE /etc/passwd a",
-     "5: '/etc/passwd' is not a file of this scene's folder", "--asset-root DIR"},
+     "5: '/etc/passwd' is not a file of this scene's folder", "`asset-root` DIR"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, TachyonBadStatement, testing::ValuesIn(kBad),

@@ -185,7 +185,7 @@ TEST_F(Tachyon, picture_outside_the_folder_is_not_opened_and_white) {
     files.warnings.clear();
     const Scene scene = files.load_statements(planar(name));
     EXPECT_THAT(files.warnings, ElementsAre(testing::AllOf(HasSubstr("'" + name + "' is not a file of this scene's folder"),
-                                                           HasSubstr("--asset-root DIR"))));
+                                                           HasSubstr("`asset-root` DIR"))));
     EXPECT_EQ(scene.textures.at(0).rgba.at(0), 255);
   }
 }

@@ -87,11 +87,11 @@ TEST(AngularFilter, single_pixels_are_traced_to_the_same_bits) {
   TraceParams params = filtered(5);
   params.max_depth = s.scene.max_depth;
   Image whole;
-  trace_frame(device, camera_row(), {}, params, pool, context, whole);
+  trace_frame({device, camera_row(), {}}, params, {pool, context}, {whole});
   Image pixels(whole.width, whole.height, 3);
   std::vector<std::uint32_t> all(static_cast<std::size_t>(whole.width * whole.height));
   std::iota(all.begin(), all.end(), 0u);
-  trace_pixels(device, camera_row(), {}, params, all, pool, context, pixels, nullptr);
+  trace_pixels({device, camera_row(), {}}, params, all, {pool, context}, pixels, nullptr);
   EXPECT_EQ(pixels.data, whole.data);
 }
 

@@ -23,7 +23,7 @@ FrameAovs step(const Scene& scene, const Optics& optics, double before, double n
   FrameAovs aovs;
   for (const Aov aov : {Aov::kMotion, Aov::kId}) aovs.want(aov);
   const FrameStep frame_step{at, then, display_before};
-  find_first_hits(device, optics, display_now, RayOrder::kRows, &frame_step, pool, aovs);
+  find_first_hits({device, optics, display_now}, RayOrder::kRows, &frame_step, pool, aovs);
   return aovs;
 }
 
@@ -194,7 +194,7 @@ TEST(Aovs, parts_of_the_light_leave_the_film_as_it_is) {
   TraceParams params;
   params.spp = 2, params.max_depth = s.scene.max_depth;
   Image film;
-  trace_frame(device, single_view(kSize), {}, params, pool, Context{}, film);
+  trace_frame({device, single_view(kSize), {}}, params, {pool, Context{}}, {film});
   EXPECT_EQ(film.data, trace_paths(s.scene, single_view(kSize), 2, {}, 2).film.data);
 }
 

@@ -36,7 +36,7 @@ Frames cached(const Scene& scene, const Optics& optics, int count, TraceParams p
     std::vector<HorizonBox> moving;
     if (f > from && !scene.timeline.animations.empty()) moving.push_back({{Vec3f(-kInfinity), Vec3f(kInfinity)}, 0});
     frames.reports.push_back(
-        tracer.trace(resolved, optics, {}, params, goal, moving, pool, context, {frames.films.emplace_back()}));
+        tracer.trace({device, optics, {}}, resolved, params, goal, moving, {pool, context}, {frames.films.emplace_back()}));
   }
   return frames;
 }
@@ -265,8 +265,8 @@ TEST(CachedLight, what_no_cache_can_reach_is_traced_with_as_many_paths_as_it_tak
   TraceParams params;
   params.spp = 2;
   Image film;
-  const CachedLightReport report =
-      tracer.trace(evaluate(s.scene, 0.0), single_view(32), {}, params, {.squared_error = 1e-9f}, {}, pool, context, {film});
+  const CachedLightReport report = tracer.trace({device, single_view(32), {}}, evaluate(s.scene, 0.0), params,
+                                                {.squared_error = 1e-9f}, {}, {pool, context}, {film});
   EXPECT_TRUE(report.traced);
   EXPECT_GE(report.rays.primary, 32u * 32u * 2u * 64u);  // at most 64 times as many
 }
@@ -299,7 +299,7 @@ std::pair<Picture, CachedLightReport> cached_without_surroundings(const Scene& s
   picture.aovs.want(Aov::kAlpha);
   CachedLightReport report;
   for (; params.frame < 2; ++params.frame)
-    report = tracer.trace(resolved, optics, {}, params, {.squared_error = squared_error}, {}, pool, context,
+    report = tracer.trace({device, optics, {}}, resolved, params, {.squared_error = squared_error}, {}, {pool, context},
                           {picture.film, &picture.aovs});
   return {std::move(picture), report};
 }
@@ -319,7 +319,7 @@ TEST(CachedLight, alpha_is_that_of_paths_and_colours_are_multiplied_by_it) {
     paths.aovs.want(Aov::kAlpha);
     const ThreadPool pool(1);
     DeviceScene device(s.scene, pool, Integrator::kPath);
-    trace_frame(device, single_view(64), {}, {.spp = 1024, .max_depth = 2}, pool, Context{}, paths.film, &paths.aovs);
+    trace_frame({device, single_view(64), {}}, {.spp = 1024, .max_depth = 2}, {pool, Context{}}, {paths.film, &paths.aovs});
     double squares = 0.0;
     int coarse = 0;
     for (int y = 0; y < 64; ++y)

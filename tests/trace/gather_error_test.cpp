@@ -29,7 +29,7 @@ class SkyScene {
   GatherMeasure measure(std::uint32_t frame = 0) const {
     TraceParams params = params_;
     params.frame = frame;
-    return {device_, optics_, world_, params, std::nullopt, kPlanning, {}, pool_};
+    return {{device_, optics_, world_}, params, std::nullopt, kPlanning, {}, pool_};
   }
 
   /// Of frames of this scene, with light from `cache`.

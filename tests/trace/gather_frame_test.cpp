@@ -137,7 +137,7 @@ TEST(GatherFrame, tells_a_denoiser_the_surfaces_that_paths_meet) {
   params.spp = 64, params.max_depth = s.scene.max_depth;
   NoisyFrame paths;
   FrameAovs none;
-  trace_noisy_frame(device, optics, {}, params, pool, Context{}, paths, none);
+  trace_noisy_frame({device, optics, {}}, params, {pool, Context{}}, paths, none);
   for (const int mixed : {0, 1, 4}) {
     Image film, plain;
     NoisyFrame noisy;

@@ -18,7 +18,7 @@ NoisyFrame traced(const Scene& scene, int spp, const Affine3f& world_from_displa
   params.spp = spp, params.max_depth = scene.max_depth;
   NoisyFrame noisy;
   FrameAovs none;
-  trace_noisy_frame(device, single_view(kSize), world_from_display, params, pool, Context{}, noisy, none);
+  trace_noisy_frame({device, single_view(kSize), world_from_display}, params, {pool, Context{}}, noisy, none);
   return noisy;
 }
 

@@ -80,12 +80,12 @@ class SkyPixels : public testing::Test {
     TraceParams params = params_;
     params.spp = spp, params.seed = seed;
     Image film;
-    trace_frame(device_, optics_, {}, params, pool_, context_, film);
+    trace_frame({device_, optics_, {}}, params, {pool_, context_}, {film});
     return film;
   }
 
   PixelMeasure measure(const Image& film, int sets) const {
-    return {device_, optics_, {}, params_, choose_pixels(film, {1u << 20, 1, 1}, {}, 7), sets, pool_};
+    return {{device_, optics_, {}}, params_, choose_pixels(film, {1u << 20, 1, 1}, {}, 7), sets, pool_};
   }
 
  private:

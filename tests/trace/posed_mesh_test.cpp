@@ -55,7 +55,7 @@ TEST(PosedMesh, picture_does_not_depend_on_the_frames_before_it) {
   for (const double time : {0.9, 0.2, 0.5}) {
     device.update(evaluate(scene, time), pool);
     Image film;
-    trace_frame(device, single_view(kSize), {}, {}, pool, context, film);
+    trace_frame({device, single_view(kSize), {}}, {}, {pool, context}, {film});
     EXPECT_EQ(film.data, trace(scene, single_view(kSize), {}, 1, time).film.data);
   }
 }

@@ -166,8 +166,8 @@ inline Picture trace(const Scene& scene, const Optics& optics, TraceParams param
   for (const Aov aov : {Aov::kDepth, Aov::kNormal, Aov::kId, Aov::kPosition, Aov::kRayDepth, Aov::kAlbedo})
     picture.aovs.want(aov);
   if (integrator == Integrator::kPath) picture.aovs.want(Aov::kDirect), picture.aovs.want(Aov::kIndirect);
-  picture.counts = trace_frame(device, optics, world_from_display, params, pool, context, picture.film, &picture.aovs);
-  find_first_hits(device, optics, world_from_display, params.order, nullptr, pool, picture.aovs);
+  picture.counts = trace_frame({device, optics, world_from_display}, params, {pool, context}, {picture.film, &picture.aovs});
+  find_first_hits({device, optics, world_from_display}, params.order, nullptr, pool, picture.aovs);
   return picture;
 }
 

@@ -28,7 +28,7 @@ class TraceBlocks : public testing::TestWithParam<RayOrder> {
   Traced frame(const std::vector<HorizonBox>& boxes) {
     Traced traced;
     traced.touched.boxes = boxes;
-    trace_frame(device_, optics_, {}, params_, pool_, context_, traced.film, nullptr, nullptr, &traced.touched);
+    trace_frame({device_, optics_, {}}, params_, {pool_, context_}, {traced.film, nullptr, nullptr, &traced.touched});
     return traced;
   }
 
@@ -49,7 +49,7 @@ TEST_P(TraceBlocks, any_of_them_traced_alone_are_as_in_the_frame) {
     std::fill(film.data.begin(), film.data.end(), -1.0f);
     std::vector<std::uint8_t> wanted(blocks, 0);
     for (std::size_t b = 0; b < blocks; b += every) wanted[b] = 1;
-    const RayCounts counts = trace_blocks(device_, optics_, {}, params_, wanted, pool_, context_, film);
+    const RayCounts counts = trace_blocks({device_, optics_, {}}, params_, wanted, {pool_, context_}, film);
     std::size_t traced = 0;
     for (std::size_t i = 0; i < film.data.size(); ++i) {
       if (film.data[i] == -1.0f) continue;
@@ -67,7 +67,7 @@ TEST_P(TraceBlocks, rays_of_all_blocks_are_those_of_the_frame) {
   std::uint64_t rays = 0;
   for (const std::uint32_t n : whole.touched.rays) rays += n;
   Image film;
-  EXPECT_EQ(rays, trace_frame(device_, optics_, {}, params_, pool_, context_, film).total());
+  EXPECT_EQ(rays, trace_frame({device_, optics_, {}}, params_, {pool_, context_}, {film}).total());
   EXPECT_EQ(film.data, whole.film.data);
 }
 
@@ -94,7 +94,7 @@ TEST_P(TraceBlocks, packets_traced_alone_are_as_in_the_frame) {
   for (std::size_t p = 0; p < wanted.size(); p += 3) wanted[p] = 1;
   Image film = whole.film;
   std::fill(film.data.begin(), film.data.end(), -1.0f);
-  trace_packets(device_, optics_, {}, params_, wanted, pool_, context_, film);
+  trace_packets({device_, optics_, {}}, params_, wanted, {pool_, context_}, film);
   for (std::size_t strip = 0; strip < strips; ++strip)
     for (std::size_t i = 0; i < order.pixels.size(); ++i) {
       const std::size_t y = strip * static_cast<std::size_t>(order.strip_height) + order.pixels[i].y;
@@ -122,7 +122,7 @@ TEST(TracePackets, of_paths_are_as_in_the_frame) {
   for (std::size_t p = 0; p < wanted.size(); p += 3) wanted[p] = 1;
   Image film(64, 64, 3);
   std::fill(film.data.begin(), film.data.end(), -1.0f);
-  trace_packets(device, single_view(64), {}, params, wanted, pool, context, film);
+  trace_packets({device, single_view(64), {}}, params, wanted, {pool, context}, film);
   std::size_t traced = 0;
   for (std::size_t i = 0; i < film.data.size(); ++i) {
     if (film.data[i] < 0.0f) continue;
@@ -149,7 +149,7 @@ std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
   TouchedBlocks touched;
   touched.boxes = {{box, 1}};
   Image film;
-  trace_frame(device, single_view(64), {}, params, pool, context, film, nullptr, nullptr, &touched);
+  trace_frame({device, single_view(64), {}}, params, {pool, context}, {film, nullptr, nullptr, &touched});
   return touched.lowest_horizon;
 }
 

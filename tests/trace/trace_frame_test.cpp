@@ -128,7 +128,7 @@ TEST(TraceFrame, cancelled_before_it_starts_traces_nothing) {
   context.cancelled = true;
   DeviceScene device(s.scene, pool);
   Image film;
-  EXPECT_EQ(trace_frame(device, lenticular_view(), Affine3f{}, {}, pool, context, film).total(), 0u);
+  EXPECT_EQ(trace_frame({device, lenticular_view(), Affine3f{}}, {}, {pool, context}, {film}).total(), 0u);
 }
 
 }  // namespace

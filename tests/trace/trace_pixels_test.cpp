@@ -34,8 +34,8 @@ class TracePixels : public testing::Test {
   Traced whole() {
     Traced t;
     t.aovs.want(Aov::kDepth), t.aovs.want(Aov::kId);
-    trace_frame(device_, optics_, {}, params_, pool_, context_, t.film, nullptr, &t.points);
-    find_first_hits(device_, optics_, {}, params_.order, nullptr, pool_, t.aovs);
+    trace_frame({device_, optics_, {}}, params_, {pool_, context_}, {t.film, nullptr, &t.points});
+    find_first_hits({device_, optics_, {}}, params_.order, nullptr, pool_, t.aovs);
     return t;
   }
 
@@ -66,7 +66,7 @@ TEST_F(TracePixels, given_pixels_get_the_frames_bits_and_all_others_stay) {
       PrimaryPoints points;
       points.z.assign(64 * 50, -7.0f), points.object.assign(64 * 50, 77u);
       const std::vector<std::uint32_t> pixels = some_pixels();
-      const RayCounts counts = trace_pixels(device_, optics_, {}, params_, pixels, pool_, context_, film, &points);
+      const RayCounts counts = trace_pixels({device_, optics_, {}}, params_, pixels, {pool_, context_}, film, &points);
       EXPECT_EQ(counts.primary, pixels.size() * static_cast<std::size_t>(spp));
       for (std::uint32_t p = 0; p < 64 * 50; ++p) {
         const bool given = std::binary_search(pixels.begin(), pixels.end(), p);
@@ -83,10 +83,10 @@ TEST_F(TracePixels, paths_of_given_pixels_are_the_frames) {
   device.update(evaluate(s_.scene, 0.0), pool_);
   params_.spp = 4, params_.frame = 3;
   Image truth, film(64, 50, 3);
-  trace_frame(device, optics_, {}, params_, pool_, context_, truth);
+  trace_frame({device, optics_, {}}, params_, {pool_, context_}, {truth});
   std::fill(film.data.begin(), film.data.end(), -5.0f);
   const std::vector<std::uint32_t> pixels = some_pixels();
-  const RayCounts counts = trace_pixels(device, optics_, {}, params_, pixels, pool_, context_, film);
+  const RayCounts counts = trace_pixels({device, optics_, {}}, params_, pixels, {pool_, context_}, film);
   EXPECT_EQ(counts.primary, pixels.size() * 4);
   for (std::uint32_t p = 0; p < 64 * 50; ++p) {
     const bool given = std::binary_search(pixels.begin(), pixels.end(), p);
@@ -96,7 +96,7 @@ TEST_F(TracePixels, paths_of_given_pixels_are_the_frames) {
 
 TEST_F(TracePixels, no_pixels_trace_nothing) {
   Image film(64, 50, 3);
-  EXPECT_EQ(trace_pixels(device_, optics_, {}, params_, {}, pool_, context_, film).total(), 0u);
+  EXPECT_EQ(trace_pixels({device_, optics_, {}}, params_, {}, {pool_, context_}, film).total(), 0u);
 }
 
 TEST_F(TracePixels, points_of_a_frame_are_its_depth_and_object_layers) {
@@ -126,7 +126,7 @@ TEST_F(TracePixels, points_of_a_frame_are_its_depth_and_object_layers) {
 TEST_F(TracePixels, keeping_points_changes_no_colour) {
   const Traced with = whole();
   Image without;
-  trace_frame(device_, optics_, {}, params_, pool_, context_, without);
+  trace_frame({device_, optics_, {}}, params_, {pool_, context_}, {without});
   EXPECT_EQ(with.film.data, without.data);
 }
 

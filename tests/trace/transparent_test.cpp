@@ -18,7 +18,7 @@ Picture traced(const Scene& scene, Integrator integrator, int spp, bool transpar
   params.spp = spp, params.max_depth = scene.max_depth;
   Picture p;
   if (transparent) p.aovs.want(Aov::kAlpha);
-  trace_frame(device, single_view(kSize), {}, params, pool, Context{}, p.film, &p.aovs);
+  trace_frame({device, single_view(kSize), {}}, params, {pool, Context{}}, {p.film, &p.aovs});
   return p;
 }
 

@@ -1,0 +1,25 @@
+// What is rendered of one moment, and by whom.
+#pragma once
+
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "trace/device_scene.hpp"
+
+namespace lippmann {
+
+/// A scene as it is at the moment, seen through optics that lie somewhere in it.
+struct Shot {
+  const DeviceScene& device;  ///< where update() has moved it
+  const Optics& optics;
+  Affine3f world_from_display{};  ///< mm to the world's units: a similarity
+};
+
+/// Who works, and who may say stop.
+struct Workers {
+  const ThreadPool& pool;
+  const Context& context;
+};
+
+}  // namespace lippmann
