@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/eye_view.hpp"
 #include "lippmann/replay/refocus.hpp"
-#include "lippmann/replay/viewing.hpp"
 #include "optics/optics_json.hpp"
 #include "replay/rotate_elemental.hpp"
 #include "replay/spoc.hpp"

@@ -11,7 +11,7 @@ std::string beside(const fs::path& video) {
   return (video.parent_path() / (video.stem().string() + "_single" + video.extension().string())).string();
 }
 
-Extent<int> picture_size(const Optics& optics) {
+Extent<int> extent_of_picture(const Optics& optics) {
   const auto* views = std::get_if<MultiView>(&optics.model);
   const int columns = views ? views->columns : 1, rows = views ? views->rows : 1;
   return {optics.panel.width / columns, optics.panel.height / rows};
@@ -27,7 +27,7 @@ RenderParams single_clip(const RenderParams& params, const Optics& optics) {
   single.optics.views = {};
   single.optics.camera_grid = false, single.optics.slant_deg = 0.0f, single.optics.fit_depth.reset();
   single.optics.crosstalk_px.reset(), single.optics.precompensate = false, single.sampling.angular_filter.reset();
-  single.optics.size = params.optics.display.empty() ? picture_size(optics) : Extent<int>{};
+  single.optics.size = params.optics.display.empty() ? extent_of_picture(optics) : Extent<int>{};
   single.output.layout.reset(), single.output.mirror = false, single.output.pseudoscopic = false, single.output.quilt = {};
   single.output.folder = (fs::path(output_folder(params)) / "single").string();
   for (std::string& video : single.output.video) video = beside(video);

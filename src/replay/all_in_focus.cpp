@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lippmann/replay/viewing.hpp"
+#include "lippmann/optics/viewing.hpp"
 
 namespace lippmann {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/eye_view.hpp"
-#include "lippmann/replay/viewing.hpp"
 
 namespace lippmann {
 namespace {

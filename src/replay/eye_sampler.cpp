@@ -4,7 +4,7 @@
 #include <cmath>
 #include <variant>
 
-#include "lippmann/replay/viewing.hpp"
+#include "lippmann/optics/viewing.hpp"
 #include "replay/sight.hpp"
 #include "replay/slanted_sight.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lippmann/core/error.hpp"
-#include "lippmann/replay/viewing.hpp"
+#include "lippmann/optics/viewing.hpp"
 
 namespace lippmann {
 namespace {

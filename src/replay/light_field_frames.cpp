@@ -1,4 +1,5 @@
 #include "lippmann/replay/light_field_frames.hpp"
+#include "lippmann/optics/viewing.hpp"
 
 #include <fmt/format.h>
 

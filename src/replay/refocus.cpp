@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lippmann/core/error.hpp"
-#include "lippmann/replay/viewing.hpp"
+#include "lippmann/optics/viewing.hpp"
 #include "optics/ray_generator.hpp"
 
 namespace lippmann {

@@ -1,4 +1,5 @@
 #include "lippmann/replay/rendered_frames.hpp"
+#include "lippmann/optics/viewing.hpp"
 
 #include <fmt/format.h>
 

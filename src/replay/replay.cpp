@@ -7,11 +7,11 @@
 
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
+#include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/all_in_focus.hpp"
 #include "lippmann/replay/epipolar_image.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "lippmann/replay/refocus.hpp"
-#include "lippmann/replay/viewing.hpp"
 #include "replay/replay_files.hpp"
 
 namespace lippmann {

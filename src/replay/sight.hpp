@@ -7,7 +7,7 @@
 
 #include <variant>
 
-#include "lippmann/replay/viewer.hpp"
+#include "lippmann/optics/viewer.hpp"
 #include "optics/lenticular.hpp"
 #include "optics/microlens.hpp"
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
-#include "lippmann/replay/viewer.hpp"
+#include "lippmann/optics/viewer.hpp"
 
 namespace lippmann {
 

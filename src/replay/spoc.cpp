@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lippmann/core/error.hpp"
-#include "lippmann/replay/viewing.hpp"
+#include "lippmann/optics/viewing.hpp"
 #include "replay/sight.hpp"
 
 namespace lippmann {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "core/multiversion.hpp"
-#include "reuse/view_steps.hpp"
+#include "optics/view_steps.hpp"
 
 namespace lippmann {
 namespace {
@@ -82,7 +82,7 @@ int whole_step(float length_px, int size) { return std::clamp(static_cast<int>(s
 
 DoubtEstimator::DoubtEstimator(const Optics& optics, Encoding encoding)
     : width_(optics.panel.width), height_(optics.panel.height), linear_film_(encoding == Encoding::kSrgb) {
-  const ViewSteps steps(optics, SplatMode::kView);
+  const ViewSteps steps(optics, StepsWithin::kView);
   across_ = whole_step(steps.length_px(StepDirection::kRight), width_);
   down_ = whole_step(steps.length_px(StepDirection::kDown), height_);
   stride_ = static_cast<std::size_t>(width_) + 2 * static_cast<std::size_t>(across_);

@@ -34,7 +34,7 @@ InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const F
       encoding_(scene.encoding),
       groups_(make_motion_groups(scene)),
       splatter_(optics, params.splat),
-      steps_(optics, params.splat.mode) {
+      steps_(optics, params.splat.mode == SplatMode::kLens ? StepsWithin::kLens : StepsWithin::kView) {
   const bool by_view = params.splat.mode == SplatMode::kView;
   if (params.sampling == SplatSampling::kEpipolar && by_view && EpipolarSampler::suits(optics))
     sampler_.emplace(optics, scene.encoding);

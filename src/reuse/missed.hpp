@@ -13,9 +13,9 @@
 #include <span>
 
 #include "lippmann/image/image.hpp"
+#include "optics/view_steps.hpp"
 #include "reuse/average.hpp"
 #include "reuse/splat.hpp"
-#include "reuse/view_steps.hpp"
 
 namespace lippmann {
 

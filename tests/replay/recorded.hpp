@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "lippmann/optics/optics.hpp"
+#include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/rendered_panel.hpp"
-#include "lippmann/replay/viewing.hpp"
 
 namespace lippmann::test {
 

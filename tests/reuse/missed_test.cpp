@@ -38,7 +38,7 @@ struct Row {
     const std::vector<std::uint32_t> asked{missed};
     ASSERT_NE(std::find(all_missed.begin(), all_missed.end(), missed), all_missed.end());
     const SplatPair pair{from_a, from_b, forth_back.motion, back_back.motion};
-    causes = resolve_missed(pair, splatter, ViewSteps(optics, SplatMode::kView), asked, pool, &film);
+    causes = resolve_missed(pair, splatter, ViewSteps(optics, StepsWithin::kView), asked, pool, &film);
   }
 
   float shown(std::size_t pixel) const { return film.data[3 * pixel]; }

@@ -4,9 +4,9 @@
 
 #include <memory>
 
+#include "lippmann/optics/viewer.hpp"
 #include "lippmann/replay/rendered_panel.hpp"
 #include "lippmann/replay/taps.hpp"
-#include "lippmann/replay/viewer.hpp"
 
 namespace lippmann {
 

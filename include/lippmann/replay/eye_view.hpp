@@ -1,6 +1,6 @@
 // What an eye sees through a lens array that lies on a rendered picture.
 //
-// The view is what passes through the display's window in the plane z = 0 (replay/viewing.hpp), as an eye that looks at the
+// The view is what passes through the display's window in the plane z = 0 (optics/viewing.hpp), as an eye that looks at the
 // display has it before it: pixel (i, j) is a point of that plane, wherever the eye stands, so that views from different eyes
 // lie on top of one another where the scene is in that plane. Linear light. What lies beside the panel is black.
 #pragma once
@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct EyeView {
   Vec3d eye_mm{0.0, 0.0, 500.0};                ///< in the display frame; z > 0
-  Vec2i size{0, 0};                             ///< pixels; 0: natural_view_size (replay/viewing.hpp)
+  Vec2i size{0, 0};                             ///< pixels; 0: natural_view_size (optics/viewing.hpp)
   SampleFilter filter = SampleFilter::kLinear;  ///< between panel pixels below one lens, and views of a quilt
   double crosstalk_px = 0.0;  ///< a lens images the panel with a Gaussian of this sigma, in panel pixels (of a quilt: views);
                               ///< it takes the place of `filter` across the lenses. 0 ... kMaxBlurPx

@@ -12,15 +12,15 @@
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
+#include "lippmann/optics/viewer.hpp"
 #include "lippmann/replay/rendered_panel.hpp"
-#include "lippmann/replay/viewer.hpp"
 
 namespace lippmann {
 
 /// Throws Error (usage) naming `flag` for a depth that is not finite, or not in front of the design viewer.
 void validate_depth(const Optics& optics, double z_mm, const char* flag);
 
-/// `z_mm` must be valid. size: pixels over the display's window, {0, 0}: natural_view_size (replay/viewing.hpp); all depths lie
+/// `z_mm` must be valid. size: pixels over the display's window, {0, 0}: natural_view_size (optics/viewing.hpp); all depths lie
 /// on top of one another as the design viewer sees them. 3 channels, linear; black where no ray comes. The same bits for any
 /// number of threads. `disagreement`, where given, receives how much the rays of each pixel differ: the variance of their
 /// colours, summed over the channels (1 channel; infinite where no ray comes).

@@ -11,9 +11,4 @@ struct RenderedPanel {
   Image picture;  ///< 3 channels, linear; of picture_size(optics)
 };
 
-/// The pixels of the picture that a panel shows: its own; of a slanted panel, each of three sub-pixels.
-inline Vec2i picture_size(const Optics& optics) {
-  return {optics.panel.width / sub_pixels_per_pixel(optics), optics.panel.height};
-}
-
 }  // namespace lippmann

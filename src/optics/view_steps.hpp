@@ -7,10 +7,13 @@
 #include "lippmann/optics/optics.hpp"
 #include "optics/lenticular.hpp"
 #include "optics/microlens.hpp"
-#include "reuse/splat.hpp"
 
 namespace lippmann {
 
+enum class StepsWithin {
+  kView,  ///< the same directional view
+  kLens,  ///< below the same lens
+};
 enum class StepDirection { kLeft, kRight, kUp, kDown };
 inline constexpr StepDirection kStepDirections[] = {StepDirection::kLeft, StepDirection::kRight, StepDirection::kUp,
                                                     StepDirection::kDown};
@@ -32,14 +35,14 @@ class ViewWalk {
   std::uint32_t width_;
 };
 
-/// Same view (SplatMode::kView): the pixels at the same offset below the next lenses, or as near to it as pixels are; along the
+/// Same view (kView): the pixels at the same offset below the next lenses, or as near to it as pixels are; along the
 /// lenses of a lenticular sheet or a slanted panel the next row. Same lens (kLens): the next pixels, as long as they lie below
 /// the same lens (of hexagons: in the rectangle of lens pitch by row pitch). In single views and in the views of a quilt: the
 /// next pixels of that view.
 class ViewSteps {
  public:
   /// `optics` must pass validate().
-  ViewSteps(const Optics& optics, SplatMode mode);
+  ViewSteps(const Optics& optics, StepsWithin within);
 
   ViewWalk walk(std::uint32_t pixel, StepDirection direction) const;
 

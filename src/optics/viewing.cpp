@@ -1,10 +1,8 @@
-#include "lippmann/replay/viewing.hpp"
+#include "lippmann/optics/viewing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "lippmann/replay/rendered_panel.hpp"
 
 namespace lippmann {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
-#include "lippmann/replay/viewer.hpp"
+#include "lippmann/optics/viewer.hpp"
 
 namespace lippmann {
 
@@ -20,6 +20,11 @@ struct Window {
     return {(share.x + 0.5) * picture.x, (0.5 - share.y) * picture.y};
   }
 };
+
+/// The pixels of the picture that a panel shows: its own; of a slanted panel, each of three sub-pixels.
+inline Vec2i picture_size(const Optics& optics) {
+  return {optics.panel.width / sub_pixels_per_pixel(optics), optics.panel.height};
+}
 
 /// The panel (one tile of a quilt) as it is seen in the plane z = 0 from where it is meant to be seen.
 Window display_window(const Optics& optics);

@@ -1,4 +1,4 @@
-#include "reuse/view_steps.hpp"
+#include "optics/view_steps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ Optics sheet() {
 }
 
 TEST(ViewSteps, same_view_of_a_sheet_is_a_lens_further_or_a_row) {
-  const ViewSteps steps(sheet(), SplatMode::kView);
+  const ViewSteps steps(sheet(), StepsWithin::kView);
   const std::uint32_t pixel = 16 + 6;
   EXPECT_EQ(walked(steps, pixel, StepDirection::kLeft), (Pixels{16 + 2}));
   EXPECT_EQ(walked(steps, pixel, StepDirection::kRight), (Pixels{16 + 10, 16 + 14}));
@@ -36,7 +36,7 @@ TEST(ViewSteps, same_view_of_a_sheet_is_a_lens_further_or_a_row) {
 }
 
 TEST(ViewSteps, same_lens_of_a_sheet_ends_at_the_cell_and_runs_along_the_lens) {
-  const ViewSteps steps(sheet(), SplatMode::kLens);
+  const ViewSteps steps(sheet(), StepsWithin::kLens);
   const std::uint32_t pixel = 16 + 6;
   EXPECT_EQ(walked(steps, pixel, StepDirection::kLeft), (Pixels{16 + 5, 16 + 4}));
   EXPECT_EQ(walked(steps, pixel, StepDirection::kRight), (Pixels{16 + 7}));
@@ -48,7 +48,7 @@ TEST(ViewSteps, microlenses_step_by_lenses_both_ways_or_stay_below_one) {
   optics.panel = {12, 12, 0.25f};
   optics.model = MicrolensArray{.offset_mm = {0.0f, 0.0f}};  // 3 x 3 lenses of 4 x 4 pixels
   const std::uint32_t pixel = 5 * 12 + 6;
-  const ViewSteps views(optics, SplatMode::kView), lens(optics, SplatMode::kLens);
+  const ViewSteps views(optics, StepsWithin::kView), lens(optics, StepsWithin::kLens);
   EXPECT_EQ(walked(views, pixel, StepDirection::kRight), (Pixels{5 * 12 + 10}));
   EXPECT_EQ(walked(views, pixel, StepDirection::kDown), (Pixels{9 * 12 + 6}));
   EXPECT_EQ(walked(lens, pixel, StepDirection::kRight), (Pixels{5 * 12 + 7}));
@@ -59,7 +59,7 @@ TEST(ViewSteps, hexagonal_rows_of_a_view_are_two_rows_of_lenses_apart) {
   Optics optics;
   optics.panel = {40, 40, 0.1f};
   optics.model = MicrolensArray{.packing = LensPacking::kHexagonal};
-  const ViewSteps steps(optics, SplatMode::kView);
+  const ViewSteps steps(optics, StepsWithin::kView);
   EXPECT_FLOAT_EQ(steps.length_px(StepDirection::kRight), 10.0f);
   EXPECT_NEAR(steps.length_px(StepDirection::kDown), 10.0f * std::sqrt(3.0f), 1e-4f);
 }
@@ -68,7 +68,7 @@ TEST(ViewSteps, views_of_a_quilt_end_at_their_tile) {
   Optics optics;
   optics.panel = {8, 6, 1.0f};
   optics.model = MultiView{.columns = 2, .rows = 2};
-  const ViewSteps steps(optics, SplatMode::kView);
+  const ViewSteps steps(optics, StepsWithin::kView);
   const std::uint32_t pixel = 1 * 8 + 5;  // in the top right tile of 4 x 3
   EXPECT_EQ(walked(steps, pixel, StepDirection::kLeft), (Pixels{1 * 8 + 4}));
   EXPECT_EQ(walked(steps, pixel, StepDirection::kRight), (Pixels{1 * 8 + 6, 1 * 8 + 7}));
@@ -80,7 +80,7 @@ TEST(ViewSteps, padding_of_a_quilt_belongs_to_the_tile_next_to_it) {
   Optics optics;
   optics.panel = {9, 7, 1.0f};  // tiles of 4 x 3, a column at the right and a row at the top to spare
   optics.model = MultiView{.columns = 2, .rows = 2};
-  const ViewSteps steps(optics, SplatMode::kView);
+  const ViewSteps steps(optics, StepsWithin::kView);
   EXPECT_EQ(walked(steps, 1 * 9 + 7, StepDirection::kRight), (Pixels{1 * 9 + 8}));
   EXPECT_EQ(walked(steps, 1 * 9 + 7, StepDirection::kUp), (Pixels{7}));
   EXPECT_EQ(walked(steps, 4 * 9 + 7, StepDirection::kUp), Pixels{});
@@ -90,7 +90,7 @@ TEST(ViewSteps, single_view_is_walked_pixel_by_pixel) {
   Optics optics;
   optics.panel = {4, 3, 1.0f};
   optics.model = SingleView{};
-  const ViewSteps steps(optics, SplatMode::kView);
+  const ViewSteps steps(optics, StepsWithin::kView);
   EXPECT_EQ(walked(steps, 4 + 1, StepDirection::kRight), (Pixels{4 + 2, 4 + 3}));
   EXPECT_EQ(walked(steps, 4 + 1, StepDirection::kUp), (Pixels{1}));
 }

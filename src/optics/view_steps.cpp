@@ -1,4 +1,4 @@
-#include "reuse/view_steps.hpp"
+#include "optics/view_steps.hpp"
 
 #include <cmath>
 
@@ -6,8 +6,8 @@
 
 namespace lippmann {
 
-ViewSteps::ViewSteps(const Optics& optics, SplatMode mode) : width_(optics.panel.width), height_(optics.panel.height) {
-  const bool below_lens = mode == SplatMode::kLens;
+ViewSteps::ViewSteps(const Optics& optics, StepsWithin within) : width_(optics.panel.width), height_(optics.panel.height) {
+  const bool below_lens = within == StepsWithin::kLens;
   if (const auto* sheet = std::get_if<LenticularSheet>(&optics.model)) {
     sheet_ = make_lenticular(optics.panel, *sheet, 0.0).as<float>();
     if (below_lens)
