@@ -9,6 +9,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
+#include "apps/lippmann/result_flags.hpp"
 #include "core/printable.hpp"
 #include "job/folder_check.hpp"
 #include "job/param_text.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 struct Options {
   std::string folder;
-  bool json = false;
+  ResultFlags result;
 };
 
 /// Of each kind a line per file, then all in one.
@@ -35,7 +36,7 @@ void print_text(const std::string& folder, const FolderCheck& check) {
 
 int run(const Options& options) {
   const FolderCheck check = check_folder(options.folder);
-  if (options.json)
+  if (options.result.json)
     print_json({{"folder", options.folder},
                 {"frames", check.frames},
                 {"files", check.files},
@@ -44,7 +45,7 @@ int run(const Options& options) {
                 {"foreign", check.foreign},
                 {"unfinished", check.unfinished},
                 {"passed", check.passed()}});
-  else
+  else if (options.result.wants_text())
     print_text(options.folder, check);
   return check.passed() ? 0 : 1;
 }
@@ -55,7 +56,7 @@ void add_check_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   const Command command = root.add_command("check", "Find files of a rendered folder that are damaged, missing or foreign");
   command.add_option("DIR", options->folder, "The folder that a render wrote to").required();
-  command.add_flag("--json", options->json, "Print JSON on stdout");
+  add_result_flags(command, options->result, "Print nothing: the exit code says whether all is well");
   command.footer(
       "A render records size and checksum of every picture, layer, side file and video, of job.toml and report.json.\n"
       "  damaged   has other bytes now\n"

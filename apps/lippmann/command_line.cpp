@@ -68,10 +68,10 @@ int refuse(const CLI::App& root, const std::string& word) {
   return kWrongUsage;
 }
 
-/// "help" and "help COMMAND" as "--help" and "COMMAND --help".
+/// "help" and "help COMMAND" as "--help" and "COMMAND --help"; help is no command with a help of its own.
 std::vector<std::string> help_words(std::vector<std::string> words) {
   if (words.empty() || words.front() != "help") return words;
-  if (words.size() == 1) return {"--help"};
+  if (words.size() == 1 || words[1] == "help") return {"--help"};
   return {words[1], words.size() > 2 ? words[2] : "--help"};
 }
 
@@ -174,7 +174,7 @@ CommandLine::~CommandLine() = default;
 std::optional<int> CommandLine::parse(int argc, char** argv) {
   try {
     std::vector<std::string> words(argv + 1, argv + argc);
-    const bool about_command = words.size() > 1 && words.front() == "help";
+    const bool about_command = words.size() > 1 && words.front() == "help" && words[1] != "help";
     if (about_command && !is_command(*app_, words[1])) return refuse(*app_, words[1]);
     words = help_words(words);
     std::reverse(words.begin(), words.end());  // as CLI11 wants them

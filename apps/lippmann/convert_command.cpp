@@ -11,6 +11,7 @@
 #include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
+#include "apps/lippmann/result_flags.hpp"
 #include "job/render_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
@@ -23,7 +24,7 @@ struct ConvertOptions {
   std::string in, out, from, to, views, quilt, crop, keep, display, filter;
   double aspect = 0.0, sigma = 0.0;
   int bits = 0;
-  bool json = false;
+  ResultFlags result;
   OrthoscopicFlags orthoscopic;
   CrosstalkFlags crosstalk;
 };
@@ -51,9 +52,9 @@ ConvertParams params_of(const ConvertOptions& options) {
 int run(const ConvertOptions& options, const Context& context) {
   require_no_render(options.out);
   if (options.orthoscopic.are_given())
-    return run_orthoscopic(options.orthoscopic, options.in, options.out, options.json, context);
+    return run_orthoscopic(options.orthoscopic, options.in, options.out, options.result, context);
   if (options.to.empty() && (options.crosstalk.precompensate || !options.crosstalk.crosstalk.empty()))
-    return run_precompensate(options.crosstalk, options.display, options.in, options.out, options.json, context);
+    return run_precompensate(options.crosstalk, options.display, options.in, options.out, options.result, context);
   if (options.crosstalk.precompensate)
     throw usage_error("--precompensate", "is a step of its own, of what a panel shows", "no --to with it");
   if (options.to.empty()) throw usage_error("--to", "is required", "a format, see --help");
@@ -62,7 +63,7 @@ int run(const ConvertOptions& options, const Context& context) {
     context.warning("nothing says what cameras saw these views: no parameters, depth or disparity (render writes report.json)");
   if (converted.lacks_depth && options.to != "stanford")
     context.warning("no depth lies beside these views: no maps of depth and disparity (render --aov depth)");
-  if (options.json) {
+  if (options.result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : converted.written) files.push_back(path.string());
     const nlohmann::ordered_json result{{"views", {converted.views.columns, converted.views.rows}},
@@ -71,6 +72,7 @@ int run(const ConvertOptions& options, const Context& context) {
     print_json(result);
     return 0;
   }
+  if (!options.result.wants_text()) return 0;
   fmt::print("{}x{} views of {}x{} pixels: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
              converted.view_size.y, converted.written.front().string(),
              converted.written.size() > 1 ? " ... " + converted.written.back().string() : "");
@@ -123,7 +125,7 @@ void add_convert_command(const Command& root, Action& chosen) {
   command.add_option("--sigma", options->sigma, "Width of --filter gaussian, in views; default 0.5").range(0.1, 10.0);
   add_orthoscopic_flags(command, options->orthoscopic);
   add_crosstalk_flags(command, options->crosstalk);
-  command.add_flag("--json", options->json, "Print the result as JSON");
+  add_result_flags(command, options->result);
   command.footer(formats_help());
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

@@ -7,6 +7,7 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
+#include "apps/lippmann/result_flags.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/optics/crosstalk.hpp"
@@ -29,7 +30,7 @@ void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags) {
 }
 
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
-                      bool json, const Context& context) {
+                      const ResultFlags& result, const Context& context) {
   if (!flags.precompensate) throw usage_error("--crosstalk", "means nothing without --precompensate", "both, or neither");
   PrecompensateParams params{in, out};
   std::optional<double> sigma_px;
@@ -45,13 +46,13 @@ int run_precompensate(const CrosstalkFlags& flags, const std::string& display, c
   params.sigma_px = *sigma_px;
   const PrecompensatedFrames made = precompensate_frames(params, context);
   const Precompensation& bound = made.bound;
-  if (json) {
+  if (result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : made.written) files.push_back(path.string());
-    const nlohmann::ordered_json result{
+    const nlohmann::ordered_json object{
         {"clipped_share", bound.clipped_share}, {"largest_residual", bound.largest_residual}, {"files", files}};
-    print_json(result);
-  } else if (!made.written.empty()) {
+    print_json(object);
+  } else if (result.wants_text() && !made.written.empty()) {
     fmt::print("{} ... {}: {}\n", made.written.front().string(), made.written.back().string(),
                describe_bound(bound.clipped_share, bound.largest_residual));
   }

@@ -7,7 +7,8 @@
 
 namespace lippmann::app {
 
-class Command;  // command_line.hpp
+class Command;       // command_line.hpp
+struct ResultFlags;  // result_flags.hpp
 
 struct CrosstalkFlags {
   bool precompensate = false;
@@ -19,7 +20,7 @@ void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags);
 /// Where flags are given: converts, and prints the bound. `display`: whose own frames the pictures are; empty: as the
 /// report.json beside them says.
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
-                      bool json, const Context& context);
+                      const ResultFlags& result, const Context& context);
 
 /// How near to the wanted pictures an eye sees them.
 std::string describe_bound(double clipped_share, double largest_residual);

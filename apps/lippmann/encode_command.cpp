@@ -11,6 +11,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/progress.hpp"
+#include "apps/lippmann/result_flags.hpp"
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "job/param_text.hpp"
@@ -31,7 +32,7 @@ struct EncodeOptions {
   std::string from, out, codec, frames;
   std::optional<int> crf;
   std::optional<double> fps;
-  bool json = false;
+  ResultFlags result;
 };
 
 /// As said, or as the report beside the frames says.
@@ -56,16 +57,18 @@ int run(const EncodeOptions& options, Context& context) {
   const NewFolder folder(out.parent_path());
   remove_stale_temporaries(out.parent_path().empty() ? fs::path(".") : out.parent_path(), out.filename());
   const int count = static_cast<int>(frames.size());
-  std::optional<Progress> progress(std::in_place, count,
-                                   Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines);
-  const bool whole = encode_frames(frames, out, video, context,
-                                   [&](const NumberedFrame& frame) { progress->step(frame.path.filename().string()); });
+  std::optional<Progress> progress;
+  if (!options.result.quiet)
+    progress.emplace(count, Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines);
+  const bool whole = encode_frames(frames, out, video, context, [&](const NumberedFrame& frame) {
+    if (progress) progress->step(frame.path.filename().string());
+  });
   progress.reset();
   if (!whole) return 1;
   const auto bytes = fs::file_size(out);
-  if (options.json)
+  if (options.result.json)
     print_json(nlohmann::ordered_json{{"file", out.string()}, {"frames", count}, {"bytes", bytes}});
-  else
+  else if (options.result.wants_text())
     fmt::print("{} frames, {:.2f} MB: {}\n", count, static_cast<double>(bytes) * 1e-6, out.string());
   return 0;
 }
@@ -94,7 +97,7 @@ void add_encode_command(const Command& root, Action& chosen) {
       .add_option("--frames,--range", options->frames,
                   "Only frames A to B, both included; lists and steps: 0,2,4 or 0-10:2; default: all")
       .type_name("A-B");
-  command.add_flag("--json", options->json, "Print the result as JSON");
+  add_result_flags(command, options->result);
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

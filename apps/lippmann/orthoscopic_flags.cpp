@@ -6,6 +6,7 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
+#include "apps/lippmann/result_flags.hpp"
 #include "lippmann/core/error.hpp"
 #include "replay/orthoscopic.hpp"
 
@@ -34,7 +35,7 @@ void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags) {
       .type_name("N");
 }
 
-int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, bool json,
+int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, const ResultFlags& result,
                     const Context& context) {
   if (flags.rotate_elemental && flags.spoc_mm)
     throw usage_error("--spoc", "is another conversion than --rotate-elemental", "one of the two");
@@ -42,11 +43,11 @@ int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const 
   if (flags.spoc_mm) params.spoc = SpocParams{*flags.spoc_mm, flags.reference_mm.value_or(*flags.spoc_mm)};
   params.lens_pitch_mm = flags.lens_pitch_mm, params.gap_mm = flags.gap_mm, params.lens_pixels = flags.lens_pixels;
   const auto written = convert_to_orthoscopic(params, context);
-  if (json) {
+  if (result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : written) files.push_back(path.string());
     print_json(nlohmann::ordered_json{{"files", files}});
-  } else if (!written.empty()) {
+  } else if (result.wants_text() && !written.empty()) {
     fmt::print("{} ... {}\n", written.front().string(), written.back().string());
   }
   return 0;

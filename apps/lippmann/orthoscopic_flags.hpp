@@ -8,7 +8,8 @@
 
 namespace lippmann::app {
 
-class Command;  // command_line.hpp
+class Command;       // command_line.hpp
+struct ResultFlags;  // result_flags.hpp
 
 struct OrthoscopicFlags {
   bool rotate_elemental = false;
@@ -21,7 +22,7 @@ struct OrthoscopicFlags {
 void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags);
 
 /// Where flags are given: converts, and prints what was written.
-int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, bool json,
+int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, const ResultFlags& result,
                     const Context& context);
 
 }  // namespace lippmann::app

@@ -225,7 +225,7 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
   command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
   command.add_flag("-q,--quiet", options->quiet, "Print neither progress nor a summary; warnings and errors remain")
       .group("Running");
-  command.add_flag("--verbose", options->verbose, "Print a line for every frame").group("Running");
+  command.add_flag("-v,--verbose", options->verbose, "Print a line for every frame").group("Running");
   command
       .add_option("--progress", options->progress,
                   "json: on stderr one object a line, before the first frame and after every frame (docs/formats.md)")

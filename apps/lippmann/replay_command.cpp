@@ -10,6 +10,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/print_json.hpp"
+#include "apps/lippmann/result_flags.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "replay/replay.hpp"
@@ -23,7 +24,7 @@ struct ReplayOptions {
   std::vector<double> eye;
   std::optional<double> view_angle_deg;
   int threads = 0;
-  bool json = false;
+  ResultFlags result;
 };
 
 /// WxH, or "lenses".
@@ -79,9 +80,9 @@ void print_result(const Replayed& result) {
 int run(const ReplayOptions& options, Context& context) {
   context.threads = options.threads;
   const Replayed result = replay(params_of(options), context);
-  if (options.json)
+  if (options.result.json)
     print_result(result);
-  else if (!result.written.empty())
+  else if (options.result.wants_text() && !result.written.empty())
     fmt::print("{}{}{}\n", eye_text(result), result.written.front().string(),
                result.written.size() > 1 ? " ... " + result.written.back().string() : "");
   return 0;
@@ -169,7 +170,7 @@ void add_replay_command(const Command& root, Action& chosen) {
   add_source_flags(command, *options);
   command.add_option("--report", options->report, "Path of report.json, if it is not beside the pictures").type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
-  command.add_flag("--json", options->json, "Print the result as JSON");
+  add_result_flags(command, options->result);
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

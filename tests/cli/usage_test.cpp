@@ -32,7 +32,8 @@ TEST(Tool, render_help_is_short_and_shows_examples_first) {
 
 TEST(Tool, help_of_a_command_is_its_help_flag) {
   const TempDir dir;
-  EXPECT_EQ(run_tool(dir, {"help"}).out, run_tool(dir, {"--help"}).out);
+  for (const Words& words : {Words{"help"}, Words{"help", "help"}})
+    EXPECT_EQ(run_tool(dir, words).out, run_tool(dir, {"--help"}).out);
   EXPECT_EQ(run_tool(dir, {"help", "compare"}).out, run_tool(dir, {"compare", "--help"}).out);
   expect_refusal(run_tool(dir, {"help", "rendre"}), 2, "did you mean 'render'?");
 }
@@ -63,6 +64,22 @@ TEST(Tool, quiet_render_prints_nothing) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.out + result.err, "");
   EXPECT_TRUE(std::filesystem::exists(dir / "r" / "frame_0000.png"));
+}
+
+TEST(Tool, quiet_commands_print_nothing_where_all_is_well) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "r")).exit_code, 0);
+  for (const Words& words : {Words{"check", "r"}, Words{"replay", "r"}, Words{"encode", "r", "r.mkv"},
+                             Words{"convert", "r", "v", "--to", "views"}, Words{"convert", "r", "p", "--rotate-elemental"},
+                             Words{"convert", "r", "c", "--precompensate", "--crosstalk", "0.4"}}) {
+    const RunResult result = run_tool(dir, words + Words{"-q"});
+    EXPECT_EQ(result.exit_code, 0) << words[0];
+    EXPECT_EQ(result.out + result.err, "") << words[0];
+    EXPECT_NE(run_tool(dir, words).out, "") << words[0];
+  }
+  std::filesystem::remove(dir / "r/frame_0000.png");
+  EXPECT_EQ(run_tool(dir, {"check", "r", "--quiet"}).exit_code, 1);
+  EXPECT_EQ(run_tool(dir, {"check", "r", "--quiet"}).out, "");
 }
 
 TEST(Tool, render_help_all_names_every_parameter) {

@@ -1,0 +1,21 @@
+// What of its result a command prints: the flags that all commands share whose results are files or an exit code.
+#pragma once
+
+#include "apps/lippmann/command_line.hpp"
+
+namespace lippmann::app {
+
+struct ResultFlags {
+  bool json = false, quiet = false;
+  /// Neither JSON nor nothing.
+  bool wants_text() const { return !json && !quiet; }
+};
+
+/// --json and --quiet; `quiet` is what the latter does.
+inline void add_result_flags(const Command& command, ResultFlags& flags,
+                             const char* quiet = "Print neither progress nor the result; warnings and errors remain") {
+  command.add_flag("--json", flags.json, "Print the result as JSON on stdout");
+  command.add_flag("-q,--quiet", flags.quiet, quiet);
+}
+
+}  // namespace lippmann::app
