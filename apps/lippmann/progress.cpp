@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace lippmann::app {
 namespace {
@@ -15,15 +16,21 @@ constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
 
 }  // namespace
 
-bool LineSchedule::is_due(int done, int total, double elapsed_s) {
+bool LineSchedule::is_due_within(double elapsed_s) {
   constexpr double kShortest_s = 30.0, kShareOfElapsed = 0.1;
-  const double interval = std::max(kShortest_s, kShareOfElapsed * elapsed_s);
-  const bool due = done == 1 || done == total || elapsed_s - last_s_ >= interval;
+  const bool due = elapsed_s - last_s_ >= std::max(kShortest_s, kShareOfElapsed * elapsed_s);
   if (due) last_s_ = elapsed_s;
   return due;
 }
 
-Progress::Progress(int total, ProgressStyle style) : total_(total), style_(style) {
+bool LineSchedule::is_due(int done, int total, double elapsed_s) {
+  if (done != 1 && done != total) return is_due_within(elapsed_s);
+  last_s_ = elapsed_s;
+  return true;
+}
+
+Progress::Progress(int total, ProgressStyle style, std::function<Clock::time_point()> now)
+    : total_(total), style_(style), now_(std::move(now)), start_(now_()) {
   if (style_ == ProgressStyle::kBar) draw();
 }
 
@@ -36,13 +43,14 @@ void Progress::step(const std::string& line) {
   ++done_;
   within_ = 0.0;
   if (style_ == ProgressStyle::kBar) {
-    if (done_ == total_ || Clock::now() - drawn_ >= kRedrawInterval) draw();
+    if (done_ == total_ || now_() - drawn_ >= kRedrawInterval) draw();
     return;
   }
   const double elapsed = elapsed_s();
-  if (style_ == ProgressStyle::kLines && !schedule_.is_due(done_, total_, elapsed)) return;
+  const bool due = schedule_.is_due(done_, total_, elapsed);
+  if (style_ == ProgressStyle::kLines && !due) return;
   const std::string left = done_ < total_ ? clock_text(seconds_left(elapsed, done_, total_)) + " left" : "done";
-  fmt::print(stderr, "[{}/{}] {}; {}{}\n", done_, total_, line, left, note_.empty() ? "" : ", " + note_);
+  fmt::print(stderr, "[{}/{}] {}; {}{}\n", done_, total_, line, left, note());
 }
 
 void Progress::set_note(const std::string& note) {
@@ -51,21 +59,35 @@ void Progress::set_note(const std::string& note) {
 }
 
 void Progress::within(double share) {
-  if (style_ != ProgressStyle::kBar) return;
   const std::lock_guard lock(mutex_);
   within_ = std::max(within_, share < 1.0 ? share : 0.0);  // threads report out of order; a frame that is done counts as such
-  if (Clock::now() - drawn_ >= kRedrawInterval) draw();
+  if (style_ == ProgressStyle::kBar && now_() - drawn_ >= kRedrawInterval) draw();
 }
 
-void Progress::draw() {
-  drawn_ = Clock::now();
+void Progress::tick() {
+  const std::lock_guard lock(mutex_);
+  if (done_ == total_) return;
+  if (style_ == ProgressStyle::kBar) return draw();
   const double elapsed = elapsed_s();
-  const double share = total_ > 0 ? std::min(1.0, (done_ + within_) / total_) : 1.0;
+  if (!schedule_.is_due_within(elapsed)) return;
+  const std::string share = within_ > 0.0 ? fmt::format("{:.0f} % of the next frame; ", 100.0 * within_) : std::string();
+  fmt::print(stderr, "[{}/{}] {}{}{}\n", done_, total_, share, left_text(elapsed), note());
+}
+
+std::string Progress::left_text(double elapsed_s) const {
+  const double share = share_done();
+  return share > 0.0 ? clock_text(seconds_left(elapsed_s, share, 1.0)) + " left" : clock_text(elapsed_s) + " so far";
+}
+
+double Progress::share_done() const { return total_ > 0 ? std::min(1.0, (done_ + within_) / total_) : 1.0; }
+
+void Progress::draw() {
+  drawn_ = now_();
+  const double elapsed = elapsed_s(), share = share_done();
   const int filled = static_cast<int>(share * kBarWidth);
   const std::string rate = done_ == 0 ? "" : fmt::format("{:5.1f} frames/s  ", done_ / elapsed);
-  const std::string left = share > 0.0 ? rate + clock_text(seconds_left(elapsed, share, 1.0)) + " left" : rate;
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}  {}{}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left,
-             note_.empty() ? "" : ", " + note_);
+  const std::string left = rate + left_text(elapsed);
+  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}  {}{}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left, note());
   std::fflush(stderr);
 }
 
@@ -76,5 +98,11 @@ std::string clock_text(double seconds) {
   if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
+
+Heartbeat::Heartbeat(std::function<void()> beat)
+    : thread_([this, beat = std::move(beat)](const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        while (!stopped_.wait_for(lock, stop, std::chrono::seconds(1), [&] { return stop.stop_requested(); })) beat();
+      }) {}
 
 }  // namespace lippmann::app

@@ -3,15 +3,18 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace lippmann::app {
 
 enum class ProgressStyle {
   kBar,       ///< one line that is drawn again and again
-  kLines,     ///< a line after the first, the last and, ever less often, some in between
-  kEveryLine  ///< a line each
+  kLines,     ///< a line after the first, the last and, ever less often, some in between, and within what takes long
+  kEveryLine  ///< a line each, and within what takes long
 };
 
 /// Which of the things that are done get a line, so that a log of hours stays short: the first, the last, and one whenever 30 s
@@ -20,6 +23,8 @@ class LineSchedule {
  public:
   /// done: that one included. Notes that a line is printed where it is due.
   bool is_due(int done, int total, double elapsed_s);
+  /// The same of what is under way: nobody should wait an hour for the first line.
+  bool is_due_within(double elapsed_s);
 
  private:
   double last_s_ = 0.0;
@@ -30,7 +35,10 @@ inline double seconds_left(double elapsed_s, double done, double total) { return
 
 class Progress {
  public:
-  Progress(int total, ProgressStyle style);
+  using Clock = std::chrono::steady_clock;
+
+  /// now: tests have a clock of their own.
+  Progress(int total, ProgressStyle style, std::function<Clock::time_point()> now = Clock::now);
   /// Leaves the line that the bar stands in.
   ~Progress();
   Progress(const Progress&) = delete;
@@ -45,12 +53,19 @@ class Progress {
   /// The one under way is done up to `share`, 0 to 1: moves the bar. Any thread.
   void within(double share);
 
+  /// Time has gone by: a line about the one under way, where it takes long. Not all that takes long knows its share.
+  void tick();
+
   /// Whether stderr is a terminal.
   static bool stderr_is_terminal();
 
  private:
-  using Clock = std::chrono::steady_clock;
-  double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double elapsed_s() const { return std::chrono::duration<double>(now_() - start_).count(); }
+  double share_done() const;
+  /// "3:00 left", or "0:30 so far" where nothing is known yet.
+  std::string left_text(double elapsed_s) const;
+  /// ", files: about 12 MB".
+  std::string note() const { return note_.empty() ? note_ : ", " + note_; }
   void draw();
 
   std::mutex mutex_;  ///< what follows
@@ -59,10 +74,22 @@ class Progress {
   std::string note_;
   ProgressStyle style_;
   LineSchedule schedule_;
-  Clock::time_point start_ = Clock::now(), drawn_;
+  std::function<Clock::time_point()> now_;
+  Clock::time_point start_, drawn_;
 };
 
 /// "0:07", "12:34", "3:00:05".
 std::string clock_text(double seconds);
+
+/// Calls `beat` every second, in a thread of its own, until it is destroyed.
+class Heartbeat {
+ public:
+  explicit Heartbeat(std::function<void()> beat);
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any stopped_;
+  std::jthread thread_;  ///< last: stops before what it uses goes
+};
 
 }  // namespace lippmann::app

@@ -62,12 +62,14 @@ RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& param
   estimated_at_first_ = sizes.all(), video_bytes_ = sizes.videos;
   if (kind == RenderProgressKind::kJson) {
     print_object(-1);
+    heartbeat_.emplace([this] { tick(); });
     return;
   }
   if (wanted_ == 0) return;
   fmt::print(stderr, "{}\n", describe(plan, wanted_, sizes.all()));
   say_fitted_depth(plan, params);
   progress_ = std::make_unique<Progress>(wanted_, style_of(kind));
+  heartbeat_.emplace([this] { tick(); });
 }
 
 RenderProgress::~RenderProgress() = default;
@@ -81,20 +83,34 @@ void RenderProgress::traced(const FrameReport& frame) {
 
 void RenderProgress::written(int frame, std::uintmax_t bytes) {
   if (kind_ == RenderProgressKind::kNone) return;
+  const std::lock_guard lock(mutex_);
   ++written_;
   bytes_ += static_cast<double>(bytes);
-  if (!progress_) return print_object(frame);
+  within_ = 0.0;
+  if (kind_ == RenderProgressKind::kJson) {
+    schedule_.is_due(written_, wanted_, seconds());
+    return print_object(frame);
+  }
+  if (!progress_) return;
   const double size = estimated_bytes();
   const bool all = written_ == wanted_;
   progress_->set_note(fmt::format("files: {}{}", all && video_bytes_ == 0.0 ? "" : "about ", bytes_text(size)));
   if (style_of(kind_) == ProgressStyle::kBar) return;
-  const std::lock_guard lock(mutex_);
   progress_->step(lines_[frame]);
   lines_.erase(frame);
 }
 
 void RenderProgress::within(double share) {
-  if (progress_) progress_->within(share);
+  if (progress_) return progress_->within(share);
+  if (kind_ != RenderProgressKind::kJson) return;
+  const std::lock_guard lock(mutex_);
+  within_ = std::max(within_, share < 1.0 ? share : 0.0);
+}
+
+void RenderProgress::tick() {
+  if (progress_) return progress_->tick();
+  const std::lock_guard lock(mutex_);
+  if (written_ < wanted_ && schedule_.is_due_within(seconds())) print_object(-1);
 }
 
 /// Of all frames, as large as those that are there.
@@ -103,13 +119,14 @@ double RenderProgress::estimated_bytes() const {
 }
 
 void RenderProgress::print_object(int frame) const {
-  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  const double elapsed_s = seconds(), done = written_ + within_;
   using Json = nlohmann::ordered_json;
   const Json json{{"frame", frame < 0 ? Json(nullptr) : Json(frame)},
                   {"done", written_},
                   {"frames", wanted_},
-                  {"seconds", seconds},
-                  {"seconds_left", written_ > 0 ? Json(seconds_left(seconds, written_, wanted_)) : Json(nullptr)},
+                  {"share", wanted_ > 0 ? std::min(1.0, done / wanted_) : 1.0},
+                  {"seconds", elapsed_s},
+                  {"seconds_left", done > 0.0 ? Json(seconds_left(elapsed_s, done, wanted_)) : Json(nullptr)},
                   {"bytes", static_cast<std::uint64_t>(bytes_)},
                   {"estimated_bytes", static_cast<std::uint64_t>(estimated_bytes())}};
   fmt::print(stderr, "{}\n", json_to_text(json, -1));

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "apps/lippmann/progress.hpp"
@@ -15,7 +16,7 @@ namespace lippmann::app {
 enum class RenderProgressKind {
   kAuto,     ///< a bar on a terminal, elsewhere a line now and then
   kVerbose,  ///< a line per frame
-  kJson,     ///< an object per frame: docs/formats.md has its keys
+  kJson,     ///< an object per frame, and within long ones: docs/formats.md has its keys
   kNone
 };
 
@@ -30,12 +31,15 @@ class RenderProgress {
 
   void traced(const FrameReport& frame);
   void written(int frame, std::uintmax_t bytes);
+  /// The frame under way is traced up to `share`, 0 to 1. Any thread.
   void within(double share);
 
  private:
   using Clock = std::chrono::steady_clock;
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   double estimated_bytes() const;
   void print_object(int frame) const;
+  void tick();
 
   RenderProgressKind kind_;
   bool interpolates_;
@@ -43,9 +47,12 @@ class RenderProgress {
   double bytes_ = 0.0;                         ///< of those on disk
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
   Clock::time_point start_ = Clock::now();
-  std::mutex mutex_;                  ///< lines_
+  LineSchedule schedule_;             ///< of objects within frames
+  double within_ = 0.0;               ///< of the frame under way, for objects
+  std::mutex mutex_;                  ///< all that changes
   std::map<int, std::string> lines_;  ///< of frames that are traced and not yet written
   std::unique_ptr<Progress> progress_;
+  std::optional<Heartbeat> heartbeat_;  ///< last: beats while the others are there
 };
 
 }  // namespace lippmann::app

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <fstream>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -45,6 +47,66 @@ TEST(LineSchedule, first_and_last_are_due_and_others_ever_less_often) {
 
 TEST(LineSchedule, time_left_is_that_of_what_is_done) { EXPECT_DOUBLE_EQ(app::seconds_left(30.0, 3, 12), 90.0); }
 
+TEST(LineSchedule, what_is_under_way_is_due_30_s_after_the_line_before) {
+  app::LineSchedule schedule;
+  EXPECT_FALSE(schedule.is_due_within(29.9));
+  EXPECT_TRUE(schedule.is_due_within(30.0));
+  EXPECT_TRUE(schedule.is_due(1, 2, 31.0));
+  EXPECT_FALSE(schedule.is_due_within(60.9));
+  EXPECT_TRUE(schedule.is_due_within(61.0));
+}
+
+/// What is printed of a frame of four parts of 30 s each, the share of which is known or not.
+std::string said_of_a_long_frame(app::ProgressStyle style, bool knows_share) {
+  app::Progress::Clock::time_point now{};
+  testing::internal::CaptureStderr();
+  {
+    app::Progress progress(2, style, [&] { return now; });
+    progress.set_note("files: about 3 MB");
+    for (const double share : {0.25, 0.5, 0.75}) {
+      now += std::chrono::seconds(15);
+      progress.tick();
+      now += std::chrono::seconds(15);
+      if (knows_share) progress.within(share);
+      progress.tick();
+    }
+    now += std::chrono::seconds(30);
+    progress.step("frame 7: 120 s");
+    progress.tick();
+  }
+  return testing::internal::GetCapturedStderr();
+}
+
+// Of two frames, which take 240 s: after 30 s, 210 s are left.
+TEST(Progress, without_a_terminal_a_long_frame_gets_lines_while_it_is_traced) {
+  for (const auto style : {app::ProgressStyle::kLines, app::ProgressStyle::kEveryLine})
+    EXPECT_EQ(said_of_a_long_frame(style, true),
+              "[0/2] 25 % of the next frame; 3:30 left, files: about 3 MB\n"
+              "[0/2] 50 % of the next frame; 3:00 left, files: about 3 MB\n"
+              "[0/2] 75 % of the next frame; 2:30 left, files: about 3 MB\n"
+              "[1/2] frame 7: 120 s; 2:00 left, files: about 3 MB\n");
+}
+
+TEST(Progress, of_a_frame_whose_share_nobody_knows_is_the_time_so_far) {
+  EXPECT_EQ(said_of_a_long_frame(app::ProgressStyle::kLines, false),
+            "[0/2] 0:30 so far, files: about 3 MB\n"
+            "[0/2] 1:00 so far, files: about 3 MB\n"
+            "[0/2] 1:30 so far, files: about 3 MB\n"
+            "[1/2] frame 7: 120 s; 2:00 left, files: about 3 MB\n");
+}
+
+TEST(Heartbeat, beats_until_it_goes) {
+  std::promise<void> beaten;
+  std::atomic<int> beats{0};
+  {
+    const app::Heartbeat heartbeat([&] {
+      if (++beats == 1) beaten.set_value();
+    });
+    beaten.get_future().wait();
+  }
+  EXPECT_GE(beats, 1);
+}
+
 TEST(RenderProgress, without_a_terminal_says_what_comes_then_the_first_and_the_last_frame) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("0-3", "out") + Words{"--full-depth"});
@@ -58,7 +120,7 @@ TEST(RenderProgress, without_a_terminal_says_what_comes_then_the_first_and_the_l
 
 TEST(RenderProgress, verbose_says_every_frame) {
   const TempDir dir;
-  const RunResult result = run_tool(dir, small_teapot("0-3", "out") + Words{"--verbose"});
+  const RunResult result = run_tool(dir, small_teapot("0-3", "out") + Words{"-v"});
   EXPECT_EQ(frames_said(result.err), 4u) << result.err;
   EXPECT_THAT(result.err, AllOf(HasSubstr("[2/4] frame 1: "), HasSubstr("[3/4] frame 2: ")));
 }
@@ -72,12 +134,14 @@ TEST(RenderProgress, json_is_an_object_a_line_with_the_bytes_that_are_there) {
   EXPECT_TRUE(before["frame"].is_null());
   EXPECT_TRUE(before["seconds_left"].is_null());
   EXPECT_EQ(before["frames"], 4);
+  EXPECT_EQ(before["share"], 0.0);
   EXPECT_GT(before["estimated_bytes"], 0);
   for (int i = 1; i <= 4; ++i) {
     const Json frame = json_of(lines[static_cast<std::size_t>(i)]);
     EXPECT_EQ(frame["frame"], i + 1);
     EXPECT_EQ(frame["done"], i);
     EXPECT_GE(frame["seconds_left"], 0.0);
+    EXPECT_EQ(frame["share"], i / 4.0);
   }
   const std::size_t files = size_of(dir / "out", ".png") + size_of(dir / "out", ".exr");
   EXPECT_EQ(last["bytes"], files) << "pictures and layers";
