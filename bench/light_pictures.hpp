@@ -1,4 +1,4 @@
-// Pictures of what a benchmark of path-traced light has compared, to be looked at: the frames and where they differ.
+// Pictures of what a benchmark of path-traced light has compared: the frames and where they differ.
 #pragma once
 
 #include <filesystem>

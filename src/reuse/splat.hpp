@@ -44,7 +44,7 @@ struct SplatBuffer {
 
 struct SplatParams {
   SplatMode mode = SplatMode::kView;
-  bool z_buffer = true;  ///< false: the highest source pixel wins, as if painted in order: wrong, to be looked at
+  bool z_buffer = true;  ///< false: the highest source pixel wins, as if painted in order: wrong pictures, for study
 };
 
 /// Made once per animation. Thread-safe.

@@ -1,6 +1,8 @@
 // The commands of README.md run as they stand there.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 
 #include "cli/tool.hpp"
@@ -38,6 +40,35 @@ TEST(Readme, commands_run_as_they_stand) {
     const std::string path = "PATH=" + fs::path(LIPPMANN_TOOL).parent_path().string() + ":$PATH; ";
     const RunResult result = run({"sh", "-c", path + quick(command)}, {dir.path().string(), 0});
     EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.err;
+  }
+}
+
+/// Words and phrases that readers stumble over, in small letters.
+std::vector<std::string> odd_words_in(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::vector<std::string> found;
+  for (const char* words :
+       {" likewise", " dear ", "tell all about", "tells all about", "that no flag says", "is none of its", "to be looked at"})
+    if (text.find(words) != std::string::npos) found.emplace_back(words);
+  return found;
+}
+
+TEST(Docs, are_in_plain_words) {
+  const fs::path source(LIPPMANN_SOURCE);
+  EXPECT_THAT(odd_words_in(bytes_of(source / "README.md")), testing::IsEmpty());
+  for (const auto& entry : fs::directory_iterator(source / "docs"))
+    if (entry.path().extension() == ".md") {
+      EXPECT_THAT(odd_words_in(bytes_of(entry.path())), testing::IsEmpty()) << entry.path();
+    }
+}
+
+TEST(Docs, of_flags_are_in_plain_words) {
+  const TempDir dir;
+  for (const char* command :
+       {"render", "check", "compare", "convert", "encode", "replay", "info", "scenes", "displays", "bench"}) {
+    const Words help = command == std::string("render") ? Words{"--help-all"} : Words{"--help"};
+    EXPECT_THAT(odd_words_in(run_tool(dir, Words{command} + help).out), testing::IsEmpty()) << command;
   }
 }
 

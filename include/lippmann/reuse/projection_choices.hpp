@@ -11,7 +11,7 @@ enum class SplatMode {
 enum class MissedFill {
   kInterpolate,  ///< from neighbours
   kRetrace,      ///< traced
-  kBlack,        ///< left black, to be looked at (the paper's figures 4 and 5)
+  kBlack,        ///< left black, as in the paper's figures 4 and 5
 };
 
 }  // namespace lippmann
