@@ -1,5 +1,5 @@
 // `lippmann bench NAME`: runs a benchmark of bench/ and prints its rows as a table or as JSON.
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "bench/bench.hpp"
 #include "core/json_text.hpp"
+#include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann::app {
@@ -73,12 +74,13 @@ void print_table(const bench::Report& report) {
 }
 
 const bench::Benchmark& find_benchmark(const std::string& name) {
-  std::string known;
+  std::vector<std::string_view> known;
   for (const bench::Benchmark& benchmark : bench::benchmarks()) {
     if (benchmark.name == name) return benchmark;
-    known += (known.empty() ? "" : ", ") + std::string(benchmark.name);
+    known.push_back(benchmark.name);
   }
-  throw usage_error("bench", "there is no benchmark '" + name + "'", known);
+  throw usage_error("bench", "there is no benchmark '" + name + "'" + did_you_mean(name, known),
+                    fmt::format("{}", fmt::join(known, ", ")));
 }
 
 /// Frames that were stopped half-way are wrong, and so are figures of them and complaints about them.

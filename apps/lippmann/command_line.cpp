@@ -1,6 +1,6 @@
 #include "apps/lippmann/command_line.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -119,7 +119,16 @@ const Flag& Flag::range(int least, int most) const { return option_->check(CLI::
 const Flag& Flag::range(double least, double most) const { return option_->check(CLI::Range(least, most)), *this; }
 const Flag& Flag::positive() const { return option_->check(CLI::PositiveNumber), *this; }
 const Flag& Flag::not_negative() const { return option_->check(CLI::NonNegativeNumber), *this; }
-const Flag& Flag::one_of(std::initializer_list<const char*> words) const { return option_->check(CLI::IsMember(words)), *this; }
+
+const Flag& Flag::one_of(std::initializer_list<const char*> words) const {
+  const std::vector<std::string_view> known(words.begin(), words.end());
+  const auto problem = [known](const std::string& word) {
+    if (std::find(known.begin(), known.end(), word) != known.end()) return std::string();
+    return fmt::format("there is no '{}'{}; accepted: {}", word, did_you_mean(word, known), fmt::join(known, ", "));
+  };
+  return option_->check(CLI::Validator(problem, fmt::format("{{{}}}", fmt::join(known, ",")))), *this;
+}
+
 bool Flag::given() const { return option_->count() > 0; }
 const Flag& Flag::show_default() const { return option_->capture_default_str(), *this; }
 

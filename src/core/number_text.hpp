@@ -22,6 +22,9 @@ std::optional<T> parse_number(std::string_view text) {
 /// A whole number, lowest ... highest. Throws a usage Error at `where` that says what would be accepted.
 std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where);
 
+/// The same, or "auto" (none).
+std::optional<int> read_integer_or_auto(std::string_view text, int lowest, int highest, const std::string& where);
+
 /// A finite number, lowest ... highest. Throws likewise.
 double read_number(std::string_view text, double lowest, double highest, const std::string& where);
 

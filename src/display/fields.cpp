@@ -116,9 +116,7 @@ Fields Fields::inner(std::string_view key) const {
 void Fields::allow_only(const std::vector<std::string_view>& keys) const {
   for (const auto& member : json_.items()) {
     if (std::find(keys.begin(), keys.end(), member.key()) != keys.end()) continue;
-    const std::string nearest = nearest_name(member.key(), keys);
-    reject(member.key(), "there is no such key" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"),
-           fmt::format("{}", fmt::join(keys, ", ")));
+    reject(member.key(), "there is no such key" + did_you_mean(member.key(), keys), fmt::format("{}", fmt::join(keys, ", ")));
   }
 }
 

@@ -41,8 +41,7 @@ Error unknown_preset(const std::string& where, const std::string& name) {
     names.push_back(preset.name);
     if (preset.name.starts_with(kMaker)) names.push_back(preset.name.substr(kMaker.size()));
   }
-  const std::string nearest = nearest_name(name, names);
-  return Error(where, "there is no display " + shown(name) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"),
+  return Error(where, "there is no display " + shown(name) + did_you_mean(name, names),
                "a name that 'lippmann displays' lists, or a file: .toml, or .json for a calibration", ErrorKind::kUsage);
 }
 

@@ -100,10 +100,8 @@ std::string write_distance(std::optional<float> distance_mm) { return distance_m
 std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == text) return i;
-  const std::string nearest = nearest_name(text, names);
-  throw usage_error(
-      where, fmt::format("there is no '{}'{}", text, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
-      fmt::format("{}", fmt::join(names, ", ")));
+  throw usage_error(where, fmt::format("there is no '{}'{}", text, did_you_mean(text, names)),
+                    fmt::format("{}", fmt::join(names, ", ")));
 }
 
 }  // namespace lippmann

@@ -400,10 +400,7 @@ std::vector<ParamInfo> rendering_rows() {
 std::vector<ParamInfo> reuse_rows() {
   using P = RenderParams;
   const Codec<std::optional<int>> keyframes{
-      [](std::string_view value, const std::string& where) -> std::optional<int> {
-        if (value == "auto") return std::nullopt;
-        return static_cast<int>(read_integer(value, 2, kMaxKeyframes, where));
-      },
+      [](std::string_view value, const std::string& where) { return read_integer_or_auto(value, 2, kMaxKeyframes, where); },
       [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string("auto"); }};
   const Codec<std::optional<double>> min_psnr{
       [](std::string_view value, const std::string& where) -> std::optional<double> {
@@ -539,8 +536,7 @@ std::string did_you_mean(std::string_view name) {
   for (const ParamInfo& info : params_table())
     for (const std::string_view known : {info.name, info.opposite})
       if (!known.empty()) names.push_back(known);
-  const std::string nearest = nearest_name(name, names);
-  return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", nearest);
+  return did_you_mean(name, names);
 }
 
 }  // namespace lippmann

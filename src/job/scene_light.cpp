@@ -4,8 +4,11 @@
 
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 
+#include "core/printable.hpp"
+#include "core/suggest.hpp"
 #include "job/environment_file.hpp"
 #include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
@@ -60,6 +63,16 @@ Surrounding surrounding_of(const RenderParams& params) {
   return {params.scene.environment_strength, params.scene.environment_rotation_deg};
 }
 
+/// A name with an ending is that of a file that is missing; a word may be a misspelt one.
+Error no_such_environment(const std::string& value) {
+  const std::filesystem::path path(value);
+  if (path.has_extension()) return Error(value, "there is no such file", kAccepted);
+  constexpr std::array<std::string_view, 2> kWords{kNone, kStudio};
+  const std::string word = path.filename();
+  return usage_error("--environment", fmt::format("there is no '{}'{}", printable(word), did_you_mean(word, kWords)),
+                     kAccepted);
+}
+
 /// What --environment asks for.
 std::string light_as_asked(Scene& scene, const RenderParams& params) {
   const std::string& value = params.scene.environment;
@@ -72,6 +85,7 @@ std::string light_as_asked(Scene& scene, const RenderParams& params) {
     surround_with(scene, params.scene.environment_strength * *color);
     return fmt::format("The colour {} surrounds the scene, as --environment asks for.", value);
   }
+  if (!std::filesystem::exists(value)) throw no_such_environment(value);
   scene.background.map = read_environment(value, params.scene.environment_strength, params.scene.environment_rotation_deg);
   return fmt::format("The panorama {} lights the scene, as --environment asks for.", value);
 }

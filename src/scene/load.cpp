@@ -84,8 +84,7 @@ std::string meant_builtin(const fs::path& path) {
   if (path.has_parent_path() || path.has_extension()) return {};
   std::vector<std::string_view> names;
   for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
-  const std::string nearest = nearest_name(path.string(), names);
-  return nearest.empty() ? std::string() : fmt::format("; did you mean '{}'?", nearest);
+  return did_you_mean(path.string(), names);
 }
 
 void require_readable_file(const fs::path& path) {

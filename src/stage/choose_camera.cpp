@@ -27,8 +27,7 @@ std::size_t find_camera(const std::vector<std::string>& names, const std::string
 
 Error no_such_camera(const std::vector<std::string>& names, const std::string& wanted) {
   if (names.empty()) return usage_error("camera", "the scene has no cameras", "no name or index of one");
-  const std::string nearest = nearest_name(wanted, std::vector<std::string_view>(names.begin(), names.end()));
-  const std::string hint = nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", printable(nearest));
+  const std::string hint = did_you_mean(wanted, std::vector<std::string_view>(names.begin(), names.end()));
   return usage_error("camera", fmt::format("{} is not in the scene{}", shown(wanted), hint), list_cameras(names));
 }
 

@@ -37,11 +37,9 @@ std::string list_names(const std::vector<std::string_view>& names) {
 
 Error no_such_name(const Scene& scene, const std::string& name, const char* flag, const std::string& also_accepted) {
   const std::vector<std::string_view> names = names_in(scene);
-  const std::string nearest = nearest_name(name, names);
-  const std::string hint = nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", printable(nearest));
   std::string accepted = list_names(names);
   if (!also_accepted.empty()) accepted += (accepted.empty() ? "" : "; ") + also_accepted;
-  return usage_error(flag, fmt::format("{} is not in the scene{}", shown(name), hint),
+  return usage_error(flag, fmt::format("{} is not in the scene{}", shown(name), did_you_mean(name, names)),
                      accepted.empty() ? "nothing: the scene has no names" : accepted);
 }
 

@@ -44,6 +44,13 @@ TEST(Tool, misspelt_values_are_answered_with_the_nearest) {
   expect_refusal(run_tool(dir, {"render", "teapott"}), 1, "did you mean 'teapot'?");
   expect_refusal(run_tool(dir, {"render", "teapot", "--display", "60lpi"}), 2, "did you mean '");
   EXPECT_THAT(run_tool(dir, {"render", "teapot", "--print"}).err, testing::Not(HasSubstr("--slant")));
+  const Words render{"render", "teapot", "--dry-run"};
+  expect_refusal(run_tool(dir, render + Words{"--environment", "studo"}), 2, "there is no 'studo', did you mean 'studio'?");
+  expect_refusal(run_tool(dir, render + Words{"--format", "pgn"}), 2, "did you mean 'png'?");
+  expect_refusal(run_tool(dir, render + Words{"--also", "singel"}), 2, "did you mean 'single'?; accepted: single");
+  expect_refusal(run_tool(dir, render + Words{"--progress", "jsn"}), 2, "did you mean 'json'?; accepted: json");
+  expect_refusal(run_tool(dir, render + Words{"--keyframes", "atuo"}), 2, "accepted: auto, or a whole number from 2");
+  expect_refusal(run_tool(dir, {"bench", "papr"}), 2, "did you mean 'paper'?");
 }
 
 TEST(Tool, dry_run_says_what_would_be_made_and_makes_nothing) {

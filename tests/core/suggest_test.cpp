@@ -15,10 +15,23 @@ TEST(EditDistance, known_pairs_give_the_distances_worked_out_by_hand) {
   EXPECT_EQ(edit_distance("lense", "lenses"), 1);
 }
 
+TEST(EditDistance, neighbours_that_are_exchanged_count_once) {
+  EXPECT_EQ(edit_distance("pgn", "png"), 1);
+  EXPECT_EQ(edit_distance("dpeth", "depth"), 1);
+  EXPECT_EQ(edit_distance("ca", "abc"), 3) << "no letter is changed twice";
+}
+
 TEST(NearestName, misspelt_name_finds_the_closest_candidate) {
   constexpr std::array<std::string_view, 3> kNames{"lenses", "lens-pixels", "size"};
   EXPECT_EQ(nearest_name("lense", kNames), "lenses");
   EXPECT_EQ(nearest_name("lens_pixels", kNames), "lens-pixels");
+}
+
+TEST(NearestName, short_name_with_exchanged_letters_is_found) {
+  constexpr std::array<std::string_view, 4> kNames{"png", "png16", "tiff", "exr"};
+  EXPECT_EQ(nearest_name("pgn", kNames), "png");
+  EXPECT_EQ(did_you_mean("pgn", kNames), ", did you mean 'png'?");
+  EXPECT_EQ(did_you_mean("webp!", kNames), "");
 }
 
 TEST(NearestName, unrelated_name_finds_nothing) {

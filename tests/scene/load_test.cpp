@@ -27,7 +27,7 @@ TEST(LoadScene, missing_file_is_named) {
 }
 
 TEST(LoadScene, misspelt_builtin_name_is_suggested) {
-  EXPECT_THAT(error_of("teapott"), HasSubstr("teapott: there is no such file; did you mean 'teapot'?"));
+  EXPECT_THAT(error_of("teapott"), HasSubstr("teapott: there is no such file, did you mean 'teapot'?"));
 }
 
 TEST(LoadScene, folder_is_refused) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "scene/gltf.hpp"
@@ -144,7 +145,8 @@ std::size_t choose(const std::vector<std::string>& names, const std::string& wan
   std::size_t index = 0;
   const auto [end, problem] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
   if (problem == std::errc{} && end == wanted.data() + wanted.size() && index < names.size()) return index;
-  throw usage_error("animation", shown(wanted) + " is not in the file", listed(names));
+  const std::string hint = did_you_mean(wanted, std::vector<std::string_view>(names.begin(), names.end()));
+  throw usage_error("animation", shown(wanted) + " is not in the file" + hint, listed(names));
 }
 
 }  // namespace

@@ -495,6 +495,8 @@ TEST(GltfAnimation, unknown_one_is_an_error_that_lists_them) {
   for (const char* name : {"Fly", "2", "-1", "1x"})
     EXPECT_EQ(error_message([&] { frames_of(walk_and_run(), name); }),
               std::string("animation: '") + name + "' is not in the file; accepted: Walk (0), Run (1)");
+  EXPECT_EQ(error_message([] { frames_of(walk_and_run(), "Wlak"); }),
+            "animation: 'Wlak' is not in the file, did you mean 'Walk'?; accepted: Walk (0), Run (1)");
   EXPECT_EQ(error_message([] { frames_of(skinned_triangle(std::vector<Vec4f>(3)), "Fly"); }),
             "animation: the file has no animations; accepted: no `animation` with it");
 }
