@@ -69,6 +69,20 @@ std::string describe_depth(const ShownDepth& shown, const Optics& optics, float 
          (depth_scale < 1.0f ? " --full-depth shows all of it." : " --fit-depth shows it less deep.");
 }
 
+void print_line(std::string_view name, const std::string& value) { fmt::print("  {:<9} {}\n", name, value); }
+
+/// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
+void print_choices(const RenderParams& params, const std::string& light, const std::string& view) {
+  if (integrator_of(params.sampling) == Integrator::kPath) print_line("shading", describe_paths(params));
+  if (!light.empty()) print_line("light", light);
+  if (!view.empty()) print_line("view", view);
+}
+
+/// "frame_0000.png ... frame_0479.png", or the one.
+std::string first_and_last(const std::string& first, const std::string& last) {
+  return first == last ? first : first + " ... " + last;
+}
+
 /// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
 void print_summary(const RenderReport& report, const Planned& plan, const std::string& program) {
   const auto& [folder, names, picture_size, kept] = plan;
@@ -79,33 +93,30 @@ void print_summary(const RenderReport& report, const Planned& plan, const std::s
   fmt::print("{}{} frame{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "",
              frames, frames == 1 ? "" : "s", describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
              kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
-  const auto line = [](std::string_view name, const std::string& value) { fmt::print("  {:<9} {}\n", name, value); };
   if (frames > 0) {
     const auto path = [&](const FrameReport& frame) { return (folder / frame_name(names, frame.frame)).string(); };
-    line("pictures", path(report.frames.front()) + (frames > 1 ? " ... " + path(report.frames.back()) : ""));
+    print_line("pictures", first_and_last(path(report.frames.front()), path(report.frames.back())));
     if (!report.interrupted)
       for (const std::string& video : report.videos) {
-        line("video", video);
-        line("play", "ffplay -loop 0 " + shell_word(video));
+        print_line("video", video);
+        print_line("play", "ffplay -loop 0 " + shell_word(video));
       }
-    if (frames > 1 || !std::holds_alternative<CopySettled>(report.reuse)) line("reuse", reuse_sentence(report));
+    if (frames > 1 || !std::holds_alternative<CopySettled>(report.reuse)) print_line("reuse", reuse_sentence(report));
     if (const auto* light = std::get_if<ShareLight>(&report.reuse); light && light->min_psnr_db)
       for (const std::string& warning :
            {below_floor_sentence(report.frames, *light->min_psnr_db), unmeasured_sentence(report.frames, *light->min_psnr_db)})
-        if (!warning.empty()) line("warning", warning);
-    if (can_be_replayed(report)) line("one eye", program + " replay " + shell_word(folder.string()));
+        if (!warning.empty()) print_line("warning", warning);
+    if (can_be_replayed(report)) print_line("one eye", program + " replay " + shell_word(folder.string()));
   }
-  if (integrator_of(report.params.sampling) == Integrator::kPath) line("shading", describe_paths(report.params));
-  if (!report.light.empty()) line("light", report.light);
-  if (!report.view.empty()) line("view", report.view);
+  print_choices(report.params, report.light, report.view);
   if (const auto done = precompensation_of(report))
-    line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
-                                  describe_bound(done->clipped_share, done->largest_residual)));
+    print_line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
+                                        describe_bound(done->clipped_share, done->largest_residual)));
   if (report.depth_scale < 1.0f || !report.depth.fits())
-    line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
-  line("figures", (folder / "report.json").string());
-  line(report.interrupted ? "go on" : "again",
-       program + " render " + shell_word((folder / "job.toml").string()) + (report.interrupted ? " --resume" : ""));
+    print_line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
+  print_line("figures", (folder / "report.json").string());
+  print_line(report.interrupted ? "go on" : "again",
+             program + " render " + shell_word((folder / "job.toml").string()) + (report.interrupted ? " --resume" : ""));
 }
 
 /// "3 frames (0 to 8)".
@@ -137,19 +148,20 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
          {"picture_size", {plan.picture_size.x, plan.picture_size.y}},
          {"pictures_per_frame", pictures},
          {"largest_bytes", bytes},
+         {"light", plan.stage.light},
+         {"view", plan.stage.array.how},
          {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
          {"estimated_bytes", whole(sizes.all())},
          {"estimated",
           {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
   fmt::print("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
-  fmt::print("  {:<9} {}{}x{} pixels\n", "pictures", pictures > 1 ? fmt::format("{} a frame, ", pictures) : "",
-             plan.picture_size.x, plan.picture_size.y);
-  fmt::print("  {:<9} {} ... {}\n", "files", frame_name(plan.names, plan.frames.front()),
-             frame_name(plan.names, plan.frames.back()));
-  fmt::print("  {:<9} about {}{} (an estimate); pictures before compression: {}\n", "size", bytes_text(sizes.all()),
-             describe_parts(sizes), bytes_text(static_cast<double>(bytes)));
-  if (placed.depth_scale < 1.0f || !shown.fits())
-    fmt::print("  {:<9} {}\n", "depth", describe_depth(shown, placed.optics, placed.depth_scale));
+  print_line("pictures", fmt::format("{}{}x{} pixels", pictures > 1 ? fmt::format("{} a frame, ", pictures) : "",
+                                     plan.picture_size.x, plan.picture_size.y));
+  print_line("files", first_and_last(frame_name(plan.names, plan.frames.front()), frame_name(plan.names, plan.frames.back())));
+  print_line("size", fmt::format("about {}{} (an estimate); pictures before compression: {}", bytes_text(sizes.all()),
+                                 describe_parts(sizes), bytes_text(static_cast<double>(bytes))));
+  print_choices(params, plan.stage.light, plan.stage.array.how);
+  if (placed.depth_scale < 1.0f || !shown.fits()) print_line("depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
 
 /// Says what a render would make, and makes nothing.

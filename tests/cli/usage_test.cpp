@@ -59,10 +59,25 @@ TEST(Tool, dry_run_says_what_would_be_made_and_makes_nothing) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("3 frames (0 to 8)"));
   EXPECT_THAT(result.out, HasSubstr("128x128 pixels"));
+  EXPECT_THAT(result.out, HasSubstr("frame_0000.png ... frame_0008.png\n"));
   EXPECT_FALSE(std::filesystem::exists(dir / "r"));
   const Json plan = report_of(dir, small_teapot("0-8:4", "r") + Words{"--dry-run"});
   EXPECT_EQ(plan["frames"], json_of("[0, 4, 8]"));
   EXPECT_EQ(plan["largest_bytes"], 3 * 3 * 128 * 128);
+}
+
+TEST(Tool, dry_run_says_which_light_and_view_were_chosen) {
+  const TempDir dir;
+  const Words render{"render", LIPPMANN_SOURCE "/examples/vase.ply", "--frames", "0", "--dry-run"};
+  const RunResult result = run_tool(dir, render);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("  files     frame_0000.png\n"));
+  EXPECT_THAT(result.out, HasSubstr("  shading   path traced"));
+  EXPECT_THAT(result.out, HasSubstr("  light     The built-in studio"));
+  EXPECT_THAT(result.out, HasSubstr("  view      The scene has no camera"));
+  const Json plan = report_of(dir, render);
+  EXPECT_THAT(plan["light"].get<std::string>(), HasSubstr("studio"));
+  EXPECT_THAT(plan["view"].get<std::string>(), HasSubstr("no camera"));
 }
 
 TEST(Tool, quiet_render_prints_nothing) {
