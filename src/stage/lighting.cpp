@@ -2,13 +2,47 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
+#include "lippmann/stage/fit_array.hpp"
 #include "scene/default_light.hpp"
 #include "scene/studio_light.hpp"
+#include "stage/enclosure.hpp"
 #include "stage/surroundings.hpp"
 
 namespace lippmann {
+
+namespace {
+
+/// A lamp where the viewer stands, as bright at every distance: it lights what is seen, whatever the size of the room. A white
+/// diffuse surface that faces it shows half of display white, and what other walls reflect on top.
+void add_lamp_at_viewer(Scene& scene, const FittedArray& array) {
+  constexpr float kAtViewer = 0.5f * kPi;
+  Node node;
+  node.name = "lamp at the viewer";
+  node.parent = array.node;
+  node.local.translation = transform_point(array.node_from_plane, {0.0f, 0.0f, array.viewing_distance});
+  Light light;
+  light.name = node.name;
+  light.color = Vec3f(kAtViewer);
+  light.node = static_cast<int>(scene.nodes.size());
+  scene.nodes.push_back(std::move(node));
+  scene.lights.push_back(std::move(light));
+}
+
+/// In a closed room nothing of the studio would be seen. Whether it is one.
+bool light_closed_room(Scene& scene) {
+  const FittedArray array = fit_array(scene);
+  if (!std::isfinite(array.viewing_distance)) return false;
+  const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
+  const Vec3f viewer = transform_point(world_from_display(array, 1.0f, resolved), {0.0f, 0.0f, array.viewing_distance});
+  if (!is_enclosed(scene, resolved, viewer)) return false;
+  add_lamp_at_viewer(scene, array);
+  return true;
+}
+
+}  // namespace
 
 void surround_with(Scene& scene, EnvironmentMap map, const Surrounding& how, float share) {
   map.strength *= share * how.strength;
@@ -33,6 +67,9 @@ std::string light_for_paths(Scene& scene, const Surrounding& how) {
   if (own == OwnLight::kSurroundings) return "The scene has its own light.";
   const bool has_lamps = own == OwnLight::kLamps;
   surround_with(scene, studio_environment(viewer_orientation(scene)), how, has_lamps ? kDimStudio : 1.0f);
+  if (!has_lamps && light_closed_room(scene))
+    return "A lamp at the viewer lights the scene, because the file has no lamps and its walls keep out the built-in studio's "
+           "light.";
   if (!has_lamps) return "The built-in studio lights the scene, because the file has no lamps and no surroundings.";
   return fmt::format(
       "The file's lamps light the scene; the built-in studio surrounds it at {:.0f} % of its brightness, because the file has "

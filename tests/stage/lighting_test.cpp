@@ -1,0 +1,66 @@
+#include "lippmann/stage/lighting.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lippmann/scene/timeline.hpp"
+#include "stage/room.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+/// A room with a camera in it, which looks along -z.
+Scene room_seen_from(Vec3f position) {
+  Scene scene = test::room_of_six_walls();
+  Node node;
+  node.local.translation = position;
+  Camera camera;
+  camera.node = static_cast<int>(scene.nodes.size());
+  scene.nodes.push_back(node);
+  scene.cameras.push_back(camera);
+  return scene;
+}
+
+TEST(MissingLight, of_a_closed_room_is_a_lamp_at_the_viewer) {
+  Scene scene = room_seen_from({0.2f, 0.1f, 0.7f});
+  EXPECT_THAT(add_missing_light(scene, Integrator::kPath), HasSubstr("A lamp at the viewer lights the scene"));
+  ASSERT_EQ(scene.lights.size(), 1u);
+  const Vec3f lamp = evaluate(scene, 0.0).of(scene.lights[0].node).translation;
+  EXPECT_NEAR(glm::distance(lamp, Vec3f(0.2f, 0.1f, 0.7f)), 0.0f, 1e-5f);
+  EXPECT_FALSE(scene.lights[0].inverse_square) << "rooms of all sizes are lit alike";
+}
+
+TEST(MissingLight, of_a_room_seen_from_outside_is_the_studio) {
+  Scene scene = room_seen_from({0.0f, 0.0f, 4.0f});
+  EXPECT_THAT(add_missing_light(scene, Integrator::kPath), HasSubstr("The built-in studio lights the scene"));
+  EXPECT_TRUE(scene.lights.empty());
+}
+
+TEST(MissingLight, of_what_stands_below_a_dome_is_a_lamp_at_the_viewer_that_is_fitted) {
+  Scene scene = test::room_of_six_walls();
+  const Scene dome = test::room_of_six_walls(100.0f);
+  for (Instance instance : dome.instances) {
+    instance.node += static_cast<int>(scene.nodes.size());
+    scene.instances.push_back(instance);
+  }
+  scene.nodes.insert(scene.nodes.end(), dome.nodes.begin(), dome.nodes.end());
+  EXPECT_THAT(add_missing_light(scene, Integrator::kPath), HasSubstr("A lamp at the viewer lights the scene"));
+  ASSERT_EQ(scene.lights.size(), 1u);
+  const Vec3f lamp = evaluate(scene, 0.0).of(scene.lights[0].node).translation;
+  EXPECT_GT(glm::length(lamp), 2.0f);
+  EXPECT_LT(glm::length(lamp), 20.0f);
+}
+
+TEST(MissingLight, of_a_closed_room_with_a_lamp_is_a_dim_studio) {
+  Scene scene = room_seen_from({0.0f, 0.0f, 0.5f});
+  Light light;
+  light.node = 0;
+  scene.lights.push_back(light);
+  EXPECT_THAT(add_missing_light(scene, Integrator::kPath), HasSubstr("The file's lamps light the scene"));
+  EXPECT_EQ(scene.lights.size(), 1u);
+}
+
+}  // namespace
+}  // namespace lippmann
