@@ -1,5 +1,4 @@
 #include "lippmann/replay/light_field_frames.hpp"
-#include "lippmann/optics/viewing.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include "layout/light_field_source.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/quilt_name.hpp"
+#include "lippmann/optics/viewing.hpp"
 
 namespace lippmann {
 namespace {

@@ -12,7 +12,6 @@
 #include "stage/surroundings.hpp"
 
 namespace lippmann {
-
 namespace {
 
 /// A lamp where the viewer stands, as bright at every distance: it lights what is seen, whatever the size of the room. A white

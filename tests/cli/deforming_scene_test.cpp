@@ -64,6 +64,13 @@ class DeformingScene : public testing::Test {
   TempDir dir;
 };
 
+TEST_F(DeformingScene, exact_reuse_gives_the_bytes_of_tracing_every_frame) {
+  const Files traced = rendered(dir, job("traced", {"--reuse", "none", "--threads", "1"}), "traced");
+  ASSERT_EQ(traced.size(), 8u);
+  EXPECT_NE(traced.at("frame_0000.png"), traced.at("frame_0007.png"));
+  EXPECT_EQ(rendered(dir, job("exact", {"--reuse", "exact", "--keyframes", "8", "--threads", "3"}), "exact"), traced);
+}
+
 TEST_F(DeformingScene, copied_pixels_have_the_bytes_of_tracing_every_frame) {
   const Words whitted{"--integrator", "whitted"};
   const Files traced = rendered(dir, job("traced", whitted + Words{"--reuse", "none", "--threads", "1"}), "traced");

@@ -242,6 +242,7 @@ TEST(Light, forward_reuse_of_paths_is_refused) {
   const RunResult result = run_tool(dir, small_paths("out") + Words{"--reuse", "forward"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("--reuse: interpolate does not know path-traced frames"));
+  EXPECT_THAT(result.err, HasSubstr("or --integrator whitted"));
 }
 
 TEST(Light, layers_of_light_are_written_beside_others_and_sum_to_the_picture) {

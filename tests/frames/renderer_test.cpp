@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "lippmann/core/error.hpp"
-
 #include "frames/frame_maker.hpp"
 #include "job/job_stage.hpp"
 #include "job/reuse_params.hpp"
+#include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
 
 namespace lippmann {

@@ -107,6 +107,14 @@ TEST(ParamsTable, every_parameter_set_and_got_is_the_same_text) {
   }
 }
 
+TEST(ParamsTable, reuse_by_its_former_names_is_read_and_written_by_its_own) {
+  for (const auto& [former, name] : {std::pair("exact", "auto"), std::pair("forward", "interpolate")}) {
+    RenderParams params;
+    param("reuse").set(params, {former}, "test");
+    EXPECT_EQ(param("reuse").get(params), Values{name});
+  }
+}
+
 TEST(ParamsTable, setting_one_parameter_leaves_all_others_alone) {
   const RenderParams defaults;
   for (const ParamInfo& info : params_table()) {
