@@ -36,6 +36,7 @@ void add_info_command(const Command& root, Action& chosen);
 void add_replay_command(const Command& root, Action& chosen);
 void add_scenes_command(const Command& root, Action& chosen);
 void add_displays_command(const Command& root, Action& chosen);
+void add_view_command(const Command& root, Action& chosen);
 void add_bench_command(const Command& root, Action& chosen);
 
 }  // namespace lippmann::app

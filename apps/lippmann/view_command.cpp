@@ -1,0 +1,117 @@
+// `lippmann view IN [OTHER]`: a light field, or two beside each other, in the browser.
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/grid_flag.hpp"
+#include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
+#include "view/answers.hpp"
+#include "view/http_server.hpp"
+#include "view/saved_page.hpp"
+
+namespace lippmann::app {
+namespace {
+
+struct ViewOptions {
+  std::string in, other, host = "127.0.0.1", save, report, from, views, quilt;
+  std::optional<double> view_angle_deg;
+  std::optional<int> port;
+  bool open = false;
+  int threads = 0;
+};
+
+LightFieldSaid said_of(const ViewOptions& options) {
+  return {options.report, options.from, read_grid(options.views, "--views"), read_grid(options.quilt, "--quilt"),
+          options.view_angle_deg};
+}
+
+std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, const Context& context) {
+  std::vector<std::unique_ptr<PageField>> fields;
+  fields.push_back(std::make_unique<PageField>(options.in, said_of(options), context));
+  if (!options.other.empty()) fields.push_back(std::make_unique<PageField>(options.other, said_of(options), context));
+  for (const auto& field : fields)
+    if (!field->facts().assumption.empty()) context.warning(field->facts().assumption);
+  return fields;
+}
+
+/// In the background: the browser may be what is started first, and may run for days.
+void open_in_browser(const std::string& address) {
+  const std::string command = "xdg-open " + shell_word(address) + " >/dev/null 2>&1 &";
+  if (std::system(command.c_str()) != 0) fmt::print(stderr, "no browser could be started; the address is above\n");
+}
+
+int save(const ViewOptions& options, const Context& context) {
+  const SavedPage page = save_page(read_fields(options, context), options.save, context);
+  if (!page.index.empty())
+    fmt::print("{}: {:.1f} MB with all files beside it\n", page.index.string(), 1e-6 * double(page.bytes));
+  return 0;
+}
+
+int run(const ViewOptions& options, Context& context) {
+  context.threads = options.threads;
+  if (!options.save.empty()) return save(options, context);
+  std::vector<std::unique_ptr<PageField>> fields = read_fields(options, context);
+  HttpServer server(options.host, options.port);
+  const std::string token = is_loopback(options.host) ? "" : random_token();
+  PageAnswers answers(std::move(fields), {page_hosts(options.host, server.port()), token});
+  const std::string address = page_address(options.host, server.port(), token);
+  fmt::print("{}\n", address);
+  std::fflush(stdout);
+  fmt::print(stderr, "Open this address in a browser; Ctrl-C ends it.\n");
+  if (options.open) open_in_browser(address);
+  server.run(answers, context.cancelled);
+  return 0;
+}
+
+void add_source_flags(const Command& command, ViewOptions& options) {
+  const Command group = command.add_group("Light fields that no report.json describes");
+  group.add_option("--from", options.from, "The format of IN, as `lippmann convert --help` lists them; default: by its name")
+      .type_name("FORMAT");
+  group.add_option("--views", options.views, "Number of views across and up").type_name("CxR");
+  group.add_option("--quilt", options.quilt, "Number of tiles of a quilt").type_name("CxR");
+  group
+      .add_option("--view-angle", options.view_angle_deg,
+                  "Angle between the outermost views; default: 40 for a row of views, 10 for a grid of cameras")
+      .type_name("DEG")
+      .range(0.001, 179.0);
+}
+
+}  // namespace
+
+void add_view_command(const Command& root, Action& chosen) {
+  auto options = std::make_shared<ViewOptions>();
+  const Command command = root.add_command("view", "Show a light field in the browser: eyes, time, refocusing, comparison");
+  command.footer("Nothing outside IN and OTHER is readable through the server; see docs/view.md.");
+  command
+      .add_option("IN", options->in, "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads")
+      .required();
+  command.add_option("OTHER", options->other, "Another one, compared with it: wiped, side by side, or as a difference");
+  command
+      .add_option("--port", options->port, "Port of the server; 0: any that is free; default: 8488, or any where it is taken")
+      .type_name("N")
+      .range(0, 65535);
+  command
+      .add_option("--host", options->host,
+                  "Address to listen at; beyond this machine, the address that is printed has a secret token")
+      .type_name("ADDRESS")
+      .show_default();
+  command.add_flag("--open", options->open, "Open the page in the browser");
+  command
+      .add_option("--save", options->save,
+                  "Instead, write the page with all its data into a folder that any web server serves, or a disk")
+      .type_name("FOLDER");
+  add_source_flags(command, *options);
+  command.add_option("--report", options->report, "Path of report.json, if it is not beside the pictures").type_name("FILE");
+  command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+}
+
+}  // namespace lippmann::app

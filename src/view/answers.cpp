@@ -1,0 +1,127 @@
+#include "view/answers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "core/json_text.hpp"
+#include "image/png.hpp"
+#include "image/webp.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/version.hpp"
+#include "view/field_json.hpp"
+#include "view/page_files.hpp"
+
+namespace lippmann {
+namespace {
+
+/// While somebody waits for a picture: what making it takes counts, not what it weighs.
+constexpr int kServedEffort = 0;
+
+PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
+  return {status, std::move(type), std::make_shared<const std::string>(std::move(text))};
+}
+
+PageAnswer unknown_path() { return answer_with(404, "There is nothing of this name.\n"); }
+
+PageAnswer failed(const std::string& message) {
+  return answer_with(422, json_to_text({{"error", message}}), "application/json");
+}
+
+/// Compares in a time that does not say where two texts of one length begin to differ.
+bool equal_secrets(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned char difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) difference |= static_cast<unsigned char>(a[i] ^ b[i]);
+  return difference == 0;
+}
+
+/// Cuts the part before the next slash, or all, off the front.
+std::string_view cut_part(std::string_view& path) {
+  const std::size_t slash = path.find('/');
+  const std::string_view part = path.substr(0, slash);
+  path = slash == std::string_view::npos ? std::string_view() : path.substr(slash + 1);
+  return part;
+}
+
+/// A number of digits alone.
+std::optional<std::size_t> number_in(std::string_view text) {
+  std::size_t number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || text.size() > 9 || problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// Only the page itself may be opened from elsewhere.
+bool may_come_from(const std::string& fetch_site, std::string_view path) {
+  return fetch_site.empty() || fetch_site == "same-origin" || fetch_site == "none" || path.empty();
+}
+
+std::string text_of(const std::vector<std::byte>& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+}  // namespace
+
+PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort) {
+  const Image8 picture = kind == "views" ? field.quilt(frame) : kind == "depth" ? field.disparities(frame) : field.panel(frame);
+  if (std::max(picture.width, picture.height) > kMostWebpSide) return {text_of(encode_png(picture)), "image/png"};
+  return {text_of(encode_webp(picture, effort)), "image/webp"};
+}
+
+std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& field : fields) list.push_back(field_json(field->facts()));
+  return json_to_text({{"lippmann", version()}, {"fields", std::move(list)}}, -1);
+}
+
+PageAnswers::PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::size_t cache_bytes)
+    : fields_(std::move(fields)), access_(std::move(access)), cache_(cache_bytes) {}
+
+PageAnswer PageAnswers::answer(const PageRequest& request) {
+  if (request.method != "GET" && request.method != "HEAD")
+    return answer_with(405, "Only GET and HEAD are answered: nothing here can be changed.\n");
+  const std::vector<std::string>& hosts = access_.hosts;
+  if (!hosts.empty() && std::find(hosts.begin(), hosts.end(), request.host) == hosts.end())
+    return answer_with(403, "This server answers at the address that `lippmann view` printed, and at no other name.\n");
+  if (!request.origin.empty() && request.origin != "http://" + request.host)
+    return answer_with(403, "Pages of other origins may read nothing here.\n");
+  if (!request.path.starts_with('/')) return unknown_path();
+  std::string_view path = std::string_view(request.path).substr(1);
+  if (!access_.token.empty() && !equal_secrets(cut_part(path), access_.token))
+    return answer_with(403, "The address lacks the token that `lippmann view` printed with it.\n");
+  if (!may_come_from(request.fetch_site, path)) return answer_with(403, "Pages of other origins may read nothing here.\n");
+  if (request.wants_range) return answer_with(416, "Files are sent whole only.\n");
+  return answer_path(path);
+}
+
+PageAnswer PageAnswers::answer_path(std::string_view path) {
+  if (path == "fields.json") return answer_with(200, fields_text(fields_), "application/json");
+  for (const PageFile& file : page_files())
+    if (file.name == (path.empty() ? "index.html" : path))
+      return answer_with(200, std::string(file.text), std::string(file.type));
+  return picture(path);
+}
+
+/// FIELD/views/FRAME, FIELD/depth/FRAME, FIELD/panel/FRAME
+PageAnswer PageAnswers::picture(std::string_view path) {
+  const std::optional<std::size_t> field = number_in(cut_part(path));
+  const std::string_view kind = cut_part(path);
+  const std::optional<std::size_t> frame = number_in(path);
+  if (!field || !frame || *field >= fields_.size()) return unknown_path();
+  const PageField& shown = *fields_[*field];
+  const bool known = kind == "views" || kind == "panel" || (kind == "depth" && shown.facts().has_depth);
+  if (!known || *frame >= shown.facts().frames.size()) return unknown_path();
+  try {
+    const Bytes bytes = cache_.get(fmt::format("{}/{}/{}", *field, kind, *frame),
+                                   [&] { return page_picture(shown, kind, *frame, kServedEffort).bytes; });
+    return {200, bytes->starts_with("RIFF") ? "image/webp" : "image/png", bytes};
+  } catch (const Error& error) {
+    return failed(error.what());
+  }
+}
+
+}  // namespace lippmann

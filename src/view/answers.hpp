@@ -1,0 +1,62 @@
+// What a page may ask of the server, and the answer to each request: no sockets, no paths of files.
+//
+// Requests name pictures by numbers; no text of a request ever becomes part of a path. They are refused that come from pages of
+// other origins, name another host (a name that somebody made to point here), lack the token, or want parts of a file.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "view/byte_cache.hpp"
+#include "view/page_field.hpp"
+
+namespace lippmann {
+
+struct PageRequest {
+  std::string method = "GET";
+  std::string path = "/";                               ///< decoded, without what follows a question mark
+  std::string host = {}, origin = {}, fetch_site = {};  ///< headers: Host, Origin, Sec-Fetch-Site; empty: missing
+  bool wants_range = false;
+};
+
+struct PageAnswer {
+  int status = 200;
+  std::string type = "text/plain; charset=utf-8";
+  Bytes body = {};
+};
+
+struct PageAccess {
+  std::vector<std::string> hosts = {};  ///< that requests may name, with port; empty: any, as the token keeps strangers out
+  std::string token = {};               ///< the first part of all paths; empty: none is asked for
+};
+
+/// Thread-safe.
+class PageAnswers {
+ public:
+  static constexpr std::size_t kDefaultCacheBytes = std::size_t{256} << 20;
+
+  PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::size_t cache_bytes = kDefaultCacheBytes);
+
+  PageAnswer answer(const PageRequest& request);
+
+ private:
+  PageAnswer answer_path(std::string_view path);
+  PageAnswer picture(std::string_view path);
+
+  std::vector<std::unique_ptr<PageField>> fields_;
+  PageAccess access_;
+  ByteCache cache_;
+};
+
+/// One of the pictures of a frame: what "views", "depth" or "panel" names, encoded for a page. Throws Error.
+struct PagePicture {
+  std::string bytes, type;
+};
+/// effort: 0 (fast) ... 9 (small).
+PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
+
+/// fields.json: the version and what field_json says of each.
+std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields);
+
+}  // namespace lippmann

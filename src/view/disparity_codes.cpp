@@ -1,0 +1,39 @@
+#include "view/disparity_codes.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace lippmann {
+namespace {
+
+constexpr double kSteps = 65534.0;
+
+}  // namespace
+
+double disparity_mm(double z_mm, double vergence, double parallax) {
+  // Infinitely far away, w is -V; a point at the viewers' own distance has no w, and what is nearer than that is not shown.
+  const double before_viewer = 1.0 - z_mm * vergence;
+  if (std::isinf(z_mm)) return vergence > 0.0 ? -parallax / vergence : -std::numeric_limits<double>::infinity();
+  return before_viewer > 0.0 ? parallax * z_mm / before_viewer : std::numeric_limits<double>::infinity();
+}
+
+Image8 disparity_codes(const Image& depth, double vergence, double parallax, double scale_mm) {
+  Image8 codes{depth.width, depth.height, std::vector<unsigned char>(depth.data.size() * 3)};
+  for (std::size_t i = 0; i < depth.data.size(); ++i) {
+    const double w = disparity_mm(depth.data[i], vergence, parallax);
+    if (!std::isfinite(w)) continue;
+    const double t = w / (std::abs(w) + scale_mm);
+    const int code = 1 + static_cast<int>(std::lround(0.5 * kSteps * (t + 1.0)));
+    codes.rgb[3 * i] = static_cast<unsigned char>(code >> 8), codes.rgb[3 * i + 1] = static_cast<unsigned char>(code & 255);
+  }
+  return codes;
+}
+
+double disparity_of_codes(const unsigned char* rgb, double scale_mm) {
+  const int code = rgb[0] * 256 + rgb[1];
+  if (code == 0) return -std::numeric_limits<double>::infinity();
+  const double t = (code - 1) / (0.5 * kSteps) - 1.0;
+  return scale_mm * t / (1.0 - std::abs(t));
+}
+
+}  // namespace lippmann

@@ -1,0 +1,74 @@
+#include "view/field_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace lippmann {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word_for(BeyondZone beyond) {
+  switch (beyond) {
+    case BeyondZone::kRepeats:
+      return "repeats";
+    case BeyondZone::kNextLens:
+      return "next lens";
+    default:
+      return "stays";
+  }
+}
+
+const char* word_for(PanelPicture panel) {
+  switch (panel) {
+    case PanelPicture::kIntegral:
+      return "integral";
+    case PanelPicture::kQuilt:
+      return "quilt";
+    default:
+      return "own";
+  }
+}
+
+Json axis_json(const ViewAxis& axis) {
+  return {{"views", axis.count},
+          {"first", axis.first},
+          {"step", axis.step},
+          {"by", axis.by_angle ? "angle" : "slope"},
+          {"beyond", word_for(axis.beyond)}};
+}
+
+Json frame_json(const PageFrame& frame) {
+  Json json{{"label", frame.label}};
+  if (!frame.facts.kind.empty()) json["kind"] = frame.facts.kind;
+  if (frame.facts.psnr_db) json["psnr_db"] = *frame.facts.psnr_db;
+  return json;
+}
+
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+}  // namespace
+
+Json field_json(const PageFacts& facts) {
+  Json frames = Json::array();
+  for (const PageFrame& frame : facts.frames) frames.push_back(frame_json(frame));
+  return {{"title", facts.title},
+          {"view_size", {facts.view_size.x, facts.view_size.y}},
+          {"tiles", {facts.tiles.columns, facts.tiles.rows}},
+          {"across", axis_json(facts.axes.across)},
+          {"up", axis_json(facts.axes.up)},
+          {"vergence_per_mm", facts.axes.vergence},
+          {"window_mm",
+           {{"centre", {facts.window.centre.x, facts.window.centre.y}}, {"size", {facts.window.size.x, facts.window.size.y}}}},
+          {"lens_samples", {facts.lens_samples_across, facts.lens_samples_up}},
+          {"panel", {{"is", word_for(facts.panel)}, {"size", {facts.panel_size.x, facts.panel_size.y}}}},
+          {"eye_mm", {facts.eye_mm.x, facts.eye_mm.y, facts.eye_mm.z}},
+          {"depth_budget_mm", finite_or_null(facts.depth_budget_mm)},
+          {"depth", facts.has_depth},
+          {"disparity_scale_mm", facts.disparity_scale_mm},
+          {"frames_per_second", facts.frames_per_second},
+          {"assumption", facts.assumption},
+          {"frames", std::move(frames)}};
+}
+
+}  // namespace lippmann

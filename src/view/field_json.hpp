@@ -1,0 +1,12 @@
+// What a page is told of a light field before it asks for frames, as JSON (docs/view.md lists the keys).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "view/page_field.hpp"
+
+namespace lippmann {
+
+nlohmann::ordered_json field_json(const PageFacts& facts);
+
+}  // namespace lippmann

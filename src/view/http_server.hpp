@@ -1,0 +1,49 @@
+// Answers requests over HTTP: the sockets of `lippmann view`, and what bounds them.
+//
+// At most 32 requests are under way at once and as many wait; beyond that connections wait in the system's own short queue. A
+// client that says nothing, or takes nothing, for some seconds is dropped.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "view/answers.hpp"
+
+namespace lippmann {
+
+/// Whether only programs of this machine reach a server there.
+bool is_loopback(const std::string& host);
+
+/// What a browser has to be given: "http://127.0.0.1:8488/", with the token where there is one. A host that stands for all
+/// interfaces is named by this machine's name.
+std::string page_address(const std::string& host, int port, const std::string& token);
+
+/// The names by which requests may call a server on loopback; none for others, which a token protects.
+std::vector<std::string> page_hosts(const std::string& host, int port);
+
+/// 128 random bits, in hexadecimal digits.
+std::string random_token();
+
+class HttpServer {
+ public:
+  static constexpr int kUsualPort = 8488;
+
+  /// Takes the port: the one given (0: any that is free), or without one the usual, and any where that is taken. Throws Error.
+  HttpServer(const std::string& host, std::optional<int> port);
+  ~HttpServer();
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+
+  int port() const;
+
+  /// Until `stopped`. Once.
+  void run(PageAnswers& answers, const std::atomic<bool>& stopped);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,97 @@
+#include "view/saved_page.hpp"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/atomic_file.hpp"
+#include "core/folder.hpp"
+#include "lippmann/core/error.hpp"
+#include "view/answers.hpp"
+#include "view/page_files.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Pictures are made once and fetched often.
+constexpr int kSavedEffort = 2;
+/// In index.html: where its data come from.
+constexpr std::string_view kServed = "content=\"server\"", kScripts = "content=\"scripts\"";
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned bits = 0;
+    for (std::size_t j = 0; j < 3; ++j) bits = bits << 8 | (j < count ? static_cast<unsigned char>(bytes[i + j]) : 0u);
+    for (std::size_t j = 0; j < 4; ++j) text += j <= count ? kDigits[bits >> (18 - 6 * j) & 63] : '=';
+  }
+  return text;
+}
+
+class PageFolder {
+ public:
+  explicit PageFolder(const fs::path& folder) : folder_(folder), new_(folder) {}
+
+  void write(const fs::path& name, std::string_view text) {
+    if (name.has_parent_path()) make_folder(folder_ / name.parent_path());
+    write_file_atomically(folder_ / name, std::as_bytes(std::span(text)));
+    bytes_ += text.size();
+  }
+
+  /// A script that gives the page what it would ask a server for.
+  void write_picture(std::string_view name, const PagePicture& picture) {
+    write(fmt::format("{}.js", name),
+          fmt::format("lippmann_data(\"{}\",\"{}\",\"{}\")\n", name, picture.type, base64(picture.bytes)));
+  }
+
+  fs::path path() const { return folder_; }
+  std::uintmax_t bytes() const { return bytes_; }
+
+ private:
+  fs::path folder_;
+  NewFolder new_;
+  std::uintmax_t bytes_ = 0;
+};
+
+std::string saved_index(std::string_view served) {
+  std::string text(served);
+  const std::size_t at = text.find(kServed);
+  if (at == std::string::npos) throw Error("index.html", "of this program does not say where its data come from");
+  return text.replace(at, kServed.size(), kScripts);
+}
+
+}  // namespace
+
+SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& folder, const Context& context) {
+  PageFolder page(folder);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const PageFacts& facts = fields[i]->facts();
+    for (std::size_t frame = 0; frame < facts.frames.size(); ++frame)
+      for (const std::string_view kind : {"views", "depth", "panel"}) {
+        const bool has = kind == "views" || (kind == "depth" ? facts.has_depth : facts.panel == PanelPicture::kOwn);
+        if (context.cancelled) return {};
+        if (has)
+          page.write_picture(fmt::format("{}/{}/{}", i, kind, frame), page_picture(*fields[i], kind, frame, kSavedEffort));
+      }
+  }
+  page.write("fields.js", "lippmann_fields(" + fields_text(fields) + ")\n");
+  for (const PageFile& file : page_files())
+    if (file.name != "index.html") page.write(fs::path(file.name), file.text);
+  page.write("index.html", saved_index(page_files().front().text));
+  return {page.path() / "index.html", page.bytes()};
+}
+
+SavedPage save_page(const fs::path& in, const fs::path& folder, const Context& context) {
+  std::vector<std::unique_ptr<PageField>> fields;
+  fields.push_back(std::make_unique<PageField>(in, LightFieldSaid{}, context));
+  return save_page(fields, folder, context);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,29 @@
+// The page with its light fields in a folder that any web server serves, and that opens from a disk too.
+//
+// Pages that are opened from a disk may not read files beside them, only run scripts: so each picture is a script that hands
+// its bytes, in base 64, to the page. That takes a third more bytes, and one way serves both (docs/decisions/0024).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "lippmann/core/context.hpp"
+#include "view/page_field.hpp"
+
+namespace lippmann {
+
+struct SavedPage {
+  std::filesystem::path index;  ///< what to open
+  std::uintmax_t bytes = 0;     ///< of all files
+};
+
+/// Makes the folder; files of the same names are replaced. Throws Error naming a file. Stops between frames when
+/// context.cancelled is set, and leaves no index.html then.
+SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& folder,
+                    const Context& context);
+
+/// The same of one light field: a finished render's folder, say.
+SavedPage save_page(const std::filesystem::path& in, const std::filesystem::path& folder, const Context& context);
+
+}  // namespace lippmann

@@ -1,0 +1,49 @@
+#include "view/view_axes.hpp"
+
+#include <cmath>
+
+#include "lippmann/optics/viewing.hpp"
+
+namespace lippmann {
+namespace {
+
+/// From the eyes of the first and the last of `count` views.
+ViewAxis axis_between(int count, double first_slope, double last_slope, bool by_angle, BeyondZone beyond) {
+  const auto placed = [&](double slope) { return by_angle ? std::atan(slope) : slope; };
+  ViewAxis axis{count, placed(first_slope), 0.0, by_angle, beyond};
+  if (count > 1) axis.step = (placed(last_slope) - axis.first) / (count - 1);
+  return axis;
+}
+
+bool spreads_by_angle(const Optics& optics) {
+  const auto* views = std::get_if<MultiView>(&optics.model);
+  return std::holds_alternative<SlantedPanel>(optics.model) || (views && !(views->baseline_mm > 0.0f));
+}
+
+BeyondZone beyond_zone(const Optics& optics) {
+  if (has_lenses(optics)) return BeyondZone::kNextLens;
+  return spreads_by_angle(optics) ? BeyondZone::kRepeats : BeyondZone::kStays;
+}
+
+}  // namespace
+
+double ViewAxis::slope(double view) const {
+  const double placed = first + view * step;
+  return by_angle ? std::tan(placed) : placed;
+}
+
+ViewAxes view_axes(const Optics& optics, ViewGrid grid) {
+  const auto first = [](int count) { return 0.5 / count; };
+  const auto last = [](int count) { return 1.0 - 0.5 / count; };
+  const auto across = [&](double share) { return viewer_in_zone(optics, share).slope_at_centre.x; };
+  const auto up = [&](double share) { return viewer_in_zone_vertically(optics, share).slope_at_centre.y; };
+  ViewAxes axes;
+  axes.across = axis_between(grid.columns, across(first(grid.columns)), across(last(grid.columns)), spreads_by_angle(optics),
+                             beyond_zone(optics));
+  axes.up = axis_between(grid.rows, up(first(grid.rows)), up(last(grid.rows)), false,
+                         grid.rows > 1 ? beyond_zone(optics) : BeyondZone::kStays);
+  axes.vergence = design_viewer(optics).vergence;
+  return axes;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,53 @@
+// What the page shows to an eye is what `lippmann replay` computes: 40 dB where an eye has a view of its own, 30 dB between views.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { eyeOfView, grid, lenslets, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+
+async function compare(name, make, views) {
+  make();
+  const page = await open(await view(name));
+  for (const [across, up] of views) {
+    const eye = await eyeOfView(page, across, up);
+    await set(page, { eye, lenses: true, between: "blend" });
+    const file = replay(name, `${name}-${across}-${up}`, "--eye", eye.join(","));
+    const psnr = await psnrBeside(page, file);
+    const least = Number.isInteger(across) && Number.isInteger(up) ? 40 : 30;
+    console.log(`${name}, view ${across}, ${up}: ${psnr.toFixed(1)} dB`);
+    assert.ok(psnr >= least, `${name}, view ${across}, ${up}: ${psnr} dB, at least ${least}`);
+  }
+  assert.deepEqual(page.complaints, []);
+}
+
+test("a lenticular sheet", () => compare("sheet", sheet, [[0, 0], [3, 0], [7, 0], [2.4, 0], [5.5, 0]]));
+test("an array of lenslets", () => compare("lenslets", lenslets, [[0, 0], [2, 1], [3, 3], [1.3, 0.5], [2.5, 2.2]]));
+test("a quilt", () => compare("quilt", quilt, [[0, 0], [6, 0], [11, 0], [4.5, 0], [9.7, 0]]));
+test("a grid of cameras", () => compare("grid", grid, [[0, 0], [2, 2], [4, 1], [1.5, 2.5], [3.2, 0.7]]));
+
+test("beyond the zone, and nearer than the display is meant for, it shows what replay computes too", async () => {
+  for (const [name, eye] of [["sheet", [60, 0, 192]], ["sheet", [-10, 0, 120]], ["lenslets", [-50, 30, 150]], ["quilt", [90, 0, 200]], ["grid", [30, 10, 150]]]) {
+    const page = await open(await view(name));
+    await set(page, { eye, lenses: true, between: "blend" });
+    const psnr = await psnrBeside(page, replay(name, `${name}-${eye.join("_")}`, "--eye", eye.join(",")));
+    console.log(`${name} from ${eye}: ${psnr.toFixed(1)} dB`);
+    assert.ok(psnr >= 30, `${name} from ${eye}: ${psnr} dB`);
+  }
+});
+
+// A view that is left out is nearer to what the page makes of its neighbours by their depth than to their blend.
+test("between views depth comes nearer to a traced view than blending does", async () => {
+  const { lippmann } = await import("./support.mjs");
+  lippmann("render", "room", "--optics", "multiview", "--camera-grid", "--views", "9x1", "--size", "1152x128", "--view-angle", "20", "--frames", "0", "--aov", "depth", "-o", "row", "-q");
+  lippmann("convert", "row/frame_0000.png", "row-miv", "--to", "miv");
+  lippmann("convert", "row-miv", "half", "--from", "miv", "--to", "miv", "--keep", "0-8:2");
+  const page = await open(await view("half"));
+  const whole = await open(await view("row"));
+  const eye = await eyeOfView(whole, 3, 0);
+  const traced = replay("row", "row-3", "--eye", eye.join(","));
+  const psnr = {};
+  for (const between of ["depth", "blend"]) {
+    await set(page, { eye, between });
+    psnr[between] = await psnrBeside(page, traced);
+  }
+  console.log(`by depth ${psnr.depth.toFixed(1)} dB, blended ${psnr.blend.toFixed(1)} dB`);
+  assert.ok(psnr.depth >= psnr.blend + 3, `by depth ${psnr.depth} dB, blended ${psnr.blend} dB`);
+});

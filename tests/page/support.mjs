@@ -1,0 +1,117 @@
+// What tests of the page share: the browser, servers of `lippmann view`, small light fields, pictures and how alike they are.
+//
+// A test is skipped (exit code 77), and says why, where Chromium, playwright-core or the tool is missing.
+import { execFileSync, spawn } from "node:child_process";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after } from "node:test";
+
+function skip(reason) {
+  console.log(`SKIPPED: ${reason}`);
+  process.exit(77);
+}
+
+const tool = process.env.LIPPMANN_TOOL ?? "";
+if (!existsSync(tool)) skip("LIPPMANN_TOOL names no program");
+const chromiumPath = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
+if (!chromiumPath) skip("Chromium is not installed (scripts/bootstrap installs it)");
+let playwright;
+try {
+  playwright = await import("playwright-core");
+} catch {
+  skip("playwright-core is not installed (npm ci in tests/page, as scripts/bootstrap does)");
+}
+
+export const folder = mkdtempSync(join(tmpdir(), "lippmann-page-"));
+const browser = await playwright.chromium.launch({
+  executablePath: chromiumPath,
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+});
+const servers = [];
+
+after(async () => {
+  servers.forEach((server) => server.kill());
+  await browser.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** Runs the tool in the tests' folder. */
+export const lippmann = (...words) => execFileSync(tool, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+
+export const inFolder = (name) => join(folder, name);
+
+/** Serves light fields; its address. */
+export async function view(...words) {
+  const server = spawn(tool, ["view", ...words, "--port", "0"], { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
+  servers.push(server);
+  let errors = "";
+  server.stderr.on("data", (text) => (errors += text));
+  return new Promise((resolve, reject) => {
+    server.stdout.once("data", (text) => resolve(String(text).trim()));
+    server.once("exit", () => reject(new Error(errors)));
+  });
+}
+
+/** A page whose `complaints` are errors and warnings of its console; `ready` waits until it shows something. */
+export async function open(address, { width = 900, height = 700, ready = true } = {}) {
+  const context = await browser.newContext({ viewport: { width, height } });
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));
+  page.on("pageerror", (error) => page.complaints.push(error.message));
+  await page.goto(address);
+  if (ready) await page.waitForSelector('#stage[data-drawn="true"]', { timeout: 60000 });
+  return page;
+}
+
+/** Sets the state, and waits until it is drawn. */
+export async function set(page, changes) {
+  await page.evaluate(async (changes) => {
+    window.lippmann.set(changes);
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  }, changes);
+  await page.waitForSelector('#stage[data-drawn="true"]');
+}
+
+/** PSNR in dB of the page's picture of an eye beside a file. */
+export async function psnrBeside(page, file) {
+  const url = `data:image/png;base64,${readFileSync(file).toString("base64")}`;
+  return page.evaluate(async (url) => {
+    const bytes = Uint8Array.from(atob(url.split(",")[1]), (c) => c.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }), { colorSpaceConversion: "none" });
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    const wanted = context.getImageData(0, 0, bitmap.width, bitmap.height).data;
+    const seen = await window.lippmann.picture(bitmap.width, bitmap.height);
+    let sum = 0;
+    for (let i = 0; i < wanted.length; i++) sum += (wanted[i] - seen[i]) ** 2;
+    return sum === 0 ? 200 : 10 * Math.log10((255 ** 2 * 0.75 * wanted.length) / sum);
+  }, url);
+}
+
+/** What `lippmann replay` computes; the file. */
+export function replay(input, name, ...flags) {
+  lippmann("replay", input, "-o", `replayed-${name}`, ...flags);
+  const [file] = readdirSync(inFolder(`replayed-${name}`)).sort();
+  return join(inFolder(`replayed-${name}`), file);
+}
+
+/** The eye of a view's number (fractions are between views), at the distance that the display is meant for. */
+export const eyeOfView = (page, across, up) =>
+  page.evaluate(
+    ([across, up]) => {
+      const field = window.lippmann.fields[0];
+      const slope = (axis, view) => (axis.by === "angle" ? Math.tan : (x) => x)(axis.first + axis.step * view);
+      const z = field.eye_mm[2];
+      return [slope(field.across, across) * z, field.up.views > 1 ? slope(field.up, up) * z : field.eye_mm[1], z];
+    },
+    [across, up],
+  );
+
+// Small light fields, each rendered once.
+export const sheet = () => lippmann("render", "teapot", "--size", "256x256", "--lenses", "32", "--frames", "0-5", "-o", "sheet", "-q");
+export const lenslets = () => lippmann("render", "room", "--optics", "microlens", "--size", "256x256", "--lenses", "64x64", "--lens-pixels", "4x4", "--frames", "0", "-o", "lenslets", "-q");
+export const quilt = () => lippmann("render", "room", "--optics", "multiview", "--views", "4x3", "--size", "384x384", "--frames", "0", "--layout", "quilt", "--aov", "depth", "-o", "quilt", "-q");
+export const grid = () => lippmann("render", "room", "--optics", "multiview", "--camera-grid", "--views", "5x5", "--size", "640x640", "--view-angle", "6", "--frames", "0", "--aov", "depth", "-o", "grid", "-q");

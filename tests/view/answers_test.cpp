@@ -1,0 +1,170 @@
+#include "view/answers.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "image/decode.hpp"
+#include "support/temp_dir.hpp"
+#include "view/light_fields.hpp"
+#include "view/page_files.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TempDir;
+using testing::HasSubstr;
+
+const PageAccess kLoopback{{"127.0.0.1:8488", "localhost:8488"}, {}};
+
+PageRequest request_of(const std::string& path) {
+  PageRequest request;
+  request.path = path, request.host = "127.0.0.1:8488";
+  return request;
+}
+
+/// Three frames on a server on loopback.
+class Answers : public testing::Test {
+ protected:
+  Answers() : pictures_(test::write_sheet_frames(dir_.path(), 3)), answers_(test::fields_of(dir_.path()), kLoopback) {}
+
+  PageAnswer get(const std::string& path) { return answers_.answer(request_of(path)); }
+
+  TempDir dir_;
+  std::vector<Image8> pictures_;
+  PageAnswers answers_;
+};
+
+TEST_F(Answers, page_and_description_are_there) {
+  EXPECT_THAT(*get("/").body, HasSubstr("<canvas"));
+  EXPECT_EQ(get("/app.js").type, "text/javascript; charset=utf-8");
+  const PageAnswer fields = get("/fields.json");
+  EXPECT_EQ(fields.status, 200);
+  EXPECT_EQ(nlohmann::json::parse(*fields.body)["fields"][0]["frames"].size(), 3u);
+}
+
+TEST_F(Answers, picture_of_a_frame_decodes_to_the_codes_that_were_rendered) {
+  const PageAnswer panel = get("/0/panel/2");
+  EXPECT_EQ(panel.type, "image/webp");
+  const DecodedPicture decoded = decode_picture(std::as_bytes(std::span(*panel.body)), "panel");
+  EXPECT_EQ(std::get<std::vector<std::uint8_t>>(decoded.samples), pictures_[2].rgb);
+}
+
+// No text of a request becomes part of a path: none of these is anything.
+TEST_F(Answers, paths_that_lead_elsewhere_lead_nowhere) {
+  for (const char* path : {"/../report.json",
+                           "/report.json",
+                           "/frame_0000.png",
+                           "//etc/passwd",
+                           "/etc/passwd",
+                           "/0/views/../../report.json",
+                           "/0/views/0/",
+                           "/0/views/",
+                           "/0/views",
+                           "/0/views/3",
+                           "/0/views/-1",
+                           "/0/views/+1",
+                           "/0/views/1e0",
+                           "/0/views/0x1",
+                           "/0/views/99999999999999999999",
+                           "/1/views/0",
+                           "/0/depth/0",
+                           "/0/report/0",
+                           "/0//0",
+                           "/app.js/",
+                           "/./app.js",
+                           "/..\\report.json",
+                           "/%2e%2e/report.json",
+                           "app.js",
+                           "",
+                           "*",
+                           "http://127.0.0.1:8488/app.js"})
+    EXPECT_EQ(get(path).status, 404) << path;
+  EXPECT_EQ(get(std::string("/app.js\0", 8)).status, 404);
+}
+
+TEST_F(Answers, requests_that_come_from_other_origins_are_refused) {
+  PageRequest request = request_of("/fields.json");
+  request.origin = "http://127.0.0.1:8488";
+  EXPECT_EQ(answers_.answer(request).status, 200);
+  for (const char* origin : {"http://evil.example", "null", "https://127.0.0.1:8488", "http://127.0.0.1:80"}) {
+    request.origin = origin;
+    EXPECT_EQ(answers_.answer(request).status, 403) << origin;
+  }
+}
+
+// A name that somebody else has made to point here arrives as the Host of the request.
+TEST_F(Answers, requests_for_other_hosts_are_refused) {
+  for (const char* host : {"evil.example", "evil.example:8488", "127.0.0.1", "127.0.0.1:80", ""}) {
+    PageRequest request = request_of("/fields.json");
+    request.host = host;
+    EXPECT_EQ(answers_.answer(request).status, 403) << host;
+  }
+}
+
+TEST_F(Answers, other_sites_may_link_to_the_page_and_load_nothing_from_it) {
+  for (const char* site : {"cross-site", "same-site"}) {
+    PageRequest request = request_of("/0/views/0");
+    request.fetch_site = site;
+    EXPECT_EQ(answers_.answer(request).status, 403) << site;
+    request.path = "/";
+    EXPECT_EQ(answers_.answer(request).status, 200) << site;
+  }
+}
+
+TEST_F(Answers, nothing_can_be_changed_and_no_parts_are_sent) {
+  PageRequest request = request_of("/fields.json");
+  for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "PATCH", "CONNECT", "TRACE", ""}) {
+    request.method = method;
+    EXPECT_EQ(answers_.answer(request).status, 405) << method;
+  }
+  request.method = "GET", request.wants_range = true;
+  EXPECT_EQ(answers_.answer(request).status, 416);
+}
+
+TEST_F(Answers, damaged_frame_is_said_and_others_are_still_sent) {
+  std::ofstream(dir_ / "frame_0001.png") << "no picture";
+  const PageAnswer answer = get("/0/views/1");
+  EXPECT_EQ(answer.status, 422);
+  EXPECT_THAT(nlohmann::json::parse(*answer.body)["error"].get<std::string>(), HasSubstr("frame_0001.png"));
+  EXPECT_EQ(get("/0/views/2").status, 200);
+}
+
+TEST_F(Answers, without_the_token_nothing_is_sent) {
+  PageAnswers secret(test::fields_of(dir_.path()), {{}, "0123456789abcdef"});
+  const auto status = [&](const std::string& path) {
+    PageRequest request = request_of(path);
+    request.host = "machine.example:8488";
+    return secret.answer(request).status;
+  };
+  EXPECT_EQ(status("/0123456789abcdef/"), 200);
+  EXPECT_EQ(status("/0123456789abcdef/fields.json"), 200);
+  for (const char* path : {"/", "/fields.json", "/0123456789abcdeF/", "/0123456789abcde/", "/0123456789abcdef0/", "//",
+                           "/0/views/0", "/x/0123456789abcdef/"})
+    EXPECT_EQ(status(path), 403) << path;
+}
+
+TEST(ByteCache, keeps_what_was_used_last_within_its_bound) {
+  ByteCache cache(100);
+  int made = 0;
+  const auto get = [&](const std::string& key) {
+    return cache.get(key, [&] { return ++made, std::string(40, key[0]); })->front();
+  };
+  EXPECT_EQ(get("a"), 'a');
+  EXPECT_EQ(get("b"), 'b');
+  EXPECT_EQ(get("a"), 'a');
+  EXPECT_EQ(made, 2);
+  EXPECT_EQ(get("c"), 'c');  // b goes
+  EXPECT_EQ(cache.bytes(), 80u);
+  EXPECT_EQ(get("a"), 'a');
+  EXPECT_EQ(made, 3);
+  EXPECT_EQ(get("b"), 'b');
+  EXPECT_EQ(made, 4);
+  EXPECT_EQ(cache.get("large", [] { return std::string(101, 'l'); })->size(), 101u);
+  EXPECT_EQ(cache.bytes(), 80u);
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,144 @@
+// The server over its sockets: what strangers send must neither be answered with files nor end it.
+#include "view/http_server.hpp"
+
+#include <gmock/gmock.h>
+
+#include <list>
+#include <thread>
+#include <vector>
+
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+#include "view/light_fields.hpp"
+#include "view/raw_http.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::http_get;
+using test::RawConnection;
+using test::status_of;
+using test::TempDir;
+using testing::HasSubstr;
+using testing::Not;
+
+class Server : public testing::Test {
+ protected:
+  Server() : server_("127.0.0.1", 0) {
+    test::write_sheet_frames(dir_.path(), 3);
+    answers_ = std::make_unique<PageAnswers>(test::fields_of(dir_.path()), PageAccess{page_hosts("127.0.0.1", port()), {}});
+    serving_ = std::thread([this] { server_.run(*answers_, stopped_); });
+  }
+  ~Server() override {
+    stopped_ = true;
+    serving_.join();
+  }
+
+  int port() const { return server_.port(); }
+  int status(const std::string& target, const std::string& headers = {}) {
+    return status_of(http_get(port(), target, headers));
+  }
+
+  TempDir dir_;
+  HttpServer server_;
+  std::unique_ptr<PageAnswers> answers_;
+  std::atomic<bool> stopped_{false};
+  std::thread serving_;
+};
+
+TEST_F(Server, sends_the_page_with_headers_that_keep_others_out) {
+  const std::string answer = http_get(port(), "/");
+  EXPECT_EQ(status_of(answer), 200);
+  EXPECT_THAT(answer, HasSubstr("<canvas"));
+  EXPECT_THAT(answer, HasSubstr("Cross-Origin-Resource-Policy: same-origin"));
+  EXPECT_THAT(answer, HasSubstr("Content-Security-Policy: default-src 'none'"));
+  EXPECT_THAT(answer, HasSubstr("X-Content-Type-Options: nosniff"));
+  EXPECT_THAT(answer, Not(HasSubstr("Access-Control")));
+  EXPECT_EQ(status("/0/views/1"), 200);
+}
+
+TEST_F(Server, encoded_and_plain_ways_out_of_the_folder_lead_nowhere) {
+  for (const char* target :
+       {"/../../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/..%2f..%2fetc%2fpasswd", "/%2fetc%2fpasswd", "//etc/passwd",
+        "/0/views/..%2f..%2freport.json", "/0/views/%2e%2e", "/report.json", "/frame_0000.png", "/0/views/0%00.png", "/%00",
+        "/%ff%fe", "/%", "/%zz", "/0/views/0%2f"}) {
+    const std::string answer = http_get(port(), target);
+    EXPECT_THAT(status_of(answer), testing::AnyOf(400, 404)) << target;
+    EXPECT_THAT(answer, Not(HasSubstr("root:"))) << target;
+  }
+  EXPECT_EQ(status("/"), 200);
+}
+
+TEST_F(Server, foreign_hosts_and_origins_are_refused) {
+  EXPECT_EQ(status("/fields.json", "Host: evil.example\r\n"), 403);
+  EXPECT_EQ(status("/fields.json", "Origin: http://evil.example\r\n"), 403);
+  EXPECT_EQ(status("/fields.json", "Origin: null\r\n"), 403);
+  EXPECT_EQ(status("/fields.json", "Sec-Fetch-Site: cross-site\r\n"), 403);
+  EXPECT_EQ(status("/fields.json"), 200);
+}
+
+TEST_F(Server, huge_and_many_ranges_are_refused_and_it_stays_up) {
+  std::string many = "Range: bytes=0-0";
+  for (int i = 0; i < 1500; ++i) many += ",0-0";
+  for (const std::string& range :
+       {std::string("Range: bytes=0-99999999999999999999"), std::string("Range: bytes=18446744073709551615-"),
+        std::string("Range: bytes=-18446744073709551615"), std::string("Range: bytes=5-2"), std::string("Range: lines=1-2"),
+        many})
+    EXPECT_THAT(status("/fields.json", range + "\r\n"), testing::AnyOf(400, 416)) << range.substr(0, 60);
+  EXPECT_EQ(status("/fields.json"), 200);
+}
+
+TEST_F(Server, garbage_is_no_end_of_it) {
+  std::string bytes;
+  for (int i = 0; i < 4096; ++i) bytes += static_cast<char>(i * 131 + i / 7);
+  for (const std::string& sent :
+       {bytes, std::string("\r\n\r\n"), std::string("GET\r\n\r\n"), std::string("GET / HTTP/9.9\r\n\r\n"),
+        "GET /" + std::string(100000, 'a') + " HTTP/1.1\r\n\r\n",
+        "GET / HTTP/1.1\r\nX: " + std::string(100000, 'b') + "\r\n\r\n",
+        std::string("POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 99999999999\r\n\r\nabc"),
+        std::string("POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\nffffffffffffffff\r\n"),
+        std::string("\x16\x03\x01\x02")}) {
+    RawConnection connection(port());
+    connection.send(sent);
+    connection.receive(0.2);
+  }
+  EXPECT_EQ(status("/fields.json"), 200);
+}
+
+// More than there are threads and places to wait. Who says nothing is dropped; then others are served.
+TEST_F(Server, many_silent_connections_are_dropped_and_it_serves_again) {
+  std::list<RawConnection> silent;
+  for (int i = 0; i < 72; ++i) silent.emplace_back(port());
+  silent.front().send("GET / HT");
+  EXPECT_EQ(status("/fields.json"), 200);
+}
+
+TEST_F(Server, many_requests_at_once_are_all_answered) {
+  std::vector<std::thread> clients;
+  std::atomic<int> answered{0};
+  for (int i = 0; i < 16; ++i)
+    clients.emplace_back([&, i] {
+      for (int j = 0; j < 20; ++j) answered += status("/0/views/" + std::to_string((i + j) % 3)) == 200;
+    });
+  for (std::thread& client : clients) client.join();
+  EXPECT_EQ(answered, 16 * 20);
+}
+
+TEST(HttpServer, port_in_use_is_an_error_where_it_was_asked_for) {
+  const HttpServer first("127.0.0.1", 0);
+  EXPECT_THAT(test::error_message([&] { HttpServer("127.0.0.1", first.port()); }), HasSubstr("cannot be listened at"));
+  EXPECT_THAT(test::error_message([&] { HttpServer("203.0.113.7", 0); }), HasSubstr("no address of this machine"));
+}
+
+TEST(HttpServer, only_addresses_of_this_machine_go_without_a_token) {
+  for (const char* host : {"127.0.0.1", "localhost", "::1", "127.1.2.3"}) EXPECT_TRUE(is_loopback(host)) << host;
+  for (const char* host : {"0.0.0.0", "::", "192.168.1.5", "localhost.example"}) EXPECT_FALSE(is_loopback(host)) << host;
+  EXPECT_EQ(page_address("127.0.0.1", 8488, ""), "http://127.0.0.1:8488/");
+  EXPECT_EQ(page_address("::1", 80, ""), "http://[::1]:80/");
+  EXPECT_EQ(page_address("192.168.1.5", 8488, "abc"), "http://192.168.1.5:8488/abc/");
+  EXPECT_EQ(random_token().size(), 32u);
+  EXPECT_NE(random_token(), random_token());
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,104 @@
+#include "view/page_field.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "image/png.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "lippmann/layout/convert.hpp"
+#include "lippmann/replay/eye_view.hpp"
+#include "optics/optics_json.hpp"
+#include "support/error_message.hpp"
+#include "support/pictures.hpp"
+#include "support/temp_dir.hpp"
+#include "view/field_json.hpp"
+#include "view/light_fields.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TempDir;
+using testing::HasSubstr;
+
+TEST(PageField, quilt_of_an_integral_image_is_what_convert_makes_of_it) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 2);
+  const auto fields = test::fields_of(dir.path());
+  const PageFacts& facts = fields[0]->facts();
+  EXPECT_EQ(facts.view_size, Vec2i(4, 6));
+  EXPECT_EQ(facts.tiles, (ViewGrid{2, 2}));
+  EXPECT_EQ(facts.panel, PanelPicture::kIntegral);
+  ConvertParams params;
+  params.from = "integral", params.to = "quilt", params.options.views = ViewGrid{4, 1}, params.options.tiles = ViewGrid{2, 2};
+  const Converted converted = convert(dir / "frame_0001.png", dir / "quilt.png", params);
+  EXPECT_EQ(fields[0]->quilt(1).rgb, std::get<Image8>(read_picture(converted.written.front())).rgb);
+}
+
+TEST(PageField, panel_is_the_picture_that_was_rendered) {
+  const TempDir dir;
+  const std::vector<Image8> pictures = test::write_sheet_frames(dir.path(), 1);
+  EXPECT_EQ(test::fields_of(dir.path())[0]->panel(0).rgb, pictures[0].rgb);
+}
+
+TEST(PageField, frames_have_what_the_report_says_of_them) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 3);
+  const auto fields = test::fields_of(dir.path());
+  const PageFacts& facts = fields[0]->facts();
+  ASSERT_EQ(facts.frames.size(), 3u);
+  EXPECT_EQ(facts.frames_per_second, 24.0);
+  EXPECT_EQ(facts.frames[0].facts.kind, "key");
+  EXPECT_FALSE(facts.frames[0].facts.psnr_db);
+  EXPECT_EQ(facts.frames[2].label, "0002");
+  EXPECT_EQ(facts.frames[2].facts.psnr_db, 32.0);
+  const nlohmann::ordered_json json = field_json(facts);
+  EXPECT_EQ(json["across"]["views"], 4);
+  EXPECT_EQ(json["across"]["beyond"], "next lens");
+  EXPECT_EQ(json["frames"][2]["psnr_db"], 32.0);
+  EXPECT_EQ(json["depth"], false);
+}
+
+// A panel whose lenses have 5.3 pixels has no views of whole pixels: eyes look at it.
+TEST(PageField, fractional_lenses_are_seen_by_as_many_eyes_as_there_are_directions) {
+  const TempDir dir;
+  Optics optics;
+  optics.panel = {53, 20, 0.125f};
+  LenticularSheet sheet;
+  sheet.lens_pitch_mm = 5.3f * 0.125f, sheet.offset_mm = 0.5f * sheet.lens_pitch_mm;
+  optics.model = sheet;
+  std::ofstream(dir / "report.json") << nlohmann::ordered_json{{"optics", optics_json(optics)}};
+  write_png(dir / "frame_0000.png", test::smooth_codes(53, 20));
+  const auto fields = test::fields_of(dir.path());
+  const PageFacts& facts = fields[0]->facts();
+  EXPECT_EQ(facts.grid, (ViewGrid{6, 1}));
+  EXPECT_EQ(facts.view_size, natural_view_size(optics));
+  EXPECT_EQ(facts.panel, PanelPicture::kOwn);
+  const Image8 quilt = fields[0]->quilt(0);
+  EXPECT_EQ(Vec2i(quilt.width, quilt.height), facts.view_size * Vec2i(facts.tiles.columns, facts.tiles.rows));
+}
+
+// Depth of a rendered camera grid: what the layer says, as disparity from the same point of view.
+TEST(PageField, link_out_of_the_folder_is_refused_and_others_stay_readable) {
+  const TempDir dir, elsewhere;
+  test::write_sheet_frames(dir.path(), 3);
+  write_png(elsewhere / "secret.png", test::noise_codes(16, 6, 9));
+  const auto fields = test::fields_of(dir.path());
+  fs::remove(dir / "frame_0001.png");
+  fs::create_symlink(elsewhere / "secret.png", dir / "frame_0001.png");
+  EXPECT_THAT(test::error_message([&] { fields[0]->quilt(1); }), HasSubstr("a link that leads out of"));
+  EXPECT_THAT(test::error_message([&] { fields[0]->panel(1); }), HasSubstr("a link that leads out of"));
+  fs::create_symlink(dir / "frame_0000.png", dir / "inside.png");
+  fs::rename(dir / "inside.png", dir / "frame_0002.png");
+  EXPECT_EQ(fields[0]->quilt(2).rgb, fields[0]->quilt(0).rgb);
+}
+
+TEST(PageField, folder_without_pictures_is_refused_with_what_would_be_accepted) {
+  const TempDir dir;
+  EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("there are no frames in it"));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,47 @@
+#include "view/saved_page.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "support/temp_dir.hpp"
+#include "view/light_fields.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TempDir;
+using testing::HasSubstr;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(SavedPage, folder_holds_the_page_and_a_script_for_each_picture) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 2);
+  const SavedPage saved = save_page(dir.path(), dir / "page", Context());
+  EXPECT_EQ(saved.index, dir / "page" / "index.html");
+  EXPECT_THAT(text_of(saved.index), HasSubstr("name=\"lippmann-data\" content=\"scripts\""));
+  EXPECT_THAT(text_of(dir / "page/fields.js"), testing::StartsWith("lippmann_fields({\"lippmann\":"));
+  // The first bytes of a WebP file, "RIFF", in base 64.
+  EXPECT_THAT(text_of(dir / "page/0/views/1.js"), testing::StartsWith("lippmann_data(\"0/views/1\",\"image/webp\",\"UklGR"));
+  EXPECT_FALSE(fs::exists(dir / "page/0/depth"));
+  EXPECT_FALSE(fs::exists(dir / "page/0/panel")) << "an integral image follows from its views";
+  for (const char* name : {"app.js", "app.css"}) EXPECT_TRUE(fs::exists(dir / "page" / name)) << name;
+}
+
+TEST(SavedPage, cancelled_leaves_no_page_that_would_lack_frames) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 2);
+  Context context;
+  context.cancelled = true;
+  EXPECT_TRUE(save_page(dir.path(), dir / "page", context).index.empty());
+  EXPECT_FALSE(fs::exists(dir / "page/index.html"));
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,304 @@
+(function(){var e=class extends Error{};function t(t,n){if(!t)throw new e(`The description of the light field is damaged: ${n}.`)}var n=e=>typeof e==`number`&&Number.isFinite(e),r=(e,t)=>Array.isArray(e)&&e.length===t&&e.every(n),i=e=>r(e,2)&&e.every(e=>e>=1&&e<=65536&&Number.isInteger(e));function a(e,r){t(typeof e==`object`&&!!e,`it has no "${r}"`),t(Number.isInteger(e.views)&&e.views>=1&&e.views<=65536,`"${r}" has no number of views`),t(n(e.first)&&n(e.step),`"${r}" does not say where the views are`)}function o(e){t(typeof e==`object`&&!!e,`it is no object`),t(i(e.view_size)&&i(e.tiles),`it does not say how large views are`),a(e.across,`across`),a(e.up,`up`),t(e.tiles[0]*e.tiles[1]>=e.across.views*e.up.views,`it has fewer tiles than views`),t(n(e.vergence_per_mm)&&n(e.disparity_scale_mm),`it does not say the viewing distance`),t(r(e.window_mm?.centre,2)&&r(e.window_mm?.size,2),`it has no window`),t(r(e.eye_mm,3)&&e.eye_mm[2]>0,`it has no eye`),t(Array.isArray(e.lens_samples)&&i(e.panel?.size),`it does not say what the panel shows`),t(n(e.frames_per_second)&&e.frames_per_second>0,`it has no frame rate`),t(Array.isArray(e.frames)&&e.frames.length>0,`it has no frames`),t(e.frames.every(e=>typeof e?.label==`string`),`a frame has no label`)}function s(e){let n=e?.fields;return t(Array.isArray(n)&&n.length>0,`it lists no light field`),n.forEach(o),n}var c=(e,t)=>e.by===`angle`?Math.atan(t):t,l=(e,t)=>e.by===`angle`?Math.tan(t):t,u=(e,t)=>l(e,e.first+e.step*(t*e.views-.5)),d=(e,t)=>e.step===0?.5:((c(e,t)-e.first)/e.step+.5)/e.views,f=(e,t)=>t/(1-t*e.vergence_per_mm),p=(e,t)=>t/(1+t*e.vergence_per_mm);function m(e){let[t,n]=e.window_mm.size,r=Math.min(t/e.view_size[0],n/e.view_size[1]);return[Math.max(1,Math.round(t/r)),Math.max(1,Math.round(n/r))]}function h(e,t={},...n){let r=Object.assign(document.createElement(e),t);return r.append(...n),r}var g=(e,t)=>e.toFixed(t).replace(/^-0(\.0*)?$/,`0$1`).replace(`-`,`−`),_=0;function v(e,t){let n=`control-${_++}`,r=h(`input`,{type:`range`,id:n}),i=h(`output`,{className:`value`});i.setAttribute(`for`,n),r.addEventListener(`input`,()=>e.set(Number(r.value))),e.reset&&r.addEventListener(`dblclick`,e.reset);let a=h(`div`,{className:`row`},h(`label`,{htmlFor:n},e.label),i,r),o=e.text??(t=>`${g(t,1)}${e.unit?`\u2009${e.unit}`:``}`);return t.push({update:()=>{a.hidden=e.applies!==void 0&&!e.applies();let[t,n]=e.range();r.min=String(t),r.max=String(n),r.step=String((n-t)/(e.steps??200)||`any`);let s=e.value();(document.activeElement!==r||Math.abs(Number(r.value)-s)>Number(r.step))&&(r.value=String(s)),i.value=o(s),r.setAttribute(`aria-valuetext`,i.value)}}),a}function y(e,t,n,r,i){let a=`control-${_++}`,o=h(`select`,{id:a},...n.map(([e,t])=>h(`option`,{value:e},t)));return o.addEventListener(`change`,()=>r.set({[t]:o.value})),i.push({update:()=>o.value=String(r.state[t])}),h(`div`,{className:`row choice`},h(`label`,{htmlFor:a},e),o)}function b(e,t,n,r){let i=`control-${_++}`,a=h(`input`,{type:`checkbox`,id:i});return a.addEventListener(`change`,()=>n(a.checked)),r.push({update:()=>a.checked=t()}),h(`div`,{className:`row check`},a,h(`label`,{htmlFor:i},e))}function x(e,...t){let n=t.filter(e=>e!==null),r=`group-${_++}`,i=h(`section`,{},h(`h2`,{id:r},e),...n);return i.setAttribute(`aria-labelledby`,r),i}function ee(e,t,n){let r=[],{fields:i}=t,a=i[0],o=a.across.views*a.up.views>1;e.append(...[i.length>1?re(t,r):null,o?te(t,a,r):null,o?ne(t,n,r):null,C(t,a,o,r),h(`div`,{className:`buttons`},S(`Save picture`,n.save),S(`Copy link`,n.copy),S(`Reset`,()=>t.reset()))].filter(e=>e!==null));let s=()=>r.forEach(e=>e.update());return t.listen(s),s(),s}function S(e,t){let n=h(`button`,{type:`button`},e);return n.addEventListener(`click`,t),n}function te(e,t,n){let{state:r}=e,i=e=>r.eye[e]/r.eye[2],a=(n,i)=>{let a=[...r.eye];a[n]=u(n===0?t.across:t.up,i)*a[2],e.set({eye:a})},o=(e,o)=>v({label:e,range:()=>[0,1],value:()=>d(o===0?t.across:t.up,i(o)),text:()=>`${g(r.eye[o],1)}\u2009mm`,set:e=>a(o,e),reset:()=>a(o,.5)},n),s=t.eye_mm[2];return x(`Eye`,t.across.views>1?o(`Left to right`,0):null,t.up.views>1?o(`Down to up`,1):null,v({label:`Distance`,unit:`mm`,range:()=>[-2,2],value:()=>Math.log2(r.eye[2]/s),text:()=>`${g(r.eye[2],0)}\u2009mm`,set:t=>{let n=s*2**t;e.set({eye:[i(0)*n,i(1)*n,n]})}},n),y(`Two eyes`,`stereo`,[[`off`,`Off`],[`anaglyph`,`Anaglyph, red and cyan`],[`side-by-side`,`Side by side`],[`top-bottom`,`Top and bottom`]],e,n),v({label:`Eye separation`,unit:`mm`,applies:()=>r.stereo!==`off`,range:()=>[0,Math.max(80,r.separation)],value:()=>r.separation,set:t=>e.set({separation:t})},n))}function ne(e,t,n){let{state:r}=e;return x(`Focus`,v({label:`Aperture`,range:()=>[0,1],value:()=>r.aperture,text:e=>e===0?`all in focus`:`${g(100*e,0)}\u2009% of the zone`,set:t=>e.set({aperture:t})},n),v({label:`Depth in focus`,unit:`mm`,applies:()=>r.aperture>0,range:t.focusRange,value:()=>r.focus,set:t=>e.set({focus:t})},n))}function C(e,t,n,r){let{state:i}=e;return x(`Picture`,n?y(`Show`,`show`,[[`eye`,`What the eye sees`],[`panel`,`What the panel shows`]],e,r):null,t.depth?y(`Between views`,`between`,[[`depth`,`Moved by their depth`],[`blend`,`Blended`]],e,r):null,t.lens_samples.some(Boolean)?b(`Show single lenses`,()=>i.lenses,t=>e.set({lenses:t}),r):null,t.across.views>1?b(`Epipolar-plane image`,()=>i.line>=0,t=>e.set({line:t?.5:-1}),r):null,v({label:`Line, from the top`,applies:()=>i.line>=0,range:()=>[0,1],value:()=>i.line,text:e=>`${g(100*e,0)}\u2009%`,set:t=>e.set({line:t})},r),v({label:`Exposure`,range:()=>[-4,4],steps:80,value:()=>i.exposure,text:e=>`${e>0?`+`:``}${g(e,1)}\u2009EV`,set:t=>e.set({exposure:t}),reset:()=>e.set({exposure:0})},r),b(`Light background`,()=>i.theme===`light`,t=>e.set({theme:t?`light`:`dark`}),r))}function re(e,t){let{state:n,fields:r}=e;return x(`Compare`,y(`Show`,`compare`,[[`wipe`,`Both, wiped`],[`side-by-side`,`Side by side`],[`difference`,`Difference`],[`first`,`First: ${r[0].title}`],[`second`,`Second: ${r[1].title}`]],e,t),v({label:`Wipe`,applies:()=>n.compare===`wipe`,range:()=>[0,1],value:()=>n.wipe,text:e=>`${g(100*e,0)}\u2009%`,set:t=>e.set({wipe:t})},t),v({label:`Scale of differences`,applies:()=>n.compare===`difference`,range:()=>[1,255],steps:254,value:()=>n.scale,text:e=>`0 to ${g(e,0)} codes`,set:t=>e.set({scale:t})},t))}var w=()=>document.querySelector(`meta[name="lippmann-data"]`)?.getAttribute(`content`)===`scripts`;function T(t){return new Promise((n,r)=>{let i=document.createElement(`script`);i.src=t,i.onload=()=>(i.remove(),n()),i.onerror=()=>(i.remove(),r(new e(`${t} is missing or cannot be read.`))),document.head.append(i)})}async function E(t){let n;try{n=await fetch(t)}catch{throw new e("The server does not answer: has `lippmann view` been ended?")}if(n.ok)return n;let r=await n.text(),i=r.trim();try{i=JSON.parse(r).error}catch{}throw new e(i||`${t}: the server answers ${n.status}.`)}async function ie(){if(!w()){let t=await(await E(`fields.json`)).text();try{return JSON.parse(t)}catch{throw new e(`The description of the light field is damaged: it is no JSON.`)}}let t;if(window.lippmann_fields=e=>t=e,await T(`fields.js`),t===void 0)throw new e(`fields.js is damaged: it describes no light field.`);return t}var D=new Map;function O(e,t){let n=atob(e),r=new Uint8Array(n.length);for(let e=0;e<n.length;e++)r[e]=n.charCodeAt(e);return new Blob([r],{type:t})}function k(t,n,r){let i=D.get(t);D.delete(t);try{i?.resolve(O(r,n))}catch{i?.reject(new e(`${t}.js is damaged.`))}}function ae(t){return window.lippmann_data??=k,new Promise((n,r)=>{D.set(t,{resolve:n,reject:r}),T(`${t}.js`).then(()=>{D.delete(t)&&r(new e(`${t}.js is damaged: it holds no picture.`))},r)})}async function oe(e){return w()?ae(e):(await E(e)).blob()}function se(t){let n=t.getContext(`webgl2`,{alpha:!1,antialias:!1,depth:!1,preserveDrawingBuffer:!0});if(!n)throw new e(`This browser has no WebGL 2, which the page draws with. Any current browser with graphics enabled has it.`);return n.getExtension(`EXT_color_buffer_float`),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.NONE),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_ALIGNMENT,1),n}function A(e,t,n){let r=e.createShader(t);if(e.shaderSource(r,n),e.compileShader(r),!e.getShaderParameter(r,e.COMPILE_STATUS)&&!e.isContextLost())throw Error(`shader: ${e.getShaderInfoLog(r)}`);return r}var j=class{constructor(e,t){if(this.gl=e,this.places=new Map,this.program=e.createProgram(),e.attachShader(this.program,A(e,e.VERTEX_SHADER,`#version 300 es
+      void main() {
+        vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
+        gl_Position = vec4(corner, 0.0, 1.0);
+      }`)),e.attachShader(this.program,A(e,e.FRAGMENT_SHADER,t)),e.linkProgram(this.program),!e.getProgramParameter(this.program,e.LINK_STATUS)&&!e.isContextLost())throw Error(`program: ${e.getProgramInfoLog(this.program)}`)}draw(e){let t=this.gl;t.useProgram(this.program);for(let[t,n]of Object.entries(e))this.setUniform(t,n);t.drawArrays(t.TRIANGLES,0,3)}setUniform(e,t){let n=this.gl;this.places.has(e)||this.places.set(e,n.getUniformLocation(this.program,e));let r=this.places.get(e);r!==null&&(typeof t==`boolean`?n.uniform1i(r,+!!t):typeof t==`number`?n.uniform1f(r,t):`unit`in t?n.uniform1i(r,t.unit):`integers`in t?t.integers.length===1?n.uniform1i(r,t.integers[0]):n.uniform2i(r,t.integers[0],t.integers[1]):t.length===2?n.uniform2fv(r,t):t.length===3?n.uniform3fv(r,t):n.uniform4fv(r,t))}};function M(e,t,n){return e.activeTexture(e.TEXTURE0+t),e.bindTexture(e.TEXTURE_2D,n),{unit:t}}function N(e,t){e.texParameteri(e.TEXTURE_2D,e.TEXTURE_MIN_FILTER,t),e.texParameteri(e.TEXTURE_2D,e.TEXTURE_MAG_FILTER,t),e.texParameteri(e.TEXTURE_2D,e.TEXTURE_WRAP_S,e.CLAMP_TO_EDGE),e.texParameteri(e.TEXTURE_2D,e.TEXTURE_WRAP_T,e.CLAMP_TO_EDGE)}function P(e,t,n){let r=e.createTexture();return M(e,0,r),n===`srgb`?e.texImage2D(e.TEXTURE_2D,0,e.SRGB8_ALPHA8,e.RGBA,e.UNSIGNED_BYTE,t):e.texImage2D(e.TEXTURE_2D,0,e.RGBA8,e.RGBA,e.UNSIGNED_BYTE,t),N(e,n===`srgb`?e.LINEAR:e.NEAREST),r}var F=class{constructor(e){this.gl=e,this.size=[0,0],this.texture=e.createTexture(),this.framebuffer=e.createFramebuffer()}get width(){return this.size[0]}get height(){return this.size[1]}begin(e,t){let n=this.gl;(this.size[0]!==e||this.size[1]!==t)&&(M(n,0,this.texture),n.getExtension(`EXT_color_buffer_float`)?n.texImage2D(n.TEXTURE_2D,0,n.RGBA16F,e,t,0,n.RGBA,n.HALF_FLOAT,null):n.texImage2D(n.TEXTURE_2D,0,n.SRGB8_ALPHA8,e,t,0,n.RGBA,n.UNSIGNED_BYTE,null),N(n,n.LINEAR),n.bindFramebuffer(n.FRAMEBUFFER,this.framebuffer),n.framebufferTexture2D(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,this.texture,0),this.size=[e,t]),n.bindFramebuffer(n.FRAMEBUFFER,this.framebuffer),n.viewport(0,0,e,t)}read(e,t,n,r){let i=this.gl;i.bindFramebuffer(i.FRAMEBUFFER,this.framebuffer);let a=new Float32Array(n*r*4);if(i.getExtension(`EXT_color_buffer_float`))return i.readPixels(e,t,n,r,i.RGBA,i.FLOAT,a),a;let o=new Uint8Array(a.length);return i.readPixels(e,t,n,r,i.RGBA,i.UNSIGNED_BYTE,o),a.map((e,t)=>I(o[t]))}},I=e=>{let t=e/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4},L=e=>{let t=Math.min(Math.max(e,0),1);return Math.floor(255*(t<=.0031308?12.92*t:1.055*t**(1/2.4)-.055)+.5)};function R(e,t){let n=1/0,r=-1/0;for(let t=0;t<e.length;t+=4){let i=e[t]*256+e[t+1];i!==0&&(n=Math.min(n,i),r=Math.max(r,i))}if(n>r)return[-t,t];let i=e=>{let n=(e-1)/32767-1;return t*n/Math.max(1-Math.abs(n),1e-6)};return[i(n),i(r)]}async function z(e,t){let n=await createImageBitmap(e,{resizeWidth:512,resizeHeight:512,resizeQuality:`pixelated`,premultiplyAlpha:`none`,colorSpaceConversion:`none`}),r=new OffscreenCanvas(512,512).getContext(`2d`,{willReadFrequently:!0});r.drawImage(n,0,0),n.close();let[i,a]=R(r.getImageData(0,0,512,512).data,t),o=.02*(a-i)+.001;return[i-o,a+o]}var B=class{constructor(e,t,n,r,i){this.gl=e,this.fields=t,this.budget=n,this.changed=r,this.notice=i,this.loaded=new Map,this.loading=new Map,this.failures=new Map,this.bytes=0,this.pinned=[]}get(e,t,n){let r=`${e}/${t}/${n}`,i=this.failures.get(r);if(i)throw i;let a=this.loaded.get(r);return a?(this.loaded.delete(r),this.loaded.set(r,a),a):(this.load(e,t,n),null)}pin(e,t){this.pinned=e.map(e=>`${e}/${t}/`)}get isLoading(){return this.loading.size>0}roomFor(e){let t=[...this.loaded].find(([t])=>t.startsWith(`${e}/`));return t?Math.max(1,Math.floor(this.budget/t[1].bytes)):1}load(e,t,n){let r=`${e}/${t}/${n}`,i=this.loaded.get(r);if(i)return Promise.resolve(i);let a=this.loading.get(r);return a||(a=this.make(e,t,n),this.loading.set(r,a),a.then(e=>this.keep(r,e)).catch(e=>this.failures.set(r,e)).finally(()=>{this.loading.delete(r),this.changed()})),a.catch(()=>null)}keep(e,t){this.loaded.set(e,t),this.bytes+=t.bytes;for(let[t,n]of this.loaded){if(this.bytes<=this.budget)break;if(!(t===e||this.pinned.some(e=>t.startsWith(e)))){this.loaded.delete(t),this.bytes-=n.bytes,n.givenUp=!0;for(let e of[n.views,n.depth,n.panel])e&&this.gl.deleteTexture(e)}}}async make(e,t,n){let r=this.fields[e],i=r.frames[t].label,a=n&&r.panel.is===`own`,[o,s]=await Promise.all([this.bitmap(`${e}/views/${t}`,i,this.quiltSize(r)),a?this.bitmap(`${e}/panel/${t}`,i,r.panel.size):null]),c={views:P(this.gl,o,`srgb`),depth:null,panel:s?P(this.gl,s,`srgb`):null,viewSize:[o.width/r.tiles[0],o.height/r.tiles[1]],disparities:this.guessedRange(r),bytes:4*(o.width*o.height*(r.depth?2:1)+(s?s.width*s.height:0)),whole:Promise.resolve()};return o.close(),s?.close(),r.depth&&(c.whole=this.addDepth(c,e,t)),c}async addDepth(t,n,r){let i=this.fields[n];try{let e=await this.bitmap(`${n}/depth/${r}`,i.frames[r].label,this.quiltSize(i));t.disparities=await z(e,i.disparity_scale_mm),t.depth=P(this.gl,e,`codes`),e.close(),t.givenUp&&this.gl.deleteTexture(t.depth),this.changed()}catch(t){this.notice(t instanceof e?t.message:`Frame ${i.frames[r].label}: its depth is damaged.`)}}guessedRange(e){let t=e.depth_budget_mm??.2*e.window_mm.size[1];return[-2*t,2*t].map(t=>t/Math.max(1-t*e.vergence_per_mm,.2))}quiltSize(e){return[e.tiles[0]*e.view_size[0],e.tiles[1]*e.view_size[1]]}async bitmap(t,n,r){let i=await oe(t),a={premultiplyAlpha:`none`,colorSpaceConversion:`none`},o;try{o=await createImageBitmap(i,a)}catch{throw new e(`Frame ${n}: its picture is damaged and cannot be decoded.`)}if(o.width!==r[0]||o.height!==r[1])throw new e(`Frame ${n}: its picture has ${o.width}x${o.height} pixels, and the description says ${r[0]}x${r[1]}.`);return this.fitted(o,a)}async fitted(e,t){let n=this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE),r=Math.ceil(Math.max(e.width,e.height)/n);if(r<=1)return e;this.notice(`Shown at 1/${r} of its size: this device's GPU takes ${n} pixels a side.`);let i=await createImageBitmap(e,{...t,resizeWidth:Math.floor(e.width/r),resizeHeight:Math.floor(e.height/r),resizeQuality:`pixelated`});return e.close(),i}};function V(e){let{store:t}=e;window.lippmann={get state(){return structuredClone(t.state)},fields:e.fields,set:e=>t.set(e),focusAt:(t,n)=>e.focusAt([t,n]),picture:(t,n,r=0)=>e.picture([t,n],r),valueAt:(t,n)=>e.renderer.valueAt(0,[t,n])},window.addEventListener(`message`,e=>{let n=e.data?.lippmann;e.source===window.parent&&typeof n==`object`&&n&&t.set(n)}),window.parent!==window&&t.listen(()=>window.parent.postMessage({lippmann:{state:structuredClone(t.state)}},`*`))}var H=`#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+
+uniform sampler2D u_views;    // the quilt, linear light
+uniform sampler2D u_depth;    // codes of disparity, as the quilt lies
+uniform vec2 u_view_size;     // pixels
+uniform ivec2 u_tiles, u_grid;
+uniform vec2 u_window_centre, u_window_size;  // mm
+uniform vec4 u_across, u_up;  // first, step, 1: by angle, 0 stays / 1 repeats / 2 next lens
+uniform float u_vergence, u_disparity_scale;
+uniform vec3 u_eye;           // mm
+
+vec2 slope_at(vec2 s) { return u_eye.xy / u_eye.z - s * (1.0 / u_eye.z - u_vergence); }
+
+float view_place(vec4 axis, float slope) {
+  return axis.y == 0.0 ? 0.0 : ((axis.z > 0.5 ? atan(slope) : slope) - axis.x) / axis.y;
+}
+vec2 view_places(vec2 slope) { return vec2(view_place(u_across, slope.x), view_place(u_up, slope.y)); }
+
+float view_slope(vec4 axis, float view) {
+  float place = axis.x + axis.y * view;
+  return axis.z > 0.5 ? tan(place) : place;
+}
+vec2 view_slopes(ivec2 view) { return vec2(view_slope(u_across, float(view.x)), view_slope(u_up, float(view.y))); }
+
+// In pixels of a view, from its top left corner.
+vec2 pixel_of(vec2 s) {
+  vec2 share = (s - u_window_centre) / u_window_size;
+  return vec2(share.x + 0.5, 0.5 - share.y) * u_view_size;
+}
+bool inside(vec2 pixel) {
+  return all(greaterThanEqual(pixel, vec2(-0.001))) && all(lessThanEqual(pixel, u_view_size + 0.001));
+}
+
+vec2 tile_of(ivec2 view) {
+  int index = view.y * u_grid.x + view.x;
+  return vec2(index % u_tiles.x, u_tiles.y - 1 - index / u_tiles.x) * u_view_size;
+}
+vec3 in_view(ivec2 view, vec2 pixel) {
+  vec2 place = tile_of(view) + clamp(pixel, vec2(0.5), u_view_size - 0.5);
+  return texture(u_views, place / (u_view_size * vec2(u_tiles))).rgb;
+}
+// -1e30: nothing is there.
+float disparity_in_view(ivec2 view, vec2 pixel) {
+  ivec2 place = ivec2(tile_of(view) + clamp(floor(pixel), vec2(0.0), u_view_size - 1.0));
+  vec2 bytes = floor(texelFetch(u_depth, place, 0).rg * 255.0 + 0.5);
+  float code = bytes.x * 256.0 + bytes.y;
+  if (code < 0.5) return -1e30;
+  float t = (code - 1.0) / 32767.0 - 1.0;
+  return u_disparity_scale * t / max(1.0 - abs(t), 1e-6);
+}
+`,U=`${H}
+uniform vec2 u_output_size;
+uniform bool u_use_depth, u_outside_zone;
+uniform bvec2 u_snap;           // to the middles of lenses
+uniform vec2 u_disparities;     // the least and the greatest
+uniform float u_aperture, u_focus;  // share of the zone; disparity
+uniform float u_line;           // 0 ... 1: an epipolar-plane image of the line so far down, eyes from the top
+uniform int u_pass;             // 0 eye, 1 epipolar-plane image, 2 focus finder
+uniform vec2 u_point;           // of the focus finder, mm
+out vec4 color;
+
+// Along the line of sight, front to back, the first disparity at which the view has a surface; .y: whether it is seen there.
+vec2 meet(ivec2 view, vec2 s, vec2 apart) {
+  float range = u_disparities.y - u_disparities.x;
+  vec2 moves = abs(apart) * range * u_view_size / u_window_size;
+  int steps = clamp(int(ceil(max(moves.x, moves.y))), 1, 40);
+  float step_w = range / float(steps), before = 0.0, w = u_disparities.y;
+  for (int i = 0; i <= 40; ++i) {
+    if (i > steps) break;
+    float at = max(disparity_in_view(view, pixel_of(s + apart * w)), u_disparities.x);
+    float behind = at - w;
+    if (behind >= -1e-4 * range) {
+      if (i == 0) return vec2(at, 1.0);
+      bool seen = behind < 1.5 * step_w || steps == 1;
+      return vec2(steps == 1 || moves.x + moves.y < 0.5 ? at : w + step_w * behind / max(behind - before, 1e-9), seen ? 1.0 : 0.0);
+    }
+    before = behind;
+    w -= step_w;
+  }
+  return vec2(u_disparities.x, 1.0);
+}
+
+vec3 between_views(vec2 s, vec2 slope, vec2 place) {
+  vec2 last = vec2(u_grid - 1);
+  vec2 near = clamp(place, vec2(0.0), last);
+  ivec2 first = ivec2(min(floor(near), max(last - 1.0, vec2(0.0))));
+  vec2 share = near - vec2(first);
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      float weight = (i == 1 ? share.x : 1.0 - share.x) * (j == 1 ? share.y : 1.0 - share.y);
+      if (weight <= 0.0) continue;
+      ivec2 view = first + ivec2(i, j);
+      vec2 at = s;
+      if (u_use_depth) {
+        vec2 apart = slope - view_slopes(view);
+        vec2 met = meet(view, s, apart);
+        at = s + apart * met.x;
+        weight *= met.y > 0.5 ? 1.0 : 0.01;
+      }
+      sum += weight * in_view(view, pixel_of(at));
+      weights += weight;
+    }
+  return weights > 0.0 ? sum / weights : sum;
+}
+
+// Beyond the zone: which cone (lens) it is that is seen instead, and the place there.
+float wrapped(float place, float count, float beyond, out float turns) {
+  turns = beyond > 0.5 ? floor((place + 0.5) / count) : 0.0;
+  return place - turns * count;
+}
+
+vec3 seen(vec2 s) {
+  vec2 pixel = pixel_of(s);
+  if (!inside(pixel)) return vec3(0.0);
+  vec2 middle = (floor(clamp(pixel, vec2(0.0), u_view_size - 0.5)) + 0.5) / u_view_size;
+  vec2 lens = u_window_centre + vec2(middle.x - 0.5, 0.5 - middle.y) * u_window_size;
+  s = vec2(u_snap.x ? lens.x : s.x, u_snap.y ? lens.y : s.y);
+  vec2 slope = slope_at(s), place = view_places(slope), turns;
+  place = vec2(wrapped(place.x, float(u_grid.x), u_across.w, turns.x), wrapped(place.y, float(u_grid.y), u_up.w, turns.y));
+  // Right of its zone a lens shows what belongs to its left neighbour.
+  vec2 pitch = u_window_size / u_view_size;
+  s -= pitch * vec2(u_across.w > 1.5 ? turns.x : 0.0, u_up.w > 1.5 ? turns.y : 0.0);
+  if (!inside(pixel_of(s))) return vec3(0.0);
+  if (turns != vec2(0.0)) slope = vec2(view_slope(u_across, place.x), view_slope(u_up, place.y));
+  return between_views(s, slope, place);
+}
+
+// A lens as wide as a share of the zone around the eye, focused at a disparity: the mean of shifted views.
+vec3 refocused(vec2 s) {
+  vec2 slope = slope_at(s), place = view_places(slope), half_width = 0.5 * u_aperture * vec2(u_grid);
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (int j = 0; j < u_grid.y; ++j)
+    for (int i = 0; i < u_grid.x; ++i) {
+      vec2 reach = clamp(half_width - abs(vec2(i, j) - place) + 0.5, 0.0, 1.0);
+      if (u_aperture >= 0.999) reach = vec2(1.0);
+      if (u_grid.y == 1) reach.y = 1.0;
+      if (reach.x * reach.y <= 0.0) continue;
+      vec2 pixel = pixel_of(s + (slope - view_slopes(ivec2(i, j))) * u_focus);
+      if (!inside(pixel)) continue;
+      sum += reach.x * reach.y * in_view(ivec2(i, j), pixel);
+      weights += reach.x * reach.y;
+    }
+  return weights > 0.0 ? sum / weights : vec3(0.0);
+}
+
+// How much the views differ around u_point if the surface there were at the disparity of this pixel (0 ... 1 across).
+float disagreement(float share) {
+  float w = mix(u_disparities.x, u_disparities.y, share);
+  float sum = 0.0;
+  for (int y = -2; y <= 2; ++y)
+    for (int x = -2; x <= 2; ++x) {
+      vec2 s = u_point + vec2(x, y) * u_window_size / u_view_size;
+      vec2 slope = slope_at(s);
+      vec3 mean = vec3(0.0), squares = vec3(0.0);
+      float count = 0.0;
+      for (int j = 0; j < u_grid.y; ++j)
+        for (int i = 0; i < u_grid.x; ++i) {
+          vec2 pixel = pixel_of(s + (slope - view_slopes(ivec2(i, j))) * w);
+          if (!inside(pixel)) continue;
+          vec3 c = in_view(ivec2(i, j), pixel);
+          mean += c, squares += c * c, count += 1.0;
+        }
+      if (count > 1.0) sum += dot(squares / count - mean * mean / (count * count), vec3(1.0));
+    }
+  return sum;
+}
+
+void main() {
+  vec2 share = gl_FragCoord.xy / u_output_size;
+  if (u_pass == 2) {
+    if (u_use_depth) {
+      vec2 slope = slope_at(u_point);
+      ivec2 view = ivec2(clamp(floor(view_places(slope) + 0.5), vec2(0.0), vec2(u_grid - 1)));
+      color = vec4(meet(view, u_point, slope - view_slopes(view)).x);
+    } else {
+      color = vec4(disagreement(share.x));
+    }
+    return;
+  }
+  if (u_pass == 1) {
+    // Rows are eyes through the zone, the leftmost on top; the views themselves where there are as many rows.
+    vec2 s = u_window_centre + vec2(share.x - 0.5, 0.5 - u_line) * u_window_size;
+    float place = clamp((1.0 - share.y) * float(u_grid.x) - 0.5, 0.0, float(u_grid.x - 1));
+    float up = clamp(view_places(slope_at(s)).y, 0.0, float(u_grid.y - 1));
+    color = vec4(between_views(s, vec2(view_slope(u_across, place), view_slope(u_up, up)), vec2(place, up)), 1.0);
+    return;
+  }
+  vec2 s = u_window_centre + (share - 0.5) * u_window_size;
+  color = vec4(u_aperture > 0.0 ? refocused(s) : seen(s), 1.0);
+}
+`,W=`${H}
+uniform sampler2D u_panel;  // a picture of its own
+uniform vec2 u_output_size, u_panel_size;
+uniform int u_kind;         // 0 integral, 1 quilt, 2 own
+uniform vec4 u_part;        // of the panel: left, top, width, height, in pixels
+uniform vec4 u_loupe;       // x, y, radius in pixels of the output from its top left; pixels of the output per panel pixel
+uniform vec2 u_loupe_at;    // the panel pixel in its middle
+out vec4 color;
+
+vec3 panel_pixel(ivec2 p) {
+  if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(u_panel_size)))) return vec3(0.0);
+  if (u_kind == 2) return texelFetch(u_panel, p, 0).rgb;
+  if (u_kind == 1) {
+    // A quilt's padding at the top and right is not sent.
+    ivec2 q = p - ivec2(0, int(u_panel_size.y) - u_tiles.y * int(u_view_size.y));
+    if (q.y < 0 || q.x >= u_tiles.x * int(u_view_size.x)) return vec3(0.0);
+    return texelFetch(u_views, q, 0).rgb;
+  }
+  // Lenses turn their pixels round: the rightmost is seen from the left, the topmost from below.
+  ivec2 cell = p / u_grid, in_cell = p - cell * u_grid;
+  ivec2 view = ivec2(u_grid.x - 1 - in_cell.x, in_cell.y);
+  if (u_grid.y == 1) view.y = 0;
+  return in_view(view, vec2(cell) + 0.5);
+}
+
+void main() {
+  vec2 at = vec2(gl_FragCoord.x, u_output_size.y - gl_FragCoord.y);
+  vec2 panel = u_part.xy + at / u_output_size * u_part.zw;
+  vec2 from_loupe = at - u_loupe.xy;
+  float reach = max(abs(from_loupe.x), abs(from_loupe.y));
+  if (u_loupe.z > 0.0 && reach < u_loupe.z) {
+    vec2 place = u_loupe_at + from_loupe / u_loupe.w;
+    vec3 c = panel_pixel(ivec2(floor(place)));
+    if (u_kind == 0) {
+      vec2 to_edge = abs(fract(place / vec2(u_grid) + 0.5) - 0.5) * vec2(u_grid) * u_loupe.w;
+      bool marked = ivec2(floor(place / vec2(u_grid))) == ivec2(floor(u_loupe_at / vec2(u_grid)));
+      bool edge = to_edge.x < 1.0 || (u_grid.y > 1 && to_edge.y < 1.0);
+      if (edge) c = mix(c, marked ? vec3(1.0, 0.55, 0.05) : vec3(0.5), 0.8);
+      else if (!marked) c *= 0.45;
+    }
+    color = vec4(reach > u_loupe.z - 1.5 ? vec3(0.6) : c, 1.0);
+    return;
+  }
+  // A panel that is shown smaller than it is: the mean of its pixels, a few of each.
+  vec2 size = u_part.zw / u_output_size;
+  vec3 sum = vec3(0.0);
+  int n = clamp(int(ceil(max(size.x, size.y))), 1, 4);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      sum += panel_pixel(ivec2(floor(panel + ((vec2(i, j) + 0.5) / float(n) - 0.5) * size)));
+  color = vec4(sum / float(n * n), 1.0);
+}
+`,G=`#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+uniform sampler2D u_first, u_second;
+uniform vec4 u_place;    // of the picture on the canvas: left, bottom, width, height, pixels
+uniform int u_mode;      // 0 first, 1 anaglyph, 2 wipe, 3 difference, 4 first beside second, 5 first above second
+uniform float u_wipe, u_exposure, u_scale;
+uniform vec3 u_ground;
+out vec4 color;
+
+vec3 srgb(vec3 linear) {
+  vec3 v = clamp(linear, 0.0, 1.0);
+  return mix(12.92 * v, 1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, v));
+}
+vec3 first(vec2 at) { return srgb(u_exposure * texture(u_first, at).rgb); }
+vec3 second(vec2 at) { return srgb(u_exposure * texture(u_second, at).rgb); }
+
+// From black through blue, red and yellow to white; even in lightness.
+vec3 heat(float t) {
+  vec3 c = mix(vec3(0.01, 0.01, 0.06), vec3(0.16, 0.12, 0.55), smoothstep(0.0, 0.25, t));
+  c = mix(c, vec3(0.72, 0.15, 0.42), smoothstep(0.2, 0.5, t));
+  c = mix(c, vec3(0.98, 0.60, 0.12), smoothstep(0.45, 0.75, t));
+  return mix(c, vec3(1.0, 0.98, 0.85), smoothstep(0.7, 1.0, t));
+}
+
+void main() {
+  vec2 at = (gl_FragCoord.xy - u_place.xy) / u_place.zw;
+  if (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) {
+    color = vec4(u_ground, 1.0);
+    return;
+  }
+  vec3 c;
+  if (u_mode == 1) {
+    // Red from the left eye's brightness, which strains the eyes less than its red alone.
+    c = vec3(dot(first(at), vec3(0.299, 0.587, 0.114)), second(at).gb);
+  } else if (u_mode == 2) {
+    c = at.x < u_wipe ? first(at) : second(at);
+    if (abs(at.x - u_wipe) * u_place.z < 1.0) c = vec3(1.0);
+  } else if (u_mode == 3) {
+    vec3 d = abs(first(at) - second(at)) * 255.0;
+    c = heat(clamp(max(d.r, max(d.g, d.b)) / u_scale, 0.0, 1.0));
+  } else if (u_mode == 4) {
+    c = at.x < 0.5 ? first(vec2(2.0 * at.x, at.y)) : second(vec2(2.0 * at.x - 1.0, at.y));
+  } else if (u_mode == 5) {
+    c = at.y > 0.5 ? first(vec2(at.x, 2.0 * at.y - 1.0)) : second(vec2(at.x, 2.0 * at.y));
+  } else {
+    c = first(at);
+  }
+  color = vec4(c, 1.0);
+}
+`,K={stays:0,repeats:1,"next lens":2},ce={integral:0,quilt:1,own:2},le=92,ue=800,q=e=>[e.first,e.step,+(e.by===`angle`),K[e.beyond]],de=class{constructor(e,t,n){this.gl=e,this.fields=t,this.frames=n,this.place={left:0,top:0,width:1,height:1},this.loupe=null,this.eyeProgram=new j(e,U),this.panelProgram=new j(e,W),this.screenProgram=new j(e,G),this.targets=[new F(e),new F(e),new F(e),new F(e)]}frameOf(e,t){if(e===0)return t;let n=this.fields[e].frames,r=n.findIndex(e=>e.label===this.fields[0].frames[t].label);return r>=0?r:Math.min(t,n.length-1)}shownFields(e){return this.fields.length<2||e.compare===`first`?[0]:e.compare===`second`?[1]:[0,1]}draw(e,t){let n=this.shownFields(e),r=n.map(t=>this.loaded(t,e));if(r.some(e=>!e))return!1;let i=n.length===1&&e.show===`eye`&&e.stereo!==`off`,a=this.fields[n[0]];this.layOut(a,e,i,n.length>1);let o=this.pictureSize(a,e,i||n.length>1);return n.forEach((t,n)=>{let s=r[n];e.show===`panel`?this.drawPanel(this.targets[n],this.fields[t],s):i?this.drawPair(a,s,e,o):this.drawEye(this.targets[n],this.fields[t],s,e,e.eye,o)}),this.compose(e,i,t),e.line>=0&&e.show===`eye`&&this.drawLine(a,r[0],e),!0}loaded(e,t){return this.frames.get(e,this.frameOf(e,t.frame),t.show===`panel`)}drawPair(e,t,n,r){[-.5,.5].forEach((i,a)=>{let[o,s,c]=n.eye;this.drawEye(this.targets[a],e,t,n,[o+i*n.separation,s,c],r)})}layOut(e,t,n,r){let{width:i,height:a}=this.gl.canvas,o=a*(t.line>=0&&t.show===`eye`?.8:1),[s,c]=t.show===`panel`?e.panel.size:e.window_mm.size,l=n&&t.stereo===`side-by-side`||r&&t.compare===`side-by-side`,u=n&&t.stereo===`top-bottom`,d=s/c*(l?2:1)/(u?2:1),f=Math.min(i/d,o),p={width:Math.round(f*d),height:Math.round(f)};this.place={left:Math.round((i-p.width)/2),top:Math.round((o-p.height)/2),...p}}pictureSize(e,t,n){let[r,i]=e.window_mm.size,a=Math.max(...m(e)),o=n&&(t.stereo===`top-bottom`||t.compare===`side-by-side`),s=Math.max(this.place.width,this.place.height)/(o?2:1),c=Math.max(2,Math.min(s,Math.max(a,ue)))/Math.max(r,i);return[Math.max(1,Math.round(r*c)),Math.max(1,Math.round(i*c))]}fieldUniforms(e,t){let n=this.gl;return{u_views:M(n,0,t.views),u_depth:M(n,1,t.depth??t.views),u_panel:M(n,2,t.panel??t.views),u_view_size:t.viewSize,u_tiles:{integers:e.tiles},u_grid:{integers:[e.across.views,e.up.views]},u_window_centre:e.window_mm.centre,u_window_size:e.window_mm.size,u_across:q(e.across),u_up:q(e.up),u_vergence:e.vergence_per_mm,u_disparity_scale:e.disparity_scale_mm}}eyeUniforms(e,t,n,r,i){let a=n.between===`depth`&&t.depth!==null&&!n.lenses,o=e.lens_samples.map(e=>e&&n.lenses?1:0);return{...this.fieldUniforms(e,t),u_output_size:i,u_eye:r,u_use_depth:a,u_snap:{integers:o},u_disparities:t.disparities,u_aperture:n.aperture,u_focus:f(e,n.focus),u_line:n.line,u_pass:{integers:[0]}}}drawEye(e,t,n,r,i,a){e.begin(...a),this.eyeProgram.draw(this.eyeUniforms(t,n,r,i,a))}drawPanel(e,t,n){let{width:r,height:i}=this.place,a=this.gl.canvas.width/this.gl.canvas.clientWidth;e.begin(r,i);let o=this.loupe&&{x:this.loupe.x-this.place.left,y:this.loupe.y-this.place.top},[s,c]=t.panel.size,l=t.panel.is===`integral`?Math.max(t.across.views,t.up.views):8,u=le*a;this.panelProgram.draw({...this.fieldUniforms(t,n),u_output_size:[r,i],u_panel_size:t.panel.size,u_kind:{integers:[ce[t.panel.is]]},u_part:[0,0,s,c],u_loupe:o?[o.x,o.y,u,Math.max(2*a,Math.floor(1.6*u/(2*l)))]:[0,0,0,1],u_loupe_at:o?[o.x/r*s,o.y/i*c]:[0,0]})}screenUniforms(e,t){return{u_first:M(this.gl,0,this.targets[0].texture),u_second:M(this.gl,1,this.targets[1].texture),u_exposure:2**e.exposure,u_wipe:e.wipe,u_scale:e.scale,u_ground:t}}compose(e,t,n){let r=this.gl,{width:i,height:a}=r.canvas;r.bindFramebuffer(r.FRAMEBUFFER,null),r.viewport(0,0,i,a);let o=0;t?o={off:0,anaglyph:1,"side-by-side":4,"top-bottom":5}[e.stereo]:this.shownFields(e).length>1&&(o={first:0,second:0,wipe:2,difference:3,"side-by-side":4}[e.compare]);let s=this.place;this.screenProgram.draw({...this.screenUniforms(e,n),u_mode:{integers:[o]},u_place:[s.left,a-s.top-s.height,s.width,s.height]})}drawLine(e,t,n){let r=this.gl,{width:i,height:a}=r.canvas,o=[this.place.width,Math.max(8,Math.round(a*.18))],s=this.targets[2];s.begin(...o),this.eyeProgram.draw({...this.eyeUniforms(e,t,n,n.eye,o),u_pass:{integers:[1]}}),r.bindFramebuffer(r.FRAMEBUFFER,null),r.viewport(this.place.left,0,...o),this.screenProgram.draw({...this.screenUniforms(n,[0,0,0]),u_first:M(r,0,s.texture),u_mode:{integers:[0]},u_place:[this.place.left,0,...o]}),r.viewport(0,0,i,a)}shareAt(e,t,n){let r=[(t-this.place.left)/this.place.width,(n-this.place.top)/this.place.height];if(r.some(e=>e<0||e>1))return null;let i=e=>2*e%1,a=this.shownFields(e).length>1;return(a?e.compare===`side-by-side`:e.stereo===`side-by-side`&&e.show===`eye`)&&(r=[i(r[0]),r[1]]),!a&&e.stereo===`top-bottom`&&e.show===`eye`&&(r=[r[0],i(r[1])]),r}valueAt(e,t){let n=this.targets[e],r=Math.min(n.width-1,Math.floor(t[0]*n.width)),i=Math.min(n.height-1,Math.floor((1-t[1])*n.height));return[...n.read(r,i,1,1)].slice(0,3)}depthAt(e,t){let n=this.fields[this.shownFields(e)[0]],r=this.loaded(this.shownFields(e)[0],e);if(!r||n.across.views*n.up.views<2)return null;let i=r.depth?1:128,{centre:a,size:o}=n.window_mm,s=[a[0]+(t[0]-.5)*o[0],a[1]+(.5-t[1])*o[1]],c=this.targets[3];c.begin(i,1);let l=this.eyeUniforms(n,r,e,e.eye,[i,1]);this.eyeProgram.draw({...l,u_use_depth:r.depth!==null,u_pass:{integers:[2]},u_point:s});let u=c.read(0,0,i,1),[d,f]=r.disparities,p=u[0];if(!r.depth){let e=0;for(let t=1;t<i;t++)u[4*t]<u[4*e]&&(e=t);p=d+(e+.5)/i*(f-d)}return p/(1+p*n.vergence_per_mm)}picture(e,t,n){let r=this.loaded(t,{...e,show:`eye`});if(!r)return null;let i=this.targets[3];this.drawEye(i,this.fields[t],r,e,e.eye,n);let a=i.read(0,0,...n),o=new Uint8ClampedArray(a.length),s=2**e.exposure,[c,l]=n;for(let e=0;e<l;e++)for(let t=0;t<4*c;t++){let n=a[4*c*(l-1-e)+t];o[4*c*e+t]=t%4==3?255:L(s*n)}return o}},fe={show:[`eye`,`panel`],stereo:[`off`,`anaglyph`,`side-by-side`,`top-bottom`],between:[`depth`,`blend`],compare:[`first`,`second`,`wipe`,`side-by-side`,`difference`],theme:[`dark`,`light`]},pe={aperture:[0,1],separation:[0,200],exposure:[-8,8],line:[-1,1],wipe:[0,1],scale:[1,255],speed:[.05,16]};function me(e){let t=e[0];return{frame:0,eye:[...t.eye_mm],aperture:0,focus:0,show:`eye`,stereo:`off`,separation:he(t),between:t.depth?`depth`:`blend`,lenses:!1,exposure:0,line:-1,compare:e.length>1?`wipe`:`first`,wipe:.5,scale:32,speed:1,loop:!0,theme:`dark`}}function he(e){let t=Math.abs(e.across.step)*e.across.views*e.eye_mm[2];return Math.min(63,Math.round(t*10)/30)}function ge(e,t,n,r){if(e===`eye`){let e=typeof t==`string`?t.split(`,`).map(Number):t;return Array.isArray(e)&&e.length===3&&e.every(e=>Number.isFinite(e)&&Math.abs(e)<1e6)&&e[2]>=1?e:void 0}if(typeof r==`boolean`)return t===!0||t===`1`?!0:t===!1||t===`0`?!1:void 0;if(typeof r==`string`)return fe[e]?.includes(String(t))?t:void 0;let i=t===``||t===null?NaN:Number(t);if(!Number.isFinite(i))return;if(e===`frame`)return Math.min(Math.max(Math.round(i),0),n[0].frames.length-1);if(e===`focus`)return i*n[0].vergence_per_mm<.95?i:void 0;let a=pe[e];return a?Math.min(Math.max(i,a[0]),a[1]):i}var _e=class{constructor(e){this.fields=e,this.listeners=[],this.addressTimer=0,this.defaults=me(e),this.state={...this.defaults},this.readAddress()}listen(e){this.listeners.push(e)}set(e){let t=!1;for(let[n,r]of Object.entries(e)){if(!(n in this.state))continue;let e=n,i=ge(e,r,this.fields,this.state[e]);i!==void 0&&JSON.stringify(i)!==JSON.stringify(this.state[e])&&(this.state[e]=i,t=!0)}t&&(this.listeners.forEach(e=>e()),window.clearTimeout(this.addressTimer),this.addressTimer=window.setTimeout(()=>this.writeAddress(),250))}reset(){this.set({...this.defaults,frame:this.state.frame,theme:this.state.theme})}readAddress(){this.set(Object.fromEntries(new URLSearchParams(location.hash.slice(1))))}address(){let e=new URLSearchParams;for(let t of Object.keys(this.state)){let n=this.state[t];if(JSON.stringify(n)===JSON.stringify(this.defaults[t]))continue;let r=e=>String(Math.round(e*1e4)/1e4);e.set(t,Array.isArray(n)?n.map(r).join(`,`):typeof n==`boolean`?n?`1`:`0`:typeof n==`number`?r(n):n)}return`#${e.toString().replace(/%2C/g,`,`)}`}writeAddress(){try{history.replaceState(null,``,this.address())}catch{}}},ve=`http://www.w3.org/2000/svg`,ye=40;function J(e,t){let n=document.createElementNS(ve,e);for(let[e,r]of Object.entries(t))n.setAttribute(e,String(r));return n}var Y={play:`M4 2.5v11l9-5.5z`,pause:`M4 3h3v10H4zM9 3h3v10H9z`,back:`M11.5 3v10L5 8zM3.5 3H5v10H3.5z`,forward:`M4.5 3v10L11 8zM11 3h1.5v10H11z`,loop:`M4 4.5h6.5A2.5 2.5 0 0 1 13 7v2a2.5 2.5 0 0 1-2.5 2.5H5.2L6.7 13l-.9.9L2.7 11l3.1-3 .9.9-1.5 1.4h5.3A1.3 1.3 0 0 0 11.8 9V7a1.3 1.3 0 0 0-1.3-1.3H4z`};function X(e,t){let n=document.createElement(`button`);return n.type=`button`,n.className=`icon`,Z(n,e,t),n}function Z(e,t,n){if(e.getAttribute(`aria-label`)===t)return;e.setAttribute(`aria-label`,t),e.title=t;let r=J(`svg`,{viewBox:`0 0 16 16`,"aria-hidden":`true`});r.append(J(`path`,{d:Y[n]})),e.replaceChildren(r)}var be=class{constructor(e,t,n){this.parent=e,this.store=t,this.isReady=n,this.playing=!1,this.scrub=document.createElement(`input`),this.label=document.createElement(`output`),this.speed=document.createElement(`select`),this.startedAt=0,this.startFrame=0;let{frames:r}=t.fields[0];this.psnr=r.map(e=>e.psnr_db),this.play=X(`Play`,`play`),this.loop=X(`Loop`,`loop`),this.marks=J(`svg`,{class:`marks`,role:`img`}),r.length<2||(this.build(r.length),t.listen(()=>this.update()),this.update())}build(e){let t=X(`Previous frame`,`back`),n=X(`Next frame`,`forward`);Object.assign(this.scrub,{type:`range`,min:`0`,max:String(e-1),step:`1`}),this.scrub.setAttribute(`aria-label`,`Frame`),this.speed.setAttribute(`aria-label`,`Speed`);for(let e of[.1,.25,.5,1,2,4])this.speed.append(new Option(`${e}\u00d7`,String(e)));this.play.addEventListener(`click`,()=>this.toggle()),t.addEventListener(`click`,()=>this.step(-1)),n.addEventListener(`click`,()=>this.step(1)),this.loop.addEventListener(`click`,()=>this.store.set({loop:!this.store.state.loop})),this.speed.addEventListener(`change`,()=>this.store.set({speed:Number(this.speed.value)})),this.scrub.addEventListener(`input`,()=>this.goTo(Number(this.scrub.value))),this.marks.addEventListener(`click`,t=>{let n=this.marks.getBoundingClientRect();this.goTo(Math.round((t.clientX-n.left)/n.width*(e-1)))});let r=document.createElement(`div`);r.className=`track`,r.append(this.marks,this.scrub),this.parent.append(this.play,t,n,r,this.label,this.loop,this.speed),this.parent.hidden=!1}toggle(){this.store.fields[0].frames.length<2||(this.playing=!this.playing,this.start(),this.update())}step(e){let t=this.store.fields[0].frames.length;this.playing=!1,this.store.set({frame:(this.store.state.frame+e+t)%t}),this.update()}goTo(e){this.store.set({frame:e}),this.start()}start(){this.startedAt=performance.now(),this.startFrame=this.store.state.frame}tick(e){if(!this.playing)return;let{state:t,fields:n}=this.store,r=n[0].frames.length,i=this.startFrame+Math.floor((e-this.startedAt)/1e3*n[0].frames_per_second*t.speed);if(i!==t.frame){if(i>=r&&!t.loop)this.playing=!1,i=r-1,this.store.set({frame:i}),this.update();else if(i%=r,!this.isReady(i)){let e=(t.frame+1)%r;this.isReady(e)&&this.store.set({frame:e}),this.start()}else this.store.set({frame:i})}}update(){let{state:e,fields:t}=this.store,{frames:n}=t[0];Z(this.play,this.playing?`Pause`:`Play`,this.playing?`pause`:`play`),this.loop.setAttribute(`aria-pressed`,String(e.loop)),this.scrub.value=String(e.frame);let r=n[e.frame].kind,i=this.psnr[e.frame];this.label.value=`${n[e.frame].label} / ${n[n.length-1].label}`,this.scrub.setAttribute(`aria-valuetext`,`frame ${n[e.frame].label}${r?`, ${r}`:``}${i===void 0?``:`, ${i.toFixed(1)} dB`}`),this.label.title=[r&&`${r} frame`,i!==void 0&&`${i.toFixed(2)} dB`].filter(Boolean).join(`, `);let a=String(e.speed);[...this.speed.options].some(e=>e.value===a)||this.speed.append(new Option(`${a}\u00d7`,a)),this.speed.value=a,this.drawMarks()}drawMarks(){let{frames:e}=this.store.fields[0],t=this.psnr.filter(e=>e!==void 0&&Number.isFinite(e)),n=t.length>1,r=n?ye:8,i=e.length-1;this.marks.setAttribute(`viewBox`,`0 0 ${i} ${r}`),this.marks.setAttribute(`preserveAspectRatio`,`none`),this.marks.style.height=`${r}px`;let a=[];e.forEach((e,t)=>{e.kind===`key`&&a.push(J(`line`,{x1:t,x2:t,y1:r-6,y2:r,class:`key`}))});let o=a.length>0?`${a.length} key frames are marked.`:`Frames.`;if(n){let e=Math.min(...t),n=Math.max(...t,e+1),i=t=>3+(1-(t-e)/(n-e))*(r-12),s=this.psnr.map((e,t)=>e===void 0||!Number.isFinite(e)?null:`${t},${i(e).toFixed(2)}`);a.push(J(`polyline`,{points:s.filter(Boolean).join(` `),class:`curve`})),o+=` PSNR from ${e.toFixed(1)} to ${Math.max(...t).toFixed(1)} dB.`}let s=this.store.state.frame;n&&a.push(J(`line`,{x1:s,x2:s,y1:0,y2:r,class:`now`}));let c=J(`title`,{});c.textContent=o,this.marks.replaceChildren(c,...a),this.marks.setAttribute(`aria-label`,o)}},Q=e=>document.getElementById(e);function xe(){let e=navigator.deviceMemory??4;return Math.min(Math.max(e*64,128),512)*1024*1024}function $(t){let n=Q(`failure`),r=t instanceof e?t.message:`The page failed: ${t instanceof Error?t.message:String(t)}`,i=document.createElement(`h2`);i.textContent=`This light field cannot be shown`;let a=document.createElement(`p`);a.textContent=r,n.replaceChildren(i,a),n.hidden=!1}function Se(e){let{across:t,up:n,view_size:r}=e,i=t.views*n.views;return`${n.views>1?`${t.views}\u00d7${n.views} views`:`${i} view${i===1?``:`s`}`} of ${r[0]}\u00d7${r[1]}${e.depth?`, with depth`:``}`}var Ce=class{constructor(e){this.fields=e,this.canvas=Q(`canvas`),this.wanted=!0,this.pointer=null,this.notices=new Map,this.prefetching=!1,this.store=new _e(e);let t=se(this.canvas);this.frames=new B(t,e,xe(),()=>this.redraw(),e=>this.notify(`size`,e)),this.renderer=new de(t,e,this.frames),this.timeline=new be(Q(`time`),this.store,e=>this.isThere(e)),ee(Q(`controls`),this.store,{save:()=>this.savePicture(),copy:()=>void this.copyLink(),focusRange:()=>this.focusRange()}),this.store.listen(()=>this.redraw()),this.listen(),this.head(),requestAnimationFrame(e=>this.tick(e))}redraw(){this.wanted=!0}head(){let e=this.fields.map(e=>e.title);document.title=`${e.join(` and `)} \u2013 Lippmann`,Q(`title`).textContent=e.join(` and `),Q(`facts`).textContent=Se(this.fields[0]);for(let e of this.fields)e.assumption&&this.notify(`assumption`,`Nothing says where the cameras stood: angles and depths are assumed.`)}notify(e,t){t?this.notices.set(e,t):this.notices.delete(e);let n=[...this.notices.values()].join(` `),r=Q(`notice`);r.textContent!==n&&(r.textContent=n)}shown(){return this.renderer.shownFields(this.store.state)}isThere(e){let t=this.store.state.show===`panel`;try{return this.shown().every(n=>this.frames.get(n,this.renderer.frameOf(n,e),t)!==null)}catch{return!0}}tick(e){requestAnimationFrame(e=>this.tick(e)),this.timeline.tick(e),this.fitCanvas()&&(this.wanted=!0),this.wanted&&(this.wanted=!1,this.draw())}fitCanvas(){let e=Math.min(window.devicePixelRatio||1,2),t=Math.max(1,Math.round(this.canvas.clientWidth*e)),n=Math.max(1,Math.round(this.canvas.clientHeight*e));return this.canvas.width===t&&this.canvas.height===n?!1:(this.canvas.width=t,this.canvas.height=n,!0)}draw(){let{state:t}=this.store;document.documentElement.dataset.theme=t.theme,this.frames.pin(this.shown(),t.frame),this.renderer.loupe=t.show===`panel`?this.pointer:null;let n=!1;try{n=this.renderer.draw(t,t.theme===`light`?[.93,.93,.93]:[.055,.055,.06]),this.notify(`frame`,``)}catch(t){if(!(t instanceof e))throw t;this.notify(`frame`,t.message),n=!0}Q(`bar`).hidden=n,Q(`stage`).dataset.drawn=String(n),Q(`stage`).dataset.frame=n?String(t.frame):``,this.canvas.setAttribute(`aria-label`,this.spoken()),n&&(this.showValues(),this.showScale(),this.prefetch())}spoken(){let{state:e}=this.store,t=e.eye.map(e=>e.toFixed(0)).join(`, `);return`${this.fields[0].title}, frame ${this.fields[0].frames[e.frame].label}: ${e.show===`panel`?`what the panel shows`:`seen from ${t} millimetres`}. Arrow keys move the eye, space plays.`}async prefetch(){if(this.prefetching)return;this.prefetching=!0;let{state:e}=this.store,t=e.show===`panel`,n=this.fields[0].frames.length,r=Math.min(n,this.frames.roomFor(0)),i=e.frame;for(let a=1;a<r&&e.frame===i;a++)for(let e of this.shown())await(await this.frames.load(e,this.renderer.frameOf(e,(i+a)%n),t))?.whole;this.prefetching=!1,e.frame!==i&&this.redraw()}showScale(){let{state:e}=this.store,t=Q(`scale`);if(t.hidden=this.shown().length<2||e.compare!==`difference`,t.hidden)return;let n=this.difference();t.textContent=``;let r=document.createElement(`span`);r.textContent=`0 to ${Math.round(e.scale)} codes`;let i=document.createElement(`span`);i.textContent=n===1/0?`identical`:`${n.toFixed(2)} dB`;let a=document.createElement(`i`);t.append(a,r,i),this.fields[0].frames[e.frame].psnr_db===void 0&&this.timeline.psnr[e.frame]!==n&&(this.timeline.psnr[e.frame]=n,this.timeline.update())}difference(){let[e,t]=[0,1].map(e=>this.renderer.picture(this.store.state,e,m(this.fields[0])));if(!e||!t)return NaN;let n=0;for(let r=0;r<e.length;r++)n+=(e[r]-t[r])**2;return n===0?1/0:10*Math.log10(255**2*.75*e.length/n)}showValues(){let{state:e}=this.store,t=Q(`values`),n=this.pointer&&this.renderer.shareAt(e,this.pointer.x,this.pointer.y);if(!n){t.value=``;return}let r=this.fields[this.shown()[0]],i=e.show===`panel`?r.panel.size:m(r),a=[`${Math.floor(n[0]*i[0])}, ${Math.floor(n[1]*i[1])}`];if(this.shown().forEach((t,r)=>{let i=this.renderer.valueAt(r,n);a.push(i.map(t=>String(L(t*2**e.exposure)).padStart(3,` `)).join(` `)),this.shown().length===1&&a.push(i.map(e=>e.toFixed(3)).join(` `))}),r.depth&&e.show===`eye`&&this.shown().length===1){let t=this.renderer.depthAt(e,n);t!==null&&Math.abs(t)<1e4&&a.push(`z ${t.toFixed(1)} mm`)}t.value=a.join(`   `)}focusRange(){let e=this.fields[0],t=this.isThere(this.store.state.frame)?this.frames.get(0,this.renderer.frameOf(0,this.store.state.frame),this.store.state.show===`panel`):null;if(!t)return[-50,50];let n=e.vergence_per_mm>0?.8/e.vergence_per_mm:1/0,r=e.vergence_per_mm>0?-2/e.vergence_per_mm:-1/0,[i,a]=t.disparities.map(t=>{let i=1+t*e.vergence_per_mm>.02?p(e,t):-1/0;return Math.min(Math.max(i,r),n)});return[Math.min(i,this.store.state.focus),Math.max(a,this.store.state.focus,i+1)]}at(e){let t=this.canvas.getBoundingClientRect();return{x:(e.clientX-t.left)/t.width*this.canvas.width,y:(e.clientY-t.top)/t.height*this.canvas.height}}listen(){let{canvas:t}=this,n=null;t.addEventListener(`pointerdown`,e=>{t.setPointerCapture(e.pointerId);let r=this.at(e);n={...r,shares:this.shares(),moved:!1,what:this.graspedAt(r.x,r.y)}}),t.addEventListener(`pointermove`,e=>{let t=this.at(e);this.pointer=t,this.redraw(),n&&(Math.hypot(t.x-n.x,t.y-n.y)>4&&(n.moved=!0),n.moved&&this.dragTo(n,t))}),t.addEventListener(`pointerup`,e=>{n&&!n.moved&&this.clickAt(this.at(e)),e.pointerType!==`mouse`&&(this.pointer=null),n=null,this.redraw()}),t.addEventListener(`pointercancel`,()=>n=null),t.addEventListener(`pointerleave`,()=>{this.pointer=null,this.redraw()}),t.addEventListener(`wheel`,e=>this.wheel(e),{passive:!1}),t.addEventListener(`webglcontextlost`,t=>{t.preventDefault(),$(new e(`The browser has taken the graphics away, for want of memory perhaps. Reload the page.`))}),t.addEventListener(`keydown`,e=>this.key(e)),window.addEventListener(`hashchange`,()=>this.store.readAddress());let r=Q(`toggle`);r.addEventListener(`click`,()=>{let e=document.body.classList.toggle(`open`);r.setAttribute(`aria-expanded`,String(e))})}shares(){let{eye:e}=this.store.state,t=this.fields[0];return[d(t.across,e[0]/e[2]),d(t.up,e[1]/e[2])]}graspedAt(e,t){let{state:n}=this.store,{left:r,top:i,width:a,height:o}=this.renderer.place,s=14*(this.canvas.width/this.canvas.clientWidth);return this.shown().length>1&&n.compare===`wipe`&&Math.abs(e-r-n.wipe*a)<s?`wipe`:n.line>=0&&Math.abs(t-i-n.line*o)<s?`line`:`eye`}dragTo(e,t){let{left:n,top:r,width:i,height:a}=this.renderer.place;e.what===`wipe`?this.store.set({wipe:(t.x-n)/i}):e.what===`line`?this.store.set({line:Math.min(Math.max((t.y-r)/a,0),1)}):this.store.state.show===`eye`&&this.moveEye(e.shares[0]+(t.x-e.x)/i,e.shares[1]-(t.y-e.y)/a)}moveEye(e,t){let{eye:n}=this.store.state,r=this.fields[0],i=e=>Math.min(Math.max(e,0),1),a=r.across.views>1?u(r.across,i(e))*n[2]:n[0],o=r.up.views>1?u(r.up,i(t))*n[2]:n[1];this.store.set({eye:[a,o,n[2]]})}clickAt(e){let{state:t}=this.store,n=this.renderer.shareAt(t,e.x,e.y);n&&t.show!==`panel`&&this.focusAt(n)}focusAt(e){let{state:t}=this.store,n=this.renderer.depthAt(t,e);n!==null&&this.store.set({focus:n,aperture:t.aperture>0?t.aperture:.5})}wheel(e){e.preventDefault();let{eye:t}=this.store.state,n=2**(Math.sign(e.deltaY)/16),r=this.fields[0].eye_mm[2],i=Math.min(Math.max(t[2]*n,r/4),r*4);this.store.set({eye:[t[0]/t[2]*i,t[1]/t[2]*i,i]})}key(e){if(e.ctrlKey||e.metaKey||e.altKey)return;let t=e.shiftKey?.01:.05,[n,r]=this.shares(),i={ArrowLeft:()=>this.arrow(n-t,r,-1,0),ArrowRight:()=>this.arrow(n+t,r,1,0),ArrowUp:()=>this.arrow(n,r+t,0,-1),ArrowDown:()=>this.arrow(n,r-t,0,1),Home:()=>this.moveEye(.5,.5)," ":()=>this.timeline.toggle(),",":()=>this.timeline.step(-1),".":()=>this.timeline.step(1),f:()=>this.focusAt([.5,.5]),a:()=>this.store.set({aperture:this.store.state.aperture>0?0:.5}),p:()=>this.store.set({show:this.store.state.show===`panel`?`eye`:`panel`})}[e.key];i&&(e.preventDefault(),i())}arrow(e,t,n,r){if(this.store.state.show!==`panel`)return this.moveEye(e,t);let{left:i,top:a,width:o,height:s}=this.renderer.place,c=this.pointer??{x:i+o/2,y:a+s/2};this.pointer={x:Math.min(Math.max(c.x+n*8,i),i+o),y:Math.min(Math.max(c.y+r*8,a),a+s)},this.redraw()}async picture(t,n=0){let{state:r}=this.store;await(await this.frames.load(n,this.renderer.frameOf(n,r.frame),!1))?.whole;let i=this.renderer.picture(r,n,t);if(!i)throw new e(`The frame is not there yet.`);return i}savePicture(){this.draw(),this.canvas.toBlob(e=>{if(!e)return;let t=document.createElement(`a`);t.href=URL.createObjectURL(e),t.download=`${this.fields[0].title}-${this.fields[0].frames[this.store.state.frame].label}.png`,t.click(),URL.revokeObjectURL(t.href)})}async copyLink(){let e=location.href.split(`#`)[0]+this.store.address();try{await navigator.clipboard.writeText(e),this.notify(`link`,`The link is in the clipboard.`)}catch{location.hash=this.store.address(),this.notify(`link`,`The link stands in the address bar.`)}window.setTimeout(()=>this.notify(`link`,``),3e3)}};async function we(){try{V(new Ce(s(await ie())))}catch(t){if($(t),!(t instanceof e))throw t}}we()})();

@@ -1,0 +1,194 @@
+// The controls beside the picture: native elements, so that keyboards and screen readers know them.
+import { shareOfZone, slopeInZone, type Field } from "./field";
+import type { State, Store } from "./state";
+
+interface Shown {
+  update: () => void;
+}
+
+function element<Name extends keyof HTMLElementTagNameMap>(name: Name, properties: Partial<HTMLElementTagNameMap[Name]> = {}, ...children: (Node | string)[]): HTMLElementTagNameMap[Name] {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+}
+
+const rounded = (value: number, digits: number): string => value.toFixed(digits).replace(/^-0(\.0*)?$/, "0$1").replace("-", "\u2212");
+
+let nextId = 0;
+
+interface SliderSettings {
+  label: string;
+  unit?: string;
+  range: () => [number, number];
+  steps?: number;
+  value: () => number;
+  text?: (value: number) => string;
+  set: (value: number) => void;
+  reset?: () => void;
+  applies?: () => boolean;
+}
+
+function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
+  const id = `control-${nextId++}`;
+  const input = element("input", { type: "range", id });
+  const output = element("output", { className: "value" });
+  output.setAttribute("for", id);
+  input.addEventListener("input", () => settings.set(Number(input.value)));
+  if (settings.reset) input.addEventListener("dblclick", settings.reset);
+  const row = element("div", { className: "row" }, element("label", { htmlFor: id }, settings.label), output, input);
+  const text = settings.text ?? ((value: number) => `${rounded(value, 1)}${settings.unit ? `\u2009${settings.unit}` : ""}`);
+  shown.push({
+    update: () => {
+      row.hidden = settings.applies !== undefined && !settings.applies();
+      const [least, most] = settings.range();
+      input.min = String(least);
+      input.max = String(most);
+      input.step = String((most - least) / (settings.steps ?? 200) || "any");
+      const value = settings.value();
+      if (document.activeElement !== input || Math.abs(Number(input.value) - value) > Number(input.step)) input.value = String(value);
+      output.value = text(value);
+      input.setAttribute("aria-valuetext", output.value);
+    },
+  });
+  return row;
+}
+
+function choice<Key extends keyof State>(label: string, key: Key, options: [string, string][], store: Store, shown: Shown[]): HTMLElement {
+  const id = `control-${nextId++}`;
+  const select = element("select", { id }, ...options.map(([value, text]) => element("option", { value }, text)));
+  select.addEventListener("change", () => store.set({ [key]: select.value }));
+  shown.push({ update: () => (select.value = String(store.state[key])) });
+  return element("div", { className: "row choice" }, element("label", { htmlFor: id }, label), select);
+}
+
+function check(label: string, value: () => boolean, set: (on: boolean) => void, shown: Shown[]): HTMLElement {
+  const id = `control-${nextId++}`;
+  const input = element("input", { type: "checkbox", id });
+  input.addEventListener("change", () => set(input.checked));
+  shown.push({ update: () => (input.checked = value()) });
+  return element("div", { className: "row check" }, input, element("label", { htmlFor: id }, label));
+}
+
+function group(title: string, ...rows: (HTMLElement | null)[]): HTMLElement {
+  const kept = rows.filter((row): row is HTMLElement => row !== null);
+  const id = `group-${nextId++}`;
+  const section = element("section", {}, element("h2", { id }, title), ...kept);
+  section.setAttribute("aria-labelledby", id);
+  return section;
+}
+
+export interface Actions {
+  save: () => void;
+  copy: () => void;
+  focusRange: () => [number, number];
+}
+
+/** Fills `parent`; what is returned brings all controls up to the state. */
+export function makeControls(parent: HTMLElement, store: Store, actions: Actions): () => void {
+  const shown: Shown[] = [];
+  const { fields } = store;
+  const field = fields[0];
+  const hasViews = field.across.views * field.up.views > 1;
+  parent.append(
+    ...[
+      fields.length > 1 ? compareGroup(store, shown) : null,
+      hasViews ? eyeGroup(store, field, shown) : null,
+      hasViews ? focusGroup(store, actions, shown) : null,
+      pictureGroup(store, field, hasViews, shown),
+      element(
+        "div",
+        { className: "buttons" },
+        button("Save picture", actions.save),
+        button("Copy link", actions.copy),
+        button("Reset", () => store.reset()),
+      ),
+    ].filter((one): one is HTMLElement => one !== null),
+  );
+  const update = () => shown.forEach((one) => one.update());
+  store.listen(update);
+  update();
+  return update;
+}
+
+function button(text: string, action: () => void): HTMLButtonElement {
+  const made = element("button", { type: "button" }, text);
+  made.addEventListener("click", action);
+  return made;
+}
+
+function eyeGroup(store: Store, field: Field, shown: Shown[]): HTMLElement {
+  const { state } = store;
+  const slope = (axis: 0 | 1) => state.eye[axis] / state.eye[2];
+  const move = (axis: 0 | 1, share: number) => {
+    const eye = [...state.eye];
+    eye[axis] = slopeInZone(axis === 0 ? field.across : field.up, share) * eye[2];
+    store.set({ eye });
+  };
+  const zone = (label: string, axis: 0 | 1) =>
+    slider(
+      {
+        label,
+        range: () => [0, 1],
+        value: () => shareOfZone(axis === 0 ? field.across : field.up, slope(axis)),
+        text: () => `${rounded(state.eye[axis], 1)}\u2009mm`,
+        set: (share) => move(axis, share),
+        reset: () => move(axis, 0.5),
+      },
+      shown,
+    );
+  const home = field.eye_mm[2];
+  return group(
+    "Eye",
+    field.across.views > 1 ? zone("Left to right", 0) : null,
+    field.up.views > 1 ? zone("Down to up", 1) : null,
+    slider(
+      {
+        label: "Distance",
+        unit: "mm",
+        range: () => [-2, 2],
+        value: () => Math.log2(state.eye[2] / home),
+        text: () => `${rounded(state.eye[2], 0)}\u2009mm`,
+        set: (power) => {
+          const z = home * 2 ** power;
+          store.set({ eye: [slope(0) * z, slope(1) * z, z] });
+        },
+      },
+      shown,
+    ),
+    choice("Two eyes", "stereo", [["off", "Off"], ["anaglyph", "Anaglyph, red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown),
+    slider({ label: "Eye separation", unit: "mm", applies: () => state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown),
+  );
+}
+
+function focusGroup(store: Store, actions: Actions, shown: Shown[]): HTMLElement {
+  const { state } = store;
+  return group(
+    "Focus",
+    slider({ label: "Aperture", range: () => [0, 1], value: () => state.aperture, text: (value) => (value === 0 ? "all in focus" : `${rounded(100 * value, 0)}\u2009% of the zone`), set: (aperture) => store.set({ aperture }) }, shown),
+    slider({ label: "Depth in focus", unit: "mm", applies: () => state.aperture > 0, range: actions.focusRange, value: () => state.focus, set: (focus) => store.set({ focus }) }, shown),
+  );
+}
+
+function pictureGroup(store: Store, field: Field, hasViews: boolean, shown: Shown[]): HTMLElement {
+  const { state } = store;
+  return group(
+    "Picture",
+    hasViews ? choice("Show", "show", [["eye", "What the eye sees"], ["panel", "What the panel shows"]], store, shown) : null,
+    field.depth ? choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown) : null,
+    field.lens_samples.some(Boolean) ? check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown) : null,
+    field.across.views > 1 ? check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown) : null,
+    slider({ label: "Line, from the top", applies: () => state.line >= 0, range: () => [0, 1], value: () => state.line, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (line) => store.set({ line }) }, shown),
+    slider({ label: "Exposure", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown),
+    check("Light background", () => state.theme === "light", (on) => store.set({ theme: on ? "light" : "dark" }), shown),
+  );
+}
+
+function compareGroup(store: Store, shown: Shown[]): HTMLElement {
+  const { state, fields } = store;
+  return group(
+    "Compare",
+    choice("Show", "compare", [["wipe", "Both, wiped"], ["side-by-side", "Side by side"], ["difference", "Difference"], ["first", `First: ${fields[0].title}`], ["second", `Second: ${fields[1].title}`]], store, shown),
+    slider({ label: "Wipe", applies: () => state.compare === "wipe", range: () => [0, 1], value: () => state.wipe, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (wipe) => store.set({ wipe }) }, shown),
+    slider({ label: "Scale of differences", applies: () => state.compare === "difference", range: () => [1, 255], steps: 254, value: () => state.scale, text: (value) => `0 to ${rounded(value, 0)} codes`, set: (scale) => store.set({ scale }) }, shown),
+  );
+}

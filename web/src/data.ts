@@ -1,0 +1,95 @@
+// Where the page's data come from: a server, or scripts beside the page (pages that are opened from a disk may run those only).
+import { Refusal } from "./field";
+
+interface Waiting {
+  resolve: (blob: Blob) => void;
+  reject: (error: Error) => void;
+}
+
+declare global {
+  interface Window {
+    lippmann_fields?: (json: unknown) => void;
+    lippmann_data?: (name: string, type: string, base64: string) => void;
+  }
+}
+
+const usesScripts = (): boolean =>
+  document.querySelector('meta[name="lippmann-data"]')?.getAttribute("content") === "scripts";
+
+function runScript(path: string): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const script = document.createElement("script");
+    script.src = path;
+    script.onload = () => (script.remove(), resolve());
+    script.onerror = () => (script.remove(), reject(new Refusal(`${path} is missing or cannot be read.`)));
+    document.head.append(script);
+  });
+}
+
+async function answerOf(path: string): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(path);
+  } catch {
+    throw new Refusal("The server does not answer: has `lippmann view` been ended?");
+  }
+  if (response.ok) return response;
+  const text = await response.text();
+  let reason = text.trim();
+  try {
+    reason = (JSON.parse(text) as { error: string }).error;
+  } catch {
+    // It is plain text.
+  }
+  throw new Refusal(reason || `${path}: the server answers ${response.status}.`);
+}
+
+export async function loadFields(): Promise<unknown> {
+  if (!usesScripts()) {
+    const text = await (await answerOf("fields.json")).text();
+    try {
+      return JSON.parse(text);
+    } catch {
+      throw new Refusal("The description of the light field is damaged: it is no JSON.");
+    }
+  }
+  let found: unknown;
+  window.lippmann_fields = (json) => (found = json);
+  await runScript("fields.js");
+  if (found === undefined) throw new Refusal("fields.js is damaged: it describes no light field.");
+  return found;
+}
+
+const waiting = new Map<string, Waiting>();
+
+function blobOf(base64: string, type: string): Blob {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return new Blob([bytes], { type });
+}
+
+function receive(name: string, type: string, base64: string): void {
+  const one = waiting.get(name);
+  waiting.delete(name);
+  try {
+    one?.resolve(blobOf(base64, type));
+  } catch {
+    one?.reject(new Refusal(`${name}.js is damaged.`));
+  }
+}
+
+function fromScript(name: string): Promise<Blob> {
+  window.lippmann_data ??= receive;
+  return new Promise((resolve, reject) => {
+    waiting.set(name, { resolve, reject });
+    runScript(`${name}.js`).then(() => {
+      if (waiting.delete(name)) reject(new Refusal(`${name}.js is damaged: it holds no picture.`));
+    }, reject);
+  });
+}
+
+/** One picture: FIELD/views/FRAME, FIELD/depth/FRAME or FIELD/panel/FRAME. */
+export async function loadPicture(name: string): Promise<Blob> {
+  return usesScripts() ? fromScript(name) : (await answerOf(name)).blob();
+}

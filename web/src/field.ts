@@ -1,0 +1,98 @@
+// What the page is told of a light field (docs/view.md lists the keys), checked before it is used.
+
+export interface Axis {
+  views: number;
+  first: number;
+  step: number;
+  by: "slope" | "angle";
+  beyond: "stays" | "repeats" | "next lens";
+}
+
+export interface Frame {
+  label: string;
+  kind?: string;
+  psnr_db?: number;
+}
+
+export interface Field {
+  title: string;
+  view_size: [number, number];
+  tiles: [number, number];
+  across: Axis;
+  up: Axis;
+  vergence_per_mm: number;
+  window_mm: { centre: [number, number]; size: [number, number] };
+  lens_samples: [boolean, boolean];
+  panel: { is: "integral" | "quilt" | "own"; size: [number, number] };
+  eye_mm: [number, number, number];
+  depth_budget_mm: number | null;
+  depth: boolean;
+  disparity_scale_mm: number;
+  frames_per_second: number;
+  assumption: string;
+  frames: Frame[];
+}
+
+/** An error that is shown to the user as it stands. */
+export class Refusal extends Error {}
+
+function require(holds: boolean, what: string): asserts holds {
+  if (!holds) throw new Refusal(`The description of the light field is damaged: ${what}.`);
+}
+
+const isNumber = (value: unknown): value is number => typeof value === "number" && Number.isFinite(value);
+const areNumbers = (value: unknown, count: number): boolean =>
+  Array.isArray(value) && value.length === count && value.every(isNumber);
+const areSizes = (value: unknown): boolean =>
+  areNumbers(value, 2) && (value as number[]).every((side) => side >= 1 && side <= 65536 && Number.isInteger(side));
+
+function checkAxis(axis: Axis, name: string): void {
+  require(typeof axis === "object" && axis !== null, `it has no "${name}"`);
+  require(Number.isInteger(axis.views) && axis.views >= 1 && axis.views <= 65536, `"${name}" has no number of views`);
+  require(isNumber(axis.first) && isNumber(axis.step), `"${name}" does not say where the views are`);
+}
+
+function checkField(field: Field): void {
+  require(typeof field === "object" && field !== null, "it is no object");
+  require(areSizes(field.view_size) && areSizes(field.tiles), "it does not say how large views are");
+  checkAxis(field.across, "across");
+  checkAxis(field.up, "up");
+  require(field.tiles[0] * field.tiles[1] >= field.across.views * field.up.views, "it has fewer tiles than views");
+  require(isNumber(field.vergence_per_mm) && isNumber(field.disparity_scale_mm), "it does not say the viewing distance");
+  require(areNumbers(field.window_mm?.centre, 2) && areNumbers(field.window_mm?.size, 2), "it has no window");
+  require(areNumbers(field.eye_mm, 3) && field.eye_mm[2] > 0, "it has no eye");
+  require(Array.isArray(field.lens_samples) && areSizes(field.panel?.size), "it does not say what the panel shows");
+  require(isNumber(field.frames_per_second) && field.frames_per_second > 0, "it has no frame rate");
+  require(Array.isArray(field.frames) && field.frames.length > 0, "it has no frames");
+  require(field.frames.every((frame) => typeof frame?.label === "string"), "a frame has no label");
+}
+
+export function readFields(json: unknown): Field[] {
+  const fields = (json as { fields?: Field[] } | null)?.fields;
+  require(Array.isArray(fields) && fields.length > 0, "it lists no light field");
+  fields.forEach(checkField);
+  return fields;
+}
+
+/** The axis on which views are equally far apart, of a slope at the middle of the display. */
+const placed = (axis: Axis, slope: number): number => (axis.by === "angle" ? Math.atan(slope) : slope);
+const slopeOf = (axis: Axis, place: number): number => (axis.by === "angle" ? Math.tan(place) : place);
+
+/** The slope of the eye that far through the zone: 0 its left (lower) end, 1 its right (upper). */
+export const slopeInZone = (axis: Axis, share: number): number =>
+  slopeOf(axis, axis.first + axis.step * (share * axis.views - 0.5));
+
+export const shareOfZone = (axis: Axis, slope: number): number =>
+  axis.step === 0 ? 0.5 : ((placed(axis, slope) - axis.first) / axis.step + 0.5) / axis.views;
+
+/** How far points at a depth move in the display's plane, mm per unit of slope between two eyes. */
+export const disparityOfDepth = (field: Field, depth: number): number => depth / (1 - depth * field.vergence_per_mm);
+export const depthOfDisparity = (field: Field, disparity: number): number =>
+  disparity / (1 + disparity * field.vergence_per_mm);
+
+/** A picture of square pixels with at least the samples of a view. */
+export function naturalSize(field: Field): [number, number] {
+  const [width, height] = field.window_mm.size;
+  const pixel = Math.min(width / field.view_size[0], height / field.view_size[1]);
+  return [Math.max(1, Math.round(width / pixel)), Math.max(1, Math.round(height / pixel))];
+}

@@ -1,0 +1,410 @@
+// The page: loads the description, then draws what the state says whenever it changes.
+import { makeControls } from "./controls";
+import { loadFields } from "./data";
+import { depthOfDisparity, naturalSize, readFields, Refusal, shareOfZone, slopeInZone, type Field } from "./field";
+import { Frames } from "./frames";
+import { codeFromLinear, openGl } from "./gl";
+import { steerFromOutside } from "./outside";
+import { Renderer } from "./renderer";
+import { Store } from "./state";
+import { Timeline } from "./timeline";
+
+const byId = <Kind extends HTMLElement = HTMLElement>(id: string): Kind => document.getElementById(id) as Kind;
+
+/** Bytes of frames on the GPU: less where a phone or a small machine shares its memory with it. */
+function frameBudget(): number {
+  const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
+  return Math.min(Math.max(gigabytes * 64, 128), 512) * 1024 * 1024;
+}
+
+function fail(error: unknown): void {
+  const section = byId("failure");
+  const text = error instanceof Refusal ? error.message : `The page failed: ${error instanceof Error ? error.message : String(error)}`;
+  const heading = document.createElement("h2");
+  heading.textContent = "This light field cannot be shown";
+  const paragraph = document.createElement("p");
+  paragraph.textContent = text;
+  section.replaceChildren(heading, paragraph);
+  section.hidden = false;
+}
+
+function describe(field: Field): string {
+  const { across, up, view_size: size } = field;
+  const views = across.views * up.views;
+  const grid = up.views > 1 ? `${across.views}\u00d7${up.views} views` : `${views} view${views === 1 ? "" : "s"}`;
+  return `${grid} of ${size[0]}\u00d7${size[1]}${field.depth ? ", with depth" : ""}`;
+}
+
+export class App {
+  readonly store: Store;
+  readonly canvas = byId<HTMLCanvasElement>("canvas");
+  readonly frames: Frames;
+  readonly renderer: Renderer;
+  readonly timeline: Timeline;
+  private wanted = true;
+  private pointer: { x: number; y: number } | null = null;
+  private notices = new Map<string, string>();
+  private prefetching = false;
+
+  constructor(readonly fields: Field[]) {
+    this.store = new Store(fields);
+    const gl = openGl(this.canvas);
+    this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
+    this.renderer = new Renderer(gl, fields, this.frames);
+    this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
+    makeControls(byId("controls"), this.store, {
+      save: () => this.savePicture(),
+      copy: () => void this.copyLink(),
+      focusRange: () => this.focusRange(),
+    });
+    this.store.listen(() => this.redraw());
+    this.listen();
+    this.head();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  redraw(): void {
+    this.wanted = true;
+  }
+
+  private head(): void {
+    const titles = this.fields.map((field) => field.title);
+    document.title = `${titles.join(" and ")} \u2013 Lippmann`;
+    byId("title").textContent = titles.join(" and ");
+    byId("facts").textContent = describe(this.fields[0]);
+    for (const field of this.fields) if (field.assumption) this.notify("assumption", "Nothing says where the cameras stood: angles and depths are assumed.");
+  }
+
+  private notify(about: string, text: string): void {
+    if (text) this.notices.set(about, text);
+    else this.notices.delete(about);
+    const all = [...this.notices.values()].join(" ");
+    const notice = byId("notice");
+    if (notice.textContent !== all) notice.textContent = all;
+  }
+
+  private shown(): number[] {
+    return this.renderer.shownFields(this.store.state);
+  }
+
+  private isThere(frame: number): boolean {
+    const panel = this.store.state.show === "panel";
+    try {
+      return this.shown().every((field) => this.frames.get(field, this.renderer.frameOf(field, frame), panel) !== null);
+    } catch {
+      return true;
+    }
+  }
+
+  private tick(now: number): void {
+    requestAnimationFrame((next) => this.tick(next));
+    this.timeline.tick(now);
+    if (this.fitCanvas()) this.wanted = true;
+    if (!this.wanted) return;
+    this.wanted = false;
+    this.draw();
+  }
+
+  private fitCanvas(): boolean {
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    if (this.canvas.width === width && this.canvas.height === height) return false;
+    this.canvas.width = width;
+    this.canvas.height = height;
+    return true;
+  }
+
+  private draw(): void {
+    const { state } = this.store;
+    document.documentElement.dataset.theme = state.theme;
+    this.frames.pin(this.shown(), state.frame);
+    this.renderer.loupe = state.show === "panel" ? this.pointer : null;
+    let drawn = false;
+    try {
+      drawn = this.renderer.draw(state, state.theme === "light" ? [0.93, 0.93, 0.93] : [0.055, 0.055, 0.06]);
+      this.notify("frame", "");
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      this.notify("frame", error.message);
+      drawn = true;
+    }
+    byId("bar").hidden = drawn;
+    byId("stage").dataset.drawn = String(drawn);
+    byId("stage").dataset.frame = drawn ? String(state.frame) : "";
+    this.canvas.setAttribute("aria-label", this.spoken());
+    if (!drawn) return;
+    this.showValues();
+    this.showScale();
+    void this.prefetch();
+  }
+
+  private spoken(): string {
+    const { state } = this.store;
+    const eye = state.eye.map((x) => x.toFixed(0)).join(", ");
+    return `${this.fields[0].title}, frame ${this.fields[0].frames[state.frame].label}: ${state.show === "panel" ? "what the panel shows" : `seen from ${eye} millimetres`}. Arrow keys move the eye, space plays.`;
+  }
+
+  /** Loads what comes next, one frame at a time, as many as there is room for. */
+  private async prefetch(): Promise<void> {
+    if (this.prefetching) return;
+    this.prefetching = true;
+    const { state } = this.store;
+    const panel = state.show === "panel";
+    const count = this.fields[0].frames.length;
+    const room = Math.min(count, this.frames.roomFor(0));
+    const from = state.frame;
+    for (let i = 1; i < room && state.frame === from; i++)
+      for (const field of this.shown()) await (await this.frames.load(field, this.renderer.frameOf(field, (from + i) % count), panel))?.whole;
+    this.prefetching = false;
+    if (state.frame !== from) this.redraw();
+  }
+
+  private showScale(): void {
+    const { state } = this.store;
+    const scale = byId("scale");
+    scale.hidden = this.shown().length < 2 || state.compare !== "difference";
+    if (scale.hidden) return;
+    const errors = this.difference();
+    scale.textContent = "";
+    const ends = document.createElement("span");
+    ends.textContent = `0 to ${Math.round(state.scale)} codes`;
+    const psnr = document.createElement("span");
+    psnr.textContent = errors === Infinity ? "identical" : `${errors.toFixed(2)} dB`;
+    const strip = document.createElement("i");
+    scale.append(strip, ends, psnr);
+    if (this.fields[0].frames[state.frame].psnr_db === undefined && this.timeline.psnr[state.frame] !== errors) {
+      this.timeline.psnr[state.frame] = errors;
+      this.timeline.update();
+    }
+  }
+
+  /** PSNR of the second picture as it is seen, in codes. */
+  private difference(): number {
+    const [first, second] = [0, 1].map((field) => this.renderer.picture(this.store.state, field, naturalSize(this.fields[0])));
+    if (!first || !second) return NaN;
+    let sum = 0;
+    for (let i = 0; i < first.length; i++) sum += (first[i] - second[i]) ** 2;
+    return sum === 0 ? Infinity : 10 * Math.log10((255 ** 2 * 0.75 * first.length) / sum);
+  }
+
+  private showValues(): void {
+    const { state } = this.store;
+    const values = byId<HTMLOutputElement>("values");
+    const share = this.pointer && this.renderer.shareAt(state, this.pointer.x, this.pointer.y);
+    if (!share) {
+      values.value = "";
+      return;
+    }
+    const field = this.fields[this.shown()[0]];
+    const size = state.show === "panel" ? field.panel.size : naturalSize(field);
+    const parts = [`${Math.floor(share[0] * size[0])}, ${Math.floor(share[1] * size[1])}`];
+    this.shown().forEach((_, i) => {
+      const linear = this.renderer.valueAt(i as 0 | 1, share);
+      parts.push(linear.map((v) => String(codeFromLinear(v * 2 ** state.exposure)).padStart(3, "\u2007")).join(" "));
+      if (this.shown().length === 1) parts.push(linear.map((v) => v.toFixed(3)).join(" "));
+    });
+    if (field.depth && state.show === "eye" && this.shown().length === 1) {
+      const depth = this.renderer.depthAt(state, share);
+      if (depth !== null && Math.abs(depth) < 1e4) parts.push(`z ${depth.toFixed(1)} mm`);
+    }
+    values.value = parts.join("   ");
+  }
+
+  private focusRange(): [number, number] {
+    const field = this.fields[0];
+    const known = this.isThere(this.store.state.frame) ? this.frames.get(0, this.renderer.frameOf(0, this.store.state.frame), this.store.state.show === "panel") : null;
+    if (!known) return [-50, 50];
+    const nearest = field.vergence_per_mm > 0 ? 0.8 / field.vergence_per_mm : Infinity;
+    const farthest = field.vergence_per_mm > 0 ? -2 / field.vergence_per_mm : -Infinity;
+    const [least, most] = known.disparities.map((w) => {
+      const z = 1 + w * field.vergence_per_mm > 0.02 ? depthOfDisparity(field, w) : -Infinity;
+      return Math.min(Math.max(z, farthest), nearest);
+    });
+    return [Math.min(least, this.store.state.focus), Math.max(most, this.store.state.focus, least + 1)];
+  }
+
+  // ---- Pointer and keys --------------------------------------------------------------------------------------------------
+
+  private at(event: PointerEvent | WheelEvent): { x: number; y: number } {
+    const box = this.canvas.getBoundingClientRect();
+    return { x: ((event.clientX - box.left) / box.width) * this.canvas.width, y: ((event.clientY - box.top) / box.height) * this.canvas.height };
+  }
+
+  private listen(): void {
+    const { canvas } = this;
+    let drag: { x: number; y: number; shares: [number, number]; moved: boolean; what: "eye" | "wipe" | "line" } | null = null;
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      const at = this.at(event);
+      drag = { ...at, shares: this.shares(), moved: false, what: this.graspedAt(at.x, at.y) };
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      const at = this.at(event);
+      this.pointer = at;
+      this.redraw();
+      if (!drag) return;
+      if (Math.hypot(at.x - drag.x, at.y - drag.y) > 4) drag.moved = true;
+      if (drag.moved) this.dragTo(drag, at);
+    });
+    canvas.addEventListener("pointerup", (event) => {
+      if (drag && !drag.moved) this.clickAt(this.at(event));
+      if (event.pointerType !== "mouse") this.pointer = null;
+      drag = null;
+      this.redraw();
+    });
+    canvas.addEventListener("pointercancel", () => (drag = null));
+    canvas.addEventListener("pointerleave", () => {
+      this.pointer = null;
+      this.redraw();
+    });
+    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      fail(new Refusal("The browser has taken the graphics away, for want of memory perhaps. Reload the page."));
+    });
+    canvas.addEventListener("keydown", (event) => this.key(event));
+    window.addEventListener("hashchange", () => this.store.readAddress());
+    const toggle = byId<HTMLButtonElement>("toggle");
+    toggle.addEventListener("click", () => {
+      const open = document.body.classList.toggle("open");
+      toggle.setAttribute("aria-expanded", String(open));
+    });
+  }
+
+  private shares(): [number, number] {
+    const { eye } = this.store.state;
+    const field = this.fields[0];
+    return [shareOfZone(field.across, eye[0] / eye[2]), shareOfZone(field.up, eye[1] / eye[2])];
+  }
+
+  private graspedAt(x: number, y: number): "eye" | "wipe" | "line" {
+    const { state } = this.store;
+    const { left, top, width, height } = this.renderer.place;
+    const near = 14 * (this.canvas.width / this.canvas.clientWidth);
+    if (this.shown().length > 1 && state.compare === "wipe" && Math.abs(x - left - state.wipe * width) < near) return "wipe";
+    if (state.line >= 0 && Math.abs(y - top - state.line * height) < near) return "line";
+    return "eye";
+  }
+
+  private dragTo(drag: { x: number; y: number; shares: [number, number]; what: "eye" | "wipe" | "line" }, at: { x: number; y: number }): void {
+    const { left, top, width, height } = this.renderer.place;
+    if (drag.what === "wipe") this.store.set({ wipe: (at.x - left) / width });
+    else if (drag.what === "line") this.store.set({ line: Math.min(Math.max((at.y - top) / height, 0), 1) });
+    else if (this.store.state.show === "eye") this.moveEye(drag.shares[0] + (at.x - drag.x) / width, drag.shares[1] - (at.y - drag.y) / height);
+  }
+
+  /** Within the zone, to its ends. */
+  private moveEye(across: number, up: number): void {
+    const { eye } = this.store.state;
+    const field = this.fields[0];
+    const within = (share: number) => Math.min(Math.max(share, 0), 1);
+    const x = field.across.views > 1 ? slopeInZone(field.across, within(across)) * eye[2] : eye[0];
+    const y = field.up.views > 1 ? slopeInZone(field.up, within(up)) * eye[2] : eye[1];
+    this.store.set({ eye: [x, y, eye[2]] });
+  }
+
+  private clickAt(at: { x: number; y: number }): void {
+    const { state } = this.store;
+    const share = this.renderer.shareAt(state, at.x, at.y);
+    if (!share || state.show === "panel") return;
+    this.focusAt(share);
+  }
+
+  /** Focuses on what is seen there; a closed aperture opens. */
+  focusAt(share: [number, number]): void {
+    const { state } = this.store;
+    const depth = this.renderer.depthAt(state, share);
+    if (depth === null) return;
+    this.store.set({ focus: depth, aperture: state.aperture > 0 ? state.aperture : 0.5 });
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const { eye } = this.store.state;
+    const factor = 2 ** (Math.sign(event.deltaY) / 16);
+    const home = this.fields[0].eye_mm[2];
+    const z = Math.min(Math.max(eye[2] * factor, home / 4), home * 4);
+    this.store.set({ eye: [(eye[0] / eye[2]) * z, (eye[1] / eye[2]) * z, z] });
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const by = event.shiftKey ? 0.01 : 0.05;
+    const [across, up] = this.shares();
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => this.arrow(across - by, up, -1, 0),
+      ArrowRight: () => this.arrow(across + by, up, 1, 0),
+      ArrowUp: () => this.arrow(across, up + by, 0, -1),
+      ArrowDown: () => this.arrow(across, up - by, 0, 1),
+      Home: () => this.moveEye(0.5, 0.5),
+      " ": () => this.timeline.toggle(),
+      ",": () => this.timeline.step(-1),
+      ".": () => this.timeline.step(1),
+      f: () => this.focusAt([0.5, 0.5]),
+      a: () => this.store.set({ aperture: this.store.state.aperture > 0 ? 0 : 0.5 }),
+      p: () => this.store.set({ show: this.store.state.show === "panel" ? "eye" : "panel" }),
+    };
+    const action = actions[event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  }
+
+  /** Moves the eye, or before the panel's picture the loupe. */
+  private arrow(across: number, up: number, x: number, y: number): void {
+    if (this.store.state.show !== "panel") return this.moveEye(across, up);
+    const { left, top, width, height } = this.renderer.place;
+    const at = this.pointer ?? { x: left + width / 2, y: top + height / 2 };
+    this.pointer = { x: Math.min(Math.max(at.x + x * 8, left), left + width), y: Math.min(Math.max(at.y + y * 8, top), top + height) };
+    this.redraw();
+  }
+
+  // ---- What leaves the page ----------------------------------------------------------------------------------------------
+
+  /** Codes (RGBA, from the top) of what the eye sees of a light field in a picture of that size. */
+  async picture(size: [number, number], field = 0): Promise<Uint8ClampedArray> {
+    const { state } = this.store;
+    const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), false);
+    await frame?.whole;
+    const codes = this.renderer.picture(state, field, size);
+    if (!codes) throw new Refusal("The frame is not there yet.");
+    return codes;
+  }
+
+  private savePicture(): void {
+    this.draw();
+    this.canvas.toBlob((blob) => {
+      if (!blob) return;
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(blob);
+      link.download = `${this.fields[0].title}-${this.fields[0].frames[this.store.state.frame].label}.png`;
+      link.click();
+      URL.revokeObjectURL(link.href);
+    });
+  }
+
+  private async copyLink(): Promise<void> {
+    const link = location.href.split("#")[0] + this.store.address();
+    try {
+      await navigator.clipboard.writeText(link);
+      this.notify("link", "The link is in the clipboard.");
+    } catch {
+      location.hash = this.store.address();
+      this.notify("link", "The link stands in the address bar.");
+    }
+    window.setTimeout(() => this.notify("link", ""), 3000);
+  }
+}
+
+async function start(): Promise<void> {
+  try {
+    const app = new App(readFields(await loadFields()));
+    steerFromOutside(app);
+  } catch (error) {
+    fail(error);
+    if (!(error instanceof Refusal)) throw error;
+  }
+}
+
+void start();

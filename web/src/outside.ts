@@ -1,0 +1,39 @@
+// How other programs steer the page: `window.lippmann` in scripts of the page's own origin, messages from a page around it.
+//   parent to page: frame.contentWindow.postMessage({ lippmann: { eye: [20, 0, 500], frame: 12, focus: -10, aperture: 1 } }, "*")
+//   page to parent: { lippmann: { state: {...} } } after every change; no pictures.
+import type { App } from "./main";
+import type { State } from "./state";
+
+interface Handle {
+  readonly state: State;
+  readonly fields: App["fields"];
+  set(changes: Record<string, unknown>): void;
+  focusAt(x: number, y: number): void;
+  picture(width: number, height: number, field?: number): Promise<Uint8ClampedArray>;
+  valueAt(x: number, y: number): number[];
+}
+
+declare global {
+  interface Window {
+    lippmann?: Handle;
+  }
+}
+
+export function steerFromOutside(app: App): void {
+  const { store } = app;
+  window.lippmann = {
+    get state() {
+      return structuredClone(store.state);
+    },
+    fields: app.fields,
+    set: (changes) => store.set(changes),
+    focusAt: (x, y) => app.focusAt([x, y]),
+    picture: (width, height, field = 0) => app.picture([width, height], field),
+    valueAt: (x, y) => app.renderer.valueAt(0, [x, y]),
+  };
+  window.addEventListener("message", (event) => {
+    const changes = (event.data as { lippmann?: Record<string, unknown> } | null)?.lippmann;
+    if (event.source === window.parent && typeof changes === "object" && changes !== null) store.set(changes);
+  });
+  if (window.parent !== window) store.listen(() => window.parent.postMessage({ lippmann: { state: structuredClone(store.state) } }, "*"));
+}

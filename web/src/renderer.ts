@@ -1,0 +1,282 @@
+// Draws the state: each eye's picture off the screen in linear light, then all of it on the canvas.
+import { disparityOfDepth, naturalSize, type Axis, type Field } from "./field";
+import type { Frames, LoadedFrame } from "./frames";
+import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
+import { kEyeShader, kPanelShader, kScreenShader } from "./shaders";
+import type { State } from "./state";
+
+export interface Rectangle {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
+
+export interface Loupe {
+  x: number;
+  y: number;
+}
+
+type Eye = [number, number, number];
+
+const kBeyond = { stays: 0, repeats: 1, "next lens": 2 };
+const kPanelKinds = { integral: 0, quilt: 1, own: 2 };
+const kLoupeRadius = 92;
+/** Beyond the views' own samples a picture has nothing to show, but edges of lenses and of depth should not look coarse. */
+const kLeastLongSide = 800;
+
+const axisOf = (axis: Axis): number[] => [axis.first, axis.step, axis.by === "angle" ? 1 : 0, kBeyond[axis.beyond]];
+
+export class Renderer {
+  /** Where the picture is on the canvas, in its pixels from the top left. */
+  place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
+  loupe: Loupe | null = null;
+  private readonly eyeProgram: Program;
+  private readonly panelProgram: Program;
+  private readonly screenProgram: Program;
+  private readonly targets: [Target, Target, Target, Target];
+
+  constructor(
+    private readonly gl: Gl,
+    private readonly fields: Field[],
+    private readonly frames: Frames,
+  ) {
+    this.eyeProgram = new Program(gl, kEyeShader);
+    this.panelProgram = new Program(gl, kPanelShader);
+    this.screenProgram = new Program(gl, kScreenShader);
+    this.targets = [new Target(gl), new Target(gl), new Target(gl), new Target(gl)];
+  }
+
+  /** The frame of another light field that is shown with frame `frame` of the first: the one of its label, else of its place. */
+  frameOf(field: number, frame: number): number {
+    if (field === 0) return frame;
+    const frames = this.fields[field].frames;
+    const same = frames.findIndex((one) => one.label === this.fields[0].frames[frame].label);
+    return same >= 0 ? same : Math.min(frame, frames.length - 1);
+  }
+
+  /** Which light fields the state shows. */
+  shownFields(state: State): number[] {
+    if (this.fields.length < 2 || state.compare === "first") return [0];
+    return state.compare === "second" ? [1] : [0, 1];
+  }
+
+  /** Whether all that the state wants was there; the canvas is left as it was where not. */
+  draw(state: State, ground: number[]): boolean {
+    const shown = this.shownFields(state);
+    const loaded = shown.map((field) => this.loaded(field, state));
+    if (loaded.some((one) => !one)) return false;
+    const stereo = shown.length === 1 && state.show === "eye" && state.stereo !== "off";
+    const field = this.fields[shown[0]];
+    this.layOut(field, state, stereo, shown.length > 1);
+    const size = this.pictureSize(field, state, stereo || shown.length > 1);
+    shown.forEach((one, i) => {
+      const frame = loaded[i] as LoadedFrame;
+      if (state.show === "panel") this.drawPanel(this.targets[i], this.fields[one], frame);
+      else if (stereo) this.drawPair(field, frame, state, size);
+      else this.drawEye(this.targets[i], this.fields[one], frame, state, state.eye, size);
+    });
+    this.compose(state, stereo, ground);
+    if (state.line >= 0 && state.show === "eye") this.drawLine(field, loaded[0] as LoadedFrame, state);
+    return true;
+  }
+
+  private loaded(field: number, state: State): LoadedFrame | null {
+    return this.frames.get(field, this.frameOf(field, state.frame), state.show === "panel");
+  }
+
+  private drawPair(field: Field, frame: LoadedFrame, state: State, size: [number, number]): void {
+    [-0.5, 0.5].forEach((side, i) => {
+      const [x, y, z] = state.eye;
+      this.drawEye(this.targets[i], field, frame, state, [x + side * state.separation, y, z], size);
+    });
+  }
+
+  /** Fits the picture, or both, into the canvas; an epipolar-plane image goes below it. */
+  private layOut(field: Field, state: State, stereo: boolean, compared: boolean): void {
+    const { width, height } = this.gl.canvas;
+    const room = height * (state.line >= 0 && state.show === "eye" ? 0.8 : 1);
+    const [w, h] = state.show === "panel" ? field.panel.size : field.window_mm.size;
+    const wide = (stereo && state.stereo === "side-by-side") || (compared && state.compare === "side-by-side");
+    const high = stereo && state.stereo === "top-bottom";
+    const aspect = ((w / h) * (wide ? 2 : 1)) / (high ? 2 : 1);
+    const fitted = Math.min(width / aspect, room);
+    const place = { width: Math.round(fitted * aspect), height: Math.round(fitted) };
+    this.place = { left: Math.round((width - place.width) / 2), top: Math.round((room - place.height) / 2), ...place };
+  }
+
+  private pictureSize(field: Field, state: State, two: boolean): [number, number] {
+    const [width, height] = field.window_mm.size;
+    const natural = Math.max(...naturalSize(field));
+    const halved = two && (state.stereo === "top-bottom" || state.compare === "side-by-side");
+    const shown = Math.max(this.place.width, this.place.height) / (halved ? 2 : 1);
+    const side = Math.max(2, Math.min(shown, Math.max(natural, kLeastLongSide)));
+    const scale = side / Math.max(width, height);
+    return [Math.max(1, Math.round(width * scale)), Math.max(1, Math.round(height * scale))];
+  }
+
+  private fieldUniforms(field: Field, frame: LoadedFrame): Record<string, Uniform> {
+    const gl = this.gl;
+    return {
+      u_views: bind(gl, 0, frame.views),
+      u_depth: bind(gl, 1, frame.depth ?? frame.views),
+      u_panel: bind(gl, 2, frame.panel ?? frame.views),
+      u_view_size: frame.viewSize,
+      u_tiles: { integers: field.tiles },
+      u_grid: { integers: [field.across.views, field.up.views] },
+      u_window_centre: field.window_mm.centre,
+      u_window_size: field.window_mm.size,
+      u_across: axisOf(field.across),
+      u_up: axisOf(field.up),
+      u_vergence: field.vergence_per_mm,
+      u_disparity_scale: field.disparity_scale_mm,
+    };
+  }
+
+  private eyeUniforms(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): Record<string, Uniform> {
+    const useDepth = state.between === "depth" && frame.depth !== null && !state.lenses;
+    const snap = field.lens_samples.map((lens) => (lens && state.lenses ? 1 : 0));
+    return {
+      ...this.fieldUniforms(field, frame),
+      u_output_size: size,
+      u_eye: eye,
+      u_use_depth: useDepth,
+      u_snap: { integers: snap },
+      u_disparities: frame.disparities,
+      u_aperture: state.aperture,
+      u_focus: disparityOfDepth(field, state.focus),
+      u_line: state.line,
+      u_pass: { integers: [0] },
+    };
+  }
+
+  private drawEye(target: Target, field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): void {
+    target.begin(...size);
+    this.eyeProgram.draw(this.eyeUniforms(field, frame, state, eye, size));
+  }
+
+  private drawPanel(target: Target, field: Field, frame: LoadedFrame): void {
+    const { width, height } = this.place;
+    const ratio = this.gl.canvas.width / (this.gl.canvas as HTMLCanvasElement).clientWidth;
+    target.begin(width, height);
+    const loupe = this.loupe && { x: this.loupe.x - this.place.left, y: this.loupe.y - this.place.top };
+    const [w, h] = field.panel.size;
+    const cell = field.panel.is === "integral" ? Math.max(field.across.views, field.up.views) : 8;
+    const radius = kLoupeRadius * ratio;
+    this.panelProgram.draw({
+      ...this.fieldUniforms(field, frame),
+      u_output_size: [width, height],
+      u_panel_size: field.panel.size,
+      u_kind: { integers: [kPanelKinds[field.panel.is]] },
+      u_part: [0, 0, w, h],
+      u_loupe: loupe ? [loupe.x, loupe.y, radius, Math.max(2 * ratio, Math.floor((1.6 * radius) / (2 * cell)))] : [0, 0, 0, 1],
+      u_loupe_at: loupe ? [(loupe.x / width) * w, (loupe.y / height) * h] : [0, 0],
+    });
+  }
+
+  private screenUniforms(state: State, ground: number[]): Record<string, Uniform> {
+    return {
+      u_first: bind(this.gl, 0, this.targets[0].texture),
+      u_second: bind(this.gl, 1, this.targets[1].texture),
+      u_exposure: 2 ** state.exposure,
+      u_wipe: state.wipe,
+      u_scale: state.scale,
+      u_ground: ground,
+    };
+  }
+
+  private compose(state: State, stereo: boolean, ground: number[]): void {
+    const gl = this.gl;
+    const { width, height } = gl.canvas;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, width, height);
+    let mode = 0;
+    if (stereo) mode = { off: 0, anaglyph: 1, "side-by-side": 4, "top-bottom": 5 }[state.stereo];
+    else if (this.shownFields(state).length > 1) mode = { first: 0, second: 0, wipe: 2, difference: 3, "side-by-side": 4 }[state.compare];
+    const place = this.place;
+    this.screenProgram.draw({
+      ...this.screenUniforms(state, ground),
+      u_mode: { integers: [mode] },
+      u_place: [place.left, height - place.top - place.height, place.width, place.height],
+    });
+  }
+
+  /** The epipolar-plane image of the line, below the picture. */
+  private drawLine(field: Field, frame: LoadedFrame, state: State): void {
+    const gl = this.gl;
+    const { width, height } = gl.canvas;
+    const size: [number, number] = [this.place.width, Math.max(8, Math.round(height * 0.18))];
+    const target = this.targets[2];
+    target.begin(...size);
+    this.eyeProgram.draw({ ...this.eyeUniforms(field, frame, state, state.eye, size), u_pass: { integers: [1] } });
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(this.place.left, 0, ...size);
+    this.screenProgram.draw({
+      ...this.screenUniforms(state, [0, 0, 0]),
+      u_first: bind(gl, 0, target.texture),
+      u_mode: { integers: [0] },
+      u_place: [this.place.left, 0, ...size],
+    });
+    gl.viewport(0, 0, width, height);
+  }
+
+  /** Shares of the display (from its top left) of a place on the canvas; null beside the picture. */
+  shareAt(state: State, x: number, y: number): [number, number] | null {
+    let share: [number, number] = [(x - this.place.left) / this.place.width, (y - this.place.top) / this.place.height];
+    if (share.some((s) => s < 0 || s > 1)) return null;
+    const twice = (s: number) => (2 * s) % 1;
+    const compared = this.shownFields(state).length > 1;
+    if (compared ? state.compare === "side-by-side" : state.stereo === "side-by-side" && state.show === "eye") share = [twice(share[0]), share[1]];
+    if (!compared && state.stereo === "top-bottom" && state.show === "eye") share = [share[0], twice(share[1])];
+    return share;
+  }
+
+  /** Linear light of what was drawn last, of one light field (or eye). */
+  valueAt(which: 0 | 1, share: [number, number]): number[] {
+    const target = this.targets[which];
+    const x = Math.min(target.width - 1, Math.floor(share[0] * target.width));
+    const y = Math.min(target.height - 1, Math.floor((1 - share[1]) * target.height));
+    return [...target.read(x, y, 1, 1)].slice(0, 3);
+  }
+
+  /** The depth of what is seen at a share of the display: the depth that is known there, or at which the views agree best. */
+  depthAt(state: State, share: [number, number]): number | null {
+    const field = this.fields[this.shownFields(state)[0]];
+    const frame = this.loaded(this.shownFields(state)[0], state);
+    if (!frame || field.across.views * field.up.views < 2) return null;
+    const steps = frame.depth ? 1 : 128;
+    const { centre, size } = field.window_mm;
+    const point = [centre[0] + (share[0] - 0.5) * size[0], centre[1] + (0.5 - share[1]) * size[1]];
+    const target = this.targets[3];
+    target.begin(steps, 1);
+    const uniforms = this.eyeUniforms(field, frame, state, state.eye, [steps, 1]);
+    this.eyeProgram.draw({ ...uniforms, u_use_depth: frame.depth !== null, u_pass: { integers: [2] }, u_point: point });
+    const values = target.read(0, 0, steps, 1);
+    const [least, greatest] = frame.disparities;
+    let disparity = values[0];
+    if (!frame.depth) {
+      let best = 0;
+      for (let i = 1; i < steps; i++) if (values[4 * i] < values[4 * best]) best = i;
+      disparity = least + ((best + 0.5) / steps) * (greatest - least);
+    }
+    return disparity / (1 + disparity * field.vergence_per_mm);
+  }
+
+  /** Codes (RGBA, from the top) of what the eye sees of a light field; null while it is loaded. */
+  picture(state: State, field: number, size: [number, number]): Uint8ClampedArray | null {
+    const frame = this.loaded(field, { ...state, show: "eye" });
+    if (!frame) return null;
+    const target = this.targets[3];
+    this.drawEye(target, this.fields[field], frame, state, state.eye, size);
+    const linear = target.read(0, 0, ...size);
+    const codes = new Uint8ClampedArray(linear.length);
+    const gain = 2 ** state.exposure;
+    const [width, height] = size;
+    for (let y = 0; y < height; y++)
+      for (let i = 0; i < 4 * width; i++) {
+        const value = linear[4 * width * (height - 1 - y) + i];
+        codes[4 * width * y + i] = i % 4 === 3 ? 255 : codeFromLinear(gain * value);
+      }
+    return codes;
+  }
+}

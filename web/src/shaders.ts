@@ -1,0 +1,316 @@
+// What is computed for every pixel.
+//
+// Eyes are slopes at the middle of the display. An eye E sees a point s of the display's plane under the slope
+//   S(s) = E.xy / E.z - s (1 / E.z - vergence)
+// of the views' own frame, in which view v has one slope S_v for all points. What lies at disparity w (a length; see
+// src/view/disparity_codes.hpp) on that line is seen by view v at s + (S - S_v) w. That holds for eyes at any distance.
+
+const kCommon = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+
+uniform sampler2D u_views;    // the quilt, linear light
+uniform sampler2D u_depth;    // codes of disparity, as the quilt lies
+uniform vec2 u_view_size;     // pixels
+uniform ivec2 u_tiles, u_grid;
+uniform vec2 u_window_centre, u_window_size;  // mm
+uniform vec4 u_across, u_up;  // first, step, 1: by angle, 0 stays / 1 repeats / 2 next lens
+uniform float u_vergence, u_disparity_scale;
+uniform vec3 u_eye;           // mm
+
+vec2 slope_at(vec2 s) { return u_eye.xy / u_eye.z - s * (1.0 / u_eye.z - u_vergence); }
+
+float view_place(vec4 axis, float slope) {
+  return axis.y == 0.0 ? 0.0 : ((axis.z > 0.5 ? atan(slope) : slope) - axis.x) / axis.y;
+}
+vec2 view_places(vec2 slope) { return vec2(view_place(u_across, slope.x), view_place(u_up, slope.y)); }
+
+float view_slope(vec4 axis, float view) {
+  float place = axis.x + axis.y * view;
+  return axis.z > 0.5 ? tan(place) : place;
+}
+vec2 view_slopes(ivec2 view) { return vec2(view_slope(u_across, float(view.x)), view_slope(u_up, float(view.y))); }
+
+// In pixels of a view, from its top left corner.
+vec2 pixel_of(vec2 s) {
+  vec2 share = (s - u_window_centre) / u_window_size;
+  return vec2(share.x + 0.5, 0.5 - share.y) * u_view_size;
+}
+bool inside(vec2 pixel) {
+  return all(greaterThanEqual(pixel, vec2(-0.001))) && all(lessThanEqual(pixel, u_view_size + 0.001));
+}
+
+vec2 tile_of(ivec2 view) {
+  int index = view.y * u_grid.x + view.x;
+  return vec2(index % u_tiles.x, u_tiles.y - 1 - index / u_tiles.x) * u_view_size;
+}
+vec3 in_view(ivec2 view, vec2 pixel) {
+  vec2 place = tile_of(view) + clamp(pixel, vec2(0.5), u_view_size - 0.5);
+  return texture(u_views, place / (u_view_size * vec2(u_tiles))).rgb;
+}
+// -1e30: nothing is there.
+float disparity_in_view(ivec2 view, vec2 pixel) {
+  ivec2 place = ivec2(tile_of(view) + clamp(floor(pixel), vec2(0.0), u_view_size - 1.0));
+  vec2 bytes = floor(texelFetch(u_depth, place, 0).rg * 255.0 + 0.5);
+  float code = bytes.x * 256.0 + bytes.y;
+  if (code < 0.5) return -1e30;
+  float t = (code - 1.0) / 32767.0 - 1.0;
+  return u_disparity_scale * t / max(1.0 - abs(t), 1e-6);
+}
+`;
+
+/** What an eye sees, into linear light. */
+export const kEyeShader = `${kCommon}
+uniform vec2 u_output_size;
+uniform bool u_use_depth, u_outside_zone;
+uniform bvec2 u_snap;           // to the middles of lenses
+uniform vec2 u_disparities;     // the least and the greatest
+uniform float u_aperture, u_focus;  // share of the zone; disparity
+uniform float u_line;           // 0 ... 1: an epipolar-plane image of the line so far down, eyes from the top
+uniform int u_pass;             // 0 eye, 1 epipolar-plane image, 2 focus finder
+uniform vec2 u_point;           // of the focus finder, mm
+out vec4 color;
+
+// Along the line of sight, front to back, the first disparity at which the view has a surface; .y: whether it is seen there.
+vec2 meet(ivec2 view, vec2 s, vec2 apart) {
+  float range = u_disparities.y - u_disparities.x;
+  vec2 moves = abs(apart) * range * u_view_size / u_window_size;
+  int steps = clamp(int(ceil(max(moves.x, moves.y))), 1, 40);
+  float step_w = range / float(steps), before = 0.0, w = u_disparities.y;
+  for (int i = 0; i <= 40; ++i) {
+    if (i > steps) break;
+    float at = max(disparity_in_view(view, pixel_of(s + apart * w)), u_disparities.x);
+    float behind = at - w;
+    if (behind >= -1e-4 * range) {
+      if (i == 0) return vec2(at, 1.0);
+      bool seen = behind < 1.5 * step_w || steps == 1;
+      return vec2(steps == 1 || moves.x + moves.y < 0.5 ? at : w + step_w * behind / max(behind - before, 1e-9), seen ? 1.0 : 0.0);
+    }
+    before = behind;
+    w -= step_w;
+  }
+  return vec2(u_disparities.x, 1.0);
+}
+
+vec3 between_views(vec2 s, vec2 slope, vec2 place) {
+  vec2 last = vec2(u_grid - 1);
+  vec2 near = clamp(place, vec2(0.0), last);
+  ivec2 first = ivec2(min(floor(near), max(last - 1.0, vec2(0.0))));
+  vec2 share = near - vec2(first);
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      float weight = (i == 1 ? share.x : 1.0 - share.x) * (j == 1 ? share.y : 1.0 - share.y);
+      if (weight <= 0.0) continue;
+      ivec2 view = first + ivec2(i, j);
+      vec2 at = s;
+      if (u_use_depth) {
+        vec2 apart = slope - view_slopes(view);
+        vec2 met = meet(view, s, apart);
+        at = s + apart * met.x;
+        weight *= met.y > 0.5 ? 1.0 : 0.01;
+      }
+      sum += weight * in_view(view, pixel_of(at));
+      weights += weight;
+    }
+  return weights > 0.0 ? sum / weights : sum;
+}
+
+// Beyond the zone: which cone (lens) it is that is seen instead, and the place there.
+float wrapped(float place, float count, float beyond, out float turns) {
+  turns = beyond > 0.5 ? floor((place + 0.5) / count) : 0.0;
+  return place - turns * count;
+}
+
+vec3 seen(vec2 s) {
+  vec2 pixel = pixel_of(s);
+  if (!inside(pixel)) return vec3(0.0);
+  vec2 middle = (floor(clamp(pixel, vec2(0.0), u_view_size - 0.5)) + 0.5) / u_view_size;
+  vec2 lens = u_window_centre + vec2(middle.x - 0.5, 0.5 - middle.y) * u_window_size;
+  s = vec2(u_snap.x ? lens.x : s.x, u_snap.y ? lens.y : s.y);
+  vec2 slope = slope_at(s), place = view_places(slope), turns;
+  place = vec2(wrapped(place.x, float(u_grid.x), u_across.w, turns.x), wrapped(place.y, float(u_grid.y), u_up.w, turns.y));
+  // Right of its zone a lens shows what belongs to its left neighbour.
+  vec2 pitch = u_window_size / u_view_size;
+  s -= pitch * vec2(u_across.w > 1.5 ? turns.x : 0.0, u_up.w > 1.5 ? turns.y : 0.0);
+  if (!inside(pixel_of(s))) return vec3(0.0);
+  if (turns != vec2(0.0)) slope = vec2(view_slope(u_across, place.x), view_slope(u_up, place.y));
+  return between_views(s, slope, place);
+}
+
+// A lens as wide as a share of the zone around the eye, focused at a disparity: the mean of shifted views.
+vec3 refocused(vec2 s) {
+  vec2 slope = slope_at(s), place = view_places(slope), half_width = 0.5 * u_aperture * vec2(u_grid);
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (int j = 0; j < u_grid.y; ++j)
+    for (int i = 0; i < u_grid.x; ++i) {
+      vec2 reach = clamp(half_width - abs(vec2(i, j) - place) + 0.5, 0.0, 1.0);
+      if (u_aperture >= 0.999) reach = vec2(1.0);
+      if (u_grid.y == 1) reach.y = 1.0;
+      if (reach.x * reach.y <= 0.0) continue;
+      vec2 pixel = pixel_of(s + (slope - view_slopes(ivec2(i, j))) * u_focus);
+      if (!inside(pixel)) continue;
+      sum += reach.x * reach.y * in_view(ivec2(i, j), pixel);
+      weights += reach.x * reach.y;
+    }
+  return weights > 0.0 ? sum / weights : vec3(0.0);
+}
+
+// How much the views differ around u_point if the surface there were at the disparity of this pixel (0 ... 1 across).
+float disagreement(float share) {
+  float w = mix(u_disparities.x, u_disparities.y, share);
+  float sum = 0.0;
+  for (int y = -2; y <= 2; ++y)
+    for (int x = -2; x <= 2; ++x) {
+      vec2 s = u_point + vec2(x, y) * u_window_size / u_view_size;
+      vec2 slope = slope_at(s);
+      vec3 mean = vec3(0.0), squares = vec3(0.0);
+      float count = 0.0;
+      for (int j = 0; j < u_grid.y; ++j)
+        for (int i = 0; i < u_grid.x; ++i) {
+          vec2 pixel = pixel_of(s + (slope - view_slopes(ivec2(i, j))) * w);
+          if (!inside(pixel)) continue;
+          vec3 c = in_view(ivec2(i, j), pixel);
+          mean += c, squares += c * c, count += 1.0;
+        }
+      if (count > 1.0) sum += dot(squares / count - mean * mean / (count * count), vec3(1.0));
+    }
+  return sum;
+}
+
+void main() {
+  vec2 share = gl_FragCoord.xy / u_output_size;
+  if (u_pass == 2) {
+    if (u_use_depth) {
+      vec2 slope = slope_at(u_point);
+      ivec2 view = ivec2(clamp(floor(view_places(slope) + 0.5), vec2(0.0), vec2(u_grid - 1)));
+      color = vec4(meet(view, u_point, slope - view_slopes(view)).x);
+    } else {
+      color = vec4(disagreement(share.x));
+    }
+    return;
+  }
+  if (u_pass == 1) {
+    // Rows are eyes through the zone, the leftmost on top; the views themselves where there are as many rows.
+    vec2 s = u_window_centre + vec2(share.x - 0.5, 0.5 - u_line) * u_window_size;
+    float place = clamp((1.0 - share.y) * float(u_grid.x) - 0.5, 0.0, float(u_grid.x - 1));
+    float up = clamp(view_places(slope_at(s)).y, 0.0, float(u_grid.y - 1));
+    color = vec4(between_views(s, vec2(view_slope(u_across, place), view_slope(u_up, up)), vec2(place, up)), 1.0);
+    return;
+  }
+  vec2 s = u_window_centre + (share - 0.5) * u_window_size;
+  color = vec4(u_aperture > 0.0 ? refocused(s) : seen(s), 1.0);
+}
+`;
+
+/** What the panel behind the lenses shows, into linear light. */
+export const kPanelShader = `${kCommon}
+uniform sampler2D u_panel;  // a picture of its own
+uniform vec2 u_output_size, u_panel_size;
+uniform int u_kind;         // 0 integral, 1 quilt, 2 own
+uniform vec4 u_part;        // of the panel: left, top, width, height, in pixels
+uniform vec4 u_loupe;       // x, y, radius in pixels of the output from its top left; pixels of the output per panel pixel
+uniform vec2 u_loupe_at;    // the panel pixel in its middle
+out vec4 color;
+
+vec3 panel_pixel(ivec2 p) {
+  if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(u_panel_size)))) return vec3(0.0);
+  if (u_kind == 2) return texelFetch(u_panel, p, 0).rgb;
+  if (u_kind == 1) {
+    // A quilt's padding at the top and right is not sent.
+    ivec2 q = p - ivec2(0, int(u_panel_size.y) - u_tiles.y * int(u_view_size.y));
+    if (q.y < 0 || q.x >= u_tiles.x * int(u_view_size.x)) return vec3(0.0);
+    return texelFetch(u_views, q, 0).rgb;
+  }
+  // Lenses turn their pixels round: the rightmost is seen from the left, the topmost from below.
+  ivec2 cell = p / u_grid, in_cell = p - cell * u_grid;
+  ivec2 view = ivec2(u_grid.x - 1 - in_cell.x, in_cell.y);
+  if (u_grid.y == 1) view.y = 0;
+  return in_view(view, vec2(cell) + 0.5);
+}
+
+void main() {
+  vec2 at = vec2(gl_FragCoord.x, u_output_size.y - gl_FragCoord.y);
+  vec2 panel = u_part.xy + at / u_output_size * u_part.zw;
+  vec2 from_loupe = at - u_loupe.xy;
+  float reach = max(abs(from_loupe.x), abs(from_loupe.y));
+  if (u_loupe.z > 0.0 && reach < u_loupe.z) {
+    vec2 place = u_loupe_at + from_loupe / u_loupe.w;
+    vec3 c = panel_pixel(ivec2(floor(place)));
+    if (u_kind == 0) {
+      vec2 to_edge = abs(fract(place / vec2(u_grid) + 0.5) - 0.5) * vec2(u_grid) * u_loupe.w;
+      bool marked = ivec2(floor(place / vec2(u_grid))) == ivec2(floor(u_loupe_at / vec2(u_grid)));
+      bool edge = to_edge.x < 1.0 || (u_grid.y > 1 && to_edge.y < 1.0);
+      if (edge) c = mix(c, marked ? vec3(1.0, 0.55, 0.05) : vec3(0.5), 0.8);
+      else if (!marked) c *= 0.45;
+    }
+    color = vec4(reach > u_loupe.z - 1.5 ? vec3(0.6) : c, 1.0);
+    return;
+  }
+  // A panel that is shown smaller than it is: the mean of its pixels, a few of each.
+  vec2 size = u_part.zw / u_output_size;
+  vec3 sum = vec3(0.0);
+  int n = clamp(int(ceil(max(size.x, size.y))), 1, 4);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      sum += panel_pixel(ivec2(floor(panel + ((vec2(i, j) + 0.5) / float(n) - 0.5) * size)));
+  color = vec4(sum / float(n * n), 1.0);
+}
+`;
+
+/** From linear light to the screen: exposure, two eyes, two light fields, the epipolar-plane image. */
+export const kScreenShader = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+uniform sampler2D u_first, u_second;
+uniform vec4 u_place;    // of the picture on the canvas: left, bottom, width, height, pixels
+uniform int u_mode;      // 0 first, 1 anaglyph, 2 wipe, 3 difference, 4 first beside second, 5 first above second
+uniform float u_wipe, u_exposure, u_scale;
+uniform vec3 u_ground;
+out vec4 color;
+
+vec3 srgb(vec3 linear) {
+  vec3 v = clamp(linear, 0.0, 1.0);
+  return mix(12.92 * v, 1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, v));
+}
+vec3 first(vec2 at) { return srgb(u_exposure * texture(u_first, at).rgb); }
+vec3 second(vec2 at) { return srgb(u_exposure * texture(u_second, at).rgb); }
+
+// From black through blue, red and yellow to white; even in lightness.
+vec3 heat(float t) {
+  vec3 c = mix(vec3(0.01, 0.01, 0.06), vec3(0.16, 0.12, 0.55), smoothstep(0.0, 0.25, t));
+  c = mix(c, vec3(0.72, 0.15, 0.42), smoothstep(0.2, 0.5, t));
+  c = mix(c, vec3(0.98, 0.60, 0.12), smoothstep(0.45, 0.75, t));
+  return mix(c, vec3(1.0, 0.98, 0.85), smoothstep(0.7, 1.0, t));
+}
+
+void main() {
+  vec2 at = (gl_FragCoord.xy - u_place.xy) / u_place.zw;
+  if (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) {
+    color = vec4(u_ground, 1.0);
+    return;
+  }
+  vec3 c;
+  if (u_mode == 1) {
+    // Red from the left eye's brightness, which strains the eyes less than its red alone.
+    c = vec3(dot(first(at), vec3(0.299, 0.587, 0.114)), second(at).gb);
+  } else if (u_mode == 2) {
+    c = at.x < u_wipe ? first(at) : second(at);
+    if (abs(at.x - u_wipe) * u_place.z < 1.0) c = vec3(1.0);
+  } else if (u_mode == 3) {
+    vec3 d = abs(first(at) - second(at)) * 255.0;
+    c = heat(clamp(max(d.r, max(d.g, d.b)) / u_scale, 0.0, 1.0));
+  } else if (u_mode == 4) {
+    c = at.x < 0.5 ? first(vec2(2.0 * at.x, at.y)) : second(vec2(2.0 * at.x - 1.0, at.y));
+  } else if (u_mode == 5) {
+    c = at.y > 0.5 ? first(vec2(at.x, 2.0 * at.y - 1.0)) : second(vec2(at.x, 2.0 * at.y));
+  } else {
+    c = first(at);
+  }
+  color = vec4(c, 1.0);
+}
+`;

@@ -1,0 +1,148 @@
+// What the user has chosen. It stands in the address, and may be set from a script or from a page around this one.
+import type { Field } from "./field";
+
+export interface State {
+  frame: number;
+  eye: [number, number, number];
+  aperture: number;
+  focus: number;
+  show: "eye" | "panel";
+  stereo: "off" | "anaglyph" | "side-by-side" | "top-bottom";
+  separation: number;
+  between: "depth" | "blend";
+  lenses: boolean;
+  exposure: number;
+  line: number;
+  compare: "first" | "second" | "wipe" | "side-by-side" | "difference";
+  wipe: number;
+  scale: number;
+  speed: number;
+  loop: boolean;
+  theme: "dark" | "light";
+}
+
+const kWords: { [Key in keyof State]?: readonly string[] } = {
+  show: ["eye", "panel"],
+  stereo: ["off", "anaglyph", "side-by-side", "top-bottom"],
+  between: ["depth", "blend"],
+  compare: ["first", "second", "wipe", "side-by-side", "difference"],
+  theme: ["dark", "light"],
+};
+
+const kRanges: { [Key in keyof State]?: readonly [number, number] } = {
+  aperture: [0, 1],
+  separation: [0, 200],
+  exposure: [-8, 8],
+  line: [-1, 1],
+  wipe: [0, 1],
+  scale: [1, 255],
+  speed: [0.05, 16],
+};
+
+export function defaultState(fields: Field[]): State {
+  const field = fields[0];
+  return {
+    frame: 0,
+    eye: [...field.eye_mm],
+    aperture: 0,
+    focus: 0,
+    show: "eye",
+    stereo: "off",
+    separation: defaultSeparation(field),
+    between: field.depth ? "depth" : "blend",
+    lenses: false,
+    exposure: 0,
+    line: -1,
+    compare: fields.length > 1 ? "wipe" : "first",
+    wipe: 0.5,
+    scale: 32,
+    speed: 1,
+    loop: true,
+    theme: "dark",
+  };
+}
+
+/** Eyes of a person, or a third of the zone where that is narrower. */
+function defaultSeparation(field: Field): number {
+  const zone = Math.abs(field.across.step) * field.across.views * field.eye_mm[2];
+  return Math.min(63, Math.round(zone * 10) / 30);
+}
+
+function readValue(key: keyof State, value: unknown, fields: Field[], current: unknown): unknown {
+  if (key === "eye") {
+    const eye = typeof value === "string" ? value.split(",").map(Number) : value;
+    const fits = Array.isArray(eye) && eye.length === 3 && eye.every((x) => Number.isFinite(x) && Math.abs(x) < 1e6);
+    return fits && eye[2] >= 1 ? eye : undefined;
+  }
+  if (typeof current === "boolean") return value === true || value === "1" ? true : value === false || value === "0" ? false : undefined;
+  if (typeof current === "string") return kWords[key]?.includes(String(value)) ? value : undefined;
+  const number = value === "" || value === null ? NaN : Number(value);
+  if (!Number.isFinite(number)) return undefined;
+  if (key === "frame") return Math.min(Math.max(Math.round(number), 0), fields[0].frames.length - 1);
+  if (key === "focus") return number * fields[0].vergence_per_mm < 0.95 ? number : undefined;
+  const range = kRanges[key];
+  return range ? Math.min(Math.max(number, range[0]), range[1]) : number;
+}
+
+/** Keeps one state, tells who listens of changes, and writes it into the address. */
+export class Store {
+  readonly state: State;
+  private readonly defaults: State;
+  private readonly listeners: (() => void)[] = [];
+  private addressTimer = 0;
+
+  constructor(readonly fields: Field[]) {
+    this.defaults = defaultState(fields);
+    this.state = { ...this.defaults };
+    this.readAddress();
+  }
+
+  listen(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** What is unknown or no sensible value is left out. */
+  set(changes: Record<string, unknown>): void {
+    let changed = false;
+    for (const [name, value] of Object.entries(changes)) {
+      if (!(name in this.state)) continue;
+      const key = name as keyof State;
+      const read = readValue(key, value, this.fields, this.state[key]);
+      if (read === undefined || JSON.stringify(read) === JSON.stringify(this.state[key])) continue;
+      (this.state as unknown as Record<string, unknown>)[key] = read;
+      changed = true;
+    }
+    if (!changed) return;
+    this.listeners.forEach((listener) => listener());
+    window.clearTimeout(this.addressTimer);
+    this.addressTimer = window.setTimeout(() => this.writeAddress(), 250);
+  }
+
+  reset(): void {
+    this.set({ ...this.defaults, frame: this.state.frame, theme: this.state.theme });
+  }
+
+  readAddress(): void {
+    this.set(Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
+  }
+
+  /** What differs from how the page begins. */
+  address(): string {
+    const said = new URLSearchParams();
+    for (const key of Object.keys(this.state) as (keyof State)[]) {
+      const value = this.state[key];
+      if (JSON.stringify(value) === JSON.stringify(this.defaults[key])) continue;
+      const text = (number: number) => String(Math.round(number * 1e4) / 1e4);
+      said.set(key, Array.isArray(value) ? value.map(text).join(",") : typeof value === "boolean" ? (value ? "1" : "0") : typeof value === "number" ? text(value) : value);
+    }
+    return `#${said.toString().replace(/%2C/g, ",")}`;
+  }
+
+  private writeAddress(): void {
+    try {
+      history.replaceState(null, "", this.address());
+    } catch {
+      // Some browsers forbid it to pages that were opened from a disk.
+    }
+  }
+}
