@@ -1,7 +1,9 @@
 // What the page shows to an eye is what `lippmann replay` computes: 40 dB where an eye has a view of its own, 30 dB between views.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { eyeOfView, grid, lenslets, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, eyeOfView, grid, lenslets, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+
+closeAfterEach();
 
 async function compare(name, make, views) {
   make();

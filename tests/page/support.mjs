@@ -5,7 +5,7 @@ import { execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after } from "node:test";
+import { after, afterEach } from "node:test";
 
 function skip(reason) {
   console.log(`SKIPPED: ${reason}`);
@@ -29,12 +29,16 @@ const browser = await playwright.chromium.launch({
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
 });
 const servers = [];
+const contexts = [];
 
 after(async () => {
   servers.forEach((server) => server.kill());
   await browser.close();
   rmSync(folder, { recursive: true, force: true });
 });
+
+/** Pages that stay open take time from others; those of a whole file are opened outside its tests. */
+export const closeAfterEach = () => afterEach(() => Promise.all(contexts.splice(0).map((context) => context.close())));
 
 /** Runs the tool in the tests' folder. */
 export const lippmann = (...words) => execFileSync(tool, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
@@ -56,6 +60,7 @@ export async function view(...words) {
 /** A page whose `complaints` are errors and warnings of its console; `ready` waits until it shows something. */
 export async function open(address, { width = 900, height = 700, ready = true } = {}) {
   const context = await browser.newContext({ viewport: { width, height } });
+  contexts.push(context);
   const page = await context.newPage();
   page.complaints = [];
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));

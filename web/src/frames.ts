@@ -45,10 +45,13 @@ async function rangeOf(codes: ImageBitmap, scale: number): Promise<[number, numb
   return [least - margin, greatest + margin];
 }
 
+/** What failed is asked for again after a while: it may have been rendered meanwhile. */
+const kRetryMs = 3000;
+
 export class Frames {
   private readonly loaded = new Map<string, LoadedFrame>();
   private readonly loading = new Map<string, Promise<LoadedFrame>>();
-  private readonly failures = new Map<string, Error>();
+  private readonly failures = new Map<string, { error: Error; at: number }>();
   private bytes = 0;
   private pinned: string[] = [];
 
@@ -64,7 +67,7 @@ export class Frames {
   get(field: number, frame: number, withPanel: boolean): LoadedFrame | null {
     const key = `${field}/${frame}/${withPanel}`;
     const failure = this.failures.get(key);
-    if (failure) throw failure;
+    if (failure && performance.now() - failure.at < kRetryMs) throw failure.error;
     const found = this.loaded.get(key);
     if (found) {
       this.loaded.delete(key);
@@ -84,6 +87,11 @@ export class Frames {
     return this.loading.size > 0;
   }
 
+  /** The frame where it is there; nothing is loaded. */
+  peek(field: number, frame: number, withPanel: boolean): LoadedFrame | null {
+    return this.loaded.get(`${field}/${frame}/${withPanel}`) ?? null;
+  }
+
   /** How many frames of a field fit. */
   roomFor(field: number): number {
     const some = [...this.loaded].find(([key]) => key.startsWith(`${field}/`));
@@ -100,7 +108,7 @@ export class Frames {
       this.loading.set(key, promise);
       promise
         .then((made) => this.keep(key, made))
-        .catch((error: Error) => this.failures.set(key, error))
+        .catch((error: Error) => this.failures.set(key, { error, at: performance.now() }))
         .finally(() => {
           this.loading.delete(key);
           this.changed();

@@ -213,7 +213,8 @@ export class App {
 
   private focusRange(): [number, number] {
     const field = this.fields[0];
-    const known = this.isThere(this.store.state.frame) ? this.frames.get(0, this.renderer.frameOf(0, this.store.state.frame), this.store.state.show === "panel") : null;
+    const { state } = this.store;
+    const known = this.frames.peek(0, state.frame, state.show === "panel");
     if (!known) return [-50, 50];
     const nearest = field.vergence_per_mm > 0 ? 0.8 / field.vergence_per_mm : Infinity;
     const farthest = field.vergence_per_mm > 0 ? -2 / field.vergence_per_mm : -Infinity;
@@ -221,7 +222,7 @@ export class App {
       const z = 1 + w * field.vergence_per_mm > 0.02 ? depthOfDisparity(field, w) : -Infinity;
       return Math.min(Math.max(z, farthest), nearest);
     });
-    return [Math.min(least, this.store.state.focus), Math.max(most, this.store.state.focus, least + 1)];
+    return [Math.min(least, state.focus), Math.max(most, state.focus, least + 1)];
   }
 
   // ---- Pointer and keys --------------------------------------------------------------------------------------------------

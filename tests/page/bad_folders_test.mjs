@@ -1,0 +1,54 @@
+// What is damaged or missing is said in words, and the rest goes on.
+import assert from "node:assert/strict";
+import { cpSync, rmSync, writeFileSync } from "node:fs";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { closeAfterEach, inFolder, lippmann, open, set, sheet, view } from "./support.mjs";
+
+closeAfterEach();
+
+sheet();
+lippmann("view", "sheet", "--save", "saved");
+
+/** A copy of the saved page, spoilt; the text of its failure. */
+async function failureOf(name, spoil) {
+  cpSync(inFolder("saved"), inFolder(name), { recursive: true });
+  spoil((file, text) => writeFileSync(inFolder(`${name}/${file}`), text));
+  const page = await open(pathToFileURL(inFolder(`${name}/index.html`)).href, { ready: false });
+  await page.locator("#failure").waitFor();
+  return page.locator("#failure").textContent();
+}
+
+test("damaged descriptions are refused in words", async () => {
+  assert.match(await failureOf("no-fields", () => rmSync(inFolder("no-fields/fields.js"))), /fields\.js is missing/);
+  assert.match(await failureOf("no-script", (write) => write("fields.js", "no script")), /fields\.js is damaged/);
+  assert.match(await failureOf("empty", (write) => write("fields.js", 'lippmann_fields({"fields":[]})')), /lists no light field/);
+  assert.match(await failureOf("numbers", (write) => write("fields.js", 'lippmann_fields({"fields":[{"view_size":[1,-1]}]})')), /how large views are/);
+  assert.match(await failureOf("null", (write) => write("fields.js", "lippmann_fields(null)")), /lists no light field/);
+});
+
+test("a damaged frame is named, and others are shown", async () => {
+  cpSync(inFolder("sheet"), inFolder("damaged"), { recursive: true });
+  const page = await open(await view("damaged"));
+  writeFileSync(inFolder("damaged/frame_0003.png"), "no picture");
+  const fresh = await open(await view("damaged"));
+  await fresh.evaluate(() => window.lippmann.set({ frame: 3 }));
+  await fresh.waitForFunction(() => document.querySelector("#notice").textContent.includes("frame_0003.png"));
+  await set(fresh, { frame: 5 });
+  await fresh.waitForFunction(() => document.querySelector("#notice").textContent === "");
+  void page;
+});
+
+test("pictures of another size than the description says are refused", async () => {
+  cpSync(inFolder("saved"), inFolder("other-size"), { recursive: true });
+  const { readFileSync } = await import("node:fs");
+  const fields = readFileSync(inFolder("other-size/fields.js"), "utf8");
+  writeFileSync(inFolder("other-size/fields.js"), fields.replace('"view_size":[32,256]', '"view_size":[32,128]'));
+  const page = await open(pathToFileURL(inFolder("other-size/index.html")).href, { ready: false });
+  await page.waitForFunction(() => /has \d+x\d+ pixels, and the description says/.test(document.querySelector("#notice").textContent));
+});
+
+test("folders that hold no light field are refused before anything is served", async () => {
+  await assert.rejects(view("saved"), /there are no frames in it/);
+  await assert.rejects(view("missing"), /there is no such file or folder/);
+});

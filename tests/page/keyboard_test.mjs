@@ -1,0 +1,74 @@
+// Everything is reached by the keyboard alone and has a name that screen readers say; phones show it without scrolling sideways.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { closeAfterEach, grid, open, set, sheet, view } from "./support.mjs";
+
+closeAfterEach();
+
+sheet();
+grid();
+const address = await view("sheet");
+
+test("Tab reaches every control, and each has a name", async () => {
+  const page = await open(await view("grid", "grid"));
+  await set(page, { stereo: "anaglyph", aperture: 0.5, line: 0.5 });
+  const wanted = await page.evaluate(
+    () => [...document.querySelectorAll("button, input, select, canvas")].filter((one) => one.checkVisibility()).length,
+  );
+  const reached = new Set();
+  for (let i = 0; i < wanted + 2; i++) {
+    await page.keyboard.press("Tab");
+    const name = await page.evaluate(() => {
+      const one = document.activeElement;
+      return one === document.body ? null : (one.labels?.[0]?.textContent || one.getAttribute("aria-label") || one.textContent || "");
+    });
+    if (name === null) continue;
+    assert.notEqual(name.trim(), "");
+    reached.add(await page.evaluate(() => [...document.querySelectorAll("*")].indexOf(document.activeElement)));
+  }
+  assert.equal(reached.size, wanted);
+});
+
+test("arrow keys move the eye to the ends of its zone and no farther; Home brings it back", async () => {
+  const page = await open(address);
+  await page.locator("#canvas").focus();
+  const eye = () => page.evaluate(() => window.lippmann.state.eye[0]);
+  await page.keyboard.press("ArrowRight");
+  assert.ok((await eye()) > 1);
+  for (let i = 0; i < 25; i++) await page.keyboard.press("ArrowRight");
+  const end = await eye();
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await eye(), end);
+  const half = await page.evaluate(() => 4 * window.lippmann.fields[0].across.step * window.lippmann.fields[0].eye_mm[2]);
+  assert.ok(Math.abs(end - half) < 1e-6, `four views on either side of the middle, ${half} mm: ${end}`);
+  await page.keyboard.press("Home");
+  assert.ok(Math.abs(await eye()) < 1e-6);
+  for (const [key, changed] of [["a", { aperture: 0.5 }], ["p", { show: "panel" }], [".", { frame: 1 }], [",", { frame: 0 }]]) {
+    await page.keyboard.press(key);
+    const state = await page.evaluate(() => window.lippmann.state);
+    for (const [name, value] of Object.entries(changed)) assert.equal(state[name], value, key);
+  }
+  assert.deepEqual(page.complaints, []);
+});
+
+test("a phone shows all of it, and its controls where they are asked for", async () => {
+  const page = await open(address, { width: 390, height: 844 });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  assert.equal(await page.locator("#controls").isVisible(), false);
+  await page.getByRole("button", { name: "Controls" }).click();
+  assert.equal(await page.getByLabel("Exposure").isVisible(), true);
+  const canvas = await page.locator("#canvas").boundingBox();
+  assert.ok(canvas.height > 200, `the picture keeps ${canvas.height} pixels`);
+});
+
+test("dragging moves the eye", async () => {
+  const page = await open(address);
+  const box = await page.locator("#canvas").boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 80, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.up();
+  const state = await page.evaluate(() => window.lippmann.state);
+  assert.ok(state.eye[0] > 5, `${state.eye}`);
+  assert.equal(state.aperture, 0, "a drag is no click");
+});
