@@ -25,6 +25,7 @@
 #include "job/size_estimate.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/crosstalk.hpp"
+#include "view/saved_page.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -35,7 +36,7 @@ struct RenderOptions {
   ParamFlags flags;
   std::string dump_job, also, progress, program;
   bool force = false;
-  bool json = false, quiet = false, verbose = false, dry_run = false;
+  bool json = false, quiet = false, verbose = false, dry_run = false, page = false;
 };
 
 /// What `planned` says that the summary needs, once the plan is gone.
@@ -106,7 +107,10 @@ void print_summary(const RenderReport& report, const Planned& plan, const std::s
       for (const std::string& warning :
            {below_floor_sentence(report.frames, *light->min_psnr_db), unmeasured_sentence(report.frames, *light->min_psnr_db)})
         if (!warning.empty()) print_line("warning", warning);
-    if (can_be_replayed(report)) print_line("one eye", program + " replay " + shell_word(folder.string()));
+    if (can_be_replayed(report)) {
+      print_line("one eye", program + " replay " + shell_word(folder.string()));
+      print_line("in 3D", program + " view " + shell_word(folder.string()));
+    }
   }
   print_choices(report.params, report.light, report.view);
   if (const auto done = precompensation_of(report))
@@ -179,6 +183,12 @@ RenderProgressKind progress_kind(const RenderOptions& options) {
   return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
 }
 
+/// The page that shows what a finished folder holds, beside it.
+void write_page(const fs::path& folder, bool quiet, const Context& context) {
+  const SavedPage page = save_page(folder, folder / "page", context);
+  if (!quiet && !page.index.empty()) print_line("page", page.index.string());
+}
+
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
 RenderReport render(const RenderParams& params, const RenderOptions& options, Context& context) {
   std::optional<RenderProgress> progress;
@@ -195,7 +205,9 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Co
   const RenderReport report = render_animation(params, context, observer);
   context.frame_progress = nullptr;
   progress.reset();
-  if (!options.json && !options.quiet) print_summary(report, planned, options.program);
+  const bool quiet = options.json || options.quiet;
+  if (!quiet) print_summary(report, planned, options.program);
+  if (options.page && !report.interrupted) write_page(planned.folder, quiet, context);
   return report;
 }
 
@@ -205,6 +217,9 @@ int run(const RenderOptions& options, Context& context) {
   if (options.verbose && !options.progress.empty())
     throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
+  if (options.page && params.output.mirror)
+    throw usage_error("--page", "cannot show mirrored pictures, which are printed on the back of a sheet",
+                      "no --mirror with it");
   if (!options.dump_job.empty()) {
     make_folder(fs::path(options.dump_job).parent_path());
     write_job(options.dump_job, params);
@@ -231,6 +246,9 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       .type_name("WHAT")
       .group("Files");
   command
+      .add_flag("--page", options->page, "Also write DIR/page, a page that shows the light field in any browser (docs/view.md)")
+      .group("Files");
+  command
       .add_flag("--force", options->force,
                 "Replace another render in the folder, whose files are removed, and videos that are there")
       .group("Running");
@@ -249,9 +267,9 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
                 "Check the scene and the settings, say what would be made and how large it is, and make nothing")
       .group("Running");
   command.short_help(
-      {"--output", "--frames",     "--camera", "--display",    "--optics", "--lenses",      "--lens-pixels", "--size",
-       "--views",  "--full-depth", "--layout", "--integrator", "--spp",    "--environment", "--exposure",    "--format",
-       "--video",  "--resume",     "--force",  "--dry-run",    "--quiet",  "--json"},
+      {"--output", "--frames",     "--camera", "--display",    "--optics",  "--lenses",      "--lens-pixels", "--size",
+       "--views",  "--full-depth", "--layout", "--integrator", "--spp",     "--environment", "--exposure",    "--format",
+       "--video",  "--page",       "--resume", "--force",      "--dry-run", "--quiet",       "--json"},
       "Examples:\n"
       "  lippmann render teapot                                    all 480 frames, into out/teapot\n"
       "  lippmann render examples/desk.glb --frames 0              one frame, path traced\n"

@@ -63,6 +63,22 @@ test("what is clicked comes into focus, with depth and without", async () => {
   assert.ok(Math.abs(found - known) < 0.25 * Math.abs(known) + 5, `${found} mm, in truth ${known} mm`);
 });
 
+// A lens array shows depth that is fitted to its budget: what is clicked is at the depth at which it is seen.
+test("fitted depth is the depth that the views themselves show", async () => {
+  const { lippmann } = await import("./support.mjs");
+  const depths = [];
+  for (const layers of [["--aov", "depth"], []]) {
+    const name = `fitted${layers.length}`;
+    lippmann("render", "room", "--optics", "microlens", "--size", "512x512", "--lenses", "64x64", "--frames", "0", ...layers, "-o", name, "-q");
+    const fitted = await open(await view(name));
+    await fitted.evaluate(() => window.lippmann.picture(8, 8));
+    await fitted.evaluate((place) => window.lippmann.focusAt(...place), places.clock);
+    depths.push(await fitted.evaluate(() => window.lippmann.state.focus));
+  }
+  console.log(`the clock: at ${depths[0].toFixed(1)} mm by its depth, at ${depths[1].toFixed(1)} mm by the views`);
+  assert.ok(Math.abs(depths[0] - depths[1]) < 1.5, `${depths}`);
+});
+
 test("an open aperture on the canvas is set by a click", async () => {
   await set(page, { aperture: 0, focus: 0 });
   await page.locator("#canvas").click({ position: { x: 330, y: 330 } });

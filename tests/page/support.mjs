@@ -31,11 +31,12 @@ const browser = await playwright.chromium.launch({
 const servers = [];
 const contexts = [];
 
-after(async () => {
+export async function end() {
   servers.forEach((server) => server.kill());
   await browser.close();
   rmSync(folder, { recursive: true, force: true });
-});
+}
+after(end);
 
 /** Pages that stay open take time from others; those of a whole file are opened outside its tests. */
 export const closeAfterEach = () => afterEach(() => Promise.all(contexts.splice(0).map((context) => context.close())));

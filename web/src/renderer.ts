@@ -2,7 +2,7 @@
 import { disparityOfDepth, naturalSize, type Axis, type Field } from "./field";
 import type { Frames, LoadedFrame } from "./frames";
 import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
-import { kEyeShader, kPanelShader, kScreenShader } from "./shaders";
+import { eyeShader, kPanelShader, screenShader, type ScreenMode, type Variant } from "./shaders";
 import type { State } from "./state";
 
 export interface Rectangle {
@@ -21,6 +21,8 @@ type Eye = [number, number, number];
 
 const kBeyond = { stays: 0, repeats: 1, "next lens": 2 };
 const kPanelKinds = { integral: 0, quilt: 1, own: 2 };
+const kStereoModes = { off: "first", anaglyph: "anaglyph", "side-by-side": "beside", "top-bottom": "above" } as const;
+const kCompareModes = { first: "first", second: "first", wipe: "wipe", difference: "difference", "side-by-side": "beside" } as const;
 const kLoupeRadius = 92;
 /** Beyond the views' own samples a picture has nothing to show, but edges of lenses and of depth should not look coarse. */
 const kLeastLongSide = 800;
@@ -31,9 +33,9 @@ export class Renderer {
   /** Where the picture is on the canvas, in its pixels from the top left. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
   loupe: Loupe | null = null;
-  private readonly eyeProgram: Program;
+  private readonly eyePrograms = new Map<string, Program>();
   private readonly panelProgram: Program;
-  private readonly screenProgram: Program;
+  private readonly screenPrograms = new Map<ScreenMode, Program>();
   private readonly targets: [Target, Target, Target, Target];
 
   constructor(
@@ -41,9 +43,7 @@ export class Renderer {
     private readonly fields: Field[],
     private readonly frames: Frames,
   ) {
-    this.eyeProgram = new Program(gl, kEyeShader);
     this.panelProgram = new Program(gl, kPanelShader);
-    this.screenProgram = new Program(gl, kScreenShader);
     this.targets = [new Target(gl), new Target(gl), new Target(gl), new Target(gl)];
   }
 
@@ -133,26 +133,37 @@ export class Renderer {
     };
   }
 
+  /** Made when it is first needed. */
+  private eyeProgram(field: Field, depth: boolean, task: Variant["task"]): Program {
+    const variant: Variant = { byAngle: field.across.by === "angle" || field.up.by === "angle", rows: field.up.views > 1, depth, task };
+    const key = JSON.stringify(variant);
+    const made = this.eyePrograms.get(key) ?? new Program(this.gl, eyeShader(variant));
+    this.eyePrograms.set(key, made);
+    return made;
+  }
+
+  private usesDepth(frame: LoadedFrame, state: State): boolean {
+    return state.between === "depth" && frame.depth !== null && !state.lenses;
+  }
+
   private eyeUniforms(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): Record<string, Uniform> {
-    const useDepth = state.between === "depth" && frame.depth !== null && !state.lenses;
     const snap = field.lens_samples.map((lens) => (lens && state.lenses ? 1 : 0));
     return {
       ...this.fieldUniforms(field, frame),
       u_output_size: size,
       u_eye: eye,
-      u_use_depth: useDepth,
       u_snap: { integers: snap },
       u_disparities: frame.disparities,
       u_aperture: state.aperture,
       u_focus: disparityOfDepth(field, state.focus),
       u_line: state.line,
-      u_pass: { integers: [0] },
     };
   }
 
   private drawEye(target: Target, field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): void {
     target.begin(...size);
-    this.eyeProgram.draw(this.eyeUniforms(field, frame, state, eye, size));
+    const task = state.aperture > 0 ? "refocus" : "eye";
+    this.eyeProgram(field, task === "eye" && this.usesDepth(frame, state), task).draw(this.eyeUniforms(field, frame, state, eye, size));
   }
 
   private drawPanel(target: Target, field: Field, frame: LoadedFrame): void {
@@ -185,18 +196,23 @@ export class Renderer {
     };
   }
 
+  private screenProgram(mode: ScreenMode): Program {
+    const made = this.screenPrograms.get(mode) ?? new Program(this.gl, screenShader(mode));
+    this.screenPrograms.set(mode, made);
+    return made;
+  }
+
   private compose(state: State, stereo: boolean, ground: number[]): void {
     const gl = this.gl;
     const { width, height } = gl.canvas;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
-    let mode = 0;
-    if (stereo) mode = { off: 0, anaglyph: 1, "side-by-side": 4, "top-bottom": 5 }[state.stereo];
-    else if (this.shownFields(state).length > 1) mode = { first: 0, second: 0, wipe: 2, difference: 3, "side-by-side": 4 }[state.compare];
+    let mode: ScreenMode = "first";
+    if (stereo) mode = kStereoModes[state.stereo];
+    else if (this.shownFields(state).length > 1) mode = kCompareModes[state.compare];
     const place = this.place;
-    this.screenProgram.draw({
+    this.screenProgram(mode).draw({
       ...this.screenUniforms(state, ground),
-      u_mode: { integers: [mode] },
       u_place: [place.left, height - place.top - place.height, place.width, place.height],
     });
   }
@@ -208,13 +224,12 @@ export class Renderer {
     const size: [number, number] = [this.place.width, Math.max(8, Math.round(height * 0.18))];
     const target = this.targets[2];
     target.begin(...size);
-    this.eyeProgram.draw({ ...this.eyeUniforms(field, frame, state, state.eye, size), u_pass: { integers: [1] } });
+    this.eyeProgram(field, this.usesDepth(frame, state), "line").draw(this.eyeUniforms(field, frame, state, state.eye, size));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(this.place.left, 0, ...size);
-    this.screenProgram.draw({
+    this.screenProgram("first").draw({
       ...this.screenUniforms(state, [0, 0, 0]),
       u_first: bind(gl, 0, target.texture),
-      u_mode: { integers: [0] },
       u_place: [this.place.left, 0, ...size],
     });
     gl.viewport(0, 0, width, height);
@@ -250,7 +265,7 @@ export class Renderer {
     const target = this.targets[3];
     target.begin(steps, 1);
     const uniforms = this.eyeUniforms(field, frame, state, state.eye, [steps, 1]);
-    this.eyeProgram.draw({ ...uniforms, u_use_depth: frame.depth !== null, u_pass: { integers: [2] }, u_point: point });
+    this.eyeProgram(field, frame.depth !== null, "find").draw({ ...uniforms, u_point: point });
     const values = target.read(0, 0, steps, 1);
     const [least, greatest] = frame.disparities;
     let disparity = values[0];

@@ -5,7 +5,7 @@
 // of the views' own frame, in which view v has one slope S_v for all points. What lies at disparity w (a length; see
 // src/view/disparity_codes.hpp) on that line is seen by view v at s + (S - S_v) w. That holds for eyes at any distance.
 
-const kCommon = `#version 300 es
+const kCommon = `
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -21,14 +21,21 @@ uniform vec3 u_eye;           // mm
 
 vec2 slope_at(vec2 s) { return u_eye.xy / u_eye.z - s * (1.0 / u_eye.z - u_vergence); }
 
+// Only rows of views are equally far apart in angle.
 float view_place(vec4 axis, float slope) {
-  return axis.y == 0.0 ? 0.0 : ((axis.z > 0.5 ? atan(slope) : slope) - axis.x) / axis.y;
+#if BY_ANGLE
+  if (axis.z > 0.5) slope = atan(slope);
+#endif
+  return axis.y == 0.0 ? 0.0 : (slope - axis.x) / axis.y;
 }
 vec2 view_places(vec2 slope) { return vec2(view_place(u_across, slope.x), view_place(u_up, slope.y)); }
 
 float view_slope(vec4 axis, float view) {
   float place = axis.x + axis.y * view;
-  return axis.z > 0.5 ? tan(place) : place;
+#if BY_ANGLE
+  if (axis.z > 0.5) return tan(place);
+#endif
+  return place;
 }
 vec2 view_slopes(ivec2 view) { return vec2(view_slope(u_across, float(view.x)), view_slope(u_up, float(view.y))); }
 
@@ -60,15 +67,30 @@ float disparity_in_view(ivec2 view, vec2 pixel) {
 }
 `;
 
+/** What is compiled into a program, so that it does no work that it does not need: software graphics run every branch. */
+export interface Variant {
+  byAngle: boolean;
+  rows: boolean;
+  depth: boolean;
+  task: "eye" | "refocus" | "line" | "find";
+}
+
+const kTasks = ["eye", "refocus", "line", "find"];
+
+const preamble = (variant: Variant): string => `#version 300 es
+#define BY_ANGLE ${Number(variant.byAngle)}
+#define ROWS ${Number(variant.rows)}
+#define DEPTH ${Number(variant.depth)}
+#define TASK ${kTasks.indexOf(variant.task)}
+`;
+
 /** What an eye sees, into linear light. */
-export const kEyeShader = `${kCommon}
+export const eyeShader = (variant: Variant): string => `${preamble(variant)}${kCommon}
 uniform vec2 u_output_size;
-uniform bool u_use_depth, u_outside_zone;
 uniform bvec2 u_snap;           // to the middles of lenses
 uniform vec2 u_disparities;     // the least and the greatest
 uniform float u_aperture, u_focus;  // share of the zone; disparity
 uniform float u_line;           // 0 ... 1: an epipolar-plane image of the line so far down, eyes from the top
-uniform int u_pass;             // 0 eye, 1 epipolar-plane image, 2 focus finder
 uniform vec2 u_point;           // of the focus finder, mm
 out vec4 color;
 
@@ -93,29 +115,34 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
   return vec2(u_disparities.x, 1.0);
 }
 
+vec3 in_view_at(ivec2 view, vec2 s, vec2 slope, out float weight) {
+  weight = 1.0;
+#if DEPTH
+  vec2 apart = slope - view_slopes(view);
+  vec2 met = meet(view, s, apart);
+  s += apart * met.x;
+  weight = met.y > 0.5 ? 1.0 : 0.01;
+#endif
+  return in_view(view, pixel_of(s));
+}
+
 vec3 between_views(vec2 s, vec2 slope, vec2 place) {
   vec2 last = vec2(u_grid - 1);
   vec2 near = clamp(place, vec2(0.0), last);
   ivec2 first = ivec2(min(floor(near), max(last - 1.0, vec2(0.0))));
   vec2 share = near - vec2(first);
-  vec3 sum = vec3(0.0);
-  float weights = 0.0;
-  for (int j = 0; j < 2; ++j)
-    for (int i = 0; i < 2; ++i) {
-      float weight = (i == 1 ? share.x : 1.0 - share.x) * (j == 1 ? share.y : 1.0 - share.y);
-      if (weight <= 0.0) continue;
-      ivec2 view = first + ivec2(i, j);
-      vec2 at = s;
-      if (u_use_depth) {
-        vec2 apart = slope - view_slopes(view);
-        vec2 met = meet(view, s, apart);
-        at = s + apart * met.x;
-        weight *= met.y > 0.5 ? 1.0 : 0.01;
-      }
-      sum += weight * in_view(view, pixel_of(at));
-      weights += weight;
-    }
-  return weights > 0.0 ? sum / weights : sum;
+  ivec2 right = ivec2(min(1, u_grid.x - 1), 0);
+  vec4 weight;
+  vec3 a = in_view_at(first, s, slope, weight.x), b = in_view_at(first + right, s, slope, weight.y);
+  weight.xy *= vec2(1.0 - share.x, share.x);
+#if ROWS
+  ivec2 above = ivec2(0, min(1, u_grid.y - 1));
+  vec3 c = in_view_at(first + above, s, slope, weight.z), d = in_view_at(first + right + above, s, slope, weight.w);
+  weight *= vec4(vec2(1.0 - share.y), vec2(share.y)) * vec4(1.0, 1.0, 1.0 - share.x, share.x);
+  return (a * weight.x + b * weight.y + c * weight.z + d * weight.w) / max(weight.x + weight.y + weight.z + weight.w, 1e-9);
+#else
+  return (a * weight.x + b * weight.y) / max(weight.x + weight.y, 1e-9);
+#endif
 }
 
 // Beyond the zone: which cone (lens) it is that is seen instead, and the place there.
@@ -183,31 +210,31 @@ float disagreement(float share) {
 
 void main() {
   vec2 share = gl_FragCoord.xy / u_output_size;
-  if (u_pass == 2) {
-    if (u_use_depth) {
-      vec2 slope = slope_at(u_point);
-      ivec2 view = ivec2(clamp(floor(view_places(slope) + 0.5), vec2(0.0), vec2(u_grid - 1)));
-      color = vec4(meet(view, u_point, slope - view_slopes(view)).x);
-    } else {
-      color = vec4(disagreement(share.x));
-    }
-    return;
-  }
-  if (u_pass == 1) {
-    // Rows are eyes through the zone, the leftmost on top; the views themselves where there are as many rows.
-    vec2 s = u_window_centre + vec2(share.x - 0.5, 0.5 - u_line) * u_window_size;
-    float place = clamp((1.0 - share.y) * float(u_grid.x) - 0.5, 0.0, float(u_grid.x - 1));
-    float up = clamp(view_places(slope_at(s)).y, 0.0, float(u_grid.y - 1));
-    color = vec4(between_views(s, vec2(view_slope(u_across, place), view_slope(u_up, up)), vec2(place, up)), 1.0);
-    return;
-  }
   vec2 s = u_window_centre + (share - 0.5) * u_window_size;
-  color = vec4(u_aperture > 0.0 ? refocused(s) : seen(s), 1.0);
+#if TASK == 0
+  color = vec4(seen(s), 1.0);
+#elif TASK == 1
+  color = vec4(refocused(s), 1.0);
+#elif TASK == 2
+  // Rows are eyes through the zone, the leftmost on top; the views themselves where there are as many rows.
+  s.y = u_window_centre.y + (0.5 - u_line) * u_window_size.y;
+  float place = clamp((1.0 - share.y) * float(u_grid.x) - 0.5, 0.0, float(u_grid.x - 1));
+  float up = clamp(view_places(slope_at(s)).y, 0.0, float(u_grid.y - 1));
+  color = vec4(between_views(s, vec2(view_slope(u_across, place), view_slope(u_up, up)), vec2(place, up)), 1.0);
+#elif DEPTH
+  vec2 slope = slope_at(u_point);
+  ivec2 view = ivec2(clamp(floor(view_places(slope) + 0.5), vec2(0.0), vec2(u_grid - 1)));
+  color = vec4(meet(view, u_point, slope - view_slopes(view)).x);
+#else
+  color = vec4(disagreement(share.x));
+#endif
 }
 `;
 
 /** What the panel behind the lenses shows, into linear light. */
-export const kPanelShader = `${kCommon}
+export const kPanelShader = `#version 300 es
+#define BY_ANGLE 0
+${kCommon}
 uniform sampler2D u_panel;  // a picture of its own
 uniform vec2 u_output_size, u_panel_size;
 uniform int u_kind;         // 0 integral, 1 quilt, 2 own
@@ -262,13 +289,16 @@ void main() {
 `;
 
 /** From linear light to the screen: exposure, two eyes, two light fields, the epipolar-plane image. */
-export const kScreenShader = `#version 300 es
+export const kScreenModes = ["first", "anaglyph", "wipe", "difference", "beside", "above"] as const;
+export type ScreenMode = (typeof kScreenModes)[number];
+
+export const screenShader = (mode: ScreenMode): string => `#version 300 es
+#define MODE ${kScreenModes.indexOf(mode)}
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 uniform sampler2D u_first, u_second;
 uniform vec4 u_place;    // of the picture on the canvas: left, bottom, width, height, pixels
-uniform int u_mode;      // 0 first, 1 anaglyph, 2 wipe, 3 difference, 4 first beside second, 5 first above second
 uniform float u_wipe, u_exposure, u_scale;
 uniform vec3 u_ground;
 out vec4 color;
@@ -280,6 +310,7 @@ vec3 srgb(vec3 linear) {
 vec3 first(vec2 at) { return srgb(u_exposure * texture(u_first, at).rgb); }
 vec3 second(vec2 at) { return srgb(u_exposure * texture(u_second, at).rgb); }
 
+#if MODE == 3
 // From black through blue, red and yellow to white; even in lightness.
 vec3 heat(float t) {
   vec3 c = mix(vec3(0.01, 0.01, 0.06), vec3(0.16, 0.12, 0.55), smoothstep(0.0, 0.25, t));
@@ -287,6 +318,7 @@ vec3 heat(float t) {
   c = mix(c, vec3(0.98, 0.60, 0.12), smoothstep(0.45, 0.75, t));
   return mix(c, vec3(1.0, 0.98, 0.85), smoothstep(0.7, 1.0, t));
 }
+#endif
 
 void main() {
   vec2 at = (gl_FragCoord.xy - u_place.xy) / u_place.zw;
@@ -295,22 +327,22 @@ void main() {
     return;
   }
   vec3 c;
-  if (u_mode == 1) {
+#if MODE == 1
     // Red from the left eye's brightness, which strains the eyes less than its red alone.
     c = vec3(dot(first(at), vec3(0.299, 0.587, 0.114)), second(at).gb);
-  } else if (u_mode == 2) {
+#elif MODE == 2
     c = at.x < u_wipe ? first(at) : second(at);
     if (abs(at.x - u_wipe) * u_place.z < 1.0) c = vec3(1.0);
-  } else if (u_mode == 3) {
+#elif MODE == 3
     vec3 d = abs(first(at) - second(at)) * 255.0;
     c = heat(clamp(max(d.r, max(d.g, d.b)) / u_scale, 0.0, 1.0));
-  } else if (u_mode == 4) {
+#elif MODE == 4
     c = at.x < 0.5 ? first(vec2(2.0 * at.x, at.y)) : second(vec2(2.0 * at.x - 1.0, at.y));
-  } else if (u_mode == 5) {
+#elif MODE == 5
     c = at.y > 0.5 ? first(vec2(at.x, 2.0 * at.y - 1.0)) : second(vec2(at.x, 2.0 * at.y));
-  } else {
-    c = first(at);
-  }
+#else
+  c = first(at);
+#endif
   color = vec4(c, 1.0);
 }
 `;

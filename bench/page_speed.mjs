@@ -1,0 +1,60 @@
+// How fast the page of `lippmann view` is in headless Chromium with software graphics: the first picture of 48 frames, eyes a
+// second, bytes.
+//   node bench/page_speed.mjs [LIPPMANN]     (needs chromium, and npm ci in tests/page)
+import { readdirSync, statSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+process.env.LIPPMANN_TOOL = process.argv[2] ?? join(root, "build/release/lippmann");
+const { inFolder, lippmann, open, view, end } = await import(join(root, "tests/page/support.mjs"));
+
+const bytesOf = (folder) => readdirSync(folder, { withFileTypes: true }).reduce((sum, one) => sum + (one.isDirectory() ? bytesOf(join(folder, one.name)) : statSync(join(folder, one.name)).size), 0);
+const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
+
+async function firstPicture(address) {
+  const start = performance.now();
+  const page = await open(address, { width: 1280, height: 800 });
+  const milliseconds = performance.now() - start;
+  await page.context().close();
+  return milliseconds;
+}
+
+/** The eye moves in every frame of the screen; each is drawn to its end before the next. */
+const eyesASecond = (page, seconds) =>
+  page.evaluate(async (seconds) => {
+    const [x, y, z] = window.lippmann.fields[0].eye_mm;
+    const times = [];
+    const start = performance.now();
+    while (performance.now() - start < 1000 * seconds) {
+      await new Promise(requestAnimationFrame);
+      window.lippmann.set({ eye: [x + 0.15 * z * Math.sin(times.length / 7), y, z] });
+      await new Promise(requestAnimationFrame);
+      window.lippmann.valueAt(0.5, 0.5);
+      times.push(performance.now());
+    }
+    // Two frames of the screen for each eye: one to set it, one in which it is drawn.
+    return (2 * times.length) / ((times[times.length - 1] - start) / 1000);
+  }, seconds);
+
+const rows = [];
+lippmann("render", "teapot", "--frames", "0-47", "-o", "animation", "-q");
+const firsts = [];
+for (let i = 0; i < 5; i++) firsts.push(await firstPicture(await view("animation")));
+rows.push(["first picture, 48 frames of 512x512", `${(median(firsts) / 1000).toFixed(2)} s`]);
+const animation = await open(await view("animation"), { width: 850, height: 680 });
+await animation.waitForTimeout(3000);
+rows.push(["eyes a second, 512x512, 8 views", (await eyesASecond(animation, 3)).toFixed(1)]);
+lippmann("render", "room", "--optics", "multiview", "--views", "8x6", "--size", "3360x3360", "--frames", "0", "--layout", "quilt", "--aov", "depth", "-o", "quilt", "-q");
+const quilt = await open(await view("quilt"), { width: 1280, height: 800 });
+await quilt.evaluate(() => window.lippmann.picture(8, 8));
+await quilt.evaluate(() => window.lippmann.set({ between: "blend" }));
+rows.push(["eyes a second, 3360x3360 quilt, blended", (await eyesASecond(quilt, 3)).toFixed(1)]);
+await quilt.evaluate(() => window.lippmann.set({ between: "depth" }));
+rows.push(["eyes a second, 3360x3360 quilt, by depth", (await eyesASecond(quilt, 3)).toFixed(1)]);
+const dist = join(root, "web/dist");
+rows.push(["page", `${(bytesOf(dist) / 1000).toFixed(1)} kB`]);
+lippmann("view", "animation", "--save", "saved");
+rows.push(["saved folder, 48 frames of 512x512", `${(bytesOf(inFolder("saved")) / 1e6).toFixed(1)} MB`]);
+for (const [name, value] of rows) console.log(`${name.padEnd(44)} ${value}`);
+await end();
