@@ -53,12 +53,18 @@ function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
   return row;
 }
 
-function choice<Key extends keyof State>(label: string, key: Key, options: [string, string][], store: Store, shown: Shown[]): HTMLElement {
+function choice<Key extends keyof State>(label: string, key: Key, options: [string, string][], store: Store, shown: Shown[], applies = () => true): HTMLElement {
   const id = `control-${nextId++}`;
   const select = element("select", { id }, ...options.map(([value, text]) => element("option", { value }, text)));
   select.addEventListener("change", () => store.set({ [key]: select.value }));
-  shown.push({ update: () => (select.value = String(store.state[key])) });
-  return element("div", { className: "row choice" }, element("label", { htmlFor: id }, label), select);
+  const row = element("div", { className: "row choice" }, element("label", { htmlFor: id }, label), select);
+  shown.push({
+    update: () => {
+      row.hidden = !applies();
+      select.value = String(store.state[key]);
+    },
+  });
+  return row;
 }
 
 function check(label: string, value: () => boolean, set: (on: boolean) => void, shown: Shown[]): HTMLElement {
@@ -118,6 +124,7 @@ function button(text: string, action: () => void): HTMLButtonElement {
 
 function eyeGroup(store: Store, field: Field, shown: Shown[]): HTMLElement {
   const { state } = store;
+  const showsOne = () => store.fields.length < 2 || state.compare === "first" || state.compare === "second";
   const slope = (axis: 0 | 1) => state.eye[axis] / state.eye[2];
   const move = (axis: 0 | 1, share: number) => {
     const eye = [...state.eye];
@@ -155,8 +162,8 @@ function eyeGroup(store: Store, field: Field, shown: Shown[]): HTMLElement {
       },
       shown,
     ),
-    choice("Two eyes", "stereo", [["off", "Off"], ["anaglyph", "Anaglyph, red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown),
-    slider({ label: "Eye separation", unit: "mm", applies: () => state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown),
+    choice("Two eyes", "stereo", [["off", "Off"], ["anaglyph", "Anaglyph, red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown, showsOne),
+    slider({ label: "Eye separation", unit: "mm", applies: () => showsOne() && state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown),
   );
 }
 

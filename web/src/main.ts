@@ -72,7 +72,15 @@ export class App {
     document.title = `${titles.join(" and ")} \u2013 Lippmann`;
     byId("title").textContent = titles.join(" and ");
     byId("facts").textContent = describe(this.fields[0]);
+    this.noticeOfShapes();
     for (const field of this.fields) if (field.assumption) this.notify("assumption", "Nothing says where the cameras stood: angles and depths are assumed.");
+  }
+
+  /** Two light fields are laid over each other by their displays' windows, whatever the size of these. */
+  private noticeOfShapes(): void {
+    const [first, second] = this.fields.map((field) => field.window_mm.size[0] / field.window_mm.size[1]);
+    if (second !== undefined && Math.abs(first / second - 1) > 0.02)
+      this.notify("shapes", "Their displays differ in shape: the second is stretched to the first.");
   }
 
   private notify(about: string, text: string): void {
@@ -136,6 +144,7 @@ export class App {
     if (!drawn) return;
     this.showValues();
     this.showScale();
+    this.showLine();
     void this.prefetch();
   }
 
@@ -158,6 +167,19 @@ export class App {
       for (const field of this.shown()) await (await this.frames.load(field, this.renderer.frameOf(field, (from + i) % count), panel))?.whole;
     this.prefetching = false;
     if (state.frame !== from) this.redraw();
+  }
+
+  /** Marks the line of which the epipolar-plane image is. */
+  private showLine(): void {
+    const { state } = this.store;
+    const line = byId("line");
+    line.hidden = state.line < 0 || state.show === "panel";
+    if (line.hidden) return;
+    const { left, top, width, height } = this.renderer.place;
+    const ratio = this.canvas.clientWidth / this.canvas.width;
+    line.style.left = `${this.canvas.offsetLeft + left * ratio}px`;
+    line.style.top = `${this.canvas.offsetTop + (top + state.line * height) * ratio}px`;
+    line.style.width = `${width * ratio}px`;
   }
 
   private showScale(): void {

@@ -62,10 +62,10 @@ export function defaultState(fields: Field[]): State {
   };
 }
 
-/** Eyes of a person, or a third of the zone where that is narrower. */
+/** Eyes of a person, or an eighth of the zone where that is narrower: pairs that are easy to look at. */
 function defaultSeparation(field: Field): number {
   const zone = Math.abs(field.across.step) * field.across.views * field.eye_mm[2];
-  return Math.min(63, Math.round(zone * 10) / 30);
+  return Math.min(63, Math.round(zone * 1.25) / 10);
 }
 
 function readValue(key: keyof State, value: unknown, fields: Field[], current: unknown): unknown {
