@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,6 +62,16 @@ class PageFolder {
   std::uintmax_t bytes_ = 0;
 };
 
+/// Somebody else's page stays.
+void require_own_page(const fs::path& folder) {
+  std::ifstream file(folder / "index.html", std::ios::binary);
+  if (!file) return;
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (text.find(kScripts) == std::string::npos)
+    throw Error((folder / "index.html").string(), "is another page, and would be replaced",
+                "a new folder, or one of a page that was saved before");
+}
+
 std::string saved_index(std::string_view served) {
   std::string text(served);
   const std::size_t at = text.find(kServed);
@@ -70,6 +82,7 @@ std::string saved_index(std::string_view served) {
 }  // namespace
 
 SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& folder, const Context& context) {
+  require_own_page(folder);
   PageFolder page(folder);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const PageFacts& facts = fields[i]->facts();

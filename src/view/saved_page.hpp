@@ -18,8 +18,8 @@ struct SavedPage {
   std::uintmax_t bytes = 0;     ///< of all files
 };
 
-/// Makes the folder; files of the same names are replaced. Throws Error naming a file. Stops between frames when
-/// context.cancelled is set, and leaves no index.html then.
+/// Makes the folder; files of a page that was saved there before are replaced. Throws Error naming a file, also where the
+/// folder holds another page. Stops between frames when context.cancelled is set, and leaves no index.html then.
 SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& folder,
                     const Context& context);
 

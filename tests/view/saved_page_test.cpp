@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 #include "view/light_fields.hpp"
 
@@ -41,6 +42,18 @@ TEST(SavedPage, cancelled_leaves_no_page_that_would_lack_frames) {
   context.cancelled = true;
   EXPECT_TRUE(save_page(dir.path(), dir / "page", context).index.empty());
   EXPECT_FALSE(fs::exists(dir / "page/index.html"));
+}
+
+TEST(SavedPage, page_of_somebody_else_is_not_replaced_and_one_of_ours_is) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 1);
+  fs::create_directory(dir / "site");
+  std::ofstream(dir / "site/index.html") << "<h1>Home</h1>";
+  EXPECT_THAT(test::error_message([&] { save_page(dir.path(), dir / "site", Context()); }), HasSubstr("is another page"));
+  EXPECT_EQ(text_of(dir / "site/index.html"), "<h1>Home</h1>");
+  EXPECT_FALSE(fs::exists(dir / "site/app.js"));
+  save_page(dir.path(), dir / "page", Context());
+  EXPECT_EQ(save_page(dir.path(), dir / "page", Context()).index, dir / "page/index.html");
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// `lippmann view` from outside: what it prints, how it ends, and the page that `render --page` leaves.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+TEST(View, serves_until_it_is_interrupted_and_prints_the_address_alone) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0", "r")).exit_code, 0);
+  Subprocess server(tool_command({"view", "r", "--port", "0"}), {.working_folder = dir.path().string()});
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  server.signal(SIGINT);
+  const RunResult result = server.wait();
+  EXPECT_EQ(result.exit_code, 128 + SIGINT);
+  EXPECT_THAT(result.out, testing::MatchesRegex("http://127\\.0\\.0\\.1:[0-9]+/\n"));
+  EXPECT_THAT(result.err, HasSubstr("Ctrl-C ends it"));
+}
+
+TEST(View, what_cannot_be_shown_is_refused_before_anything_is_served) {
+  const TempDir dir;
+  fs::create_directory(dir / "empty");
+  expect_refusal(run_tool(dir, {"view", "missing"}), 1, "there is no such file or folder");
+  expect_refusal(run_tool(dir, {"view", "empty"}), 1, "there are no frames in it");
+  expect_refusal(run_tool(dir, {"view", "empty", "--port", "70000"}), 2, "--port");
+}
+
+TEST(View, render_leaves_a_page_where_it_is_asked_for) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "r") + Words{"--page"}).exit_code, 0);
+  for (const char* file : {"index.html", "app.js", "app.css", "fields.js", "0/views/0.js", "0/views/1.js"})
+    EXPECT_TRUE(fs::exists(dir / "r/page" / file)) << file;
+  EXPECT_EQ(run_tool(dir, {"check", "r"}).exit_code, 0);
+  expect_refusal(run_tool(dir, small_teapot("0", "m") + Words{"--page", "--mirror"}), 2, "--page");
+  EXPECT_FALSE(fs::exists(dir / "m"));
+}
+
+}  // namespace
+}  // namespace lippmann::test
