@@ -36,6 +36,9 @@ export class Renderer {
   private readonly eyePrograms = new Map<string, Program>();
   private readonly panelProgram: Program;
   private readonly screenPrograms = new Map<ScreenMode, Program>();
+  /** One picture that needs no second pass goes straight to the canvas, which takes software graphics half the time. */
+  private direct = false;
+  private last: { state: State; field: Field; frame: LoadedFrame } | null = null;
   private readonly targets: [Target, Target, Target, Target];
 
   constructor(
@@ -69,7 +72,15 @@ export class Renderer {
     const stereo = shown.length === 1 && state.show === "eye" && state.stereo !== "off";
     const field = this.fields[shown[0]];
     this.layOut(field, state, stereo, shown.length > 1);
-    const size = this.pictureSize(field, state, stereo || shown.length > 1);
+    const two = stereo || shown.length > 1;
+    const size = this.pictureSize(field, state, two);
+    this.direct = !two && state.show === "eye" && size[0] === this.place.width && size[1] === this.place.height;
+    this.last = { state: { ...state }, field, frame: loaded[0] as LoadedFrame };
+    if (this.direct) {
+      this.drawDirectly(field, loaded[0] as LoadedFrame, state, ground);
+      if (state.line >= 0) this.drawLine(field, loaded[0] as LoadedFrame, state);
+      return true;
+    }
     shown.forEach((one, i) => {
       const frame = loaded[i] as LoadedFrame;
       if (state.show === "panel") this.drawPanel(this.targets[i], this.fields[one], frame);
@@ -111,6 +122,7 @@ export class Renderer {
     const halved = two && (state.stereo === "top-bottom" || state.compare === "side-by-side");
     const shown = Math.max(this.place.width, this.place.height) / (halved ? 2 : 1);
     const side = Math.max(2, Math.min(shown, Math.max(natural, kLeastLongSide)));
+    if (!two && side === shown) return [this.place.width, this.place.height];
     const scale = side / Math.max(width, height);
     return [Math.max(1, Math.round(width * scale)), Math.max(1, Math.round(height * scale))];
   }
@@ -134,8 +146,8 @@ export class Renderer {
   }
 
   /** Made when it is first needed. */
-  private eyeProgram(field: Field, depth: boolean, task: Variant["task"]): Program {
-    const variant: Variant = { byAngle: field.across.by === "angle" || field.up.by === "angle", rows: field.up.views > 1, depth, task };
+  private eyeProgram(field: Field, depth: boolean, task: Variant["task"], screen = false): Program {
+    const variant: Variant = { byAngle: field.across.by === "angle" || field.up.by === "angle", rows: field.up.views > 1, depth, task, screen };
     const key = JSON.stringify(variant);
     const made = this.eyePrograms.get(key) ?? new Program(this.gl, eyeShader(variant));
     this.eyePrograms.set(key, made);
@@ -151,6 +163,8 @@ export class Renderer {
     return {
       ...this.fieldUniforms(field, frame),
       u_output_size: size,
+      u_offset: [0, 0],
+      u_exposure: 2 ** state.exposure,
       u_eye: eye,
       u_snap: { integers: snap },
       u_disparities: frame.disparities,
@@ -160,10 +174,28 @@ export class Renderer {
     };
   }
 
+  private drawDirectly(field: Field, frame: LoadedFrame, state: State, ground: number[]): void {
+    const gl = this.gl;
+    const { left, top, width, height } = this.place;
+    const bottom = gl.canvas.height - top - height;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
+    gl.clearColor(ground[0], ground[1], ground[2], 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.viewport(left, bottom, width, height);
+    const [program, uniforms] = this.eyePass(field, frame, state, state.eye, [width, height], true);
+    program.draw({ ...uniforms, u_offset: [left, bottom] });
+  }
+
+  private eyePass(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number], screen: boolean): [Program, Record<string, Uniform>] {
+    const task = state.aperture > 0 ? "refocus" : "eye";
+    return [this.eyeProgram(field, task === "eye" && this.usesDepth(frame, state), task, screen), this.eyeUniforms(field, frame, state, eye, size)];
+  }
+
   private drawEye(target: Target, field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): void {
     target.begin(...size);
-    const task = state.aperture > 0 ? "refocus" : "eye";
-    this.eyeProgram(field, task === "eye" && this.usesDepth(frame, state), task).draw(this.eyeUniforms(field, frame, state, eye, size));
+    const [program, uniforms] = this.eyePass(field, frame, state, eye, size, false);
+    program.draw(uniforms);
   }
 
   private drawPanel(target: Target, field: Field, frame: LoadedFrame): void {
@@ -248,10 +280,23 @@ export class Renderer {
 
   /** Linear light of what was drawn last, of one light field (or eye). */
   valueAt(which: 0 | 1, share: [number, number]): number[] {
+    if (this.direct && this.last) return this.valueOfEye(share);
     const target = this.targets[which];
     const x = Math.min(target.width - 1, Math.floor(share[0] * target.width));
     const y = Math.min(target.height - 1, Math.floor((1 - share[1]) * target.height));
     return [...target.read(x, y, 1, 1)].slice(0, 3);
+  }
+
+  private valueOfEye(share: [number, number]): number[] {
+    const { state, field, frame } = this.last as { state: State; field: Field; frame: LoadedFrame };
+    const { width, height } = this.place;
+    const x = Math.min(width - 1, Math.floor(share[0] * width));
+    const y = Math.min(height - 1, Math.floor((1 - share[1]) * height));
+    const target = this.targets[3];
+    target.begin(1, 1);
+    const [program, uniforms] = this.eyePass(field, frame, state, state.eye, [width, height], false);
+    program.draw({ ...uniforms, u_offset: [-x, -y] });
+    return [...target.read(0, 0, 1, 1)].slice(0, 3);
   }
 
   /** The depth of what is seen at a share of the display: the depth that is known there, or at which the views agree best. */

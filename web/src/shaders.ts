@@ -73,6 +73,8 @@ export interface Variant {
   rows: boolean;
   depth: boolean;
   task: "eye" | "refocus" | "line" | "find";
+  /** Codes with the exposure, straight to the screen; else linear light. */
+  screen: boolean;
 }
 
 const kTasks = ["eye", "refocus", "line", "find"];
@@ -82,11 +84,20 @@ const preamble = (variant: Variant): string => `#version 300 es
 #define ROWS ${Number(variant.rows)}
 #define DEPTH ${Number(variant.depth)}
 #define TASK ${kTasks.indexOf(variant.task)}
+#define SCREEN ${Number(variant.screen)}
 `;
 
-/** What an eye sees, into linear light. */
-export const eyeShader = (variant: Variant): string => `${preamble(variant)}${kCommon}
-uniform vec2 u_output_size;
+const kSrgb = `
+vec3 srgb(vec3 linear) {
+  vec3 v = clamp(linear, 0.0, 1.0);
+  return mix(12.92 * v, 1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, v));
+}
+`;
+
+/** What an eye sees. */
+export const eyeShader = (variant: Variant): string => `${preamble(variant)}${kCommon}${kSrgb}
+uniform vec2 u_output_size, u_offset;  // of the picture on what is drawn to, pixels
+uniform float u_exposure;
 uniform bvec2 u_snap;           // to the middles of lenses
 uniform vec2 u_disparities;     // the least and the greatest
 uniform float u_aperture, u_focus;  // share of the zone; disparity
@@ -209,7 +220,7 @@ float disagreement(float share) {
 }
 
 void main() {
-  vec2 share = gl_FragCoord.xy / u_output_size;
+  vec2 share = (gl_FragCoord.xy - u_offset) / u_output_size;
   vec2 s = u_window_centre + (share - 0.5) * u_window_size;
 #if TASK == 0
   color = vec4(seen(s), 1.0);
@@ -227,6 +238,9 @@ void main() {
   color = vec4(meet(view, u_point, slope - view_slopes(view)).x);
 #else
   color = vec4(disagreement(share.x));
+#endif
+#if SCREEN
+  color.rgb = srgb(u_exposure * color.rgb);
 #endif
 }
 `;
@@ -303,10 +317,7 @@ uniform float u_wipe, u_exposure, u_scale;
 uniform vec3 u_ground;
 out vec4 color;
 
-vec3 srgb(vec3 linear) {
-  vec3 v = clamp(linear, 0.0, 1.0);
-  return mix(12.92 * v, 1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, v));
-}
+${kSrgb}
 vec3 first(vec2 at) { return srgb(u_exposure * texture(u_first, at).rgb); }
 vec3 second(vec2 at) { return srgb(u_exposure * texture(u_second, at).rgb); }
 
