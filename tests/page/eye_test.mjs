@@ -1,7 +1,7 @@
 // What the page shows to an eye is what `lippmann replay` computes: 40 dB where an eye has a view of its own, 30 dB between views.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { closeAfterEach, eyeOfView, grid, lenslets, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, eyeOfView, fractional, grid, lenslets, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -24,6 +24,9 @@ test("a lenticular sheet", () => compare("sheet", sheet, [[0, 0], [3, 0], [7, 0]
 test("an array of lenslets", () => compare("lenslets", lenslets, [[0, 0], [2, 1], [3, 3], [1.3, 0.5], [2.5, 2.2]]));
 test("a quilt", () => compare("quilt", quilt, [[0, 0], [6, 0], [11, 0], [4.5, 0], [9.7, 0]]));
 test("a grid of cameras", () => compare("grid", grid, [[0, 0], [2, 2], [4, 1], [1.5, 2.5], [3.2, 0.7]]));
+
+// Eyes look at lenses without views of whole pixels; where such an eye stands, the page shows what replay shows it.
+test("fractional lenses", () => compare("fractional", fractional, [[0, 0], [3, 0], [5, 0]]));
 
 test("beyond the zone, and nearer than the display is meant for, it shows what replay computes too", async () => {
   for (const [name, eye] of [["sheet", [60, 0, 192]], ["sheet", [-10, 0, 120]], ["lenslets", [-50, 30, 150]], ["quilt", [90, 0, 200]], ["grid", [30, 10, 150]]]) {

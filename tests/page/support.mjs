@@ -118,6 +118,7 @@ export const eyeOfView = (page, across, up) =>
 
 // Small light fields, each rendered once.
 export const sheet = () => lippmann("render", "teapot", "--size", "256x256", "--lenses", "32", "--frames", "0-5", "-o", "sheet", "-q");
+export const fractional = () => lippmann("render", "teapot", "--size", "212x160", "--lens-pixels", "5.3", "--frames", "0", "-o", "fractional", "-q");
 export const lenslets = () => lippmann("render", "room", "--optics", "microlens", "--size", "256x256", "--lenses", "64x64", "--lens-pixels", "4x4", "--frames", "0", "-o", "lenslets", "-q");
 export const quilt = () => lippmann("render", "room", "--optics", "multiview", "--views", "4x3", "--size", "384x384", "--frames", "0", "--layout", "quilt", "--aov", "depth", "-o", "quilt", "-q");
 export const grid = () => lippmann("render", "room", "--optics", "multiview", "--camera-grid", "--views", "5x5", "--size", "640x640", "--view-angle", "6", "--frames", "0", "--aov", "depth", "-o", "grid", "-q");

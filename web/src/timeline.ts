@@ -144,7 +144,8 @@ export class Timeline {
     this.scrub.value = String(state.frame);
     const kind = frames[state.frame].kind;
     const psnr = this.psnr[state.frame];
-    this.label.value = `${frames[state.frame].label} / ${frames[frames.length - 1].label}`;
+    const decibels = psnr !== undefined && Number.isFinite(psnr) ? `\n${psnr.toFixed(1)} dB` : "";
+    this.label.value = `${frames[state.frame].label} / ${frames[frames.length - 1].label}${decibels}`;
     this.scrub.setAttribute("aria-valuetext", `frame ${frames[state.frame].label}${kind ? `, ${kind}` : ""}${psnr !== undefined ? `, ${psnr.toFixed(1)} dB` : ""}`);
     this.label.title = [kind && `${kind} frame`, psnr !== undefined && `${psnr.toFixed(2)} dB`].filter(Boolean).join(", ");
     const speed = String(state.speed);
