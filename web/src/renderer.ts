@@ -146,8 +146,8 @@ export class Renderer {
   }
 
   /** Made when it is first needed. */
-  private eyeProgram(field: Field, depth: boolean, task: Variant["task"], screen = false): Program {
-    const variant: Variant = { byAngle: field.across.by === "angle" || field.up.by === "angle", rows: field.up.views > 1, depth, task, screen };
+  private eyeProgram(field: Field, depth: boolean, task: Variant["task"], screen = false, snap = false): Program {
+    const variant: Variant = { byAngle: field.across.by === "angle" || field.up.by === "angle", rows: field.up.views > 1, depth, task, screen, snap };
     const key = JSON.stringify(variant);
     const made = this.eyePrograms.get(key) ?? new Program(this.gl, eyeShader(variant));
     this.eyePrograms.set(key, made);
@@ -189,7 +189,7 @@ export class Renderer {
 
   private eyePass(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number], screen: boolean): [Program, Record<string, Uniform>] {
     const task = state.aperture > 0 ? "refocus" : "eye";
-    return [this.eyeProgram(field, task === "eye" && this.usesDepth(frame, state), task, screen), this.eyeUniforms(field, frame, state, eye, size)];
+    return [this.eyeProgram(field, task === "eye" && this.usesDepth(frame, state), task, screen, state.lenses), this.eyeUniforms(field, frame, state, eye, size)];
   }
 
   private drawEye(target: Target, field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): void {

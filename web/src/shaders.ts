@@ -48,9 +48,11 @@ bool inside(vec2 pixel) {
   return all(greaterThanEqual(pixel, vec2(-0.001))) && all(lessThanEqual(pixel, u_view_size + 0.001));
 }
 
+// In floats: software graphics divide integers one by one.
 vec2 tile_of(ivec2 view) {
-  int index = view.y * u_grid.x + view.x;
-  return vec2(index % u_tiles.x, u_tiles.y - 1 - index / u_tiles.x) * u_view_size;
+  float index = float(view.y * u_grid.x + view.x), columns = float(u_tiles.x);
+  float row = floor((index + 0.5) / columns);
+  return vec2(index - row * columns, float(u_tiles.y) - 1.0 - row) * u_view_size;
 }
 vec3 in_view(ivec2 view, vec2 pixel) {
   vec2 place = tile_of(view) + clamp(pixel, vec2(0.5), u_view_size - 0.5);
@@ -75,6 +77,8 @@ export interface Variant {
   task: "eye" | "refocus" | "line" | "find";
   /** Codes with the exposure, straight to the screen; else linear light. */
   screen: boolean;
+  /** To the middles of lenses. */
+  snap: boolean;
 }
 
 const kTasks = ["eye", "refocus", "line", "find"];
@@ -85,6 +89,7 @@ const preamble = (variant: Variant): string => `#version 300 es
 #define DEPTH ${Number(variant.depth)}
 #define TASK ${kTasks.indexOf(variant.task)}
 #define SCREEN ${Number(variant.screen)}
+#define SNAP ${Number(variant.snap)}
 `;
 
 const kSrgb = `
@@ -165,9 +170,11 @@ float wrapped(float place, float count, float beyond, out float turns) {
 vec3 seen(vec2 s) {
   vec2 pixel = pixel_of(s);
   if (!inside(pixel)) return vec3(0.0);
+#if SNAP
   vec2 middle = (floor(clamp(pixel, vec2(0.0), u_view_size - 0.5)) + 0.5) / u_view_size;
   vec2 lens = u_window_centre + vec2(middle.x - 0.5, 0.5 - middle.y) * u_window_size;
   s = vec2(u_snap.x ? lens.x : s.x, u_snap.y ? lens.y : s.y);
+#endif
   vec2 slope = slope_at(s), place = view_places(slope), turns;
   place = vec2(wrapped(place.x, float(u_grid.x), u_across.w, turns.x), wrapped(place.y, float(u_grid.y), u_up.w, turns.y));
   // Right of its zone a lens shows what belongs to its left neighbour.
