@@ -106,7 +106,11 @@ PageField::PageField(fs::path in, LightFieldSaid said, const Context& context)
       pool_(resolved_threads(context)) {
   facts_.title = title_of(in);
   facts_.frames = label_frames(frames_.files, read_report_facts(frames_.folder));
-  facts_.has_depth = has_depth_beside(0);
+  try {
+    facts_.has_depth = has_depth_beside(0);
+  } catch (const Error& error) {
+    context.warning(fmt::format("Depth is left out: {}", error.what()));
+  }
 }
 
 Image8 PageField::quilt(std::size_t frame) const {
@@ -146,7 +150,7 @@ RenderedPanel PageField::read(std::size_t frame) const {
 }
 
 bool PageField::has_depth_beside(std::size_t frame) const {
-  if (facts_.panel == PanelPicture::kOwn) return false;
+  if (facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return false;
   const fs::path& file = frames_.files[frame];
   require_within(root_, file);
   const LightFieldSource source = light_field_source(file, said_.from, options_with_depth(said_));

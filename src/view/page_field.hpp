@@ -52,7 +52,8 @@ struct PageFacts {
 
 class PageField {
  public:
-  /// Throws Error naming the file, or the flag that has to say what nothing else says. Files that lead out of the folder that
+  /// Throws Error naming the file, or the flag that has to say what nothing else says; depth that cannot be read is left out
+  /// with a warning. Files that lead out of the folder that
   /// is shown are refused when they are read.
   PageField(std::filesystem::path in, LightFieldSaid said, const Context& context);
 

@@ -80,7 +80,6 @@ TEST(PageField, fractional_lenses_are_seen_by_as_many_eyes_as_there_are_directio
   EXPECT_EQ(Vec2i(quilt.width, quilt.height), facts.view_size * Vec2i(facts.tiles.columns, facts.tiles.rows));
 }
 
-// Depth of a rendered camera grid: what the layer says, as disparity from the same point of view.
 TEST(PageField, link_out_of_the_folder_is_refused_and_others_stay_readable) {
   const TempDir dir, elsewhere;
   test::write_sheet_frames(dir.path(), 3);
@@ -93,6 +92,31 @@ TEST(PageField, link_out_of_the_folder_is_refused_and_others_stay_readable) {
   fs::create_symlink(dir / "frame_0000.png", dir / "inside.png");
   fs::rename(dir / "inside.png", dir / "frame_0002.png");
   EXPECT_EQ(fields[0]->quilt(2).rgb, fields[0]->quilt(0).rgb);
+}
+
+TEST(PageField, single_view_is_a_light_field_of_one_view) {
+  const TempDir dir;
+  Optics optics;
+  optics.panel = {8, 6, 0.25f};
+  optics.model = SingleView{100.0f, {}};
+  std::ofstream(dir / "report.json") << nlohmann::ordered_json{{"optics", optics_json(optics)}};
+  const Image8 picture = test::noise_codes(8, 6);
+  write_png(dir / "frame_0000.png", picture);
+  const auto fields = test::fields_of(dir.path());
+  EXPECT_EQ(fields[0]->facts().grid, (ViewGrid{1, 1}));
+  EXPECT_EQ(fields[0]->quilt(0).rgb, picture.rgb);
+}
+
+TEST(PageField, depth_that_cannot_be_read_is_left_out_with_a_warning) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 1);
+  std::ofstream(dir / "aov_0000.exr") << "no picture";
+  Context context;
+  std::string warning;
+  context.warn = [&](std::string_view text) { warning = text; };
+  const PageField field(dir.path(), {}, context);
+  EXPECT_FALSE(field.facts().has_depth);
+  EXPECT_THAT(warning, testing::AllOf(HasSubstr("Depth is left out"), HasSubstr("aov_0000.exr")));
 }
 
 TEST(PageField, folder_without_pictures_is_refused_with_what_would_be_accepted) {
