@@ -43,18 +43,19 @@ struct Planned {
   fs::path folder;
   FrameNames names;
   Vec2i picture_size{0, 0};
+  int pictures_per_frame = 1;
   int kept = 0;
 };
 
 /// "512x512 pixels", "48 views of 420x560 pixels".
 std::string describe_pictures(const Planned& plan) {
-  return fmt::format("{}{}x{} pixels", plan.names.views > 0 ? fmt::format("{} views of ", plan.names.views) : "",
+  return fmt::format("{}{}x{} pixels", plan.pictures_per_frame > 1 ? fmt::format("{} views of ", plan.pictures_per_frame) : "",
                      plan.picture_size.x, plan.picture_size.y);
 }
 
 /// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
 bool can_be_replayed(const RenderReport& report) {
-  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.output.mirror;
+  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.output.pictures.mirror;
 }
 
 /// With what the pictures were made, and what makes better ones.
@@ -85,10 +86,10 @@ std::string first_and_last(const std::string& first, const std::string& last) {
 
 /// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
 void print_summary(const RenderReport& report, const Planned& plan, const std::string& program) {
-  const auto& [folder, names, picture_size, kept] = plan;
+  const auto& [folder, names, picture_size, pictures_per_frame, kept] = plan;
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
-  for (const auto* some : {&report.frames, &report.sources})
+  for (const auto* some : {&report.frames, &report.run.sources})
     for (const FrameReport& frame : *some) seconds += frame.seconds, rays += static_cast<double>(frame.rays.total());
   fmt::print("{}{} frame{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "",
              frames, frames == 1 ? "" : "s", describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
@@ -134,11 +135,11 @@ std::string describe_parts(const FileSizes& sizes) {
 }
 
 void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
-  const std::uint64_t bytes = largest_picture_bytes(plan, params.output.exr_pixels);
+  const std::uint64_t bytes = largest_picture_bytes(plan, params.output.pictures.exr_pixels);
   const FileSizes sizes = estimated_file_sizes(plan, params);
   const PlacedOptics& placed = plan.stage.placed;
   const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
-  const int pictures = std::max(1, plan.names.views);
+  const int pictures = plan.pictures_per_frame;
   const auto whole = [](double number) { return static_cast<std::uint64_t>(number); };
   if (json)
     return print_json(
@@ -186,7 +187,7 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Co
   RenderObserver observer;
   observer.force = options.force;
   observer.planned = [&](const RenderPlan& plan) {
-    planned = {plan.folder, plan.names, plan.picture_size, plan.kept};
+    planned = {plan.folder, plan.names, plan.picture_size, plan.pictures_per_frame, plan.kept};
     progress.emplace(plan, params, progress_kind(options));
   };
   observer.traced = [&](const FrameReport& frame) { progress->traced(frame); };

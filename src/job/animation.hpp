@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "job/frame_files.hpp"
+#include "layout/frame_names.hpp"
 #include "job/params.hpp"
 #include "job/report.hpp"
 #include "lippmann/core/context.hpp"
@@ -21,10 +21,12 @@ struct RenderPlan {
   const JobStage& stage;
   std::filesystem::path folder;
   FrameNames names;
+  PictureFormat format = PictureFormat::kPng;
   std::vector<int> frames;               ///< ascending
   std::vector<std::string> videos = {};  ///< files
   int kept = 0;                          ///< of these frames, finished before by the same job
   Vec2i picture_size{0, 0};
+  int pictures_per_frame = 1;
 };
 
 /// Bytes of all pictures of a plan before compression: more than what PNG and EXR files take. Layers and videos are not
@@ -38,7 +40,7 @@ struct RenderObserver {
   std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
   /// A frame's pictures and layers are on disk, of so many bytes; in order, one at a time, on any thread. Not of kept frames.
   std::function<void(int frame, std::uintmax_t bytes)> written;
-  bool force = false;      ///< another render in the folder is replaced, and videos that are there (render_folder.hpp)
+  bool force = false;      ///< another render in the folder is replaced, and videos that are there (folder/claim_folder.hpp)
   bool only_plan = false;  ///< stop once `planned` was called, before anything is written; kept frames are not looked for
 };
 

@@ -26,7 +26,7 @@ Files files_below(const fs::path& folder) {
   if (!fs::exists(folder)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().filename();
-    if (entry.is_regular_file() && name != "report.json" && name != ".lippmann-frames.jsonl" && name != "job.toml")
+    if (entry.is_regular_file() && name != "report.json" && entry.path().extension() != ".jsonl" && name != "job.toml")
       files[entry.path().lexically_relative(folder)] = bytes_of(entry.path());
   }
   return files;

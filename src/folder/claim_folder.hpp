@@ -1,15 +1,15 @@
 // Which folder a render goes into, and what becomes of what lies there: one folder holds one render. What belongs to another is
 // never overwritten, and never kept beside the new one unsaid, unless the caller says so (--force).
 //
-// `job`: job_fingerprint(). Files of a render are those that the folder's journal names (folder_journal.hpp); files that are
+// `job`: job_fingerprint(). Files of a render are those that the folder's journal names (folder/journal.hpp); files that are
 // named as those of frames and that no journal names are foreign.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "job/params.hpp"
 #include "lippmann/core/context.hpp"
 
 namespace lippmann {
@@ -19,8 +19,9 @@ std::filesystem::path free_folder(const std::filesystem::path& wanted, const std
 
 /// Throws Error if `folder` holds another render, one with a damaged journal, or foreign files; if one of the `videos` is there
 /// and the render in the folder has not written it, or it shows frames of that render that are not among `frames`. Changes
-/// nothing. `params` are of the render that wants in; the message says what the other has differently.
-void require_free_folder(const std::filesystem::path& folder, const std::string& job, const RenderParams& params,
+/// nothing. `differences`: the names of what another render, whose job file is given, has set differently, for the message.
+using JobDifferences = std::function<std::vector<std::string>(const std::filesystem::path& job_file)>;
+void require_free_folder(const std::filesystem::path& folder, const std::string& job, const JobDifferences& differences,
                          const std::vector<int>& frames, const std::vector<std::string>& videos);
 
 /// Makes room in a folder that exists: removes the files of another render, each by its name in the journal, and with `force`
@@ -31,12 +32,5 @@ void clear_folder(const std::filesystem::path& folder, const std::string& job, c
 /// Throws Error if `out`, a file or a folder of frames that something other than a render is to write, is a finished file of a
 /// render or the folder of one.
 void require_no_render(const std::filesystem::path& out);
-
-/// The names of the parameters in which a job file and `params` differ, of those that decide pictures; none if the file cannot
-/// be read.
-std::vector<std::string> differences(const std::filesystem::path& job_file, const RenderParams& params);
-
-/// A video's path relative to the folder, as the journal has it.
-std::string video_name(const std::filesystem::path& folder, const std::filesystem::path& video);
 
 }  // namespace lippmann

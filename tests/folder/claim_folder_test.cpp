@@ -1,13 +1,14 @@
 // Which folder a render goes into, what is refused there, what is removed, and what a check finds.
-#include "job/render_folder.hpp"
+#include "folder/claim_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
 #include <fstream>
 
-#include "job/finished_frames.hpp"
-#include "job/folder_check.hpp"
+#include "folder/folder_check.hpp"
+#include "folder/render_folder.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/temp_dir.hpp"
 
@@ -26,7 +27,7 @@ void make_file(const fs::path& path, const std::string& bytes = "bytes") {
 /// A render of `job` that was asked for frames 0 to 2 and has finished these, each a picture and a layer.
 void make_render(const fs::path& folder, const std::string& job, const std::vector<int>& finished) {
   fs::create_directories(folder);
-  FinishedFrames journal(folder, job, {});
+  RenderFolder journal(folder, job);
   journal.begin({0, 1, 2});
   for (const int frame : finished) {
     FrameReport report;
@@ -36,14 +37,16 @@ void make_render(const fs::path& folder, const std::string& job, const std::vect
     for (const fs::path& file : files) make_file(file);
     journal.add(report, records_of(folder, files));
   }
-  make_file(folder / "report.json");
-  journal.add_file("report.json");
+  journal.write("report.json", [](const FolderJournal&) { return std::string("bytes"); });
 }
 
 void make_video(const fs::path& folder, const std::string& job, const fs::path& video, const std::vector<int>& frames) {
   make_file(video);
-  FinishedFrames(folder, job, {}).add_video(video, frames);
+  RenderFolder(folder, job).add_video(video, frames);
 }
+
+/// The file of the journal that its first run has written.
+fs::path part_of(const fs::path& folder) { return read_journal(folder)->parts.front(); }
 
 /// What a render of the job is told, or nothing.
 std::string refusal(const fs::path& folder, const std::string& job, const std::vector<std::string>& videos = {},
@@ -65,7 +68,7 @@ std::vector<std::string> cleared(const fs::path& folder, const std::string& job,
   return warnings;
 }
 
-TEST(RenderFolder, missing_or_empty_folder_one_of_the_same_job_and_one_with_other_files_are_free) {
+TEST(ClaimFolder, missing_or_empty_folder_one_of_the_same_job_and_one_with_other_files_are_free) {
   const test::TempDir dir;
   EXPECT_EQ(refusal(dir / "missing", "a"), "");
   EXPECT_EQ(refusal(dir.path(), "a"), "");
@@ -76,7 +79,7 @@ TEST(RenderFolder, missing_or_empty_folder_one_of_the_same_job_and_one_with_othe
   EXPECT_EQ(refusal(dir.path(), "a"), "");
 }
 
-TEST(RenderFolder, another_render_is_refused_but_not_one_that_was_stopped_before_its_first_frame) {
+TEST(ClaimFolder, another_render_is_refused_but_not_one_that_was_stopped_before_its_first_frame) {
   const test::TempDir dir;
   make_render(dir / "one", "a", {0});
   make_render(dir / "none", "a", {});
@@ -84,7 +87,7 @@ TEST(RenderFolder, another_render_is_refused_but_not_one_that_was_stopped_before
   EXPECT_EQ(refusal(dir / "none", "b"), "");
 }
 
-TEST(RenderFolder, pictures_and_a_report_that_no_journal_names_are_refused) {
+TEST(ClaimFolder, pictures_and_a_report_that_no_journal_names_are_refused) {
   const test::TempDir dir;
   for (const char* name :
        {"frame_0000.png", "aov_0007.exr", "frame_0003/view_000.png", "frame_0000_qs8x6a1.png.json", "report.json"}) {
@@ -94,22 +97,23 @@ TEST(RenderFolder, pictures_and_a_report_that_no_journal_names_are_refused) {
   }
 }
 
-TEST(RenderFolder, damaged_journal_is_refused) {
+TEST(ClaimFolder, damaged_journal_is_refused) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
-  std::ofstream(journal_path(dir.path()), std::ios::app) << "{\"frame\":\n{}\n";
+  std::ofstream(part_of(dir.path()), std::ios::app) << "{\"frame\":\n{}\n";
   EXPECT_THAT(refusal(dir.path(), "a"), testing::AllOf(HasSubstr("is damaged"), HasSubstr("--force")));
 }
 
-TEST(RenderFolder, fifo_in_place_of_a_file_of_the_folder_is_an_error_and_is_not_waited_for) {
-  for (const char* name : {"job.toml", "report.json", ".lippmann-frames.jsonl"}) {
+TEST(ClaimFolder, fifo_in_place_of_a_file_of_the_folder_is_an_error_and_is_not_waited_for) {
+  for (const char* name : {"job.toml", "report.json", ".lippmann/1.jsonl"}) {
     const test::TempDir dir;
+    fs::create_directory(dir / ".lippmann");
     ASSERT_EQ(mkfifo((dir / name).c_str(), 0600), 0);
     EXPECT_THAT(refusal(dir.path(), "a"), HasSubstr("no regular file")) << name;
   }
 }
 
-TEST(RenderFolder, default_folder_is_the_first_that_holds_no_other_render) {
+TEST(ClaimFolder, default_folder_is_the_first_that_holds_no_other_render) {
   const test::TempDir dir;
   const fs::path wanted = dir / "out";
   EXPECT_EQ(free_folder(wanted, "a"), wanted);
@@ -122,7 +126,7 @@ TEST(RenderFolder, default_folder_is_the_first_that_holds_no_other_render) {
   EXPECT_EQ(free_folder(wanted, "c"), dir / "out-4");
 }
 
-TEST(RenderFolder, video_that_is_there_is_refused_unless_this_render_wrote_it_and_all_its_frames_are_asked_for) {
+TEST(ClaimFolder, video_that_is_there_is_refused_unless_this_render_wrote_it_and_all_its_frames_are_asked_for) {
   const test::TempDir dir;
   const fs::path folder = dir / "a";
   make_render(folder, "a", {0, 1, 2});
@@ -136,7 +140,7 @@ TEST(RenderFolder, video_that_is_there_is_refused_unless_this_render_wrote_it_an
   EXPECT_THAT(refusal(folder, "a", {dir / "a.mp4"}, {0}), testing::AllOf(HasSubstr("frames 0-2"), HasSubstr("--force")));
 }
 
-TEST(RenderFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_else) {
+TEST(ClaimFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_else) {
   const test::TempDir dir;
   const fs::path folder = dir / "a";
   make_render(folder, "a", {0, 1});
@@ -152,7 +156,7 @@ TEST(RenderFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_el
   EXPECT_TRUE(fs::exists(dir / "outside.mp4"));
 }
 
-TEST(RenderFolder, foreign_file_beside_a_render_of_the_same_job_stays_and_is_said_unless_forced) {
+TEST(ClaimFolder, foreign_file_beside_a_render_of_the_same_job_stays_and_is_said_unless_forced) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   make_file(dir / "aov_0000.png");
@@ -164,14 +168,14 @@ TEST(RenderFolder, foreign_file_beside_a_render_of_the_same_job_stays_and_is_sai
   EXPECT_TRUE(fs::exists(dir / "frame_0001.png"));
 }
 
-TEST(RenderFolder, nothing_is_removed_through_symbolic_links) {
+TEST(ClaimFolder, nothing_is_removed_through_symbolic_links) {
   const test::TempDir dir;
   const fs::path folder = dir / "a";
   make_file(folder / "frame_0000/view_000.png");
   make_file(dir / "target.png");
   fs::create_symlink(dir / "target.png", folder / "frame_0001.png");
   {
-    FinishedFrames journal(folder, "a", {});
+    RenderFolder journal(folder, "a");
     FrameReport report;
     journal.add(report, records_of(folder, {folder / "frame_0000/view_000.png"}));
     report.frame = 1;
@@ -185,7 +189,7 @@ TEST(RenderFolder, nothing_is_removed_through_symbolic_links) {
   EXPECT_FALSE(fs::is_symlink(folder / "frame_0001.png"));
 }
 
-TEST(RenderFolder, names_of_a_hostile_journal_lead_nowhere_when_the_folder_is_replaced) {
+TEST(ClaimFolder, names_of_a_hostile_journal_lead_nowhere_when_the_folder_is_replaced) {
   const test::TempDir dir;
   const fs::path folder = dir / "a";
   make_render(folder, "a", {0});
@@ -195,24 +199,14 @@ TEST(RenderFolder, names_of_a_hostile_journal_lead_nowhere_when_the_folder_is_re
        {std::string("../victim"), std::string("../frame_0001.png"), std::string("notes.txt"), absolute}) {
     FrameReport report;
     report.frame = 1;
-    std::ofstream(journal_path(folder), std::ios::app)
+    std::ofstream(part_of(folder), std::ios::app)
         << frame_line(report, {{name, *file_checksum(folder / "frame_0000.png")}});
   }
-  std::ofstream(journal_path(folder), std::ios::app) << asked_line({0});
+  std::ofstream(part_of(folder), std::ios::app) << asked_line({0});
   EXPECT_THROW(check_folder(folder), Error);
   cleared(folder, "b", true, {0, 1, 2});
   for (const char* name : {"../victim", "../frame_0001.png", "notes.txt"}) EXPECT_TRUE(fs::exists(folder / name)) << name;
   EXPECT_FALSE(fs::exists(folder / "frame_0000.png"));
-}
-
-TEST(RenderFolder, differences_are_the_parameters_that_decide_pictures) {
-  const test::TempDir dir;
-  std::ofstream(dir / "job.toml") << "scene = \"teapot\"\nspp = 4\nview-angle = 40\nthreads = 3\nframes = \"0-3\"\n";
-  RenderParams params;
-  params.scene.name = "teapot";
-  EXPECT_THAT(differences(dir / "job.toml", with_scene_defaults(params)), ElementsAre("view-angle", "spp"));
-  std::ofstream(dir / "job.toml") << "no job";
-  EXPECT_THAT(differences(dir / "job.toml", params), ElementsAre());
 }
 
 TEST(CheckFolder, whole_render_passes) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "job/folder_journal.hpp"
+#include "folder/journal.hpp"
 
 namespace lippmann {
 

@@ -1,13 +1,16 @@
-// What each frame's picture holds: the film as its optics lie, or its views moved to where another layout wants them.
+// What each frame's picture holds: the film as its optics lie, its views moved to where another layout wants them, or a light
+// field in one of the formats that convert writes.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 
-#include "job/frame_files.hpp"
-#include "job/params.hpp"
+#include "folder/picture_params.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/display/display.hpp"
+#include "lippmann/frames/rendered_frame.hpp"
 #include "lippmann/layout/arrangement.hpp"
+#include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/layout/view_layout.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -18,9 +21,21 @@ class FrameLayout {
  public:
   /// `display`: whose optics they are, if any. Throws a usage Error where the optics have no views of whole pixels to be moved,
   /// or tiles do not suit them.
-  FrameLayout(const RenderParams& params, const Optics& optics, const Display* display = nullptr);
+  FrameLayout(const PictureParams& params, const Optics& optics, const Display* display = nullptr);
 
   const FrameNames& names() const { return names_; }
+
+  /// The kind of files of pictures.
+  PictureFormat format() const { return format_; }
+
+  /// The format of light fields that each frame is written in; null: it is a picture of its own, or a folder of views.
+  const LightFieldFormat* light_field() const { return light_field_; }
+
+  /// Whether each frame is one picture, as videos want it.
+  bool is_picture() const { return names_.views == 0 && !light_field_; }
+
+  /// How many pictures of picture_size() a frame has.
+  int pictures_per_frame() const { return pictures_per_frame_; }
 
   /// Where a video of these pictures goes: a quilt's says so in its name.
   std::filesystem::path video_path(const std::filesystem::path& said) const;
@@ -51,11 +66,16 @@ class FrameLayout {
 
  private:
   void turn_round(const Optics& optics, PictureLayout layout);
-  void arrange_views(const RenderParams& params, PictureLayout layout, const Optics& optics);
+  void arrange_views(const PictureParams& params, PictureLayout layout, const Optics& optics);
+  void use_format(const LightFieldFormat& format, const Optics& optics);
 
   Vec2i film_;
   std::optional<QuiltName> quilt_;
   FrameNames names_;
+  PictureFormat format_ = PictureFormat::kPng;
+  const LightFieldFormat* light_field_ = nullptr;
+  int pictures_per_frame_ = 1;
+  Vec2i view_size_{0, 0};  ///< of a light field
   std::optional<Arrangement> arrangement_;
   bool sub_pixels_ = false, mirrors_ = false;
   double pixels_per_mm_ = 0.0;

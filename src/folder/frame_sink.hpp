@@ -11,39 +11,41 @@
 #include <vector>
 
 #include "frames/frame.hpp"
-#include "job/finished_frames.hpp"
-#include "job/frame_layout.hpp"
-#include "job/params.hpp"
-#include "job/undo_crosstalk.hpp"
+#include "folder/frame_layout.hpp"
+#include "folder/picture_params.hpp"
+#include "folder/render_folder.hpp"
+#include "image/exr.hpp"
 #include "lippmann/image/encoding.hpp"
+#include "lippmann/layout/precompensation.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {
 
-/// How a video of this render is to be encoded.
-VideoOptions video_options(const RenderParams& params, const std::string& file, double frames_per_second);
+/// A video of all frames.
+struct VideoFile {
+  std::filesystem::path path;
+  VideoOptions options;
+};
 
 class FrameSink {
  public:
   struct Settings {
-    const RenderParams& params;
-    std::filesystem::path folder;
+    PictureParams pictures;
     const FrameLayout& layout;
-    std::vector<std::string> videos = {};  ///< files
-    Encoding encoding = Encoding::kSrgb;
-    double frames_per_second = 25.0;
-    const Optics* optics = nullptr;                ///< of the films
-    float depth_scale = 1.0f;                      ///< shown depth / true depth
-    std::optional<double> crosstalk_to_undo = {};  ///< see job/undo_crosstalk.hpp; wants `optics`
-    int threads = 1;                               ///< that render; a share as many again write
-    std::function<void(Image)> done_with = {};     ///< is given the film of every written frame, on any thread; may be empty
+    const Optics& optics;                          ///< of the films
+    Encoding encoding = Encoding::kSrgb;           ///< of the scene's values
+    std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
+    std::vector<VideoFile> videos = {};
+    std::vector<ExrAttribute> about = {};       ///< attributes of EXR files
+    int threads = 1;                            ///< that render; a share as many again write
+    std::function<void(Image)> done_with = {};  ///< is given the film of every written frame, on any thread; may be empty
     /// Hears that a frame's pictures and layers are there, and how many bytes they have: in order, one at a time, on any
     /// thread; may be empty.
     std::function<void(int frame, std::uintmax_t bytes)> written = {};
   };
 
-  /// `finished` outlives the sink and is not changed by others meanwhile. Throws Error for videos that cannot be begun.
-  FrameSink(const Settings& settings, FinishedFrames& finished);
+  /// `folder` outlives the sink; nothing else records in it meanwhile. Throws Error for videos that cannot be begun.
+  FrameSink(const Settings& settings, RenderFolder& folder);
   /// Drops what is not written yet; videos that finish() has not completed leave nothing.
   ~FrameSink();
   FrameSink(const FrameSink&) = delete;

@@ -1,21 +1,21 @@
-#include "job/folder_journal.hpp"
+#include "folder/journal.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 
+#include "core/folder_entries.hpp"
+#include "core/frame_ranges.hpp"
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
 #include "core/regular_file.hpp"
-#include "core/text_pattern.hpp"
-#include "job/param_text.hpp"
-#include "job/params.hpp"
+#include "folder/frame_report_json.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/video_reader.hpp"
 
@@ -70,10 +70,7 @@ void add_frames(const std::vector<int>& more, std::vector<int>& frames) {
 void read_written(const Json& json, FolderJournal& journal) {
   const auto name = json.at("written").get<std::string>();
   if (name != "job.toml" && name != "report.json") throw LineProblem("names a file that no render writes");
-  if (json.contains("bytes"))
-    journal.files[name] = checksum_from_json(json);
-  else
-    journal.files.erase(name);
+  journal.files[name].push_back(checksum_from_json(json));
 }
 
 void read_video(const Json& json, FolderJournal& journal) {
@@ -84,26 +81,51 @@ void read_video(const Json& json, FolderJournal& journal) {
   journal.videos[name] = std::move(video);
 }
 
-void read_frame(const Json& json, FolderJournal& journal) {
+FrameReport report_from_json(const Json& json) {
   const std::optional<FrameReport> report = frame_report_from_json(json);
   if (!report) throw LineProblem("lacks figures of its frame");
-  journal.frames[report->frame] = {*report, records_from_json(json.at("files"), report->frame)};
+  return *report;
+}
+
+void read_frame(const Json& json, FolderJournal& journal) {
+  const FrameReport report = report_from_json(json);
+  journal.frames[report.frame] = {report, records_from_json(json.at("files"), report.frame)};
+}
+
+void read_run(const Json& json, FolderJournal& journal) {
+  RunReport run;
+  json.at("setup_seconds").get_to(run.setup_seconds);
+  json.at("write_seconds").get_to(run.write_seconds);
+  json.at("peak_memory_bytes").get_to(run.peak_memory_bytes);
+  json.at("threads").get_to(run.threads);
+  for (const Json& source : json.at("sources")) run.sources.push_back(report_from_json(source));
+  journal.runs.push_back(std::move(run));
+}
+
+void read_job(const Json& json, FolderJournal& journal) {
+  const auto job = json.at("job").get<std::string>();
+  if (!journal.job.empty() && journal.job != job) throw LineProblem("names another job than the files before it");
+  journal.job = job;
 }
 
 /// Throws LineProblem or an exception of nlohmann's.
 void read_line(const Json& json, bool is_first, FolderJournal& journal) {
   if (!json.is_object()) throw LineProblem("is no JSON object");
   if (is_first)
-    journal.job = json.at("job").get<std::string>();
+    read_job(json, journal);
   else if (json.contains("asked"))
     add_frames(frames_from_json(json["asked"]), journal.asked);
   else if (json.contains("written"))
     read_written(json, journal);
   else if (json.contains("video"))
     read_video(json, journal);
+  else if (json.contains("run"))
+    read_run(json["run"], journal);
   else
     read_frame(json, journal);
 }
+
+constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;  // of a frame of 48 views about 5000
 
 /// What is wrong with it, or nothing.
 std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {
@@ -113,6 +135,28 @@ std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) 
   return "lacks a key, or has one of the wrong type";
 } catch (const LineProblem& problem) {
   return problem.what();
+}
+
+/// What one run has written. A run that was killed while it wrote its first line has written nothing.
+void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& journal) {
+  std::error_code problem;
+  if (!is_regular_file_there(path)) return;  // taken away since the folder was listed
+  const std::uintmax_t bytes = fs::file_size(path, problem);
+  if (bytes > bytes_left || problem) throw Error(path.string(), "is too large for the journal of a render", "at most 4 GB");
+  bytes_left -= bytes;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Error(path.string(), "cannot be read");
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (in.eof()) break;  // torn: it has no end
+    const Json json = json_from_text(line);
+    const bool is_last = in.peek() == std::ifstream::traits_type::eof();
+    if (json.is_discarded() && is_last && number > 1) break;  // torn by a crash of the machine
+    if (number == 1) journal.parts.push_back(path);
+    const std::string wrong = problem_of(json, number == 1, journal);
+    if (!wrong.empty() && journal.problem.empty())
+      journal.problem = fmt::format("line {} of {} {}", number, shown(path.filename().string()), wrong);
+  }
 }
 
 }  // namespace
@@ -127,34 +171,31 @@ FileRecords records_of(const fs::path& folder, const std::vector<fs::path>& file
   return records;
 }
 
-fs::path journal_path(const fs::path& folder) { return folder / ".lippmann-frames.jsonl"; }
+fs::path journal_folder(const fs::path& folder) { return folder / ".lippmann"; }
+
+bool is_as_written(const FolderJournal& journal, const fs::path& folder, const std::string& name) {
+  const auto found = journal.files.find(name);
+  const std::optional<FileChecksum> sum = file_checksum(folder / name);
+  return sum && found != journal.files.end() && std::find(found->second.begin(), found->second.end(), *sum) != found->second.end();
+}
 
 std::optional<FolderJournal> read_journal(const fs::path& folder) {
-  constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;  // of a frame of 48 views about 5000
-  const fs::path path = journal_path(folder);
-  if (!is_regular_file_there(path)) return std::nullopt;
-  std::error_code problem;
-  const std::uintmax_t bytes = fs::file_size(path, problem);
-  if (bytes > kMaxBytes || problem) throw Error(path.string(), "is too large for the journal of a render", "at most 4 GB");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(path.string(), "cannot be read");
+  const fs::path where = journal_folder(folder);
+  std::error_code ignored;
+  const fs::file_type type = fs::symlink_status(where, ignored).type();
+  if (type == fs::file_type::none || type == fs::file_type::not_found) return std::nullopt;
+  if (type != fs::file_type::directory)
+    throw Error(where.string(), "is no folder", "the folder of journals that lippmann render makes, or nothing of that name");
   FolderJournal journal;
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    if (in.eof()) break;  // torn: it has no end
-    const Json json = json_from_text(line);
-    const bool is_last = in.peek() == std::ifstream::traits_type::eof();
-    if (json.is_discarded() && is_last && number > 1) break;  // torn by a crash of the machine
-    const std::string wrong = problem_of(json, number == 1, journal);
-    if (!wrong.empty() && journal.problem.empty()) journal.problem = fmt::format("line {} {}", number, wrong);
-    journal.sound_bytes += line.size() + 1;
-  }
-  return journal;
+  std::uintmax_t bytes_left = kMaxJournalBytes;
+  for (const fs::directory_entry& entry : entries_of(where))
+    if (entry.path().extension() == ".jsonl") read_part(entry.path(), bytes_left, journal);
+  return journal.parts.empty() ? std::nullopt : std::optional(std::move(journal));
 }
 
 void require_sound(const fs::path& folder, const FolderJournal& journal) {
   if (!journal.problem.empty())
-    throw Error(journal_path(folder).string(), "is damaged, or no journal of a render: " + journal.problem,
+    throw Error(journal_folder(folder).string(), "is damaged, or no journal of a render: " + journal.problem,
                 "a folder that lippmann render has written to");
 }
 
@@ -169,9 +210,9 @@ std::string frame_line(const FrameReport& frame, const FileRecords& files) {
   return line_of(json);
 }
 
-std::string written_line(const std::string& name, const std::optional<FileChecksum>& sum) {
+std::string written_line(const std::string& name, const FileChecksum& sum) {
   Json json{{"written", name}};
-  if (sum) json.update(checksum_json(*sum));
+  json.update(checksum_json(sum));
   return line_of(json);
 }
 
@@ -181,17 +222,15 @@ std::string video_line(const std::string& name, const JournalVideo& video) {
   return line_of(json);
 }
 
-std::optional<int> frame_of_file(const std::string& name) {
-  constexpr std::size_t kMaxLetters = 255;  // of a file's name
-  if (name.size() > kMaxLetters) return std::nullopt;
-  static const TextPattern pattern(
-      R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+)?\.(?:png|tif|exr)(?:\.json)?|frame_([0-9]{1,9})/(?:view|aov)_[0-9]{1,9}\.(?:png|tif|exr))");
-  const std::optional<PatternMatch> found = pattern.match(name);
-  if (!found) return std::nullopt;
-  const std::string& digits = found->groups[1].empty() ? found->groups[2] : found->groups[1];
-  int frame = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), frame);
-  return frame;
+std::string run_line(const RunReport& run) {
+  Json sources = Json::array();
+  for (const FrameReport& source : run.sources) sources.push_back(to_json(source));
+  return line_of({{"run",
+                   {{"setup_seconds", run.setup_seconds},
+                    {"write_seconds", run.write_seconds},
+                    {"peak_memory_bytes", run.peak_memory_bytes},
+                    {"threads", run.threads},
+                    {"sources", std::move(sources)}}}});
 }
 
 bool is_unfinished(const FolderJournal& journal, const std::string& name) {

@@ -1,5 +1,5 @@
 // Journals as renders write them, and as anybody else may have written them.
-#include "job/folder_journal.hpp"
+#include "folder/journal.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -7,7 +7,8 @@
 #include <fstream>
 #include <random>
 
-#include "job/folder_check.hpp"
+#include "folder/folder_check.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/temp_dir.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const FileChecksum kSum{7, "0123456789abcdef"};
+const FileChecksum kSum{7, "0123456789abcdef"}, kOther{8, "fedcba9876543210"};
 
 std::string sound_journal() {
   FrameReport frame;
@@ -25,14 +26,15 @@ std::string sound_journal() {
   frame.rays.primary = 100;
   return job_line("job") + asked_line({3, 4, 5, 9}) + written_line("job.toml", kSum) +
          frame_line(frame, {{"frame_0004.png", kSum}, {"aov_0004.exr", kSum}}) + video_line("../a.mp4", {kSum, {3, 4}}) +
-         written_line("report.json", kSum) + written_line("report.json", std::nullopt);
+         written_line("report.json", kSum) + written_line("report.json", kOther) + run_line({0.5, 0.25, 1000, 2, {}});
 }
 
 /// The journal that this text is.
 FolderJournal journal_of(const std::string& text) {
   const test::TempDir dir;
-  std::ofstream(journal_path(dir.path())) << text;
-  return read_journal(dir.path()).value();
+  std::filesystem::create_directory(journal_folder(dir.path()));
+  std::ofstream(journal_folder(dir.path()) / "1.jsonl") << text;
+  return read_journal(dir.path()).value_or(FolderJournal{});
 }
 
 TEST(FolderJournal, what_was_written_is_read_back) {
@@ -42,10 +44,12 @@ TEST(FolderJournal, what_was_written_is_read_back) {
   EXPECT_THAT(journal.asked, ElementsAre(3, 4, 5, 9));
   EXPECT_EQ(journal.frames.at(4).report.rays.primary, 100u);
   EXPECT_EQ(journal.frames.at(4).files, (FileRecords{{"frame_0004.png", kSum}, {"aov_0004.exr", kSum}}));
-  EXPECT_EQ(journal.files, (FileRecords{{"job.toml", kSum}}));
+  EXPECT_THAT(journal.files.at("job.toml"), ElementsAre(kSum));
+  EXPECT_THAT(journal.files.at("report.json"), ElementsAre(kSum, kOther));
+  ASSERT_EQ(journal.runs.size(), 1u);
+  EXPECT_EQ(journal.runs[0].threads, 2);
   EXPECT_EQ(journal.videos.at("../a.mp4").sum.value(), kSum);
   EXPECT_THAT(journal.videos.at("../a.mp4").frames, ElementsAre(3, 4));
-  EXPECT_EQ(journal.sound_bytes, sound_journal().size());
 }
 
 TEST(FolderJournal, of_two_lines_for_a_frame_the_last_one_counts) {
@@ -57,12 +61,12 @@ TEST(FolderJournal, of_two_lines_for_a_frame_the_last_one_counts) {
   EXPECT_EQ(journal.frames.at(4).files, (FileRecords{{"frame_0004.png", later}}));
 }
 
-TEST(FolderJournal, cut_anywhere_it_is_sound_up_to_the_last_whole_line) {
+TEST(FolderJournal, cut_anywhere_it_is_sound) {
   const std::string whole = sound_journal();
   for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
     const FolderJournal journal = journal_of(whole.substr(0, bytes));
     EXPECT_EQ(journal.problem, "") << bytes;
-    EXPECT_EQ(journal.sound_bytes, bytes == 0 ? 0 : whole.rfind('\n', bytes - 1) + 1) << bytes;
+    EXPECT_EQ(journal.parts.size(), bytes < whole.find('\n') + 1 ? 0u : 1u) << bytes;
   }
 }
 
@@ -116,13 +120,36 @@ TEST(FolderJournal, first_line_that_names_no_job_is_a_problem) {
     EXPECT_THAT(journal_of(line).problem, HasSubstr("line 1 ")) << line;
 }
 
-TEST(FolderJournal, in_place_of_a_fifo_or_a_folder_is_an_error) {
+TEST(FolderJournal, in_place_of_a_file_or_a_fifo_or_a_folder_is_an_error) {
   const test::TempDir dir;
-  ASSERT_EQ(mkfifo(journal_path(dir.path()).c_str(), 0600), 0);
+  std::ofstream(journal_folder(dir.path())) << "no folder";
   EXPECT_THROW(read_journal(dir.path()), Error);
-  std::filesystem::remove(journal_path(dir.path()));
-  std::filesystem::create_directory(journal_path(dir.path()));
+  std::filesystem::remove(journal_folder(dir.path()));
+  std::filesystem::create_directory(journal_folder(dir.path()));
+  const auto part = journal_folder(dir.path()) / "1.jsonl";
+  ASSERT_EQ(mkfifo(part.c_str(), 0600), 0);
   EXPECT_THROW(read_journal(dir.path()), Error);
+  std::filesystem::remove(part);
+  std::filesystem::create_directory(part);
+  EXPECT_THROW(read_journal(dir.path()), Error);
+}
+
+TEST(FolderJournal, of_several_runs_is_what_all_have_written_and_another_job_among_them_is_a_problem) {
+  const test::TempDir dir;
+  std::filesystem::create_directory(journal_folder(dir.path()));
+  const auto write = [&](const char* name, const std::string& text) {
+    std::ofstream(journal_folder(dir.path()) / name) << text;
+  };
+  write("1.jsonl", sound_journal());
+  write("2.jsonl", job_line("job") + asked_line({9, 10}));
+  write("3.jsonl", "{\"job\": \"jo");  // killed while it began
+  const std::optional<FolderJournal> journal = read_journal(dir.path());
+  EXPECT_EQ(journal->problem, "");
+  EXPECT_EQ(journal->parts.size(), 2u);
+  EXPECT_THAT(journal->asked, ElementsAre(3, 4, 5, 9, 10));
+  EXPECT_TRUE(journal->frames.contains(4));
+  write("2.jsonl", job_line("another"));
+  EXPECT_THAT(read_journal(dir.path())->problem, HasSubstr("line 1 of '2.jsonl'"));
 }
 
 // Bytes changed, cut, doubled and moved at random: whatever comes of it, a name leads nowhere else.
@@ -156,18 +183,8 @@ TEST(FolderJournal, noise_is_read_to_its_end_and_names_only_files_of_frames) {
     const FolderJournal journal = journal_of(text);
     for (const auto& [frame, record] : journal.frames)
       for (const auto& [name, sum] : record.files) EXPECT_EQ(frame_of_file(name), frame) << name;
-    for (const auto& [name, sum] : journal.files) EXPECT_TRUE(name == "job.toml" || name == "report.json") << name;
+    for (const auto& [name, sums] : journal.files) EXPECT_TRUE(name == "job.toml" || name == "report.json") << name;
   }
-}
-
-TEST(FrameOfFile, knows_what_a_render_writes_and_nothing_else) {
-  for (const char* name : {"frame_0007.png", "frame_0007.tif", "aov_0007.exr", "frame_0007_qs8x6a0.75.png",
-                           "frame_0007_qs8x6a1e-05.png.json", "frame_0007/view_012.exr", "frame_0007/aov_012.exr"})
-    EXPECT_EQ(frame_of_file(name), 7) << name;
-  EXPECT_EQ(frame_of_file("frame_12345.png"), 12345);
-  for (const char* name : {"frame_7.txt", "frame_.png", "frame_0007", "view_000.png", "x/frame_0007.png", "frame_0007/a.png",
-                           "frame_0007.png/", ".frame_0007.png", "frame_0007 copy.png", "frame_0007/view_000/view_000.png"})
-    EXPECT_EQ(frame_of_file(name), std::nullopt) << name;
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
-#include "job/frame_files.hpp"
-
-#include <fmt/core.h>
+#include "folder/frame_files.hpp"
 
 #include <iterator>
 #include <system_error>
@@ -13,22 +11,12 @@
 #include "image/tiff.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
+#include "lippmann/layout/film_views.hpp"
 
 namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* ending(PictureFormat format) {
-  switch (format) {
-    case PictureFormat::kExr:
-      return "exr";
-    case PictureFormat::kTiff:
-      return "tif";
-    default:
-      return "png";
-  }
-}
 
 ExrSample exr_sample(ExrPixels pixels) { return pixels == ExrPixels::kHalf ? ExrSample::kHalf : ExrSample::kFloat; }
 
@@ -69,14 +57,12 @@ std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
 /// One picture and its layers.
 class PictureWriter {
  public:
-  PictureWriter(PictureFormat format, const RenderParams& params, Encoding encoding, double pixels_per_mm,
-                std::span<const ExrAttribute> about)
-      : format_(format), params_(params), encoding_(encoding), pixels_per_mm_(pixels_per_mm), about_(about) {}
+  explicit PictureWriter(const FrameFiles& files) : files_(files) {}
 
   /// Returns the files that it wrote.
   std::vector<fs::path> write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
     std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
-    switch (format_) {
+    switch (files_.format) {
       case PictureFormat::kPng:
         write_png(picture, pictures.codes);
         break;
@@ -84,32 +70,28 @@ class PictureWriter {
         write_png(picture, codes16(pictures));
         break;
       case PictureFormat::kTiff:
-        write_tiff(picture, pictures.codes, pixels_per_mm_);
+        write_tiff(picture, pictures.codes, files_.pixels_per_mm);
         break;
       case PictureFormat::kExr:
-        layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(params_.output.exr_pixels)));
+        layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(files_.exr_pixels)));
         if (pictures.aovs.wants(Aov::kAlpha))
-          layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(params_.output.exr_pixels)));
-        write_exr(picture, layers, ExrCompression::kZip, about_);
+          layers.push_back(alpha_layer(pictures.aovs[Aov::kAlpha], exr_sample(files_.exr_pixels)));
+        write_exr(picture, layers, ExrCompression::kZip, files_.about);
         return {picture};
     }
     if (layers.empty()) return {picture};
-    write_exr(aov, layers, ExrCompression::kZip, about_);
+    write_exr(aov, layers, ExrCompression::kZip, files_.about);
     return {picture, aov};
   }
 
  private:
   Image16 codes16(const FramePictures& pictures) const {
-    Image16 codes = to_codes16(pictures.film, encoding_);
+    Image16 codes = to_codes16(pictures.film, files_.encoding);
     if (pictures.aovs.wants(Aov::kAlpha)) codes.alpha = alpha_codes16(pictures.aovs[Aov::kAlpha]);
     return codes;
   }
 
-  PictureFormat format_;
-  const RenderParams& params_;
-  Encoding encoding_;
-  double pixels_per_mm_;
-  std::span<const ExrAttribute> about_;
+  const FrameFiles& files_;
 };
 
 /// Piece `i` of `count` that lie one below the other.
@@ -134,43 +116,54 @@ FramePictures piece_of(const FramePictures& all, int i, int count) {
   return piece;
 }
 
-void make_view_folder(const fs::path& folder) {
+void make_frame_folder(const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_symlink(folder, ignored)) throw Error(folder.string(), "is a symbolic link", "a folder, or nothing of that name");
   make_folder(folder);
   remove_stale_temporaries(folder);
 }
 
+/// Of 8 bits, or of 16.
+Picture codes_of(const FrameFiles& files, const Image& stack) {
+  if (files.format == PictureFormat::kPng16) return to_codes16(stack, files.encoding);
+  return to_codes(stack, files.encoding);
+}
+
 }  // namespace
 
-std::string frame_name(const FrameNames& names, int frame) {
-  if (names.views > 0) return fmt::format("frame_{:04}", frame);
-  return fmt::format("frame_{:04}{}.{}", frame, names.quilt, ending(names.format));
+const char* ending_of(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::kExr:
+      return "exr";
+    case PictureFormat::kTiff:
+      return "tif";
+    default:
+      return "png";
+  }
 }
 
-std::vector<fs::path> picture_paths(const fs::path& folder, const FrameNames& names, int frame) {
-  const fs::path whole = folder / frame_name(names, frame);
-  if (names.views == 0) return {whole};
-  std::vector<fs::path> paths;
-  for (int view = 0; view < names.views; ++view)
-    paths.push_back(whole / fmt::format("view_{:03}.{}", view, ending(names.format)));
-  return paths;
-}
-
-std::vector<fs::path> write_frame_files(const fs::path& folder, const FrameNames& names, int frame, const RenderParams& params,
-                                        Encoding encoding, double pixels_per_mm, const FramePictures& pictures,
-                                        std::span<const ExrAttribute> about) {
-  const PictureWriter writer(names.format, params, encoding, pixels_per_mm, about);
-  const std::vector<fs::path> paths = picture_paths(folder, names, frame);
-  if (names.views == 0) return writer.write(paths.front(), folder / fmt::format("aov_{:04}.exr", frame), pictures);
+std::vector<fs::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures) {
+  const PictureWriter writer(files);
+  const FrameNames& names = files.names;
+  const std::vector<fs::path> paths = picture_paths(files.folder, names, frame);
+  if (names.views == 0) return writer.write(paths.front(), layers_path(files.folder, frame), pictures);
   std::vector<fs::path> written;
-  const fs::path views = folder / frame_name(names, frame);
-  make_view_folder(views);
+  make_frame_folder(files.folder / frame_name(names, frame));
   for (int view = 0; view < names.views; ++view)
-    for (fs::path& file : writer.write(paths[static_cast<std::size_t>(view)], views / fmt::format("aov_{:03}.exr", view),
+    for (fs::path& file : writer.write(paths[static_cast<std::size_t>(view)], layers_path(files.folder, frame, view),
                                        piece_of(pictures, view, names.views)))
       written.push_back(std::move(file));
   return written;
+}
+
+std::vector<fs::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
+                                              const Optics& optics, const FramePictures& pictures) {
+  const Image* depth = format.uses_cameras && pictures.aovs.wants(Aov::kDepth) ? &pictures.aovs[Aov::kDepth] : nullptr;
+  LightField field = light_field_of(pictures.film, optics, depth);
+  if (files.format != PictureFormat::kExr) field.stack = codes_of(files, std::get<Image>(field.stack));
+  const fs::path path = files.folder / frame_name(files.names, frame);
+  if (files.names.is_folder) make_frame_folder(path);
+  return format.write(field, path, {});
 }
 
 }  // namespace lippmann

@@ -1,40 +1,21 @@
-#include "job/frame_sink.hpp"
-
-#include <fmt/core.h>
+#include "folder/frame_sink.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/background.hpp"
-#include "core/json_text.hpp"
+#include "folder/frame_files.hpp"
 #include "image/read_image.hpp"
-#include "layout/cameras.hpp"
+#include "layout/precompensate.hpp"
 #include "layout/quilt_side_file.hpp"
-#include "lippmann/core/version.hpp"
 #include "lippmann/image/encode.hpp"
-#include "optics/optics_json.hpp"
 
 namespace lippmann {
 namespace {
-
-/// What EXR files say of the render, for those who get them without its report.
-std::vector<ExrAttribute> about_render(const FrameSink::Settings& settings) {
-  std::vector<ExrAttribute> about{{"lippmann.version", version()}, {"lippmann.scene", settings.params.scene.name}};
-  if (!settings.optics) return about;
-  about.push_back({"lippmann.optics", json_to_text(optics_json(*settings.optics), -1)});
-  about.push_back({"lippmann.depth_scale", fmt::format("{}", settings.depth_scale)});
-  if (const auto rendered = rendered_views(*settings.optics)) {
-    const ViewGrid& grid = rendered->film.grid;
-    about.push_back({"lippmann.views", std::to_string(grid.columns) + "x" + std::to_string(grid.rows)});
-  }
-  return about;
-}
 
 /// Writing a frame costs less than tracing one: half as many threads keep up with any scene.
 int writing_threads(int rendering_threads) { return std::clamp(rendering_threads / 2, 1, 8); }
@@ -56,29 +37,21 @@ class TimedWork {
   Clock::time_point start_ = Clock::now();
 };
 
-/// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
-bool needs_codes(PictureFormat format, const RenderParams& params) {
-  return format == PictureFormat::kPng || format == PictureFormat::kTiff || !params.output.video.empty();
-}
-
 }  // namespace
 
-VideoOptions video_options(const RenderParams& params, const std::string& file, double frames_per_second) {
-  VideoOptions options{.rate = frame_rate(frames_per_second), .codec = params.output.video_codec, .crf = params.output.crf};
-  if (!params.output.video_codec && std::filesystem::path(file).extension() == ".mkv") options.crf.reset();  // it loses nothing
-  return options;
-}
-
 struct FrameSink::Impl {
-  Impl(const Settings& s, FinishedFrames& f)
-      : settings(s), finished(f), queue(writing_threads(s.threads), queue_capacity(s.threads)) {
-    for (const std::string& video : s.videos)
-      videos.push_back(std::make_unique<VideoWriter>(video, video_options(s.params, video, s.frames_per_second)));
+  Impl(const Settings& s, RenderFolder& f)
+      : settings(s),
+        folder(f),
+        files{f.path(), s.layout.names(),          s.layout.format(), s.pictures.exr_pixels,
+              s.encoding, s.layout.pixels_per_mm(), s.about},
+        queue(writing_threads(s.threads), queue_capacity(s.threads)) {
+    for (const VideoFile& video : s.videos) videos.push_back(std::make_unique<VideoWriter>(video.path, video.options));
   }
 
   Settings settings;
-  FinishedFrames& finished;
-  const std::vector<ExrAttribute> about = about_render(settings);
+  RenderFolder& folder;
+  const FrameFiles files;
   std::vector<std::unique_ptr<VideoWriter>> videos;
   std::map<int, Precompensation> precompensated;
   std::atomic<std::int64_t> write_nanoseconds{0};
@@ -87,36 +60,55 @@ struct FrameSink::Impl {
   /// Returns what was written. Its checksums are taken here, beside rendering, while the bytes are still in memory.
   FileRecords write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
+    Image as_traced = develop(rendered);
+    const FileRecords records = records_of(files.folder, write_files(rendered));
+    if (settings.done_with)
+      settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(rendered.pictures.film));
+    rendered.pictures.film = {};
+    rendered.pictures.aovs = {};
+    return records;
+  }
+
+  bool keeps_light() const { return files.format == PictureFormat::kExr; }
+
+  /// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
+  bool needs_codes() const {
+    if (settings.layout.light_field()) return false;  // of the views, which are not where they are in the film
+    return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
+  }
+
+  /// Light becomes what the pictures hold, in its place. Returns the film's memory where that is another than the pictures'.
+  Image develop(RenderedFrame& rendered) const {
     FramePictures& pictures = rendered.pictures;
     Image as_traced;
-    const Tone tone = tone_of(settings.params);
-    const bool keeps_light = settings.layout.names().format == PictureFormat::kExr;
+    const Tone tone = tone_of(settings.pictures);
     const bool has_alpha = pictures.aovs.wants(Aov::kAlpha);
-    if (!keeps_light && has_alpha) divide_by_alpha(pictures.aovs[Aov::kAlpha], pictures.film);
-    if (!keeps_light) apply_tone(tone, pictures.film);
+    if (!keeps_light() && has_alpha) divide_by_alpha(pictures.aovs[Aov::kAlpha], pictures.film);
+    if (!keeps_light()) apply_tone(tone, pictures.film);
     if (!settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
     if (settings.layout.moves()) {
       as_traced = std::exchange(pictures.film, settings.layout.arrange(pictures.film));
       settings.layout.arrange(pictures.aovs);
     }
     if (settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
-    if (needs_codes(settings.layout.names().format, settings.params))
-      pictures.codes =
-          keeps_light && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
+    if (needs_codes())
+      pictures.codes = keeps_light() && !tone.is_identity() ? toned_codes(tone, pictures.film)
+                                                            : to_codes(pictures.film, settings.encoding);
     if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
-    std::vector<std::filesystem::path> files =
-        write_frame_files(settings.folder, settings.layout.names(), rendered.report.frame, settings.params, settings.encoding,
-                          settings.layout.pixels_per_mm(), pictures, about);
+    return as_traced;
+  }
+
+  std::vector<std::filesystem::path> write_files(const RenderedFrame& rendered) const {
+    const int frame = rendered.report.frame;
+    if (const LightFieldFormat* format = settings.layout.light_field())
+      return write_light_field_files(files, frame, *format, settings.optics, rendered.pictures);
+    std::vector<std::filesystem::path> written = write_frame_files(files, frame, rendered.pictures);
     if (const auto& quilt = settings.layout.quilt()) {
-      const std::filesystem::path picture = files.front();
+      const std::filesystem::path picture = written.front();
       write_quilt_side_file(picture, {*quilt, quilt->tiles.count()});
-      files.push_back(quilt_side_path(picture));
+      written.push_back(quilt_side_path(picture));
     }
-    const FileRecords records = records_of(settings.folder, files);
-    if (settings.done_with) settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(pictures.film));
-    pictures.film = {};
-    pictures.aovs = {};
-    return records;
+    return written;
   }
 
   /// Videos beside pictures that keep the light.
@@ -127,16 +119,16 @@ struct FrameSink::Impl {
 
   void undo_crosstalk_of(RenderedFrame& rendered) const {
     if (!settings.crosstalk_to_undo) return;
-    rendered.report.precompensation =
-        undo_crosstalk(*settings.optics, *settings.crosstalk_to_undo, settings.encoding, rendered.pictures.film);
+    rendered.report.precompensation = precompensate_encoded(settings.optics, *settings.crosstalk_to_undo, settings.encoding,
+                                                            "precompensate", rendered.pictures.film);
   }
 
-  void record(const FrameReport& report, const FileRecords& files) {
+  void record(const FrameReport& report, const FileRecords& records) {
     if (report.precompensation) precompensated[report.frame] = *report.precompensation;
-    finished.add(report, files);
+    folder.add(report, records);
     if (!settings.written) return;
     std::uintmax_t bytes = 0;
-    for (const auto& [name, sum] : files) bytes += sum.bytes;
+    for (const auto& [name, sum] : records) bytes += sum.bytes;
     settings.written(report.frame, bytes);
   }
 
@@ -146,7 +138,7 @@ struct FrameSink::Impl {
   }
 };
 
-FrameSink::FrameSink(const Settings& settings, FinishedFrames& finished) : impl_(std::make_unique<Impl>(settings, finished)) {}
+FrameSink::FrameSink(const Settings& settings, RenderFolder& folder) : impl_(std::make_unique<Impl>(settings, folder)) {}
 FrameSink::~FrameSink() = default;
 
 void FrameSink::add(RenderedFrame rendered) {
@@ -162,7 +154,7 @@ void FrameSink::add(RenderedFrame rendered) {
 void FrameSink::add_kept(int frame) {
   if (impl_->videos.empty()) return;
   const auto codes = std::make_shared<Image8>();
-  const auto path = picture_paths(impl_->settings.folder, impl_->settings.layout.names(), frame).front();
+  const auto path = picture_paths(impl_->files.folder, impl_->files.names, frame).front();
   impl_->queue.submit([codes, path] { *codes = read_image8(path); },
                       [impl = impl_.get(), codes] { impl->add_to_videos(*codes); });
 }

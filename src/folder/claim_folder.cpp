@@ -1,21 +1,19 @@
-#include "job/render_folder.hpp"
+#include "folder/claim_folder.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
-#include <string_view>
 #include <system_error>
 
+#include "core/frame_ranges.hpp"
 #include "core/regular_file.hpp"
-#include "job/folder_check.hpp"
-#include "job/folder_journal.hpp"
-#include "job/job_file.hpp"
-#include "job/param_text.hpp"
-#include "job/params_table.hpp"
+#include "folder/folder_check.hpp"
+#include "folder/journal.hpp"
+#include "folder/render_folder.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -69,8 +67,8 @@ std::string some_of(const std::vector<std::string>& names) {
   return names.size() == 1 ? names.front() : fmt::format("{} and {} more", names.front(), names.size() - 1);
 }
 
-Error another_render(const fs::path& folder, const RenderParams& params) {
-  const std::vector<std::string> keys = differences(folder / "job.toml", params);
+Error another_render(const fs::path& folder, const JobDifferences& differences) {
+  const std::vector<std::string> keys = differences ? differences(folder / "job.toml") : std::vector<std::string>();
   const std::string what = keys.empty() ? "it is of another state of the scene's files, or by another version"
                                         : fmt::format("it differs in {}", fmt::join(keys, ", "));
   return Error(folder.string(), "holds another render: " + what,
@@ -111,8 +109,14 @@ void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
     for (const auto& [name, sum] : record.files) remove_file(folder, name);
   for (const auto& [name, video] : journal.videos)
     if (lies_in_folder(name) && video.sum && file_checksum(folder / name) == video.sum) remove_file(folder, name);
-  for (const auto& [name, sum] : journal.files)
-    if (file_checksum(folder / name) == sum) remove_file(folder, name);
+  for (const auto& [name, sums] : journal.files)
+    if (is_as_written(journal, folder, name)) remove_file(folder, name);
+}
+
+void remove_journal(const fs::path& folder, const FolderJournal& journal) {
+  std::error_code ignored;
+  for (const fs::path& part : journal.parts) fs::remove(part, ignored);
+  fs::remove(journal_folder(folder), ignored);  // unless anything else lies there
 }
 
 }  // namespace
@@ -127,15 +131,15 @@ fs::path free_folder(const fs::path& wanted, const std::string& job) {
   throw Error(wanted.string(), fmt::format("holds another render, and so do {} folders beside it", kMost - 2), kAnotherFolder);
 }
 
-void require_free_folder(const fs::path& folder, const std::string& job, const RenderParams& params,
+void require_free_folder(const fs::path& folder, const std::string& job, const JobDifferences& differences,
                          const std::vector<int>& frames, const std::vector<std::string>& videos) {
   require_regular_files(folder);
   const Contents contents = contents_of(folder, job);
   if (contents.journal && !contents.journal->problem.empty())
-    throw Error(journal_path(folder).string(), "is damaged, or no journal of a render: " + contents.journal->problem,
+    throw Error(journal_folder(folder).string(), "is damaged, or no journal of a render: " + contents.journal->problem,
                 fmt::format("the journal without that line; {}; --force, which removes the files that its other lines name",
                             kAnotherFolder));
-  if (!contents.is_this_job && contents.journal && holds_anything(*contents.journal)) throw another_render(folder, params);
+  if (!contents.is_this_job && contents.journal && holds_anything(*contents.journal)) throw another_render(folder, differences);
   if (!is_free(contents))
     throw Error(folder.string(), fmt::format("holds files that no journal of a render names: {}", some_of(contents.foreign)),
                 fmt::format("{}; --force, which replaces those of the frames that are rendered", kAnotherFolder));
@@ -148,8 +152,7 @@ void clear_folder(const fs::path& folder, const std::string& job, const std::vec
   Contents contents = contents_of(folder, job);
   if (contents.journal && !contents.is_this_job) {
     remove_files_of(folder, *contents.journal);
-    std::error_code ignored;
-    fs::remove(journal_path(folder), ignored);
+    remove_journal(folder, *contents.journal);
     contents = contents_of(folder, job);
   }
   const auto is_in_the_way = [&](const std::string& name) {
@@ -172,28 +175,6 @@ void require_no_render(const fs::path& out) {
     throw Error(out.string(), "holds a render, whose frames others would be mixed with", "another folder");
   if (const auto journal = read_journal(out.parent_path()); journal && names(*journal))
     throw Error(out.string(), "is a file of the render in its folder", "another name");
-}
-
-std::vector<std::string> differences(const fs::path& job_file, const RenderParams& params) {
-  constexpr std::array<std::string_view, 8> kOnlyRun{"frames", "output",  "video",  "video-codec",
-                                                     "crf",    "threads", "resume", "order"};
-  RenderParams other;
-  std::vector<std::string> names;
-  try {
-    if (!is_regular_file_there(job_file)) return {};
-    read_job(job_file, other);
-  } catch (const Error&) {
-    return {};
-  }
-  other = with_scene_defaults(other);
-  for (const ParamInfo& info : params_table())
-    if (std::find(kOnlyRun.begin(), kOnlyRun.end(), info.name) == kOnlyRun.end() && info.get(other) != info.get(params))
-      names.emplace_back(info.name);
-  return names;
-}
-
-std::string video_name(const fs::path& folder, const fs::path& video) {
-  return fs::absolute(video).lexically_normal().lexically_relative(fs::absolute(folder / "").lexically_normal()).string();
 }
 
 }  // namespace lippmann
