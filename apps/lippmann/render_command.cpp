@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 struct RenderOptions {
   ParamFlags flags;
-  std::string dump_job, also, progress, program;
+  std::string dump_job, also, progress, unit, program;
   bool force = false;
   bool json = false, quiet = false, verbose = false, dry_run = false;
 };
@@ -116,8 +116,13 @@ void print_summary(const RenderReport& report, const Planned& plan, const std::s
   if (report.depth_scale < 1.0f || !report.depth.fits())
     print_line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
   print_line("figures", (folder / "report.json").string());
-  print_line(report.interrupted ? "go on" : "again",
-             program + " render " + shell_word((folder / "job.toml").string()) + (report.interrupted ? " --resume" : ""));
+  const std::string again = program + " render " + shell_word((folder / "job.toml").string());
+  if (report.interrupted)
+    print_line("go on", again + " --resume" + (report.run.unit.empty() ? "" : " --unit " + report.run.unit));
+  else if (report.run.unit.empty())
+    print_line("again", again);
+  else
+    print_line("then", fmt::format("{} finish {}   (when all units are done)", program, shell_word(folder.string())));
 }
 
 /// "3 frames (0 to 8)".
@@ -165,13 +170,16 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   if (placed.depth_scale < 1.0f || !shown.fits()) print_line("depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
 
+RunParams run_params(const RenderOptions& options) {
+  RunParams run;
+  run.force = options.force;
+  if (!options.unit.empty()) run.unit = read_unit(options.unit, "unit");
+  return run;
+}
+
 /// Says what a render would make, and makes nothing.
 void plan_only(const RenderParams& params, const RenderOptions& options, Context& context) {
-  RenderObserver observer;
-  observer.force = options.force;
-  observer.only_plan = true;
-  observer.planned = [&](const RenderPlan& plan) { print_plan(plan, params, options.json); };
-  render_animation(params, context, observer);
+  plan_animation(params, context, run_params(options), [&](const RenderPlan& plan) { print_plan(plan, params, options.json); });
 }
 
 RenderProgressKind progress_kind(const RenderOptions& options) {
@@ -185,7 +193,6 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Co
   std::optional<RenderProgress> progress;
   Planned planned;
   RenderObserver observer;
-  observer.force = options.force;
   observer.planned = [&](const RenderPlan& plan) {
     planned = {plan.folder, plan.names, plan.picture_size, plan.pictures_per_frame, plan.kept};
     progress.emplace(plan, params, progress_kind(options));
@@ -193,7 +200,7 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Co
   observer.traced = [&](const FrameReport& frame) { progress->traced(frame); };
   observer.written = [&](int frame, std::uintmax_t bytes) { progress->written(frame, bytes); };
   context.frame_progress = [&](double share) { progress->within(share); };
-  const RenderReport report = render_animation(params, context, observer);
+  const RenderReport report = render_animation(params, context, observer, run_params(options));
   context.frame_progress = nullptr;
   progress.reset();
   if (!options.json && !options.quiet) print_summary(report, planned, options.program);
@@ -231,6 +238,12 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       .one_of({"single"})
       .type_name("WHAT")
       .group("Files");
+  command
+      .add_option("--unit", options->unit,
+                  "Render the I-th of N parts of the job into the common folder; any number of them at a time, on any "
+                  "machines; then: lippmann finish DIR")
+      .type_name("I/N")
+      .group("Running");
   command
       .add_flag("--force", options->force,
                 "Replace another render in the folder, whose files are removed, and videos that are there")

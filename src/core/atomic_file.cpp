@@ -79,8 +79,8 @@ bool is_gone(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   check_destination(path_);
-  temporary_path_ =
-      path_.parent_path() / fmt::format(".{}{}{}-{}{}", path_.stem().string(), kMark, getpid(), host_name(), path_.extension().string());
+  temporary_path_ = path_.parent_path() / fmt::format(".{}{}{}-{}{}", path_.stem().string(), kMark, getpid(), host_name(),
+                                                      path_.extension().string());
   unlink(temporary_path_.c_str());  // left by a crashed process that had this one's number
 }
 

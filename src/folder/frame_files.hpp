@@ -27,12 +27,12 @@ struct FrameFiles {
 /// "png", "tif" or "exr".
 const char* ending_of(PictureFormat format);
 
-/// Each file whole or not at all. Where names.views > 0, the views lie one below the other in `pictures`. Extra layers go into EXR
-/// pictures, else into a file beside them (layers_path). Returns what it wrote. Throws Error naming the file.
+/// Each file whole or not at all. Where names.views > 0, the views lie one below the other in `pictures`. Extra layers go into
+/// EXR pictures, else into a file beside them (layers_path). Returns what it wrote. Throws Error naming the file.
 std::vector<std::filesystem::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures);
 
-/// The same of the views of a film as a format of light fields has them: a folder, or a picture. `pictures` holds codes, but for
-/// EXR, and depth where the format uses it (Aov::kDepth).
+/// The same of the views of a film as a format of light fields has them: a folder, or a picture. `pictures` holds codes, but
+/// for EXR, and depth where the format uses it (Aov::kDepth).
 std::vector<std::filesystem::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
                                                            const Optics& optics, const FramePictures& pictures);
 

@@ -25,8 +25,7 @@ ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, cons
     if (film.kind == LayoutKind::kQuilt) tiles = film.tiles;
   }
   if (tiles.count() != grid.count())
-    throw usage_error("quilt",
-                      fmt::format("{}x{} tiles are not as many as {} views", tiles.columns, tiles.rows, grid.count()),
+    throw usage_error("quilt", fmt::format("{}x{} tiles are not as many as {} views", tiles.columns, tiles.rows, grid.count()),
                       "as many tiles as the optics have views");
   return {LayoutKind::kQuilt, grid, tiles};
 }
@@ -103,8 +102,7 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
   }
   if (layout == PictureLayout::kNative || is_print || (layout == PictureLayout::kIntegral && has_lenses(optics))) {
     if (!sub_pixels_ && !has_lenses(optics))
-      throw usage_error("layout", "the display's own frame is neither a quilt nor a single view",
-                        "`layout` without `optics`");
+      throw usage_error("layout", "the display's own frame is neither a quilt nor a single view", "`layout` without `optics`");
     return;
   }
   if (!params.layout && !display) return;

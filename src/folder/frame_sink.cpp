@@ -43,8 +43,8 @@ struct FrameSink::Impl {
   Impl(const Settings& s, RenderFolder& f)
       : settings(s),
         folder(f),
-        files{f.path(), s.layout.names(),          s.layout.format(), s.pictures.exr_pixels,
-              s.encoding, s.layout.pixels_per_mm(), s.about},
+        files{f.path(), s.layout.names(), s.layout.format(), s.pictures.exr_pixels, s.encoding, s.layout.pixels_per_mm(),
+              s.about},
         queue(writing_threads(s.threads), queue_capacity(s.threads)) {
     for (const VideoFile& video : s.videos) videos.push_back(std::make_unique<VideoWriter>(video.path, video.options));
   }
@@ -92,8 +92,8 @@ struct FrameSink::Impl {
     }
     if (settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
     if (needs_codes())
-      pictures.codes = keeps_light() && !tone.is_identity() ? toned_codes(tone, pictures.film)
-                                                            : to_codes(pictures.film, settings.encoding);
+      pictures.codes =
+          keeps_light() && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
     if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
     return as_traced;
   }

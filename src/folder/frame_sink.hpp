@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "frames/frame.hpp"
 #include "folder/frame_layout.hpp"
 #include "folder/picture_params.hpp"
 #include "folder/render_folder.hpp"
+#include "frames/frame.hpp"
 #include "image/exr.hpp"
 #include "lippmann/image/encoding.hpp"
 #include "lippmann/layout/precompensation.hpp"

@@ -45,6 +45,7 @@ FileChecksum checksum_from_json(const Json& json) {
 }
 
 std::vector<int> frames_from_json(const Json& json) try {
+  if (json.get<std::string>().empty()) return {};
   return frames_of(read_frames(json.get<std::string>(), {}));
 } catch (const Error&) {
   throw LineProblem("says frames that are none");
@@ -94,6 +95,9 @@ void read_frame(const Json& json, FolderJournal& journal) {
 
 void read_run(const Json& json, FolderJournal& journal) {
   RunReport run;
+  json.at("host").get_to(run.host);
+  json.at("unit").get_to(run.unit);
+  run.frames = frames_from_json(json.at("frames"));
   json.at("setup_seconds").get_to(run.setup_seconds);
   json.at("write_seconds").get_to(run.write_seconds);
   json.at("peak_memory_bytes").get_to(run.peak_memory_bytes);
@@ -171,12 +175,26 @@ FileRecords records_of(const fs::path& folder, const std::vector<fs::path>& file
   return records;
 }
 
+Json to_json(const RunReport& run) {
+  Json sources = Json::array();
+  for (const FrameReport& source : run.sources) sources.push_back(to_json(source));
+  return {{"host", run.host},
+          {"unit", run.unit},
+          {"frames", write_frames(ranges_of(run.frames))},
+          {"setup_seconds", run.setup_seconds},
+          {"write_seconds", run.write_seconds},
+          {"peak_memory_bytes", run.peak_memory_bytes},
+          {"threads", run.threads},
+          {"sources", std::move(sources)}};
+}
+
 fs::path journal_folder(const fs::path& folder) { return folder / ".lippmann"; }
 
 bool is_as_written(const FolderJournal& journal, const fs::path& folder, const std::string& name) {
   const auto found = journal.files.find(name);
   const std::optional<FileChecksum> sum = file_checksum(folder / name);
-  return sum && found != journal.files.end() && std::find(found->second.begin(), found->second.end(), *sum) != found->second.end();
+  return sum && found != journal.files.end() &&
+         std::find(found->second.begin(), found->second.end(), *sum) != found->second.end();
 }
 
 std::optional<FolderJournal> read_journal(const fs::path& folder) {
@@ -222,16 +240,7 @@ std::string video_line(const std::string& name, const JournalVideo& video) {
   return line_of(json);
 }
 
-std::string run_line(const RunReport& run) {
-  Json sources = Json::array();
-  for (const FrameReport& source : run.sources) sources.push_back(to_json(source));
-  return line_of({{"run",
-                   {{"setup_seconds", run.setup_seconds},
-                    {"write_seconds", run.write_seconds},
-                    {"peak_memory_bytes", run.peak_memory_bytes},
-                    {"threads", run.threads},
-                    {"sources", std::move(sources)}}}});
-}
+std::string run_line(const RunReport& run) { return line_of({{"run", to_json(run)}}); }
 
 bool is_unfinished(const FolderJournal& journal, const std::string& name) {
   const int frame = frame_of_file(name).value_or(-1);

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,13 +45,16 @@ struct JournalVideo {
   std::vector<int> frames;          ///< that it shows, ascending
 };
 
-/// What a run took beside the frames that it finished.
+/// What a run did and took beside the figures of its frames.
 struct RunReport {
-  double setup_seconds = 0.0;        ///< wall time before the first frame: loading, building
-  double write_seconds = 0.0;        ///< time that files took to encode and write, summed over threads; beside rendering
+  std::string host = {};         ///< the machine's name
+  std::string unit = {};         ///< such as 7/200; empty: all frames
+  std::vector<int> frames = {};  ///< that it rendered, ascending
+  double setup_seconds = 0.0;    ///< wall time before the first frame: loading, building
+  double write_seconds = 0.0;    ///< time that files took to encode and write, summed over threads; beside rendering
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
-  std::vector<FrameReport> sources;  ///< rendered only because frames are made from them; ascending
+  std::vector<FrameReport> sources = {};  ///< rendered only because frames are made from them; ascending
 };
 
 struct FolderJournal {
@@ -66,6 +70,9 @@ struct FolderJournal {
 
 /// Whether a file that several runs write, job.toml or report.json, has bytes that one of them has given it.
 bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
+
+/// As a journal and report.json have it.
+nlohmann::ordered_json to_json(const RunReport& run);
 
 /// Where the files of a journal are.
 std::filesystem::path journal_folder(const std::filesystem::path& folder);

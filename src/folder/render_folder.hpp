@@ -19,8 +19,8 @@ namespace lippmann {
 
 class RenderFolder {
  public:
-  /// Begins a run's journal in `folder`, which exists. Throws Error if the folder is that of another job (folder/claim_folder.hpp
-  /// makes room), or its journal is damaged or cannot be written.
+  /// Begins a run's journal in `folder`, which exists. Throws Error if the folder is that of another job
+  /// (folder/claim_folder.hpp makes room), or its journal is damaged or cannot be written.
   RenderFolder(std::filesystem::path folder, const std::string& job);
 
   const std::filesystem::path& path() const { return folder_; }

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +12,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
+#include "core/host_name.hpp"
 #include "core/json_text.hpp"
 #include "folder/claim_folder.hpp"
 #include "folder/frame_sink.hpp"
@@ -22,6 +22,7 @@
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
 #include "job/job_stage.hpp"
+#include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
 #include "job/test_pattern.hpp"
 #include "job/undo_crosstalk.hpp"
@@ -46,65 +47,12 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-std::vector<int> frames_to_render(const RenderParams& params, const Timeline& timeline) {
-  const int last = timeline.frame_count - 1;
-  const FrameRanges ranges = params.output.frames.value_or(FrameRanges{{0, last}});
-  for (const FrameRange& range : ranges)
-    if (range.last > last)
-      throw usage_error("frames", fmt::format("{} is outside the animation", write_frames({range})),
-                        fmt::format("frames from 0 to {}", last));
-  return frames_of(ranges);
-}
-
 /// What can be refused before a scene is loaded.
 FrameParams checked_frame_params(const RenderParams& params) {
   FrameParams made_as = frame_params(params);
   check_floor(params);
   check_aovs(params);
   return made_as;
-}
-
-/// Refuses what cannot succeed before hours are spent on it: frames that the machine's memory does not hold.
-void require_memory(const RenderParams& params, double bytes_kept_per_pixel, const Optics& optics, bool moves_pixels,
-                    int frames_at_a_time) {
-  const Panel& panel = optics.panel;
-  constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
-  const double pixels = static_cast<double>(panel.width) * panel.height;
-  const double films = (moves_pixels ? 2.0 : 1.0) + (params.optics.precompensate ? 2.0 : 0.0);
-  const double frame = pixels * (films * kFilmBytes + kCodeBytes +
-                                 kAovBytes * static_cast<double>(params.sampling.aov.size() + params.sampling.transparent));
-  const double needed = frame * frames_at_a_time + pixels * bytes_kept_per_pixel;
-  const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  if (needed > available)
-    throw Error("size",
-                fmt::format("frames of {}x{} pixels need {:.1f} GB of memory ({} at a time, {:.1f} GB each), this machine has "
-                            "{:.1f} GB",
-                            panel.width / sub_pixels_per_pixel(optics), panel.height, needed * 1e-9, frames_at_a_time,
-                            frame * 1e-9, available * 1e-9));
-}
-
-/// What the display that is rendered for will not play.
-void warn_of_videos(const Display& display, const FrameLayout& layout, const Context& context) {
-  if (layout.quilt() && !display.video.quilts)
-    context.warning(fmt::format("{} shows pictures of quilts only, no videos", display.name));
-  const Vec2i size = layout.picture_size();
-  if (std::max(size.x, size.y) > display.video.longest_side)
-    context.warning(fmt::format("{} plays videos of up to {} pixels a side, these have {}x{}: `size` with less", display.name,
-                                display.video.longest_side, size.x, size.y));
-}
-
-/// How a video of this render is to be encoded.
-VideoOptions video_options(const RenderParams& params, const fs::path& video, double frames_per_second) {
-  VideoOptions options{.rate = frame_rate(frames_per_second), .codec = params.output.video_codec, .crf = params.output.crf};
-  if (!params.output.video_codec && video.extension() == ".mkv") options.crf.reset();  // it loses nothing
-  return options;
-}
-
-/// Throws Error if it cannot be written.
-void make_room_for_video(const VideoFile& video, const Panel& panel) {
-  make_folder(video.path.parent_path());
-  check_video_path(video.path, video.options, panel.width, panel.height);
-  remove_stale_temporaries(video.path.parent_path(), video.path.filename());
 }
 
 std::uint64_t peak_memory_bytes() {
@@ -153,33 +101,41 @@ std::vector<ExrAttribute> about_render(const std::string& scene, const Optics& o
 class Animation {
  public:
   /// Refuses what cannot be rendered. Writes nothing.
-  Animation(const RenderParams& said, const Context& context, const RenderObserver& observer)
+  Animation(const RenderParams& said, const Context& context, const RenderObserver& observer, const RunParams& run)
       : context_(context),
         observer_(observer),
+        run_(run),
         params_(with_scene_defaults(said)),
         made_as_(checked_frame_params(params_)),
         pool_(params_.threads > 0 ? params_.threads : resolved_threads(context)),
         stage_(params_, pool_, context),
-        frames_(frames_to_render(params_, stage_.scene.timeline)),
+        all_frames_(frames_of_job(params_, stage_.scene.timeline)),
+        frames_(run.unit ? frames_of(*run.unit, all_frames_, frames_per_segment(made_as_)) : all_frames_),
         layout_(params_.output.pictures, optics(), stage_.display.get()) {
     check_layout();
     job_ = job_fingerprint(params_, stage_.scene, stage_.display.get());
-    for (const fs::path path : params_.output.video) {
-      const fs::path video = layout_.video_path(path);
-      videos_.push_back({video, video_options(params_, video, frames_per_second())});
-    }
-    folder_ = chosen_folder(params_, job_, observer.force, context);
+    if (!run.unit) plan_videos();
+    folder_ = chosen_folder(params_, job_, run.force, context);
     if (folder_ != output_folder(params_)) params_.output.folder = folder_.string();
     const auto differing = [this](const fs::path& job_file) { return differences(job_file, params_); };
-    if (!observer.force) require_free_folder(folder_, job_, differing, frames_, video_names());
+    if (!run.force) require_free_folder(folder_, job_, differing, all_frames_, video_names());
   }
 
   RenderPlan plan() const {
-    return {stage_, folder_, layout_.names(), layout_.format(), frames_, video_names(), 0, layout_.picture_size(),
+    return {stage_,
+            folder_,
+            layout_.names(),
+            layout_.format(),
+            frames_,
+            video_names(),
+            0,
+            layout_.picture_size(),
             layout_.pictures_per_frame()};
   }
 
   RenderReport render() {
+    if (frames_.empty())
+      context_.warning(fmt::format("unit {} has no frames: the job falls into fewer parts", write_unit(*run_.unit)));
     RenderFolder folder = open_folder();
     RenderReport report = report_of_setup();
     const auto maker = params_.scene.name == kTestPattern ? make_pattern_frames(stage_, pool_)
@@ -206,6 +162,13 @@ class Animation {
     return params_.scene.fps > 0.0 ? params_.scene.fps : stage_.scene.timeline.frames_per_second;
   }
 
+  void plan_videos() {
+    for (const fs::path path : params_.output.video) {
+      const fs::path video = layout_.video_path(path);
+      videos_.push_back({video, video_options(params_, video, frames_per_second())});
+    }
+  }
+
   std::vector<std::string> video_names() const {
     std::vector<std::string> names;
     for (const VideoFile& video : videos_) names.push_back(video.path.string());
@@ -216,6 +179,8 @@ class Animation {
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
       throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
+    if (!params_.output.video.empty() && run_.unit && layout_.format() != PictureFormat::kPng)
+      throw usage_error("video", "is made of the pictures of all units, which have to hold its codes", "`format` png");
     require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
                    std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
     check(made_as_, optics());
@@ -229,10 +194,10 @@ class Animation {
     for (const VideoFile& video : videos_) make_room_for_video(video, optics().panel);
     make_folder(folder_);
     remove_stale_temporaries(folder_);
-    clear_folder(folder_, job_, frames_, observer_.force, context_);
+    clear_folder(folder_, job_, all_frames_, run_.force, context_);
     RenderFolder folder(folder_, job_);
-    folder.begin(frames_);
-    write_job_of_folder(params_, frames_, stage_.scene.timeline.frame_count, folder, context_);
+    folder.begin(all_frames_);
+    write_job_of_folder(params_, all_frames_, stage_.scene.timeline.frame_count, folder, context_);
     return folder;
   }
 
@@ -247,6 +212,8 @@ class Animation {
     report.depth_scale = stage_.placed.depth_scale;
     report.depth = shown_depth(stage_.array, stage_.placed.units_per_mm, report.depth_scale, report.optics);
     report.crosstalk_px = crosstalk_;
+    report.run.host = host_name();
+    report.run.unit = run_.unit ? write_unit(*run_.unit) : std::string();
     report.run.threads = pool_.threads();
     report.videos = video_names();
     report.frames_per_second = frames_per_second();
@@ -271,9 +238,13 @@ class Animation {
         sink.add_kept(frame);
         continue;
       }
+      if (run_.only_finished)
+        throw Error(folder_.string(), fmt::format("frame {} is not finished, or not as it was written", frame),
+                    "a folder in which all frames are");
       RenderedFrame rendered = maker.make(frame);
       if (context_.cancelled) break;
       report.frames.push_back(rendered.report);
+      report.run.frames.push_back(frame);
       if (observer_.traced) observer_.traced(report.frames.back());
       sink.add(std::move(rendered));
     }
@@ -295,11 +266,13 @@ class Animation {
   const Stopwatch setup_;
   const Context& context_;
   const RenderObserver& observer_;
+  const RunParams& run_;
   RenderParams params_;
   const FrameParams made_as_;
   const ThreadPool pool_;
   JobStage stage_;
-  const std::vector<int> frames_;
+  const std::vector<int> all_frames_;  ///< of the job
+  const std::vector<int> frames_;      ///< of the unit
   const FrameLayout layout_;
   std::optional<double> crosstalk_;  ///< to be undone
   std::string job_;
@@ -315,11 +288,14 @@ std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels
   return 3 * channel_bytes(plan.format, exr_pixels) * pixels * pictures;
 }
 
-RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer) {
-  Animation animation(params, context, observer);
-  if (!observer.only_plan) return animation.render();
-  if (observer.planned) observer.planned(animation.plan());
-  return {};
+RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer,
+                              const RunParams& run) {
+  return Animation(params, context, observer, run).render();
+}
+
+void plan_animation(const RenderParams& params, const Context& context, const RunParams& run,
+                    const std::function<void(const RenderPlan&)>& planned) {
+  planned(Animation(params, context, {}, run).plan());
 }
 
 }  // namespace lippmann

@@ -8,8 +8,8 @@
 
 #include "core/json_text.hpp"
 #include "core/regular_file.hpp"
-#include "job/job_fingerprint.hpp"
 #include "job/job_file.hpp"
+#include "job/job_fingerprint.hpp"
 
 namespace lippmann {
 namespace {
@@ -42,13 +42,13 @@ RenderReport report_of(const RenderReport& run, const FolderJournal& journal) {
     all.frames.back().kept = true;
   }
   std::sort(all.frames.begin(), all.frames.end(), [](const FrameReport& a, const FrameReport& b) { return a.frame < b.frame; });
-  all.run = all_of(journal.runs);
+  all.run = all_of(journal.runs), all.runs = journal.runs;
   all.interrupted = all.frames.size() < journal.asked.size();
   return all;
 }
 
-std::string job_of_folder(const RenderParams& params, const FolderJournal& journal, const std::vector<int>& frames, int frame_count,
-                          const std::filesystem::path& folder) {
+std::string job_of_folder(const RenderParams& params, const FolderJournal& journal, const std::vector<int>& frames,
+                          int frame_count, const std::filesystem::path& folder) {
   RenderParams whole = params;
   if (journal.asked != frames) whole.output.frames = ranges_of(journal.asked);
   if (journal.asked != frames && static_cast<int>(journal.asked.size()) == frame_count) whole.output.frames.reset();

@@ -1,11 +1,14 @@
 #include "job/params.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "job/scene_light.hpp"
 #include "job/test_pattern.hpp"
+#include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/scene/builtin.hpp"
 
@@ -55,6 +58,16 @@ Scene wanted_scene(const RenderParams& params, const Context& context, SceneNote
 std::string output_folder(const RenderParams& params) {
   if (!params.output.folder.empty()) return params.output.folder;
   return (std::filesystem::path("out") / std::filesystem::path(params.scene.name).stem()).string();
+}
+
+std::vector<int> frames_of_job(const RenderParams& params, const Timeline& timeline) {
+  const int last = timeline.frame_count - 1;
+  const FrameRanges ranges = params.output.frames.value_or(FrameRanges{{0, last}});
+  for (const FrameRange& range : ranges)
+    if (range.last > last)
+      throw usage_error("frames", fmt::format("{} is outside the animation", write_frames({range})),
+                        fmt::format("frames from 0 to {}", last));
+  return frames_of(ranges);
 }
 
 }  // namespace lippmann

@@ -73,8 +73,8 @@ struct ReuseParams {
 
 /// Which frames are written, where to, and as what.
 struct OutputParams {
-  std::string folder;                   ///< empty: out/<scene name>
-  std::optional<FrameRanges> frames;    ///< none: the whole animation
+  std::string folder;                 ///< empty: out/<scene name>
+  std::optional<FrameRanges> frames;  ///< none: the whole animation
   PictureParams pictures;
   std::vector<std::string> video;         ///< files; the ending says which kind
   std::optional<VideoCodec> video_codec;  ///< of all of them; none: by ending and size
@@ -122,5 +122,8 @@ Scene wanted_scene(const RenderParams& params, const Context& context, SceneNote
 
 /// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);
+
+/// The frames that the job asks for, ascending. Throws a usage Error for those outside the animation.
+std::vector<int> frames_of_job(const RenderParams& params, const Timeline& timeline);
 
 }  // namespace lippmann

@@ -130,8 +130,9 @@ Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& n
 
 /// The name of a format of light fields.
 Codec<std::string> light_field_name() {
-  return {[](std::string_view value, const std::string& where) { return std::string(find_format(std::string(value), where).name); },
-          [](const std::string& value) { return value; }};
+  return {
+      [](std::string_view value, const std::string& where) { return std::string(find_format(std::string(value), where).name); },
+      [](const std::string& value) { return value; }};
 }
 
 struct Documentation {
@@ -473,7 +474,8 @@ std::vector<ParamInfo> file_rows() {
           row(ParamKind::kText, &P::output, &OutputParams::folder, text(),
               {"output", "Files", "DIR",
                "The folder that everything is written to; default out/<scene name>, or -2, -3, ... where another render is"}))),
-      row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::layout, optional_choice<PictureLayout>(kLayoutNames),
+      row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::layout,
+          optional_choice<PictureLayout>(kLayoutNames),
           {"layout", "Files", "LAYOUT",
            "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
            "them), "

@@ -59,6 +59,17 @@ Json totals_json(const RenderReport& report) {
           {"threads", report.run.threads}};
 }
 
+/// Without their sources, which the totals count.
+Json runs_json(const RenderReport& report) {
+  Json runs = Json::array();
+  for (const RunReport& run : report.runs.empty() ? std::vector{report.run} : report.runs) {
+    runs.push_back(to_json(run));
+    runs.back()["source_frames"] = run.sources.size();
+    runs.back().erase("sources");
+  }
+  return runs;
+}
+
 }  // namespace
 
 std::optional<Precompensation> precompensation_of(const RenderReport& report) {
@@ -91,6 +102,7 @@ Json to_json(const RenderReport& report) {
           {"interrupted", report.interrupted},
           {"videos", report.videos},
           {"frames", std::move(frames)},
+          {"runs", runs_json(report)},
           {"totals", totals_json(report)}};
 }
 

@@ -27,8 +27,9 @@ struct RenderReport {
   float depth_scale = 1.0f;            ///< shown depth / true depth
   std::optional<double> crosstalk_px;  ///< undone: a sigma in the optics' pixels or views
   double frames_per_second = 25.0;
-  std::vector<FrameReport> frames;   ///< in ascending order; frames kept from before with the figures of then
-  RunReport run;                     ///< what it took beside its frames
+  std::vector<FrameReport> frames;  ///< in ascending order; frames kept from before with the figures of then
+  RunReport run;                    ///< what it took beside its frames, or what all runs took
+  std::vector<RunReport> runs;      ///< of a folder: each of them
   std::vector<std::string> videos;  ///< files, as they are named on disk
   bool interrupted = false;         ///< stopped before the last frame; what is listed is whole
 };

@@ -224,7 +224,8 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
   return {static_cast<double>(clipped) / samples, largest_difference(seen, wanted)};
 }
 
-Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where, Image& film) {
+Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where,
+                                      Image& film) {
   if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, where, film);
   // Display-referred values: the light that they become is what adds up.
   for (float& value : film.data) value = static_cast<float>(linear_from_srgb(value > 0.0f ? std::min(value, 1.0f) : 0.0f));

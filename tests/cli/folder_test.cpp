@@ -198,7 +198,8 @@ TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
     for (const Words& reader : {Words{"convert", "a", "views", "--to", "views"}, Words{"replay", "a", "-o", "eye"}}) {
       const RunResult result = run_tool(dir, reader);
       const bool is_side_file = name.extension() == ".json" && name != "report.json";  // the report says more
-      const bool is_read = (name.string().starts_with("frame_") && !(is_side_file && reader[0] == "replay")) || name == "report.json";
+      const bool is_read =
+          (name.string().starts_with("frame_") && !(is_side_file && reader[0] == "replay")) || name == "report.json";
       EXPECT_EQ(result.exit_code, is_read) << reader[0] << name;
       EXPECT_THAT(result.err, HasSubstr(is_read ? name.string() : "")) << reader[0];
     }
@@ -294,7 +295,8 @@ TEST(Folder, check_of_a_stopped_render_says_which_frames_are_to_come) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-1", "a"));
   const fs::path journal = fs::directory_iterator(dir / "a/.lippmann")->path();
-  std::ofstream(journal, std::ios::app) << R"({"asked":"0-5"})" << "\n";
+  std::ofstream(journal, std::ios::app) << R"({"asked":"0-5"})"
+                                        << "\n";
   const RunResult check = run_tool(dir, {"check", "a"});
   EXPECT_EQ(check.exit_code, 1);
   EXPECT_THAT(check.out, HasSubstr("not rendered yet: frames 2-5\n"));

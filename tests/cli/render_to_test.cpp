@@ -12,8 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const Words kGrid{"render", "teapot", "--optics", "multiview", "--camera-grid", "--views", "2x2", "--size", "32x32",
-                  "--frames", "0-1"};
+const Words kGrid{"render", "teapot", "--optics", "multiview", "--camera-grid", "--views", "2x2",
+                  "--size", "32x32",  "--frames", "0-1"};
 
 Files files_below(const fs::path& folder) {
   Files files;

@@ -199,8 +199,7 @@ TEST(ClaimFolder, names_of_a_hostile_journal_lead_nowhere_when_the_folder_is_rep
        {std::string("../victim"), std::string("../frame_0001.png"), std::string("notes.txt"), absolute}) {
     FrameReport report;
     report.frame = 1;
-    std::ofstream(part_of(folder), std::ios::app)
-        << frame_line(report, {{name, *file_checksum(folder / "frame_0000.png")}});
+    std::ofstream(part_of(folder), std::ios::app) << frame_line(report, {{name, *file_checksum(folder / "frame_0000.png")}});
   }
   std::ofstream(part_of(folder), std::ios::app) << asked_line({0});
   EXPECT_THROW(check_folder(folder), Error);
