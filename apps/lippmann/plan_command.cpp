@@ -11,9 +11,9 @@
 #include "apps/lippmann/param_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "core/frame_ranges.hpp"
+#include "distribute/units.hpp"
 #include "job/size_estimate.hpp"
 #include "job/unit_plan.hpp"
-#include "job/units.hpp"
 
 namespace lippmann::app {
 namespace {

@@ -1,12 +1,16 @@
 // `lippmann render SCENE`: flags and job file into RenderParams, then render_animation; progress, and what was made.
 #include <fmt/core.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
@@ -24,6 +28,7 @@
 #include "job/single_clip.hpp"
 #include "job/size_estimate.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/core/parallel.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 
 namespace lippmann::app {
@@ -170,41 +175,63 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   if (placed.depth_scale < 1.0f || !shown.fits()) print_line("depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
 
-RunParams run_params(const RenderOptions& options) {
+RunParams run_params(const RenderOptions& options, Ranks* ranks) {
   RunParams run;
   run.force = options.force;
+  run.ranks = ranks;
   if (!options.unit.empty()) run.unit = read_unit(options.unit, "unit");
   return run;
 }
 
 /// Says what a render would make, and makes nothing.
 void plan_only(const RenderParams& params, const RenderOptions& options, Context& context) {
-  plan_animation(params, context, run_params(options), [&](const RenderPlan& plan) { print_plan(plan, params, options.json); });
+  plan_animation(params, context, run_params(options, nullptr),
+                 [&](const RenderPlan& plan) { print_plan(plan, params, options.json); });
 }
 
-RenderProgressKind progress_kind(const RenderOptions& options) {
-  if (options.quiet) return RenderProgressKind::kNone;
+bool is_first(const Ranks* ranks) { return !ranks || ranks->rank() == 0; }
+
+RenderProgressKind progress_kind(const RenderOptions& options, const Ranks* ranks) {
+  if (options.quiet || !is_first(ranks)) return RenderProgressKind::kNone;
   if (options.verbose) return RenderProgressKind::kVerbose;
   return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
 }
 
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
-RenderReport render(const RenderParams& params, const RenderOptions& options, Context& context) {
+RenderReport render(const RenderParams& params, const RenderOptions& options, Ranks* ranks, Context& context) {
   std::optional<RenderProgress> progress;
   Planned planned;
   RenderObserver observer;
   observer.planned = [&](const RenderPlan& plan) {
     planned = {plan.folder, plan.names, plan.picture_size, plan.pictures_per_frame, plan.kept};
-    progress.emplace(plan, params, progress_kind(options));
+    progress.emplace(plan, params, progress_kind(options, ranks));
   };
   observer.traced = [&](const FrameReport& frame) { progress->traced(frame); };
   observer.written = [&](int frame, std::uintmax_t bytes) { progress->written(frame, bytes); };
   context.frame_progress = [&](double share) { progress->within(share); };
-  const RenderReport report = render_animation(params, context, observer, run_params(options));
+  const RenderReport report = render_animation(params, context, observer, run_params(options, ranks));
   context.frame_progress = nullptr;
   progress.reset();
-  if (!options.json && !options.quiet) print_summary(report, planned, options.program);
+  if (!options.json && !options.quiet && is_first(ranks)) print_summary(report, planned, options.program);
   return report;
+}
+
+/// One of several processes: the first speaks for all of them.
+void join_in(const RenderOptions& options, const Ranks& ranks, Context& context) {
+  if (!options.unit.empty() || !options.also.empty())
+    throw usage_error(options.unit.empty() ? "also" : "unit",
+                      "is for processes that stand alone, and mpirun has started several", "one of both");
+  const auto online = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+  context.threads = threads_of_rank(resolved_threads(context), online, local_rank_count());
+  if (ranks.rank() > 0) context.warn = {};
+}
+
+/// A rank that fails where all do leaves it to the first to say so, and is stopped soon; where it fails alone, it speaks up.
+bool is_for_the_first_to_say(const Ranks* ranks, const Context& context) {
+  if (is_first(ranks) || ranks->has_begun()) return false;
+  constexpr int kTenths = 50;
+  for (int i = 0; i < kTenths && !context.cancelled; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  return context.cancelled;
 }
 
 int run(const RenderOptions& options, Context& context) {
@@ -218,9 +245,17 @@ int run(const RenderOptions& options, Context& context) {
     write_job(options.dump_job, params);
   }
   if (options.dry_run) return plan_only(params, options, context), 0;
-  const RenderReport report = render(params, options, context);
-  if (options.json) print_json(to_json(report));
-  if (options.also == "single" && !report.interrupted) render(single_clip(report.params, report.optics), options, context);
+  const std::unique_ptr<Ranks> ranks = join_ranks();
+  try {
+    if (ranks) join_in(options, *ranks, context);
+    const RenderReport report = render(params, options, ranks.get(), context);
+    if (options.json && is_first(ranks.get())) print_json(to_json(report));
+    if (options.also == "single" && !report.interrupted)
+      render(single_clip(report.params, report.optics), options, nullptr, context);
+  } catch (const Error& error) {
+    if (is_for_the_first_to_say(ranks.get(), context)) return error.exit_code();
+    throw;
+  }
   return 0;
 }
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -136,27 +138,88 @@ class Animation {
   RenderReport render() {
     if (frames_.empty())
       context_.warning(fmt::format("unit {} has no frames: the job falls into fewer parts", write_unit(*run_.unit)));
+    if (run_.ranks && !is_first_rank()) run_.ranks->begin();  // once the first rank has made room
     RenderFolder folder = open_folder();
     RenderReport report = report_of_setup();
     const auto maker = params_.scene.name == kTestPattern ? make_pattern_frames(stage_, pool_)
                                                           : make_frame_maker(stage_, made_as_, pool_, context_);
-    FrameSink sink({params_.output.pictures, layout_, optics(), stage_.scene.encoding, crosstalk_, videos_,
-                    about_render(params_.scene.name, optics(), stage_.placed.depth_scale), pool_.threads(),
-                    [&](Image film) { maker->recycle(std::move(film)); }, observer_.written},
-                   folder);
-    announce(folder);
-    report.run.setup_seconds = setup_.seconds();
-    make_frames(*maker, sink, folder, report);
-    finish_videos(sink, folder, report.interrupted);
-    report.run.write_seconds = sink.write_seconds();
+    {
+      FrameSink sink(sink_settings(*maker, makes_videos() ? videos_ : std::vector<VideoFile>()), folder);
+      announce(folder);
+      report.run.setup_seconds = setup_.seconds();
+      make_frames(*maker, sink, folder, report);
+      if (makes_videos() && !report.interrupted) finish_videos(sink, folder);
+      report.run.write_seconds = sink.write_seconds();
+    }
     report.run.peak_memory_bytes = peak_memory_bytes();
     folder.end(report.run);
-    write_report(report, folder);
-    return report;
+    if (run_.ranks) run_.ranks->end();
+    if (!is_first_rank()) return report;
+    if (run_.ranks && is_complete(folder.now())) make_videos(*maker, folder);
+    RenderReport all = write_report(report, folder);
+    return run_.ranks ? all : report;
   }
 
  private:
   const Optics& optics() const { return stage_.placed.optics; }
+
+  bool is_first_rank() const { return !run_.ranks || run_.ranks->rank() == 0; }
+
+  /// Frames that others render come too late for a video that is written along with them.
+  bool makes_videos() const { return !run_.ranks; }
+
+  FrameSink::Settings sink_settings(FrameMaker& maker, const std::vector<VideoFile>& videos) {
+    return {params_.output.pictures,
+            layout_,
+            optics(),
+            stage_.scene.encoding,
+            crosstalk_,
+            videos,
+            about_render(params_.scene.name, optics(), stage_.placed.depth_scale),
+            pool_.threads(),
+            [&maker](Image film) { maker.recycle(std::move(film)); },
+            [this](int frame, std::uintmax_t bytes) { say_written(frame, bytes); }};
+  }
+
+  void say_written(int frame, std::uintmax_t bytes) {
+    if (is_first_rank()) {
+      if (observer_.written) observer_.written(frame, bytes);
+      return;
+    }
+    const std::lock_guard lock(mutex_);
+    WorkDone& done = done_[frame];
+    done.bytes = bytes;
+    run_.ranks->tell(done);
+  }
+
+  void say_traced(const FrameReport& frame) {
+    if (is_first_rank()) {
+      if (observer_.traced) observer_.traced(frame);
+      return;
+    }
+    const std::lock_guard lock(mutex_);
+    done_[frame.frame] = {frame.frame, frame.seconds, frame.rays.total(), 0};
+  }
+
+  /// What another rank has done, on the first.
+  void hear(const WorkDone& done) const {
+    FrameReport frame;
+    frame.frame = done.frame, frame.seconds = done.seconds, frame.rays.primary = done.rays;
+    if (observer_.traced) observer_.traced(frame);
+    if (observer_.written) observer_.written(done.frame, done.bytes);
+  }
+
+  bool is_complete(const FolderJournal& journal) const {
+    return std::all_of(frames_.begin(), frames_.end(), [&](int frame) { return journal.frames.contains(frame); });
+  }
+
+  /// Of pictures that are finished.
+  void make_videos(FrameMaker& maker, RenderFolder& folder) {
+    FrameSink sink(sink_settings(maker, videos_), folder);
+    for (const int frame : frames_) sink.add_kept(frame);
+    sink.wait();
+    finish_videos(sink, folder);
+  }
 
   double frames_per_second() const {
     return params_.scene.fps > 0.0 ? params_.scene.fps : stage_.scene.timeline.frames_per_second;
@@ -179,7 +242,7 @@ class Animation {
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
       throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
-    if (!params_.output.video.empty() && run_.unit && layout_.format() != PictureFormat::kPng)
+    if (!params_.output.video.empty() && (run_.unit || run_.ranks) && layout_.format() != PictureFormat::kPng)
       throw usage_error("video", "is made of the pictures of all units, which have to hold its codes", "`format` png");
     require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
                    std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
@@ -229,8 +292,38 @@ class Animation {
     observer_.planned(plan);
   }
 
-  void make_frames(FrameMaker& maker, FrameSink& sink, RenderFolder& folder, RenderReport& report) const {
-    for (const int frame : frames_) {
+  void make_frames(FrameMaker& maker, FrameSink& sink, RenderFolder& folder, RenderReport& report) {
+    if (run_.ranks)
+      share_frames(maker, sink, folder, report);
+    else
+      make_frames(frames_, maker, sink, folder, report);
+    report.run.sources = maker.sources();
+    sink.wait();
+    for (FrameReport& frame : report.frames)
+      if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
+        frame.precompensation = done->second;
+    report.interrupted = context_.cancelled || (!run_.ranks && report.frames.size() < frames_.size());
+  }
+
+  /// Units that are not taken yet, one after the other, until there are no more.
+  void share_frames(FrameMaker& maker, FrameSink& sink, RenderFolder& folder, RenderReport& report) {
+    constexpr int kUnitsPerRank = 8;  // few enough to begin seldom, enough for ranks to end at about the same time
+    const std::vector<std::vector<int>> units =
+        units_of(frames_, frames_per_segment(made_as_), kUnitsPerRank * run_.ranks->size());
+    if (is_first_rank()) {
+      run_.ranks->listen([this](const WorkDone& done) { hear(done); });
+      run_.ranks->begin();
+    }
+    while (!context_.cancelled) {
+      const auto unit = static_cast<std::size_t>(run_.ranks->next());
+      if (unit >= units.size()) break;
+      make_frames(units[unit], maker, sink, folder, report);
+    }
+  }
+
+  void make_frames(const std::vector<int>& frames, FrameMaker& maker, FrameSink& sink, RenderFolder& folder,
+                   RenderReport& report) {
+    for (const int frame : frames) {
       if (context_.cancelled) break;
       if (const auto kept = keeps_frames(params_) ? folder.find(frame) : std::nullopt) {
         report.frames.push_back(*kept);
@@ -245,19 +338,12 @@ class Animation {
       if (context_.cancelled) break;
       report.frames.push_back(rendered.report);
       report.run.frames.push_back(frame);
-      if (observer_.traced) observer_.traced(report.frames.back());
+      say_traced(report.frames.back());
       sink.add(std::move(rendered));
     }
-    report.run.sources = maker.sources();
-    sink.wait();
-    for (FrameReport& frame : report.frames)
-      if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
-        frame.precompensation = done->second;
-    report.interrupted = report.frames.size() < frames_.size();
   }
 
-  void finish_videos(FrameSink& sink, RenderFolder& folder, bool is_interrupted) const {
-    if (is_interrupted) return;
+  void finish_videos(FrameSink& sink, RenderFolder& folder) const {
     for (const VideoFile& video : videos_) folder.begin_video(video.path, frames_);
     sink.finish_videos();
     for (const VideoFile& video : videos_) folder.add_video(video.path, frames_);
@@ -278,6 +364,8 @@ class Animation {
   std::string job_;
   std::vector<VideoFile> videos_;
   fs::path folder_;
+  std::mutex mutex_;              ///< what follows
+  std::map<int, WorkDone> done_;  ///< by this rank, to be told to the first
 };
 
 }  // namespace

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "distribute/ranks.hpp"
+#include "distribute/units.hpp"
 #include "job/params.hpp"
 #include "job/report.hpp"
-#include "job/units.hpp"
 #include "layout/frame_names.hpp"
 #include "lippmann/core/context.hpp"
 
@@ -48,6 +49,7 @@ struct RenderObserver {
 struct RunParams {
   bool force = false;  ///< another render in the folder is replaced, and videos that are there (folder/claim_folder.hpp)
   std::optional<Unit> unit = {};  ///< none: all frames. Videos wait until all are there (finish_animation)
+  Ranks* ranks = nullptr;         ///< that share the frames out among them; null: this process stands alone
   bool only_finished = false;     ///< no frame is rendered: all have been, or it is an Error
 };
 

@@ -75,9 +75,13 @@ void write_job_of_folder(const RenderParams& params, const std::vector<int>& fra
   });
 }
 
-void write_report(const RenderReport& run, RenderFolder& folder) {
-  folder.write(kReportFile,
-               [&](const FolderJournal& journal) { return json_to_text(to_json(report_of(run, journal))) + '\n'; });
+RenderReport write_report(const RenderReport& run, RenderFolder& folder) {
+  RenderReport all;
+  folder.write(kReportFile, [&](const FolderJournal& journal) {
+    all = report_of(run, journal);
+    return json_to_text(to_json(all)) + '\n';
+  });
+  return all;
 }
 
 }  // namespace lippmann

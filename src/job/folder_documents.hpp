@@ -17,7 +17,7 @@ void write_job_of_folder(const RenderParams& params, const std::vector<int>& fra
                          const Context& context);
 
 /// Writes what `run` reports with all frames that the folder's journal knows, and what all runs that have ended took. The run's
-/// own end is recorded.
-void write_report(const RenderReport& run, RenderFolder& folder);
+/// own end is recorded. Returns what it wrote.
+RenderReport write_report(const RenderReport& run, RenderFolder& folder);
 
 }  // namespace lippmann

@@ -7,12 +7,12 @@
 #include <memory>
 #include <set>
 
+#include "distribute/units.hpp"
 #include "frames/frame_maker.hpp"
 #include "job/animation.hpp"
 #include "job/job_stage.hpp"
 #include "job/reuse_params.hpp"
 #include "job/test_pattern.hpp"
-#include "job/units.hpp"
 #include "lippmann/core/parallel.hpp"
 
 namespace lippmann {

@@ -1,4 +1,4 @@
-#include "job/units.hpp"
+#include "distribute/units.hpp"
 
 #include <fmt/core.h>
 
