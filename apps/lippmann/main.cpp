@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
   Action chosen;
   add_render_command(root, chosen, called_as(argc, argv));
   add_plan_command(root, chosen);
+  add_submit_command(root, chosen, called_as(argc, argv));
   add_finish_command(root, chosen, called_as(argc, argv));
   add_check_command(root, chosen);
   add_compare_command(root, chosen);

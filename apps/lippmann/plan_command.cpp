@@ -34,7 +34,7 @@ void print_text(const Options& options, const UnitPlan& plan) {
   const int count = static_cast<int>(plan.units.size());
   for (int i = 0; i < count; ++i) {
     const PlannedUnit& unit = plan.units[static_cast<std::size_t>(i)];
-    fmt::print("{:>9}  frames {}{}\n", write_unit({i + 1, count}), write_frames(ranges_of(unit.frames)),
+    fmt::print("{:>9}  frames {}{}\n", write_units({{i + 1}, count}), write_frames(ranges_of(unit.frames)),
                unit.cpu_seconds ? fmt::format(", about {} of CPU time", seconds_text(*unit.cpu_seconds)) : "");
   }
   if (plan.segment > 1) fmt::print("Units begin at multiples of {} frames, which are made together.\n", plan.segment);
@@ -51,7 +51,7 @@ nlohmann::ordered_json plan_json(const UnitPlan& plan) {
   const int count = static_cast<int>(plan.units.size());
   for (int i = 0; i < count; ++i) {
     const PlannedUnit& unit = plan.units[static_cast<std::size_t>(i)];
-    units.push_back({{"unit", write_unit({i + 1, count})}, {"frames", write_frames(ranges_of(unit.frames))}});
+    units.push_back({{"unit", write_units({{i + 1}, count})}, {"frames", write_frames(ranges_of(unit.frames))}});
     units.back()["cpu_seconds"] = unit.cpu_seconds ? nlohmann::ordered_json(*unit.cpu_seconds) : nullptr;
   }
   nlohmann::ordered_json json{{"segment", plan.segment}, {"units", std::move(units)}};

@@ -179,7 +179,7 @@ RunParams run_params(const RenderOptions& options, Ranks* ranks) {
   RunParams run;
   run.force = options.force;
   run.ranks = ranks;
-  if (!options.unit.empty()) run.unit = read_unit(options.unit, "unit");
+  if (!options.unit.empty()) run.units = read_units(options.unit, "unit");
   return run;
 }
 
@@ -274,9 +274,10 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       .type_name("WHAT")
       .group("Files");
   command
-      .add_option("--unit", options->unit,
-                  "Render the I-th of N parts of the job into the common folder; any number of them at a time, on any "
-                  "machines; then: lippmann finish DIR")
+      .add_option(
+          "--unit", options->unit,
+          "Render the I-th of N parts of the job (or several: 1-3,5/N) into the common folder; any number of them at a time, "
+          "on any machines; then: lippmann finish DIR")
       .type_name("I/N")
       .group("Running");
   command

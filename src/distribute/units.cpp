@@ -6,23 +6,34 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/frame_ranges.hpp"
 #include "core/number_text.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
 
-Unit read_unit(std::string_view text, const std::string& where) {
+Units read_units(std::string_view text, const std::string& where) {
   constexpr int kMost = 1'000'000;
   const std::size_t slash = text.find('/');
-  const std::optional<int> index = parse_number<int>(text.substr(0, slash));
   const std::optional<int> count = slash == std::string_view::npos ? std::nullopt : parse_number<int>(text.substr(slash + 1));
-  if (!index || !count || *index < 1 || *index > *count || *count > kMost)
-    throw usage_error(where, fmt::format("'{}' is no unit", text),
-                      fmt::format("I/N with 1 <= I <= N <= {}, such as 7/200", kMost));
-  return {*index, *count};
+  const auto problem = [&] {
+    return usage_error(where, fmt::format("'{}' is no unit", text),
+                       fmt::format("I/N with 1 <= I <= N <= {}, such as 7/200, or several as in 1-3,5/200", kMost));
+  };
+  if (!count || *count < 1 || *count > kMost) throw problem();
+  Units units{{}, *count};
+  try {
+    units.indices = frames_of(read_frames(text.substr(0, slash), where));
+  } catch (const Error&) {
+    throw problem();
+  }
+  if (units.indices.front() < 1 || units.indices.back() > *count) throw problem();
+  return units;
 }
 
-std::string write_unit(const Unit& unit) { return fmt::format("{}/{}", unit.index, unit.count); }
+std::string write_units(const Units& units) {
+  return fmt::format("{}/{}", write_frames(ranges_of(units.indices)), units.count);
+}
 
 std::vector<std::vector<int>> units_of(const std::vector<int>& frames, int segment, int count) {
   std::vector<std::vector<int>> segments;
@@ -39,10 +50,15 @@ std::vector<std::vector<int>> units_of(const std::vector<int>& frames, int segme
   return units;
 }
 
-std::vector<int> frames_of(const Unit& unit, const std::vector<int>& frames, int segment) {
-  const std::vector<std::vector<int>> units = units_of(frames, segment, unit.count);
-  const auto index = static_cast<std::size_t>(unit.index - 1);
-  return index < units.size() ? units[index] : std::vector<int>();
+std::vector<int> frames_of(const Units& units, const std::vector<int>& frames, int segment) {
+  const std::vector<std::vector<int>> all = units_of(frames, segment, units.count);
+  std::vector<int> of_these;
+  for (const int index : units.indices) {
+    if (static_cast<std::size_t>(index) > all.size()) break;
+    const std::vector<int>& unit = all[static_cast<std::size_t>(index - 1)];
+    of_these.insert(of_these.end(), unit.begin(), unit.end());
+  }
+  return of_these;
 }
 
 }  // namespace lippmann

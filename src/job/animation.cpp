@@ -112,11 +112,11 @@ class Animation {
         pool_(params_.threads > 0 ? params_.threads : resolved_threads(context)),
         stage_(params_, pool_, context),
         all_frames_(frames_of_job(params_, stage_.scene.timeline)),
-        frames_(run.unit ? frames_of(*run.unit, all_frames_, frames_per_segment(made_as_)) : all_frames_),
+        frames_(run.units ? frames_of(*run.units, all_frames_, frames_per_segment(made_as_)) : all_frames_),
         layout_(params_.output.pictures, optics(), stage_.display.get()) {
     check_layout();
     job_ = job_fingerprint(params_, stage_.scene, stage_.display.get());
-    if (!run.unit) plan_videos();
+    if (!run.units) plan_videos();
     folder_ = chosen_folder(params_, job_, run.force, context);
     if (folder_ != output_folder(params_)) params_.output.folder = folder_.string();
     const auto differing = [this](const fs::path& job_file) { return differences(job_file, params_); };
@@ -137,7 +137,7 @@ class Animation {
 
   RenderReport render() {
     if (frames_.empty())
-      context_.warning(fmt::format("unit {} has no frames: the job falls into fewer parts", write_unit(*run_.unit)));
+      context_.warning(fmt::format("unit {} has no frames: the job falls into fewer parts", write_units(*run_.units)));
     if (run_.ranks && !is_first_rank()) run_.ranks->begin();  // once the first rank has made room
     RenderFolder folder = open_folder();
     RenderReport report = report_of_setup();
@@ -242,7 +242,7 @@ class Animation {
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
       throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
-    if (!params_.output.video.empty() && (run_.unit || run_.ranks) && layout_.format() != PictureFormat::kPng)
+    if (!params_.output.video.empty() && (run_.units || run_.ranks) && layout_.format() != PictureFormat::kPng)
       throw usage_error("video", "is made of the pictures of all units, which have to hold its codes", "`format` png");
     require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
                    std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
@@ -276,7 +276,7 @@ class Animation {
     report.depth = shown_depth(stage_.array, stage_.placed.units_per_mm, report.depth_scale, report.optics);
     report.crosstalk_px = crosstalk_;
     report.run.host = host_name();
-    report.run.unit = run_.unit ? write_unit(*run_.unit) : std::string();
+    report.run.unit = run_.units ? write_units(*run_.units) : std::string();
     report.run.threads = pool_.threads();
     report.videos = video_names();
     report.frames_per_second = frames_per_second();

@@ -48,9 +48,9 @@ struct RenderObserver {
 /// What one run does of a job.
 struct RunParams {
   bool force = false;  ///< another render in the folder is replaced, and videos that are there (folder/claim_folder.hpp)
-  std::optional<Unit> unit = {};  ///< none: all frames. Videos wait until all are there (finish_animation)
-  Ranks* ranks = nullptr;         ///< that share the frames out among them; null: this process stands alone
-  bool only_finished = false;     ///< no frame is rendered: all have been, or it is an Error
+  std::optional<Units> units = {};  ///< none: all frames. Videos wait until all are there (finish_animation)
+  Ranks* ranks = nullptr;           ///< that share the frames out among them; null: this process stands alone
+  bool only_finished = false;       ///< no frame is rendered: all have been, or it is an Error
 };
 
 /// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte
