@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReport = "report.json";
-constexpr const char* kAnotherFolder = "another folder (-o DIR)";
+constexpr const char* kAnotherFolder = "another folder (`output` DIR)";
 
 bool is_there(const fs::path& path) {
   std::error_code ignored;
@@ -72,7 +72,7 @@ Error another_render(const fs::path& folder, const JobDifferences& differences) 
   const std::string what = keys.empty() ? "it is of another state of the scene's files, or by another version"
                                         : fmt::format("it differs in {}", fmt::join(keys, ", "));
   return Error(folder.string(), "holds another render: " + what,
-               fmt::format("{}; --force, which removes that render's files; the same settings", kAnotherFolder));
+               fmt::format("{}; `force`, which removes that render's files; the same settings", kAnotherFolder));
 }
 
 void require_free_video(const fs::path& folder, const Contents& contents, const std::string& video,
@@ -83,13 +83,13 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
   const auto recorded = videos.find(video_name(folder, video));
   if (recorded == videos.end())
     throw Error(video, fmt::format("is there already, and the render in {} has not written it", folder.string()),
-                "another name; --force, which replaces it");
+                "another name; `force`, which replaces it");
   const std::vector<int>& shown = recorded->second.frames;
   if (!std::includes(frames.begin(), frames.end(), shown.begin(), shown.end()))
     throw Error(video,
                 fmt::format("is finished and shows frames {} of this render, not all of which are asked for now",
                             write_frames(ranges_of(shown))),
-                "all of them, with --resume to keep the finished ones; --video with another name; --force, which replaces it");
+                "all of them, with `resume` to keep the finished ones; `video` with another name; `force`, which replaces it");
 }
 
 /// Of views too, whose folder goes when it is empty. Returns whether the file is gone.
@@ -137,12 +137,12 @@ void require_free_folder(const fs::path& folder, const std::string& job, const J
   const Contents contents = contents_of(folder, job);
   if (contents.journal && !contents.journal->problem.empty())
     throw Error(journal_folder(folder).string(), "is damaged, or no journal of a render: " + contents.journal->problem,
-                fmt::format("the journal without that line; {}; --force, which removes the files that its other lines name",
+                fmt::format("the journal without that line; {}; `force`, which removes the files that its other lines name",
                             kAnotherFolder));
   if (!contents.is_this_job && contents.journal && holds_anything(*contents.journal)) throw another_render(folder, differences);
   if (!is_free(contents))
     throw Error(folder.string(), fmt::format("holds files that no journal of a render names: {}", some_of(contents.foreign)),
-                fmt::format("{}; --force, which replaces those of the frames that are rendered", kAnotherFolder));
+                fmt::format("{}; `force`, which replaces those of the frames that are rendered", kAnotherFolder));
   for (const std::string& video : videos) require_free_video(folder, contents, video, frames);
 }
 

@@ -37,7 +37,7 @@ TEST(Folder, render_with_other_settings_is_refused_in_one_line_and_changes_nothi
   for (const Words& more : {Words{}, Words{"--resume"}, Words{"--dry-run"}}) {
     const RunResult other = run_tool(dir, small_teapot("0-1", "a") + kOther + more);
     expect_refusal(other, 1,
-                   "a: holds another render: it differs in view-angle, aov; accepted: another folder (-o DIR); --force");
+                   "a: holds another render: it differs in view-angle, aov; accepted: another folder (--output DIR); --force");
   }
   EXPECT_EQ(all_files(dir / "a"), before);
 }

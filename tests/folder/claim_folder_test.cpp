@@ -83,7 +83,7 @@ TEST(ClaimFolder, another_render_is_refused_but_not_one_that_was_stopped_before_
   const test::TempDir dir;
   make_render(dir / "one", "a", {0});
   make_render(dir / "none", "a", {});
-  EXPECT_THAT(refusal(dir / "one", "b"), testing::AllOf(HasSubstr("holds another render"), HasSubstr("--force")));
+  EXPECT_THAT(refusal(dir / "one", "b"), testing::AllOf(HasSubstr("holds another render"), HasSubstr("`force`")));
   EXPECT_EQ(refusal(dir / "none", "b"), "");
 }
 
@@ -101,7 +101,7 @@ TEST(ClaimFolder, damaged_journal_is_refused) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   std::ofstream(part_of(dir.path()), std::ios::app) << "{\"frame\":\n{}\n";
-  EXPECT_THAT(refusal(dir.path(), "a"), testing::AllOf(HasSubstr("is damaged"), HasSubstr("--force")));
+  EXPECT_THAT(refusal(dir.path(), "a"), testing::AllOf(HasSubstr("is damaged"), HasSubstr("`force`")));
 }
 
 TEST(ClaimFolder, fifo_in_place_of_a_file_of_the_folder_is_an_error_and_is_not_waited_for) {
@@ -137,7 +137,7 @@ TEST(ClaimFolder, video_that_is_there_is_refused_unless_this_render_wrote_it_and
   EXPECT_THAT(refusal(dir / "c", "c", {dir / "a.mp4"}), HasSubstr("has not written it"));
   EXPECT_EQ(refusal(folder, "a", {dir / "a.mp4"}), "");
   EXPECT_EQ(refusal(folder, "a", {dir / "a.mp4"}, {0, 1, 2, 3}), "");
-  EXPECT_THAT(refusal(folder, "a", {dir / "a.mp4"}, {0}), testing::AllOf(HasSubstr("frames 0-2"), HasSubstr("--force")));
+  EXPECT_THAT(refusal(folder, "a", {dir / "a.mp4"}, {0}), testing::AllOf(HasSubstr("frames 0-2"), HasSubstr("`force`")));
 }
 
 TEST(ClaimFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_else) {
