@@ -10,9 +10,9 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/frame_ranges.hpp"
 #include "core/printable.hpp"
-#include "job/folder_check.hpp"
-#include "job/param_text.hpp"
+#include "folder/folder_check.hpp"
 #include "job/params.hpp"
 
 namespace lippmann::app {

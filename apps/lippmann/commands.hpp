@@ -28,6 +28,9 @@ using Action = std::function<int(Context& context)>;
 
 /// `program`: how the tool was called, for the commands that the summary suggests.
 void add_render_command(const Command& root, Action& chosen, const std::string& program);
+void add_plan_command(const Command& root, Action& chosen);
+void add_submit_command(const Command& root, Action& chosen, const std::string& program);
+void add_finish_command(const Command& root, Action& chosen, const std::string& program);
 void add_check_command(const Command& root, Action& chosen);
 void add_compare_command(const Command& root, Action& chosen);
 void add_convert_command(const Command& root, Action& chosen);

@@ -14,7 +14,7 @@
 #include "compare/plot.hpp"
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
-#include "job/param_text.hpp"
+#include "core/frame_ranges.hpp"
 #include "job/params.hpp"
 
 namespace lippmann::app {

@@ -12,7 +12,7 @@
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
-#include "job/render_folder.hpp"
+#include "folder/claim_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/convert.hpp"

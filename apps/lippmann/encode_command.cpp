@@ -14,6 +14,7 @@
 #include "apps/lippmann/result_flags.hpp"
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
+#include "core/frame_ranges.hpp"
 #include "job/param_text.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"

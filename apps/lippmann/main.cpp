@@ -55,6 +55,9 @@ int run(int argc, char** argv) {
   const Command root = command_line.root();
   Action chosen;
   add_render_command(root, chosen, called_as(argc, argv));
+  add_plan_command(root, chosen);
+  add_submit_command(root, chosen, called_as(argc, argv));
+  add_finish_command(root, chosen, called_as(argc, argv));
   add_check_command(root, chosen);
   add_compare_command(root, chosen);
   add_convert_command(root, chosen);

@@ -1,12 +1,16 @@
 // `lippmann render SCENE`: flags and job file into RenderParams, then render_animation; progress, and what was made.
 #include <fmt/core.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
@@ -24,6 +28,7 @@
 #include "job/single_clip.hpp"
 #include "job/size_estimate.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/core/parallel.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "view/saved_page.hpp"
 
@@ -34,7 +39,7 @@ namespace fs = std::filesystem;
 
 struct RenderOptions {
   ParamFlags flags;
-  std::string dump_job, also, progress, program;
+  std::string dump_job, also, progress, unit, program;
   bool force = false;
   bool json = false, quiet = false, verbose = false, dry_run = false, page = false;
 };
@@ -44,18 +49,19 @@ struct Planned {
   fs::path folder;
   FrameNames names;
   Vec2i picture_size{0, 0};
+  int pictures_per_frame = 1;
   int kept = 0;
 };
 
 /// "512x512 pixels", "48 views of 420x560 pixels".
 std::string describe_pictures(const Planned& plan) {
-  return fmt::format("{}{}x{} pixels", plan.names.views > 0 ? fmt::format("{} views of ", plan.names.views) : "",
+  return fmt::format("{}{}x{} pixels", plan.pictures_per_frame > 1 ? fmt::format("{} views of ", plan.pictures_per_frame) : "",
                      plan.picture_size.x, plan.picture_size.y);
 }
 
 /// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
 bool can_be_replayed(const RenderReport& report) {
-  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.output.mirror;
+  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.output.pictures.mirror;
 }
 
 /// With what the pictures were made, and what makes better ones.
@@ -86,10 +92,10 @@ std::string first_and_last(const std::string& first, const std::string& last) {
 
 /// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
 void print_summary(const RenderReport& report, const Planned& plan, const std::string& program) {
-  const auto& [folder, names, picture_size, kept] = plan;
+  const auto& [folder, names, picture_size, pictures_per_frame, kept] = plan;
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
-  for (const auto* some : {&report.frames, &report.sources})
+  for (const auto* some : {&report.frames, &report.run.sources})
     for (const FrameReport& frame : *some) seconds += frame.seconds, rays += static_cast<double>(frame.rays.total());
   fmt::print("{}{} frame{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "",
              frames, frames == 1 ? "" : "s", describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
@@ -119,8 +125,13 @@ void print_summary(const RenderReport& report, const Planned& plan, const std::s
   if (report.depth_scale < 1.0f || !report.depth.fits())
     print_line("depth", describe_depth(report.depth, report.optics, report.depth_scale));
   print_line("figures", (folder / "report.json").string());
-  print_line(report.interrupted ? "go on" : "again",
-             program + " render " + shell_word((folder / "job.toml").string()) + (report.interrupted ? " --resume" : ""));
+  const std::string again = program + " render " + shell_word((folder / "job.toml").string());
+  if (report.interrupted)
+    print_line("go on", again + " --resume" + (report.run.unit.empty() ? "" : " --unit " + report.run.unit));
+  else if (report.run.unit.empty())
+    print_line("again", again);
+  else
+    print_line("then", fmt::format("{} finish {}   (when all units are done)", program, shell_word(folder.string())));
 }
 
 /// "3 frames (0 to 8)".
@@ -138,11 +149,11 @@ std::string describe_parts(const FileSizes& sizes) {
 }
 
 void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
-  const std::uint64_t bytes = largest_picture_bytes(plan, params.output.exr_pixels);
+  const std::uint64_t bytes = largest_picture_bytes(plan, params.output.pictures.exr_pixels);
   const FileSizes sizes = estimated_file_sizes(plan, params);
   const PlacedOptics& placed = plan.stage.placed;
   const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
-  const int pictures = std::max(1, plan.names.views);
+  const int pictures = plan.pictures_per_frame;
   const auto whole = [](double number) { return static_cast<std::uint64_t>(number); };
   if (json)
     return print_json(
@@ -168,17 +179,24 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   if (placed.depth_scale < 1.0f || !shown.fits()) print_line("depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
 
-/// Says what a render would make, and makes nothing.
-void plan_only(const RenderParams& params, const RenderOptions& options, Context& context) {
-  RenderObserver observer;
-  observer.force = options.force;
-  observer.only_plan = true;
-  observer.planned = [&](const RenderPlan& plan) { print_plan(plan, params, options.json); };
-  render_animation(params, context, observer);
+RunParams run_params(const RenderOptions& options, Ranks* ranks) {
+  RunParams run;
+  run.force = options.force;
+  run.ranks = ranks;
+  if (!options.unit.empty()) run.units = read_units(options.unit, "unit");
+  return run;
 }
 
-RenderProgressKind progress_kind(const RenderOptions& options) {
-  if (options.quiet) return RenderProgressKind::kNone;
+/// Says what a render would make, and makes nothing.
+void plan_only(const RenderParams& params, const RenderOptions& options, Context& context) {
+  plan_animation(params, context, run_params(options, nullptr),
+                 [&](const RenderPlan& plan) { print_plan(plan, params, options.json); });
+}
+
+bool is_first(const Ranks* ranks) { return !ranks || ranks->rank() == 0; }
+
+RenderProgressKind progress_kind(const RenderOptions& options, const Ranks* ranks) {
+  if (options.quiet || !is_first(ranks)) return RenderProgressKind::kNone;
   if (options.verbose) return RenderProgressKind::kVerbose;
   return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
 }
@@ -190,25 +208,42 @@ void write_page(const fs::path& folder, bool quiet, const Context& context) {
 }
 
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
-RenderReport render(const RenderParams& params, const RenderOptions& options, Context& context) {
+RenderReport render(const RenderParams& params, const RenderOptions& options, Ranks* ranks, Context& context) {
   std::optional<RenderProgress> progress;
   Planned planned;
   RenderObserver observer;
-  observer.force = options.force;
   observer.planned = [&](const RenderPlan& plan) {
-    planned = {plan.folder, plan.names, plan.picture_size, plan.kept};
-    progress.emplace(plan, params, progress_kind(options));
+    planned = {plan.folder, plan.names, plan.picture_size, plan.pictures_per_frame, plan.kept};
+    progress.emplace(plan, params, progress_kind(options, ranks));
   };
   observer.traced = [&](const FrameReport& frame) { progress->traced(frame); };
   observer.written = [&](int frame, std::uintmax_t bytes) { progress->written(frame, bytes); };
   context.frame_progress = [&](double share) { progress->within(share); };
-  const RenderReport report = render_animation(params, context, observer);
+  const RenderReport report = render_animation(params, context, observer, run_params(options, ranks));
   context.frame_progress = nullptr;
   progress.reset();
-  const bool quiet = options.json || options.quiet;
+  const bool quiet = options.json || options.quiet || !is_first(ranks);
   if (!quiet) print_summary(report, planned, options.program);
-  if (options.page && !report.interrupted) write_page(planned.folder, quiet, context);
+  if (options.page && !report.interrupted && is_first(ranks)) write_page(planned.folder, quiet, context);
   return report;
+}
+
+/// One of several processes: the first speaks for all of them.
+void join_in(const RenderOptions& options, const Ranks& ranks, Context& context) {
+  if (!options.unit.empty() || !options.also.empty())
+    throw usage_error(options.unit.empty() ? "also" : "unit",
+                      "is for processes that stand alone, and mpirun has started several", "one of both");
+  const auto online = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+  context.threads = threads_of_rank(resolved_threads(context), online, local_rank_count());
+  if (ranks.rank() > 0) context.warn = {};
+}
+
+/// A rank that fails where all do leaves it to the first to say so, and is stopped soon; where it fails alone, it speaks up.
+bool is_for_the_first_to_say(const Ranks* ranks, const Context& context) {
+  if (is_first(ranks) || ranks->has_begun()) return false;
+  constexpr int kTenths = 50;
+  for (int i = 0; i < kTenths && !context.cancelled; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  return context.cancelled;
 }
 
 int run(const RenderOptions& options, Context& context) {
@@ -217,6 +252,9 @@ int run(const RenderOptions& options, Context& context) {
   if (options.verbose && !options.progress.empty())
     throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
+  if (options.page && !options.unit.empty())
+    throw usage_error("--page", "needs all frames, and --unit renders a part of them",
+                      "lippmann view DIR --save when all are there");
   if (options.page && params.output.mirror)
     throw usage_error("--page", "cannot show mirrored pictures, which are printed on the back of a sheet",
                       "no --mirror with it");
@@ -225,9 +263,17 @@ int run(const RenderOptions& options, Context& context) {
     write_job(options.dump_job, params);
   }
   if (options.dry_run) return plan_only(params, options, context), 0;
-  const RenderReport report = render(params, options, context);
-  if (options.json) print_json(to_json(report));
-  if (options.also == "single" && !report.interrupted) render(single_clip(report.params, report.optics), options, context);
+  const std::unique_ptr<Ranks> ranks = join_ranks();
+  try {
+    if (ranks) join_in(options, *ranks, context);
+    const RenderReport report = render(params, options, ranks.get(), context);
+    if (options.json && is_first(ranks.get())) print_json(to_json(report));
+    if (options.also == "single" && !report.interrupted)
+      render(single_clip(report.params, report.optics), options, nullptr, context);
+  } catch (const Error& error) {
+    if (is_for_the_first_to_say(ranks.get(), context)) return error.exit_code();
+    throw;
+  }
   return 0;
 }
 
@@ -248,6 +294,13 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
   command
       .add_flag("--page", options->page, "Also write DIR/page, a page that shows the light field in any browser (docs/view.md)")
       .group("Files");
+  command
+      .add_option(
+          "--unit", options->unit,
+          "Render the I-th of N parts of the job (or several: 1-3,5/N) into the common folder; any number of them at a time, "
+          "on any machines; then: lippmann finish DIR")
+      .type_name("I/N")
+      .group("Running");
   command
       .add_flag("--force", options->force,
                 "Replace another render in the folder, whose files are removed, and videos that are there")

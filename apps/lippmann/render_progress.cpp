@@ -34,7 +34,7 @@ std::string count_of(int number, const char* thing) { return fmt::format("{} {}{
 /// "480 frames of 3360x3360 pixels to out/teapot; all files: about 4.1 GB (an estimate)".
 std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   const std::string size = fmt::format("{}x{} pixels", plan.picture_size.x, plan.picture_size.y);
-  const std::string each = plan.names.views > 0 ? count_of(plan.names.views, "picture") + ", each of " : "";
+  const std::string each = plan.pictures_per_frame > 1 ? count_of(plan.pictures_per_frame, "picture") + ", each of " : "";
   const std::string kept = plan.kept > 0 ? fmt::format(" ({} more are there already)", plan.kept) : "";
   const std::string folder = plan.folder.empty() ? "." : plan.folder.string();
   return fmt::format("{}{} of {}{} to {}; all files: about {} (an estimate)", count_of(wanted, "frame"), kept, each, size,

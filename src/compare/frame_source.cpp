@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "core/folder_entries.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/video_reader.hpp"
 
@@ -20,48 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-/// Takes a run of digits from the front, without leading zeros.
-std::string_view take_number(std::string_view& text) {
-  std::size_t end = 0;
-  while (end < text.size() && is_digit(text[end])) ++end;
-  std::string_view digits = text.substr(0, end);
-  text.remove_prefix(end);
-  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
-  return digits;
-}
-
-/// Letter by letter, runs of digits by their value: frame_9 before frame_10.
-bool natural_less(std::string_view a, std::string_view b) {
-  const std::pair<std::string_view, std::string_view> whole{a, b};
-  while (!a.empty() && !b.empty()) {
-    if (is_digit(a.front()) && is_digit(b.front())) {
-      const std::string_view x = take_number(a), y = take_number(b);
-      if (x.size() != y.size()) return x.size() < y.size();
-      if (x != y) return x < y;
-    } else {
-      if (a.front() != b.front()) return a.front() < b.front();
-      a.remove_prefix(1), b.remove_prefix(1);
-    }
-  }
-  if (a.empty() != b.empty()) return a.empty();
-  return whole.first < whole.second;
-}
-
-bool is_picture_name(const fs::path& path) {
-  constexpr std::array kExtensions = {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".ppm",
-                                      ".pgm", ".pnm", ".tga", ".bmp",  ".hdr", ".pfm",  ".webp"};
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-}
-
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (!entry.is_directory() && is_picture_name(entry.path()) && entry.path().filename().string().front() != '.')
-      pictures.push_back(entry.path());
+  for (const fs::directory_entry& entry : entries_of(folder))
+    if (!entry.is_directory() && is_picture_name(entry.path())) pictures.push_back(entry.path());
   const auto is_frame = [](const fs::path& path) { return path.filename().string().starts_with("frame_"); };
   if (std::any_of(pictures.begin(), pictures.end(), is_frame))
     std::erase_if(pictures, [&](const fs::path& path) { return !is_frame(path); });

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/host_name.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -54,7 +55,7 @@ class FileDescriptor {
 
 constexpr std::string_view kMark = ".tmp-";
 
-/// Of `.STEM.tmp-PID.EXT`: where the mark begins and PID; nothing for other names.
+/// Of `.STEM.tmp-PID-HOST.EXT` with this machine's name: where the mark begins and PID; nothing for other names.
 struct TemporaryName {
   std::size_t mark;
   pid_t process;
@@ -66,8 +67,9 @@ std::optional<TemporaryName> parse_temporary(std::string_view name) {
   const std::string_view rest = name.substr(mark + kMark.size());
   pid_t process = 0;
   const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), process);
-  const bool whole = end == rest.data() + rest.size() || *end == '.';
-  if (problem != std::errc{} || !whole || process <= 0) return std::nullopt;
+  if (problem != std::errc{} || process <= 0) return std::nullopt;
+  const std::string_view after = rest.substr(static_cast<std::size_t>(end - rest.data()));
+  if (after.substr(0, after.find('.')) != fmt::format("-{}", host_name())) return std::nullopt;
   return TemporaryName{mark, process};
 }
 
@@ -77,8 +79,8 @@ bool is_gone(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   check_destination(path_);
-  temporary_path_ =
-      path_.parent_path() / fmt::format(".{}{}{}{}", path_.stem().string(), kMark, getpid(), path_.extension().string());
+  temporary_path_ = path_.parent_path() / fmt::format(".{}{}{}-{}{}", path_.stem().string(), kMark, getpid(), host_name(),
+                                                      path_.extension().string());
   unlink(temporary_path_.c_str());  // left by a crashed process that had this one's number
 }
 

@@ -1,6 +1,6 @@
 // Files that appear under their final name only when they are complete: written beside it, then renamed.
 //
-// A crash of the program leaves at most a hidden file named .<stem>.tmp-<process id><extension> in the same folder (the
+// A crash of the program leaves at most a hidden file named .<stem>.tmp-<process id>-<host><extension> in the same folder (the
 // extension is kept because libraries choose a format by it); remove_stale_temporaries clears it away. Nothing is synced to
 // disk: a crash of the machine may lose it.
 #pragma once
@@ -35,8 +35,8 @@ class AtomicFile {
 /// Writes a whole file that way. Throws Error naming `path` when the disk is full or anything else fails.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Removes what processes that no longer exist have left half-written in a folder; with a `file`, of that file alone. What
-/// cannot be read or removed stays.
+/// Removes what processes of this machine that no longer exist have left half-written in a folder; with a `file`, of that file
+/// alone. What cannot be read or removed stays.
 void remove_stale_temporaries(const std::filesystem::path& folder, const std::filesystem::path& file = {});
 
 }  // namespace lippmann

@@ -37,7 +37,13 @@ class OpenFile {
   int descriptor_;
 };
 
+std::string digits_of(XXH64_hash_t hash) { return fmt::format("{:016x}", hash); }
+
 }  // namespace
+
+FileChecksum checksum_of(std::span<const std::byte> bytes) {
+  return {bytes.size(), digits_of(XXH3_64bits(bytes.data(), bytes.size()))};
+}
 
 std::optional<FileChecksum> file_checksum(const std::filesystem::path& path) {
   constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
@@ -54,7 +60,7 @@ std::optional<FileChecksum> file_checksum(const std::filesystem::path& path) {
     XXH3_64bits_update(state.get(), buffer.data(), static_cast<std::size_t>(count));
     sum.bytes += static_cast<std::uint64_t>(count);
   }
-  sum.xxh3 = fmt::format("{:016x}", XXH3_64bits_digest(state.get()));
+  sum.xxh3 = digits_of(XXH3_64bits_digest(state.get()));
   return sum;
 }
 

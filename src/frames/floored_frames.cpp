@@ -197,4 +197,6 @@ double FlooredFrames::bytes_kept_per_pixel() {
   return images * (kFilm + kPoint + kContrast) + films * kFilm + kDoubt;
 }
 
+int FlooredFrames::frames_per_segment(const Interpolate& reuse) { return kSegmentIntervals * key_frame_interval(reuse); }
+
 }  // namespace lippmann

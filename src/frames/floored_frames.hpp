@@ -33,6 +33,9 @@ class FlooredFrames final : public FrameMaker {
 
   static double bytes_kept_per_pixel();
 
+  /// Frames for which it is found out together whether predicting pays.
+  static int frames_per_segment(const Interpolate& reuse);
+
  private:
   struct Segment {
     int length = 0;     ///< frames from key to key; 0: all are traced

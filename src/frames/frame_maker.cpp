@@ -89,6 +89,17 @@ struct BytesKept {
   }
 };
 
+/// Of each of them.
+struct SegmentLength {
+  int operator()(const AutoReuse&) const { return 1; }
+  int operator()(const TraceAll&) const { return 1; }
+  int operator()(const CopySettled& reuse) const { return reuse.keyframes.value_or(1); }
+  int operator()(const ShareLight&) const { return LitFrames::frames_per_segment(); }
+  int operator()(const Interpolate& reuse) const {
+    return reuse.min_psnr_db ? FlooredFrames::frames_per_segment(reuse) : key_frame_interval(reuse);
+  }
+};
+
 }  // namespace
 
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
@@ -102,5 +113,7 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& pa
 double bytes_kept_per_pixel(const FrameParams& params) {
   return std::visit(BytesKept{params.sampling}, resolved_reuse(params));
 }
+
+int frames_per_segment(const FrameParams& params) { return std::visit(SegmentLength{}, resolved_reuse(params)); }
 
 }  // namespace lippmann

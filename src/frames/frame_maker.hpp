@@ -32,4 +32,9 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& pa
 /// Bytes per pixel that a maker keeps from frame to frame.
 double bytes_kept_per_pixel(const FrameParams& params);
 
+/// Where an animation is best cut into parts that are rendered apart: before frames whose number is a multiple of this. Frames
+/// from there on need none before them, or one key frame that is traced on both sides of the cut. Pictures do not depend on
+/// where it is cut.
+int frames_per_segment(const FrameParams& params);
+
 }  // namespace lippmann

@@ -54,6 +54,8 @@ FrameReport LitFrames::make_noisy(int frame, FramePictures& pictures, NoisyFrame
   return visit(frame, pictures, &noisy);
 }
 
+int LitFrames::frames_per_segment() { return kSegment; }
+
 bool LitFrames::are_of_one_history(int frame, int other) { return frame / kSegment == other / kSegment; }
 
 /// Visits what comes before a frame in its history and has not been visited yet.

@@ -20,6 +20,9 @@ class LitFrames final : public FrameMaker {
   /// Whether both frames share light: else they have nothing to do with each other, so that each can be made alone.
   static bool are_of_one_history(int frame, int other);
 
+  /// How many frames a history has.
+  static int frames_per_segment();
+
   /// Earlier frames of a history, where only later ones were asked for.
   std::vector<FrameReport> sources() const override { return sources_; }
 

@@ -1,44 +1,44 @@
 #include "job/animation.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
-#include <system_error>
 #include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
+#include "core/host_name.hpp"
 #include "core/json_text.hpp"
-#include "core/regular_file.hpp"
+#include "folder/claim_folder.hpp"
+#include "folder/frame_sink.hpp"
+#include "folder/render_folder.hpp"
 #include "frames/frame_maker.hpp"
 #include "job/aov_params.hpp"
-#include "job/finished_frames.hpp"
-#include "job/frame_sink.hpp"
-#include "job/job_file.hpp"
+#include "job/folder_documents.hpp"
+#include "job/job_fingerprint.hpp"
 #include "job/job_stage.hpp"
-#include "job/param_text.hpp"
-#include "job/render_folder.hpp"
+#include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
 #include "job/test_pattern.hpp"
 #include "job/undo_crosstalk.hpp"
+#include "layout/cameras.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/parallel.hpp"
+#include "lippmann/core/version.hpp"
+#include "optics/optics_json.hpp"
 #include "video/video_writer.hpp"
 
 namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kJobFile = "job.toml";
-constexpr const char* kReportFile = "report.json";
 
 class Stopwatch {
  public:
@@ -49,50 +49,12 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-std::vector<int> frames_to_render(const RenderParams& params, const Timeline& timeline) {
-  const int last = timeline.frame_count - 1;
-  const FrameRanges ranges = params.output.frames.value_or(FrameRanges{{0, last}});
-  for (const FrameRange& range : ranges)
-    if (range.last > last)
-      throw usage_error("--frames", fmt::format("{} is outside the animation", write_frames({range})),
-                        fmt::format("frames from 0 to {}", last));
-  return frames_of(ranges);
-}
-
-/// Refuses what cannot succeed before hours are spent on it: frames that the machine's memory does not hold.
-void require_memory(const RenderParams& params, double bytes_kept_per_pixel, const Optics& optics, bool moves_pixels,
-                    int frames_at_a_time) {
-  const Panel& panel = optics.panel;
-  constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
-  const double pixels = static_cast<double>(panel.width) * panel.height;
-  const double films = (moves_pixels ? 2.0 : 1.0) + (params.optics.precompensate ? 2.0 : 0.0);
-  const double frame = pixels * (films * kFilmBytes + kCodeBytes +
-                                 kAovBytes * static_cast<double>(params.sampling.aov.size() + params.sampling.transparent));
-  const double needed = frame * frames_at_a_time + pixels * bytes_kept_per_pixel;
-  const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  if (needed > available)
-    throw Error("--size",
-                fmt::format("frames of {}x{} pixels need {:.1f} GB of memory ({} at a time, {:.1f} GB each), this machine has "
-                            "{:.1f} GB",
-                            panel.width / sub_pixels_per_pixel(optics), panel.height, needed * 1e-9, frames_at_a_time,
-                            frame * 1e-9, available * 1e-9));
-}
-
-/// What the display that is rendered for will not play.
-void warn_of_videos(const Display& display, const FrameLayout& layout, const Context& context) {
-  if (layout.quilt() && !display.video.quilts)
-    context.warning(fmt::format("{} shows pictures of quilts only, no videos", display.name));
-  const Vec2i size = layout.picture_size();
-  if (std::max(size.x, size.y) > display.video.longest_side)
-    context.warning(fmt::format("{} plays videos of up to {} pixels a side, these have {}x{}: --size with less", display.name,
-                                display.video.longest_side, size.x, size.y));
-}
-
-/// Throws Error if it cannot be written.
-void make_room_for_video(const fs::path& video, const RenderParams& params, const Panel& panel) {
-  make_folder(video.parent_path());
-  check_video_path(video, video_options(params, video, 25.0), panel.width, panel.height);
-  remove_stale_temporaries(video.parent_path(), video.filename());
+/// What can be refused before a scene is loaded.
+FrameParams checked_frame_params(const RenderParams& params) {
+  FrameParams made_as = frame_params(params);
+  check_floor(params);
+  check_aovs(params);
+  return made_as;
 }
 
 std::uint64_t peak_memory_bytes() {
@@ -103,13 +65,7 @@ std::uint64_t peak_memory_bytes() {
 
 /// Frames are kept where the job says so; not where a video wants codes that the pictures do not hold to the bit.
 bool keeps_frames(const RenderParams& params) {
-  return params.resume && (params.output.video.empty() || params.output.format == PictureFormat::kPng);
-}
-
-int count_kept(const RenderParams& params, FinishedFrames& finished, const std::vector<int>& frames) {
-  if (!keeps_frames(params)) return 0;
-  const auto is_kept = [&](int frame) { return finished.find(frame).has_value(); };
-  return static_cast<int>(std::count_if(frames.begin(), frames.end(), is_kept));
+  return params.resume && (params.output.video.empty() || params.output.pictures.format == PictureFormat::kPng);
 }
 
 std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
@@ -117,11 +73,11 @@ std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
   return format == PictureFormat::kPng16 ? 2 : 1;
 }
 
-/// As said, or the first of out/<scene name>, out/<scene name>-2, ... that holds no other render.
+/// As it is asked for, or the first of out/<scene name>, out/<scene name>-2, ... that holds no other render.
 fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force, const Context& context) {
   const fs::path wanted = output_folder(params);
   if (wanted == "-")
-    throw usage_error("--output", "a render is a folder of files, and standard output cannot hold one", "a folder");
+    throw usage_error("output", "a render is a folder of files, and standard output cannot hold one", "a folder");
   if (!params.output.folder.empty() || force) return wanted;
   fs::path folder = free_folder(wanted, job);
   if (folder != wanted)
@@ -130,135 +86,304 @@ fs::path chosen_folder(const RenderParams& params, const std::string& job, bool 
   return folder;
 }
 
-/// A job file that renders all frames that this run and those before and beside it have been asked for. One that no render has
-/// written is somebody's, and stays. The run has begun.
-void write_job_of_folder(const fs::path& folder, const RenderParams& params, const std::vector<int>& frames, int frame_count,
-                         FinishedFrames& finished, const Context& context) {
-  const fs::path file = folder / kJobFile;
-  const FolderJournal journal = read_journal(folder).value_or(FolderJournal{});
-  const std::vector<int>& before = finished.before().asked;
-  const bool is_there = is_regular_file_there(file);
-  const auto written = journal.files.find(kJobFile);
-  if (is_there && (written == journal.files.end() || file_checksum(file) != written->second)) {
-    if (const auto keys = differences(file, params); !keys.empty())
-      context.warning(
-          fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
-                      file.string(), fmt::join(keys, ", ")));
-    return;
+/// What EXR files say of the render, for those who get them without its report.
+std::vector<ExrAttribute> about_render(const std::string& scene, const Optics& optics, float depth_scale) {
+  std::vector<ExrAttribute> about{{"lippmann.version", version()},
+                                  {"lippmann.scene", scene},
+                                  {"lippmann.optics", json_to_text(optics_json(optics), -1)},
+                                  {"lippmann.depth_scale", fmt::format("{}", depth_scale)}};
+  if (const auto rendered = rendered_views(optics)) {
+    const ViewGrid& grid = rendered->film.grid;
+    about.push_back({"lippmann.views", std::to_string(grid.columns) + "x" + std::to_string(grid.rows)});
   }
-  if (is_there && std::includes(before.begin(), before.end(), frames.begin(), frames.end())) return;
-  RenderParams whole = params;
-  if (journal.asked != frames) whole.output.frames = ranges_of(journal.asked);
-  if (journal.asked != frames && static_cast<int>(journal.asked.size()) == frame_count) whole.output.frames.reset();
-  write_job(file, whole);
-  finished.add_file(kJobFile);
+  return about;
 }
 
-void write_report(const fs::path& file, const RenderReport& report) {
-  const std::string text = json_to_text(to_json(report)) + '\n';
-  write_file_atomically(file, std::as_bytes(std::span(text)));
-}
+/// One render_animation, in the order in which its members are called.
+class Animation {
+ public:
+  /// Refuses what cannot be rendered. Writes nothing.
+  Animation(const RenderParams& said, const Context& context, const RenderObserver& observer, const RunParams& run)
+      : context_(context),
+        observer_(observer),
+        run_(run),
+        params_(with_scene_defaults(said)),
+        made_as_(checked_frame_params(params_)),
+        pool_(params_.threads > 0 ? params_.threads : resolved_threads(context)),
+        stage_(params_, pool_, context),
+        all_frames_(frames_of_job(params_, stage_.scene.timeline)),
+        frames_(run.units ? frames_of(*run.units, all_frames_, frames_per_segment(made_as_)) : all_frames_),
+        layout_(params_.output.pictures, optics(), stage_.display.get()) {
+    check_layout();
+    job_ = job_fingerprint(params_, stage_.scene, stage_.display.get());
+    if (!run.units) plan_videos();
+    folder_ = chosen_folder(params_, job_, run.force, context);
+    if (folder_ != output_folder(params_)) params_.output.folder = folder_.string();
+    const auto differing = [this](const fs::path& job_file) { return differences(job_file, params_); };
+    if (!run.force) require_free_folder(folder_, job_, differing, all_frames_, video_names());
+  }
+
+  RenderPlan plan() const {
+    return {stage_,
+            folder_,
+            layout_.names(),
+            layout_.format(),
+            frames_,
+            video_names(),
+            0,
+            layout_.picture_size(),
+            layout_.pictures_per_frame()};
+  }
+
+  RenderReport render() {
+    if (frames_.empty())
+      context_.warning(fmt::format("unit {} has no frames: the job falls into fewer parts", write_units(*run_.units)));
+    if (run_.ranks && !is_first_rank()) run_.ranks->begin();  // once the first rank has made room
+    RenderFolder folder = open_folder();
+    RenderReport report = report_of_setup();
+    const auto maker = params_.scene.name == kTestPattern ? make_pattern_frames(stage_, pool_)
+                                                          : make_frame_maker(stage_, made_as_, pool_, context_);
+    {
+      FrameSink sink(sink_settings(*maker, makes_videos() ? videos_ : std::vector<VideoFile>()), folder);
+      announce(folder);
+      report.run.setup_seconds = setup_.seconds();
+      make_frames(*maker, sink, folder, report);
+      if (makes_videos() && !report.interrupted) finish_videos(sink, folder);
+      report.run.write_seconds = sink.write_seconds();
+    }
+    report.run.peak_memory_bytes = peak_memory_bytes();
+    folder.end(report.run);
+    if (run_.ranks) run_.ranks->end();
+    if (!is_first_rank()) return report;
+    if (run_.ranks && is_complete(folder.now())) make_videos(*maker, folder);
+    RenderReport all = write_report(report, folder);
+    return run_.ranks ? all : report;
+  }
+
+ private:
+  const Optics& optics() const { return stage_.placed.optics; }
+
+  bool is_first_rank() const { return !run_.ranks || run_.ranks->rank() == 0; }
+
+  /// Frames that others render come too late for a video that is written along with them.
+  bool makes_videos() const { return !run_.ranks; }
+
+  FrameSink::Settings sink_settings(FrameMaker& maker, const std::vector<VideoFile>& videos) {
+    return {params_.output.pictures,
+            layout_,
+            optics(),
+            stage_.scene.encoding,
+            crosstalk_,
+            videos,
+            about_render(params_.scene.name, optics(), stage_.placed.depth_scale),
+            pool_.threads(),
+            [&maker](Image film) { maker.recycle(std::move(film)); },
+            [this](int frame, std::uintmax_t bytes) { say_written(frame, bytes); }};
+  }
+
+  void say_written(int frame, std::uintmax_t bytes) {
+    if (is_first_rank()) {
+      if (observer_.written) observer_.written(frame, bytes);
+      return;
+    }
+    const std::lock_guard lock(mutex_);
+    WorkDone& done = done_[frame];
+    done.bytes = bytes;
+    run_.ranks->tell(done);
+  }
+
+  void say_traced(const FrameReport& frame) {
+    if (is_first_rank()) {
+      if (observer_.traced) observer_.traced(frame);
+      return;
+    }
+    const std::lock_guard lock(mutex_);
+    done_[frame.frame] = {frame.frame, frame.seconds, frame.rays.total(), 0};
+  }
+
+  /// What another rank has done, on the first.
+  void hear(const WorkDone& done) const {
+    FrameReport frame;
+    frame.frame = done.frame, frame.seconds = done.seconds, frame.rays.primary = done.rays;
+    if (observer_.traced) observer_.traced(frame);
+    if (observer_.written) observer_.written(done.frame, done.bytes);
+  }
+
+  bool is_complete(const FolderJournal& journal) const {
+    return std::all_of(frames_.begin(), frames_.end(), [&](int frame) { return journal.frames.contains(frame); });
+  }
+
+  /// Of pictures that are finished.
+  void make_videos(FrameMaker& maker, RenderFolder& folder) {
+    FrameSink sink(sink_settings(maker, videos_), folder);
+    for (const int frame : frames_) sink.add_kept(frame);
+    sink.wait();
+    finish_videos(sink, folder);
+  }
+
+  double frames_per_second() const {
+    return params_.scene.fps > 0.0 ? params_.scene.fps : stage_.scene.timeline.frames_per_second;
+  }
+
+  void plan_videos() {
+    for (const fs::path path : params_.output.video) {
+      const fs::path video = layout_.video_path(path);
+      videos_.push_back({video, video_options(params_, video, frames_per_second())});
+    }
+  }
+
+  std::vector<std::string> video_names() const {
+    std::vector<std::string> names;
+    for (const VideoFile& video : videos_) names.push_back(video.path.string());
+    return names;
+  }
+
+  void check_layout() {
+    layout_.check_picture_size(!params_.sampling.aov.empty());
+    if (!params_.output.video.empty() && !layout_.is_picture())
+      throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
+    if (!params_.output.video.empty() && (run_.units || run_.ranks) && layout_.format() != PictureFormat::kPng)
+      throw usage_error("video", "is made of the pictures of all units, which have to hold its codes", "`format` png");
+    require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
+                   std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
+    check(made_as_, optics());
+    crosstalk_ = crosstalk_to_undo(params_, optics(), stage_.display.get());
+  }
+
+  /// Makes room in it, and records what is going to be rendered.
+  RenderFolder open_folder() {
+    if (const std::string sentence = whole_paths_sentence(params_); !sentence.empty()) context_.warning(sentence);
+    if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
+    for (const VideoFile& video : videos_) make_room_for_video(video, optics().panel);
+    make_folder(folder_);
+    remove_stale_temporaries(folder_);
+    clear_folder(folder_, job_, all_frames_, run_.force, context_);
+    RenderFolder folder(folder_, job_);
+    folder.begin(all_frames_);
+    write_job_of_folder(params_, all_frames_, stage_.scene.timeline.frame_count, folder, context_);
+    return folder;
+  }
+
+  RenderReport report_of_setup() const {
+    RenderReport report;
+    report.scene = params_.scene.name;
+    report.optics = optics();
+    report.params = params_;
+    report.reuse = made_as_.reuse;
+    report.light = stage_.light;
+    report.view = stage_.array.how;
+    report.depth_scale = stage_.placed.depth_scale;
+    report.depth = shown_depth(stage_.array, stage_.placed.units_per_mm, report.depth_scale, report.optics);
+    report.crosstalk_px = crosstalk_;
+    report.run.host = host_name();
+    report.run.unit = run_.units ? write_units(*run_.units) : std::string();
+    report.run.threads = pool_.threads();
+    report.videos = video_names();
+    report.frames_per_second = frames_per_second();
+    return report;
+  }
+
+  void announce(RenderFolder& folder) const {
+    if (!observer_.planned) return;
+    RenderPlan plan = this->plan();
+    if (keeps_frames(params_))
+      plan.kept = static_cast<int>(
+          std::count_if(frames_.begin(), frames_.end(), [&](int frame) { return folder.find(frame).has_value(); }));
+    observer_.planned(plan);
+  }
+
+  void make_frames(FrameMaker& maker, FrameSink& sink, RenderFolder& folder, RenderReport& report) {
+    if (run_.ranks)
+      share_frames(maker, sink, folder, report);
+    else
+      make_frames(frames_, maker, sink, folder, report);
+    report.run.sources = maker.sources();
+    sink.wait();
+    for (FrameReport& frame : report.frames)
+      if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
+        frame.precompensation = done->second;
+    report.interrupted = context_.cancelled || (!run_.ranks && report.frames.size() < frames_.size());
+  }
+
+  /// Units that are not taken yet, one after the other, until there are no more.
+  void share_frames(FrameMaker& maker, FrameSink& sink, RenderFolder& folder, RenderReport& report) {
+    constexpr int kUnitsPerRank = 8;  // few enough to begin seldom, enough for ranks to end at about the same time
+    const std::vector<std::vector<int>> units =
+        units_of(frames_, frames_per_segment(made_as_), kUnitsPerRank * run_.ranks->size());
+    if (is_first_rank()) {
+      run_.ranks->listen([this](const WorkDone& done) { hear(done); });
+      run_.ranks->begin();
+    }
+    while (!context_.cancelled) {
+      const auto unit = static_cast<std::size_t>(run_.ranks->next());
+      if (unit >= units.size()) break;
+      make_frames(units[unit], maker, sink, folder, report);
+    }
+  }
+
+  void make_frames(const std::vector<int>& frames, FrameMaker& maker, FrameSink& sink, RenderFolder& folder,
+                   RenderReport& report) {
+    for (const int frame : frames) {
+      if (context_.cancelled) break;
+      if (const auto kept = keeps_frames(params_) ? folder.find(frame) : std::nullopt) {
+        report.frames.push_back(*kept);
+        report.frames.back().kept = true;
+        sink.add_kept(frame);
+        continue;
+      }
+      if (run_.only_finished)
+        throw Error(folder_.string(), fmt::format("frame {} is not finished, or not as it was written", frame),
+                    "a folder in which all frames are");
+      RenderedFrame rendered = maker.make(frame);
+      if (context_.cancelled) break;
+      report.frames.push_back(rendered.report);
+      report.run.frames.push_back(frame);
+      say_traced(report.frames.back());
+      sink.add(std::move(rendered));
+    }
+  }
+
+  void finish_videos(FrameSink& sink, RenderFolder& folder) const {
+    for (const VideoFile& video : videos_) folder.begin_video(video.path, frames_);
+    sink.finish_videos();
+    for (const VideoFile& video : videos_) folder.add_video(video.path, frames_);
+  }
+
+  const Stopwatch setup_;
+  const Context& context_;
+  const RenderObserver& observer_;
+  const RunParams& run_;
+  RenderParams params_;
+  const FrameParams made_as_;
+  const ThreadPool pool_;
+  JobStage stage_;
+  const std::vector<int> all_frames_;  ///< of the job
+  const std::vector<int> frames_;      ///< of the unit
+  const FrameLayout layout_;
+  std::optional<double> crosstalk_;  ///< to be undone
+  std::string job_;
+  std::vector<VideoFile> videos_;
+  fs::path folder_;
+  std::mutex mutex_;              ///< what follows
+  std::map<int, WorkDone> done_;  ///< by this rank, to be told to the first
+};
 
 }  // namespace
 
 std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels) {
   const auto pixels = static_cast<std::uint64_t>(plan.picture_size.x) * static_cast<std::uint64_t>(plan.picture_size.y);
-  const auto pictures = plan.frames.size() * static_cast<std::size_t>(std::max(1, plan.names.views));
-  return 3 * channel_bytes(plan.names.format, exr_pixels) * pixels * pictures;
+  const auto pictures = plan.frames.size() * static_cast<std::size_t>(plan.pictures_per_frame);
+  return 3 * channel_bytes(plan.format, exr_pixels) * pixels * pictures;
 }
 
-RenderReport render_animation(const RenderParams& said, const Context& context, const RenderObserver& observer) {
-  const Stopwatch setup;
-  RenderParams params = with_scene_defaults(said);
-  const FrameParams made_as = frame_params(params);
-  check_floor(params);
-  check_aovs(params);
-  const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
-  JobStage stage(params, pool, context);
-  const std::vector<int> frames = frames_to_render(params, stage.scene.timeline);
-  const FrameLayout layout(params, stage.placed.optics, stage.display.get());
-  layout.check_picture_size(!params.sampling.aov.empty());
-  require_memory(params, bytes_kept_per_pixel(made_as), stage.placed.optics, layout.moves(),
-                 std::min(FrameSink::frames_in_memory(pool.threads()), static_cast<int>(frames.size())));
+RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer,
+                              const RunParams& run) {
+  return Animation(params, context, observer, run).render();
+}
 
-  check(made_as, stage.placed.optics);
-  const std::optional<double> crosstalk = crosstalk_to_undo(params, stage.placed.optics, stage.display.get());
-
-  std::vector<std::string> videos;
-  for (const std::string& video : params.output.video) videos.push_back(layout.video_path(video).string());
-  const std::string job = job_fingerprint(params, stage.scene, stage.display.get());
-  const fs::path folder = chosen_folder(params, job, observer.force, context);
-  if (folder != output_folder(params)) params.output.folder = folder.string();
-  if (!observer.force) require_free_folder(folder, job, params, frames, videos);
-  RenderPlan plan{stage, folder, layout.names(), frames, videos, 0, layout.picture_size()};
-  if (observer.only_plan) {
-    if (observer.planned) observer.planned(plan);
-    return {};
-  }
-  if (const std::string sentence = whole_paths_sentence(params); !sentence.empty()) context.warning(sentence);
-  if (stage.display && !params.output.video.empty()) warn_of_videos(*stage.display, layout, context);
-  for (const std::string& video : videos) make_room_for_video(video, params, stage.placed.optics.panel);
-  make_folder(folder);
-  remove_stale_temporaries(folder);
-  clear_folder(folder, job, frames, observer.force, context);
-  FinishedFrames finished(folder, job, layout.names());
-  finished.begin(frames);
-  finished.remove_file(kReportFile);  // it would speak of another render
-  write_job_of_folder(folder, params, frames, stage.scene.timeline.frame_count, finished, context);
-  plan.kept = count_kept(params, finished, frames);
-
-  RenderReport report;
-  report.scene = params.scene.name;
-  report.optics = stage.placed.optics;
-  report.params = params;
-  report.reuse = made_as.reuse;
-  report.light = stage.light;
-  report.view = stage.array.how;
-  report.depth_scale = stage.placed.depth_scale;
-  report.depth = shown_depth(stage.array, stage.placed.units_per_mm, report.depth_scale, report.optics);
-  report.crosstalk_px = crosstalk;
-  report.threads = pool.threads();
-  report.videos = videos;
-  const double fps = params.scene.fps > 0.0 ? params.scene.fps : stage.scene.timeline.frames_per_second;
-  report.frames_per_second = fps;
-  const auto maker =
-      params.scene.name == kTestPattern ? make_pattern_frames(stage, pool) : make_frame_maker(stage, made_as, pool, context);
-  FrameSink sink({params, folder, layout, videos, stage.scene.encoding, fps, &stage.placed.optics, stage.placed.depth_scale,
-                  crosstalk, pool.threads(), [&](Image film) { maker->recycle(std::move(film)); }, observer.written},
-                 finished);
-  if (observer.planned) observer.planned(plan);
-  report.setup_seconds = setup.seconds();
-
-  for (const int frame : frames) {
-    if (context.cancelled) break;
-    if (const auto kept = keeps_frames(params) ? finished.find(frame) : std::nullopt) {
-      report.frames.push_back(*kept);
-      report.frames.back().kept = true;
-      sink.add_kept(frame);
-      continue;
-    }
-    RenderedFrame rendered = maker->make(frame);
-    if (context.cancelled) break;
-    report.frames.push_back(rendered.report);
-    if (observer.traced) observer.traced(report.frames.back());
-    sink.add(std::move(rendered));
-  }
-  report.sources = maker->sources();
-  sink.wait();
-  for (FrameReport& frame : report.frames)
-    if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
-      frame.precompensation = done->second;
-  report.interrupted = report.frames.size() < frames.size();
-  if (!report.interrupted) {
-    for (const std::string& video : videos) finished.begin_video(video, frames);
-    sink.finish_videos();
-    for (const std::string& video : videos) finished.add_video(video, frames);
-  }
-  report.write_seconds = sink.write_seconds();
-  report.peak_memory_bytes = peak_memory_bytes();
-  write_report(folder / kReportFile, report);
-  finished.add_file(kReportFile);
-  return report;
+void plan_animation(const RenderParams& params, const Context& context, const RunParams& run,
+                    const std::function<void(const RenderPlan&)>& planned) {
+  planned(Animation(params, context, {}, run).plan());
 }
 
 }  // namespace lippmann

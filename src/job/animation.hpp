@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "job/frame_files.hpp"
+#include "distribute/ranks.hpp"
+#include "distribute/units.hpp"
 #include "job/params.hpp"
 #include "job/report.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/context.hpp"
 
 namespace lippmann {
@@ -21,10 +24,12 @@ struct RenderPlan {
   const JobStage& stage;
   std::filesystem::path folder;
   FrameNames names;
-  std::vector<int> frames;               ///< ascending
+  PictureFormat format = PictureFormat::kPng;
+  std::vector<int> frames;               ///< ascending: those of the unit that is rendered, or all
   std::vector<std::string> videos = {};  ///< files
   int kept = 0;                          ///< of these frames, finished before by the same job
   Vec2i picture_size{0, 0};
+  int pictures_per_frame = 1;
 };
 
 /// Bytes of all pictures of a plan before compression: more than what PNG and EXR files take. Layers and videos are not
@@ -38,8 +43,14 @@ struct RenderObserver {
   std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
   /// A frame's pictures and layers are on disk, of so many bytes; in order, one at a time, on any thread. Not of kept frames.
   std::function<void(int frame, std::uintmax_t bytes)> written;
-  bool force = false;      ///< another render in the folder is replaced, and videos that are there (render_folder.hpp)
-  bool only_plan = false;  ///< stop once `planned` was called, before anything is written; kept frames are not looked for
+};
+
+/// What one run does of a job.
+struct RunParams {
+  bool force = false;  ///< another render in the folder is replaced, and videos that are there (folder/claim_folder.hpp)
+  std::optional<Units> units = {};  ///< none: all frames. Videos wait until all are there (finish_animation)
+  Ranks* ranks = nullptr;           ///< that share the frames out among them; null: this process stands alone
+  bool only_finished = false;       ///< no frame is rendered: all have been, or it is an Error
 };
 
 /// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte
@@ -48,6 +59,12 @@ struct RenderObserver {
 /// When context.cancelled is set, it stops at the next chance: finished frames stay, the frame under way and videos leave
 /// nothing, report.json says `interrupted`. Throws Error for bad params or scenes (before any file is made) and for files that
 /// cannot be written; the frames finished until then stay, for --resume.
-RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer = {});
+RenderReport render_animation(const RenderParams& params, const Context& context, const RenderObserver& observer = {},
+                              const RunParams& run = {});
+
+/// What render_animation would do, as far as set-up tells it; frames that it would keep are not looked for. Writes nothing.
+/// Throws Error as it does.
+void plan_animation(const RenderParams& params, const Context& context, const RunParams& run,
+                    const std::function<void(const RenderPlan&)>& planned);
 
 }  // namespace lippmann

@@ -1,7 +1,14 @@
 #include "job/aov_params.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "job/test_pattern.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 
@@ -12,16 +19,35 @@ void check_transparent(const RenderParams& params) {
   if (params.scene.name == kTestPattern) throw usage_error(kFlag, "the test pattern has no surroundings", "a scene with it");
   if (!params.output.video.empty())
     throw usage_error(kFlag, "none of the codecs of videos keeps alpha", "pictures alone: no --video with it");
-  if (params.output.layout == PictureLayout::kNative || params.output.layout == PictureLayout::kPrint)
+  if (params.output.pictures.layout == PictureLayout::kNative || params.output.pictures.layout == PictureLayout::kPrint)
     throw usage_error(kFlag, "what a panel or paper shows lies before nothing", "--layout integral, quilt or views");
   if (params.optics.precompensate)
     throw usage_error(kFlag, "crosstalk mixes neighbours, alpha or not", "no --precompensate with it");
+}
+
+/// Whether frames are written in a format that is not one of the layouts of pictures by another name.
+bool is_light_field(const PictureParams& pictures) {
+  constexpr std::array<std::string_view, 4> kLayouts{"integral", "quilt", "views", "native"};
+  return !pictures.to.empty() && std::find(kLayouts.begin(), kLayouts.end(), pictures.to) == kLayouts.end();
+}
+
+/// Formats hold views, and depth if they know it.
+void check_light_field(const RenderParams& params) {
+  const bool knows_depth = find_format(params.output.pictures.to, "to").uses_cameras;
+  for (const Aov layer : params.sampling.aov)
+    if (layer != Aov::kDepth || !knows_depth)
+      throw usage_error("aov", fmt::format("files of the format {} have no such layer", params.output.pictures.to),
+                        knows_depth ? "no `aov`: depth is written without it" : "no `aov` with it");
+  if (params.sampling.transparent)
+    throw usage_error("transparent", fmt::format("files of the format {} hold no alpha", params.output.pictures.to),
+                      "`layout` quilt or views");
 }
 
 }  // namespace
 
 void check_aovs(const RenderParams& params) {
   if (params.sampling.transparent) check_transparent(params);
+  if (is_light_field(params.output.pictures)) check_light_field(params);
   if (!params.sampling.aov.empty() && params.scene.name == kTestPattern)
     throw usage_error("--aov", "the test pattern has no extra layers", "a scene with it");
 }

@@ -78,7 +78,8 @@ std::unique_ptr<const Display> wanted_display(const RenderParams& params) {
 
 Optics display_optics(const RenderParams& params, const Display& display) {
   refuse_what_the_display_decides(params);
-  const bool slanted = display.kind == DisplayKind::kSlantedPanel, native = params.output.layout == PictureLayout::kNative;
+  const bool slanted = display.kind == DisplayKind::kSlantedPanel,
+             native = params.output.pictures.layout == PictureLayout::kNative;
   const OpticsKind kind = params.optics.kind.value_or(own_kind(display));
   const bool is_quilt = kind == OpticsKind::kMultiview && !(slanted && native);
   refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no meaning for this kind of optics",

@@ -7,6 +7,7 @@
 
 #include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/core/math.hpp"
 
 namespace lippmann {
 namespace {
@@ -21,18 +22,6 @@ Extent<T> parse_extent(std::string_view text, T lowest, T highest, const std::st
     throw usage_error(where, fmt::format("'{}' is not a size in this range", text),
                       fmt::format("N or NxM, each from {} to {}", lowest, highest));
   return {*x, *y};
-}
-
-/// A, A-B or A-B:S.
-std::optional<FrameRange> parse_range(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  const std::string_view ends = text.substr(0, colon);
-  const std::size_t dash = ends.find('-');
-  const auto first = parse_number<int>(ends.substr(0, dash));
-  const auto last = dash == std::string_view::npos ? first : parse_number<int>(ends.substr(dash + 1));
-  const auto step = colon == std::string_view::npos ? 1 : parse_number<int>(text.substr(colon + 1));
-  if (!first || !last || !step || *first < 0 || *last < *first || *step < 1) return std::nullopt;
-  return FrameRange{*first, *last, *step};
 }
 
 template <class T>
@@ -56,35 +45,6 @@ Extent<float> read_extent(std::string_view text, float lowest, float highest, co
 }
 std::string write_extent(const Extent<int>& extent) { return format_extent(extent); }
 std::string write_extent(const Extent<float>& extent) { return format_extent(extent); }
-
-FrameRanges read_frames(std::string_view text, const std::string& where) {
-  constexpr std::int64_t kMost = 10'000'000;
-  std::int64_t count = 0;
-  FrameRanges ranges;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', start), text.size());
-    const std::optional<FrameRange> range = parse_range(text.substr(start, comma - start));
-    if (!range)
-      throw usage_error(where, fmt::format("'{}' does not say which frames", text),
-                        "A-B with 0 <= A <= B, one frame A, every S-th as A-B:S, or several of these: 0,2,4-8,10-20:5");
-    count += (std::int64_t{range->last} - range->first) / range->step + 1;
-    if (count > kMost)
-      throw usage_error(where, fmt::format("'{}' are too many frames", text), fmt::format("at most {}", kMost));
-    ranges.push_back(*range);
-    start = comma + 1;
-  }
-  return ranges;
-}
-
-std::string write_frames(const FrameRanges& frames) {
-  std::string text;
-  for (const FrameRange& range : frames) {
-    text += fmt::format("{}{}", text.empty() ? "" : ",", range.first);
-    if (range.last != range.first) text += fmt::format("-{}", range.last);
-    if (range.step != 1) text += fmt::format(":{}", range.step);
-  }
-  return text;
-}
 
 std::optional<float> read_distance(std::string_view text, const std::string& where) {
   if (text == "auto") return std::nullopt;

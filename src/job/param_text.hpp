@@ -1,4 +1,4 @@
-// Values of parameters as text, both ways: numbers in a range, extents such as 64x64, frame ranges, names of choices.
+// Values of parameters as text, both ways: numbers in a range, extents such as 64x64, names of choices.
 //
 // read_* throw a usage Error at `where` that says what would be accepted. Floats are written with the fewest digits that read
 // back to the same value.
@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/extent.hpp"
 #include "core/number_text.hpp"
-#include "job/params.hpp"
 
 namespace lippmann {
 
@@ -23,10 +23,6 @@ Extent<int> read_extent(std::string_view text, int lowest, int highest, const st
 Extent<float> read_extent(std::string_view text, float lowest, float highest, const std::string& where);
 std::string write_extent(const Extent<int>& extent);
 std::string write_extent(const Extent<float>& extent);
-
-/// "3-7", "3" for one frame, "0-10:2" for every second one, and several of these with commas between.
-FrameRanges read_frames(std::string_view text, const std::string& where);
-std::string write_frames(const FrameRanges& frames);
 
 /// Millimetres > 0, "inf", or "auto" (none).
 std::optional<float> read_distance(std::string_view text, const std::string& where);

@@ -1,11 +1,15 @@
 #include "job/params.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "job/scene_light.hpp"
 #include "job/test_pattern.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 #include "lippmann/scene/builtin.hpp"
 
 namespace lippmann {
@@ -18,6 +22,11 @@ bool is_builtin_scene(const std::string& scene) {
 }
 
 RenderParams with_scene_defaults(RenderParams params) {
+  const std::string& format = params.output.pictures.to;
+  std::vector<Aov>& layers = params.sampling.aov;
+  if (!format.empty() && find_format(format, "to").uses_cameras &&
+      std::find(layers.begin(), layers.end(), Aov::kDepth) == layers.end())
+    layers.push_back(Aov::kDepth);
   if (params.sampling.integrator) return params;
   const bool paths = is_physical_format(params.scene.name) && params.reuse.choice != ReuseChoice::kInterpolate;
   params.sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
@@ -27,26 +36,6 @@ RenderParams with_scene_defaults(RenderParams params) {
 
 bool fits_depth(const RenderParams& params) {
   return params.optics.fit_depth.value_or(!params.optics.display.empty() || optics_kind(params) != OpticsKind::kMultiview);
-}
-
-std::vector<int> frames_of(const FrameRanges& ranges) {
-  std::vector<int> frames;
-  for (const FrameRange& range : ranges)
-    for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) frames.push_back(static_cast<int>(frame));
-  std::sort(frames.begin(), frames.end());
-  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
-  return frames;
-}
-
-FrameRanges ranges_of(const std::vector<int>& frames) {
-  FrameRanges ranges;
-  for (const int frame : frames) {
-    if (!ranges.empty() && ranges.back().last + 1 == frame)
-      ranges.back().last = frame;
-    else
-      ranges.push_back({frame, frame});
-  }
-  return ranges;
 }
 
 Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes) {
@@ -69,6 +58,16 @@ Scene wanted_scene(const RenderParams& params, const Context& context, SceneNote
 std::string output_folder(const RenderParams& params) {
   if (!params.output.folder.empty()) return params.output.folder;
   return (std::filesystem::path("out") / std::filesystem::path(params.scene.name).stem()).string();
+}
+
+std::vector<int> frames_of_job(const RenderParams& params, const Timeline& timeline) {
+  const int last = timeline.frame_count - 1;
+  const FrameRanges ranges = params.output.frames.value_or(FrameRanges{{0, last}});
+  for (const FrameRange& range : ranges)
+    if (range.last > last)
+      throw usage_error("frames", fmt::format("{} is outside the animation", write_frames({range})),
+                        fmt::format("frames from 0 to {}", last));
+  return frames_of(ranges);
 }
 
 }  // namespace lippmann

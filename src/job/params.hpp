@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "image/tone.hpp"
+#include "core/extent.hpp"
+#include "core/frame_ranges.hpp"
+#include "folder/picture_params.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/math.hpp"
 #include "lippmann/frames/frame_params.hpp"
@@ -22,36 +24,6 @@ namespace lippmann {
 enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
 enum class ReuseChoice { kAuto, kNone, kCopy, kLight, kInterpolate };
 enum class DebugPicture { kNone, kMissed, kProvenance };
-enum class PictureFormat { kPng, kPng16, kTiff, kExr };
-
-/// What each frame's picture holds (layout/view_layout.hpp).
-enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint };
-enum class ExrPixels { kHalf, kFloat };
-
-/// Every step-th frame of an animation from `first` on, up to `last`.
-struct FrameRange {
-  int first = 0;
-  int last = 0;
-  int step = 1;  ///< >= 1
-  bool operator==(const FrameRange&) const = default;
-};
-
-/// Frames as they are said, in any order: 0,2,4 or 0-10:2,20.
-using FrameRanges = std::vector<FrameRange>;
-
-/// The frames of the ranges, each once, ascending.
-std::vector<int> frames_of(const FrameRanges& ranges);
-
-/// The fewest ranges of neighbours that hold these frames, which ascend.
-FrameRanges ranges_of(const std::vector<int>& frames);
-
-/// How many across and down; a 0 means "not said": it follows from the rest (job/panel_size.hpp).
-template <class T>
-struct Extent {
-  T x = 0, y = 0;
-  bool operator==(const Extent&) const = default;
-};
-
 /// Which scene, in what light, and what of it is looked at.
 struct SceneParams {
   std::string name;                       ///< a built-in name or a file
@@ -101,16 +73,9 @@ struct ReuseParams {
 
 /// Which frames are written, where to, and as what.
 struct OutputParams {
-  std::string folder;                   ///< empty: out/<scene name>
-  std::optional<FrameRanges> frames;    ///< none: the whole animation
-  float exposure_ev = 0.0f;             ///< of pictures in codes and of videos; EXR stays as the light is
-  ToneCurve tone = ToneCurve::kNone;    ///< likewise
-  std::optional<PictureLayout> layout;  ///< none: as the optics lie, lens by lens or tile by tile
-  bool pseudoscopic = false;            ///< kIntegral: as a lens array records, depth turned round
-  bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
-  Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
-  PictureFormat format = PictureFormat::kPng;
-  ExrPixels exr_pixels = ExrPixels::kHalf;
+  std::string folder;                 ///< empty: out/<scene name>
+  std::optional<FrameRanges> frames;  ///< none: the whole animation
+  PictureParams pictures;
   std::vector<std::string> video;         ///< files; the ending says which kind
   std::optional<VideoCodec> video_codec;  ///< of all of them; none: by ending and size
   std::optional<int> crf;                 ///< of all that lose anything; none: the codec's own
@@ -131,11 +96,9 @@ struct RenderParams {
 inline constexpr int kFirstPathSamples = 16;
 
 /// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format),
-/// unless --reuse interpolate is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Everything
-/// below takes the parameters as they are after this.
+/// unless --reuse interpolate is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Formats that
+/// hold depth get the layer. Everything below takes the parameters as they are after this.
 RenderParams with_scene_defaults(RenderParams params);
-
-inline Tone tone_of(const RenderParams& params) { return {params.output.exposure_ev, params.output.tone}; }
 
 /// As said; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a display
 /// are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.
@@ -159,5 +122,8 @@ Scene wanted_scene(const RenderParams& params, const Context& context, SceneNote
 
 /// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);
+
+/// The frames that the job asks for, ascending. Throws a usage Error for those outside the animation.
+std::vector<int> frames_of_job(const RenderParams& params, const Timeline& timeline);
 
 }  // namespace lippmann

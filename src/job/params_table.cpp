@@ -11,6 +11,7 @@
 #include "job/param_text.hpp"
 #include "job/reuse_params.hpp"
 #include "job/scene_light.hpp"
+#include "lippmann/layout/formats.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "stage/read_view_wish.hpp"
 
@@ -127,6 +128,13 @@ Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& n
           [made](const std::optional<E>& value) { return value ? made.write(*value) : std::string(); }};
 }
 
+/// The name of a format of light fields.
+Codec<std::string> light_field_name() {
+  return {
+      [](std::string_view value, const std::string& where) { return std::string(find_format(std::string(value), where).name); },
+      [](const std::string& value) { return value; }};
+}
+
 struct Documentation {
   std::string_view name, group, type, doc;
 };
@@ -163,10 +171,9 @@ template <class P, class G, class T>
 ParamInfo row(ParamKind kind, G P::*group, T G::*member, Codec<T> codec, Documentation words) {
   return row_of(kind, codec, words, group, member);
 }
-template <class T>
-ParamInfo row(ParamKind kind, SceneParams RenderParams::*scene, ViewWish SceneParams::*view, T ViewWish::*member,
-              Codec<T> codec, Documentation words) {
-  return row_of(kind, codec, words, scene, view, member);
+template <class P, class G, class T>
+ParamInfo row(ParamKind kind, P RenderParams::*group, G P::*part, T G::*member, Codec<T> codec, Documentation words) {
+  return row_of(kind, codec, words, group, part, member);
 }
 
 ParamInfo runs_only(ParamInfo info) {
@@ -383,9 +390,9 @@ std::vector<ParamInfo> rendering_rows() {
           {"transparent", "Rendering", "",
            "Pictures with alpha, the share of a pixel's samples that hit something: the surroundings light the scene but are "
            "not seen"}),
-      row(ParamKind::kNumber, &P::output, &OutputParams::exposure_ev, number<float>(-64.0, 64.0),
+      row(ParamKind::kNumber, &P::output, &OutputParams::pictures, &PictureParams::exposure_ev, number<float>(-64.0, 64.0),
           {"exposure", "Rendering", "EV", "Exposure of pictures and videos in stops; EXR files stay linear"}),
-      row(ParamKind::kText, &P::output, &OutputParams::tone, choice<ToneCurve>(kToneNames),
+      row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::tone, choice<ToneCurve>(kToneNames),
           {"tone", "Rendering", "CURVE",
            "How light brighter than white is shown, except in EXR files: cut off (none), compressed with colours kept "
            "(neutral), "
@@ -467,22 +474,27 @@ std::vector<ParamInfo> file_rows() {
           row(ParamKind::kText, &P::output, &OutputParams::folder, text(),
               {"output", "Files", "DIR",
                "The folder that everything is written to; default out/<scene name>, or -2, -3, ... where another render is"}))),
-      row(ParamKind::kText, &P::output, &OutputParams::layout, optional_choice<PictureLayout>(kLayoutNames),
+      row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::layout,
+          optional_choice<PictureLayout>(kLayoutNames),
           {"layout", "Files", "LAYOUT",
            "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
            "them), "
            "native (the display's own frame) or print (TIFF at the display's resolution); default: as the optics lie"}),
-      row(ParamKind::kFlag, &P::output, &OutputParams::pseudoscopic, flag(),
+      row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::to, light_field_name(),
+          {"to", "Files", "FORMAT",
+           "Write each frame as a light field that 'convert' knows: hci, stanford, jpeg-pleno, miv, eslf (formats with cameras "
+           "and depth get both)"}),
+      row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::pseudoscopic, flag(),
           {"pseudoscopic", "Files", "",
            "Layout integral: as a real array of lenses records it, every elemental image turned round, depth inverted"}),
-      row(ParamKind::kFlag, &P::output, &OutputParams::mirror, flag(),
+      row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::mirror, flag(),
           {"mirror", "Files", "", "Layout print: left and right exchanged, for printing on the back of the sheet"}),
-      row(ParamKind::kText, &P::output, &OutputParams::quilt, full_extent(4096),
+      row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::quilt, full_extent(4096),
           {"quilt", "Files", "CxR", "Tiles of --layout quilt; default: as the views lie, or as square as can be"}),
-      row(ParamKind::kText, &P::output, &OutputParams::format, choice<PictureFormat>(kFormatNames),
+      row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::format, choice<PictureFormat>(kFormatNames),
           {"format", "Files", "FORMAT",
            "File format of the pictures: png (8 bit), png16, tiff (8 bit, says its resolution) or exr (linear)"}),
-      row(ParamKind::kText, &P::output, &OutputParams::exr_pixels, choice<ExrPixels>(kExrPixelNames),
+      row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::exr_pixels, choice<ExrPixels>(kExrPixelNames),
           {"exr-pixels", "Files", "TYPE", "Number type of EXR colours: half or float"}),
       aov_row(),
       video_row(),

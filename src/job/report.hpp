@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "folder/journal.hpp"
 #include "job/params.hpp"
 #include "lippmann/frames/frame_report.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -26,12 +27,9 @@ struct RenderReport {
   float depth_scale = 1.0f;            ///< shown depth / true depth
   std::optional<double> crosstalk_px;  ///< undone: a sigma in the optics' pixels or views
   double frames_per_second = 25.0;
-  std::vector<FrameReport> frames;   ///< in ascending order; frames kept from before with the figures of then
-  std::vector<FrameReport> sources;  ///< rendered only because frames are made from them; ascending
-  double setup_seconds = 0.0;        ///< wall time before the first frame: loading, building
-  double write_seconds = 0.0;        ///< time that files took to encode and write, summed over threads; beside rendering
-  std::uint64_t peak_memory_bytes = 0;
-  int threads = 1;
+  std::vector<FrameReport> frames;  ///< in ascending order; frames kept from before with the figures of then
+  RunReport run;                    ///< what it took beside its frames, or what all runs took
+  std::vector<RunReport> runs;      ///< of a folder: each of them
   std::vector<std::string> videos;  ///< files, as they are named on disk
   bool interrupted = false;         ///< stopped before the last frame; what is listed is whole
 };
@@ -39,10 +37,6 @@ struct RenderReport {
 /// Of all frames: the mean share clipped, the largest residual of any. None where no crosstalk was undone.
 std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
-nlohmann::ordered_json to_json(const FrameReport& frame);
 nlohmann::ordered_json to_json(const RenderReport& report);
-
-/// The inverse for a frame; none if anything is missing or of the wrong type, or if a shared frame has no errors.
-std::optional<FrameReport> frame_report_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace lippmann

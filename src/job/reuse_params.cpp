@@ -99,7 +99,7 @@ FrameParams frame_params(const RenderParams& params) {
 }
 
 void check_floor(const RenderParams& params) {
-  if (params.reuse.min_psnr_db && !tone_of(params).is_identity())
+  if (params.reuse.min_psnr_db && !tone_of(params.output.pictures).is_identity())
     throw usage_error("--min-psnr", "is a floor for pictures that show light as it is", "no --exposure and --tone with it");
 }
 

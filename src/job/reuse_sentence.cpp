@@ -25,7 +25,7 @@ std::string describe_copied(const RenderReport& report) {
 
 /// How much was traced and how much interpolated from that.
 std::string describe_interpolated(const RenderReport& report) {
-  std::uint64_t keys = report.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
+  std::uint64_t keys = report.run.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
   for (const FrameReport& frame : report.frames) {
     keys += frame.kind == "key";
     made += frame.kind == "in-between";

@@ -28,7 +28,8 @@ RenderParams single_clip(const RenderParams& params, const Optics& optics) {
   single.optics.camera_grid = false, single.optics.slant_deg = 0.0f, single.optics.fit_depth.reset();
   single.optics.crosstalk_px.reset(), single.optics.precompensate = false, single.sampling.angular_filter.reset();
   single.optics.size = params.optics.display.empty() ? extent_of_picture(optics) : Extent<int>{};
-  single.output.layout.reset(), single.output.mirror = false, single.output.pseudoscopic = false, single.output.quilt = {};
+  single.output.pictures.layout.reset(), single.output.pictures.to.clear(),
+      single.output.pictures.mirror = false, single.output.pictures.pseudoscopic = false, single.output.pictures.quilt = {};
   single.output.folder = (fs::path(output_folder(params)) / "single").string();
   for (std::string& video : single.output.video) video = beside(video);
   return single;

@@ -38,7 +38,7 @@ double picture_bytes_per_sample(const RenderParams& params, PictureFormat format
     case PictureFormat::kExr:
       break;
   }
-  return (params.output.exr_pixels == ExrPixels::kFloat ? 2.2 : 1.0) * of(texture, 1.2, 1.3, 1.4);
+  return (params.output.pictures.exr_pixels == ExrPixels::kFloat ? 2.2 : 1.0) * of(texture, 1.2, 1.3, 1.4);
 }
 
 double layer_bytes_per_pixel(Aov aov) {
@@ -77,9 +77,9 @@ double video_bytes_per_pixel(const RenderParams& params, VideoCodec codec) {
 
 FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& params) {
   const double picture = static_cast<double>(plan.picture_size.x) * plan.picture_size.y;
-  const double pixels = picture * std::max(1, plan.names.views) * static_cast<double>(plan.frames.size());
+  const double pixels = picture * plan.pictures_per_frame * static_cast<double>(plan.frames.size());
   FileSizes sizes;
-  sizes.pictures = 3.0 * pixels * picture_bytes_per_sample(params, plan.names.format);
+  sizes.pictures = 3.0 * pixels * picture_bytes_per_sample(params, plan.format);
   for (const Aov aov : params.sampling.aov) sizes.layers += pixels * layer_bytes_per_pixel(aov);
   for (const std::string& video : plan.videos)
     sizes.videos += pixels * video_bytes_per_pixel(params, choose_codec(video, params.output.video_codec, plan.picture_size.x,

@@ -1,9 +1,7 @@
 #include "job/undo_crosstalk.hpp"
 
-#include <algorithm>
-
+#include "layout/precompensate.hpp"
 #include "lippmann/core/error.hpp"
-#include "lippmann/image/encode.hpp"
 
 namespace lippmann {
 namespace {
@@ -28,21 +26,12 @@ std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics
       throw usage_error("--crosstalk", "means nothing without --precompensate", "both, or neither");
     return std::nullopt;
   }
-  if (params.output.pseudoscopic)
+  if (params.output.pictures.pseudoscopic)
     throw usage_error(kPrecompensateFlag, "recorded pictures are not shown as they are", "no --pseudoscopic with it");
   const double sigma = said_crosstalk(params, optics, display);
   Image nothing;
   precompensate(optics, sigma, kPrecompensateFlag, nothing);  // refuses before hours are spent on frames
   return sigma;
-}
-
-Precompensation undo_crosstalk(const Optics& optics, double sigma_px, Encoding encoding, Image& film) {
-  if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, kPrecompensateFlag, film);
-  // Display-referred values: the light that they become is what adds up.
-  for (float& value : film.data) value = static_cast<float>(linear_from_srgb(value > 0.0f ? std::min(value, 1.0f) : 0.0f));
-  const Precompensation done = precompensate(optics, sigma_px, kPrecompensateFlag, film);
-  for (float& value : film.data) value = static_cast<float>(srgb_from_linear(value));
-  return done;
 }
 
 }  // namespace lippmann

@@ -1,12 +1,10 @@
-// `--precompensate`: a render's films made such that the display's crosstalk turns them into the wanted pictures.
+// `--precompensate`: which crosstalk of the display its pictures are to undo.
 #pragma once
 
 #include <optional>
 
 #include "job/params.hpp"
-#include "layout/precompensate.hpp"
 #include "lippmann/display/display.hpp"
-#include "lippmann/image/encoding.hpp"
 
 namespace lippmann {
 
@@ -14,8 +12,5 @@ namespace lippmann {
 /// it, are so many views); none: nothing asked for. Throws a usage Error where nobody says it, it is too large, or the optics
 /// have no neighbours.
 std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics& optics, const Display* display);
-
-/// precompensate() of a film of any encoding: values between 0 and 1 as they will be shown.
-Precompensation undo_crosstalk(const Optics& optics, double sigma_px, Encoding encoding, Image& film);
 
 }  // namespace lippmann

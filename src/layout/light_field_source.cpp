@@ -1,9 +1,10 @@
 #include "layout/light_field_source.hpp"
 
-#include <algorithm>
 #include <array>
 
+#include "core/folder_entries.hpp"
 #include "core/text_pattern.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 
@@ -23,8 +24,7 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
       Kind{"stanford", TextPattern("out_[0-9]{1,5}_[0-9]{1,5}(?:_.*)?\\.[^.]+")},
       Kind{"jpeg-pleno", TextPattern("[0-9]{1,4}_[0-9]{1,4}\\.ppm")}, Kind{"views", TextPattern("view_[0-9]{1,6}\\.[^.]+")}};
   std::array<bool, kinds.size()> found{};
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+  for (const fs::directory_entry& entry : entries_of(folder))
     for (std::size_t i = 0; i < kinds.size(); ++i)
       if (kinds[i].file.match(entry.path().filename().string())) found[i] = true;
   for (std::size_t i = 0; i < kinds.size(); ++i)
@@ -46,22 +46,6 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
     default:
       return "integral";
   }
-}
-
-/// Of an animation: pictures, or folders.
-std::vector<fs::path> frames_in(const fs::path& folder, bool are_folders) {
-  std::vector<fs::path> frames;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const bool fits = entry.is_directory() == are_folders;  // what is no regular file is refused when it is read
-    if (fits && entry.path().filename().string().starts_with("frame_") && entry.path().extension() != ".json")
-      frames.push_back(entry.path());
-  }
-  std::sort(frames.begin(), frames.end(), [](const fs::path& a, const fs::path& b) {
-    const std::string x = a.filename().string(), y = b.filename().string();
-    return x.size() != y.size() ? x.size() < y.size() : x < y;  // frame_10000 after frame_9999
-  });
-  return frames;
 }
 
 }  // namespace
@@ -86,9 +70,9 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
 bool is_light_field_folder(const fs::path& folder) { return format_of_folder(folder).has_value(); }
 
 std::vector<fs::path> light_field_frames(const fs::path& folder, const std::string& from) {
-  if (!from.empty()) return frames_in(folder, find_format(from, "from").is_folder);
-  const std::vector<fs::path> pictures = frames_in(folder, false);
-  return pictures.empty() ? frames_in(folder, true) : pictures;
+  if (!from.empty()) return find_format(from, "from").is_folder ? frame_folders_in(folder) : frame_pictures_in(folder);
+  std::vector<fs::path> pictures = frame_pictures_in(folder);
+  return pictures.empty() ? frame_folders_in(folder) : pictures;
 }
 
 }  // namespace lippmann

@@ -17,6 +17,7 @@
 
 #include "core/multiversion.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 
 namespace lippmann {
@@ -221,6 +222,16 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
   leak_light(lines, sigma, seen);
   const double samples = static_cast<double>(std::max<std::size_t>(1, picture.data.size()));
   return {static_cast<double>(clipped) / samples, largest_difference(seen, wanted)};
+}
+
+Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where,
+                                      Image& film) {
+  if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, where, film);
+  // Display-referred values: the light that they become is what adds up.
+  for (float& value : film.data) value = static_cast<float>(linear_from_srgb(value > 0.0f ? std::min(value, 1.0f) : 0.0f));
+  const Precompensation done = precompensate(optics, sigma_px, where, film);
+  for (float& value : film.data) value = static_cast<float>(srgb_from_linear(value));
+  return done;
 }
 
 }  // namespace lippmann

@@ -5,6 +5,7 @@
 // bounds, contrast is out of reach, and by how much is what comes back.
 #pragma once
 
+#include "lippmann/image/encoding.hpp"
 #include "lippmann/image/image.hpp"
 #include "lippmann/layout/precompensation.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -18,5 +19,8 @@ inline constexpr double kMaxPrecompensatedPx = 0.75;
 /// whole pixels. It becomes what makes an eye see that. 0 <= sigma_px <= kMaxPrecompensatedPx. Throws a usage Error naming
 /// `where` for a larger one, and for optics without neighbours (a single view).
 Precompensation precompensate(const Optics& optics, double sigma_px, const char* where, Image& picture);
+
+/// The same of a film of any encoding: of display-referred values the light that they are shown as.
+Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where, Image& film);
 
 }  // namespace lippmann

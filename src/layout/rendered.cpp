@@ -57,6 +57,7 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   Rendering rendering{optics_from_json(json["optics"], report.string())};
   const Json settings = json.value("settings", Json::object());
   if (settings.contains("layout") && settings["layout"].is_string()) rendering.layout = settings["layout"];
+  if (settings.contains("to") && settings["to"].is_string()) rendering.layout = settings["to"];
   if (settings.contains("mirror") && settings["mirror"].is_boolean()) rendering.mirrored = settings["mirror"];
   rendering.has_depth_layer = !settings.contains("aov") || lists(settings["aov"], "depth");
   rendering.frames_per_second = frame_rate_of(json);

@@ -13,7 +13,7 @@ namespace lippmann {
 
 struct Rendering {
   Optics optics;
-  std::string layout = {};      ///< what --layout said: integral, views, quilt; empty: pictures are as their optics lie
+  std::string layout = {};      ///< what `layout` or `to` asked for: integral, views, quilt, ...; empty: as their optics lie
   bool mirrored = false;        ///< left and right exchanged, to be printed on the back of a sheet
   bool has_depth_layer = true;  ///< else a layer of depth that lies there is of another render
   std::optional<double> frames_per_second = {};

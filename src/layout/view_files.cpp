@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/folder.hpp"
+#include "core/folder_entries.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -14,8 +15,7 @@ namespace fs = std::filesystem;
 
 std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPattern& pattern, const std::string& accepted) {
   std::vector<NumberedFile> files;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+  for (const fs::directory_entry& entry : entries_of(folder, "a folder of " + accepted)) {
     const std::optional<PatternMatch> found = pattern.match(entry.path().filename().string());
     if (!found) continue;
     NumberedFile file{{}, entry.path()};
@@ -27,7 +27,6 @@ std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPatte
     }
     files.push_back(std::move(file));
   }
-  if (problem) throw Error(folder.string(), "it cannot be listed (" + problem.message() + ")", "a folder of " + accepted);
   if (files.empty()) throw Error(folder.string(), "there are no views in it", accepted);
   std::sort(files.begin(), files.end(), [](const NumberedFile& a, const NumberedFile& b) {
     return std::tie(a.numbers, a.path) < std::tie(b.numbers, b.path);

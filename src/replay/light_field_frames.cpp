@@ -45,6 +45,7 @@ bool is_as_shown(const fs::path& picture, const std::string& layout, const Optic
   const auto* views = std::get_if<MultiView>(&optics.model);
   if (name) return views && name->tiles == ViewGrid{views->columns, views->rows};
   if (layout == "quilt") return views != nullptr;
+  if (layout == "eslf") return false;
   return layout != "integral" || has_lenses(optics);
 }
 

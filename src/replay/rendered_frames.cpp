@@ -1,17 +1,17 @@
 #include "lippmann/replay/rendered_frames.hpp"
-#include "lippmann/optics/viewing.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <variant>
 
 #include "core/printable.hpp"
+#include "layout/frame_names.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/picture_file.hpp"
 #include "lippmann/layout/quilt_name.hpp"
+#include "lippmann/optics/viewing.hpp"
 
 namespace lippmann {
 namespace {
@@ -23,28 +23,14 @@ void check_layout(const Rendering& rendering, const std::string& where) {
     throw Error(where, "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
   const std::string& layout = rendering.layout;
   const bool is_quilt = std::holds_alternative<MultiView>(rendering.optics.model);
-  if (layout == "views" || (layout == "quilt" && !is_quilt) || (layout == "integral" && is_quilt))
+  if (layout == "views" || layout == "eslf" || (layout == "quilt" && !is_quilt) || (layout == "integral" && is_quilt))
     throw Error(where, "the pictures are " + shown(layout) + ", not what the display itself shows",
                 "a render without `layout`, or the same converted to integral");
 }
 
-bool is_frame(const fs::directory_entry& entry) {
-  const std::string name = entry.path().filename().string(), ending = entry.path().extension().string();
-  return name.starts_with("frame_") && !entry.is_directory() &&
-         (ending == ".png" || ending == ".exr" || ending == ".tif" || ending == ".tiff");
-}
-
-std::vector<fs::path> frames_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem))
-    if (is_frame(entry)) files.push_back(entry.path());
-  if (problem) throw Error(folder.string(), "cannot be listed: " + problem.message());
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+  std::vector<fs::path> files = frame_pictures_in(folder);
   if (files.empty()) throw Error(folder.string(), "there are no frames in it", "frame_0000.png, frame_0001.png, ...");
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    const std::string x = a.filename().string(), y = b.filename().string();
-    return x.size() != y.size() ? x.size() < y.size() : x < y;
-  });
   return files;
 }
 
@@ -53,7 +39,7 @@ std::vector<fs::path> frames_in(const fs::path& folder) {
 std::vector<fs::path> pictures_of(const fs::path& in) {
   std::error_code ignored;
   if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
-  return fs::is_directory(in, ignored) ? frames_in(in) : std::vector{in};
+  return fs::is_directory(in, ignored) ? pictures_in(in) : std::vector{in};
 }
 
 RenderedFrames find_rendered_frames(const fs::path& in, const fs::path& report) {

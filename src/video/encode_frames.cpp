@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/background.hpp"
+#include "core/folder_entries.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "lippmann/core/error.hpp"
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 /// Files whose names differ in their number alone.
 using Series = std::map<int, fs::path>;
 
-struct FrameNames {
+struct SeriesNames {
   fs::path folder;
   TextPattern name;  ///< groups: what comes before the number, the number, what comes after
 };
@@ -37,7 +38,7 @@ std::string escaped(const std::string& text) {
   return expression;
 }
 
-FrameNames names_of(const std::string& from) {
+SeriesNames names_of(const std::string& from) {
   std::error_code ignored;
   if (fs::is_directory(from, ignored))
     return {from,
@@ -57,13 +58,12 @@ FrameNames names_of(const std::string& from) {
 }
 
 /// By what stands before and after the number.
-std::map<std::string, Series> series_in(const FrameNames& names) {
+std::map<std::string, Series> series_in(const SeriesNames& names) {
   std::map<std::string, Series> all;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(names.folder, problem)) {
+  for (const fs::directory_entry& entry : entries_of(names.folder)) {
     const std::string name = entry.path().filename().string();
     const auto found = names.name.match(name);
-    if (name.starts_with(".") || !found) continue;
+    if (!found) continue;
     const std::string& digits = found->groups[2];
     int number = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -72,7 +72,6 @@ std::map<std::string, Series> series_in(const FrameNames& names) {
       throw Error(names.folder.string(),
                   fmt::format("has two pictures for frame {}: {} and {}", number, at->second.filename().string(), name));
   }
-  if (problem) throw Error(names.folder.string(), "it cannot be listed (" + problem.message() + ")");
   return all;
 }
 

@@ -1,5 +1,5 @@
-// Renders of which one write fails, the first, the second and so on, or all from there on: the tool says so, and no half file
-// has a final name.
+// Renders of which one call of the system fails, the first write (or open, rename, mkdir), the second and so on, or all from
+// there on: the tool says so, and no half file has a final name.
 #include <gtest/gtest.h>
 
 #include <string_view>
@@ -11,11 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs the tool, of whose writes to files this one fails, and perhaps all that follow.
-RunResult run_failing(const TempDir& dir, const Words& arguments, int write, bool all_that_follow) {
+/// Runs the tool, of whose calls of this kind this one fails, and perhaps all that follow.
+RunResult run_failing(const TempDir& dir, const Words& arguments, const std::string& call, int number, bool all_that_follow) {
   const std::string failed = dir / "failed";
-  return run(Words{"/usr/bin/env", "LD_PRELOAD=" LIPPMANN_FAILING_WRITES, "LIPPMANN_FAIL_WRITE=" + std::to_string(write),
-                   "LIPPMANN_FAILED=" + failed, all_that_follow ? "LIPPMANN_FAIL_ALL=1" : "LIPPMANN_FAIL_ONE=1"} +
+  return run(Words{"/usr/bin/env", "LD_PRELOAD=" LIPPMANN_FAILING_WRITES, "LIPPMANN_FAIL_CALL=" + call,
+                   "LIPPMANN_FAIL_NUMBER=" + std::to_string(number), "LIPPMANN_FAILED=" + failed,
+                   all_that_follow ? "LIPPMANN_FAIL_ALL=1" : "LIPPMANN_FAIL_ONE=1"} +
                  tool_command(arguments),
              {dir.path().string(), 0});
 }
@@ -26,7 +27,7 @@ Files files_below(const fs::path& folder) {
   if (!fs::exists(folder)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().filename();
-    if (entry.is_regular_file() && name != "report.json" && name != ".lippmann-frames.jsonl" && name != "job.toml")
+    if (entry.is_regular_file() && name != "report.json" && entry.path().extension() != ".jsonl" && name != "job.toml")
       files[entry.path().lexically_relative(folder)] = bytes_of(entry.path());
   }
   return files;
@@ -34,7 +35,8 @@ Files files_below(const fs::path& folder) {
 
 enum class Fails { kOneWrite, kAllFromThereOn };
 
-void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = Fails::kOneWrite) {
+void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = Fails::kOneWrite,
+                                             const std::string& call = "write") {
   if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
   const TempDir dir;
   const auto command = [&](const std::string& folder) {
@@ -46,7 +48,7 @@ void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = F
   const Files whole = files_below(dir / "whole");
   int write = 0;
   for (bool failed = true; failed; fs::remove_all(dir / "cut"), fs::remove(dir / "failed")) {
-    const RunResult result = run_failing(dir, command("cut"), ++write, fails == Fails::kAllFromThereOn);
+    const RunResult result = run_failing(dir, command("cut"), call, ++write, fails == Fails::kAllFromThereOn);
     failed = fs::exists(dir / "failed");
     EXPECT_EQ(result.exit_code, failed ? 1 : 0) << write << ": " << result.err;
     for (const auto& [name, bytes] : files_below(dir / "cut")) {
@@ -59,7 +61,7 @@ void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = F
       EXPECT_EQ(run_tool(dir, {"check", "cut"}).exit_code, 0) << write;
     }
   }
-  EXPECT_GT(write, 8) << "no write of the pictures failed";
+  EXPECT_GT(write, call == "write" ? 8 : call == "mkdir" ? 1 : 4) << "no " << call << " of the pictures failed";
 }
 
 TEST(FailingWrites, of_png_are_said_and_leave_whole_files_or_none) { expect_an_error_and_whole_files_or_none({}); }
@@ -88,6 +90,17 @@ TEST(FailingWrites, of_quilts_are_said_and_leave_whole_files_or_none) {
 TEST(FailingWrites, of_videos_are_said_and_leave_whole_files_or_none) {
   for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
     expect_an_error_and_whole_files_or_none({"--video", "VIDEO"}, fails);
+}
+
+TEST(FailingWrites, files_that_cannot_be_opened_or_put_in_place_are_said_and_leave_whole_files_or_none) {
+  for (const std::string call : {"open", "rename"})
+    for (const Words& flags : {Words{"--aov", "depth", "--video", "VIDEO"}, Words{"--layout", "views", "--format", "exr"},
+                               Words{"--optics", "multiview", "--views", "2x2", "--layout", "quilt", "--format", "tiff"}})
+      expect_an_error_and_whole_files_or_none(flags, Fails::kOneWrite, call);
+}
+
+TEST(FailingWrites, folders_that_cannot_be_made_are_said) {
+  expect_an_error_and_whole_files_or_none({"--layout", "views"}, Fails::kOneWrite, "mkdir");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Folder, render_with_other_settings_is_refused_in_one_line_and_changes_nothi
   for (const Words& more : {Words{}, Words{"--resume"}, Words{"--dry-run"}}) {
     const RunResult other = run_tool(dir, small_teapot("0-1", "a") + kOther + more);
     expect_refusal(other, 1,
-                   "a: holds another render: it differs in view-angle, aov; accepted: another folder (-o DIR); --force");
+                   "a: holds another render: it differs in view-angle, aov; accepted: another folder (--output DIR); --force");
   }
   EXPECT_EQ(all_files(dir / "a"), before);
 }
@@ -186,17 +186,20 @@ TEST(Folder, convert_writes_neither_into_the_folder_of_a_render_nor_over_its_pic
 // What a program opens that lies in a folder may be a FIFO, at which it would wait forever.
 TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
   const TempDir dir;
-  const Words quilt{"render",   "teapot", "--optics", "multiview", "--views",  "2x2", "--size", "32x32",
-                    "--layout", "quilt",  "--aov",    "depth",     "--frames", "0-1", "-o",     "a"};
+  const Words quilt{"render",   "teapot", "--optics", "multiview", "--camera-grid", "--views", "2x2", "--size", "32x32",
+                    "--layout", "quilt",  "--aov",    "depth",     "--frames",      "0-1",     "-o",  "a"};
   expect_done(dir, quilt);
   for (const auto& entry : std::vector<fs::directory_entry>(fs::directory_iterator(dir / "a"), {})) {
     const fs::path file = entry.path(), name = file.filename();
+    if (entry.is_directory()) continue;  // of the journal, of which journal_test knows
     fs::rename(file, dir / "kept");
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
     EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 1) << name;
-    const bool is_read = name.string().starts_with("frame_") || name == "report.json";
     for (const Words& reader : {Words{"convert", "a", "views", "--to", "views"}, Words{"replay", "a", "-o", "eye"}}) {
       const RunResult result = run_tool(dir, reader);
+      const bool is_side_file = name.extension() == ".json" && name != "report.json";  // the report says more
+      const bool is_read =
+          (name.string().starts_with("frame_") && !(is_side_file && reader[0] == "replay")) || name == "report.json";
       EXPECT_EQ(result.exit_code, is_read) << reader[0] << name;
       EXPECT_THAT(result.err, HasSubstr(is_read ? name.string() : "")) << reader[0];
     }
@@ -249,7 +252,8 @@ TEST(Folder, damage_of_any_file_is_found_by_check_and_mended_by_resume) {
     const Words command = Words{"render", "teapot", "--frames", "0", "-o", "a"} + kind;
     expect_done(dir, command);
     Files whole = all_files(dir / "a");
-    for (const char* name : {".lippmann-frames.jsonl", "report.json", "job.toml"}) whole.erase(name);
+    for (const char* name : {"report.json", "job.toml"}) whole.erase(name);
+    std::erase_if(whole, [](const auto& file) { return file.first.starts_with(".lippmann/"); });
     const std::string name = std::next(whole.begin(), static_cast<std::ptrdiff_t>(whole.size()) / 2)->first;
     for (std::size_t i = 0; i < damages.size(); ++i) {
       damages[i](dir / "a" / name);
@@ -290,8 +294,9 @@ TEST(Folder, check_prints_lists_as_json) {
 TEST(Folder, check_of_a_stopped_render_says_which_frames_are_to_come) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-1", "a"));
-  std::ofstream(dir / "a/.lippmann-frames.jsonl", std::ios::app) << R"({"asked":"0-5"})"
-                                                                 << "\n";
+  const fs::path journal = fs::directory_iterator(dir / "a/.lippmann")->path();
+  std::ofstream(journal, std::ios::app) << R"({"asked":"0-5"})"
+                                        << "\n";
   const RunResult check = run_tool(dir, {"check", "a"});
   EXPECT_EQ(check.exit_code, 1);
   EXPECT_THAT(check.out, HasSubstr("not rendered yet: frames 2-5\n"));
@@ -300,9 +305,10 @@ TEST(Folder, check_of_a_stopped_render_says_which_frames_are_to_come) {
 TEST(Folder, check_of_what_is_no_render_is_refused) {
   const TempDir dir;
   expect_refusal(run_tool(dir, {"check", "missing"}), 1, "missing: holds no render that can be checked");
-  std::ofstream(dir / ".lippmann-frames.jsonl") << "{\"job\":\"a\"}\n{\"frame\":0}\n{\"asked\":\"0\"}\n";
-  expect_refusal(run_tool(dir, {"check", "."}), 1, "line 2 lacks");
-  expect_refusal(run_tool(dir, {"render", "teapot", "--frames", "0", "-o", "."}), 1, "line 2 lacks");
+  fs::create_directory(dir / ".lippmann");
+  std::ofstream(dir / ".lippmann/1.jsonl") << "{\"job\":\"a\"}\n{\"frame\":0}\n{\"asked\":\"0\"}\n";
+  expect_refusal(run_tool(dir, {"check", "."}), 1, "line 2 of '1.jsonl' lacks");
+  expect_refusal(run_tool(dir, {"render", "teapot", "--frames", "0", "-o", "."}), 1, "line 2 of '1.jsonl' lacks");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/host_name.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 #include "support/file_size_limit.hpp"
@@ -102,11 +103,12 @@ pid_t ended_process() {
 
 TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
   const TempDir dir;
-  const std::string ended = std::to_string(ended_process()), alive = std::to_string(getpid());
+  const std::string here = "-" + host_name(), ended = std::to_string(ended_process()) + here,
+                    elsewhere = std::to_string(ended_process()) + here + "x", alive = std::to_string(getpid()) + here;
   const std::vector<std::string> stale{".frame_0003.tmp-" + ended + ".png", "..journal.tmp-" + ended + ".jsonl"},
       others{".frame_0004.tmp-" + alive + ".png",
              "frame_0005.tmp-" + ended + ".png",
-             ".frame_0006.tmp-" + ended + "x.png",
+             ".frame_0006.tmp-" + elsewhere + ".png",
              ".frame_0007.tmp-.png",
              ".tmp-" + ended + ".png",
              "frame_0001.png"};
@@ -119,7 +121,7 @@ TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
 
 TEST(StaleTemporaries, of_one_file_are_removed_alone) {
   const TempDir dir;
-  const std::string ended = std::to_string(ended_process());
+  const std::string ended = std::to_string(ended_process()) + "-" + host_name();
   for (const char* stem : {"a", "b"})
     std::ofstream(dir.path() / ("." + std::string(stem) + ".tmp-" + ended + ".mp4")) << "half";
   remove_stale_temporaries(dir.path(), "a.mp4");

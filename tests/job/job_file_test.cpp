@@ -58,8 +58,8 @@ RenderParams unusual_params(const test::TempDir& dir) {
   params.sampling.seed = 4294967295u;
   params.sampling.order = RayOrder::kColumns;
   params.output.folder = (dir / "out").string();
-  params.output.format = PictureFormat::kExr;
-  params.output.exr_pixels = ExrPixels::kFloat;
+  params.output.pictures.format = PictureFormat::kExr;
+  params.output.pictures.exr_pixels = ExrPixels::kFloat;
   params.sampling.aov = {Aov::kDepth, Aov::kId};
   params.output.video = {(dir / "a.mp4").string(), (dir / "b,c.mkv").string()};
   params.threads = 3;

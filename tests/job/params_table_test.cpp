@@ -66,6 +66,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"debug", {"missed"}},
     {"halving", {"true"}},
     {"layout", {"views"}},
+    {"to", {"hci"}},
     {"quilt", {"4x2"}},
     {"camera-grid", {"true"}},
     {"video-codec", {"hevc"}},

@@ -19,52 +19,10 @@ FrameReport some_frame() {
   return frame;
 }
 
-TEST(Report, frame_written_and_read_is_the_same) {
-  const Json json = to_json(some_frame());
-  const auto back = frame_report_from_json(json);
-  ASSERT_TRUE(back.has_value());
-  EXPECT_EQ(to_json(*back), json);
-}
-
 TEST(Report, report_says_what_the_view_was_fitted_to) {
   RenderReport report;
   report.view = "The view is fitted to 'Desk'.";
   EXPECT_EQ(to_json(report)["view"], report.view);
-}
-
-FrameReport shared_frame() {
-  FrameReport frame = some_frame();
-  frame.kind = "shared";
-  frame.psnr_at_least_db = 47.25;
-  frame.estimated_block_psnr_db = 60.5;
-  return frame;
-}
-
-TEST(Report, shared_frame_written_and_read_keeps_its_errors) {
-  const auto back = frame_report_from_json(to_json(shared_frame()));
-  ASSERT_TRUE(back.has_value());
-  EXPECT_EQ(back->kind, "shared");
-  EXPECT_EQ(back->estimated_psnr_db, 48.5);
-  EXPECT_EQ(back->psnr_at_least_db, 47.25);
-  EXPECT_EQ(back->estimated_block_psnr_db, 60.5);
-}
-
-TEST(Report, shared_frame_without_one_of_its_errors_is_none) {
-  for (const char* key : {"estimated_psnr_db", "psnr_at_least_db", "estimated_block_psnr_db"}) {
-    Json json = to_json(shared_frame());
-    json[key] = nullptr;
-    EXPECT_FALSE(frame_report_from_json(json).has_value()) << key;
-    json["kind"] = "full";
-    EXPECT_TRUE(frame_report_from_json(json).has_value()) << key;
-  }
-}
-
-TEST(Report, frame_without_a_key_or_with_a_wrong_type_is_none) {
-  Json json = to_json(some_frame());
-  json.erase("rays");
-  EXPECT_FALSE(frame_report_from_json(json).has_value());
-  EXPECT_FALSE(frame_report_from_json("frame").has_value());
-  EXPECT_FALSE(frame_report_from_json(Json::value_t::discarded).has_value());
 }
 
 TEST(Report, totals_are_sums_over_the_frames) {

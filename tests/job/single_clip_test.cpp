@@ -10,14 +10,14 @@ TEST(SingleClip, is_one_view_in_a_folder_beside_the_pictures) {
   params.scene.name = "room";
   params.optics.lenses = {64, 0};
   params.optics.slant_deg = 5.0f;
-  params.output.layout = PictureLayout::kIntegral;
+  params.output.pictures.layout = PictureLayout::kIntegral;
   params.output.video = {"clips/room.mp4"};
   const RenderParams single = single_clip(params, Optics{.panel = {512, 384, 0.125f}, .model = LenticularSheet{}});
   EXPECT_EQ(single.optics.kind, OpticsKind::kSingle);
   EXPECT_EQ(single.optics.size, (Extent<int>{512, 384}));
   EXPECT_EQ(single.optics.lenses.x, 0);
   EXPECT_EQ(single.optics.slant_deg, 0.0f);
-  EXPECT_FALSE(single.output.layout.has_value());
+  EXPECT_FALSE(single.output.pictures.layout.has_value());
   EXPECT_EQ(single.output.folder, "out/room/single");
   EXPECT_EQ(single.output.video, std::vector<std::string>{"clips/room_single.mp4"});
 }

@@ -1,28 +1,53 @@
-// A library for LD_PRELOAD: the LIPPMANN_FAIL_WRITE-th write of the process to a regular file fails, as on a disk that is full
-// for a moment; with LIPPMANN_FAIL_ALL all that follow fail too. When one has, a file LIPPMANN_FAILED is there. What the
-// program prints goes to pipes and is left alone.
+// A library for LD_PRELOAD: the LIPPMANN_FAIL_NUMBER-th call of a kind fails, as on a disk that is full for a moment; with
+// LIPPMANN_FAIL_ALL all that follow fail too. LIPPMANN_FAIL_CALL says which kind: write (to a regular file), open (for
+// writing), rename, mkdir. When one has failed, a file LIPPMANN_FAILED is there. What the program prints goes to pipes and is
+// left alone.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 namespace {
 
-bool fails(int descriptor) {
-  static std::atomic<long> writes{0};
-  static const long failing = std::getenv("LIPPMANN_FAIL_WRITE") ? std::atol(std::getenv("LIPPMANN_FAIL_WRITE")) : 0;
-  struct stat status {};
-  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return false;
-  const long number = ++writes;
+bool is_wanted(const char* call) {
+  static const char* wanted = std::getenv("LIPPMANN_FAIL_CALL");
+  return std::strcmp(wanted ? wanted : "write", call) == 0;
+}
+
+/// Counts a call of the kind that is to fail.
+bool fails(const char* call) {
+  static std::atomic<long> calls{0};
+  static const long failing = std::getenv("LIPPMANN_FAIL_NUMBER") ? std::atol(std::getenv("LIPPMANN_FAIL_NUMBER")) : 0;
+  if (!is_wanted(call)) return false;
+  const long number = ++calls;
   if (std::getenv("LIPPMANN_FAIL_ALL") ? number < failing : number != failing) return false;
-  close(open(std::getenv("LIPPMANN_FAILED"), O_WRONLY | O_CREAT, 0600));
+  close(static_cast<int>(syscall(SYS_openat, AT_FDCWD, std::getenv("LIPPMANN_FAILED"), O_WRONLY | O_CREAT, 0600)));
   errno = ENOSPC;
   return true;
+}
+
+bool write_fails(int descriptor) {
+  struct stat status {};
+  return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && fails("write");
+}
+
+bool is_file_of_system(const char* path) { return std::strncmp(path, "/dev/", 5) == 0 || std::strncmp(path, "/proc/", 6) == 0; }
+
+bool open_fails(const char* path, int flags) {
+  return (flags & (O_WRONLY | O_RDWR | O_CREAT)) != 0 && !is_file_of_system(path) && fails("open");
+}
+
+bool open_fails(const char* path, const char* mode) {
+  return std::strpbrk(mode, "wa+") && !is_file_of_system(path) && fails("open");
 }
 
 template <class Function>
@@ -36,21 +61,59 @@ extern "C" {
 
 ssize_t write(int descriptor, const void* bytes, size_t count) {
   static const auto real = next<ssize_t(int, const void*, size_t)>("write");
-  return fails(descriptor) ? -1 : real(descriptor, bytes, count);
+  return write_fails(descriptor) ? -1 : real(descriptor, bytes, count);
 }
 
 ssize_t writev(int descriptor, const iovec* pieces, int count) {
   static const auto real = next<ssize_t(int, const iovec*, int)>("writev");
-  return fails(descriptor) ? -1 : real(descriptor, pieces, count);
+  return write_fails(descriptor) ? -1 : real(descriptor, pieces, count);
 }
 
 ssize_t pwrite(int descriptor, const void* bytes, size_t count, off_t at) {
   static const auto real = next<ssize_t(int, const void*, size_t, off_t)>("pwrite");
-  return fails(descriptor) ? -1 : real(descriptor, bytes, count, at);
+  return write_fails(descriptor) ? -1 : real(descriptor, bytes, count, at);
 }
 
 ssize_t pwrite64(int descriptor, const void* bytes, size_t count, off64_t at) {
   static const auto real = next<ssize_t(int, const void*, size_t, off64_t)>("pwrite64");
-  return fails(descriptor) ? -1 : real(descriptor, bytes, count, at);
+  return write_fails(descriptor) ? -1 : real(descriptor, bytes, count, at);
+}
+
+int open(const char* path, int flags, ...) {
+  static const auto real = next<int(const char*, int, ...)>("open");
+  va_list rest;
+  va_start(rest, flags);
+  const auto mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : mode_t{0};
+  va_end(rest);
+  return open_fails(path, flags) ? -1 : real(path, flags, mode);
+}
+
+int open64(const char* path, int flags, ...) {
+  static const auto real = next<int(const char*, int, ...)>("open64");
+  va_list rest;
+  va_start(rest, flags);
+  const auto mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : mode_t{0};
+  va_end(rest);
+  return open_fails(path, flags) ? -1 : real(path, flags, mode);
+}
+
+FILE* fopen(const char* path, const char* mode) {
+  static const auto real = next<FILE*(const char*, const char*)>("fopen");
+  return open_fails(path, mode) ? nullptr : real(path, mode);
+}
+
+FILE* fopen64(const char* path, const char* mode) {
+  static const auto real = next<FILE*(const char*, const char*)>("fopen64");
+  return open_fails(path, mode) ? nullptr : real(path, mode);
+}
+
+int rename(const char* from, const char* to) {
+  static const auto real = next<int(const char*, const char*)>("rename");
+  return fails("rename") ? -1 : real(from, to);
+}
+
+int mkdir(const char* path, mode_t mode) {
+  static const auto real = next<int(const char*, mode_t)>("mkdir");
+  return fails("mkdir") ? -1 : real(path, mode);
 }
 }

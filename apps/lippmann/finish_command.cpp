@@ -1,0 +1,97 @@
+// `lippmann finish DIR`: whether a job that was rendered in parts is complete, and its videos and report.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/print_json.hpp"
+#include "apps/lippmann/result_flags.hpp"
+#include "core/frame_ranges.hpp"
+#include "core/printable.hpp"
+#include "job/finish_animation.hpp"
+
+namespace lippmann::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string folder, program;
+  std::vector<std::string> join;
+  ResultFlags result;
+};
+
+std::string numbers(const std::vector<int>& frames) { return write_frames(ranges_of(frames)); }
+
+void print_problems(const FinishedAnimation& finished) {
+  for (const std::string& file : finished.joined.not_as_written)
+    fmt::print("not taken over  {}: other bytes than were written\n", printable(file));
+  for (const std::string& name : finished.check.damaged) fmt::print("damaged  {}\n", printable(name));
+  for (const std::string& name : finished.check.missing) fmt::print("missing  {}\n", printable(name));
+}
+
+void print_result(const Options& options, const FinishedAnimation& finished) {
+  if (!finished.joined.frames.empty()) fmt::print("taken over: frames {}\n", numbers(finished.joined.frames));
+  const std::string job = shell_word((fs::path(options.folder) / "job.toml").string());
+  if (!finished.report) {
+    print_problems(finished);
+    fmt::print("{} of {} frames are to be rendered: {}\n  {} render {} --resume\n", finished.to_render.size(),
+               static_cast<std::size_t>(finished.check.frames) + finished.check.unfinished.size(), numbers(finished.to_render),
+               options.program, job);
+    return;
+  }
+  const RenderReport& report = *finished.report;
+  for (const std::string& video : report.videos) fmt::print("  {:<9} {}\n", "video", video);
+  fmt::print("  {:<9} {}\n", "figures", (fs::path(options.folder) / "report.json").string());
+  fmt::print("{}: all {} frames are there, as they were written\n", options.folder, report.frames.size());
+}
+
+nlohmann::ordered_json result_json(const Options& options, const FinishedAnimation& finished) {
+  return {{"folder", options.folder},
+          {"finished", finished.report.has_value()},
+          {"frames", finished.check.frames},
+          {"taken_over", finished.joined.frames},
+          {"not_taken_over", finished.joined.not_as_written},
+          {"to_render", finished.to_render},
+          {"damaged", finished.check.damaged},
+          {"missing", finished.check.missing},
+          {"videos", finished.report ? finished.report->videos : std::vector<std::string>()}};
+}
+
+int run(const Options& options, const Context& context) {
+  const FinishedAnimation finished = finish_animation(options.folder, {options.join.begin(), options.join.end()}, context);
+  if (options.result.json)
+    print_json(result_json(options, finished));
+  else if (options.result.wants_text())
+    print_result(options, finished);
+  return finished.report ? 0 : 1;
+}
+
+}  // namespace
+
+void add_finish_command(const Command& root, Action& chosen, const std::string& program) {
+  auto options = std::make_shared<Options>();
+  options->program = program;
+  const Command command =
+      root.add_command("finish", "Complete a job that was rendered in parts: check all frames, write videos and the report");
+  command.add_option("DIR", options->folder, "The folder that the parts were rendered into").required();
+  command
+      .add_option("--join", options->join,
+                  "Folders of parts that were rendered apart: their frames are taken over into DIR first")
+      .type_name("DIR...");
+  add_result_flags(command, options->result, "Print nothing: the exit code says whether the job is complete");
+  command.footer(
+      "Every file is read and compared with its checksum. Exit code 1 where frames are missing or damaged: then nothing is\n"
+      "finished, and the command that renders them is printed.\n"
+      "Examples:\n"
+      "  lippmann finish out/film                          after: lippmann render film.toml --unit 1/8, --unit 2/8, ...\n"
+      "  lippmann finish film --join part-1 part-2         parts that were rendered into folders of their own\n");
+  command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,13 @@
+// How many across and down, as flags and job files say it.
+#pragma once
+
+namespace lippmann {
+
+/// A 0 means "not said": it follows from the rest.
+template <class T>
+struct Extent {
+  T x = 0, y = 0;
+  bool operator==(const Extent&) const = default;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,67 @@
+#include "core/loaded_module.hpp"
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the program, or of the shared library that this is a part of.
+fs::path own_file() {
+  std::error_code ignored;
+  Dl_info info;
+  if (dladdr(reinterpret_cast<const void*>(&load_module), &info) != 0 && info.dli_fname) {
+    const fs::path file = fs::canonical(info.dli_fname, ignored);
+    if (file.filename().string().starts_with("liblippmann.so")) return file;
+  }
+  return fs::read_symlink("/proc/self/exe", ignored);
+}
+
+/// The only place that knows where modules lie: beside the program or library, as they are built, or in lib/lippmann, as they
+/// are installed.
+std::array<fs::path, 2> places_of(const ModuleName& module) {
+  const fs::path folder = own_file().parent_path();
+  return {folder / module.file, folder.parent_path() / "lib" / "lippmann" / module.file};
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+}  // namespace
+
+bool is_module_installed(const ModuleName& module) {
+  const std::array<fs::path, 2> places = places_of(module);
+  return std::any_of(places.begin(), places.end(), is_there);
+}
+
+const void* load_module(const ModuleName& module, int version) {
+  const std::array<fs::path, 2> places = places_of(module);
+  const auto path = std::find_if(places.begin(), places.end(), is_there);
+  if (path == places.end())
+    throw Error(module.file, fmt::format("{} need this module, and it is not installed", module.purpose),
+                fmt::format("{} or {} (package {})", places[0].string(), places[1].string(), module.package));
+  const auto failure = [&](const std::string& reason) {
+    return Error(path->string(), fmt::format("{} need this module, and it cannot be loaded ({})", module.purpose, reason),
+                 "libraries of the version that it was built with");
+  };
+  void* loaded = dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!loaded) throw failure(dlerror());
+  using Entry = const void*(int version);
+  auto* entry = reinterpret_cast<Entry*>(dlsym(loaded, module.entry));
+  const void* found = entry ? entry(version) : nullptr;
+  if (!found) throw failure("it belongs to another version of this program");
+  return found;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,180 @@
+#include "folder/claim_folder.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <system_error>
+
+#include "core/frame_ranges.hpp"
+#include "core/regular_file.hpp"
+#include "folder/folder_check.hpp"
+#include "folder/journal.hpp"
+#include "folder/render_folder.hpp"
+#include "layout/frame_names.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kReport = "report.json";
+constexpr const char* kAnotherFolder = "another folder (`output` DIR)";
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
+}
+
+/// Of which files remain that somebody may want: a render that was stopped before its first frame holds nothing.
+bool holds_anything(const FolderJournal& journal) { return !journal.frames.empty() || !journal.videos.empty(); }
+
+/// Nothing else stands in place of what a render writes once.
+void require_regular_files(const fs::path& folder) {
+  for (const char* name : {"job.toml", kReport}) is_regular_file_there(folder / name);
+}
+
+/// What lies in a folder, seen from a job.
+struct Contents {
+  std::optional<FolderJournal> journal;  ///< of whomever
+  bool is_this_job = false;              ///< and sound
+  std::vector<std::string> foreign;      ///< without what a stopped run of this job may have left
+};
+
+Contents contents_of(const fs::path& folder, const std::string& job) {
+  Contents contents{read_journal(folder), false, {}};
+  const std::optional<FolderJournal>& journal = contents.journal;
+  contents.is_this_job = journal && journal->job == job && journal->problem.empty();
+  contents.foreign = foreign_files(folder, journal.value_or(FolderJournal{}));
+  if (contents.is_this_job)
+    std::erase_if(contents.foreign, [&](const std::string& name) { return is_unfinished(*journal, name); });
+  const bool wrote_report = journal && journal->files.contains(kReport);
+  if (is_there(folder / kReport) && !wrote_report && !contents.is_this_job) contents.foreign.emplace_back(kReport);
+  return contents;
+}
+
+bool is_free(const Contents& contents) {
+  if (contents.is_this_job) return true;
+  const bool is_empty = !contents.journal || (contents.journal->problem.empty() && !holds_anything(*contents.journal));
+  return is_empty && contents.foreign.empty();
+}
+
+/// "frame_0000.png and 3 more".
+std::string some_of(const std::vector<std::string>& names) {
+  return names.size() == 1 ? names.front() : fmt::format("{} and {} more", names.front(), names.size() - 1);
+}
+
+Error another_render(const fs::path& folder, const JobDifferences& differences) {
+  const std::vector<std::string> keys = differences ? differences(folder / "job.toml") : std::vector<std::string>();
+  const std::string what = keys.empty() ? "it is of another state of the scene's files, or by another version"
+                                        : fmt::format("it differs in {}", fmt::join(keys, ", "));
+  return Error(folder.string(), "holds another render: " + what,
+               fmt::format("{}; `force`, which removes that render's files; the same settings", kAnotherFolder));
+}
+
+void require_free_video(const fs::path& folder, const Contents& contents, const std::string& video,
+                        const std::vector<int>& frames) {
+  if (!is_there(video)) return;
+  const std::map<std::string, JournalVideo> none;
+  const auto& videos = contents.is_this_job ? contents.journal->videos : none;
+  const auto recorded = videos.find(video_name(folder, video));
+  if (recorded == videos.end())
+    throw Error(video, fmt::format("is there already, and the render in {} has not written it", folder.string()),
+                "another name; `force`, which replaces it");
+  const std::vector<int>& shown = recorded->second.frames;
+  if (!std::includes(frames.begin(), frames.end(), shown.begin(), shown.end()))
+    throw Error(video,
+                fmt::format("is finished and shows frames {} of this render, not all of which are asked for now",
+                            write_frames(ranges_of(shown))),
+                "all of them, with `resume` to keep the finished ones; `video` with another name; `force`, which replaces it");
+}
+
+/// Of views too, whose folder goes when it is empty. Returns whether the file is gone.
+bool remove_file(const fs::path& folder, const std::string& name) {
+  std::error_code ignored;
+  const fs::path file = folder / name, parent = fs::path(name).parent_path();
+  if (!parent.empty() && fs::is_symlink(folder / parent, ignored)) return false;
+  if (fs::symlink_status(file, ignored).type() == fs::file_type::directory) return false;
+  fs::remove(file, ignored);
+  if (!parent.empty()) fs::remove(folder / parent, ignored);
+  return !is_there(file);
+}
+
+/// Videos, job files and reports that were changed since stay.
+void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
+  for (const auto& [frame, record] : journal.frames)
+    for (const auto& [name, sum] : record.files) remove_file(folder, name);
+  for (const auto& [name, video] : journal.videos)
+    if (lies_in_folder(name) && video.sum && file_checksum(folder / name) == video.sum) remove_file(folder, name);
+  for (const auto& [name, sums] : journal.files)
+    if (is_as_written(journal, folder, name)) remove_file(folder, name);
+}
+
+void remove_journal(const fs::path& folder, const FolderJournal& journal) {
+  std::error_code ignored;
+  for (const fs::path& part : journal.parts) fs::remove(part, ignored);
+  fs::remove(journal_folder(folder), ignored);  // unless anything else lies there
+}
+
+}  // namespace
+
+fs::path free_folder(const fs::path& wanted, const std::string& job) {
+  constexpr int kMost = 10000;
+  if (is_free(contents_of(wanted, job))) return wanted;
+  for (int number = 2; number < kMost; ++number) {
+    fs::path folder = fmt::format("{}-{}", wanted.string(), number);
+    if (is_free(contents_of(folder, job))) return folder;
+  }
+  throw Error(wanted.string(), fmt::format("holds another render, and so do {} folders beside it", kMost - 2), kAnotherFolder);
+}
+
+void require_free_folder(const fs::path& folder, const std::string& job, const JobDifferences& differences,
+                         const std::vector<int>& frames, const std::vector<std::string>& videos) {
+  require_regular_files(folder);
+  const Contents contents = contents_of(folder, job);
+  if (contents.journal && !contents.journal->problem.empty())
+    throw Error(journal_folder(folder).string(), "is damaged, or no journal of a render: " + contents.journal->problem,
+                fmt::format("the journal without that line; {}; `force`, which removes the files that its other lines name",
+                            kAnotherFolder));
+  if (!contents.is_this_job && contents.journal && holds_anything(*contents.journal)) throw another_render(folder, differences);
+  if (!is_free(contents))
+    throw Error(folder.string(), fmt::format("holds files that no journal of a render names: {}", some_of(contents.foreign)),
+                fmt::format("{}; `force`, which replaces those of the frames that are rendered", kAnotherFolder));
+  for (const std::string& video : videos) require_free_video(folder, contents, video, frames);
+}
+
+void clear_folder(const fs::path& folder, const std::string& job, const std::vector<int>& frames, bool force,
+                  const Context& context) {
+  require_regular_files(folder);
+  Contents contents = contents_of(folder, job);
+  if (contents.journal && !contents.is_this_job) {
+    remove_files_of(folder, *contents.journal);
+    remove_journal(folder, *contents.journal);
+    contents = contents_of(folder, job);
+  }
+  const auto is_in_the_way = [&](const std::string& name) {
+    return name == kReport || std::binary_search(frames.begin(), frames.end(), frame_of_file(name).value_or(-1));
+  };
+  if (force)
+    std::erase_if(contents.foreign, [&](const std::string& name) { return is_in_the_way(name) && remove_file(folder, name); });
+  if (!contents.foreign.empty())
+    context.warning(fmt::format("{} also holds files of no frame of this render, which stay: {}", folder.string(),
+                                some_of(contents.foreign)));
+}
+
+void require_no_render(const fs::path& out) {
+  const auto names = [&](const FolderJournal& journal) {
+    const std::string name = out.filename().string();
+    const auto frame = journal.frames.find(frame_of_file(name).value_or(-1));
+    return journal.videos.contains(name) || (frame != journal.frames.end() && frame->second.files.contains(name));
+  };
+  if (const auto journal = read_journal(out); journal && holds_anything(*journal))
+    throw Error(out.string(), "holds a render, whose frames others would be mixed with", "another folder");
+  if (const auto journal = read_journal(out.parent_path()); journal && names(*journal))
+    throw Error(out.string(), "is a file of the render in its folder", "another name");
+}
+
+}  // namespace lippmann

@@ -1,0 +1,83 @@
+#include "folder/folder_check.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+
+#include "core/folder_entries.hpp"
+#include "layout/frame_names.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_of_frame(const FolderJournal& journal, int frame, const std::string& name) {
+  const auto found = journal.frames.find(frame);
+  return found != journal.frames.end() && found->second.files.contains(name);
+}
+
+/// Those directly in folder / `below`.
+void add_foreign(const fs::path& folder, const fs::path& below, const FolderJournal& journal,
+                 std::vector<std::string>& foreign) {
+  for (const fs::directory_entry& entry : entries_of(folder / below)) {
+    const fs::path name = below / entry.path().filename();
+    std::error_code ignored;
+    const bool is_folder = entry.symlink_status(ignored).type() == fs::file_type::directory;
+    const std::optional<int> frame = is_folder ? std::nullopt : frame_of_file(name.string());
+    if (frame && !is_of_frame(journal, *frame, name.string())) foreign.push_back(name.string());
+    if (is_folder && below.empty() && name.string().starts_with("frame_")) add_foreign(folder, name, journal, foreign);
+  }
+}
+
+enum class FileState { kMissing, kDamaged, kSound };
+
+FileState state_of(const fs::path& file, const std::optional<FileChecksum>& sum) {
+  std::error_code problem;
+  if (!fs::exists(fs::symlink_status(file, problem))) return FileState::kMissing;
+  return sum && file_checksum(file) == sum ? FileState::kSound : FileState::kDamaged;
+}
+
+void add_file(const std::string& name, FileState state, FolderCheck& check) {
+  ++check.files;
+  if (state == FileState::kMissing) check.missing.push_back(name);
+  if (state == FileState::kDamaged) check.damaged.push_back(name);
+}
+
+/// job.toml and report.json, which several runs write.
+FileState state_of_common(const FolderJournal& journal, const fs::path& folder, const std::string& name) {
+  if (is_as_written(journal, folder, name)) return FileState::kSound;
+  return state_of(folder / name, std::nullopt);
+}
+
+}  // namespace
+
+std::vector<std::string> foreign_files(const fs::path& folder, const FolderJournal& journal) {
+  std::vector<std::string> foreign;
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) add_foreign(folder, {}, journal, foreign);
+  std::sort(foreign.begin(), foreign.end());
+  return foreign;
+}
+
+FolderCheck check_folder(const fs::path& folder) {
+  const std::optional<FolderJournal> journal = read_journal(folder);
+  if (!journal || journal->job.empty())
+    throw Error(folder.string(), "holds no render that can be checked: there is no journal in it, .lippmann",
+                "a folder that lippmann render has written to");
+  require_sound(folder, *journal);
+  FolderCheck check;
+  check.frames = static_cast<int>(journal->frames.size());
+  for (const auto& [frame, record] : journal->frames)
+    for (const auto& [name, sum] : record.files) add_file(name, state_of(folder / name, sum), check);
+  for (const auto& [name, sums] : journal->files) add_file(name, state_of_common(*journal, folder, name), check);
+  for (const auto& [name, video] : journal->videos) add_file(name, state_of(folder / name, video.sum), check);
+  std::copy_if(journal->asked.begin(), journal->asked.end(), std::back_inserter(check.unfinished),
+               [&](int frame) { return !journal->frames.contains(frame); });
+  check.foreign = foreign_files(folder, *journal);
+  std::erase_if(check.foreign, [&](const std::string& name) { return is_unfinished(*journal, name); });
+  return check;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,30 @@
+// Whether a render's folder still holds what the render has written there, and nothing that looks so and is not.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "folder/journal.hpp"
+
+namespace lippmann {
+
+/// Files in `folder` that are named as those of frames are and that the journal does not name; sorted, relative to it. Folders
+/// of views are looked into, unless they are symbolic links. A folder that is not there has none.
+std::vector<std::string> foreign_files(const std::filesystem::path& folder, const FolderJournal& journal = {});
+
+/// What a folder's journal says was finished, and what of it is still so.
+struct FolderCheck {
+  int frames = 0;                    ///< finished
+  std::size_t files = 0;             ///< of them, and job.toml, report.json and videos
+  std::vector<int> unfinished;       ///< frames that were asked for and have not been rendered
+  std::vector<std::string> missing;  ///< there is no such file
+  std::vector<std::string> damaged;  ///< other bytes, or no regular file
+  std::vector<std::string> foreign;  ///< see foreign_files(); what a stopped render has left of unfinished frames is not
+  bool passed() const { return unfinished.empty() && missing.empty() && damaged.empty() && foreign.empty(); }
+};
+
+/// Reads every file of the journal in `folder`. Throws Error if there is no journal, or a damaged one.
+FolderCheck check_folder(const std::filesystem::path& folder);
+
+}  // namespace lippmann

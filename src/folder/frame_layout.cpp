@@ -1,0 +1,178 @@
+#include "folder/frame_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "folder/frame_files.hpp"
+#include "image/tiff.hpp"
+#include "layout/film_layout.hpp"
+#include "layout/sub_pixels.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;  ///< that PNG and EXR files are written and read with
+
+ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, const ViewLayout& film) {
+  const ViewGrid& grid = film.grid;
+  if (layout == PictureLayout::kIntegral) return {LayoutKind::kIntegral, grid, {}};
+  if (layout == PictureLayout::kViews) return {LayoutKind::kStack, grid, {}};
+  ViewGrid tiles{params.quilt.x, params.quilt.y};
+  if (params.quilt.x == 0) {
+    tiles = grid.rows > 1 ? grid : squarest_tiles(grid.count());
+    if (film.kind == LayoutKind::kQuilt) tiles = film.tiles;
+  }
+  if (tiles.count() != grid.count())
+    throw usage_error("quilt", fmt::format("{}x{} tiles are not as many as {} views", tiles.columns, tiles.rows, grid.count()),
+                      "as many tiles as the optics have views");
+  return {LayoutKind::kQuilt, grid, tiles};
+}
+
+bool same_places(const ViewLayout& a, const ViewLayout& b) {
+  return a.kind == b.kind && (a.kind != LayoutKind::kQuilt || a.tiles == b.tiles);
+}
+
+/// Width / height of what is seen of the display plane.
+double display_aspect(const Optics& optics) {
+  const Vec2f window = window_size_mm(optics);
+  return static_cast<double>(window.x) / window.y;
+}
+
+/// Quilts for displays are called quilts.
+PictureLayout default_layout(const Optics& optics, const Display* display) {
+  const bool is_quilt = display && std::holds_alternative<MultiView>(optics.model);
+  return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;
+}
+
+void refuse_without(bool given, bool said, const char* name, const char* other) {
+  if (said && !given) throw usage_error(name, fmt::format("means nothing without {}", other), "both, or neither");
+}
+
+/// The layout that a format is by another name.
+std::optional<PictureLayout> layout_named(const std::string& format) {
+  if (format == "integral") return PictureLayout::kIntegral;
+  if (format == "quilt") return PictureLayout::kQuilt;
+  if (format == "views") return PictureLayout::kViews;
+  if (format == "native") return PictureLayout::kNative;
+  return std::nullopt;
+}
+
+/// `to` as a layout where it is one.
+PictureParams with_layout(PictureParams params) {
+  if (params.to.empty()) return params;
+  find_format(params.to, "to");
+  const std::optional<PictureLayout> layout = layout_named(params.to);
+  if (params.layout && params.layout != layout)
+    throw usage_error("to", fmt::format("'{}' is not what `layout` asks for", params.to), "one of both");
+  if (layout) params.layout = layout, params.to.clear();
+  return params;
+}
+
+/// Left and right exchanged.
+Image mirrored(const Image& image) {
+  Image mirror(image.width, image.height, image.channels);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) std::copy_n(image.pixel(image.width - 1 - x, y), image.channels, mirror.pixel(x, y));
+  return mirror;
+}
+
+}  // namespace
+
+FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, const Display* display)
+    : film_(optics.panel.width, optics.panel.height), sub_pixels_(std::holds_alternative<SlantedPanel>(optics.model)) {
+  const PictureParams params = with_layout(wanted);
+  const PictureLayout layout = params.layout.value_or(default_layout(optics, display));
+  const bool is_print = layout == PictureLayout::kPrint;
+  format_ = is_print ? PictureFormat::kTiff : params.format;
+  names_.ending = ending_of(format_);
+  refuse_without(layout == PictureLayout::kQuilt, params.quilt.x > 0, "quilt", "`layout` quilt");
+  refuse_without(is_print, params.mirror, "mirror", "`layout` print");
+  refuse_without(display != nullptr, layout == PictureLayout::kNative || is_print, "`layout` native or print", "`display`");
+  mirrors_ = params.mirror;
+  if (display) pixels_per_mm_ = 1.0 / display->pixel_mm();
+  if (params.pseudoscopic) {
+    turn_round(optics, layout);
+    return;
+  }
+  if (!params.to.empty()) {
+    use_format(find_format(params.to, "to"), optics);
+    return;
+  }
+  if (layout == PictureLayout::kNative || is_print || (layout == PictureLayout::kIntegral && has_lenses(optics))) {
+    if (!sub_pixels_ && !has_lenses(optics))
+      throw usage_error("layout", "the display's own frame is neither a quilt nor a single view", "`layout` without `optics`");
+    return;
+  }
+  if (!params.layout && !display) return;
+  if (std::holds_alternative<SingleView>(optics.model) && !params.layout) return;
+  arrange_views(params, layout, optics);
+}
+
+void FrameLayout::check_picture_size(bool with_layers) const {
+  const Vec2i size = picture_size();
+  const std::int64_t pixels = std::int64_t{size.x} * size.y;
+  if ((format_ == PictureFormat::kTiff && !with_layers) || pixels <= kMaxFilePixels) return;
+  throw usage_error(
+      "format", fmt::format("pictures of {}x{} = {} pixels are too large for PNG and EXR files", size.x, size.y, pixels),
+      fmt::format("up to {} pixels, or `format` tiff (`layout` print) without `aov` up to {}", kMaxFilePixels, kMaxTiffPixels));
+}
+
+/// A recording array turns every elemental image by 180 degrees (docs/replay.md): a layout that is not turned round.
+void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
+  if (layout != PictureLayout::kIntegral || !has_lenses(optics))
+    throw usage_error("pseudoscopic", "only what lies behind lenses can be turned round", "`layout` integral");
+  const ViewLayout film = film_layout(optics, "pseudoscopic");
+  arrangement_.emplace(film, ViewLayout{LayoutKind::kEslf, film.grid, {}}, film_, "pseudoscopic");
+}
+
+void FrameLayout::use_format(const LightFieldFormat& format, const Optics& optics) {
+  const ViewLayout film = film_layout(optics, "to");
+  light_field_ = &format;
+  names_.is_folder = format.is_folder;
+  if (format_ == PictureFormat::kTiff) throw usage_error("format", "light fields hold no TIFF pictures", "png, png16 or exr");
+  view_size_ = view_size(film, film_, "to");
+  if (format.is_folder) pictures_per_frame_ = film.grid.count();
+}
+
+void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layout, const Optics& optics) {
+  const ViewLayout film = film_layout(optics, "layout"), wanted = wanted_layout(params, layout, film);
+  if (wanted.kind == LayoutKind::kQuilt) {
+    quilt_ = {wanted.tiles, display_aspect(optics)};
+    names_.quilt = quilt_ending(*quilt_);
+  }
+  if (wanted.kind == LayoutKind::kStack) {
+    names_.views = pictures_per_frame_ = film.grid.count();
+  }
+  if (!same_places(film, wanted)) arrangement_.emplace(film, wanted, film_, "layout");
+}
+
+Vec2i FrameLayout::picture_size() const {
+  if (light_field_) return light_field_->is_folder ? view_size_ : film_;
+  if (sub_pixels_) return {film_.x / 3, film_.y};
+  if (!arrangement_) return film_;
+  return names_.views > 0 ? arrangement_->view_size() : arrangement_->target_size();
+}
+
+std::filesystem::path FrameLayout::video_path(const std::filesystem::path& said) const {
+  return quilt_ ? with_quilt_name(said, *quilt_) : said;
+}
+
+Image FrameLayout::arrange(const Image& film) const {
+  if (sub_pixels_) return join_sub_pixels(film);
+  if (mirrors_) return mirrored(film);
+  return arrangement_ ? arrangement_->apply(film) : film;
+}
+
+void FrameLayout::arrange(FrameAovs& aovs) const {
+  for (std::size_t i = 0; i < kAovs; ++i) {
+    if (!aovs.wanted[i]) continue;
+    const bool whole_pixels = sub_pixels_ && !is_light(static_cast<Aov>(i));  // light has the sub-pixels' colours
+    aovs.images[i] = whole_pixels ? middle_sub_pixels(aovs.images[i]) : arrange(aovs.images[i]);
+  }
+  if (mirrors_ && aovs.wants(Aov::kMotion))
+    for (std::size_t i = 0; i < aovs[Aov::kMotion].data.size(); i += 2) aovs[Aov::kMotion].data[i] *= -1.0f;
+}
+
+}  // namespace lippmann

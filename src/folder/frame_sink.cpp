@@ -1,0 +1,175 @@
+#include "folder/frame_sink.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/background.hpp"
+#include "folder/frame_files.hpp"
+#include "image/read_image.hpp"
+#include "layout/precompensate.hpp"
+#include "layout/quilt_side_file.hpp"
+#include "lippmann/image/encode.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Writing a frame costs less than tracing one: half as many threads keep up with any scene.
+int writing_threads(int rendering_threads) { return std::clamp(rendering_threads / 2, 1, 8); }
+
+/// One more than are being written: the next is ready when a thread is.
+int queue_capacity(int rendering_threads) { return writing_threads(rendering_threads) + 1; }
+
+/// Adds the wall time of its life to a sum of nanoseconds.
+class TimedWork {
+ public:
+  explicit TimedWork(std::atomic<std::int64_t>& sum) : sum_(sum) {}
+  ~TimedWork() { sum_ += std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start_).count(); }
+  TimedWork(const TimedWork&) = delete;
+  TimedWork& operator=(const TimedWork&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::atomic<std::int64_t>& sum_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+struct FrameSink::Impl {
+  Impl(const Settings& s, RenderFolder& f)
+      : settings(s),
+        folder(f),
+        files{f.path(), s.layout.names(), s.layout.format(), s.pictures.exr_pixels, s.encoding, s.layout.pixels_per_mm(),
+              s.about},
+        queue(writing_threads(s.threads), queue_capacity(s.threads)) {
+    for (const VideoFile& video : s.videos) videos.push_back(std::make_unique<VideoWriter>(video.path, video.options));
+  }
+
+  Settings settings;
+  RenderFolder& folder;
+  const FrameFiles files;
+  std::vector<std::unique_ptr<VideoWriter>> videos;
+  std::map<int, Precompensation> precompensated;
+  std::atomic<std::int64_t> write_nanoseconds{0};
+  BackgroundQueue queue;  ///< last: its threads use what is above
+
+  /// Returns what was written. Its checksums are taken here, beside rendering, while the bytes are still in memory.
+  FileRecords write(RenderedFrame& rendered) {
+    const TimedWork timed(write_nanoseconds);
+    Image as_traced = develop(rendered);
+    const FileRecords records = records_of(files.folder, write_files(rendered));
+    if (settings.done_with)
+      settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(rendered.pictures.film));
+    rendered.pictures.film = {};
+    rendered.pictures.aovs = {};
+    return records;
+  }
+
+  bool keeps_light() const { return files.format == PictureFormat::kExr; }
+
+  /// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
+  bool needs_codes() const {
+    if (settings.layout.light_field()) return false;  // of the views, which are not where they are in the film
+    return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
+  }
+
+  /// Light becomes what the pictures hold, in its place. Returns the film's memory where that is another than the pictures'.
+  Image develop(RenderedFrame& rendered) const {
+    FramePictures& pictures = rendered.pictures;
+    Image as_traced;
+    const Tone tone = tone_of(settings.pictures);
+    const bool has_alpha = pictures.aovs.wants(Aov::kAlpha);
+    if (!keeps_light() && has_alpha) divide_by_alpha(pictures.aovs[Aov::kAlpha], pictures.film);
+    if (!keeps_light()) apply_tone(tone, pictures.film);
+    if (!settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
+    if (settings.layout.moves()) {
+      as_traced = std::exchange(pictures.film, settings.layout.arrange(pictures.film));
+      settings.layout.arrange(pictures.aovs);
+    }
+    if (settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
+    if (needs_codes())
+      pictures.codes =
+          keeps_light() && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
+    if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
+    return as_traced;
+  }
+
+  std::vector<std::filesystem::path> write_files(const RenderedFrame& rendered) const {
+    const int frame = rendered.report.frame;
+    if (const LightFieldFormat* format = settings.layout.light_field())
+      return write_light_field_files(files, frame, *format, settings.optics, rendered.pictures);
+    std::vector<std::filesystem::path> written = write_frame_files(files, frame, rendered.pictures);
+    if (const auto& quilt = settings.layout.quilt()) {
+      const std::filesystem::path picture = written.front();
+      write_quilt_side_file(picture, {*quilt, quilt->tiles.count()});
+      written.push_back(quilt_side_path(picture));
+    }
+    return written;
+  }
+
+  /// Videos beside pictures that keep the light.
+  Image8 toned_codes(const Tone& tone, Image film) const {
+    apply_tone(tone, film);
+    return to_codes(film, settings.encoding);
+  }
+
+  void undo_crosstalk_of(RenderedFrame& rendered) const {
+    if (!settings.crosstalk_to_undo) return;
+    rendered.report.precompensation = precompensate_encoded(settings.optics, *settings.crosstalk_to_undo, settings.encoding,
+                                                            "precompensate", rendered.pictures.film);
+  }
+
+  void record(const FrameReport& report, const FileRecords& records) {
+    if (report.precompensation) precompensated[report.frame] = *report.precompensation;
+    folder.add(report, records);
+    if (!settings.written) return;
+    std::uintmax_t bytes = 0;
+    for (const auto& [name, sum] : records) bytes += sum.bytes;
+    settings.written(report.frame, bytes);
+  }
+
+  void add_to_videos(const Image8& codes) {
+    const TimedWork timed(write_nanoseconds);
+    for (const auto& video : videos) video->add_frame(codes);
+  }
+};
+
+FrameSink::FrameSink(const Settings& settings, RenderFolder& folder) : impl_(std::make_unique<Impl>(settings, folder)) {}
+FrameSink::~FrameSink() = default;
+
+void FrameSink::add(RenderedFrame rendered) {
+  const auto shared = std::make_shared<RenderedFrame>(std::move(rendered));
+  const auto files = std::make_shared<FileRecords>();
+  impl_->queue.submit([impl = impl_.get(), shared, files] { *files = impl->write(*shared); },
+                      [impl = impl_.get(), shared, files] {
+                        impl->record(shared->report, *files);
+                        impl->add_to_videos(shared->pictures.codes);
+                      });
+}
+
+void FrameSink::add_kept(int frame) {
+  if (impl_->videos.empty()) return;
+  const auto codes = std::make_shared<Image8>();
+  const auto path = picture_paths(impl_->files.folder, impl_->files.names, frame).front();
+  impl_->queue.submit([codes, path] { *codes = read_image8(path); },
+                      [impl = impl_.get(), codes] { impl->add_to_videos(*codes); });
+}
+
+void FrameSink::wait() { impl_->queue.finish(); }
+
+void FrameSink::finish_videos() {
+  const TimedWork timed(impl_->write_nanoseconds);
+  for (const auto& video : impl_->videos) video->finish();
+}
+
+const std::map<int, Precompensation>& FrameSink::precompensated() const { return impl_->precompensated; }
+
+double FrameSink::write_seconds() const { return 1e-9 * static_cast<double>(impl_->write_nanoseconds); }
+
+int FrameSink::frames_in_memory(int threads) { return queue_capacity(threads) + 1; }
+
+}  // namespace lippmann

@@ -1,0 +1,252 @@
+#include "folder/journal.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "core/folder_entries.hpp"
+#include "core/frame_ranges.hpp"
+#include "core/json_text.hpp"
+#include "core/printable.hpp"
+#include "core/regular_file.hpp"
+#include "folder/frame_report_json.hpp"
+#include "layout/frame_names.hpp"
+#include "lippmann/core/error.hpp"
+#include "video/video_reader.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// What makes a line no line of a journal.
+using LineProblem = std::runtime_error;
+
+std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
+
+Json checksum_json(const FileChecksum& sum) { return {{"bytes", sum.bytes}, {"xxh3", sum.xxh3}}; }
+
+FileChecksum checksum_from_json(const Json& json) {
+  constexpr std::size_t kDigits = 16;
+  const Json& bytes = json.at("bytes");
+  FileChecksum sum{0, json.at("xxh3").get<std::string>()};
+  if (!bytes.is_number_unsigned() || bytes.get<std::uint64_t>() > std::uint64_t{1} << 62)
+    throw LineProblem("says a size that no file has");
+  if (sum.xxh3.size() != kDigits || sum.xxh3.find_first_not_of("0123456789abcdef") != std::string::npos)
+    throw LineProblem("says a checksum that is no XXH3");
+  sum.bytes = bytes.get<std::uint64_t>();
+  return sum;
+}
+
+std::vector<int> frames_from_json(const Json& json) try {
+  if (json.get<std::string>().empty()) return {};
+  return frames_of(read_frames(json.get<std::string>(), {}));
+} catch (const Error&) {
+  throw LineProblem("says frames that are none");
+}
+
+FileRecords records_from_json(const Json& json, int frame) {
+  FileRecords files;
+  for (const auto& [name, sum] : json.items()) {
+    if (frame_of_file(name) != frame)
+      throw LineProblem(fmt::format("names {}, which is no file of frame {}", shown(name), frame));
+    files[name] = checksum_from_json(sum);
+  }
+  if (files.empty()) throw LineProblem("names no files");
+  return files;
+}
+
+void add_frames(const std::vector<int>& more, std::vector<int>& frames) {
+  std::vector<int> both;
+  std::set_union(frames.begin(), frames.end(), more.begin(), more.end(), std::back_inserter(both));
+  frames = std::move(both);
+}
+
+void read_written(const Json& json, FolderJournal& journal) {
+  const auto name = json.at("written").get<std::string>();
+  if (name != "job.toml" && name != "report.json") throw LineProblem("names a file that no render writes");
+  journal.files[name].push_back(checksum_from_json(json));
+}
+
+void read_video(const Json& json, FolderJournal& journal) {
+  const auto name = json.at("video").get<std::string>();
+  if (!is_video_name(name) || name.find('\0') != std::string::npos) throw LineProblem("names a video that is none");
+  JournalVideo video{{}, frames_from_json(json.at("frames"))};
+  if (json.contains("bytes")) video.sum = checksum_from_json(json);
+  journal.videos[name] = std::move(video);
+}
+
+FrameReport report_from_json(const Json& json) {
+  const std::optional<FrameReport> report = frame_report_from_json(json);
+  if (!report) throw LineProblem("lacks figures of its frame");
+  return *report;
+}
+
+void read_frame(const Json& json, FolderJournal& journal) {
+  const FrameReport report = report_from_json(json);
+  journal.frames[report.frame] = {report, records_from_json(json.at("files"), report.frame)};
+}
+
+void read_run(const Json& json, FolderJournal& journal) {
+  RunReport run;
+  json.at("host").get_to(run.host);
+  json.at("unit").get_to(run.unit);
+  run.frames = frames_from_json(json.at("frames"));
+  json.at("setup_seconds").get_to(run.setup_seconds);
+  json.at("write_seconds").get_to(run.write_seconds);
+  json.at("peak_memory_bytes").get_to(run.peak_memory_bytes);
+  json.at("threads").get_to(run.threads);
+  for (const Json& source : json.at("sources")) run.sources.push_back(report_from_json(source));
+  journal.runs.push_back(std::move(run));
+}
+
+void read_job(const Json& json, FolderJournal& journal) {
+  const auto job = json.at("job").get<std::string>();
+  if (!journal.job.empty() && journal.job != job) throw LineProblem("names another job than the files before it");
+  journal.job = job;
+}
+
+/// Throws LineProblem or an exception of nlohmann's.
+void read_line(const Json& json, bool is_first, FolderJournal& journal) {
+  if (!json.is_object()) throw LineProblem("is no JSON object");
+  if (is_first)
+    read_job(json, journal);
+  else if (json.contains("asked"))
+    add_frames(frames_from_json(json["asked"]), journal.asked);
+  else if (json.contains("written"))
+    read_written(json, journal);
+  else if (json.contains("video"))
+    read_video(json, journal);
+  else if (json.contains("run"))
+    read_run(json["run"], journal);
+  else
+    read_frame(json, journal);
+}
+
+constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;  // of a frame of 48 views about 5000
+
+/// What is wrong with it, or nothing.
+std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {
+  read_line(json, is_first, journal);
+  return {};
+} catch (const nlohmann::json::exception&) {
+  return "lacks a key, or has one of the wrong type";
+} catch (const LineProblem& problem) {
+  return problem.what();
+}
+
+/// What one run has written. A run that was killed while it wrote its first line has written nothing.
+void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& journal) {
+  std::error_code problem;
+  if (!is_regular_file_there(path)) return;  // taken away since the folder was listed
+  const std::uintmax_t bytes = fs::file_size(path, problem);
+  if (bytes > bytes_left || problem) throw Error(path.string(), "is too large for the journal of a render", "at most 4 GB");
+  bytes_left -= bytes;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Error(path.string(), "cannot be read");
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (in.eof()) break;  // torn: it has no end
+    const Json json = json_from_text(line);
+    const bool is_last = in.peek() == std::ifstream::traits_type::eof();
+    if (json.is_discarded() && is_last && number > 1) break;  // torn by a crash of the machine
+    if (number == 1) journal.parts.push_back(path);
+    const std::string wrong = problem_of(json, number == 1, journal);
+    if (!wrong.empty() && journal.problem.empty())
+      journal.problem = fmt::format("line {} of {} {}", number, shown(path.filename().string()), wrong);
+  }
+}
+
+}  // namespace
+
+FileRecords records_of(const fs::path& folder, const std::vector<fs::path>& files) {
+  FileRecords records;
+  for (const fs::path& file : files) {
+    const std::optional<FileChecksum> sum = file_checksum(file);
+    if (!sum) throw Error(file.string(), "cannot be read back to take its checksum");
+    records[file.lexically_relative(folder).string()] = *sum;
+  }
+  return records;
+}
+
+Json to_json(const RunReport& run) {
+  Json sources = Json::array();
+  for (const FrameReport& source : run.sources) sources.push_back(to_json(source));
+  return {{"host", run.host},
+          {"unit", run.unit},
+          {"frames", write_frames(ranges_of(run.frames))},
+          {"setup_seconds", run.setup_seconds},
+          {"write_seconds", run.write_seconds},
+          {"peak_memory_bytes", run.peak_memory_bytes},
+          {"threads", run.threads},
+          {"sources", std::move(sources)}};
+}
+
+fs::path journal_folder(const fs::path& folder) { return folder / ".lippmann"; }
+
+bool is_as_written(const FolderJournal& journal, const fs::path& folder, const std::string& name) {
+  const auto found = journal.files.find(name);
+  const std::optional<FileChecksum> sum = file_checksum(folder / name);
+  return sum && found != journal.files.end() &&
+         std::find(found->second.begin(), found->second.end(), *sum) != found->second.end();
+}
+
+std::optional<FolderJournal> read_journal(const fs::path& folder) {
+  const fs::path where = journal_folder(folder);
+  std::error_code ignored;
+  const fs::file_type type = fs::symlink_status(where, ignored).type();
+  if (type == fs::file_type::none || type == fs::file_type::not_found) return std::nullopt;
+  if (type != fs::file_type::directory)
+    throw Error(where.string(), "is no folder", "the folder of journals that lippmann render makes, or nothing of that name");
+  FolderJournal journal;
+  std::uintmax_t bytes_left = kMaxJournalBytes;
+  for (const fs::directory_entry& entry : entries_of(where))
+    if (entry.path().extension() == ".jsonl") read_part(entry.path(), bytes_left, journal);
+  return journal.parts.empty() ? std::nullopt : std::optional(std::move(journal));
+}
+
+void require_sound(const fs::path& folder, const FolderJournal& journal) {
+  if (!journal.problem.empty())
+    throw Error(journal_folder(folder).string(), "is damaged, or no journal of a render: " + journal.problem,
+                "a folder that lippmann render has written to");
+}
+
+std::string job_line(const std::string& job) { return line_of({{"job", job}}); }
+
+std::string asked_line(const std::vector<int>& frames) { return line_of({{"asked", write_frames(ranges_of(frames))}}); }
+
+std::string frame_line(const FrameReport& frame, const FileRecords& files) {
+  Json json = to_json(frame);
+  json["files"] = Json::object();
+  for (const auto& [name, sum] : files) json["files"][name] = checksum_json(sum);
+  return line_of(json);
+}
+
+std::string written_line(const std::string& name, const FileChecksum& sum) {
+  Json json{{"written", name}};
+  json.update(checksum_json(sum));
+  return line_of(json);
+}
+
+std::string video_line(const std::string& name, const JournalVideo& video) {
+  Json json{{"video", name}, {"frames", write_frames(ranges_of(video.frames))}};
+  if (video.sum) json.update(checksum_json(*video.sum));
+  return line_of(json);
+}
+
+std::string run_line(const RunReport& run) { return line_of({{"run", to_json(run)}}); }
+
+bool is_unfinished(const FolderJournal& journal, const std::string& name) {
+  const int frame = frame_of_file(name).value_or(-1);
+  return !journal.frames.contains(frame) && std::binary_search(journal.asked.begin(), journal.asked.end(), frame);
+}
+
+bool lies_in_folder(const std::string& video) { return fs::path(video).filename() == fs::path(video) && video != ".."; }
+
+}  // namespace lippmann

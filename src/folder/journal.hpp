@@ -1,0 +1,101 @@
+// The journal of an output folder: whose render the folder holds, which of its files are finished, and what bytes they have.
+//
+// Every run writes a file of its own, .lippmann/TIME-HOST-PROCESS.jsonl, and never touches another's: renders of parts of one
+// job may run beside each other, on other machines too, and one that was killed at any moment can be taken up again. Together
+// they are the journal. One JSON object a line; lines are only ever added:
+//
+//   {"job": "..."}                                          the first line: job_fingerprint()
+//   {"asked": "0-3"}                                        the run is to render these frames
+//   {"frame": 2, ..., "files": {"frame_0002.png": {...}}}   a frame is finished: its figures, its files
+//   {"written": "report.json", "bytes": ..., "xxh3": "..."} another file is about to be put in place, with these bytes
+//   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}  the same of a video, by its path from the folder; without
+//                                                           a checksum: is about to appear
+//   {"run": {...}}                                          the run has ended: what it took beside its frames
+//
+// A journal may have been written by anybody: its names are those of files that a render writes, below its folder and nowhere
+// else (videos: names of videos, anywhere), and its numbers are within reason.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/file_checksum.hpp"
+#include "lippmann/frames/frame_report.hpp"
+
+namespace lippmann {
+
+/// Files of a folder by their names relative to it, as they were when they were finished.
+using FileRecords = std::map<std::string, FileChecksum>;
+
+/// Of files that lie in `folder`. Throws Error naming the one that cannot be read.
+FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
+
+struct JournalFrame {
+  FrameReport report;
+  FileRecords files;
+};
+
+struct JournalVideo {
+  std::optional<FileChecksum> sum;  ///< none: the render was stopped while it put the video in place
+  std::vector<int> frames;          ///< that it shows, ascending
+};
+
+/// What a run did and took beside the figures of its frames.
+struct RunReport {
+  std::string host = {};         ///< the machine's name
+  std::string unit = {};         ///< such as 7/200; empty: all frames
+  std::vector<int> frames = {};  ///< that it rendered, ascending
+  double setup_seconds = 0.0;    ///< wall time before the first frame: loading, building
+  double write_seconds = 0.0;    ///< time that files took to encode and write, summed over threads; beside rendering
+  std::uint64_t peak_memory_bytes = 0;
+  int threads = 1;
+  std::vector<FrameReport> sources = {};  ///< rendered only because frames are made from them; ascending
+};
+
+struct FolderJournal {
+  std::string job;                     ///< whose render it is
+  std::vector<int> asked;              ///< the frames that runs of the job were to render, each once, ascending
+  std::map<int, JournalFrame> frames;  ///< finished; of several lines for a frame the last one counts
+  std::map<std::string, std::vector<FileChecksum>> files;  ///< job.toml, report.json: as runs have written them
+  std::map<std::string, JournalVideo> videos;              ///< by path relative to the folder
+  std::vector<RunReport> runs;                             ///< that have ended
+  std::vector<std::filesystem::path> parts;                ///< the files that it was read from, one for each run
+  std::string problem;  ///< of the first line that is none of the above, naming its file; empty: all are sound
+};
+
+/// Whether a file that several runs write, job.toml or report.json, has bytes that one of them has given it.
+bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
+
+/// As a journal and report.json have it.
+nlohmann::ordered_json to_json(const RunReport& run);
+
+/// Where the files of a journal are.
+std::filesystem::path journal_folder(const std::filesystem::path& folder);
+
+/// None if no run has written there. What is wrong with a line stands in `problem`, and that two runs are of different jobs; a
+/// torn last line is no problem. Throws Error for a journal that is no regular file or cannot be read.
+std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
+
+/// Throws Error if the journal has a problem.
+void require_sound(const std::filesystem::path& folder, const FolderJournal& journal);
+
+/// Lines of a journal, each with its end.
+std::string job_line(const std::string& job);
+std::string asked_line(const std::vector<int>& frames);
+std::string frame_line(const FrameReport& frame, const FileRecords& files);
+std::string written_line(const std::string& name, const FileChecksum& sum);
+std::string video_line(const std::string& name, const JournalVideo& video);
+std::string run_line(const RunReport& run);
+
+/// Whether a file is of a frame that was asked for and is not finished: a render that was stopped may have left it.
+bool is_unfinished(const FolderJournal& journal, const std::string& name);
+
+/// Whether a video of that path relative to the folder lies directly in the folder.
+bool lies_in_folder(const std::string& video);
+
+}  // namespace lippmann

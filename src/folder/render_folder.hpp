@@ -1,0 +1,70 @@
+// The folder of a render while a run works in it: what earlier runs of the job have finished, which --resume keeps, and the
+// run's own lines of the journal (folder/journal.hpp).
+//
+// Any number of runs of one job may work in one folder at a time: none changes what another has written, but for job.toml and
+// report.json, which every run writes for all of them.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "folder/journal.hpp"
+
+namespace lippmann {
+
+class RenderFolder {
+ public:
+  /// Begins a run's journal in `folder`, which exists. Throws Error if the folder is that of another job
+  /// (folder/claim_folder.hpp makes room), or its journal is damaged or cannot be written.
+  RenderFolder(std::filesystem::path folder, const std::string& job);
+
+  const std::filesystem::path& path() const { return folder_; }
+
+  /// What earlier runs of this job were to render, and wrote.
+  const FolderJournal& before() const { return before_; }
+
+  /// The same now, with what this run and those beside it have recorded since.
+  FolderJournal now() const;
+
+  /// The figures of a frame that an earlier run finished; none if it has yet to be rendered, or one of its files is not there
+  /// with the recorded bytes. Reads the files, once.
+  std::optional<FrameReport> find(int frame);
+
+  /// Records which frames the run is to render.
+  void begin(const std::vector<int>& frames) { record(asked_line(frames)); }
+
+  /// Records a frame whose files are complete; find() does not see it. May run beside find(), and not beside what else records.
+  void add(const FrameReport& frame, const FileRecords& files) { record(frame_line(frame, files)); }
+
+  /// Writes job.toml or report.json as `text_of` says it of the journal, again if the journal tells it otherwise once it is
+  /// written: of several runs that end at the same time, the last one to write has seen what all have recorded.
+  void write(const std::string& name, const std::function<std::string(const FolderJournal&)>& text_of);
+
+  /// Records that a video of these frames is about to appear: from then on it is this render's.
+  void begin_video(const std::filesystem::path& video, const std::vector<int>& frames);
+
+  /// Records a video, which is complete and shows these frames.
+  void add_video(const std::filesystem::path& video, const std::vector<int>& frames);
+
+  /// Records what the run took.
+  void end(const RunReport& run) { record(run_line(run)); }
+
+ private:
+  /// All that record throw Error if the journal cannot be written.
+  void record(const std::string& line);
+
+  std::filesystem::path folder_, part_;
+  FolderJournal before_;
+  std::map<int, bool> is_as_recorded_;  ///< what find() has read
+  std::ofstream out_;
+};
+
+/// A video's path relative to the folder, as the journal has it.
+std::string video_name(const std::filesystem::path& folder, const std::filesystem::path& video);
+
+}  // namespace lippmann

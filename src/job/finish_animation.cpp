@@ -1,0 +1,61 @@
+#include "job/finish_animation.hpp"
+
+#include <set>
+
+#include "core/regular_file.hpp"
+#include "folder/render_folder.hpp"
+#include "job/job_file.hpp"
+#include "layout/frame_names.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kJob = "job.toml";
+
+std::vector<int> frames_to_render(const FolderCheck& check) {
+  std::set<int> frames(check.unfinished.begin(), check.unfinished.end());
+  for (const auto* names : {&check.damaged, &check.missing})
+    for (const std::string& name : *names)
+      if (const auto frame = frame_of_file(name)) frames.insert(*frame);
+  return {frames.begin(), frames.end()};
+}
+
+/// The job that the folder holds, with all frames that its runs were asked for.
+RenderParams job_of(const fs::path& folder, const std::vector<fs::path>& join) {
+  const fs::path own = folder / kJob;
+  const bool is_own = join.empty() || is_regular_file_there(own);
+  RenderParams params;
+  read_job(is_own ? own : join.front() / kJob, params);
+  params.output.folder = folder.string();
+  if (!is_own) params.output.frames = ranges_of(read_journal(folder).value_or(FolderJournal{}).asked);
+  params.resume = true;
+  return params;
+}
+
+/// A folder that parts were joined to has a job file from then on, whether it can be finished yet or not.
+void write_joint_job(const fs::path& folder, const RenderParams& params) {
+  const std::string job = read_journal(folder).value_or(FolderJournal{}).job;
+  RenderFolder(folder, job).write(kJob, [&](const FolderJournal&) { return job_text(params, folder); });
+}
+
+}  // namespace
+
+FinishedAnimation finish_animation(const fs::path& folder, const std::vector<fs::path>& join, const Context& context,
+                                   const RenderObserver& observer) {
+  FinishedAnimation finished;
+  finished.joined = join_folders(folder, join);
+  const RenderParams params = job_of(folder, join);
+  if (!join.empty() && !is_regular_file_there(folder / kJob)) write_joint_job(folder, params);
+  finished.check = check_folder(folder);
+  finished.to_render = frames_to_render(finished.check);
+  if (!finished.to_render.empty()) return finished;
+  RunParams run;
+  run.only_finished = true;
+  finished.report = render_animation(params, context, observer, run);
+  return finished;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,27 @@
+// The end of a job that was rendered in parts: what has come of it, and the files that only the whole can have.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "folder/folder_check.hpp"
+#include "folder/join_folders.hpp"
+#include "job/animation.hpp"
+
+namespace lippmann {
+
+struct FinishedAnimation {
+  JoinedFolders joined;
+  FolderCheck check;                   ///< of the folder before it was finished
+  std::vector<int> to_render;          ///< frames that are not finished, or not as they were written
+  std::optional<RenderReport> report;  ///< of the folder; none where frames are to be rendered
+};
+
+/// Takes over the frames of the folders `join` (join_folders), reads all files of the folder, and if every frame that the job
+/// asks for is there, writes its videos, job.toml and report.json. Renders nothing. The job is the folder's job.toml, or else
+/// that of the first folder to be joined. Throws Error for folders without a render, and for what cannot be written.
+FinishedAnimation finish_animation(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
+                                   const Context& context, const RenderObserver& observer = {});
+
+}  // namespace lippmann

@@ -1,0 +1,23 @@
+// The two files of a folder that speak of all of its render, however many runs have worked at it: job.toml renders the same
+// again, report.json says how it went.
+#pragma once
+
+#include <vector>
+
+#include "folder/render_folder.hpp"
+#include "job/params.hpp"
+#include "job/report.hpp"
+#include "lippmann/core/context.hpp"
+
+namespace lippmann {
+
+/// Writes a job file that renders all frames that this run and those before and beside it have been asked for. A job.toml that
+/// no run has written is somebody's, and stays. The run has begun.
+void write_job_of_folder(const RenderParams& params, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
+                         const Context& context);
+
+/// Writes what `run` reports with all frames that the folder's journal knows, and what all runs that have ended took. The run's
+/// own end is recorded. Returns what it wrote.
+RenderReport write_report(const RenderReport& run, RenderFolder& folder);
+
+}  // namespace lippmann

@@ -1,0 +1,80 @@
+#include "layout/frame_names.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <string_view>
+
+#include "core/folder_entries.hpp"
+#include "core/text_pattern.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files of one frame: beside the others, or in a folder of its own, where they are called as formats of several files call
+/// them (views, HCI, Stanford, JPEG Pleno, MIV).
+constexpr const char* kFrameFiles =
+    R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+)?\.(?:png|tif|exr)(?:\.json)?)"
+    R"(|frame_([0-9]{1,9})/(?:(?:view|aov)_[0-9]{1,9}\.(?:png|tif|exr)|parameters\.cfg|cameras\.json|input_Cam[0-9]{1,6}\.(?:png|exr))"
+    R"(|gt_(?:depth|disp)_lowres(?:_Cam[0-9]{1,6})?\.pfm|out_[0-9]{1,5}_[0-9]{1,5}(?:_[0-9.+-]{1,40})*\.(?:png|exr))"
+    R"(|[0-9]{1,4}_[0-9]{1,4}\.ppm|view_[0-9]{1,6}_depth\.png))";
+
+std::vector<fs::path> frames_in(const fs::path& folder, bool are_folders) {
+  std::vector<fs::path> frames;
+  for (const fs::directory_entry& entry : entries_of(folder)) {
+    const bool fits = entry.is_directory() ? are_folders : !are_folders && is_picture_name(entry.path());
+    if (fits && entry.path().filename().string().starts_with("frame_")) frames.push_back(entry.path());
+  }
+  return frames;
+}
+
+}  // namespace
+
+std::string frame_name(const FrameNames& names, int frame) {
+  if (names.views > 0 || names.is_folder) return fmt::format("frame_{:04}", frame);
+  return fmt::format("frame_{:04}{}.{}", frame, names.quilt, names.ending);
+}
+
+std::vector<fs::path> picture_paths(const fs::path& folder, const FrameNames& names, int frame) {
+  const fs::path whole = folder / frame_name(names, frame);
+  if (names.views == 0) return {whole};
+  std::vector<fs::path> paths;
+  for (int view = 0; view < names.views; ++view) paths.push_back(whole / fmt::format("view_{:03}.{}", view, names.ending));
+  return paths;
+}
+
+fs::path layers_path(const fs::path& folder, int frame, int view) {
+  if (view < 0) return folder / fmt::format("aov_{:04}.exr", frame);
+  return folder / fmt::format("frame_{:04}", frame) / fmt::format("aov_{:03}.exr", view);
+}
+
+std::optional<int> frame_of_file(const std::string& name) {
+  constexpr std::size_t kMaxLetters = 255;  // of a file's name
+  if (name.size() > kMaxLetters) return std::nullopt;
+  static const TextPattern pattern(kFrameFiles);
+  const std::optional<PatternMatch> found = pattern.match(name);
+  if (!found) return std::nullopt;
+  const std::string& digits = found->groups[1].empty() ? found->groups[2] : found->groups[1];
+  int frame = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), frame);
+  return frame;
+}
+
+bool is_picture_name(const fs::path& path) {
+  constexpr std::array<std::string_view, 14> kEndings{".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".ppm",
+                                                      ".pgm", ".pnm", ".tga", ".bmp",  ".hdr", ".pfm",  ".webp"};
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+std::vector<fs::path> frame_pictures_in(const fs::path& folder) { return frames_in(folder, false); }
+
+std::vector<fs::path> frame_folders_in(const fs::path& folder) { return frames_in(folder, true); }
+
+}  // namespace lippmann

@@ -1,0 +1,35 @@
+#include "distribute/ranks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace lippmann {
+namespace {
+
+TEST(Ranks, process_that_stands_alone_has_none) {
+  unsetenv("OMPI_COMM_WORLD_SIZE"), unsetenv("PMI_SIZE");
+  EXPECT_EQ(rank_count(), 1);
+  EXPECT_EQ(join_ranks(), nullptr);
+}
+
+TEST(Ranks, number_of_processes_is_what_the_launcher_says) {
+  setenv("OMPI_COMM_WORLD_SIZE", "4", 1), setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "2", 1);
+  EXPECT_EQ(rank_count(), 4);
+  EXPECT_EQ(local_rank_count(), 2);
+  for (const char* text : {"0", "-3", "many", ""}) {
+    setenv("OMPI_COMM_WORLD_SIZE", text, 1);
+    EXPECT_EQ(rank_count(), 1) << text;
+  }
+  unsetenv("OMPI_COMM_WORLD_SIZE"), unsetenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+}
+
+TEST(Ranks, threads_are_those_that_a_rank_is_bound_to_or_its_share) {
+  EXPECT_EQ(threads_of_rank(4, 16, 4), 4);
+  EXPECT_EQ(threads_of_rank(16, 16, 4), 4);
+  EXPECT_EQ(threads_of_rank(16, 16, 1), 16);
+  EXPECT_EQ(threads_of_rank(2, 2, 8), 1);
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,251 @@
+// Which folder a render goes into, what is refused there, what is removed, and what a check finds.
+#include "folder/claim_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "folder/folder_check.hpp"
+#include "folder/render_folder.hpp"
+#include "layout/frame_names.hpp"
+#include "lippmann/core/error.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+void make_file(const fs::path& path, const std::string& bytes = "bytes") {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path) << bytes;
+}
+
+/// A render of `job` that was asked for frames 0 to 2 and has finished these, each a picture and a layer.
+void make_render(const fs::path& folder, const std::string& job, const std::vector<int>& finished) {
+  fs::create_directories(folder);
+  RenderFolder journal(folder, job);
+  journal.begin({0, 1, 2});
+  for (const int frame : finished) {
+    FrameReport report;
+    report.frame = frame;
+    const std::vector<fs::path> files{picture_paths(folder, {}, frame).front(),
+                                      folder / ("aov_000" + std::to_string(frame) + ".exr")};
+    for (const fs::path& file : files) make_file(file);
+    journal.add(report, records_of(folder, files));
+  }
+  journal.write("report.json", [](const FolderJournal&) { return std::string("bytes"); });
+}
+
+void make_video(const fs::path& folder, const std::string& job, const fs::path& video, const std::vector<int>& frames) {
+  make_file(video);
+  RenderFolder(folder, job).add_video(video, frames);
+}
+
+/// The file of the journal that its first run has written.
+fs::path part_of(const fs::path& folder) { return read_journal(folder)->parts.front(); }
+
+/// What a render of the job is told, or nothing.
+std::string refusal(const fs::path& folder, const std::string& job, const std::vector<std::string>& videos = {},
+                    const std::vector<int>& frames = {0, 1, 2}) {
+  try {
+    require_free_folder(folder, job, {}, frames, videos);
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+/// Makes room in it; the warnings.
+std::vector<std::string> cleared(const fs::path& folder, const std::string& job, bool force, const std::vector<int>& frames) {
+  std::vector<std::string> warnings;
+  Context context;
+  context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  clear_folder(folder, job, frames, force, context);
+  return warnings;
+}
+
+TEST(ClaimFolder, missing_or_empty_folder_one_of_the_same_job_and_one_with_other_files_are_free) {
+  const test::TempDir dir;
+  EXPECT_EQ(refusal(dir / "missing", "a"), "");
+  EXPECT_EQ(refusal(dir.path(), "a"), "");
+  for (const char* name : {"notes.txt", "frame.png", "frames/frame_0000.png", "view_000.png", "photo_0001.png"})
+    make_file(dir / name);
+  EXPECT_EQ(refusal(dir.path(), "a"), "");
+  make_render(dir.path(), "a", {0});
+  EXPECT_EQ(refusal(dir.path(), "a"), "");
+}
+
+TEST(ClaimFolder, another_render_is_refused_but_not_one_that_was_stopped_before_its_first_frame) {
+  const test::TempDir dir;
+  make_render(dir / "one", "a", {0});
+  make_render(dir / "none", "a", {});
+  EXPECT_THAT(refusal(dir / "one", "b"), testing::AllOf(HasSubstr("holds another render"), HasSubstr("`force`")));
+  EXPECT_EQ(refusal(dir / "none", "b"), "");
+}
+
+TEST(ClaimFolder, pictures_and_a_report_that_no_journal_names_are_refused) {
+  const test::TempDir dir;
+  for (const char* name :
+       {"frame_0000.png", "aov_0007.exr", "frame_0003/view_000.png", "frame_0000_qs8x6a1.png.json", "report.json"}) {
+    make_file(dir / "a" / name);
+    EXPECT_THAT(refusal(dir / "a", "job"), HasSubstr(name));
+    fs::remove_all(dir / "a");
+  }
+}
+
+TEST(ClaimFolder, damaged_journal_is_refused) {
+  const test::TempDir dir;
+  make_render(dir.path(), "a", {0});
+  std::ofstream(part_of(dir.path()), std::ios::app) << "{\"frame\":\n{}\n";
+  EXPECT_THAT(refusal(dir.path(), "a"), testing::AllOf(HasSubstr("is damaged"), HasSubstr("`force`")));
+}
+
+TEST(ClaimFolder, fifo_in_place_of_a_file_of_the_folder_is_an_error_and_is_not_waited_for) {
+  for (const char* name : {"job.toml", "report.json", ".lippmann/1.jsonl"}) {
+    const test::TempDir dir;
+    fs::create_directory(dir / ".lippmann");
+    ASSERT_EQ(mkfifo((dir / name).c_str(), 0600), 0);
+    EXPECT_THAT(refusal(dir.path(), "a"), HasSubstr("no regular file")) << name;
+  }
+}
+
+TEST(ClaimFolder, default_folder_is_the_first_that_holds_no_other_render) {
+  const test::TempDir dir;
+  const fs::path wanted = dir / "out";
+  EXPECT_EQ(free_folder(wanted, "a"), wanted);
+  make_render(wanted, "a", {0});
+  EXPECT_EQ(free_folder(wanted, "a"), wanted);
+  EXPECT_EQ(free_folder(wanted, "b"), dir / "out-2");
+  make_render(dir / "out-2", "b", {0});
+  make_file(dir / "out-3/frame_0000.png");
+  EXPECT_EQ(free_folder(wanted, "b"), dir / "out-2");
+  EXPECT_EQ(free_folder(wanted, "c"), dir / "out-4");
+}
+
+TEST(ClaimFolder, video_that_is_there_is_refused_unless_this_render_wrote_it_and_all_its_frames_are_asked_for) {
+  const test::TempDir dir;
+  const fs::path folder = dir / "a";
+  make_render(folder, "a", {0, 1, 2});
+  make_file(dir / "b.mp4");
+  make_video(folder, "a", dir / "a.mp4", {0, 1, 2});
+  EXPECT_EQ(refusal(folder, "a", {dir / "new.mp4"}), "");
+  EXPECT_THAT(refusal(folder, "a", {dir / "b.mp4"}), HasSubstr("has not written it"));
+  EXPECT_THAT(refusal(dir / "c", "c", {dir / "a.mp4"}), HasSubstr("has not written it"));
+  EXPECT_EQ(refusal(folder, "a", {dir / "a.mp4"}), "");
+  EXPECT_EQ(refusal(folder, "a", {dir / "a.mp4"}, {0, 1, 2, 3}), "");
+  EXPECT_THAT(refusal(folder, "a", {dir / "a.mp4"}, {0}), testing::AllOf(HasSubstr("frames 0-2"), HasSubstr("`force`")));
+}
+
+TEST(ClaimFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_else) {
+  const test::TempDir dir;
+  const fs::path folder = dir / "a";
+  make_render(folder, "a", {0, 1});
+  make_video(folder, "a", folder / "inside.mp4", {0});
+  make_video(folder, "a", dir / "outside.mp4", {0});
+  make_video(folder, "a", folder / "cut.mp4", {0});
+  make_file(folder / "cut.mp4", "cut by hand");
+  for (const char* name : {"notes.txt", "aov_0001.png", "aov_0002.exr", "job.toml"}) make_file(folder / name);
+  EXPECT_THAT(cleared(folder, "b", true, {2}), ElementsAre(HasSubstr("which stay: aov_0001.png")));
+  std::vector<std::string> left;
+  for (const auto& entry : fs::directory_iterator(folder)) left.push_back(entry.path().filename());
+  EXPECT_THAT(left, testing::UnorderedElementsAre("notes.txt", "aov_0001.png", "job.toml", "cut.mp4"));
+  EXPECT_TRUE(fs::exists(dir / "outside.mp4"));
+}
+
+TEST(ClaimFolder, foreign_file_beside_a_render_of_the_same_job_stays_and_is_said_unless_forced) {
+  const test::TempDir dir;
+  make_render(dir.path(), "a", {0});
+  make_file(dir / "aov_0000.png");
+  make_file(dir / "frame_0001.png");  // as a render that was killed leaves it: asked for, not recorded
+  EXPECT_THAT(cleared(dir.path(), "a", false, {0, 1, 2}), ElementsAre(HasSubstr("aov_0000.png")));
+  EXPECT_TRUE(fs::exists(dir / "aov_0000.png"));
+  EXPECT_THAT(cleared(dir.path(), "a", true, {0, 1, 2}), ElementsAre());
+  EXPECT_FALSE(fs::exists(dir / "aov_0000.png"));
+  EXPECT_TRUE(fs::exists(dir / "frame_0001.png"));
+}
+
+TEST(ClaimFolder, nothing_is_removed_through_symbolic_links) {
+  const test::TempDir dir;
+  const fs::path folder = dir / "a";
+  make_file(folder / "frame_0000/view_000.png");
+  make_file(dir / "target.png");
+  fs::create_symlink(dir / "target.png", folder / "frame_0001.png");
+  {
+    RenderFolder journal(folder, "a");
+    FrameReport report;
+    journal.add(report, records_of(folder, {folder / "frame_0000/view_000.png"}));
+    report.frame = 1;
+    journal.add(report, records_of(folder, {folder / "frame_0001.png"}));
+  }
+  fs::rename(folder / "frame_0000", dir / "elsewhere");
+  fs::create_directory_symlink(dir / "elsewhere", folder / "frame_0000");
+  cleared(folder, "b", true, {0, 1});
+  EXPECT_TRUE(fs::exists(dir / "elsewhere/view_000.png"));
+  EXPECT_TRUE(fs::exists(dir / "target.png"));
+  EXPECT_FALSE(fs::is_symlink(folder / "frame_0001.png"));
+}
+
+TEST(ClaimFolder, names_of_a_hostile_journal_lead_nowhere_when_the_folder_is_replaced) {
+  const test::TempDir dir;
+  const fs::path folder = dir / "a";
+  make_render(folder, "a", {0});
+  for (const char* name : {"../victim", "../frame_0001.png", "notes.txt"}) make_file(folder / name);
+  const std::string absolute = dir / "frame_0001.png";
+  for (const std::string& name :
+       {std::string("../victim"), std::string("../frame_0001.png"), std::string("notes.txt"), absolute}) {
+    FrameReport report;
+    report.frame = 1;
+    std::ofstream(part_of(folder), std::ios::app) << frame_line(report, {{name, *file_checksum(folder / "frame_0000.png")}});
+  }
+  std::ofstream(part_of(folder), std::ios::app) << asked_line({0});
+  EXPECT_THROW(check_folder(folder), Error);
+  cleared(folder, "b", true, {0, 1, 2});
+  for (const char* name : {"../victim", "../frame_0001.png", "notes.txt"}) EXPECT_TRUE(fs::exists(folder / name)) << name;
+  EXPECT_FALSE(fs::exists(folder / "frame_0000.png"));
+}
+
+TEST(CheckFolder, whole_render_passes) {
+  const test::TempDir dir;
+  make_render(dir / "a", "a", {0, 1, 2});
+  make_video(dir / "a", "a", dir / "a.mp4", {0, 1, 2});
+  make_file(dir / "a/notes.txt");
+  const FolderCheck check = check_folder(dir / "a");
+  EXPECT_TRUE(check.passed());
+  EXPECT_EQ(check.frames, 3);
+  EXPECT_EQ(check.files, 8u);
+}
+
+TEST(CheckFolder, finds_what_is_damaged_missing_foreign_and_not_rendered_yet) {
+  const test::TempDir dir;
+  const fs::path folder = dir / "a";
+  make_render(folder, "a", {0, 1});
+  make_video(folder, "a", dir / "a.mp4", {0, 1, 2});
+  make_file(folder / "frame_0000.png", "bytfs");
+  fs::remove(folder / "aov_0000.exr");
+  fs::remove(folder / "aov_0001.exr");
+  ASSERT_EQ(mkfifo((folder / "aov_0001.exr").c_str(), 0600), 0);
+  make_file(dir / "a.mp4", "");
+  make_file(folder / "report.json", "{}");
+  make_file(folder / "frame_0001_qs8x6a1.png");
+  make_file(folder / "frame_0002.png");  // left by a render that was killed
+  const FolderCheck check = check_folder(folder);
+  EXPECT_THAT(check.damaged, ElementsAre("frame_0000.png", "aov_0001.exr", "report.json", "../a.mp4"));
+  EXPECT_THAT(check.missing, ElementsAre("aov_0000.exr"));
+  EXPECT_THAT(check.foreign, ElementsAre("frame_0001_qs8x6a1.png"));
+  EXPECT_THAT(check.unfinished, ElementsAre(2));
+  EXPECT_FALSE(check.passed());
+}
+
+TEST(CheckFolder, folder_without_a_render_is_an_error) {
+  const test::TempDir dir;
+  make_file(dir / "frame_0000.png");
+  EXPECT_THROW(check_folder(dir.path()), Error);
+  EXPECT_THROW(check_folder(dir / "missing"), Error);
+}
+
+}  // namespace
+}  // namespace lippmann

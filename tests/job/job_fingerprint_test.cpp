@@ -1,0 +1,45 @@
+#include "job/job_fingerprint.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(JobFingerprint, differs_for_what_changes_pictures_and_for_nothing_else) {
+  const Scene scene;
+  RenderParams params;
+  const std::string same = job_fingerprint(params, scene);
+  RenderParams elsewhere = params;
+  elsewhere.output.folder = "elsewhere";
+  elsewhere.threads = 7;
+  elsewhere.output.frames = FrameRanges{{0, 1}};
+  elsewhere.output.video = {"a.mp4"};
+  elsewhere.resume = true;
+  elsewhere.sampling.order = RayOrder::kRows;
+  EXPECT_EQ(job_fingerprint(elsewhere, scene), same);
+  RenderParams finer = params;
+  finer.sampling.spp = 2;
+  EXPECT_NE(job_fingerprint(finer, scene), same);
+  Scene darker;
+  darker.background.horizon = Vec3f(0.5f);
+  EXPECT_NE(job_fingerprint(params, darker), same);
+}
+
+TEST(JobFingerprint, differences_are_the_parameters_that_decide_pictures) {
+  const test::TempDir dir;
+  std::ofstream(dir / "job.toml") << "scene = \"teapot\"\nspp = 4\nview-angle = 40\nthreads = 3\nframes = \"0-3\"\n";
+  RenderParams params;
+  params.scene.name = "teapot";
+  EXPECT_THAT(differences(dir / "job.toml", with_scene_defaults(params)), ElementsAre("view-angle", "spp"));
+  std::ofstream(dir / "job.toml") << "no job";
+  EXPECT_THAT(differences(dir / "job.toml", params), ElementsAre());
+}
+
+}  // namespace
+}  // namespace lippmann
