@@ -255,7 +255,7 @@ int run(const RenderOptions& options, Context& context) {
   if (options.page && !options.unit.empty())
     throw usage_error("--page", "needs all frames, and --unit renders a part of them",
                       "lippmann view DIR --save when all are there");
-  if (options.page && params.output.mirror)
+  if (options.page && params.output.pictures.mirror)
     throw usage_error("--page", "cannot show mirrored pictures, which are printed on the back of a sheet",
                       "no --mirror with it");
   if (!options.dump_job.empty()) {
