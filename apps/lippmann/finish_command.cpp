@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct FinishOptions {
   std::string folder, program;
   std::vector<std::string> join;
   ResultFlags result;
@@ -35,7 +35,7 @@ void print_problems(const FinishedAnimation& finished) {
   for (const std::string& name : finished.check.missing) fmt::print("missing  {}\n", printable(name));
 }
 
-void print_result(const Options& options, const FinishedAnimation& finished) {
+void print_result(const FinishOptions& options, const FinishedAnimation& finished) {
   if (!finished.joined.frames.empty()) fmt::print("taken over: frames {}\n", numbers(finished.joined.frames));
   const std::string job = shell_word((fs::path(options.folder) / "job.toml").string());
   if (!finished.report) {
@@ -51,7 +51,7 @@ void print_result(const Options& options, const FinishedAnimation& finished) {
   fmt::print("{}: all {} frames are there, as they were written\n", options.folder, report.frames.size());
 }
 
-nlohmann::ordered_json result_json(const Options& options, const FinishedAnimation& finished) {
+nlohmann::ordered_json result_json(const FinishOptions& options, const FinishedAnimation& finished) {
   return {{"folder", options.folder},
           {"finished", finished.report.has_value()},
           {"frames", finished.check.frames},
@@ -63,7 +63,7 @@ nlohmann::ordered_json result_json(const Options& options, const FinishedAnimati
           {"videos", finished.report ? finished.report->videos : std::vector<std::string>()}};
 }
 
-int run(const Options& options, const Context& context) {
+int run(const FinishOptions& options, const Context& context) {
   const FinishedAnimation finished = finish_animation(options.folder, {options.join.begin(), options.join.end()}, context);
   if (options.result.json)
     print_json(result_json(options, finished));
@@ -75,7 +75,7 @@ int run(const Options& options, const Context& context) {
 }  // namespace
 
 void add_finish_command(const Command& root, Action& chosen, const std::string& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FinishOptions>();
   options->program = program;
   const Command command =
       root.add_command("finish", "Complete a job that was rendered in parts: check all frames, write videos and the report");

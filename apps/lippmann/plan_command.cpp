@@ -18,7 +18,7 @@
 namespace lippmann::app {
 namespace {
 
-struct Options {
+struct PlanOptions {
   ParamFlags flags;
   int units = 1;
   bool only_list = false, json = false;
@@ -30,7 +30,7 @@ std::string seconds_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-void print_text(const Options& options, const UnitPlan& plan) {
+void print_text(const PlanOptions& options, const UnitPlan& plan) {
   const int count = static_cast<int>(plan.units.size());
   for (int i = 0; i < count; ++i) {
     const PlannedUnit& unit = plan.units[static_cast<std::size_t>(i)];
@@ -60,7 +60,7 @@ nlohmann::ordered_json plan_json(const UnitPlan& plan) {
   return json;
 }
 
-int run(const Options& options, const Context& context) {
+int run(const PlanOptions& options, const Context& context) {
   const UnitPlan plan = plan_units(options.flags.read(), options.units, !options.only_list, context);
   if (context.cancelled) return 1;
   if (options.json)
@@ -73,7 +73,7 @@ int run(const Options& options, const Context& context) {
 }  // namespace
 
 void add_plan_command(const Command& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanOptions>();
   const Command command = root.add_command("plan", "Cut a job into units that different machines render, and estimate them");
   add_param_flags(command, options->flags);
   command.add_option("--units", options->units, "Into how many units, if it falls into so many")

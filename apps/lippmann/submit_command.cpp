@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct SubmitOptions {
   std::string job, slurm, openjd, shell, partition, program;
   int units = 1, chunk = 1, threads = 0;
   std::optional<int> minutes, memory_mb;
@@ -51,7 +51,7 @@ void write_text(const fs::path& path, const std::string& text, bool is_script) {
   if (is_script) fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec, fs::perm_options::add, ignored);
 }
 
-Submission submission_of(const Options& options, const Context& context) {
+Submission submission_of(const SubmitOptions& options, const Context& context) {
   RenderParams params;
   if (fs::path(options.job).extension() != ".toml")
     throw usage_error("JOB", options.job + " is no job file", "a .toml; lippmann render SCENE --dump-job FILE.toml writes one");
@@ -76,7 +76,7 @@ Submission submission_of(const Options& options, const Context& context) {
   return submission;
 }
 
-int run(const Options& options, const Context& context) {
+int run(const SubmitOptions& options, const Context& context) {
   if (options.slurm.empty() && options.openjd.empty() && options.shell.empty())
     throw usage_error("submit", "nothing says for whom", "--slurm FILE, --openjd FILE or --shell FILE");
   if (options.job.empty()) throw usage_error("JOB", "no job is named", "a job file (.toml)");
@@ -102,7 +102,7 @@ int run(const Options& options, const Context& context) {
 }  // namespace
 
 void add_submit_command(const Command& root, Action& chosen, const std::string& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SubmitOptions>();
   options->program = program;
   const Command command =
       root.add_command("submit", "Write a job, cut into units, as what Slurm, a render farm or a shell takes");
