@@ -11,9 +11,8 @@ constexpr float kAsOfPaths = 0.8f;
 
 }  // namespace
 
-FirstSurfaces BlockGuides::surfaces_of_slots() {
-  return {slots_.albedo.data(), slots_.normal.data(), slots_.z.data(), slots_.met.data(), display_z_};
-}
+BlockGuides::BlockGuides(Vec4f display_z)
+    : surfaces_{slots_.albedo.data(), slots_.normal.data(), slots_.z.data(), slots_.met.data(), display_z} {}
 
 void BlockGuides::add(std::size_t e, std::uint32_t sample, std::size_t slot, Vec3f radiance) {
   const float sign = is_of_second_half(sample) ? -1.0f : 1.0f;

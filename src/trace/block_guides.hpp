@@ -5,20 +5,22 @@
 
 #include "trace/block_estimates.hpp"
 #include "trace/noisy_frame.hpp"
-#include "trace/path_tracer.hpp"
+#include "trace/path_film.hpp"
 
 namespace lippmann {
 
 class BlockGuides {
  public:
   /// display_z: of FirstSurfaces.
-  explicit BlockGuides(Vec4f display_z) : display_z_(display_z) {}
+  explicit BlockGuides(Vec4f display_z);
+  BlockGuides(const BlockGuides&) = delete;
+  BlockGuides& operator=(const BlockGuides&) = delete;
 
   /// Forgets the pixels before.
   void begin() { sums_ = {}, noise_.fill(0.0f); }
 
   /// Where samples under way tell of their surfaces, and of the light that is free of noise, by slot.
-  FirstSurfaces surfaces_of_slots();
+  const FirstSurfaces& surfaces_of_slots() const { return surfaces_; }
   float* seen_of_slots() { return slots_.seen.data(); }
 
   /// A finished sample of pixel e: its number, its light, and what has been told of it; the slot is then free again.
@@ -35,8 +37,8 @@ class BlockGuides {
     Numbers z{}, met{};
   };
 
-  Vec4f display_z_;
   Guides slots_, sums_;
+  FirstSurfaces surfaces_;  ///< of slots_
   Colors noise_{};
 };
 

@@ -23,7 +23,7 @@ struct CachedLightReport {
 struct CachedLightGoal {
   std::optional<float> squared_error{};  ///< mean, of sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
   int frames = 1;                        ///< that a history will have
-  bool provenance = false;               ///< pictures show where light came from: see trace/light_gatherer.hpp
+  bool provenance = false;               ///< pictures show where light came from: see trace/final_gather.hpp
   std::optional<double> seconds{};  ///< of a frame on this machine, in place of an error: frames are as good as these allow
 };
 

@@ -1,8 +1,11 @@
 #include "trace/feed_frame.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "core/random.hpp"
+#include "trace/frame_work.hpp"
+#include "trace/trace_batch.hpp"
 
 namespace lippmann {
 namespace {
@@ -37,52 +40,67 @@ Fed FrameFeeder::feed(const FeedTarget& target, int round, const Choice& choice)
   const auto strips = static_cast<std::size_t>(source_.strips());
   Fed fed;
   fed.strips.resize(strips);
-  std::vector<RayCounts> counts(strips);
-  target.pool.for_each(strips, [&](std::size_t strip) {
-    if (!target.context.cancelled) fed.strips[strip] = feed_strip(target, strip, round, choice, counts[strip]);
-  });
+  fed.rays = trace_strips(strips, {target.pool, target.context}, Progress::kSilent,
+                          [&](std::size_t strip) { return feed_strip(target, strip, round, choice, fed.strips[strip]); });
   std::vector<std::span<const LightRecord>> records;
   records.reserve(strips);
   for (const FedLight& strip : fed.strips) records.emplace_back(strip.records);
   target.cache.add(records, target.pool);
-  for (const RayCounts& c : counts) add(c, fed.rays);
   return fed;
 }
 
+namespace {
+
+/// The packets of a strip whose turn it is, by group, for trace_batch(). Random numbers are those of a stream of the batch's
+/// own.
+struct GroupPackets {
+  StripPackets packets;
+  int turn;
+  std::uint32_t stream, samples = 0;
+
+  int packet_of(int group) const { return group * kRoundsPerFrame + turn; }
+
+  bool fill(int group, int place, CameraPacket& into) {
+    if (!packets.fill(packet_of(group), place, into)) return false;
+    for (int i = 0; i < kLanes; ++i) {
+      into.target[i] = static_cast<std::uint32_t>(group);
+      into.stream[i] = stream;
+      into.sample[i] = samples;
+      samples += into.active.lane[i] ? 1 : 0;
+    }
+    return true;
+  }
+};
+
+}  // namespace
+
 /// Of every group the packet whose turn it is.
-FedLight FrameFeeder::feed_strip(const FeedTarget& target, std::size_t strip, int round, const Choice& choice,
-                                 RayCounts& counts) const {
+RayCounts FrameFeeder::feed_strip(const FeedTarget& target, std::size_t strip, int round, const Choice& choice,
+                                  FedLight& fed) const {
   const auto seed = static_cast<std::uint32_t>(round);
   const PathParams paths{params_.max_depth, hash(params_.seed, params_.frame, 0x6c696768u + seed), params_.clamp_indirect};
   const int place = static_cast<int>(hash(params_.seed, params_.frame, seed) % kPlaces);
-  const int turn = static_cast<int>((params_.frame + seed) % kRoundsPerFrame);
-  const int groups = choice.only ? static_cast<int>((*choice.only)[strip].size())
-                                 : (source_.packets_per_strip() + kRoundsPerFrame - 1) / kRoundsPerFrame;
-  FedLight fed;
-  LightFeeder feeder(scene_, target.cells, paths);
-  if (choice.only) feeder.ask_only({target.cache, choice.enough});
-  if (target.moved) feeder.watch(*target.moved);
-  RayHitPacket packet;
-  LaneMask active;
-  alignas(64) std::uint32_t pixel[kLanes];
-  auto random_group = static_cast<std::uint32_t>(strip) << 16;
-  feeder.begin_group(random_group);
-  int waiting = 0;
-  for (int g = 0; g < groups; ++g) {
-    const std::uint32_t group =
-        choice.only ? (*choice.only)[strip][static_cast<std::size_t>(g)] : static_cast<std::uint32_t>(g);
-    const int p = static_cast<int>(group) * kRoundsPerFrame + turn;
-    if (p >= source_.packets_per_strip() || source_.fill(static_cast<int>(strip), p, place, packet.ray, active, pixel) == 0)
-      continue;
-    feeder.primary(packet, active, group);
-    if (++waiting < kPacketsPerBlock) continue;
-    feeder.finish_group(fed);
-    feeder.begin_group(++random_group);
-    waiting = 0;
+  GroupPackets packets{{source_, static_cast<int>(strip)},
+                       static_cast<int>((params_.frame + seed) % kRoundsPerFrame),
+                       static_cast<std::uint32_t>(strip) << 16};
+  std::vector<int> groups;
+  const auto list = [&](std::size_t group) {
+    if (source_.lanes(packets.packets.strip, packets.packet_of(static_cast<int>(group))) > 0)
+      groups.push_back(static_cast<int>(group));
+  };
+  if (choice.only)
+    for (const std::uint32_t group : (*choice.only)[strip]) list(group);
+  else
+    for (int g = 0; g * kRoundsPerFrame < source_.packets_per_strip(); ++g) list(static_cast<std::size_t>(g));
+  const std::optional<ScarceLight> scarce =
+      choice.only ? std::optional<ScarceLight>({target.cache, choice.enough}) : std::nullopt;
+  CacheUpdate update(scene_, target.cells, paths, scarce, target.moved, fed);
+  for (std::span<const int> left = groups; !left.empty(); ++packets.stream, packets.samples = 0) {
+    const std::span<const int> batch = left.first(std::min<std::size_t>(left.size(), kPacketsPerBlock));
+    trace_batch(scene_, packets, {batch, place, place + 1}, update);
+    left = left.subspan(batch.size());
   }
-  feeder.finish_group(fed);
-  counts = feeder.counts();
-  return fed;
+  return update.counts();
 }
 
 void add_scarce_groups(const Fed& fed, const LightCache& cache, float enough, PacketGroups& groups) {

@@ -2,7 +2,7 @@
 // src/trace.
 #pragma once
 
-#include "trace/light_feeder.hpp"
+#include "trace/cache_update.hpp"
 #include "trace/packet_source.hpp"
 
 namespace lippmann {
@@ -51,7 +51,7 @@ class FrameFeeder {
     const PacketGroups* only = nullptr;  ///< these, and only scarce cells; null: all
   };
   Fed feed(const FeedTarget& target, int round, const Choice& choice) const;
-  FedLight feed_strip(const FeedTarget& target, std::size_t strip, int round, const Choice& choice, RayCounts& counts) const;
+  RayCounts feed_strip(const FeedTarget& target, std::size_t strip, int round, const Choice& choice, FedLight& fed) const;
 
   const DeviceScene::Impl& scene_;
   TraceParams params_;

@@ -4,8 +4,7 @@
 
 #include "optics/view_place.hpp"
 #include "trace/former_places.hpp"
-#include "trace/packet_source.hpp"
-#include "trace/scene_query.hpp"
+#include "trace/trace_batch.hpp"
 
 namespace lippmann {
 namespace {
@@ -34,12 +33,11 @@ bool is_hole(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i
   return surface.opacity[i] < 0.5f * solid;
 }
 
-/// Finds the first hits of a strip's pixels and stores what they are.
+/// The integrator that stores what first hits are.
 class FirstHits {
  public:
-  FirstHits(const Shot& shot, RayOrder order, const FrameStep* step, FrameAovs& aovs)
+  FirstHits(const Shot& shot, const FrameStep* step, FrameAovs& aovs)
       : scene_(shot.device.impl()),
-        source_(shot.optics, shot.world_from_display, order, SubPixel{}),
         beam_(shot.optics, shot.world_from_display),
         display_from_world_(inverse(shot.world_from_display)),
         mm_per_unit_(1.0f / uniform_scale(shot.world_from_display)),
@@ -48,28 +46,21 @@ class FirstHits {
     if (step && aovs.wants(Aov::kMotion)) former_.emplace(scene_, shot.world_from_display, *step);
   }
 
-  std::size_t strips() const { return static_cast<std::size_t>(source_.strips()); }
-
-  void fill_strip(int strip) const {
-    RayHitPacket packet;
-    LaneMask active;
+  void primary(CameraPacket& packet) const {
+    RayPacket& rays = packet.rays.ray;
+    LaneMask active = packet.active;
     SurfacePacket surface;
-    alignas(64) std::uint32_t pixel[kLanes];
-    for (int p = 0; p < source_.packets_per_strip(); ++p) {
-      if (source_.fill(strip, p, 0, packet.ray, active, pixel) == 0) continue;
-      for (int hole = 0; hole <= kMostHoles; ++hole) {
-        const RayPacket rays = packet.ray;
-        clear_hits(packet);
-        intersect_scene(scene_, active, packet, hole == 0 ? Coherence::kCoherent : Coherence::kIncoherent);
-        evaluate_surfaces(scene_, packet, active, Lanes{}, beam_, surface);
-        if (!store(packet, surface, pixel, hole == kMostHoles, active)) break;
-        // Behind holes, along the same rays.
-        for (int i = 0; i < kLanes; ++i)
-          packet.ray.tnear[i] = active.lane[i] ? packet.ray.tfar[i] + surface.t_near[i] : rays.tnear[i];
-        std::copy_n(rays.tfar, kLanes, packet.ray.tfar);
-      }
+    for (int hole = 0;; ++hole) {
+      evaluate_surfaces(scene_, packet.rays, active, Lanes{}, beam_, surface);
+      if (!store(packet.rays, surface, packet.target, hole == kMostHoles, active)) return;
+      // Behind holes, along the same rays.
+      for (int i = 0; i < kLanes; ++i)
+        if (active.lane[i]) rays.tnear[i] = rays.tfar[i] + surface.t_near[i];
+      std::copy_n(packet.reach.lane, kLanes, rays.tfar);
+      find_nearest(scene_, active, packet.rays, Coherence::kIncoherent);
     }
   }
+  void finish() const {}
 
  private:
   /// Stores the lanes that have hit something; those that have hit a hole stay active. Whether there are any.
@@ -118,7 +109,6 @@ class FirstHits {
   }
 
   const DeviceScene::Impl& scene_;
-  PacketSource source_;
   BeamFootprint beam_;
   Affine3f display_from_world_;
   float mm_per_unit_;
@@ -133,8 +123,8 @@ void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, co
   if (!aovs.wants_any(false)) return;
   for (const Aov aov : kOfHits)
     if (aovs.wants(aov)) aovs.allocate(aov, shot.optics.panel, value_of_nothing(aov));
-  const FirstHits hits(shot, order, step, aovs);
-  pool.for_each(hits.strips(), [&](std::size_t strip) { hits.fill_strip(static_cast<int>(strip)); });
+  const FirstHits hits(shot, step, aovs);
+  trace_centres(shot, order, pool, hits);
 }
 
 }  // namespace lippmann

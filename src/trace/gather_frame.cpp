@@ -1,12 +1,12 @@
 #include "trace/gather_frame.hpp"
 
 #include <array>
-#include <atomic>
 #include <memory>
 
 #include "core/random.hpp"
 #include "trace/block_guides.hpp"
-#include "trace/packet_source.hpp"
+#include "trace/frame_work.hpp"
+#include "trace/trace_batch.hpp"
 #include "trace/trace_packets.hpp"
 #include "transport/sampler.hpp"
 
@@ -22,57 +22,61 @@ struct Work {
 constexpr std::uint32_t kPlacesSalt = 0x706c6163u;
 
 /// Rays of any samples of any pixels.
-class SamplePackets {
+class SampleSource {
  public:
-  SamplePackets(const Optics& optics, const Affine3f& world_from_display, const TraceParams& params)
+  SampleSource(const Optics& optics, const Affine3f& world_from_display, const TraceParams& params)
       : rays_(optics, world_from_display, SubPixel{params.seed, kMostGatherSamples, params.angular_filter}),
         seed_(hash(params.seed, params.frame, kPlacesSalt)),
         width_(static_cast<std::uint32_t>(optics.panel.width)) {}
 
-  void fill(std::span<const Work> work, const BlockEstimates& block, RayPacket& rays, LaneMask& active, std::uint32_t* pixel,
-            std::uint32_t* sample) const {
-    PathPairs places;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const Work& w = work[std::min(i, work.size() - 1)];
-      active.lane[i] = i < work.size() ? -1 : 0;
-      pixel[i] = block.pixel[w.estimate];
-      places.index[i] = sample[i] = w.sample;
-    }
+  /// Of the packet's streams, which are pixels, and samples.
+  void fill(CameraPacket& packet) const {
     alignas(64) float px[kLanes], py[kLanes];
-    place_samples(pixel, places, px, py);
-    if (rays_.eyes() == 1) return fill(rays_.of(0), px, py, 0, kLanes, rays);
-    for (int i = 0; i < kLanes; ++i) fill(rays_.of(static_cast<int>(sample[i])), px, py, i, 1, rays);
+    place_samples(packet, px, py);
+    if (rays_.eyes() == 1) return fill_rays(rays_.of(0), px, py, {}, packet.rays.ray);
+    for (int i = 0; i < kLanes; ++i) fill_rays(rays_.of(static_cast<int>(packet.sample[i])), px, py, {i, 1}, packet.rays.ray);
   }
 
  private:
   /// Where on the panel samples lie: other places in every frame, as the frame before is to know of edges that this one misses.
-  void place_samples(const std::uint32_t* pixel, PathPairs& places, float* px, float* py) const {
+  void place_samples(const CameraPacket& packet, float* px, float* py) const {
     const std::uint32_t seed = seed_, width = width_;
+    PathPairs places;
     LIPPMANN_FOR_LANES(i) {
-      places.seed[i] = hash(seed, pixel[i]);
+      places.seed[i] = hash(seed, packet.stream[i]);
+      places.index[i] = packet.sample[i];
       places.first[i] = 0;
     }
     sample_pairs(places, 0, px, py);
     LIPPMANN_FOR_LANES(i) {
       constexpr float kLast = 1.0f - 1.0f / 256.0f;  // beyond it, rounding may lead to the next pixel
-      px[i] = static_cast<float>(pixel[i] % width) + std::min(px[i], kLast);
-      py[i] = static_cast<float>(pixel[i] / width) + std::min(py[i], kLast);
-    }
-  }
-
-  static void fill(const RayGenerator& generator, const float* px, const float* py, int first, int count, RayPacket& rays) {
-    generator.rays(px + first, py + first, count,
-                   {rays.org_x + first, rays.org_y + first, rays.org_z + first, rays.dir_x + first, rays.dir_y + first,
-                    rays.dir_z + first});
-    const Vec3f forward = generator.forward();
-    for (int i = first; i < first + count; ++i) {
-      rays.tnear[i] = 0.0f;
-      rays.tfar[i] = generator.depth() / (rays.dir_x[i] * forward.x + rays.dir_y[i] * forward.y + rays.dir_z[i] * forward.z);
+      px[i] = static_cast<float>(packet.stream[i] % width) + std::min(px[i], kLast);
+      py[i] = static_cast<float>(packet.stream[i] / width) + std::min(py[i], kLast);
     }
   }
 
   SampleRays rays_;
   std::uint32_t seed_, width_;
+};
+
+/// Packets of wanted samples of a block's pixels, for trace_batch(): light goes to a slot for each.
+struct WantedSamples {
+  const SampleSource& source;
+  const BlockEstimates& block;
+  std::span<const Work> work;
+
+  bool fill(int packet, int, CameraPacket& into) const {
+    const auto first = static_cast<std::size_t>(packet) * kLanes;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const Work& w = work[std::min(first + i, work.size() - 1)];
+      into.active.lane[i] = first + i < work.size() ? -1 : 0;
+      into.target[i] = static_cast<std::uint32_t>(first + i);
+      into.stream[i] = block.pixel[w.estimate];
+      into.sample[i] = w.sample;
+    }
+    source.fill(into);
+    return true;
+  }
 };
 
 /// A pixel's first samples, a power of two.
@@ -83,19 +87,15 @@ constexpr float kAlphaError = 0.01f;
 
 class BlockGatherer {
  public:
-  BlockGatherer(const GatherSources& sources, const SamplePackets& packets, const GatherParams& params,
+  BlockGatherer(const GatherSources& sources, const SampleSource& samples, const GatherParams& params,
                 const GatheredPictures& pictures)
-      : packets_(packets),
+      : scene_(sources.scene.impl()),
+        samples_(samples),
         error_(params.effort.error),
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
-        gatherer_(sources.scene.impl(), sources.cells, sources.cache, path_params(params.trace), light_) {
-    gatherer_.leave_to_paths(params.effort.edges);
-    if (params.provenance) gatherer_.show_provenance();
-    if (pictures.alpha) gatherer_.leave_open(open_.data());
-    if (!pictures.noisy) return;
-    guides_ = std::make_unique<BlockGuides>(display_z(sources.world_from_display));
-    gatherer_.describe(guides_->surfaces_of_slots(), guides_->seen_of_slots());
-  }
+        guides_(pictures.noisy ? std::make_unique<BlockGuides>(display_z(sources.world_from_display)) : nullptr),
+        gatherer_(scene_, sources.cells, sources.cache, path_params(params.trace), film(pictures),
+                  {params.effort.edges, params.provenance}) {}
 
   /// Fills a block whose pixels are listed.
   void gather(BlockEstimates& block) {
@@ -125,57 +125,41 @@ class BlockGatherer {
   RayCounts counts() const { return gatherer_.counts(); }
 
  private:
+  /// By slot.
+  PathFilm film(const GatheredPictures& pictures) {
+    PathFilm film{.all = light_.data.data()};
+    if (pictures.alpha) film.open = open_.data();
+    if (guides_) film.seen = guides_->seen_of_slots(), film.surfaces = &guides_->surfaces_of_slots();
+    return film;
+  }
+
   void trace(std::span<const Work> work, BlockEstimates& block) {
-    RayHitPacket packet;
-    LaneMask active;
-    alignas(64) std::uint32_t pixel[kLanes], sample[kLanes], slot[kLanes];
-    for (std::size_t begin = 0; begin < work.size(); begin += BlockEstimates::kMost) {
-      const std::size_t end = std::min(work.size(), begin + BlockEstimates::kMost);
-      for (std::size_t first = begin; first < end; first += kLanes) {
-        packets_.fill(work.subspan(first, std::min<std::size_t>(kLanes, end - first)), block, packet.ray, active, pixel,
-                      sample);
-        for (std::uint32_t i = 0; i < kLanes; ++i) slot[i] = static_cast<std::uint32_t>(first - begin) + i;
-        gatherer_.primary(packet, active, pixel, sample, slot);
-      }
-      gatherer_.finish_batch();
-      for (std::size_t w = begin; w < end; ++w) {
-        float* light = &light_.data[3 * (w - begin)];
-        const Vec3f radiance(light[0], light[1], light[2]);
-        block.add(work[w].estimate, radiance, open_[w - begin]);
-        if (guides_) guides_->add(work[w].estimate, work[w].sample, w - begin, radiance);
-        light[0] = light[1] = light[2] = open_[w - begin] = 0.0f;
-      }
+    static_assert(BlockEstimates::kMost == kPacketsPerBlock * kLanes);
+    for (; !work.empty(); work = work.subspan(std::min(work.size(), BlockEstimates::kMost)))
+      trace_slots(work.first(std::min(work.size(), BlockEstimates::kMost)), block);
+  }
+
+  void trace_slots(std::span<const Work> work, BlockEstimates& block) {
+    const WantedSamples packets{samples_, block, work};
+    for_each_batch({}, 0, static_cast<int>(packets_of(work.size())),
+                   [&](std::span<const int> batch, std::size_t) { trace_batch(scene_, packets, {batch}, gatherer_); });
+    for (std::size_t w = 0; w < work.size(); ++w) {
+      float* light = &light_.data[3 * w];
+      const Vec3f radiance(light[0], light[1], light[2]);
+      block.add(work[w].estimate, radiance, open_[w]);
+      if (guides_) guides_->add(work[w].estimate, work[w].sample, w, radiance);
+      light[0] = light[1] = light[2] = open_[w] = 0.0f;
     }
   }
 
-  const SamplePackets& packets_;
+  const DeviceScene::Impl& scene_;
+  const SampleSource& samples_;
   float error_;
   Image light_;
   std::array<float, BlockEstimates::kMost> open_{};
   std::unique_ptr<BlockGuides> guides_;  ///< null: nobody asks
-  LightGatherer gatherer_;
+  FinalGather gatherer_;
 };
-
-std::size_t blocks_per_strip(const PacketSource& source) {
-  return static_cast<std::size_t>((source.packets_per_strip() + kPacketsPerBlock - 1) / kPacketsPerBlock);
-}
-
-/// The pixels of a block, or of its wanted packets alone. before: of the frame; empty: not known.
-void list_pixels(const PacketSource& source, std::size_t strip, std::size_t block, std::span<const std::uint8_t> wanted,
-                 const Scatter& before, BlockEstimates& estimates) {
-  RayPacket rays;
-  LaneMask active;
-  alignas(64) std::uint32_t pixel[kLanes];
-  estimates.size = 0;
-  const int first = static_cast<int>(block) * kPacketsPerBlock;
-  const auto of_strip = strip * static_cast<std::size_t>(source.packets_per_strip());
-  for (int p = first; p < std::min(source.packets_per_strip(), first + kPacketsPerBlock); ++p) {
-    if (!wanted.empty() && !wanted[of_strip + static_cast<std::size_t>(p)]) continue;
-    if (source.fill(static_cast<int>(strip), p, 0, rays, active, pixel) == 0) continue;
-    for (int i = 0; i < kLanes; ++i)
-      if (active.lane[i]) estimates.push_back(pixel[i], before.empty() ? 0.0f : before[pixel[i]]);
-  }
-}
 
 }  // namespace
 
@@ -188,29 +172,18 @@ void append_pixels(const Optics& optics, const Affine3f& world_from_display, Ray
                    std::vector<std::uint32_t>& pixels) {
   const PacketSource source(optics, world_from_display, order, SubPixel{});
   const auto per_strip = static_cast<std::size_t>(source.packets_per_strip());
-  RayPacket rays;
-  LaneMask active;
-  alignas(64) std::uint32_t pixel[kLanes];
-  for (std::size_t p = first; p < end; ++p) {
-    if (source.fill(static_cast<int>(p / per_strip), static_cast<int>(p % per_strip), 0, rays, active, pixel) == 0) continue;
-    for (int i = 0; i < kLanes; ++i)
-      if (active.lane[i]) pixels.push_back(pixel[i]);
-  }
+  for (std::size_t p = first; p < end; ++p)
+    for_each_pixel(source, static_cast<int>(p / per_strip), static_cast<int>(p % per_strip),
+                   [&](std::uint32_t pixel) { pixels.push_back(pixel); });
 }
 
 void for_each_pixel(const Optics& optics, const Affine3f& world_from_display, RayOrder order,
                     const std::function<void(std::size_t, std::uint32_t)>& fn) {
   const PacketSource source(optics, world_from_display, order, SubPixel{});
-  RayPacket rays;
-  LaneMask active;
-  alignas(64) std::uint32_t pixel[kLanes];
   std::size_t packet = 0;
   for (int strip = 0; strip < source.strips(); ++strip)
-    for (int p = 0; p < source.packets_per_strip(); ++p, ++packet) {
-      if (source.fill(strip, p, 0, rays, active, pixel) == 0) continue;
-      for (int i = 0; i < kLanes; ++i)
-        if (active.lane[i]) fn(packet, pixel[i]);
-    }
+    for (int p = 0; p < source.packets_per_strip(); ++p, ++packet)
+      for_each_pixel(source, strip, p, [&](std::uint32_t pixel) { fn(packet, pixel); });
 }
 
 Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool& pool) {
@@ -242,6 +215,18 @@ Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool&
 
 namespace {
 
+/// The pixels of a block, or of its wanted packets alone. before: of the frame; empty: not known.
+void list_pixels(const PacketSource& source, std::size_t strip, std::size_t block, std::span<const std::uint8_t> wanted,
+                 const Scatter& before, BlockEstimates& estimates) {
+  estimates.size = 0;
+  const int first = static_cast<int>(block) * kPacketsPerBlock;
+  const auto of_strip = strip * static_cast<std::size_t>(source.packets_per_strip());
+  for (int p = first; p < std::min(source.packets_per_strip(), first + kPacketsPerBlock); ++p)
+    if (wanted.empty() || wanted[of_strip + static_cast<std::size_t>(p)])
+      for_each_pixel(source, static_cast<int>(strip), p,
+                     [&](std::uint32_t pixel) { estimates.push_back(pixel, before.empty() ? 0.0f : before[pixel]); });
+}
+
 RayCounts gather_cached(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
                         const GatherHistory& history, const ThreadPool& pool, const Context& context,
                         const GatheredPictures& pictures) {
@@ -254,36 +239,28 @@ RayCounts gather_cached(const GatherSources& sources, const GatherParams& params
   film.data.resize(3 * static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
   if (pictures.noisy) clear_guides(optics.panel, *pictures.noisy);
   const PacketSource source(optics, sources.world_from_display, params.trace.order, SubPixel{});
-  const SamplePackets packets(optics, sources.world_from_display, params.trace);
-  const auto strips = static_cast<std::size_t>(source.strips());
-  const std::size_t blocks = blocks_per_strip(source);
-  std::vector<RayCounts> counts(strips);
-  std::atomic<std::size_t> done{0};
+  const SampleSource samples(optics, sources.world_from_display, params.trace);
   const Scatter unknown;
-  pool.for_each(strips, [&](std::size_t strip) {
-    BlockGatherer gatherer(sources, packets, params, pictures);
-    const auto block = std::make_unique<BlockEstimates>();
-    for (std::size_t b = 0; b < blocks && !context.cancelled; ++b) {
-      list_pixels(source, strip, b, wanted, history.before ? *history.before : unknown, *block);
-      if (block->size == 0) continue;
-      gatherer.gather(*block);
-      for (std::size_t e = 0; e < block->size; ++e) {
-        const std::size_t pixel = block->pixel[e];
-        if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
-        if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
-        const Vec3f radiance = block->radiance(e);
-        std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
-      }
-      if (pictures.noisy) gatherer.write(*block, *pictures.noisy);
-    }
-    counts[strip] = gatherer.counts();
-    const std::size_t finished = ++done;
-    if (wanted.empty() && context.frame_progress)
-      context.frame_progress(static_cast<double>(finished) / static_cast<double>(strips));
-  });
-  RayCounts total;
-  for (const RayCounts& c : counts) add(c, total);
-  return total;
+  const Scatter& before = history.before ? *history.before : unknown;
+  return trace_strips(static_cast<std::size_t>(source.strips()), {pool, context},
+                      wanted.empty() ? Progress::kTold : Progress::kSilent, [&](std::size_t strip) {
+                        BlockGatherer gatherer(sources, samples, params, pictures);
+                        const auto block = std::make_unique<BlockEstimates>();
+                        for (std::size_t b = 0; b < blocks_in(source.packets_per_strip()) && !context.cancelled; ++b) {
+                          list_pixels(source, strip, b, wanted, before, *block);
+                          if (block->size == 0) continue;
+                          gatherer.gather(*block);
+                          for (std::size_t e = 0; e < block->size; ++e) {
+                            const std::size_t pixel = block->pixel[e];
+                            if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
+                            if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
+                            const Vec3f radiance = block->radiance(e);
+                            std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+                          }
+                          if (pictures.noisy) gatherer.write(*block, *pictures.noisy);
+                        }
+                        return gatherer.counts();
+                      });
 }
 
 void mix_into(Image& image, const Image& more, float weight) {
@@ -295,7 +272,7 @@ Image difference(Image a, const Image& b) {
   return a;
 }
 
-/// All light of paths is what this frame traced (LightGatherer::show_provenance).
+/// All light of paths is what this frame traced (FinalGatherOptions).
 void show_as_traced(Image& film) {
   for (std::size_t i = 0; i < film.data.size(); i += 3) {
     const float all = luminance(Vec3f(film.data[i], film.data[i + 1], film.data[i + 2]));

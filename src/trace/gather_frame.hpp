@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "trace/light_gatherer.hpp"
+#include "trace/final_gather.hpp"
 #include "trace/noisy_frame.hpp"
 #include "trace/path_mix.hpp"
 
@@ -20,7 +20,7 @@ struct GatherEffort {
 struct GatherParams {
   TraceParams trace;  ///< spp is not used: samples are as many as `effort.error` asks for
   GatherEffort effort;
-  bool provenance = false;  ///< see LightGatherer::show_provenance
+  bool provenance = false;  ///< see FinalGatherOptions
 };
 
 /// By how much the samples of each pixel scatter, as sRGB's codes have it, squared; by pixel index, < 0: not known of this one.

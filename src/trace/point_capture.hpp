@@ -2,8 +2,8 @@
 // src/trace.
 #pragma once
 
+#include "trace/camera_packet.hpp"
 #include "trace/device_scene_impl.hpp"
-#include "trace/embree_shim.hpp"
 #include "trace/primary_points.hpp"
 
 namespace lippmann {
@@ -16,7 +16,7 @@ class PointCapture {
       : scene_(scene), display_from_world_(display_from_world), points_(points) {}
 
   /// Stores where the active lanes of a traced packet have ended.
-  void store(const RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel) const;
+  void store(const CameraPacket& camera) const;
 
  private:
   const DeviceScene::Impl& scene_;

@@ -51,7 +51,8 @@ LIPPMANN_MULTIVERSION void clear_hits(RayHitPacket& packet) {
   }
 }
 
-void intersect_scene(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet, Coherence coherence) {
+void find_nearest(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet, Coherence coherence) {
+  clear_hits(packet);
   if (!scene.planes.empty()) meet_planes(scene.planes.data(), scene.planes.size(), active, packet);
   const LaneMask sound = sound_lanes(packet.ray, scene.reach, active);
   if (scene.has_fixed) intersect(scene.fixed.get(), scene.native_width, sound, packet, coherence);

@@ -12,7 +12,7 @@ LIPPMANN_INLINE LaneRay lane_ray(const RayPacket& ray, int i) {
 /// Resets the hit part and the bookkeeping words of a packet whose origins, directions, tnear and tfar are set.
 void clear_hits(RayHitPacket& packet);
 
-/// The nearest hit of each active lane.
-void intersect_scene(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet, Coherence coherence);
+/// The nearest hit of each active lane; origins, directions, tnear and tfar are set, and tfar becomes the hit's.
+void find_nearest(const DeviceScene::Impl& scene, const LaneMask& active, RayHitPacket& packet, Coherence coherence);
 
 }  // namespace lippmann

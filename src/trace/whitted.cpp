@@ -156,32 +156,30 @@ void keep_holes_open(const DeviceScene::Impl& scene, const SurfacePacket& s, Bra
 
 }  // namespace
 
-WhittedTracer::WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, int max_depth, Image& film)
+WhittedTracer::WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const WhittedParams& params,
+                             const PathFilm& film)
     : scene_(scene),
       beam_(beam),
-      max_depth_(max_depth),
-      film_(film.data.data()),
+      max_depth_(params.max_depth),
+      weight_(1.0f / static_cast<float>(params.spp)),
+      film_(film),
       shadows_(scene.lights.size()),
       shadow_rays_(scene.lights.size()) {}
 
-void WhittedTracer::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight) {
-  clear_hits(packet);
-  counts_.primary += static_cast<std::uint64_t>(count_lanes(active));
-  if (log_) log_->push_back({packet.ray, active, false, Coherence::kCoherent});
-  intersect_scene(scene_, active, packet, Coherence::kCoherent);
-  if (capture_) capture_->store(packet, active, pixel);
-  if (probe_) probe_->add(packet.ray, active);
+void WhittedTracer::primary(const CameraPacket& packet) {
+  counts_.primary += static_cast<std::uint64_t>(count_lanes(packet.active));
+  if (probe_) probe_->add(packet.rays.ray, packet.active);
   Bundle bundle;
   for (int i = 0; i < kLanes; ++i) {
-    bundle.weight.x[i] = bundle.weight.y[i] = bundle.weight.z[i] = weight;
+    bundle.weight.x[i] = bundle.weight.y[i] = bundle.weight.z[i] = weight_;
     bundle.path_length[i] = 0.0f;
     bundle.open[i] = 1.0f;
-    bundle.pixel[i] = pixel[i];
+    bundle.pixel[i] = packet.target[i];
   }
-  shade(packet, active, bundle, 1);
+  shade(packet.rays, packet.active, bundle, 1);
 }
 
-void WhittedTracer::finish_batch() {
+void WhittedTracer::finish() {
   RayHitPacket packet;
   Bundle bundle;
   LaneMask active;
@@ -191,9 +189,8 @@ void WhittedTracer::finish_batch() {
     counts_.reflection += wave_.size();
     for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
       wave_.load(first, packet, bundle, active);
-      clear_hits(packet);
-      if (log_) log_->push_back({packet.ray, active, false, Coherence::kIncoherent});
-      intersect_scene(scene_, active, packet, Coherence::kIncoherent);
+      if (log_) log_->push_back(logged(packet.ray, active, Coherence::kIncoherent));
+      find_nearest(scene_, active, packet, Coherence::kIncoherent);
       if (probe_) probe_->add(packet.ray, active);
       shade(packet, active, bundle, depth);
     }
@@ -220,10 +217,10 @@ void WhittedTracer::see_surroundings(const RayHitPacket& packet, const LaneMask&
   else
     see_sky(scene_.scene->background, packet, radiance);
   if (scene_.any_visible_light) see_lights(scene_.lights, packet, radiance);
-  for (int i = 0; open_ && i < kLanes; ++i) {
+  for (int i = 0; film_.open && i < kLanes; ++i) {
     if (!active.lane[i] || packet.hit.geomID[i] != kNoId || !(bundle.open[i] > 0.0f)) continue;
     radiance.set(i, Vec3f(0.0f));
-    open_[bundle.pixel[i]] += bundle.open[i];
+    film_.open[bundle.pixel[i]] += bundle.open[i];
   }
 }
 
@@ -260,7 +257,7 @@ void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, boo
     return;
   }
   if (surface_.any_see_through) refract(packet, branches);
-  if (open_ && surface_.any_see_through) keep_holes_open(scene_, surface_, branches);
+  if (film_.open && surface_.any_see_through) keep_holes_open(scene_, surface_, branches);
   int entry[Branches::kCount + kLanes] = {};
   const int count = list_branches(surface_, entry);
   next_.append(surface_, packet, bundle, branches, entry, count);
@@ -279,7 +276,7 @@ void WhittedTracer::refract(const RayHitPacket& packet, Branches& branches) cons
 void WhittedTracer::add_to_film(const LaneMask& active, const Bundle& bundle, const Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
     if (!active.lane[i]) continue;
-    float* p = film_ + 3 * static_cast<std::size_t>(bundle.pixel[i]);
+    float* p = film_.all + 3 * static_cast<std::size_t>(bundle.pixel[i]);
     p[0] += bundle.weight.x[i] * radiance.x[i];
     p[1] += bundle.weight.y[i] * radiance.y[i];
     p[2] += bundle.weight.z[i] * radiance.z[i];

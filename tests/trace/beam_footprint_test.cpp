@@ -77,8 +77,7 @@ TEST(BeamFootprint, scattered_rays_are_as_wide_as_a_pixel) {
     active.lane[i] = -1;
     spread.lane[i] = i % 2 ? -1 : 0;
   }
-  clear_hits(packet);
-  intersect_scene(device.impl(), active, packet, Coherence::kCoherent);
+  find_nearest(device.impl(), active, packet, Coherence::kCoherent);
   const Optics optics = single_view(kPixels);
   SurfacePacket surface;
   evaluate_surfaces(device.impl(), packet, active, Lanes{}, BeamFootprint(optics, {}, 64), surface, &spread);

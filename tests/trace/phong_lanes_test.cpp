@@ -15,7 +15,6 @@ constexpr float kFaint = 8.0f;
 /// Sixteen points of as many materials, seen from above through a pinhole, by paths that have lost some light.
 struct Points {
   explicit Points(unsigned seed) : random(seed) {
-    paths.begin();
     for (int i = 0; i < kLanes; ++i) {
       lanes.lane[i] = surface.hit.lane[i] = -1;
       surface.position.set(i, {between(-1, 1), between(-1, 1), between(-1, 1)});
@@ -60,7 +59,7 @@ struct Points {
   LaneMask lanes;
   SurfacePacket surface{};
   RayPacket rays{};
-  PathLanes paths;
+  PathLanes paths{};
 };
 
 void expect_near(Vec3f found, Vec3f expected, int lane) {

@@ -1,5 +1,5 @@
 // What feeding the cache tells of light that may have changed.
-#include "trace/light_feeder.hpp"
+#include "trace/cache_update.hpp"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ MeanDoubt doubt_of(const SmallScene& small, double before, double now) {
 
 // A lamp of area A and radiance L, d away, sends L A cos / (pi d^2) to a white surface. The square's cosine was cos(45 degrees)
 // and is cos(45 degrees - turn): so much light is doubtful, though it has not left its place.
-TEST(LightFeeder, what_turns_towards_a_lamp_gets_as_much_more_light) {
+TEST(CacheUpdate, what_turns_towards_a_lamp_gets_as_much_more_light) {
   const MeanDoubt doubt = doubt_of(turning_square(), 0.0, 0.5);
   const double area = 4.0 * kLampHalf * kLampHalf, across = kLampDistance;
   const double per_cosine = kLampLight * area / (M_PI * across * across);
@@ -82,13 +82,13 @@ TEST(LightFeeder, what_turns_towards_a_lamp_gets_as_much_more_light) {
 }
 
 // What comes from all around, by the mean change of the cosine it arrives at: about as much as it turns by.
-TEST(LightFeeder, what_turns_doubts_light_from_all_around) {
+TEST(CacheUpdate, what_turns_doubts_light_from_all_around) {
   const MeanDoubt doubt = doubt_of(turning_square(), 0.0, 0.5);
   EXPECT_GT(doubt.share, 0.6 * kTurn);
   EXPECT_LT(doubt.share, 1.4 * kTurn);
 }
 
-TEST(LightFeeder, what_lies_still_is_sure_of_its_light) {
+TEST(CacheUpdate, what_lies_still_is_sure_of_its_light) {
   const MeanDoubt doubt = doubt_of(turning_square(), 0.5, 1.0);
   EXPECT_NEAR(doubt.light, 0.0, 1e-6);
   EXPECT_NEAR(doubt.share, 0.0, 1e-6);
