@@ -13,6 +13,7 @@
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "device/embree_scene.hpp"
 #include "frames/frame.hpp"
 #include "job/job_stage.hpp"
 #include "lippmann/core/error.hpp"
@@ -37,7 +38,7 @@ struct LoggedStrip {
 };
 
 template <class Integrator>
-void trace_strip(const DeviceScene::Impl& scene, const LoggedStrip& strip, Integrator& integrator) {
+void trace_strip(const ShadedScene& scene, const LoggedStrip& strip, Integrator& integrator) {
   for_each_batch({}, 0, strip.packets.source.packets_per_strip(),
                  [&](std::span<const int> batch, std::size_t) { trace_batch(scene, strip, {batch}, integrator); });
 }
@@ -77,7 +78,7 @@ class StoredHits {
 };
 
 /// Traces ready packets; returns a sum over the results so that nothing is optimised away.
-double trace_bare(const DeviceScene::Impl& scene, const RayLog& log) {
+double trace_bare(const RayScene::Embree& scene, const RayLog& log) {
   RayHitPacket packet;
   ShadowContext context;
   for (float& t : context.transmittance) t = 1.0f;
@@ -111,7 +112,7 @@ struct MeasuredRays {
 class RayBench {
  public:
   RayBench(const Stage& stage, const Affine3f& world_from_display, RayOrder order)
-      : scene_(stage.device.impl()),
+      : scene_(stage.device.shaded()),
         source_(stage.placed.optics, world_from_display, order, SubPixel{}),
         beam_(stage.placed.optics, world_from_display),
         max_depth_(stage.scene.max_depth),
@@ -151,7 +152,7 @@ class RayBench {
     for (std::size_t p = 0; p < log_.size(); ++p) {
       RayHitPacket packet;
       packet.ray = log_[p].rays;
-      find_nearest(scene_, log_[p].active, packet, Coherence::kCoherent);
+      scene_.trace(log_[p].active, packet, Coherence::kCoherent);
       for (int i = 0; i < kLanes; ++i)
         if (log_[p].active.lane[i] && packet.ray.tfar[i] != hits_.t[p * kLanes + static_cast<std::size_t>(i)])
           throw Error("bench rays", "the primary pass and the bare loop disagree in packet " + std::to_string(p));
@@ -173,15 +174,15 @@ class RayBench {
     // Each side runs twice and the second run counts: both find caches and branch predictors alike.
     WhittedTracer timed(scene_, beam_, {max_depth_}, {.all = film_.data.data()});
     times.whitted += second_run([&] { trace_strip(scene_, packets, timed); });
-    times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_, log_); });
+    times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_.embree(), log_); });
     times.primary += second_run([&] {
       hits_.clear();
       trace_strip(scene_, packets, hits_);
     });
-    times.bare_primary += second_run([&] { sink_ = sink_ + trace_bare(scene_, primaries_); });
+    times.bare_primary += second_run([&] { sink_ = sink_ + trace_bare(scene_.embree(), primaries_); });
   }
 
-  const DeviceScene::Impl& scene_;
+  const ShadedScene& scene_;
   PacketSource source_;
   BeamFootprint beam_;
   int max_depth_;

@@ -1,7 +1,7 @@
-// Sixteen camera rays that are traced together. Private to src/trace.
+// Sixteen camera rays that are traced together.
 #pragma once
 
-#include "trace/embree_shim.hpp"
+#include "device/ray_packet.hpp"
 
 namespace lippmann {
 

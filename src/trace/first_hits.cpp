@@ -9,23 +9,15 @@
 namespace lippmann {
 namespace {
 
-constexpr Aov kOfHits[] = {Aov::kDepth, Aov::kNormal, Aov::kId, Aov::kPosition, Aov::kRayDepth, Aov::kAlbedo, Aov::kMotion};
-
 /// However many holes lie behind one another: then whatever comes is taken.
 constexpr int kMostHoles = 64;
-
-float value_of_nothing(Aov aov) {
-  if (aov == Aov::kDepth) return -kInfinity;
-  if (aov == Aov::kRayDepth) return kInfinity;
-  return aov == Aov::kId ? -1.0f : 0.0f;
-}
 
 Vec3f unit_direction(const RayHitPacket& packet, int i) {
   return {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
 }
 
 /// What alpha does not cover, whatever glass of the same material lets through.
-bool is_hole(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i) {
+bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i) {
   const Material& material = scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
   const auto* m = std::get_if<MetallicRoughness>(&material.surface);
   if (!m || !(m->blend || m->alpha_cutoff > 0.0f)) return false;
@@ -37,7 +29,7 @@ bool is_hole(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i
 class FirstHits {
  public:
   FirstHits(const Shot& shot, const FrameStep* step, FrameAovs& aovs)
-      : scene_(shot.device.impl()),
+      : scene_(shot.device.shaded()),
         beam_(shot.optics, shot.world_from_display),
         display_from_world_(inverse(shot.world_from_display)),
         mm_per_unit_(1.0f / uniform_scale(shot.world_from_display)),
@@ -57,7 +49,7 @@ class FirstHits {
       for (int i = 0; i < kLanes; ++i)
         if (active.lane[i]) rays.tnear[i] = rays.tfar[i] + surface.t_near[i];
       std::copy_n(packet.reach.lane, kLanes, rays.tfar);
-      find_nearest(scene_, active, packet.rays, Coherence::kIncoherent);
+      scene_.trace(active, packet.rays, Coherence::kIncoherent);
     }
   }
   void finish() const {}
@@ -108,7 +100,7 @@ class FirstHits {
     for (std::size_t c = 0; c < 2; ++c) aovs_[Aov::kMotion].data[2 * pixel + c] = (*to - *from)[static_cast<int>(c)];
   }
 
-  const DeviceScene::Impl& scene_;
+  const ShadedScene& scene_;
   BeamFootprint beam_;
   Affine3f display_from_world_;
   float mm_per_unit_;
@@ -121,8 +113,8 @@ class FirstHits {
 
 void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs) {
   if (!aovs.wants_any(false)) return;
-  for (const Aov aov : kOfHits)
-    if (aovs.wants(aov)) aovs.allocate(aov, shot.optics.panel, value_of_nothing(aov));
+  for (std::size_t a = 0; a < kAovs; ++a)
+    if (const auto aov = static_cast<Aov>(a); aovs.wants(aov) && !is_light(aov)) aovs.allocate(aov, shot.optics.panel);
   const FirstHits hits(shot, step, aovs);
   trace_centres(shot, order, pool, hits);
 }

@@ -1,4 +1,4 @@
-// Which packets of a frame are traced, and in which batches. Private to src/trace.
+// Which packets of a frame are traced, and in which batches.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The integrators of whole frames: which one a scene was made for. Private to src/trace.
+// The integrators of whole frames: which one a scene was made for.
 #pragma once
 
 #include "trace/path_integrator.hpp"
@@ -8,7 +8,7 @@ namespace lippmann {
 
 /// What integrators of frames are made of.
 struct Integration {
-  const DeviceScene::Impl& scene;
+  const ShadedScene& scene;
   const BeamFootprint& beam;
   const TraceParams& params;
   PathFilm film;  ///< of Whitted's light only `all` and `open` are filled

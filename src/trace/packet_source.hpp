@@ -1,5 +1,4 @@
-// Primary rays, packet by packet: follows a strip's order, places samples in their pixels, asks the optics for rays. Private to
-// src/trace.
+// Primary rays, packet by packet: follows a strip's order, places samples in their pixels, asks the optics for rays.
 #pragma once
 
 #include <vector>

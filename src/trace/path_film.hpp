@@ -1,7 +1,7 @@
-// Where the light of paths goes, and what is kept beside it. Private to src/trace.
+// Where the light of paths goes, and what is kept beside it.
 #pragma once
 
-#include "trace/shading_point.hpp"
+#include "shading/shading_point.hpp"
 
 namespace lippmann {
 

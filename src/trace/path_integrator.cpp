@@ -10,7 +10,7 @@ constexpr int kRouletteDepth = 3;
 
 }  // namespace
 
-PathIntegrator::PathIntegrator(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params,
+PathIntegrator::PathIntegrator(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params,
                                const PathFilm& film)
     : PathTracer(scene, beam, params, film) {
   if (film.noise) noise_weights_ = weights_of_halves(params.spp);

@@ -1,5 +1,5 @@
 // Path tracing in full: at every vertex one light is asked for by a shadow ray (next-event estimation), and the path goes on in
-// a direction drawn from the BSDF, until roulette or its depth ends it. Private to src/trace.
+// a direction drawn from the BSDF, until roulette or its depth ends it.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace lippmann {
 class PathIntegrator : public PathTracer<PathIntegrator> {
  public:
   /// The scene was made for Integrator::kPath; film.all is not null.
-  PathIntegrator(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
+  PathIntegrator(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
 
   /// From now on camera rays are sample number `sample` of their pixels.
   void begin(int sample);
@@ -30,7 +30,7 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   void gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,
                       const Numbers& numbers, const Affine3f* before = nullptr);
 
-  /// What has to do with what moves, by pixel of the film: see LightRecord.
+  /// What has to do with what moves, by pixel of the film: see RadianceRecord.
   struct Doubt {
     float light = 0.0f, share = 0.0f;
     /// The same of a surface that moves by itself: by how much more light falls onto it as it stands now than as it stood, were

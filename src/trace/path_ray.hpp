@@ -1,9 +1,9 @@
-// A path on its way between two surfaces. Private to src/trace.
+// A path on its way between two surfaces.
 #pragma once
 
+#include "device/ray_scene.hpp"
+#include "shading/shading_point.hpp"
 #include "trace/camera_packet.hpp"
-#include "trace/scene_query.hpp"
-#include "trace/shading_point.hpp"
 
 namespace lippmann {
 

@@ -1,6 +1,6 @@
 // Light along random paths from the lens array into the scene, wave by wave. What all paths do stands here: camera rays, waves,
 // surfaces that cover only a part, emission and surroundings, the film. What happens at a vertex, and so what ends a path, is
-// its policy's, chosen at compile time. Private to src/trace.
+// its policy's, chosen at compile time.
 //
 //   PathIntegrator  a path goes on until chance or its depth ends it       (path_integrator.hpp)
 //   FinalGather     a diffuse vertex looks up the radiance cache           (final_gather.hpp)
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "trace/light_table.hpp"
+#include "shading/light_table.hpp"
 #include "trace/path_film.hpp"
 #include "trace/path_wave.hpp"
 #include "trace/trace_frame.hpp"
@@ -48,7 +48,7 @@ inline PathParams path_params(const TraceParams& trace) {
 template <class Policy>
 class PathTracer {
  public:
-  PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film)
+  PathTracer(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film)
       : scene_(scene), beam_(beam), params_(params), film_(film), weight_(1.0f / static_cast<float>(params.spp)) {}
 
   /// Shades camera rays that have met the scene. What goes on from there waits for finish().
@@ -121,7 +121,7 @@ class PathTracer {
     if (film_.noise) add_to(film_.noise, weight_ * noise_weight_);
   }
 
-  const DeviceScene::Impl& scene_;
+  const ShadedScene& scene_;
   const BeamFootprint& beam_;
   PathParams params_;
   PathFilm film_;

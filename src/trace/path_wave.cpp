@@ -20,7 +20,7 @@ void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, Lan
   }
 }
 
-std::size_t bucket_of(const RTCHit16& hit, std::size_t lane) {
+std::size_t bucket_of(const HitPacket& hit, std::size_t lane) {
   const unsigned placed = hit.instID[0][lane];
   return (placed != kNoId ? placed : hit.geomID[lane]) % kBuckets;
 }
@@ -55,14 +55,14 @@ LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int
 
 }  // namespace
 
-PathWave::PathWave(const DeviceScene::Impl& scene, const std::vector<PathRay>& rays)
+PathWave::PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays)
     : rays_(rays),
       packets_(packets_of(rays.size())),
       met_(std::make_unique_for_overwrite<RayHitPacket[]>(packets_)),
       order_(std::make_unique_for_overwrite<std::uint32_t[]>(rays.size())) {
   for (std::size_t p = 0; p < packets_; ++p) {
     load_rays(&rays[p * kLanes], std::min<std::size_t>(kLanes, rays.size() - p * kLanes), met_[p], active_);
-    find_nearest(scene, active_, met_[p], Coherence::kIncoherent);
+    scene.trace(active_, met_[p], Coherence::kIncoherent);
   }
   sort();
 }

@@ -1,6 +1,6 @@
 #include "trace/point_capture.hpp"
 
-#include "trace/surface.hpp"
+#include "shading/surface.hpp"
 
 namespace lippmann {
 namespace {

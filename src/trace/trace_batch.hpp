@@ -1,5 +1,5 @@
 // The loop over camera packets: every picture, layer and record is made by it. Packets say which rays there are, an integrator
-// what becomes of them, sinks what is kept besides. Private to src/trace.
+// what becomes of them, sinks what is kept besides.
 //
 //   Packets     bool fill(int packet, int sample, CameraPacket& into)   false: no lane is active
 //   Integrator  void primary(CameraPacket& packet)   shades rays that have met the scene; what goes on from there may wait
@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <span>
 
+#include "device/ray_scene.hpp"
 #include "trace/frame_work.hpp"
 #include "trace/point_capture.hpp"
-#include "trace/scene_query.hpp"
 
 namespace lippmann {
 
@@ -39,7 +39,7 @@ inline void clear_pixels(const CameraPacket& packet, Image& film) {
 }
 
 template <class Packets, class Integrator>
-void trace_batch(const DeviceScene::Impl& scene, Packets&& packets, const Batch& batch, Integrator& integrator,
+void trace_batch(const ShadedScene& scene, Packets&& packets, const Batch& batch, Integrator& integrator,
                  const PacketSinks& sinks = {}) {
   CameraPacket packet;
   for (int sample = batch.first_sample; sample < batch.end_sample; ++sample) {
@@ -48,7 +48,7 @@ void trace_batch(const DeviceScene::Impl& scene, Packets&& packets, const Batch&
       if (!packets.fill(p, sample, packet)) continue;
       if (sinks.film && sample == batch.first_sample) clear_pixels(packet, *sinks.film);
       std::copy_n(packet.rays.ray.tfar, kLanes, packet.reach.lane);
-      find_nearest(scene, packet.active, packet.rays, Coherence::kCoherent);
+      scene.trace(packet.active, packet.rays, Coherence::kCoherent);
       if (sinks.points) sinks.points->store(packet);
       integrator.primary(packet);
     }
@@ -63,7 +63,7 @@ void trace_centres(const Shot& shot, RayOrder order, const ThreadPool& pool, Int
   const PacketSource source(shot.optics, shot.world_from_display, order, SubPixel{});
   pool.for_each(static_cast<std::size_t>(source.strips()), [&](std::size_t strip) {
     for_each_batch({}, strip, source.packets_per_strip(), [&](std::span<const int> batch, std::size_t) {
-      trace_batch(shot.device.impl(), StripPackets{source, static_cast<int>(strip)}, {batch}, integrator, sinks);
+      trace_batch(shot.device.shaded(), StripPackets{source, static_cast<int>(strip)}, {batch}, integrator, sinks);
     });
   });
 }

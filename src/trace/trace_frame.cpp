@@ -15,7 +15,7 @@ class FrameTracer {
  public:
   /// Light is also added to `parts`, which are 0 so far.
   FrameTracer(const Shot& shot, const TraceParams& params, Image& film, const PathFilm& parts = {})
-      : scene_(shot.device.impl()),
+      : scene_(shot.device.shaded()),
         params_(params),
         beam_(shot.optics, shot.world_from_display, params.spp),
         source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter}),
@@ -56,7 +56,7 @@ class FrameTracer {
     });
   }
 
-  const DeviceScene::Impl& scene_;
+  const ShadedScene& scene_;
   const TraceParams& params_;
   BeamFootprint beam_;
   PacketSource source_;
@@ -71,7 +71,7 @@ PathFilm allocated_light(const Panel& panel, FrameAovs& aovs) {
   PathFilm film;
   const auto part = [&](Aov aov) -> float* {
     if (!aovs.wants(aov)) return nullptr;
-    aovs.allocate(aov, panel, 0.0f);
+    aovs.allocate(aov, panel);
     return aovs[aov].data.data();
   };
   film.direct = part(Aov::kDirect), film.indirect = part(Aov::kIndirect), film.open = part(Aov::kAlpha);
@@ -114,7 +114,7 @@ RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const W
 }
 
 RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into) {
-  const DeviceScene::Impl& scene = shot.device.impl();
+  const ShadedScene& scene = shot.device.shaded();
   const Panel& panel = shot.optics.panel;
   const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
   into.film.width = panel.width, into.film.height = panel.height, into.film.channels = 3;
@@ -129,7 +129,7 @@ RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers
   if (along) tracer.capture_to(&*capture);
   std::optional<TouchProbe> probe;
   if (into.touched) {
-    probe.emplace(scene.device.get(), scene.native_width, into.touched->boxes);
+    probe.emplace(scene, into.touched->boxes);
     tracer.probe_with(*probe, *into.touched);
   }
   const RayCounts counts = tracer.trace({}, workers);

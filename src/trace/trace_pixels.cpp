@@ -90,7 +90,7 @@ struct PixelPackets {
 RayCounts trace_pixels(const Shot& shot, const TraceParams& params, Pixels pixels, const Workers& workers, Image& film,
                        PrimaryPoints* points) {
   if (pixels.empty()) return {};
-  const DeviceScene::Impl& scene = shot.device.impl();
+  const ShadedScene& scene = shot.device.shaded();
   const OrderedPixels ordered = in_ray_order(pixels, shot.optics, params.order);
   const BeamFootprint beam(shot.optics, shot.world_from_display, params.spp);
   const PixelRays samples(shot.optics, shot.world_from_display, {params.seed, params.spp, params.angular_filter});

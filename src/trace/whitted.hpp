@@ -1,5 +1,5 @@
 // Whitted's recursive ray tracing, in waves: a batch of packets is shaded, its mirror and refracted rays are queued, the queue
-// is the next wave. Private to src/trace.
+// is the next wave.
 //
 // Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980.
 // We deviate: (1) breadth first instead of recursion, so that secondary rays travel in full packets of neighbours; (2) at the
@@ -9,14 +9,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "device/ray_log.hpp"
+#include "device/touch_probe.hpp"
 #include "lippmann/image/image.hpp"
+#include "shading/direct_light.hpp"
+#include "shading/surface.hpp"
 #include "trace/camera_packet.hpp"
-#include "trace/direct_light.hpp"
 #include "trace/path_film.hpp"
-#include "trace/ray_log.hpp"
 #include "trace/ray_queue.hpp"
-#include "trace/surface.hpp"
-#include "trace/touch_probe.hpp"
 #include "trace/trace_frame.hpp"
 
 namespace lippmann {
@@ -31,7 +31,7 @@ class WhittedTracer {
  public:
   /// Of the film, `all` is not null, and `open` receives what camera rays would see of the surroundings, in samples, which they
   /// then do not see.
-  WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const WhittedParams& params, const PathFilm& film);
+  WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params, const PathFilm& film);
 
   /// Shades camera rays that have met the scene. Mirror and refracted rays wait for finish().
   void primary(const CameraPacket& packet);
@@ -55,7 +55,7 @@ class WhittedTracer {
   void refract(const RayHitPacket& packet, Branches& branches) const;
   void add_to_film(const LaneMask& active, const Bundle& bundle, const Lanes3& radiance);
 
-  const DeviceScene::Impl& scene_;
+  const ShadedScene& scene_;
   const BeamFootprint& beam_;
   int max_depth_;
   float weight_;  ///< of a sample
