@@ -8,34 +8,77 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "device/embree_scene.hpp"
 #include "frames/frame.hpp"
 #include "job/job_stage.hpp"
 #include "lippmann/core/error.hpp"
-#include "trace/primary.hpp"
-#include "trace/scene_query.hpp"
+#include "trace/trace_batch.hpp"
 #include "trace/whitted.hpp"
 
 namespace lippmann::bench {
 namespace {
 
 constexpr int kRaysRepetitions = 7;
-void shade_strip(const PacketSource& source, int strip, WhittedTracer& tracer) {
-  RayHitPacket packet;
-  LaneMask active;
-  alignas(64) std::uint32_t pixel[kLanes];
-  for (int first = 0; first < source.packets_per_strip(); first += kPacketsPerBlock) {
-    for (int p = first; p < std::min(first + kPacketsPerBlock, source.packets_per_strip()); ++p)
-      if (source.fill(strip, p, 0, packet.ray, active, pixel) > 0) tracer.primary(packet, active, pixel, 1.0f);
-    tracer.finish_batch();
+
+/// The packets of a strip, each kept in `log` where there is one.
+struct LoggedStrip {
+  StripPackets packets;
+  RayLog* log = nullptr;
+
+  bool fill(int packet, int sample, CameraPacket& into) const {
+    if (!packets.fill(packet, sample, into)) return false;
+    if (log) log->push_back(logged(into.rays.ray, into.active, Coherence::kCoherent));
+    return true;
+  }
+};
+
+template <class Integrator>
+void trace_strip(const ShadedScene& scene, const LoggedStrip& strip, Integrator& integrator) {
+  for_each_batch({}, 0, strip.packets.source.packets_per_strip(),
+                 [&](std::span<const int> batch, std::size_t) { trace_batch(scene, strip, {batch}, integrator); });
+}
+
+LIPPMANN_MULTIVERSION void store_hits(const RayHitPacket& packet, float* t, float* u, float* v, std::uint32_t* geometry,
+                                      std::uint32_t* primitive) {
+  LIPPMANN_FOR_LANES(i) {
+    const unsigned placed = packet.hit.instID[0][i];
+    t[i] = packet.ray.tfar[i];
+    u[i] = packet.hit.u[i], v[i] = packet.hit.v[i];
+    geometry[i] = placed != kNoId ? placed : packet.hit.geomID[i];
+    primitive[i] = packet.hit.primID[i];
   }
 }
 
+/// The primary pass: stores what camera rays hit, packet by packet; of lanes that hit nothing, t is where the ray ends.
+class StoredHits {
+ public:
+  explicit StoredHits(const PacketSource& source) {
+    const auto lanes = static_cast<std::size_t>(source.packets_per_strip()) * kLanes;
+    t.resize(lanes), u_.resize(lanes), v_.resize(lanes), geometry_.resize(lanes), primitive_.resize(lanes);
+  }
+
+  void clear() { at_ = 0; }
+  void primary(const CameraPacket& packet) {
+    store_hits(packet.rays, &t[at_], &u_[at_], &v_[at_], &geometry_[at_], &primitive_[at_]);
+    at_ += kLanes;
+  }
+  void finish() {}
+
+  std::vector<float> t;  ///< along the ray from its start
+
+ private:
+  std::size_t at_ = 0;
+  std::vector<float> u_, v_;
+  std::vector<std::uint32_t> geometry_, primitive_;
+};
+
 /// Traces ready packets; returns a sum over the results so that nothing is optimised away.
-double trace_bare(const DeviceScene::Impl& scene, const RayLog& log) {
+double trace_bare(const RayScene::Embree& scene, const RayLog& log) {
   RayHitPacket packet;
   ShadowContext context;
   for (float& t : context.transmittance) t = 1.0f;
@@ -69,11 +112,12 @@ struct MeasuredRays {
 class RayBench {
  public:
   RayBench(const Stage& stage, const Affine3f& world_from_display, RayOrder order)
-      : scene_(stage.device.impl()),
+      : scene_(stage.device.shaded()),
         source_(stage.placed.optics, world_from_display, order, SubPixel{}),
         beam_(stage.placed.optics, world_from_display),
         max_depth_(stage.scene.max_depth),
-        film_(stage.placed.optics.panel.width, stage.placed.optics.panel.height, 3) {}
+        film_(stage.placed.optics.panel.width, stage.placed.optics.panel.height, 3),
+        hits_(source_) {}
 
   MeasuredRays measure() {
     MeasuredRays result;
@@ -102,18 +146,13 @@ class RayBench {
 
   /// The hits that the primary pass stores must be those of the bare loop, ray by ray.
   void check() {
-    WhittedTracer tracer(scene_, beam_, 1, film_);
-    log_.clear();
-    tracer.log_to(&log_);
     const int strip = source_.strips() / 2;
-    shade_strip(source_, strip, tracer);
-    std::erase_if(log_, [](const LoggedPacket& p) { return p.shadow; });
-    trace_primary_strip(source_, scene_, strip, 0, hits_);
+    log_.clear(), hits_.clear();
+    trace_strip(scene_, {{source_, strip}, &log_}, hits_);
     for (std::size_t p = 0; p < log_.size(); ++p) {
       RayHitPacket packet;
       packet.ray = log_[p].rays;
-      clear_hits(packet);
-      intersect_scene(scene_, log_[p].active, packet, Coherence::kCoherent);
+      scene_.trace(log_[p].active, packet, Coherence::kCoherent);
       for (int i = 0; i < kLanes; ++i)
         if (log_[p].active.lane[i] && packet.ray.tfar[i] != hits_.t[p * kLanes + static_cast<std::size_t>(i)])
           throw Error("bench rays", "the primary pass and the bare loop disagree in packet " + std::to_string(p));
@@ -122,30 +161,34 @@ class RayBench {
 
  private:
   void measure_strip(int strip, Times& times, MeasuredRays& result) {
-    WhittedTracer tracer(scene_, beam_, max_depth_, film_);
+    const LoggedStrip packets{{source_, strip}};
+    WhittedTracer tracer(scene_, beam_, {max_depth_}, {.all = film_.data.data()});
     log_.clear();
     tracer.log_to(&log_);
-    shade_strip(source_, strip, tracer);
+    trace_strip(scene_, {packets.packets, &log_}, tracer);
     result.all_rays += tracer.counts().total();
     result.primary_rays += tracer.counts().primary;
     primaries_.clear();
     for (const LoggedPacket& packet : log_)
       if (!packet.shadow && packet.coherence == Coherence::kCoherent) primaries_.push_back(packet);
     // Each side runs twice and the second run counts: both find caches and branch predictors alike.
-    WhittedTracer timed(scene_, beam_, max_depth_, film_);
-    times.whitted += second_run([&] { shade_strip(source_, strip, timed); });
-    times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_, log_); });
-    times.primary += second_run([&] { trace_primary_strip(source_, scene_, strip, 0, hits_); });
-    times.bare_primary += second_run([&] { sink_ = sink_ + trace_bare(scene_, primaries_); });
+    WhittedTracer timed(scene_, beam_, {max_depth_}, {.all = film_.data.data()});
+    times.whitted += second_run([&] { trace_strip(scene_, packets, timed); });
+    times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_.embree(), log_); });
+    times.primary += second_run([&] {
+      hits_.clear();
+      trace_strip(scene_, packets, hits_);
+    });
+    times.bare_primary += second_run([&] { sink_ = sink_ + trace_bare(scene_.embree(), primaries_); });
   }
 
-  const DeviceScene::Impl& scene_;
+  const ShadedScene& scene_;
   PacketSource source_;
   BeamFootprint beam_;
   int max_depth_;
   Image film_;
   RayLog log_, primaries_;
-  PrimaryHits hits_;
+  StoredHits hits_;
   volatile double sink_ = 0;
 };
 

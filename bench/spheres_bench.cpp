@@ -9,13 +9,13 @@
 #include "bench/benchmarks.hpp"
 #include "bench/scenes.hpp"
 #include "bench/timing.hpp"
+#include "device/embree_scene.hpp"
+#include "device/user_geometry.hpp"
 #include "frames/frame.hpp"
 #include "job/job_stage.hpp"
 #include "lippmann/core/error.hpp"
-#include "trace/device_scene_impl.hpp"
+#include "shading/shaded_scene.hpp"
 #include "trace/packet_source.hpp"
-#include "trace/scene_query.hpp"
-#include "trace/user_geometry.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -109,9 +109,9 @@ Report measure_spheres(const Request& request, const Context& context) {
       const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(setup.frame));
       PrimitiveTable<WorldSphere> table = world_spheres(stage.scene, resolved);
       if (table.primitives.empty()) throw Error(setup.name, "it has no spheres", "a scene with spheres, such as small-balls");
-      const DeviceScene::Impl& impl = stage.device.impl();
-      const EmbreeScene ours = commit(impl.device.get(), make_user_geometry(impl.device.get(), table));
-      const EmbreeScene theirs = scene_of_points(impl.device.get(), table.primitives);
+      const RayScene::Embree& embree = stage.device.shaded().embree();
+      const EmbreeScene ours = commit(embree.device.get(), make_user_geometry(embree.device.get(), table));
+      const EmbreeScene theirs = scene_of_points(embree.device.get(), table.primitives);
 
       const PacketSource source(stage.placed.optics, world_from_display(stage.array, stage.placed.units_per_mm, resolved),
                                 setup.params.sampling.order, SubPixel{});
@@ -125,13 +125,13 @@ Report measure_spheres(const Request& request, const Context& context) {
             packets.push_back(entry);
             rays += static_cast<std::uint64_t>(count);
           }
-      check(distances(ours, impl.native_width, packets), distances(theirs, impl.native_width, packets));
+      check(distances(ours, embree.native_width, packets), distances(theirs, embree.native_width, packets));
       ++report.passed_checks;
 
       std::vector<double> our_times, their_times, ratios;
       for (int repetition = 0; repetition < kSpheresRepetitions; ++repetition) {
-        our_times.push_back(seconds_to_trace(ours, impl.native_width, packets));
-        their_times.push_back(seconds_to_trace(theirs, impl.native_width, packets));
+        our_times.push_back(seconds_to_trace(ours, embree.native_width, packets));
+        their_times.push_back(seconds_to_trace(theirs, embree.native_width, packets));
         ratios.push_back(their_times.back() / our_times.back());
       }
       const double mrays = 1e-6 * static_cast<double>(rays);

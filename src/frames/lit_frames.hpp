@@ -2,8 +2,8 @@
 #pragma once
 
 #include "frames/frame_maker.hpp"
+#include "radiance/cached_light.hpp"
 #include "reuse/swept_boxes.hpp"
-#include "trace/cached_light.hpp"
 
 namespace lippmann {
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "device/touched_blocks.hpp"
 #include "reuse/swept_boxes.hpp"
-#include "trace/touched_blocks.hpp"
 
 namespace lippmann {
 

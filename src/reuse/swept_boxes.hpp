@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "device/touched_blocks.hpp"
 #include "lippmann/scene/scene.hpp"
 #include "lippmann/scene/timeline.hpp"
-#include "trace/touched_blocks.hpp"
 
 namespace lippmann {
 

@@ -10,11 +10,13 @@
 
 namespace lippmann {
 
+struct ShadedScene;
+
 /// Built once per scene, updated once per frame. What never moves is built once; what moves rigidly is moved, not rebuilt.
 /// The Scene must outlive it. Tracing reads it from any number of threads; update() must not overlap with tracing.
 class DeviceScene {
  public:
-  /// Made ready for tracing by `integrator` and no other.
+  /// What rays meet is the same for every integrator; materials and lights are tabulated for this one.
   DeviceScene(const Scene& scene, const ThreadPool& pool, Integrator integrator = Integrator::kWhitted);
   ~DeviceScene();
   DeviceScene(const DeviceScene&) = delete;
@@ -23,11 +25,10 @@ class DeviceScene {
   /// Moves everything to where `resolved` has it.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
-  struct Impl;
-  const Impl& impl() const { return *impl_; }
+  const ShadedScene& shaded() const { return *shaded_; }  ///< shading/shaded_scene.hpp
 
  private:
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<ShadedScene> shaded_;
 };
 
 }  // namespace lippmann

@@ -4,29 +4,20 @@
 
 #include "optics/view_place.hpp"
 #include "trace/former_places.hpp"
-#include "trace/packet_source.hpp"
-#include "trace/scene_query.hpp"
+#include "trace/trace_batch.hpp"
 
 namespace lippmann {
 namespace {
 
-constexpr Aov kOfHits[] = {Aov::kDepth, Aov::kNormal, Aov::kId, Aov::kPosition, Aov::kRayDepth, Aov::kAlbedo, Aov::kMotion};
-
 /// However many holes lie behind one another: then whatever comes is taken.
 constexpr int kMostHoles = 64;
-
-float value_of_nothing(Aov aov) {
-  if (aov == Aov::kDepth) return -kInfinity;
-  if (aov == Aov::kRayDepth) return kInfinity;
-  return aov == Aov::kId ? -1.0f : 0.0f;
-}
 
 Vec3f unit_direction(const RayHitPacket& packet, int i) {
   return {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
 }
 
 /// What alpha does not cover, whatever glass of the same material lets through.
-bool is_hole(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i) {
+bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i) {
   const Material& material = scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
   const auto* m = std::get_if<MetallicRoughness>(&material.surface);
   if (!m || !(m->blend || m->alpha_cutoff > 0.0f)) return false;
@@ -34,12 +25,11 @@ bool is_hole(const DeviceScene::Impl& scene, const SurfacePacket& surface, int i
   return surface.opacity[i] < 0.5f * solid;
 }
 
-/// Finds the first hits of a strip's pixels and stores what they are.
+/// The integrator that stores what first hits are.
 class FirstHits {
  public:
-  FirstHits(const Shot& shot, RayOrder order, const FrameStep* step, FrameAovs& aovs)
-      : scene_(shot.device.impl()),
-        source_(shot.optics, shot.world_from_display, order, SubPixel{}),
+  FirstHits(const Shot& shot, const FrameStep* step, FrameAovs& aovs)
+      : scene_(shot.device.shaded()),
         beam_(shot.optics, shot.world_from_display),
         display_from_world_(inverse(shot.world_from_display)),
         mm_per_unit_(1.0f / uniform_scale(shot.world_from_display)),
@@ -48,28 +38,21 @@ class FirstHits {
     if (step && aovs.wants(Aov::kMotion)) former_.emplace(scene_, shot.world_from_display, *step);
   }
 
-  std::size_t strips() const { return static_cast<std::size_t>(source_.strips()); }
-
-  void fill_strip(int strip) const {
-    RayHitPacket packet;
-    LaneMask active;
+  void primary(CameraPacket& packet) const {
+    RayPacket& rays = packet.rays.ray;
+    LaneMask active = packet.active;
     SurfacePacket surface;
-    alignas(64) std::uint32_t pixel[kLanes];
-    for (int p = 0; p < source_.packets_per_strip(); ++p) {
-      if (source_.fill(strip, p, 0, packet.ray, active, pixel) == 0) continue;
-      for (int hole = 0; hole <= kMostHoles; ++hole) {
-        const RayPacket rays = packet.ray;
-        clear_hits(packet);
-        intersect_scene(scene_, active, packet, hole == 0 ? Coherence::kCoherent : Coherence::kIncoherent);
-        evaluate_surfaces(scene_, packet, active, Lanes{}, beam_, surface);
-        if (!store(packet, surface, pixel, hole == kMostHoles, active)) break;
-        // Behind holes, along the same rays.
-        for (int i = 0; i < kLanes; ++i)
-          packet.ray.tnear[i] = active.lane[i] ? packet.ray.tfar[i] + surface.t_near[i] : rays.tnear[i];
-        std::copy_n(rays.tfar, kLanes, packet.ray.tfar);
-      }
+    for (int hole = 0;; ++hole) {
+      evaluate_surfaces(scene_, packet.rays, active, Lanes{}, beam_, surface);
+      if (!store(packet.rays, surface, packet.target, hole == kMostHoles, active)) return;
+      // Behind holes, along the same rays.
+      for (int i = 0; i < kLanes; ++i)
+        if (active.lane[i]) rays.tnear[i] = rays.tfar[i] + surface.t_near[i];
+      std::copy_n(packet.reach.lane, kLanes, rays.tfar);
+      scene_.trace(active, packet.rays, Coherence::kIncoherent);
     }
   }
+  void finish() const {}
 
  private:
   /// Stores the lanes that have hit something; those that have hit a hole stay active. Whether there are any.
@@ -117,8 +100,7 @@ class FirstHits {
     for (std::size_t c = 0; c < 2; ++c) aovs_[Aov::kMotion].data[2 * pixel + c] = (*to - *from)[static_cast<int>(c)];
   }
 
-  const DeviceScene::Impl& scene_;
-  PacketSource source_;
+  const ShadedScene& scene_;
   BeamFootprint beam_;
   Affine3f display_from_world_;
   float mm_per_unit_;
@@ -131,10 +113,10 @@ class FirstHits {
 
 void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs) {
   if (!aovs.wants_any(false)) return;
-  for (const Aov aov : kOfHits)
-    if (aovs.wants(aov)) aovs.allocate(aov, shot.optics.panel, value_of_nothing(aov));
-  const FirstHits hits(shot, order, step, aovs);
-  pool.for_each(hits.strips(), [&](std::size_t strip) { hits.fill_strip(static_cast<int>(strip)); });
+  for (std::size_t a = 0; a < kAovs; ++a)
+    if (const auto aov = static_cast<Aov>(a); aovs.wants(aov) && !is_light(aov)) aovs.allocate(aov, shot.optics.panel);
+  const FirstHits hits(shot, step, aovs);
+  trace_centres(shot, order, pool, hits);
 }
 
 }  // namespace lippmann

@@ -2,7 +2,7 @@
 
 namespace lippmann {
 
-FormerPlaces::FormerPlaces(const DeviceScene::Impl& scene, const Affine3f& world_from_display, const FrameStep& step)
+FormerPlaces::FormerPlaces(const ShadedScene& scene, const Affine3f& world_from_display, const FrameStep& step)
     : scene_(scene), display_before_from_world_(inverse(to_double(step.world_from_display_before))) {
   const Scene& description = *scene.scene;
   const bool display_stands = world_from_display == step.world_from_display_before;

@@ -1,4 +1,4 @@
-// Where the points that rays hit were in the frame before, as the display of then saw them. Private to src/trace.
+// Where the points that rays hit were in the frame before, as the display of then saw them.
 //
 // What moves with a node is taken back by the node's motion; of a mesh that changes its shape, the same place of the same
 // triangle is looked up in the former pose. Composed in double precision.
@@ -9,15 +9,15 @@
 
 #include "core/affine3d.hpp"
 #include "scene/deform.hpp"
+#include "shading/surface.hpp"
 #include "trace/first_hits.hpp"
-#include "trace/surface.hpp"
 
 namespace lippmann {
 
 class FormerPlaces {
  public:
   /// The device scene is as it is `now`. All arguments must outlive this.
-  FormerPlaces(const DeviceScene::Impl& scene, const Affine3f& world_from_display, const FrameStep& step);
+  FormerPlaces(const ShadedScene& scene, const Affine3f& world_from_display, const FrameStep& step);
 
   /// Display mm of the frame before, of lane i, whose surface is evaluated. None: the point has not moved before the display.
   std::optional<Vec3f> of(const RayHitPacket& packet, const SurfacePacket& surface, int i) const;
@@ -31,7 +31,7 @@ class FormerPlaces {
 
   Vec3f posed_point(const MeshPose& pose, const RayHitPacket& packet, const SurfacePacket& surface, int i) const;
 
-  const DeviceScene::Impl& scene_;
+  const ShadedScene& scene_;
   Affine3d display_before_from_world_;
   std::vector<OfInstance> instances_;
 };

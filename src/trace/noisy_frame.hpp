@@ -1,6 +1,7 @@
 // A path-traced frame as a denoiser wants it: its light, how noisy it is, and what is known of the surfaces without noise.
 #pragma once
 
+#include <array>
 #include <bit>
 
 #include "trace/trace_frame.hpp"
@@ -22,6 +23,9 @@ struct NoisyFrame {
 /// Which of two halves of a pixel's samples each belongs to: that with an even or an odd number of binary ones. Each half of
 /// 2^k samples is then spread over the pixel and over directions as evenly as the other.
 inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(sample) & 1) != 0; }
+
+/// With which the light of samples of either half, each 1 / spp of the film's, adds up to NoisyFrame::noise.
+std::array<float, 2> weights_of_halves(int spp);
 
 /// Gives all images but the film the panel's size, and 0.
 void clear_guides(const Panel& panel, NoisyFrame& noisy);

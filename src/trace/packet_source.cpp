@@ -30,8 +30,8 @@ LIPPMANN_MULTIVERSION void center_lanes(const StripPixel* pixels, int top, int w
   }
 }
 
-LIPPMANN_MULTIVERSION void set_range(float depth, Vec3f forward, RayPacket& rays) {
-  LIPPMANN_FOR_LANES(i) {
+LIPPMANN_MULTIVERSION void set_range(float depth, Vec3f forward, LaneRange lanes, RayPacket& rays) {
+  for (int i = lanes.first; i < lanes.first + lanes.count; ++i) {
     rays.tnear[i] = 0.0f;
     rays.tfar[i] = depth / (rays.dir_x[i] * forward.x + rays.dir_y[i] * forward.y + rays.dir_z[i] * forward.z);
   }
@@ -55,6 +55,14 @@ SampleRays::SampleRays(const Optics& optics, const Affine3f& world_from_display,
     eyes_.emplace_back(with_eyes_shifted(optics, shift), world_from_display);
 }
 
+void fill_rays(const RayGenerator& generator, const float* px, const float* py, LaneRange lanes, RayPacket& rays) {
+  const int begin = lanes.first;
+  generator.rays(
+      px + begin, py + begin, lanes.count,
+      {rays.org_x + begin, rays.org_y + begin, rays.org_z + begin, rays.dir_x + begin, rays.dir_y + begin, rays.dir_z + begin});
+  set_range(generator.depth(), generator.forward(), lanes, rays);
+}
+
 PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel)
     : rays_(optics, world_from_display, sub_pixel),
       order_(make_strip_order(optics, order)),
@@ -62,9 +70,20 @@ PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_disp
       width_(optics.panel.width),
       height_(optics.panel.height),
       strips_((optics.panel.height + order_.strip_height - 1) / order_.strip_height),
-      packets_(static_cast<int>((order_.pixels.size() + kLanes - 1) / kLanes)),
-      forward_(rays_.of(0).forward()) {
+      packets_(static_cast<int>((order_.pixels.size() + kLanes - 1) / kLanes)) {
   order_.pixels.resize(static_cast<std::size_t>(packets_) * kLanes, order_.pixels.back());
+}
+
+/// rows: of the strip.
+bool PacketSource::is_inside(int rows, int packet, int lane) const {
+  const int at = packet * kLanes + lane;
+  return at < width_ * order_.strip_height && order_.pixels[static_cast<std::size_t>(at)].y < rows;
+}
+
+int PacketSource::lanes(int strip, int packet) const {
+  int count = 0;
+  for (int i = 0; i < kLanes; ++i) count += is_inside(rows_in_strip(strip, order_, height_), packet, i);
+  return count;
 }
 
 int PacketSource::fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const {
@@ -78,7 +97,7 @@ int PacketSource::fill(int strip, int packet, int sample, RayPacket& rays, LaneM
   if (padded || rows < order_.strip_height) {
     count = 0;
     for (int i = 0; i < kLanes; ++i) {
-      const bool inside = pixels[i].y < rows && packet * kLanes + i < width_ * order_.strip_height;
+      const bool inside = is_inside(rows, packet, i);
       active.lane[i] = inside ? -1 : 0;
       count += inside;
     }
@@ -89,9 +108,7 @@ int PacketSource::fill(int strip, int packet, int sample, RayPacket& rays, LaneM
       const Vec2f offset = sub_pixel_.position(pixel[i], sample) - Vec2f(0.5f);
       px[i] += offset.x, py[i] += offset.y;
     }
-  const RayGenerator& generator = rays_.of(sample);
-  generator.rays(px, py, kLanes, {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z});
-  set_range(generator.depth(), forward_, rays);
+  fill_rays(rays_.of(sample), px, py, {}, rays);
   return count;
 }
 

@@ -1,12 +1,11 @@
-// Primary rays, packet by packet: follows a strip's order, places samples in their pixels, asks the optics for rays. Private to
-// src/trace.
+// Primary rays, packet by packet: follows a strip's order, places samples in their pixels, asks the optics for rays.
 #pragma once
 
 #include <vector>
 
 #include "lippmann/optics/angular_filter.hpp"
 #include "optics/ray_generator.hpp"
-#include "trace/embree_shim.hpp"
+#include "trace/camera_packet.hpp"
 #include "trace/strip_order.hpp"
 
 namespace lippmann {
@@ -33,6 +32,14 @@ class SampleRays {
   std::vector<RayGenerator> eyes_;
 };
 
+/// The lanes whose rays a generator makes.
+struct LaneRange {
+  int first = 0, count = kLanes;
+};
+
+/// Fills origin, direction, tnear and tfar of these lanes: rays through places on the panel, in pixels.
+void fill_rays(const RayGenerator& generator, const float* px, const float* py, LaneRange lanes, RayPacket& rays);
+
 class PacketSource {
  public:
   PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel);
@@ -41,16 +48,41 @@ class PacketSource {
   /// Packets of a full strip; a lower last strip has as many, some lanes or whole packets of them inactive.
   int packets_per_strip() const { return packets_; }
 
+  /// How many lanes of a packet there are; none, too, of packets that the strip does not have.
+  int lanes(int strip, int packet) const;
+
   /// Fills origin, direction, tnear and tfar of packet `packet` of a strip, the pixel index (y * width + x) of each lane and
   /// which lanes there are. Returns the number of active lanes; inactive ones get the ray of an active one.
   int fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const;
 
  private:
+  bool is_inside(int rows, int packet, int lane) const;
+
   SampleRays rays_;
   StripOrder order_;
   SubPixel sub_pixel_;
   int width_, height_, strips_, packets_;
-  Vec3f forward_;
 };
+
+/// The packets of a strip, for trace_batch().
+struct StripPackets {
+  const PacketSource& source;
+  int strip;
+
+  bool fill(int packet, int sample, CameraPacket& into) const {
+    if (source.fill(strip, packet, sample, into.rays.ray, into.active, into.target) == 0) return false;
+    set_streams(sample, into);
+    return true;
+  }
+};
+
+/// The pixels of a packet: pixel(y * width + x) for each.
+template <class Pixel>
+void for_each_pixel(const PacketSource& source, int strip, int packet, const Pixel& pixel) {
+  CameraPacket camera;
+  if (!StripPackets{source, strip}.fill(packet, 0, camera)) return;
+  for (int i = 0; i < kLanes; ++i)
+    if (camera.active.lane[i]) pixel(camera.target[i]);
+}
 
 }  // namespace lippmann

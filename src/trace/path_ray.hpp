@@ -1,8 +1,9 @@
-// A path on its way between two surfaces. Private to src/trace.
+// A path on its way between two surfaces.
 #pragma once
 
-#include "trace/scene_query.hpp"
-#include "trace/shading_point.hpp"
+#include "device/ray_scene.hpp"
+#include "shading/shading_point.hpp"
+#include "trace/camera_packet.hpp"
 
 namespace lippmann {
 
@@ -22,14 +23,16 @@ struct PathRay {
 /// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.
 inline constexpr int kMostEvents = 1024;
 /// Pairs of random numbers at each vertex: which light and lobe; where on the light; which way; roulette and coverage.
-inline constexpr std::uint32_t kPairsPerEvent = 4;
+inline constexpr std::uint32_t kChoicePair = 0, kOnLightPair = 1, kWayPair = 2, kCoveragePair = 3, kPairsPerEvent = 4;
 
-/// Lane i of a packet of primary rays.
-inline PathRay primary_path_ray(const RayHitPacket& packet, int i, std::uint32_t pixel) {
+/// Lane i of camera rays, with the seed of its random numbers.
+inline PathRay camera_path_ray(const CameraPacket& packet, int i, std::uint32_t seed) {
+  const RayPacket& rays = packet.rays.ray;
   PathRay ray;
-  ray.origin = {packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i]};
-  ray.direction = {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
-  ray.pixel = pixel;
+  ray.origin = {rays.org_x[i], rays.org_y[i], rays.org_z[i]};
+  ray.direction = {rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]};
+  ray.pixel = packet.target[i];
+  ray.seed = seed, ray.index = packet.sample[i];
   return ray;
 }
 

@@ -1,16 +1,22 @@
-// Light along random paths from the lens array into the scene, wave by wave: next-event estimation at every surface, and a
-// direction drawn from its BSDF. Private to src/trace.
+// Light along random paths from the lens array into the scene, wave by wave. What all paths do stands here: camera rays, waves,
+// surfaces that cover only a part, emission and surroundings, the film. What happens at a vertex, and so what ends a path, is
+// its policy's, chosen at compile time.
+//
+//   PathIntegrator  a path goes on until chance or its depth ends it       (path_integrator.hpp)
+//   FinalGather     a diffuse vertex looks up the radiance cache           (final_gather.hpp)
+//   CacheUpdate     the first diffuse vertex makes a record for the cache  (cache_update.hpp)
 //
 // Based on: J. Kajiya, "The rendering equation", SIGGRAPH 1986; E. Veach, "Robust Monte Carlo Methods for Light Transport
 // Simulation", 1997 (multiple importance sampling, the power heuristic; Russian roulette).
 #pragma once
 
-#include <array>
+#include <utility>
 #include <vector>
 
 #include "core/random.hpp"
+#include "shading/light_table.hpp"
+#include "trace/path_film.hpp"
 #include "trace/path_wave.hpp"
-#include "trace/shadow_queue.hpp"
 #include "trace/trace_frame.hpp"
 #include "transport/sampler.hpp"
 
@@ -21,114 +27,194 @@ struct PathParams {
   int max_depth = 6;            ///< path vertices on surfaces
   std::uint32_t seed = 0;       ///< of the frame: other frames have other noise
   float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
+  int spp = 1;                  ///< samples of a pixel: each counts 1 / spp
 };
-/// Of the frame that `trace` describes.
+/// For paths that count as one sample each, in the frame that `trace` describes.
 inline PathParams path_params(const TraceParams& trace) {
-  return {trace.max_depth, hash(trace.seed, trace.frame), trace.clamp_indirect};
+  return {trace.max_depth, hash(trace.seed, trace.frame), trace.clamp_indirect, 1};
 }
 
-/// What the camera rays' first surfaces are, weighted as their light: see NoisyFrame.
-struct FirstSurfaces {
-  float *albedo, *normal;                   ///< three channels
-  float *z, *met;                           ///< one
-  Vec4f display_z{0.0f, 0.0f, 0.0f, 0.0f};  ///< z in display mm = dot with (x, y, z, 1)
-
-  void add(const ShadingPoint& point, Vec3f normal_there, std::size_t pixel, float weight) const;
-};
-/// The last row of the matrix from world to display.
-Vec4f display_z(const Affine3f& world_from_display);
-
-/// Where light goes: three channels a pixel each; null: nowhere.
-struct PathFilm {
-  float* all = nullptr;
-  float* direct = nullptr;    ///< what shines by itself, and what one surface has scattered
-  float* indirect = nullptr;  ///< the rest
-  float* noise = nullptr;     ///< see begin_sample()
-  float* seen = nullptr;      ///< what has met no surface, or shines from the first
-  const FirstSurfaces* surfaces = nullptr;
-  float* open = nullptr;  ///< one channel: how many samples would see the surroundings, which they then do not
-};
-
-/// Tracing state of one thread at a time. Adds radiance to pixels of `film`; const inputs must outlive it.
+/// Tracing state of one thread at a time. A Policy derives from PathTracer<Policy> and is its friend; it has
+///   static constexpr bool kSeesLight    emission and surroundings that rays meet count
+///   static constexpr bool kWidensBeams  behind rough surfaces, textures are filtered to a whole pixel's width
+///   LaneMask begin_packet(packet, active, rays)  called with surface_ evaluated; returns the lanes that are shaded one by one
+///   void end_packet(packet, active, rays)        called after these
+///   Vec2f numbers(ray, lane, pair)      random numbers of the vertex that the ray has met (kPairsPerEvent)
+///   void vertex(packet, lane, ray, point, length)  a surface that scatters, `length` from the path's start
+///   void end_path(ray, radiance)        light that the ray has met
+///   float chance(groups)                with which a vertex asks for lights of these groups rather than for others
+///   void trace_shadow_rays()            all that wait
+/// All arguments of the constructor outlive the tracer.
+template <class Policy>
 class PathTracer {
  public:
-  /// `scene` was made for Integrator::kPath; film.all is not null.
-  PathTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
+  PathTracer(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film)
+      : scene_(scene), beam_(beam), params_(params), film_(film), weight_(1.0f / static_cast<float>(params.spp)) {}
 
-  /// From now on paths are sample number `sample` of their pixels; in film.noise their light counts noise_weight as much.
-  void begin_sample(int sample, float noise_weight = 0.0f) {
-    sample_ = static_cast<std::uint32_t>(sample);
-    noise_weight_ = noise_weight;
+  /// Shades camera rays that have met the scene. What goes on from there waits for finish().
+  void primary(const CameraPacket& packet) {
+    alignas(64) std::uint32_t seeds[kLanes];
+    const std::uint32_t seed = params_.seed;
+    LIPPMANN_FOR_LANES(i) seeds[i] = hash(seed, packet.stream[i]);
+    PathRay rays[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+      counts_.primary += packet.active.lane[i] != 0;
+      rays[i] = camera_path_ray(packet, i, seeds[i]);
+    }
+    shade(packet.rays, packet.active, rays);
   }
 
-  /// Traces and shades a packet of primary rays (origin, direction, tnear, tfar set); adds weight x radiance to each active
-  /// lane's pixel. What goes on from there waits for finish_batch().
-  void primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight);
-
-  /// Random numbers of a vertex.
-  struct Numbers {
-    float pick;  ///< which light
-    Vec2f on_light, way;
-  };
-
-  /// Begins to gather what a diffuse surface receives but for lights of groups before `from` (not kPoint): of other lights by
-  /// aiming at one, of all else by a path. Adds throughput x what a white surface there would send on to ray.pixel of the film.
-  /// `ray` led to the point, `length` from its start.
-  /// before: takes the surface back to where it was in the frame before; null: it lies still, or nobody watches.
-  void gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,
-                      const Numbers& numbers, const Affine3f* before = nullptr);
-
-  /// What has to do with what moves, by pixel of the film: see LightRecord.
-  struct Doubt {
-    float light = 0.0f, share = 0.0f;
-    /// The same of a surface that moves by itself: by how much more light falls onto it as it stands now than as it stood, were
-    /// the way free.
-    float turned_light = 0.0f, turned_share = 0.0f;
-  };
-  /// From now on every ray that gather_diffuse() leads to is tested against the probe's boxes; `doubts`, one for each pixel of
-  /// the film, receives what those that meet one stand for. Both outlive this.
-  void watch(const TouchProbe& probe, std::vector<Doubt>& doubts) { probe_ = &probe, doubts_ = &doubts; }
-
   /// Traces everything that waits, wave by wave.
-  void finish_batch();
+  void finish() {
+    policy().trace_shadow_rays();
+    while (!next_.empty()) {
+      std::swap(wave_, next_);
+      next_.clear();
+      trace_wave(scene_, wave_, [this](const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+        shade(packet, active, rays);
+      });
+      policy().trace_shadow_rays();
+    }
+  }
 
   const RayCounts& counts() const { return counts_; }
 
- private:
-  void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
-  void watch_wave(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
-  void draw_numbers(const PathRay* rays);
-  void look_at_sky(const RayPacket& rays);
-  void shade_sky(const RayHitPacket& packet, int lane, const PathRay& ray);
-  void shade_surface(const RayHitPacket& packet, int lane, const PathRay& ray);
-  void add_emission(const RayHitPacket& packet, int lane, const PathRay& ray, Vec3f emission);
-  void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u);
-  void scatter(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, float lobe, float survival,
-               Vec2f u);
-  void trace_shadow_rays();
-  void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
-  Vec3f clamped(Vec3f radiance, int depth) const;
-  void end_path(const PathRay& ray, Vec3f light, float share);
-  void add(std::uint32_t pixel, Vec3f radiance, int depth);
+ protected:
+  const LightTable& lights() const { return *scene_.path->lights; }
 
-  const DeviceScene::Impl& scene_;
+  /// Random numbers of the vertex that a ray has met, drawn one pair at a time.
+  static Vec2f draw(const PathRay& ray, std::uint32_t pair) {
+    PathSampler sampler(ray.seed, ray.index);
+    sampler.jump_to(kPairsPerEvent * ray.events + pair);
+    return sampler.next();
+  }
+
+  /// Behind the facet there is only what is transmitted, whatever the smooth normal says, and before it only what is not.
+  static bool is_possible(const ShadingPoint& point, Vec3f direction, bool transmitted) {
+    return (glm::dot(point.facet, direction) < 0.0f) == transmitted;
+  }
+
+  /// Russian roulette: false ends the path; else its throughput makes up for those that end.
+  static bool survives(Vec3f& throughput, float chance, float number) {
+    if (!(number < chance)) return false;
+    throughput /= chance;
+    return true;
+  }
+
+  /// Sends a path on in a direction that was drawn, and counts it, unless it carries nothing.
+  void go_on(const PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length,
+             std::uint64_t& count) {
+    if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return;
+    ++count;
+    scatter(next_.emplace_back(ray), point, sample, throughput, length);
+  }
+
+  /// depth: vertices that have scattered it.
+  void add(std::uint32_t target, Vec3f radiance, int depth) {
+    const auto add_to = [&](float* film, float weight) {
+      float* p = film + 3 * static_cast<std::size_t>(target);
+      for (int c = 0; c < 3; ++c) p[c] += weight * radiance[c];
+    };
+    add_to(film_.all, weight_);
+    if (float* part = depth > 1 ? film_.indirect : film_.direct) add_to(part, weight_);
+    if (film_.seen && depth == 0) add_to(film_.seen, weight_);
+    if (film_.noise) add_to(film_.noise, weight_ * noise_weight_);
+  }
+
+  const ShadedScene& scene_;
   const BeamFootprint& beam_;
   PathParams params_;
   PathFilm film_;
-  const TouchProbe* probe_ = nullptr;  ///< null: nothing is watched
-  std::vector<Doubt>* doubts_ = nullptr;
-  std::uint32_t sample_ = 0;
-  float weight_ = 1.0f;  ///< of one sample
-  float noise_weight_ = 0.0f;
+  float weight_;               ///< of a sample's light
+  float noise_weight_ = 0.0f;  ///< and in film.noise
   RayCounts counts_;
-  std::vector<PathRay> wave_, next_;
-  ShadowQueue shadow_rays_;
-  SurfacePacket surface_;
+  std::vector<PathRay> next_;  ///< rays of the next wave
+  SurfacePacket surface_;      ///< of the packet that is being shaded
+
+ private:
+  Policy& policy() { return static_cast<Policy&>(*this); }
+
+  /// rays: of the active lanes.
+  void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+    Lanes path_length;
+    LaneMask spread;
+    for (int i = 0; i < kLanes; ++i) {
+      path_length[i] = active.lane[i] ? rays[i].path_length : 0.0f;
+      if constexpr (Policy::kWidensBeams) spread.lane[i] = active.lane[i] && rays[i].spread ? -1 : 0;
+    }
+    evaluate_surfaces(scene_, packet, active, path_length, beam_, surface_, Policy::kWidensBeams ? &spread : nullptr);
+    if constexpr (Policy::kSeesLight)
+      if (surface_.any_miss) look_at_sky(packet.ray);
+    const LaneMask lanes = policy().begin_packet(packet, active, rays);
+    for (int i = 0; i < kLanes; ++i) {
+      if (!lanes.lane[i]) continue;
+      if (surface_.hit.lane[i])
+        shade_surface(packet, i, rays[i]);
+      else if constexpr (Policy::kSeesLight)
+        shade_sky(packet, i, rays[i]);
+    }
+    policy().end_packet(packet, active, rays);
+  }
+
+  void look_at_sky(const RayPacket& rays) {
+    LIPPMANN_FOR_LANES(i) sky_.x[i] = rays.dir_x[i], sky_.y[i] = rays.dir_y[i], sky_.z[i] = rays.dir_z[i];
+    lights().environment().radiance(sky_);
+  }
+
+  void shade_sky(const RayHitPacket& packet, int i, const PathRay& ray) {
+    const unsigned id = packet.hit.geomID[i];
+    if (id >= kLightId && id != kNoId) {  // a bulb: surfaces ask for its light, so only mirrors and lenses see it
+      if (ray.density == kInfinity) policy().end_path(ray, ray.throughput * scene_.lights[id - kLightId].color);
+      return;
+    }
+    if (film_.open && ray.depth == 0) {
+      film_.open[ray.pixel] += 1.0f;
+      return;
+    }
+    if (ray.lights_from > static_cast<std::uint16_t>(LightGroup::kSky)) return;
+    float share = 1.0f;
+    if (ray.density != kInfinity) {
+      const LightTable::Sky sky = lights().sky(ray.direction);
+      if (ray.lights_from > static_cast<std::uint16_t>(sky.group.begin)) return;
+      share = power_heuristic(ray.density * policy().chance(sky.group), sky.density);
+    }
+    policy().end_path(ray, ray.throughput * Vec3f(sky_.red[i], sky_.green[i], sky_.blue[i]) * share);
+  }
+
+  void shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {
+    const ShadingPoint point = shading_point(scene_, surface_, i);
+    const float length = ray.path_length + packet.ray.tfar[i];
+    if (!(point.coverage >= 1.0f) && !(policy().numbers(ray, i, kCoveragePair).y < point.coverage)) {
+      if (ray.events < kMostEvents) next_.push_back(passed(ray, point, length));
+      return;
+    }
+    describe_first(point, i, ray);
+    if constexpr (Policy::kSeesLight)
+      if (point.emission != Vec3f(0.0f)) add_emission(packet, i, ray, point.emission);
+    if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
+    policy().vertex(packet, i, ray, point, length);
+  }
+
+ protected:
+  void describe_first(const ShadingPoint& point, int i, const PathRay& ray) {
+    if (film_.surfaces && ray.depth == 0 && point.scatters)
+      film_.surfaces->add(point, surface_.normal.get(i), ray.pixel, weight_);
+  }
+
+  void add_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission) {
+    float share = 1.0f;
+    if (ray.density != kInfinity && surface_.record[i] < kPlaneId) {
+      const float distance = ray.path_length + packet.ray.tfar[i] - ray.scattered_at;
+      const float density = lights().density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction);
+      if (density > 0.0f && ray.lights_from > static_cast<std::uint16_t>(LightGroup::kLamps)) return;
+      share = power_heuristic(ray.density * policy().chance(kLamps), density);
+    }
+    policy().end_path(ray, ray.throughput * emission * share);
+  }
+
+ private:
+  std::vector<PathRay> wave_;
   SkyRays sky_;  ///< of the packet's lanes
-  struct LanePairs {
-    Lanes x, y;
-  };
-  std::array<LanePairs, kPairsPerEvent> numbers_;  ///< of the surfaces' lanes
 };
 
 }  // namespace lippmann

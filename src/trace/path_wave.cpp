@@ -8,8 +8,6 @@ namespace {
 /// Things are told apart by this many of the lowest bits of their records: nearly always enough, and no table to keep.
 constexpr std::size_t kBuckets = 64;
 
-std::size_t packets_of(std::size_t rays) { return (rays + kLanes - 1) / kLanes; }
-
 /// Up to 16 rays into a packet; lanes beyond them get the last one's and are inactive.
 void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active) {
   for (std::size_t i = 0; i < kLanes; ++i) {
@@ -22,7 +20,7 @@ void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, Lan
   }
 }
 
-std::size_t bucket_of(const RTCHit16& hit, std::size_t lane) {
+std::size_t bucket_of(const HitPacket& hit, std::size_t lane) {
   const unsigned placed = hit.instID[0][lane];
   return (placed != kNoId ? placed : hit.geomID[lane]) % kBuckets;
 }
@@ -57,15 +55,14 @@ LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int
 
 }  // namespace
 
-PathWave::PathWave(const DeviceScene::Impl& scene, const std::vector<PathRay>& rays)
+PathWave::PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays)
     : rays_(rays),
       packets_(packets_of(rays.size())),
       met_(std::make_unique_for_overwrite<RayHitPacket[]>(packets_)),
       order_(std::make_unique_for_overwrite<std::uint32_t[]>(rays.size())) {
   for (std::size_t p = 0; p < packets_; ++p) {
     load_rays(&rays[p * kLanes], std::min<std::size_t>(kLanes, rays.size() - p * kLanes), met_[p], active_);
-    clear_hits(met_[p]);
-    intersect_scene(scene, active_, met_[p], Coherence::kIncoherent);
+    scene.trace(active_, met_[p], Coherence::kIncoherent);
   }
   sort();
 }

@@ -1,4 +1,4 @@
-// Many path rays meet the scene together, and are shaded in packets of those that have hit the same. Private to src/trace.
+// Many path rays meet the scene together, and are shaded in packets of those that have hit the same.
 //
 // Rays that have left a surface go everywhere: sixteen of them in a row hit several things, and each has to be evaluated for
 // all lanes of a packet, most of them idle. Sorted, a packet is of one mesh or of the sky.
@@ -14,7 +14,7 @@ namespace lippmann {
 class PathWave {
  public:
   /// Meets all of `rays`, which must outlive the wave, with the scene.
-  PathWave(const DeviceScene::Impl& scene, const std::vector<PathRay>& rays);
+  PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays);
 
   std::size_t packets() const { return packets_; }
   /// The p-th packet of what was hit, sorted.
@@ -39,7 +39,7 @@ class PathWave {
 
 /// Meets `rays` with the scene and calls shade(packet, active, rays of the active lanes) for all of them.
 template <class Shade>
-void trace_wave(const DeviceScene::Impl& scene, const std::vector<PathRay>& rays, const Shade& shade) {
+void trace_wave(const ShadedScene& scene, const std::vector<PathRay>& rays, const Shade& shade) {
   PathWave wave(scene, rays);
   for (std::size_t p = 0; p < wave.packets(); ++p) {
     wave.load(p);

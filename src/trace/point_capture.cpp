@@ -1,6 +1,6 @@
 #include "trace/point_capture.hpp"
 
-#include "trace/surface.hpp"
+#include "shading/surface.hpp"
 
 namespace lippmann {
 namespace {
@@ -19,13 +19,14 @@ LIPPMANN_MULTIVERSION void depths(const RayPacket& rays, const Affine3f& display
 
 }  // namespace
 
-void PointCapture::store(const RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel) const {
+void PointCapture::store(const CameraPacket& camera) const {
+  const RayHitPacket& packet = camera.rays;
   Lanes z;
   depths(packet.ray, display_from_world_, z);
   const auto lights_begin = static_cast<std::uint32_t>(scene_.scene->instances.size());
   for (int i = 0; i < kLanes; ++i) {
-    if (!active.lane[i]) continue;
-    const std::size_t at = pixel[i];
+    if (!camera.active.lane[i]) continue;
+    const std::size_t at = camera.target[i];
     const unsigned id = packet.hit.geomID[i];
     points_.z[at] = id == kNoId ? -kInfinity : z[i];
     if (id == kNoId)

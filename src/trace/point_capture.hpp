@@ -1,9 +1,8 @@
-// Keeps the first hits of primary packets while they are traced, so that a point image costs no rays of its own. Private to
-// src/trace.
+// Keeps the first hits of primary packets while they are traced, so that a point image costs no rays of its own.
 #pragma once
 
-#include "trace/device_scene_impl.hpp"
-#include "trace/embree_shim.hpp"
+#include "shading/shaded_scene.hpp"
+#include "trace/camera_packet.hpp"
 #include "trace/primary_points.hpp"
 
 namespace lippmann {
@@ -12,14 +11,14 @@ namespace lippmann {
 class PointCapture {
  public:
   /// `points` has the panel's size; both must outlive this.
-  PointCapture(const DeviceScene::Impl& scene, const Affine3f& display_from_world, PrimaryPoints& points)
+  PointCapture(const ShadedScene& scene, const Affine3f& display_from_world, PrimaryPoints& points)
       : scene_(scene), display_from_world_(display_from_world), points_(points) {}
 
   /// Stores where the active lanes of a traced packet have ended.
-  void store(const RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel) const;
+  void store(const CameraPacket& camera) const;
 
  private:
-  const DeviceScene::Impl& scene_;
+  const ShadedScene& scene_;
   Affine3f display_from_world_;
   PrimaryPoints& points_;
 };

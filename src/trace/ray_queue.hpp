@@ -1,10 +1,10 @@
 // The rays of the next wave: what surfaces mirror and transmit, in the order in which they were met, until there are enough for
-// full packets. Private to src/trace.
+// full packets.
 #pragma once
 
 #include <memory>
 
-#include "trace/surface.hpp"
+#include "shading/surface.hpp"
 
 namespace lippmann {
 

@@ -10,14 +10,14 @@ std::size_t ShadowQueue::fill_packet(std::size_t first) {
     packet_.rays.dir_x[i] = ray.direction.x, packet_.rays.dir_y[i] = ray.direction.y, packet_.rays.dir_z[i] = ray.direction.z;
     packet_.rays.tnear[i] = ray.t_near, packet_.rays.tfar[i] = ray.t_far;
     packet_.active.lane[i] = i < count ? -1 : 0;
-    packet_.context.transmittance[i] = 1.0f;
+    packet_.transmittance[i] = 1.0f;
   }
   return count;
 }
 
-std::size_t ShadowQueue::trace_packet(const DeviceScene::Impl& scene, std::size_t first) {
+std::size_t ShadowQueue::trace_packet(const ShadedScene& scene, std::size_t first) {
   const std::size_t count = fill_packet(first);
-  trace_shadows(scene, packet_);
+  scene.trace_shadows(packet_.active, packet_.rays, packet_.transmittance);
   return count;
 }
 

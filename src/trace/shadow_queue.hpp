@@ -1,13 +1,12 @@
-// Lights that shine on vertices of paths unless something lies between: they wait until there are packets of them. Private to
-// src/trace.
+// Lights that shine on vertices of paths unless something lies between: they wait until there are packets of them.
 #pragma once
 
 #include <vector>
 
-#include "trace/direct_light.hpp"
-#include "trace/light_table.hpp"
-#include "trace/shading_point.hpp"
-#include "trace/touch_probe.hpp"
+#include "device/touch_probe.hpp"
+#include "shading/direct_light.hpp"
+#include "shading/light_table.hpp"
+#include "shading/shading_point.hpp"
 
 namespace lippmann {
 
@@ -54,7 +53,7 @@ class ShadowQueue {
   /// Traces all that wait, calls add(shadow ray, radiance) for what arrives, in the order of push(), and returns how many there
   /// were.
   template <class Add>
-  std::size_t trace(const DeviceScene::Impl& scene, const Add& add) {
+  std::size_t trace(const ShadedScene& scene, const Add& add) {
     for (std::size_t first = 0; first < rays_.size(); first += kLanes) {
       const std::size_t count = trace_packet(scene, first);
       for (std::size_t i = 0; i < count; ++i)
@@ -67,9 +66,9 @@ class ShadowQueue {
 
  private:
   std::size_t fill_packet(std::size_t first);
-  std::size_t trace_packet(const DeviceScene::Impl& scene, std::size_t first);
+  std::size_t trace_packet(const ShadedScene& scene, std::size_t first);
   bool arrives(int i) const { return packet_.active.lane[i] && packet_.rays.tfar[i] >= 0.0f; }
-  float transmittance(int i) const { return packet_.context.transmittance[i]; }
+  float transmittance(int i) const { return packet_.transmittance[i]; }
 
   std::vector<ShadowRay> rays_;
   ShadowPacket packet_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "device/touched_blocks.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/math.hpp"
 #include "lippmann/core/parallel.hpp"
@@ -15,7 +16,6 @@
 #include "lippmann/trace/ray_order.hpp"
 #include "trace/primary_points.hpp"
 #include "trace/shot.hpp"
-#include "trace/touched_blocks.hpp"
 
 namespace lippmann {
 

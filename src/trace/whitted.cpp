@@ -1,6 +1,6 @@
 #include "trace/whitted.hpp"
 
-#include "trace/scene_query.hpp"
+#include "device/ray_scene.hpp"
 
 namespace lippmann {
 namespace {
@@ -13,20 +13,22 @@ int count_lanes(const LaneMask& mask) {
 
 /// color (ambient + diffuse light) + highlight + emission, weighted by opacity: what the surface itself sends towards the ray.
 /// Tachyon's is not weighted.
-LIPPMANN_INLINE void radiance_channel(const SurfacePacket& s, const Lanes& color, const Lanes& ambient, const Lanes& emission,
-                                      const Lanes& diffuse, const Lanes& highlight, float whole, Lanes& out) {
+template <Lanes Lanes3::*kChannel>
+LIPPMANN_INLINE void radiance_channel(const SurfacePacket& s, const DirectLight& direct, float whole, Lanes3& out) {
   LIPPMANN_FOR_LANES(i) {
     const float weight = s.opacity[i] + whole * (1.0f - s.opacity[i]);
-    const float tint = 1.0f + s.highlight_tint[i] * (color[i] - 1.0f);
-    out[i] = weight * (color[i] * (ambient[i] + s.diffuse[i] * diffuse[i]) + highlight[i] * tint + emission[i]);
+    const float color = (s.color.*kChannel)[i];
+    const float tint = 1.0f + s.highlight_tint[i] * (color - 1.0f);
+    (out.*kChannel)[i] = weight * (color * ((s.ambient.*kChannel)[i] + s.diffuse[i] * (direct.diffuse.*kChannel)[i]) +
+                                   (direct.highlight.*kChannel)[i] * tint + (s.emission.*kChannel)[i]);
   }
 }
 
 LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLight& direct, bool tachyon, Lanes3& out) {
   const float whole = tachyon ? 1.0f : 0.0f;
-  radiance_channel(s, s.color.x, s.ambient.x, s.emission.x, direct.diffuse.x, direct.highlight.x, whole, out.x);
-  radiance_channel(s, s.color.y, s.ambient.y, s.emission.y, direct.diffuse.y, direct.highlight.y, whole, out.y);
-  radiance_channel(s, s.color.z, s.ambient.z, s.emission.z, direct.diffuse.z, direct.highlight.z, whole, out.z);
+  radiance_channel<&Lanes3::x>(s, direct, whole, out);
+  radiance_channel<&Lanes3::y>(s, direct, whole, out);
+  radiance_channel<&Lanes3::z>(s, direct, whole, out);
 }
 
 /// Mirrored rays, and transmitted ones as if nothing refracted them.
@@ -146,7 +148,7 @@ void end_in_panorama(const Environment& environment, const LaneMask& hit, const 
 }
 
 /// What alpha does not cover is as if nothing were there; what glass lets through has met the glass.
-void keep_holes_open(const DeviceScene::Impl& scene, const SurfacePacket& s, Branches& branches) {
+void keep_holes_open(const ShadedScene& scene, const SurfacePacket& s, Branches& branches) {
   for (int i = 0; i < kLanes; ++i) {
     if (!s.hit.lane[i] || !(s.opacity[i] < 1.0f)) continue;
     const WhittedMaterial& material = scene.materials.materials[scene.material_of_instance[s.instance[i]]];
@@ -156,32 +158,30 @@ void keep_holes_open(const DeviceScene::Impl& scene, const SurfacePacket& s, Bra
 
 }  // namespace
 
-WhittedTracer::WhittedTracer(const DeviceScene::Impl& scene, const BeamFootprint& beam, int max_depth, Image& film)
+WhittedTracer::WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params,
+                             const PathFilm& film)
     : scene_(scene),
       beam_(beam),
-      max_depth_(max_depth),
-      film_(film.data.data()),
+      max_depth_(params.max_depth),
+      weight_(1.0f / static_cast<float>(params.spp)),
+      film_(film),
       shadows_(scene.lights.size()),
       shadow_rays_(scene.lights.size()) {}
 
-void WhittedTracer::primary(RayHitPacket& packet, const LaneMask& active, const std::uint32_t* pixel, float weight) {
-  clear_hits(packet);
-  counts_.primary += static_cast<std::uint64_t>(count_lanes(active));
-  if (log_) log_->push_back({packet.ray, active, false, Coherence::kCoherent});
-  intersect_scene(scene_, active, packet, Coherence::kCoherent);
-  if (capture_) capture_->store(packet, active, pixel);
-  if (probe_) probe_->add(packet.ray, active);
+void WhittedTracer::primary(const CameraPacket& packet) {
+  counts_.primary += static_cast<std::uint64_t>(count_lanes(packet.active));
+  if (probe_) probe_->add(packet.rays.ray, packet.active);
   Bundle bundle;
   for (int i = 0; i < kLanes; ++i) {
-    bundle.weight.x[i] = bundle.weight.y[i] = bundle.weight.z[i] = weight;
+    bundle.weight.x[i] = bundle.weight.y[i] = bundle.weight.z[i] = weight_;
     bundle.path_length[i] = 0.0f;
     bundle.open[i] = 1.0f;
-    bundle.pixel[i] = pixel[i];
+    bundle.pixel[i] = packet.target[i];
   }
-  shade(packet, active, bundle, 1);
+  shade(packet.rays, packet.active, bundle, 1);
 }
 
-void WhittedTracer::finish_batch() {
+void WhittedTracer::finish() {
   RayHitPacket packet;
   Bundle bundle;
   LaneMask active;
@@ -191,9 +191,8 @@ void WhittedTracer::finish_batch() {
     counts_.reflection += wave_.size();
     for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
       wave_.load(first, packet, bundle, active);
-      clear_hits(packet);
-      if (log_) log_->push_back({packet.ray, active, false, Coherence::kIncoherent});
-      intersect_scene(scene_, active, packet, Coherence::kIncoherent);
+      if (log_) log_->push_back(logged(packet.ray, active, Coherence::kIncoherent));
+      scene_.trace(active, packet, Coherence::kIncoherent);
       if (probe_) probe_->add(packet.ray, active);
       shade(packet, active, bundle, depth);
     }
@@ -220,10 +219,10 @@ void WhittedTracer::see_surroundings(const RayHitPacket& packet, const LaneMask&
   else
     see_sky(scene_.scene->background, packet, radiance);
   if (scene_.any_visible_light) see_lights(scene_.lights, packet, radiance);
-  for (int i = 0; open_ && i < kLanes; ++i) {
+  for (int i = 0; film_.open && i < kLanes; ++i) {
     if (!active.lane[i] || packet.hit.geomID[i] != kNoId || !(bundle.open[i] > 0.0f)) continue;
     radiance.set(i, Vec3f(0.0f));
-    open_[bundle.pixel[i]] += bundle.open[i];
+    film_.open[bundle.pixel[i]] += bundle.open[i];
   }
 }
 
@@ -238,7 +237,7 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
     counts_.shadow += static_cast<std::uint64_t>(shadow_rays_[l]);
     if (log_) log_->push_back({shadows_[l].rays, shadows_[l].active, true, Coherence::kIncoherent});
     if (probe_) probe_->add(shadows_[l].rays, shadows_[l].active);
-    trace_shadows(scene_, shadows_[l]);
+    scene_.trace_shadows(shadows_[l].active, shadows_[l].rays, shadows_[l].transmittance);
   }
   for (std::size_t l = 0; l < scene_.lights.size(); ++l)
     if (shadow_rays_[l] != 0) add_light(scene_.lights[l], surface_, packet.ray, shadows_[l], scene_.tachyon, direct);
@@ -260,7 +259,7 @@ void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, boo
     return;
   }
   if (surface_.any_see_through) refract(packet, branches);
-  if (open_ && surface_.any_see_through) keep_holes_open(scene_, surface_, branches);
+  if (film_.open && surface_.any_see_through) keep_holes_open(scene_, surface_, branches);
   int entry[Branches::kCount + kLanes] = {};
   const int count = list_branches(surface_, entry);
   next_.append(surface_, packet, bundle, branches, entry, count);
@@ -279,7 +278,7 @@ void WhittedTracer::refract(const RayHitPacket& packet, Branches& branches) cons
 void WhittedTracer::add_to_film(const LaneMask& active, const Bundle& bundle, const Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
     if (!active.lane[i]) continue;
-    float* p = film_ + 3 * static_cast<std::size_t>(bundle.pixel[i]);
+    float* p = film_.all + 3 * static_cast<std::size_t>(bundle.pixel[i]);
     p[0] += bundle.weight.x[i] * radiance.x[i];
     p[1] += bundle.weight.y[i] * radiance.y[i];
     p[2] += bundle.weight.z[i] * radiance.z[i];

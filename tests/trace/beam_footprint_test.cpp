@@ -2,8 +2,7 @@
 // between texels' centres the grey grows evenly, so that 1 / 8 of a pixel before the edge it is 0 and at the edge 1 / 2.
 #include <gtest/gtest.h>
 
-#include "trace/device_scene_impl.hpp"
-#include "trace/scene_query.hpp"
+#include "shading/surface.hpp"
 #include "trace/small_scene.hpp"
 
 namespace lippmann {
@@ -77,11 +76,10 @@ TEST(BeamFootprint, scattered_rays_are_as_wide_as_a_pixel) {
     active.lane[i] = -1;
     spread.lane[i] = i % 2 ? -1 : 0;
   }
-  clear_hits(packet);
-  intersect_scene(device.impl(), active, packet, Coherence::kCoherent);
+  device.shaded().trace(active, packet, Coherence::kCoherent);
   const Optics optics = single_view(kPixels);
   SurfacePacket surface;
-  evaluate_surfaces(device.impl(), packet, active, Lanes{}, BeamFootprint(optics, {}, 64), surface, &spread);
+  evaluate_surfaces(device.shaded(), packet, active, Lanes{}, BeamFootprint(optics, {}, 64), surface, &spread);
   for (int i = 0; i < kLanes; ++i) EXPECT_NEAR(surface.color.x[i], i % 2 ? 0.25f : 0.0f, 1e-3f) << i;
 }
 

@@ -38,7 +38,7 @@ TEST(PathWave, rays_come_back_once_each_with_what_they_have_hit) {
   std::vector<PathRay> rays;
   for (std::uint32_t r = 0; r < 100; ++r) rays.push_back(ray_down(r));
   std::set<std::uint32_t> seen;
-  trace_wave(device.impl(), rays, [&](const RayHitPacket& packet, const LaneMask& active, const PathRay* of) {
+  trace_wave(device.shaded(), rays, [&](const RayHitPacket& packet, const LaneMask& active, const PathRay* of) {
     for (int i = 0; i < kLanes; ++i) {
       if (!active.lane[i]) continue;
       EXPECT_TRUE(seen.insert(of[i].pixel).second) << of[i].pixel;
@@ -59,7 +59,7 @@ TEST(PathWave, packets_are_of_rays_that_have_hit_the_same) {
   device.update(evaluate(s.scene, 0.0), pool);
   std::vector<PathRay> rays;
   for (std::uint32_t r = 0; r < 3 * kLanes; ++r) rays.push_back(ray_down(r));
-  trace_wave(device.impl(), rays, [&](const RayHitPacket&, const LaneMask&, const PathRay* of) {
+  trace_wave(device.shaded(), rays, [&](const RayHitPacket&, const LaneMask&, const PathRay* of) {
     for (int i = 1; i < kLanes; ++i) EXPECT_EQ(of[i].pixel % 3, of[0].pixel % 3);
   });
 }

@@ -1,4 +1,4 @@
-#include "trace/primitives.hpp"
+#include "device/primitives.hpp"
 
 #include <gtest/gtest.h>
 

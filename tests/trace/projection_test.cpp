@@ -1,4 +1,4 @@
-#include "trace/projection.hpp"
+#include "shading/projection.hpp"
 
 #include <gtest/gtest.h>
 

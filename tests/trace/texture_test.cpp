@@ -1,4 +1,4 @@
-#include "trace/texture.hpp"
+#include "shading/texture.hpp"
 
 #include <gtest/gtest.h>
 

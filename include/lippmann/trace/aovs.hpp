@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
+#include <limits>
 
 #include "lippmann/image/image.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -13,24 +15,43 @@
 namespace lippmann {
 
 enum class Aov : std::uint8_t {
-  kDepth,     ///< 1 channel: z in display mm (> 0 in front of the array); -inf where nothing was hit
-  kNormal,    ///< 3 channels: unit, world space, towards the ray; 0 where nothing was hit
-  kId,        ///< 1 channel: index in Scene::instances; -1 where nothing was hit
-  kPosition,  ///< 3 channels: world space; 0 where nothing was hit
-  kRayDepth,  ///< 1 channel: mm along the ray from where it starts (resolved_z_front_mm): from the eye; inf: nothing was hit
-  kAlbedo,    ///< 3 channels: base colour, textures and vertex colours included; 0 where nothing was hit
-  kMotion,    ///< 2 channels: see place_in_view; pixels to the right and down since the frame before; 0 where nothing was hit
-  kDirect,    ///< 3 channels, of paths: what shines by itself and light that one surface has scattered
-  kIndirect,  ///< 3 channels, of paths: all other light; with kDirect the film, but for rounding
-  kAlpha,     ///< 1 channel: share of the pixel's samples that hit something, what alpha covers by its share; of the
-              ///< surroundings, that the others would see, the film is then free
+  kDepth,     ///< z in display mm (> 0 in front of the array)
+  kNormal,    ///< unit, world space, towards the ray
+  kId,        ///< index in Scene::instances
+  kPosition,  ///< world space
+  kRayDepth,  ///< mm along the ray from where it starts (resolved_z_front_mm): from the eye
+  kAlbedo,    ///< base colour, textures and vertex colours included
+  kMotion,    ///< see place_in_view; pixels to the right and down since the frame before
+  kDirect,    ///< of paths: what shines by itself and light that one surface has scattered
+  kIndirect,  ///< of paths: all other light; with kDirect the film, but for rounding
+  kAlpha,     ///< share of the pixel's samples that hit something, what alpha covers by its share; of the surroundings, that
+              ///< the others would see, the film is then free
 };
-inline constexpr std::size_t kAovs = 10;
 
-int channels_of(Aov aov);
+struct AovInfo {
+  int channels;
+  float nothing;          ///< where nothing was hit
+  bool is_light = false;  ///< a mean over all samples, made with the light: no property of what is behind the pixel's centre
+};
+/// By Aov.
+inline constexpr AovInfo kAovInfos[] = {
+    {1, -std::numeric_limits<float>::infinity()},  // kDepth
+    {3, 0.0f},                                     // kNormal
+    {1, -1.0f},                                    // kId
+    {3, 0.0f},                                     // kPosition
+    {1, std::numeric_limits<float>::infinity()},   // kRayDepth
+    {3, 0.0f},                                     // kAlbedo
+    {2, 0.0f},                                     // kMotion
+    {3, 0.0f, true},                               // kDirect
+    {3, 0.0f, true},                               // kIndirect
+    {1, 0.0f, true},                               // kAlpha
+};
+inline constexpr std::size_t kAovs = std::size(kAovInfos);
+static_assert(kAovs == static_cast<std::size_t>(Aov::kAlpha) + 1);
 
-/// Whether it comes with the light, as a mean over all samples, and is no property of what is behind the pixel's centre.
-inline bool is_light(Aov aov) { return aov == Aov::kDirect || aov == Aov::kIndirect || aov == Aov::kAlpha; }
+constexpr const AovInfo& info_of(Aov aov) { return kAovInfos[static_cast<std::size_t>(aov)]; }
+constexpr int channels_of(Aov aov) { return info_of(aov).channels; }
+constexpr bool is_light(Aov aov) { return info_of(aov).is_light; }
 
 struct FrameAovs {
   std::array<bool, kAovs> wanted{};
@@ -42,8 +63,8 @@ struct FrameAovs {
   Image& operator[](Aov aov) { return images[static_cast<std::size_t>(aov)]; }
   const Image& operator[](Aov aov) const { return images[static_cast<std::size_t>(aov)]; }
 
-  /// Gives the image of a wanted layer the panel's size and this value.
-  void allocate(Aov aov, const Panel& panel, float value);
+  /// Gives the image of a wanted layer the panel's size, with nothing hit.
+  void allocate(Aov aov, const Panel& panel);
 };
 
 }  // namespace lippmann

@@ -1,0 +1,36 @@
+// Sixteen rays side by side: the arrays that every kernel of this part loops over.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/multiversion.hpp"
+#include "lippmann/core/math.hpp"
+
+namespace lippmann {
+
+inline constexpr int kLanes = 16;
+/// Packets that so many rays fill.
+constexpr std::size_t packets_of(std::size_t rays) { return (rays + kLanes - 1) / kLanes; }
+/// A loop over the lanes of a packet, each iteration on its own: without the promise the compiler has to assume that the arrays
+/// of one packet overlap those of another, and gives up vectorising.
+#define LIPPMANN_FOR_LANES(i) _Pragma("GCC ivdep") for (int i = 0; i < kLanes; ++i)
+
+/// Per-lane activity: -1 traced, 0 left alone.
+struct alignas(64) LaneMask {
+  int lane[kLanes];
+};
+
+struct alignas(64) Lanes {
+  float lane[kLanes];
+  LIPPMANN_INLINE float& operator[](int i) { return lane[i]; }
+  LIPPMANN_INLINE float operator[](int i) const { return lane[i]; }
+};
+
+struct alignas(64) Lanes3 {
+  Lanes x, y, z;
+  LIPPMANN_INLINE void set(int i, Vec3f v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  LIPPMANN_INLINE Vec3f get(int i) const { return {x[i], y[i], z[i]}; }
+};
+
+}  // namespace lippmann

@@ -1,0 +1,160 @@
+#include "device/ray_scene.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "device/embree_scene.hpp"
+#include "lippmann/core/error.hpp"
+#include "scene/deform.hpp"
+
+namespace lippmann {
+
+LIPPMANN_MULTIVERSION void clear_hits(RayHitPacket& packet) {
+  make_ready(packet.ray);
+  LIPPMANN_FOR_LANES(i) {
+    packet.hit.geomID[i] = kNoId;
+    packet.hit.instID[0][i] = kNoId;
+  }
+}
+
+namespace {
+
+LIPPMANN_INLINE LaneRay lane_ray(const RayPacket& ray, int i) {
+  return {ray.org_x[i], ray.org_y[i], ray.org_z[i], ray.dir_x[i], ray.dir_y[i], ray.dir_z[i], ray.tnear[i], ray.tfar[i]};
+}
+
+LIPPMANN_INLINE void record_hit(RayHitPacket& packet, const LaneMask& active, int i, float t, unsigned id) {
+  const bool hit = (active.lane[i] != 0) & (t < kInfinity);
+  packet.ray.tfar[i] = hit ? t : packet.ray.tfar[i];
+  packet.hit.geomID[i] = hit ? id : packet.hit.geomID[i];
+  packet.hit.instID[0][i] = hit ? kNoId : packet.hit.instID[0][i];
+}
+
+/// Meets the infinite planes: shortens tfar and records hits with the plane's id, kPlaneId + its index.
+LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
+                                       RayHitPacket& packet) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const WorldPlane plane = planes[p].plane;
+    const unsigned id = kPlaneId + static_cast<unsigned>(p);
+    LIPPMANN_FOR_LANES(i) record_hit(packet, active, i, distance(plane, lane_ray(packet.ray, i)), id);
+  }
+}
+
+/// Whether any ray's line comes as close to a visible light as its radius: a small part of the work of meeting it, and most
+/// packets see no light.
+LIPPMANN_INLINE int points_at(const WorldSphere ball, const RayPacket& rays) {
+  int any = 0;
+  LIPPMANN_FOR_LANES(i) any |= discriminant(ball, lane_ray(rays, i)) >= 0.0f ? -1 : 0;
+  return any;
+}
+
+LIPPMANN_MULTIVERSION void meet_lights(const WorldSphere* lights, std::size_t count, const LaneMask& active,
+                                       RayHitPacket& packet) {
+  for (std::size_t l = 0; l < count; ++l) {
+    const WorldSphere ball = lights[l];
+    if (!(ball.radius > 0.0f) || !points_at(ball, packet.ray)) continue;
+    const unsigned id = kLightId + static_cast<unsigned>(l);
+    LIPPMANN_FOR_LANES(i) record_hit(packet, active, i, distance(ball, lane_ray(packet.ray, i)), id);
+  }
+}
+
+/// Ends the active rays that cross an opaque plane, weakens those that cross a see-through one; returns which are still lit,
+/// and whether any is.
+LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
+                                       RayPacket& rays, Lanes& transmittance, LaneMask& lit) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const WorldPlane plane = planes[p].plane;
+    const float passes = planes[p].transmittance, ends = passes > 0.0f ? kInfinity : -kInfinity;
+    LIPPMANN_FOR_LANES(i) {
+      const bool crossed = (active.lane[i] != 0) & (distance(plane, lane_ray(rays, i)) < kInfinity);
+      transmittance[i] *= crossed ? passes : 1.0f;
+      rays.tfar[i] = std::min(rays.tfar[i], crossed ? ends : kInfinity);
+    }
+  }
+  int any = 0;
+  LIPPMANN_FOR_LANES(i) {
+    lit.lane[i] = (active.lane[i] != 0) & (rays.tfar[i] >= 0.0f) ? -1 : 0;
+    any |= lit.lane[i];
+  }
+  return any;
+}
+
+// How far secondary rays start from their surface. Tachyon's scenes: 1e-4 as measured against it. Others: relative to their
+// size, some ten times the rounding error of a hit point.
+float choose_t_near(const Scene& scene, const Bounds3f& b) {
+  if (scene.encoding == Encoding::kTachyonTruncate) return 1e-4f;
+  return b.empty() ? 1e-4f : 1e-5f * glm::length(b.size());
+}
+
+float largest_coordinate(const Bounds3f& b) {
+  if (b.empty()) return 1.0f;
+  const Vec3f corner = glm::max(glm::abs(b.lower), glm::abs(b.upper));
+  return std::max({corner.x, corner.y, corner.z});
+}
+
+std::vector<WorldSphere> visible_lights_of(const Scene& scene, const ResolvedScene& resolved) {
+  std::vector<WorldSphere> balls;
+  for (const Light& light : scene.lights) {
+    const Vec3f at = resolved.of(light.node).translation;
+    balls.push_back({at.x, at.y, at.z, light.visible_radius});
+  }
+  return balls;
+}
+
+SceneGeometry geometry_of(const Scene& scene, const ResolvedScene& resolved) {
+  SceneGeometry geometry;
+  geometry.scene = &scene;
+  geometry.tachyon = scene.encoding == Encoding::kTachyonTruncate;
+  geometry.instance_moves = moving_instances(scene);
+  geometry.visible_lights = visible_lights_of(scene, resolved);
+  geometry.any_visible_light = std::any_of(geometry.visible_lights.begin(), geometry.visible_lights.end(),
+                                           [](const WorldSphere& light) { return light.radius > 0.0f; });
+  const Bounds3f bounds = finite_bounds(scene, resolved);
+  geometry.secondary_t_near = choose_t_near(scene, bounds);
+  geometry.size = largest_coordinate(bounds);
+  geometry.radius = bounds.empty() ? 1.0f : std::max(0.5f * glm::length(bounds.size()), 1e-6f);
+  return geometry;
+}
+
+}  // namespace
+
+RayScene::RayScene(const Scene& described, const ResolvedScene& resolved, const ShadowMaterials& materials,
+                   const ThreadPool& pool)
+    : SceneGeometry(geometry_of(described, resolved)), embree_(std::make_unique<Embree>()) {
+  // Embree runs its builders on the calling arena's oneTBB threads; asking it for more would start its own.
+  const std::string config = "threads=" + std::to_string(pool.threads()) + ",set_affinity=0";
+  embree_->device = EmbreeDevice(rtcNewDevice(config.c_str()));
+  if (!embree_->device) throw Error("Embree", "no device could be made on this processor", "x86-64 with SSE2, or ARM64");
+  embree_->native_width = native_packet_width(embree_->device.get());
+  build_scene({*this, *embree_}, resolved, materials, pool);
+}
+
+RayScene::~RayScene() = default;
+
+void RayScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
+  visible_lights = visible_lights_of(*scene, resolved);
+  move_scene({*this, *embree_}, resolved, pool);
+}
+
+void RayScene::trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence) const {
+  clear_hits(packet);
+  if (!planes.empty()) meet_planes(planes.data(), planes.size(), active, packet);
+  const LaneMask sound = sound_lanes(packet.ray, reach, active);
+  if (embree_->has_fixed) intersect(embree_->fixed.get(), embree_->native_width, sound, packet, coherence);
+  if (embree_->has_moving) intersect(embree_->moving.get(), embree_->native_width, sound, packet, coherence);
+  if (any_visible_light) meet_lights(visible_lights.data(), visible_lights.size(), active, packet);
+}
+
+void RayScene::trace_shadows(LaneMask& active, RayPacket& rays, Lanes& transmittance) const {
+  active = sound_lanes(rays, reach, active);
+  LaneMask lit = active;
+  if (!planes.empty() && !cross_planes(planes.data(), planes.size(), active, rays, transmittance, lit)) return;
+  ShadowContext context;
+  std::copy_n(transmittance.lane, kLanes, context.transmittance);
+  if (embree_->has_fixed) occluded(embree_->fixed.get(), embree_->native_width, lit, rays, context);
+  if (embree_->has_moving && (!embree_->has_fixed || cross_planes(nullptr, 0, active, rays, transmittance, lit)))
+    occluded(embree_->moving.get(), embree_->native_width, lit, rays, context);
+  std::copy_n(context.transmittance, kLanes, transmittance.lane);
+}
+
+}  // namespace lippmann

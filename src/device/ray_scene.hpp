@@ -1,0 +1,45 @@
+// What rays meet: the only entrance to the device that traces them. A device is this class and the files of this part: update()
+// moves a scene, trace() and trace_shadows() follow rays through it.
+//
+// What hits refer to (records, planes) is public: shading reads it. The device's own structures are not.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "device/ray_packet.hpp"
+#include "device/scene_geometry.hpp"
+#include "device/shadow_materials.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/scene/timeline.hpp"
+
+namespace lippmann {
+
+/// Built once per scene, updated once per frame. What never moves is built once; what moves rigidly is moved, not rebuilt.
+/// Tracing reads it from any number of threads; update() must not overlap with it.
+class RayScene : public SceneGeometry {
+ public:
+  /// Of the timeline's first moment. `scene` outlives it, as do the casters that `materials` gives.
+  RayScene(const Scene& scene, const ResolvedScene& resolved, const ShadowMaterials& materials, const ThreadPool& pool);
+  ~RayScene();
+  RayScene(const RayScene&) = delete;
+  RayScene& operator=(const RayScene&) = delete;
+
+  /// Moves everything to where `resolved` has it.
+  void update(const ResolvedScene& resolved, const ThreadPool& pool);
+
+  /// The nearest hit of each active lane: tfar becomes its distance, and stays where there is none.
+  void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence) const;
+
+  /// Sets tfar of active lanes to -inf where something opaque lies between tnear and tfar, and multiplies their transmittance
+  /// by what see-through surfaces let pass. Takes lanes whose rays are no numbers out of `active`: they get no light.
+  void trace_shadows(LaneMask& active, RayPacket& rays, Lanes& transmittance) const;
+
+  struct Embree;
+  const Embree& embree() const { return *embree_; }  ///< for this part and benchmarks of it
+
+ private:
+  std::unique_ptr<Embree> embree_;
+};
+
+}  // namespace lippmann

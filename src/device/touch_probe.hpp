@@ -1,0 +1,52 @@
+// Tests rays against boxes while they are traced (touched_blocks.hpp).
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "device/ray_scene.hpp"
+#include "device/touched_blocks.hpp"
+
+namespace lippmann {
+
+/// The boxes, ready for tests. Thread-safe.
+class TouchProbe {
+ public:
+  /// On the device of `scene`, which outlives it.
+  TouchProbe(const RayScene& scene, const std::vector<HorizonBox>& boxes);
+  ~TouchProbe();
+  TouchProbe(const TouchProbe&) = delete;
+  TouchProbe& operator=(const TouchProbe&) = delete;
+
+  /// The lowest horizon of the boxes that the active rays meet from tnear to tfar: how far they went, or are about to go.
+  std::uint8_t lowest_met(const RayPacket& rays, const LaneMask& active) const;
+
+  /// Those of the active rays that meet any box.
+  LaneMask met(const RayPacket& rays, const LaneMask& active) const;
+
+ private:
+  void find_lowest(const RayPacket& rays, const LaneMask& active, float* lowest) const;
+
+  struct Boxes;
+  std::unique_ptr<Boxes> boxes_;
+  std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the boxes without end
+};
+
+/// The lowest horizon that the rays of one block have met so far.
+class BlockProbe {
+ public:
+  explicit BlockProbe(const TouchProbe& probe) : probe_(probe) {}
+
+  void add(const RayPacket& rays, const LaneMask& active) {
+    if (lowest_ > 0) lowest_ = std::min(lowest_, probe_.lowest_met(rays, active));
+  }
+  /// What the block has met; from now on about the next one.
+  std::uint8_t take() { return std::exchange(lowest_, TouchedBlocks::kNever); }
+
+ private:
+  const TouchProbe& probe_;
+  std::uint8_t lowest_ = TouchedBlocks::kNever;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,117 @@
+#include "radiance/block_estimates.hpp"
+
+#include <limits>
+
+#include "device/fast_math.hpp"
+#include "transport/bsdf.hpp"
+
+namespace lippmann {
+namespace {
+
+/// What all samples of a pixel may have missed: about 1 / (samples + 2) of its area, as bright as a pixel beside it. Such
+/// misses count as this much of their square, found by trial.
+constexpr float kMissed = 0.05f;
+/// A difference of luminance that is not seen.
+constexpr float kSlight = 0.05f;
+/// With fewer samples a pixel has no say in how many more it gets: its neighbours and the frame before have. Else those whose
+/// first samples happen to have missed something bright would be left with that, while those that have met it are set right,
+/// and the picture would be too dark by it.
+constexpr float kOwnSamples = 8.0f;
+/// And then, for the same reason, its neighbours count as so many samples of its own. What is met by one sample in twenty, as a
+/// lamp that few samples choose, takes more than 8 to be sure of.
+constexpr float kNeighbours = 64.0f;
+/// Errors of n evenly spread samples fall about as n^-kFall: for the least error of all pixels together, their number grows as
+/// the power 2 / (1 + kFall) of how much they scatter.
+constexpr float kFall = 1.6f, kGrowth = 1.0f / (1.0f + kFall);
+
+/// Luminance above it, as far as codes tell it apart: white is white, and black black.
+constexpr float kBlack = 0.003f;
+
+LIPPMANN_INLINE float shown(float luminance) { return std::min(std::max(luminance, kBlack), 1.0f); }
+
+/// Of sRGB's curve (0 ... 1), but for what is nearly black.
+LIPPMANN_INLINE float fast_code_of(float luminance) { return 1.055f * fast_pow(shown(luminance), 1.0f / 2.4f) - 0.055f; }
+
+/// The scatter of which n samples would leave the error of having missed light of an `other` luminance.
+LIPPMANN_INLINE float missed(float own, float other, float n, float weight) {
+  const float error = fast_code_of(own + (other - own) / (n + 2.0f)) - fast_code_of(own);
+  return std::abs(other - own) <= kSlight * own ? 0.0f : weight * error * error;
+}
+
+std::size_t whole_packets(std::size_t size) { return (size + kLanes - 1) / kLanes * kLanes; }
+
+}  // namespace
+
+void BlockEstimates::push_back(std::uint32_t of_pixel, float scatter_before) {
+  const std::size_t e = size++;
+  pixel[e] = of_pixel;
+  before[e] = scatter_before;
+  samples[e] = red[e] = green[e] = blue[e] = luminance[e] = square[e] = brightest[e] = open[e] = 0.0f;
+}
+
+void BlockEstimates::add(std::size_t e, Vec3f radiance, float opens) {
+  const float y = lippmann::luminance(radiance);
+  samples[e] += 1.0f;
+  red[e] += radiance.x, green[e] += radiance.y, blue[e] += radiance.z;
+  luminance[e] += y, square[e] += y * y;
+  brightest[e] = std::max(brightest[e], y);
+  open[e] += opens;
+}
+
+LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
+  const std::size_t count = whole_packets(block.size);
+#pragma GCC ivdep
+  for (std::size_t e = 0; e < count; ++e) {
+    const float n = block.samples[e], mean = block.luminance[e] / n;
+    const float square = std::max(0.0f, block.square[e] / n - mean * mean);
+    const float visible = shown(mean), slope = 1.055f * fast_pow(visible, 1.0f / 2.4f) / (2.4f * visible);
+    block.mean[kLanes + e] = mean;
+    const float clear = block.open[e] / n;
+    block.clear[kLanes + e] = clear;
+    const float others = std::max(n - 1.0f, 1.0f), most = block.brightest[e], rest = (block.luminance[e] - most) / others;
+    block.sure[e] = slope * slope * std::max(0.0f, (block.square[e] - most * most) / others - rest * rest);
+    block.scatter[kLanes + e] = (slope * slope * square + block.alpha_weight * clear * (1.0f - clear)) * n / (n - 1.0f);
+  }
+}
+
+LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& block) {
+  const auto size = static_cast<int>(block.size), count = static_cast<int>(whole_packets(block.size));
+  const float weight = kMissed * fast_pow(have, kFall), inverse = 1.0f / (error * error);
+  const bool has_say = have >= kOwnSamples;
+  const float own_share = has_say ? have / (have + kNeighbours) : 0.0f;
+#pragma GCC ivdep
+  for (int e = 0; e < count; ++e) {
+    const float* mean = block.mean + kLanes + e;
+    const float* scatter = block.scatter + kLanes + e;
+    const float* clear = block.clear + kLanes + e;
+    float around = 0.0f, level = 0.0f, known = 0.0f, clear_around = 0.0f, edge = 0.0f;
+    float least = std::numeric_limits<float>::max(), most = 0.0f;
+    for (const int step : {-1, 1, -kLanes, kLanes}) {
+      const bool inside = (e + step >= 0) & (e + step < size);
+      around += inside ? scatter[step] : 0.0f;
+      level += inside ? shown(mean[step]) : 0.0f;
+      known += inside ? 1.0f : 0.0f;
+      clear_around += inside ? clear[step] : 0.0f;
+      least = std::min(least, inside ? mean[step] : least);
+      most = std::max(most, inside ? mean[step] : most);
+    }
+    const float each = 1.0f / std::max(known, 1.0f);
+    around *= each, level *= each, clear_around *= each;
+    // What the pixel is taken to be like: itself, once it has a say, or else what is around it, as it is shown: a mean with
+    // what is overexposed would be white.
+    const float like = has_say ? mean[0] : level, clear_like = has_say ? clear[0] : clear_around;
+    for (const int step : {-1, 1, -kLanes, kLanes}) {
+      const bool inside = (e + step >= 0) & (e + step < size);
+      edge = std::max(edge, inside ? std::abs(clear[step] - clear_like) : 0.0f);
+    }
+    float variance = known > 0.0f ? around + own_share * (scatter[0] - around) : scatter[0];
+    variance = has_say ? std::max(variance, block.sure[e]) : variance;
+    variance += known > 0.0f ? missed(like, most, have, weight) + missed(like, least, have, weight) : 0.0f;
+    edge /= have + 2.0f;
+    variance += block.alpha_weight * weight * edge * edge;
+    variance = std::max(std::max(variance, block.before[e]), std::numeric_limits<float>::min());
+    block.wanted[e] = fast_pow(variance * inverse, kGrowth);
+  }
+}
+
+}  // namespace lippmann

@@ -1,0 +1,158 @@
+#include "radiance/final_gather.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Evenly spread over the samples of a pixel: multiples of the plastic number's powers (M. Roberts, 2018), the steps of the
+/// most even sequence of points that is a lattice.
+Vec2f jitter(const PathRay& ray) {
+  const std::uint32_t shift = hash(ray.seed + ray.events), index = ray.index;
+  return {unit_float(shift + index * 3242174889u), unit_float(hash(shift) + index * 2447445414u)};
+}
+
+bool any(const LaneMask& lanes) {
+  int any = 0;
+  for (const int lane : lanes.lane) any |= lane;
+  return any != 0;
+}
+
+}  // namespace
+
+FinalGather::FinalGather(const ShadedScene& scene, const CacheCells& cells, const RadianceCache& cache,
+                         const PathParams& params, const PathFilm& film, const FinalGatherOptions& options)
+    : PathTracer(scene, cells.beam, params, film),
+      cells_(cells),
+      cache_(cache),
+      options_(options),
+      asks_points_alone_(lights().points() <= kFewLights && !(lights().chance({LightGroup::kSun, cells.lights_from}) > 0.0f)),
+      paths_(scene, cells.beam, params, {.all = film.all}) {}
+
+void FinalGather::finish() {
+  PathTracer::finish();
+  paths_.finish();
+}
+
+RayCounts FinalGather::counts() const {
+  RayCounts all = counts_;
+  lippmann::add(paths_.counts(), all);
+  return all;
+}
+
+void FinalGather::trace_shadow_rays() {
+  const auto arrive = [this](const ShadowRay& ray, Vec3f radiance) { add_traced(ray.pixel, radiance, ray.depth); };
+  for (ShadowQueue& queue : to_point_) counts_.shadow += queue.trace(scene_, arrive);
+  counts_.shadow += to_others_.trace(scene_, arrive);
+}
+
+LaneMask FinalGather::begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+  queries_.active = {};
+  const LaneMask phong = phong_lanes();
+  if (!any(phong)) return active;
+  shade_phong(packet, phong, rays);
+  LaneMask left = active;
+  LIPPMANN_FOR_LANES(i) left.lane[i] &= ~phong.lane[i];
+  return left;
+}
+
+/// What was asked of the cache: from there, and by a path where it knows nothing, and at edges that are left to paths.
+void FinalGather::end_packet(const RayHitPacket& packet, const LaneMask&, const PathRay* rays) {
+  if (!any(queries_.active)) return;
+  Lanes3 light;
+  const LaneMask known = cache_.pick(queries_, options_.edges, light);
+  for (int i = 0; i < kLanes; ++i) {
+    if (known.lane[i])
+      add_cached(rays[i], rays[i].throughput * albedo_.get(i) * light.get(i), queries_.place(i));
+    else if (queries_.active.lane[i])
+      follow_path(packet, i, rays[i]);
+  }
+}
+
+void FinalGather::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
+  const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
+  add_points(point, bsdf, ray);
+  const bool has_gloss = bsdf.diffuse_share() < 1.0f;
+  const Bsdf gloss = has_gloss ? bsdf.without_diffuse() : bsdf;
+  const bool is_rough = has_gloss && !gloss.is_sharp();
+  const Vec3f albedo = bsdf.diffuse_albedo();
+  for (const LightGroups groups : {kSun, kLamps, kSkyLight})
+    add_lights(groups, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
+  if (albedo != Vec3f(0.0f)) ask_cache(packet, i, ray, bsdf.normal(), albedo, length);
+  if (has_gloss) reflect(point, gloss, ray, length);
+}
+
+/// For soft light on a diffuse surface: all that ask wait for end_packet().
+void FinalGather::ask_cache(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f normal, Vec3f albedo, float length) {
+  const CachePoint place = cells_.places(packet, surface_, i, normal, cells_.size(length));
+  queries_.set(i, place, normal, jitter(ray));
+  albedo_.set(i, albedo);
+}
+
+void FinalGather::follow_path(const RayHitPacket& packet, int i, const PathRay& ray) {
+  PathRay query = ray;
+  query.throughput *= albedo_.get(i);
+  paths_.gather_diffuse(shading_point(scene_, surface_, i), bsdf_at(scene_, packet, surface_, i), query,
+                        ray.path_length + packet.ray.tfar[i], cells_.lights_from,
+                        {draw(ray, kChoicePair).x, draw(ray, kOnLightPair), draw(ray, kWayPair)});
+}
+
+void FinalGather::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
+  if (lights().points() > kFewLights) {
+    if (const std::optional<LightSample> light =
+            lights().sample(kPointLights, point.position, draw(ray, kChoicePair).x, Vec2f(0.0f)))
+      shine(point, bsdf, *light, ray, to_others_);
+    return;
+  }
+  for (std::size_t l = 0; l < lights().points(); ++l)
+    if (const std::optional<LightSample> light = lights().point(l, point.position))
+      shine(point, bsdf, *light, ray, to_point_[l]);
+}
+
+void FinalGather::shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray,
+                        ShadowQueue& queue) {
+  const BsdfValue value = bsdf.evaluate(light.direction);
+  if (!is_possible(point, light.direction, value.transmitted)) return;
+  const Vec3f radiance = ray.throughput * (value.cosine_f + bsdf.highlight(light.direction)) * light.radiance;
+  if (radiance != Vec3f(0.0f) && is_finite(radiance)) queue.push(point, light, radiance, ray.pixel, ray.depth + 1);
+}
+
+/// One light of the groups: over rough lobes, and where the cache does not hold it, over the diffuse one, too, which no ray
+/// that meets the light comes from.
+void FinalGather::add_lights(LightGroups groups, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
+                             const PathRay& ray) {
+  const bool is_diffuse = groups.begin < cells_.lights_from && albedo != Vec3f(0.0f);
+  if (!(is_diffuse || gloss) || !(lights().chance(groups) > 0.0f)) return;
+  const std::optional<LightSample> light =
+      lights().sample(groups, point.position, draw(ray, kChoicePair).x, draw(ray, kOnLightPair));
+  if (!light) return;
+  const bool behind = glm::dot(point.facet, light->direction) < 0.0f;
+  Vec3f weight(0.0f);
+  if (is_diffuse && !behind) weight += albedo * bsdf.evaluate_diffuse(light->direction).cosine_f;
+  if (gloss) {
+    const BsdfValue value = gloss->evaluate(light->direction);
+    if (value.density > 0.0f && behind == value.transmitted)
+      weight += value.cosine_f * power_heuristic(light->density, value.density);
+  }
+  const Vec3f radiance = ray.throughput * weight * light->radiance / light->density;
+  if (radiance != Vec3f(0.0f) && is_finite(radiance)) to_others_.push(point, *light, radiance, ray.pixel, ray.depth + 1);
+}
+
+void FinalGather::reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length) {
+  const Vec2f choice = draw(ray, kChoicePair);
+  const std::optional<BsdfSample> sample = gloss.sample(choice.y, gloss.is_sharp() ? Vec2f(0.0f) : draw(ray, kWayPair));
+  if (!sample || !is_possible(point, sample->direction, sample->transmitted)) return;
+  Vec3f throughput = ray.throughput * sample->weight;
+  if (survives(throughput, std::min(1.0f, kFaint * largest(throughput)), choice.x))
+    go_on(ray, point, *sample, throughput, length, counts_.reflection);
+}
+
+void FinalGather::add_cached(const PathRay& ray, Vec3f radiance, const CachePoint& place) {
+  if (!options_.provenance) return add(ray.pixel, radiance, ray.depth + 1);
+  const float past = cache_.share_of_past(place);
+  add(ray.pixel, luminance(radiance) * Vec3f(0.0f, 1.0f - past, past), ray.depth + 1);
+}
+
+void FinalGather::add_traced(std::uint32_t slot, Vec3f radiance, int depth) {
+  add(slot, options_.provenance ? Vec3f(luminance(radiance), 0.0f, 0.0f) : radiance, depth);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,83 @@
+// Final gather: paths that end in the radiance cache. From the lens array to surfaces, mirrors and glass they are exact; lights
+// that the cache does not hold are asked by shadow rays, all other light on diffuse surfaces is looked up.
+#pragma once
+
+#include <array>
+
+#include "radiance/cache_update.hpp"
+#include "radiance/phong_lanes.hpp"
+
+namespace lippmann {
+
+/// So many point-like lights are all asked at every point, and make no noise; of more of them, one.
+inline constexpr std::size_t kFewLights = 4;
+
+struct FinalGatherOptions {
+  EdgesToPaths edges = EdgesToPaths::kNone;  ///< these are left to paths
+  /// Pictures show where light came from, in proportion to it: red what this frame traced, green what the cache received in
+  /// this frame, blue what it has from frames before.
+  bool provenance = false;
+};
+
+/// State of one thread at a time.
+class FinalGather : public PathTracer<FinalGather> {
+ public:
+  /// Every sample adds its light as a whole to its slot of the film: params.spp is 1, and parts of the light are not told
+  /// apart.
+  FinalGather(const ShadedScene& scene, const CacheCells& cells, const RadianceCache& cache, const PathParams& params,
+              const PathFilm& film, const FinalGatherOptions& options);
+
+  /// Traces everything that waits.
+  void finish();
+
+  RayCounts counts() const;
+
+ private:
+  friend class PathTracer<FinalGather>;
+  static constexpr bool kSeesLight = true, kWidensBeams = false;
+
+  LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void end_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  static Vec2f numbers(const PathRay& ray, int, std::uint32_t pair) { return draw(ray, pair); }
+  /// A vertex asks for one light of every group.
+  float chance(LightGroups groups) const { return lights().chance(groups); }
+  void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
+  void end_path(const PathRay& ray, Vec3f radiance) { add_traced(ray.pixel, radiance, ray.depth); }
+  void trace_shadow_rays();
+
+  void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);
+  void add_lights(LightGroups groups, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
+                  const PathRay& ray);
+  void reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length);
+  void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
+
+  // Phong's surfaces, side by side where all lights that are asked are points.
+  LaneMask phong_lanes() const;
+  void shade_phong(const RayHitPacket& packet, LaneMask lanes, const PathRay* rays);
+  void light_phong(const RayPacket& view, const LaneMask& lanes, std::size_t light);
+  void reflect_phong(const RayHitPacket& packet, const LaneMask& lanes, const PathRay* rays);
+
+  void ask_cache(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f normal, Vec3f albedo, float length);
+  void follow_path(const RayHitPacket& packet, int i, const PathRay& ray);
+  void add_cached(const PathRay& ray, Vec3f radiance, const CachePoint& place);
+  void add_traced(std::uint32_t slot, Vec3f radiance, int depth);
+
+  /// Reflections that are at most 1 / this of the picture are left to chance.
+  static constexpr float kFaint = 8.0f;
+
+  const CacheCells& cells_;
+  const RadianceCache& cache_;
+  FinalGatherOptions options_;
+  bool asks_points_alone_;                        ///< lights that are asked at a diffuse surface are few and points
+  PathIntegrator paths_;                          ///< where the cache knows nothing
+  std::array<ShadowQueue, kFewLights> to_point_;  ///< by light, where they are few: packets to one light stay together
+  ShadowQueue to_others_;
+  // Of the packet that is being shaded.
+  PathLanes lanes_{};  ///< of Phong's surfaces
+  PhongLanes phong_;
+  ShadowPacket shadow_;
+  CacheQueries queries_;  ///< what it asks the cache for,
+  Lanes3 albedo_;         ///< and what becomes of that
+};
+
+}  // namespace lippmann

@@ -1,0 +1,44 @@
+#include "radiance/frame_errors.hpp"
+
+#include <cmath>
+
+namespace lippmann {
+namespace {
+
+/// The past counts by this much of what it counted for the frame before.
+constexpr float kRemembered = 0.6f;
+/// Nothing at all, where it is so many standard deviations from the present: light has changed.
+constexpr float kChanged = 2.5f;
+/// An error is too large for sure by so many standard deviations; probably, where the mean with the past is, too, by so much:
+/// it takes little to mend.
+constexpr float kSure = 2.0f, kTolerated = 1.15f;
+
+bool is_other(float now, float uncertainty, float mean, float mean_uncertainty) {
+  return std::abs(now - mean) > kChanged * std::hypot(uncertainty, mean_uncertainty);
+}
+
+Excess excess_of(float now, float uncertainty, float may, float mean, float mean_uncertainty, float mean_may) {
+  if (now - kSure * uncertainty > may) return Excess::kSure;
+  if (now > may && mean - kSure * mean_uncertainty > mean_may) return Excess::kSure;
+  return now > may && mean > kTolerated * mean_may ? Excess::kProbable : Excess::kNone;
+}
+
+}  // namespace
+
+void FrameErrors::add(const FrameError& now, const FrameError& may) {
+  latest_ = now;
+  const bool changed = is_other(now.pixels, now.uncertainty, found_.pixels, found_.uncertainty);
+  const float before = changed ? 0.0f : kRemembered * weight_;
+  weight_ = before + 1.0f;
+  const auto pool = [&](float& mean, float value) { mean += (value - mean) / weight_; };
+  const auto pool_deviation = [&](float& mean, float value) {
+    mean = std::sqrt(before * before * mean * mean + value * value) / weight_;
+  };
+  pool(found_.pixels, now.pixels), pool(found_.blocks, now.blocks);
+  pool(allowed_.pixels, may.pixels), pool(allowed_.blocks, may.blocks);
+  pool_deviation(found_.uncertainty, now.uncertainty), pool_deviation(found_.block_uncertainty, now.block_uncertainty);
+  pixels_ = excess_of(now.pixels, now.uncertainty, may.pixels, found_.pixels, found_.uncertainty, allowed_.pixels);
+  blocks_ = excess_of(now.blocks, now.block_uncertainty, may.blocks, found_.blocks, found_.block_uncertainty, allowed_.blocks);
+}
+
+}  // namespace lippmann

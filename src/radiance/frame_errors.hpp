@@ -1,0 +1,36 @@
+// What the frames of a history have measured of their errors, and whether that is too much.
+#pragma once
+
+#include "radiance/gather_error.hpp"
+
+namespace lippmann {
+
+/// Whether an error is larger than it may be.
+enum class Excess { kNone, kProbable, kSure };
+
+/// Errors of frames before count less and less, as light changes, and not at all where it has changed for sure; but a few
+/// patches know little.
+class FrameErrors {
+ public:
+  /// The latest frame's, and what it may be.
+  void add(const FrameError& now, const FrameError& may);
+
+  const FrameError& found() const { return found_; }
+  const FrameError& allowed() const { return allowed_; }
+
+  const FrameError& latest() const { return latest_; }
+
+  /// Of the latest frame.
+  Excess pixels() const { return pixels_; }
+  Excess blocks() const { return blocks_; }
+  bool is_good() const { return pixels_ == Excess::kNone && blocks_ == Excess::kNone; }
+  bool is_too_large() const { return pixels_ == Excess::kSure || blocks_ == Excess::kSure; }
+
+ private:
+  FrameError found_, allowed_;  ///< weighted means
+  FrameError latest_;
+  float weight_ = 0.0f;
+  Excess pixels_ = Excess::kNone, blocks_ = Excess::kNone;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,359 @@
+#include "radiance/gather_error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/random.hpp"
+#include "radiance/measured_codes.hpp"
+#include "trace/trace_packets.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Where an error of pixels is asked for, means of patches may err by more than noise of pixels would: by almost three times
+/// its deviation.
+constexpr float kBlockSides = 8.0f;
+/// Means of patches may err by so many times what those of paths do, or of pixels that err each by itself: 3 decibels.
+constexpr float kBlockLoss = 2.0f;
+/// Not to be below the goal by bad luck of the measurement.
+constexpr float kMargin = 0.9f, kMixMargin = 0.85f;
+/// What rounding to 8-bit codes adds by itself, (1 / 255)^2 / 12: to be better than that would be a waste.
+constexpr float kInvisible = 1.28e-6f;
+/// Half a code: means of patches that err by less look the same on any display.
+constexpr float kInvisibleBlock = 0.25f / (255.0f * 255.0f);
+/// Errors that are tried, each half the last. Coarser ones would be seen, even where a few bright specks of paths err by as
+/// much.
+constexpr float kCoarsest = 0.02f;
+constexpr int kTrials = 7;
+/// After this trial, one that is not better than this many times the last ends them.
+constexpr int kLeastTrials = 2;
+constexpr float kStalled = 0.95f;
+/// Of the rays that paths need; above it they are traced: rays of single pixels take up to twice as long as those of packets.
+constexpr double kLargestShare = 0.7;
+/// Of the rays that paths need, what mixing in some may take with all else.
+constexpr double kMostMixed = 0.75;
+/// More edges, and half the allowed error, are tried so often where means of patches err by too much, and kept where they leave
+/// this much.
+constexpr int kBlockTrials = 4;
+constexpr float kHelpedByFiner = 0.8f;
+
+/// With fewer than kLeastSamples, what sRGB's curve makes of noise would pass for an error.
+int fewer_samples(int all, int fewer) {
+  constexpr int kLeastSamples = 16;
+  return std::min(all, std::max(all / fewer, kLeastSamples));
+}
+
+/// Between a trial that was not good enough and one with half its error that was: where the squared error is `enough`, on a
+/// straight line in logarithms.
+struct Trial {
+  float error, squared_error;
+  FrameError measured{};
+};
+float error_between(const Trial& coarse, const Trial& fine, float enough) {
+  if (coarse.squared_error <= enough) return coarse.error;
+  if (fine.squared_error >= enough) return fine.error;
+  return coarse.error *
+         std::exp2(-std::log(coarse.squared_error / enough) / std::log(coarse.squared_error / fine.squared_error));
+}
+
+/// What means of patches err by there.
+float blocks_between(const Trial& coarse, const Trial& fine, float error) {
+  const float a = coarse.measured.blocks, b = fine.measured.blocks;
+  const float t = std::log(error / fine.error) / std::log(coarse.error / fine.error);
+  return b * std::pow(a / b, std::clamp(t, 0.0f, 1.0f));
+}
+
+/// What is left of the squared error however many samples there are. Half the error takes 2^(2 / 2.6) times the samples, and
+/// what these scatter falls as their number to the power 1.6 (block_estimates.cpp).
+float error_of_cells(const Trial& coarse, const Trial& fine) {
+  constexpr float kLeft = 0.426f;  // 2^(-1.6 * 2 / 2.6)
+  return std::max(0.0f, fine.squared_error - kLeft * coarse.squared_error) / (1.0f - kLeft);
+}
+
+/// (a - b) (c - d), the mean of three channels.
+double product(Vec3f a, Vec3f b, Vec3f c, Vec3f d) {
+  const Vec3f p = (a - b) * (c - d);
+  return (static_cast<double>(p.x) + static_cast<double>(p.y) + static_cast<double>(p.z)) / 3.0;
+}
+
+}  // namespace
+
+GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, std::optional<float> goal,
+                             const MeasuredPlaces& places, const Scatter& likely, const ThreadPool& pool)
+    : shot_(shot),
+      trace_(trace),
+      asked_(goal),
+      measured_(places),
+      seed_(hash(trace.seed, trace.frame, places.salt)),
+      pool_(pool) {
+  patches_ = choose_patches(shot.optics, shot.world_from_display, trace.order, places.patches, likely, seed_);
+  trace_patches(places.fewer);
+  set_goal(difference_of_paths());
+}
+
+void GatherMeasure::choose_pixels_of(const Image& film, const Scatter& scatter) {
+  if (pixels_ || !measured_.with_pixels()) return;
+  pixels_.emplace(shot_, trace_, choose_pixels(film, measured_.pixels, scatter, seed_), 2, pool_);
+  add(pixels_->counts(), counts_);
+  set_goal(pixels_->of_paths());
+}
+
+void GatherMeasure::set_goal(const PixelError& of_paths) {
+  of_paths_ = of_paths;
+  goal_.pixels = asked_.value_or(std::max(of_paths_.squared, kInvisible));
+  goal_.blocks = std::max(kBlockLoss * goal_.pixels / (asked_ ? kBlockSides : kBlockPixels), kInvisibleBlock);
+}
+
+/// Twice as many paths as a full render has: halves of a render would not do, as evenly spread samples are better than two sets
+/// of half as many.
+void GatherMeasure::trace_patches(int fewer) {
+  const Context quiet;  // a few patches are no progress of the frame
+  Image film(shot_.optics.panel.width, shot_.optics.panel.height, 3);
+  TraceParams params = trace_;
+  params.spp = fewer_samples(trace_.spp, fewer);
+  const bool in_halves = params.spp < trace_.spp;
+  if (in_halves) params.spp = (params.spp + 1) / 2;
+  const auto trace_with = [&](std::uint32_t seed_of_set) {
+    params.seed = seed_of_set;
+    add(trace_packets(shot_, params, patches_.wanted, {pool_, quiet}, film), counts_);
+  };
+  for (std::uint32_t set = 0; set < 2; ++set) {
+    trace_with(hash(seed_, 0x70617468u, set));
+    if (!in_halves) {
+      paths_[set] = codes_of(light_at(film, patches_.pixels));
+      continue;
+    }
+    const std::vector<float> first = light_at(film, patches_.pixels);
+    trace_with(hash(seed_, 0x68616c66u, set));
+    paths_[set] = codes_of_halves(first, light_at(film, patches_.pixels));
+  }
+  rays_of_paths_ = 0.5 * static_cast<double>(counts_.total()) * trace_.spp / fewer_samples(trace_.spp, fewer);
+}
+
+/// Half the squared difference of both sets.
+PixelError GatherMeasure::difference_of_paths() const {
+  MeanOf pixels;
+  for (std::size_t p = 0; p < patches_.weights.size(); ++p) {
+    double sum = 0.0;
+    const std::size_t begin = 3 * patches_.begin[p], end = 3 * patches_.begin[p + 1];
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto d = static_cast<double>(paths_[0].values[i] - paths_[1].values[i]);
+      sum += 0.5 * d * d;
+    }
+    pixels.add(patches_.weights[p] * sum / static_cast<double>(end - begin));
+  }
+  return {pixels.mean(), pixels.uncertainty()};
+}
+
+GatherMeasure::Codes GatherMeasure::codes_of(const std::vector<float>& light) const {
+  Codes codes{light, means_of(light)};
+  for (float& v : codes.values) v = code_of(v);
+  return codes;
+}
+
+/// sRGB's curve makes what is noisy darker on average: of half as many samples by twice as much, and so of all by the
+/// difference between these two (jackknife; M. H. Quenouille, "Notes on bias in estimation", Biometrika 43, 1956).
+GatherMeasure::Codes GatherMeasure::codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const {
+  std::vector<float> light(first.size());
+  for (std::size_t i = 0; i < light.size(); ++i) light[i] = 0.5f * (first[i] + second[i]);
+  Codes codes{light, means_of(light)};
+  for (std::size_t i = 0; i < light.size(); ++i)
+    codes.values[i] = 2.0f * code_of(light[i]) - 0.5f * (code_of(first[i]) + code_of(second[i]));
+  return codes;
+}
+
+/// Means of the light that is shown, as lenses and eyes average it: those of codes would be darker the noisier pixels are.
+std::vector<Vec3f> GatherMeasure::means_of(const std::vector<float>& light) const {
+  const auto shown = [&](std::size_t i) { return std::clamp(light[i], 0.0f, 1.0f); };
+  std::vector<Vec3f> means;
+  for (std::size_t p = 0; p + 1 < patches_.begin.size(); ++p) {
+    Vec3f sum(0.0f);
+    for (std::size_t i = patches_.begin[p]; i < patches_.begin[p + 1]; ++i)
+      sum += Vec3f(shown(3 * i), shown(3 * i + 1), shown(3 * i + 2));
+    const Vec3f mean = sum / static_cast<float>(patches_.begin[p + 1] - patches_.begin[p]);
+    means.emplace_back(code_of(mean.x), code_of(mean.y), code_of(mean.z));
+  }
+  return means;
+}
+
+FrameError GatherMeasure::error_of_patches(const Image& film) const {
+  const Codes codes = codes_of(light_at(film, patches_.pixels));
+  MeanOf pixels, blocks;  // both by patch: pixels of one err alike
+  for (std::size_t p = 0; p < codes.means.size(); ++p) {
+    const double weight = patches_.weights[p];
+    blocks.add(weight * product(codes.means[p], paths_[0].means[p], codes.means[p], paths_[1].means[p]));
+    double sum = 0.0;
+    const std::size_t begin = 3 * patches_.begin[p], end = 3 * patches_.begin[p + 1];
+    for (std::size_t i = begin; i < end; ++i)
+      sum += static_cast<double>(codes.values[i] - paths_[0].values[i]) *
+             static_cast<double>(codes.values[i] - paths_[1].values[i]);
+    pixels.add(weight * sum / static_cast<double>(end - begin));
+  }
+  return at_least_some({pixels.mean(), blocks.mean(), pixels.uncertainty(), blocks.uncertainty()});
+}
+
+FrameError GatherMeasure::error_of(const Image& film) const {
+  FrameError error = error_of_patches(film);
+  if (!pixels_) return error;
+  const PixelError of_pixels = pixels_->error_of(film);
+  error.pixels = of_pixels.squared, error.uncertainty = of_pixels.uncertainty;
+  return at_least_some(error);
+}
+
+/// Nothing is known so well that there could be no error at all.
+FrameError GatherMeasure::at_least_some(FrameError error) const {
+  error.pixels = std::max(error.pixels, 0.02f * goal_.pixels);
+  error.blocks = std::max(error.blocks, 0.02f * goal_.blocks);
+  return error;
+}
+
+FrameError GatherMeasure::gather(const GatherSources& sources, const GatherEffort& effort, const GatherHistory& history,
+                                 std::uint32_t frame) {
+  const Context quiet;
+  Image film;
+  TraceParams trace = trace_;
+  trace.frame += frame;
+  const RayCounts rays = gather_frame(sources, {trace, effort}, patches_.wanted, history, {pool_, quiet}, {film});
+  add(rays, counts_);
+  rays_of_last_ = static_cast<double>(rays.total());
+  last_ = error_of_patches(film);
+  return last_;
+}
+
+std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
+  const float enough = kMargin * goal_.pixels;
+  std::optional<Trial> coarse, fine;  // the finest that was not good enough, the coarsest that was
+  FrameError measured;
+  double rays_of_fine = 0.0;
+  EdgesToPaths edges = EdgesToPaths::kNone;
+  while (!coarse || !fine) {
+    const float error = std::ldexp(kCoarsest, -next_trial_);
+    measured = gather(sources, {.error = error, .edges = edges}, {});
+    const Trial found{error, measured.pixels, measured};
+    if (found.squared_error <= enough) {
+      fine = found, rays_of_fine = rays_of_last_;
+      if (next_trial_ == 0) break;
+      if (!coarse) --next_trial_;
+    } else {
+      const bool stalled = coarse && next_trial_ > kLeastTrials && found.squared_error > kStalled * coarse->squared_error;
+      coarse = found;
+      if (fine) break;
+      if (rays_of_last_ > kLargestShare * rays_of_paths_) return std::nullopt;
+      if (stalled && edges == EdgesToPaths::kNone) {
+        edges = EdgesToPaths::kFaint;
+        continue;
+      }
+      if (stalled || next_trial_ + 1 == kTrials) return std::nullopt;
+      ++next_trial_;
+    }
+  }
+  if (rays_of_fine > kLargestShare * rays_of_paths_) return std::nullopt;
+  const float error = coarse ? error_between(*coarse, *fine, enough) : fine->error;
+  GatherPlan plan{error, error, edges, {}, coarse ? error_of_cells(*coarse, *fine) / enough : 0.0f, measured};
+  if (coarse) plan.expected.pixels = enough, plan.expected.blocks = blocks_between(*coarse, *fine, error);
+  plan.share_of_rays = rays_of_fine / rays_of_paths_;
+  refine_for_blocks(sources, plan);
+  return plan;
+}
+
+std::optional<PathMix> GatherMeasure::mix_for(const FrameError& found, double share_of_rays) const {
+  const MixedErrors may{kMixMargin * goal_.pixels, kMixMargin * goal_.blocks};
+  const int most = static_cast<int>((kMostMixed - share_of_rays) * trace_.spp);
+  return lippmann::mix_for({found.pixels, found.blocks}, of_one_path(), may, most);
+}
+
+/// Those of pixels have nothing to do with each other.
+MixedErrors GatherMeasure::of_one_path() const {
+  const float of_pixels = of_paths_.squared * static_cast<float>(trace_.spp);
+  return {of_pixels, of_pixels / kBlockPixels};
+}
+
+FrameError GatherMeasure::without(const PathMix& mix, const FrameError& found) const {
+  if (mix.samples == 0) return found;
+  const MixedErrors of_paths = errors_of(mix, {}, of_one_path());
+  const float part = (1.0f - mix.weight) * (1.0f - mix.weight);
+  FrameError cached = found;
+  cached.pixels = (found.pixels - of_paths.pixels) / part, cached.blocks = (found.blocks - of_paths.blocks) / part;
+  return at_least_some(cached);
+}
+
+/// Means of patches may err by too much where pixels do not: more edges are left to paths, and then there are more samples, as
+/// long as they help.
+void GatherMeasure::refine_for_blocks(const GatherSources& sources, GatherPlan& plan) {
+  bool edges_help = true;
+  for (int trial = 0; trial < kBlockTrials && plan.expected.blocks > goal_.blocks; ++trial) {
+    GatherPlan finer = plan;
+    const bool is_of_edges = edges_help && plan.edges != EdgesToPaths::kFaint;
+    if (is_of_edges)
+      finer.edges = plan.edges == EdgesToPaths::kNone ? EdgesToPaths::kVisible : EdgesToPaths::kFaint;
+    else
+      finer.error = finer.error_alone = 0.5f * plan.error_alone;
+    finer.expected = gather(sources, finer.effort_alone(), {});
+    const bool helps =
+        rays_of_last_ <= kLargestShare * rays_of_paths_ && finer.expected.blocks <= kHelpedByFiner * plan.expected.blocks;
+    if (!helps && !is_of_edges) return;
+    finer.share_of_rays = rays_of_last_ / rays_of_paths_;
+    if (helps)
+      plan = finer;
+    else
+      edges_help = false;
+  }
+}
+
+void GatherMeasure::plan_frames_in_a_row(const GatherSources& sources, GatherPlan& plan) {
+  plan.error = error_in_a_row(sources, plan.effort_alone(), kMargin * goal_.pixels);
+}
+
+/// Of frames that know the one before, if those that do not need `alone` to be good enough.
+float GatherMeasure::error_in_a_row(const GatherSources& sources, const GatherEffort& alone, float enough) {
+  const auto with = [&](float error) { return GatherEffort{error, alone.edges, alone.mix}; };
+  Scatter scatter;
+  gather(sources, alone, {nullptr, &scatter}, 1);
+  const Scatter before = smoothed(scatter, sources.shot.optics, pool_);
+  Trial fine{alone.error, gather(sources, alone, {&before, nullptr}).pixels};
+  while (fine.squared_error <= enough && fine.error < kCoarsest) {
+    const Trial coarse{2.0f * fine.error, gather(sources, with(2.0f * fine.error), {&before, nullptr}).pixels};
+    if (coarse.squared_error > enough) return error_between(coarse, fine, enough);
+    fine = coarse;
+  }
+  return fine.error;
+}
+
+FrameError GatherMeasure::check(const GatherSources& sources, const GatherEffort& effort, const Scatter& before) {
+  return gather(sources, effort, {before.empty() ? nullptr : &before, nullptr});
+}
+
+GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  GatherPlan last;
+  double last_seconds = 0.0;
+  Scatter before, scatter;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const float error = std::ldexp(kCoarsest, -trial);
+    const Clock::time_point start = Clock::now();
+    const FrameError measured = gather(sources, {.error = error}, {&before, &scatter});
+    const double taken = std::chrono::duration<double>(Clock::now() - start).count() / patches_.of_frame;
+    before = smoothed(scatter, sources.shot.optics, pool_);
+    const GatherPlan found{.error = error, .error_alone = error, .expected = measured};
+    if (taken > seconds) {
+      if (trial == 0) return {found, true};
+      // Between the last two, on a straight line in logarithms.
+      const double t = taken > last_seconds ? std::log(seconds / last_seconds) / std::log(taken / last_seconds) : 0.0;
+      const auto part = static_cast<float>(std::clamp(t, 0.0, 1.0));
+      const float between = last.error * std::exp2(-part);
+      FrameError expected = measured;
+      expected.pixels = last.expected.pixels * std::pow(measured.pixels / last.expected.pixels, part);
+      return {{.error = between, .error_alone = between, .expected = expected}, true};
+    }
+    if (measured.pixels <= kInvisible || (trial > kLeastTrials && measured.pixels > kStalled * last.expected.pixels))
+      return {found, false};
+    last = found, last_seconds = taken;
+  }
+  return {last, false};
+}
+
+}  // namespace lippmann

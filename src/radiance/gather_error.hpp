@@ -1,0 +1,142 @@
+// How good frames of cached light are, measured on some of their pixels against paths, and how many samples it takes to be as
+// good as is asked for.
+//
+// Held-out patches, spread over the frame, are traced twice by paths, with random numbers of their own, as are single pixels of
+// a frame that is finished (pixel_error.hpp). Means of patches are what lens arrays and eyes see: noise of pixels averages out
+// in them, light that is wrong does not.
+#pragma once
+
+#include <optional>
+
+#include "radiance/measured_places.hpp"
+#include "radiance/pixel_error.hpp"
+
+namespace lippmann {
+
+/// Pixels of a patch, of whose means errors are told.
+inline constexpr float kBlockPixels = 64.0f;
+
+/// Mean squared errors of sRGB's codes (0 ... 1).
+struct FrameError {
+  float pixels = 0.0f;
+  float blocks = 0.0f;       ///< of means over a patch
+  float uncertainty = 0.0f;  ///< standard deviation of `pixels`
+  float block_uncertainty = 0.0f;
+};
+
+struct GatherPlan {
+  float error = 0.01f;        ///< of GatherEffort, where the frame before is known
+  float error_alone = 0.01f;  ///< and where not
+  EdgesToPaths edges = EdgesToPaths::kNone;
+  PathMix mix{};
+  float of_cells = 0.0f;       ///< share of the error that frames may have, which no number of samples would take away
+  FrameError expected;         ///< of the frame
+  double share_of_rays = 1.0;  ///< of those that paths take
+  GatherEffort effort() const { return {error, edges, mix}; }
+  GatherEffort effort_alone() const { return {error_alone, edges, mix}; }
+};
+
+/// What a frame is measured on.
+struct MeasuredPlaces {
+  std::uint32_t salt;  ///< other places, and other paths, than those with another
+  MeasuredShare patches;
+  int fewer = 1;  ///< patches have one in so many of a full render's paths: that patches differ says more than paths hide
+  MeasuredShare pixels;  ///< one by one, once the whole frame is there; none: patches alone
+  bool with_pixels() const { return pixels != MeasuredShare{}; }
+};
+/// Where a history is planned, where it is found out whether that was luck, and to check its frames.
+inline constexpr MeasuredPlaces kPlanning{1, {96, 12, 96}, 1, {}}, kConfirming{2, {96, 14, 80}, 4, {}},
+    kChecking{3, {96, 14, 80}, 4, {1536, 32, 160}};
+/// To tell the errors of frames that are traced whole, against one set of paths.
+inline constexpr MeasuredShare kWatching{2048, 100, 200};
+
+/// Some patches of a frame, once traced by paths.
+class GatherMeasure {
+ public:
+  /// goal: the mean squared error that pixels may have; none: that of paths with trace.spp samples. likely: as choose_patches
+  /// has it. All arguments outlive it.
+  GatherMeasure(const Shot& shot, const TraceParams& trace, std::optional<float> goal, const MeasuredPlaces& places,
+                const Scatter& likely, const ThreadPool& pool);
+
+  /// Chooses the pixels that are measured one by one, by a picture of the frame and how much its samples scattered, if there
+  /// are any to be and they are not chosen yet. Before it no goal is known but one that was asked for.
+  void choose_pixels_of(const Image& film, const Scatter& scatter);
+
+  /// What frames may err by. Means of patches by kBlockLoss times as much as those of as many paths as the goal takes.
+  const FrameError& goal() const { return goal_; }
+
+  /// Of pixels of paths with trace.spp samples: mean squared error. Measured where patches have all of these or pixels are
+  /// measured one by one; else, as goal(), of no use.
+  float of_paths() const { return of_paths_.squared; }
+
+  /// What a picture of the whole frame errs by.
+  FrameError error_of(const Image& film) const;
+
+  /// The largest error with which pixels from these sources reach the goal, and fewer rays than paths are traced; none where
+  /// there is no such. Of frames of which none before is known, and taken for the others, too, until they are planned.
+  std::optional<GatherPlan> plan(const GatherSources& sources);
+  void plan_frames_in_a_row(const GatherSources& sources, GatherPlan& plan);
+
+  /// The paths with which frames that err by `found` without any reach the goal; none where they would save nothing.
+  /// share_of_rays: what those take, of the rays of paths.
+  std::optional<PathMix> mix_for(const FrameError& found, double share_of_rays) const;
+
+  /// What frames would err by without the paths that are mixed in.
+  FrameError without(const PathMix& mix, const FrameError& found) const;
+
+  /// What was gathered last errs by.
+  const FrameError& last() const { return last_; }
+
+  /// What this frame errs by, gathered so. before: as GatherHistory has it.
+  FrameError check(const GatherSources& sources, const GatherEffort& effort, const Scatter& before);
+
+  struct Timed {
+    GatherPlan plan;
+    bool is_spent = true;  ///< false: the rest of the time would make frames no better
+  };
+  /// The smallest error with which a frame's pixels are gathered in about `seconds` on this machine; the largest that is tried
+  /// where even that takes longer.
+  Timed plan_within(const GatherSources& sources, double seconds);
+
+  /// Of paths with trace.spp samples, as far as the patches tell.
+  double rays_of_whole_frame() const { return rays_of_paths_ / std::max(patches_.of_frame, 1e-6); }
+
+  /// All that were traced.
+  const RayCounts& counts() const { return counts_; }
+
+ private:
+  struct Codes {
+    std::vector<float> values;  ///< of the patches' pixels
+    std::vector<Vec3f> means;   ///< of their light, by patch
+  };
+  void trace_patches(int fewer);
+  void set_goal(const PixelError& of_paths);
+  PixelError difference_of_paths() const;
+  Codes codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const;
+  Codes codes_of(const std::vector<float>& light) const;
+  std::vector<Vec3f> means_of(const std::vector<float>& light) const;
+  FrameError error_of_patches(const Image& film) const;
+  MixedErrors of_one_path() const;
+  FrameError at_least_some(FrameError error) const;
+  FrameError gather(const GatherSources& sources, const GatherEffort& effort, const GatherHistory& history,
+                    std::uint32_t frame = 0);
+  void refine_for_blocks(const GatherSources& sources, GatherPlan& plan);
+  float error_in_a_row(const GatherSources& sources, const GatherEffort& alone, float enough);
+
+  Shot shot_;
+  TraceParams trace_;
+  std::optional<float> asked_;  ///< goal of pixels
+  MeasuredPlaces measured_;
+  std::uint32_t seed_;
+  const ThreadPool& pool_;
+  MeasuredPatches patches_;
+  Codes paths_[2];
+  std::optional<PixelMeasure> pixels_;
+  PixelError of_paths_;  ///< with trace.spp samples
+  FrameError goal_, last_;
+  double rays_of_paths_ = 0.0, rays_of_last_ = 0.0;  ///< in the measured patches; the latter, of what was gathered last
+  RayCounts counts_;
+  int next_trial_ = 1;  ///< where to look first: of the errors that are tried
+};
+
+}  // namespace lippmann

@@ -1,0 +1,236 @@
+// Soft light on surfaces, remembered where it fell: what sky, lamps with area and other surfaces send to a point from all
+// around, as means over cells in the space of the thing that is lit, so that every pixel, view and frame adds to it and looks
+// it up.
+//
+// Based on: N. Binder et al., "Fast Path Space Filtering by Jittered Spatial Hashing", SIGGRAPH Talks 2018 (cells found by
+// hashing); W. James, C. Stein, "Estimation with Quadratic Loss", 1961 (a mean of few samples is drawn towards one of many).
+//
+// A point has cells of several sizes, each twice as wide as the last. Small ones are sharp and noisy, large ones the reverse;
+// resolve() draws each towards the next larger one as far as its own samples do not speak against it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "device/lanes.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/core/parallel.hpp"
+
+namespace lippmann {
+
+/// A point of a surface, for the cache.
+struct CachePoint {
+  Vec3f position{0.0f};     ///< moves with the thing: in its own space, world units long
+  std::uint32_t thing = 0;  ///< surfaces that never share light: other instances, other sides
+  std::uint32_t part = 0;   ///< parts of it that hang together; only large cells hold several
+  float size = 1.0f;        ///< > 0: edge that the smallest cell should have
+};
+
+/// Light that arrived at a place along one path: per albedo, as radiance that a white surface would send on.
+struct RadianceRecord {
+  CachePoint place;
+  Vec3f light{0.0f};
+  /// What has moved since the frame before may have changed so much of it: luminance that lamps and the sky would bring along
+  /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it. Where the
+  /// place itself has moved: luminance that they send there by Lambert's law, less what they sent to where it was, and the
+  /// share by which cosines of other rays have changed.
+  float doubtful_light = 0.0f, doubtful_share = 0.0f;
+};
+
+/// Places side by side, for RadianceCache::pick.
+struct CacheQueries {
+  LaneMask active{};
+  Lanes3 position{};
+  alignas(64) std::uint32_t thing[kLanes]{}, part[kLanes]{};
+  Lanes size{};     ///< these four: CachePoint's
+  Lanes3 normal{};  ///< of the surface, in the place's space, unit length
+  Lanes u{}, v{};   ///< random numbers in [0, 1)
+
+  void set(int i, const CachePoint& place, Vec3f of_surface, Vec2f random) {
+    active.lane[i] = -1;
+    position.set(i, place.position);
+    thing[i] = place.thing, part[i] = place.part;
+    size[i] = place.size;
+    normal.set(i, of_surface);
+    u[i] = random.x, v[i] = random.y;
+  }
+  CachePoint place(int i) const { return {position.get(i), thing[i], part[i], size[i]}; }
+};
+
+/// Where light changes by so much beyond what cells follow, in sRGB's codes (0 ... 1), it is left to paths: nowhere, from 0.2
+/// on, from 0.1, from 0.05.
+enum class EdgesToPaths : std::uint8_t { kNone, kStrong, kVisible, kFaint };
+inline EdgesToPaths more_edges(EdgesToPaths than) {
+  return than == EdgesToPaths::kFaint ? than : static_cast<EdgesToPaths>(static_cast<int>(than) + 1);
+}
+inline EdgesToPaths fewer_edges(EdgesToPaths than) {
+  return than == EdgesToPaths::kNone ? than : static_cast<EdgesToPaths>(static_cast<int>(than) - 1);
+}
+
+class RadianceCache {
+ public:
+  static constexpr int kLevels = 4;
+  static constexpr std::size_t kShards = 64;  ///< filled side by side, whatever the number of threads
+
+  /// Holds at most about so many cells. Where there is no room for a new one, larger ones or paths of its own serve a place.
+  explicit RadianceCache(std::size_t most_cells);
+
+  /// World units by which a point of a thing (CachePoint) has moved since the frame before.
+  using Motion = std::function<float(std::uint32_t thing, Vec3f position)>;
+
+  /// What was added so far becomes the past. It is forgotten where things have moved, as far as light differs over such a
+  /// distance.
+  void begin_frame(const Motion& moved, const ThreadPool& pool);
+
+  /// Adds records, in this order whatever the threads.
+  void add(std::span<const std::span<const RadianceRecord>> records, const ThreadPool& pool);
+
+  /// Forgets the past as far as what was added in this frame asks for: where both contradict each other by more than chance
+  /// explains, and where what moves may have changed the light (RadianceRecord). May be called again when more has been added.
+  /// Returns the share of all that was known when the frame began, 0 ... 1, that is forgotten.
+  float forget(const ThreadPool& pool);
+
+  /// Makes what look_up() gives from what was added.
+  void resolve(const ThreadPool& pool);
+
+  /// The light at a place, interpolated, and in `w` how well that place is known: 0 not at all.
+  Vec4f look_up(const CachePoint& place) const;
+
+  /// The same at the active lanes' places, left to chance: of the cells that it is interpolated from, one. Returns the lanes
+  /// whose light is known and belongs to none of the edges that are left to paths, and sets `light` there.
+  LaneMask pick(const CacheQueries& queries, EdgesToPaths edges, Lanes3& light) const;
+
+  /// How many samples the smallest cell there has.
+  float samples(const CachePoint& place) const;
+
+  /// How much of what is known there comes from frames before, 0 ... 1.
+  float share_of_past(const CachePoint& place) const;
+
+  std::size_t cells() const;
+  std::size_t bytes() const;
+  /// Of a full cache.
+  static std::size_t bytes_per_cell();
+
+ private:
+  /// Sums over samples. Kept as means, so that long histories lose no digits.
+  struct Moments {
+    Vec3f mean{0.0f};
+    float square = 0.0f;  ///< mean of the squared luminance
+    /// Mean of the fourth root of the luminance, and of its square: a single bright sample moves them little, so that means of
+    /// few samples can be compared.
+    float root = 0.0f, root_square = 0.0f;
+    float count = 0.0f;
+    void add(Vec3f light);
+    void add(const Moments& more);
+    float variance() const;       ///< of one sample's luminance
+    float root_variance() const;  ///< of its fourth root
+  };
+  /// As RadianceRecord has it.
+  struct Doubt {
+    float light = 0.0f, share = 0.0f;
+  };
+  /// Squared deviations: of the luminance, and of its fourth root.
+  struct Scatter {
+    float light = 0.0f, root = 0.0f;
+  };
+  /// How light changes across a cell, beyond what changes evenly: the fewest edges that this belongs to, kNone for none.
+  struct Bend {
+    EdgesToPaths seen = EdgesToPaths::kNone;  ///< chance may explain it
+    EdgesToPaths sure = EdgesToPaths::kNone;
+  };
+  struct Cell {
+    Vec3f center;
+    std::uint32_t thing, part;
+    int exponent;  ///< edge 2^exponent
+    Moments now, past;
+    float inherited = 0.0f;  ///< samples of the past before forget()
+    float samples_ever = 0.0f;
+    Doubt doubt_now;  ///< mean of what `now` holds
+    Doubt doubt;      ///< the same, with what larger cells say of it
+    float samples = 0.0f;
+    float root = 0.0f;      ///< mean fourth root of the luminance
+    Scatter scatter;        ///< of one sample
+    Scatter relative;       ///< the same over the cell's level
+    Scatter within;         ///< and of one sample about the mean of its cell, in the cells within this one
+    float variance = 0.0f;  ///< of the resolved value's luminance
+    float keep = 1.0f;      ///< of the past
+    Vec3f own{0.0f};        ///< mean of its own samples
+    Vec3f wider{0.0f};      ///< what larger cells say of it
+    bool has_wider = false;
+    float drawn = 0.0f;      ///< towards that, 0 ... 1
+    Vec3f shift{0.0f};       ///< what it was resolved to, less its own
+    Vec3f balance{0.0f};     ///< what cells within it are given back, as far as they are drawn
+    float luminance = 0.0f;  ///< of the mean of its own samples
+    float spread = 0.0f;     ///< squared luminance by which cells within this one differ from what it says of them
+    float relief = 0.0f;     ///< and from its mean
+    Bend bend;
+    EdgesToPaths edge = EdgesToPaths::kNone;  ///< as a slot has it
+  };
+  /// Open addressing; what look_up() asks for lies in the slot itself.
+  struct Slot {
+    std::uint64_t key = 0;  ///< 0: empty
+    Vec3f light{0.0f};
+    std::uint32_t cell : 30 = 0;
+    std::uint32_t edge : 2 = 0;  ///< EdgesToPaths: the fewest that it belongs to, 0 for none
+    bool is_in(EdgesToPaths edges) const { return edge != 0 && edge <= static_cast<std::uint32_t>(edges); }
+  };
+  struct Shard {
+    std::vector<Slot> slots;
+    std::vector<Cell> cells;
+    const Slot* find(std::uint64_t key) const;
+    void prefetch(std::uint64_t key) const {
+      if (!slots.empty()) __builtin_prefetch(&slots[key & (slots.size() - 1)]);
+    }
+    Cell* find_or_add(std::uint64_t key, std::size_t most_cells, bool& is_new);
+    void reserve(std::size_t cells);
+    void put(std::uint64_t key, std::uint32_t cell);
+  };
+
+  const Slot* find(std::uint64_t key) const;
+  void find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known, Lanes3& light) const;
+  const Cell* cell_of(std::uint64_t key) const;
+  std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
+  const Cell* parent_of(const Cell& cell) const;
+  static float contradicted(const Cell& cell);
+  static float doubted(const Cell& cell, const Cell* parent);
+  static float level(const Cell& cell, const Cell* parent);
+  static float outdated(const Cell& cell, const Cell& parent, float moved);
+  struct Interpolated {
+    Vec3f sum{0.0f};
+    float weight = 0.0f;
+    bool inside = false;  ///< the cell around the point itself is known
+  };
+  Interpolated interpolate(Vec3f p, std::uint64_t base, int exponent) const;
+  /// Indices of slots in use, by shard; and by their cells' exponents, large cells first.
+  using SlotsOfShards = std::array<std::vector<std::uint32_t>, kShards>;
+  using SlotsBySize = std::map<int, SlotsOfShards, std::greater<>>;
+  SlotsBySize slots_by_size(const ThreadPool& pool) const;
+  void for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn);
+  void sum_into_parents(const SlotsOfShards& slots, const SlotsOfShards& parents, const ThreadPool& pool, const auto& of_cell,
+                        const auto& use);
+  void find_scatter(const SlotsOfShards& slots, const SlotsOfShards* wider, const ThreadPool& pool);
+  void compare_with_wider(Cell& cell) const;
+  void find_spreads(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
+  void resolve(Cell& cell, Slot& slot) const;
+  static Bend bend(const Cell& cell, const Cell& before, const Cell& after);
+  Bend bend(const Cell& cell) const;
+  void find_edges(const SlotsBySize& by_size, const ThreadPool& pool);
+  void balance(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
+
+  std::vector<Shard> shards_;
+  std::size_t most_cells_;  ///< of a shard
+};
+
+/// fn(cell, slot) for every cell of a size, side by side.
+void RadianceCache::for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn) {
+  pool.for_each(kShards, [&](std::size_t s) {
+    for (const std::uint32_t i : slots[s]) fn(shards_[s].cells[shards_[s].slots[i].cell], shards_[s].slots[i]);
+  });
+}
+
+}  // namespace lippmann

@@ -1,0 +1,63 @@
+#include "radiance/setup_search.hpp"
+
+#include <algorithm>
+
+namespace lippmann {
+namespace {
+
+/// So many rounds are tried whether fewer have helped or not; more of them than the latter are never worth it.
+constexpr int kFewRounds = 16, kMostRounds = 64;
+/// Rounds that cells of another size or of other lights begin with.
+constexpr int kRoundsAnew = 32, kRoundsOfSmall = 32;
+constexpr float kSmallestPart = 0.25f;
+
+/// Share of the error that cells may make after so many rounds: where it is more, twice the updates save more samples of
+/// pixels than they cost.
+float most_of_cells(int rounds) { return rounds <= 4 ? 0.4f : rounds <= 8 ? 0.7f : 1.0f; }
+
+}  // namespace
+
+bool SetupSearch::go_on(const SetupOutcome& outcome) {
+  const bool helped = has_helped(outcome);
+  if (outcome.is_good) {
+    good_ = current_;
+    if (outcome.of_cells <= most_of_cells(current_.rounds)) return false;
+  }
+  const Step done = step_;
+  const bool updates_more = current_.rounds < kFewRounds || (helped && 2 * current_.rounds <= kMostRounds);
+  last_excess_ = outcome.excess;
+  if (done == Step::kAsked && !helped) {
+    has_asked_in_vain_ = true;
+    current_.lights_from = LightGroup::kLamps;
+    return !good_ && shrink();
+  }
+  if (updates_more) {
+    step_ = Step::kMore;
+    current_.rounds *= 2;
+    return true;
+  }
+  return !good_ && (ask_more() || (helped || done == Step::kMore ? shrink() : false));
+}
+
+std::optional<LightGroup> SetupSearch::next_group() const {
+  if (current_.lights_from < LightGroup::kSky && has_lamps_) return LightGroup::kSky;
+  if (current_.lights_from < LightGroup::kEnd && has_sky_) return LightGroup::kEnd;
+  return std::nullopt;
+}
+
+bool SetupSearch::ask_more() {
+  const std::optional<LightGroup> group = next_group();
+  if (!group || has_asked_in_vain_) return false;
+  step_ = Step::kAsked;
+  current_.lights_from = *group, current_.rounds = kRoundsAnew;
+  return true;
+}
+
+bool SetupSearch::shrink() {
+  if (!(current_.cell > kSmallestPart)) return false;
+  step_ = Step::kSmaller;
+  current_.cell *= 0.5f, current_.rounds = std::max(current_.rounds, kRoundsOfSmall);
+  return true;
+}
+
+}  // namespace lippmann

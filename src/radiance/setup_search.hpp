@@ -1,0 +1,54 @@
+// How the radiance cache of a history may be set up, and what to try next where that is not good enough.
+#pragma once
+
+#include <optional>
+
+#include "shading/light_table.hpp"
+
+namespace lippmann {
+
+struct CacheSetup {
+  float cell = 1.0f;                            ///< samples across the smallest cells, in parts of what fits
+  int rounds = 4;                               ///< of updates in the first frame (update_frame.hpp)
+  LightGroup lights_from = LightGroup::kLamps;  ///< the lights that the cache holds (CacheCells), of which a sun is never one
+};
+
+/// How good frames are with one.
+struct SetupOutcome {
+  bool is_good = false;   ///< frames may err so much
+  float excess = 0.0f;    ///< the larger of the two errors, of pixels and of blocks, over what it may be
+  float of_cells = 0.0f;  ///< share of the allowed error that cells make
+};
+
+/// More light where cells are too noisy; lamps, then the sky asked at every point where cells blur their shadows; smaller cells
+/// where it is other light that they blur. What has not helped is not tried again.
+class SetupSearch {
+ public:
+  SetupSearch(bool has_lamps, bool has_sky) : has_lamps_(has_lamps), has_sky_(has_sky) {}
+
+  const CacheSetup& current() const { return current_; }
+
+  /// Makes current what is worth trying after the current one; false: nothing is.
+  bool go_on(const SetupOutcome& outcome);
+
+  /// The good one that was tried last.
+  const std::optional<CacheSetup>& good() const { return good_; }
+
+ private:
+  enum class Step { kMore, kAsked, kSmaller };
+
+  bool has_helped(const SetupOutcome& outcome) const { return outcome.excess < kHelped * last_excess_; }
+  std::optional<LightGroup> next_group() const;
+  bool ask_more();
+  bool shrink();
+
+  static constexpr float kHelped = 0.8f;
+  bool has_lamps_, has_sky_;
+  CacheSetup current_;
+  std::optional<CacheSetup> good_;
+  Step step_ = Step::kMore;
+  float last_excess_ = kInfinity;
+  bool has_asked_in_vain_ = false;
+};
+
+}  // namespace lippmann

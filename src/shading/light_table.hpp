@@ -1,0 +1,120 @@
+// The lights of a scene as paths see them: point-like lights, the sky's sun, triangles that shine, the rest of the sky; one of
+// them drawn by its power.
+//
+// Based on: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997 (next-event estimation, and the
+// densities that multiple importance sampling asks for).
+//
+// Units. Lights multiply N.L by their colour (scene.hpp), on Phong surfaces without the 1 / pi of Lambert's law; there they
+// stand for pi times the irradiance, so that path-traced pictures are as bright as Whitted's.
+// Shapes that shine but are no meshes, and visible light bulbs, are met by rays alone.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shading/materials.hpp"
+#include "shading/texture.hpp"
+#include "transport/discrete.hpp"
+#include "transport/environment.hpp"
+
+namespace lippmann {
+
+struct GeometryRecord;
+
+/// What lights are made of.
+struct LightSources {
+  const Scene& scene;
+  std::span<const WhittedLight> lights;
+  std::span<const GeometryRecord> records;
+  std::span<const WhittedMaterial> materials;
+  std::span<const DeviceTexture> textures;
+  float size;  ///< of the scene: half its diagonal
+};
+
+/// Groups of lights, in the order that they are chosen from: point-like ones, the surroundings' sun (Environment::has_sun),
+/// triangles that shine, the rest of the surroundings. The later, the softer the shadows.
+enum class LightGroup : std::uint8_t { kPoints, kSun, kLamps, kSky, kEnd };
+
+/// All groups from one on, up to another that is not of them.
+struct LightGroups {
+  LightGroup begin, end;
+};
+inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kSun}, kSun{LightGroup::kSun, LightGroup::kLamps},
+    kLamps{LightGroup::kLamps, LightGroup::kSky}, kSkyLight{LightGroup::kSky, LightGroup::kEnd};
+
+/// One light, seen from a point.
+struct LightSample {
+  Vec3f direction{0.0f};  ///< to the light, unit
+  float distance = 0.0f;  ///< shadow rays end before it
+  Vec3f radiance{0.0f};   ///< of a point-like light: its irradiance across, over its chance
+  float density = 0.0f;   ///< of the direction, the light's chance included, per steradian; kInfinity: a point-like light
+  bool is_point() const { return density == kInfinity; }
+};
+
+class LightTable {
+ public:
+  /// Both must outlive it.
+  LightTable(const LightSources& sources, const Environment& environment);
+
+  /// A light for a point: `pick` chooses which, `u` where on it. None where it is turned away or out of reach.
+  std::optional<LightSample> sample(Vec3f from, float pick, Vec2f u) const;
+
+  /// Lights that are points, and one of them; none where it is turned away or out of reach.
+  std::size_t points() const { return sources_.lights.size(); }
+  std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(sources_.lights[light], from); }
+
+  /// Irradiance across per colour of such a light.
+  float unit() const { return unit_; }
+
+  /// As sample(), of lights of these groups alone. Densities are those of sample() over chance().
+  std::optional<LightSample> sample(LightGroups groups, Vec3f from, float pick, Vec2f u) const;
+
+  /// The chance of sample() to choose a light of these groups.
+  float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
+
+  /// Of sample(), had it chosen triangle `prim` of a record, which a ray of unit `direction` meets at `distance`; 0 where the
+  /// triangle is none of its lights.
+  float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const;
+
+  /// Of a direction into the sky.
+  struct Sky {
+    LightGroups group;     ///< kSun or kSkyLight
+    float density = 0.0f;  ///< of sample(), had it chosen this direction
+  };
+  Sky sky(Vec3f direction) const;
+
+  /// Of sample(), to choose a point-like light, and any triangle of a record.
+  float chance_of_point(std::size_t light) const { return chances_.empty() ? 0.0f : chances_.probability(light); }
+  float chance_of_record(std::size_t record) const;
+
+  const Environment& environment() const { return environment_; }
+
+ private:
+  struct Triangle {
+    Vec3f origin, edge_b, edge_c, normal;  ///< world space; normal unit
+    float area;
+    std::uint32_t record, prim;
+  };
+
+  std::size_t sun() const { return points(); }  ///< its index, also where there is none
+  std::size_t first_triangle() const { return sun() + 1; }
+  float begin_of(LightGroup group) const { return begins_[static_cast<std::size_t>(group)]; }
+  void add_triangles(std::vector<float>& powers);
+  std::optional<LightSample> sample_point(const WhittedLight& light, Vec3f from) const;
+  std::optional<LightSample> sample_sky(const Environment::Sample& sky) const;
+  std::optional<LightSample> sample_triangle_light(const Triangle& triangle, Vec3f from, Vec2f u) const;
+  Vec3f emission_at(const Triangle& triangle, Vec2f barycentric) const;
+
+  LightSources sources_;
+  const Environment& environment_;
+  float unit_;
+  std::vector<Triangle> triangles_;
+  std::vector<int> first_triangle_;  ///< per record; -1: does not shine
+  DiscreteDistribution chances_;     ///< point-like lights, the sun, triangles, the rest of the sky
+  std::array<float, 5> begins_{};    ///< by group: the chance of all before it
+};
+
+}  // namespace lippmann

@@ -1,0 +1,28 @@
+// Maps at one point of a mesh, unfiltered: paths that have left the lens array ask for them at many points per pixel.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "lippmann/scene/scene.hpp"
+#include "shading/texture.hpp"
+
+namespace lippmann {
+
+/// A quantity per vertex at barycentric coordinates of a triangle's second and third corner.
+template <class Value>
+Value interpolate(const std::vector<Value>& of_vertex, const std::array<std::uint32_t, 3>& corners, Vec2f barycentric) {
+  return (1.0f - barycentric.x - barycentric.y) * of_vertex[corners[0]] + barycentric.x * of_vertex[corners[1]] +
+         barycentric.y * of_vertex[corners[2]];
+}
+
+/// RGBA of a map, linear; white where there is none.
+inline Vec4f look_up(const TextureMap& map, std::span<const DeviceTexture> textures, const Mesh& mesh, std::uint32_t triangle,
+                     Vec2f barycentric) {
+  const std::vector<Vec2f>& uvs = uvs_of(mesh, map.uv_set);
+  if (map.texture < 0 || uvs.empty()) return Vec4f(1.0f);
+  const Vec2f uv = map.offset + map.matrix * interpolate(uvs, mesh.triangles[triangle], barycentric);
+  return sample_point(textures[static_cast<std::size_t>(map.texture)], uv);
+}
+
+}  // namespace lippmann

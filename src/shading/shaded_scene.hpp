@@ -1,0 +1,50 @@
+// A scene as rays meet it, with what surfaces and lights look like there.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "device/ray_scene.hpp"
+#include "shading/light_table.hpp"
+#include "shading/materials.hpp"
+#include "shading/texture.hpp"
+#include "transport/environment.hpp"
+#include "transport/ggx_albedo.hpp"
+
+namespace lippmann {
+
+/// What only paths ask for.
+struct PathTables {
+  GgxAlbedo albedo;
+  std::unique_ptr<LightTable> lights;  ///< of the frame
+};
+
+/// Materials, textures and lights, in a form that loops over lanes read.
+struct ShadingTables : ShadowMaterials {
+  ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use);
+
+  float transmittance(std::uint32_t instance) const override;
+  std::unique_ptr<ShadowCaster> caster(std::uint32_t instance, const Mesh& mesh) const override;
+
+  MaterialTable materials;
+  std::vector<std::uint32_t> material_of_instance;
+  std::vector<WhittedLight> lights;
+  std::unique_ptr<Environment> environment;
+  std::unique_ptr<PathTables> path;  ///< null: made for Whitted's shading
+  std::vector<DeviceTexture> textures;
+};
+
+/// Kernels of shading read both parts of it. Rays know nothing of how they are shaded, but for what lets shadow rays pass.
+struct ShadedScene : ShadingTables, RayScene {
+  /// Of the timeline's first moment; `scene` outlives it.
+  ShadedScene(const Scene& scene, const ThreadPool& pool, MaterialUse use);
+
+  /// Moves everything to where `resolved` has it.
+  void update(const ResolvedScene& resolved, const ThreadPool& pool);
+
+ private:
+  ShadedScene(const Scene& scene, const ResolvedScene& resolved, const ThreadPool& pool, MaterialUse use);
+  void tabulate_lights();
+};
+
+}  // namespace lippmann

@@ -1,0 +1,133 @@
+// Normal maps after: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9.3.
+#include "shading/shading_point.hpp"
+
+#include "shading/look_up.hpp"
+
+namespace lippmann {
+namespace {
+
+Vec3f view_of(const RayHitPacket& packet, int i) {
+  return -Vec3f(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
+}
+
+const Material& material_of(const ShadedScene& scene, const SurfacePacket& surface, int i) {
+  return scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
+}
+
+const GeometryRecord* mesh_record(const ShadedScene& scene, const SurfacePacket& surface, int i) {
+  if (surface.record[i] >= kPlaneId) return nullptr;
+  const GeometryRecord& record = scene.records[surface.record[i]];
+  return record.kind == GeometryKind::kMesh ? &record : nullptr;
+}
+
+/// Maps at a point of a mesh; where there is no mesh, all are white.
+struct Maps {
+  const ShadedScene& scene;
+  const GeometryRecord* record;
+  std::uint32_t triangle;
+  Vec2f at;
+
+  Vec4f operator()(const TextureMap& map) const {
+    return record && map.texture >= 0 ? look_up(map, scene.textures, *record->mesh, triangle, at) : Vec4f(1.0f);
+  }
+};
+
+/// Tangent and bitangent for a map: from the file's tangents, else along the map's own coordinates.
+bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f& tangent, Vec3f& bitangent) {
+  const Mesh& mesh = *maps.record->mesh;
+  const auto& corners = mesh.triangles[maps.triangle];
+  const Mat3f linear = maps.record->placed ? maps.record->world_from_mesh.linear : Mat3f(1.0f);
+  if (!mesh.tangents.empty() && map.uv_set == 0) {
+    const Vec4f t = interpolate(mesh.tangents, corners, maps.at);
+    tangent = linear * Vec3f(t);
+    tangent -= normal * glm::dot(normal, tangent);
+    bitangent = (t.w < 0.0f ? -1.0f : 1.0f) * (glm::determinant(linear) < 0.0f ? -1.0f : 1.0f) * glm::cross(normal, tangent);
+  } else {
+    const std::vector<Vec2f>& uvs = uvs_of(mesh, map.uv_set);
+    if (uvs.empty()) return false;
+    const Vec3f edge_b = linear * (mesh.positions[corners[1]] - mesh.positions[corners[0]]);
+    const Vec3f edge_c = linear * (mesh.positions[corners[2]] - mesh.positions[corners[0]]);
+    const Vec2f b = uvs[corners[1]] - uvs[corners[0]], c = uvs[corners[2]] - uvs[corners[0]];
+    const float turned = b.x * c.y - c.x * b.y < 0.0f ? -1.0f : 1.0f;
+    tangent = turned * (edge_b * c.y - edge_c * b.y);     // along growing u
+    bitangent = -turned * (edge_c * b.x - edge_b * c.x);  // against growing v: upwards in the picture
+    tangent -= normal * glm::dot(normal, tangent);
+    bitangent -= normal * glm::dot(normal, bitangent);
+  }
+  const float t = glm::length(tangent), b = glm::length(bitangent);
+  if (!(t > 0.0f && b > 0.0f)) return false;
+  tangent /= t, bitangent /= b;
+  return true;
+}
+
+/// `normal` of a mesh bent as the map says. outer: 1 where the viewer is on the outer side, -1 where he is behind the surface.
+Vec3f mapped_normal(const Maps& maps, const TextureMap& map, float scale, Vec3f normal, float outer) {
+  Vec3f tangent, bitangent;
+  if (!tangent_frame(maps, map, outer * normal, tangent, bitangent)) return normal;
+  const Vec3f n = 2.0f * Vec3f(maps(map)) - Vec3f(1.0f);
+  const Vec3f bent = scale * (n.x * tangent + n.y * bitangent) + std::max(n.z, 1e-3f) * outer * normal;
+  return outer * glm::normalize(bent);
+}
+
+MetalRoughSurface surface_at(const MetallicRoughness& m, Vec3f base_color, const Maps& maps) {
+  const Vec4f metallic_roughness = maps(m.metallic_roughness_map);
+  MetalRoughSurface s;
+  s.base_color = glm::clamp(base_color, Vec3f(0.0f), Vec3f(1.0f));
+  s.metallic = m.metallic * metallic_roughness.b;
+  s.roughness = m.roughness * metallic_roughness.g;
+  s.ior = m.ior;
+  s.specular = m.specular * maps(m.specular_map).a;
+  s.specular_color = m.specular_color * Vec3f(maps(m.specular_color_map));
+  s.transmission = m.transmission * maps(m.transmission_map).r;
+  s.clearcoat = m.clearcoat * maps(m.clearcoat_map).r;
+  s.clearcoat_roughness = m.clearcoat_roughness * maps(m.clearcoat_roughness_map).g;
+  return s;
+}
+
+}  // namespace
+
+ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surface, int i) {
+  ShadingPoint p;
+  p.position = surface.position.get(i);
+  p.facet = surface.facet.get(i);
+  p.base_color = surface.color.get(i);
+  p.emission = surface.emission.get(i);
+  p.t_near = surface.t_near[i];
+  if (const auto* m = std::get_if<MetallicRoughness>(&material_of(scene, surface, i).surface)) {
+    p.coverage = surface.opacity[i];
+    p.scatters = !m->unlit;
+    if (m->unlit) p.emission += p.base_color;
+  } else {
+    // Ambient light stands for what paths bring, but where no other light is answered it is the shape's own: a backdrop's.
+    if (surface.diffuse[i] == 0.0f) p.emission += surface.ambient.get(i) * p.base_color;
+    if (!scene.tachyon) p.emission *= surface.opacity[i];
+  }
+  return p;
+}
+
+Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i) {
+  const Vec3f view = view_of(packet, i), normal = surface.normal.get(i);
+  const bool entering = surface.entering.lane[i] != 0;
+  const Vec3f color = surface.color.get(i);
+  const auto* m = std::get_if<MetallicRoughness>(&material_of(scene, surface, i).surface);
+  if (!m) {
+    const float itself = scene.tachyon ? 1.0f : surface.opacity[i];  // Tachyon's are not weighted by opacity
+    PhongPoint p;
+    p.diffuse = itself * surface.diffuse[i] * color;
+    p.highlight = itself * surface.highlight[i] * glm::mix(Vec3f(1.0f), color, surface.highlight_tint[i]);
+    p.highlight_size = surface.highlight_size[i];
+    p.mirror = surface.mirror[i] * glm::mix(Vec3f(1.0f), color, surface.mirror_tint[i]);
+    p.through = 1.0f - surface.opacity[i];
+    p.ior = surface.ior[i];
+    return Bsdf(std::in_place_type<PhongBsdf>, p, normal, view, entering);
+  }
+  const Maps maps{scene, mesh_record(scene, surface, i), packet.hit.primID[i], {packet.hit.u[i], packet.hit.v[i]}};
+  const float outer = entering ? 1.0f : -1.0f;
+  const auto mapped = [&](const TextureMap& map, float scale) {
+    return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, normal, outer) : normal;
+  };
+  const Vec3f bent = mapped(m->normal_map, m->normal_scale), coat = mapped(m->clearcoat_normal_map, m->clearcoat_normal_scale);
+  return Bsdf(std::in_place_type<MetalRoughBsdf>, surface_at(*m, color, maps), scene.path->albedo, bent, coat, view, entering);
+}
+
+}  // namespace lippmann

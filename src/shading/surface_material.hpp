@@ -1,0 +1,27 @@
+// Material terms of a packet of surface points, textures and vertex colours included.
+#pragma once
+
+#include "shading/surface.hpp"
+
+namespace lippmann {
+
+/// A quantity per vertex, at the point of its triangle that lane i has hit.
+template <class Value>
+Value at_hit(const std::vector<Value>& of_vertex, const GeometryRecord& record, const RayHitPacket& packet, int i) {
+  const auto& [a, b, c] = record.mesh->triangles[packet.hit.primID[i]];
+  const float u = packet.hit.u[i], v = packet.hit.v[i];
+  return (1.0f - u - v) * of_vertex[a] + u * of_vertex[b] + v * of_vertex[c];
+}
+
+/// The beams of a packet's rays.
+struct PacketBeams {
+  const BeamFootprint& footprint;
+  const Lanes& path_length;  ///< to the rays' origins
+  const LaneMask* spread;    ///< lanes as wide as a pixel, the others as a sample of it; null: none
+};
+
+/// Sets the material terms of `lanes`, which have all hit `record` (null: a plane) and are all made of `material`.
+void evaluate_material(const ShadedScene& scene, const WhittedMaterial& material, const GeometryRecord* record,
+                       const RayHitPacket& packet, const PacketBeams& beams, const LaneMask& lanes, SurfacePacket& s);
+
+}  // namespace lippmann

@@ -1,0 +1,59 @@
+// Paths that begin on a diffuse surface, for what it receives from all around, and how much of that may have changed since the
+// frame before.
+#include "trace/path_integrator.hpp"
+#include "transport/bsdf.hpp"
+#include "transport/sampling.hpp"
+
+namespace lippmann {
+
+void PathIntegrator::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length,
+                                    LightGroup from, const Numbers& numbers, const Affine3f* before) {
+  if (const std::optional<LightSample> light =
+          lights().sample({from, LightGroup::kEnd}, point.position, numbers.pick, numbers.on_light)) {
+    const BsdfValue value = bsdf.evaluate_diffuse(light->direction);
+    if (before) watch_turning(point.position, bsdf.normal(), *light, *before, ray);
+    const float share = power_heuristic(light->density, value.density) / light->density;
+    const Vec3f radiance = ray.throughput * value.cosine_f * light->radiance * share;
+    if (glm::dot(point.facet, light->direction) > 0.0f && radiance != Vec3f(0.0f) && is_finite(radiance))
+      shadow_rays_.push(point, *light, radiance, ray.pixel, ray.depth + 1);
+  }
+  BsdfSample sample;
+  sample.direction = Frame(bsdf.normal()).to_world(sample_cosine(numbers.way));
+  const BsdfValue value = bsdf.evaluate_diffuse(sample.direction);
+  if (!(value.density > 0.0f) || !(glm::dot(point.facet, sample.direction) > 0.0f)) return;
+  if (before) {
+    const float cosine = glm::dot(bsdf.normal(), sample.direction);
+    const float cosine_before = std::max(0.0f, glm::dot(before->linear * bsdf.normal(), sample.direction));
+    (*doubts_)[ray.pixel].turned_share += luminance(ray.throughput) * std::abs(cosine_before / cosine - 1.0f);
+  }
+  // What the path meets compares its density with that of sample(), whose light is a point-like one at times.
+  const float chance = lights().chance({from, LightGroup::kEnd});
+  sample.density = chance > 0.0f ? value.density * chance : value.density;
+  ++counts_.indirect;
+  next_.push_back(scattered(ray, point, sample, ray.throughput * value.cosine_f / value.density, length));
+  next_.back().lights_from = static_cast<std::uint16_t>(from);
+}
+
+void PathIntegrator::watch_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+  const LaneMask met = probe_->met(packet.ray, active);
+  for (int i = 0; i < kLanes; ++i)
+    if (met.lane[i]) (*doubts_)[rays[i].pixel].share += luminance(rays[i].throughput);
+}
+
+/// What the light sends there, by Lambert's law, less what it sent to where the surface was.
+void PathIntegrator::watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before,
+                                   const PathRay& ray) {
+  const float cosine = std::max(0.0f, glm::dot(normal, light.direction));
+  Vec3f way = light.direction;
+  float nearer = 1.0f;  // than it is now, squared
+  if (std::isfinite(light.distance)) {
+    way = position + light.distance * light.direction - transform_point(before, position);
+    nearer = light.distance * light.distance / std::max(glm::dot(way, way), 1e-20f);
+    way = glm::normalize(way);
+  }
+  const float cosine_before = std::max(0.0f, glm::dot(before.linear * normal, way));
+  const float per_cosine = luminance(ray.throughput * light.radiance) / (kPi * light.density);
+  (*doubts_)[ray.pixel].turned_light += per_cosine * (cosine - nearer * cosine_before);
+}
+
+}  // namespace lippmann

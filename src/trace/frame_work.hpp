@@ -1,0 +1,75 @@
+// Which packets of a frame are traced, and in which batches.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "lippmann/trace/ray_counts.hpp"
+#include "trace/packet_source.hpp"
+#include "trace/shot.hpp"
+
+namespace lippmann {
+
+/// Blocks (by block of the frame, touched_blocks.hpp) or packets (by packet of the frame, trace_packets.hpp) whose `wanted` is
+/// not 0; all of them where it is empty.
+struct FrameWork {
+  enum class Unit { kBlocks, kPackets };
+  Unit unit = Unit::kBlocks;
+  std::span<const std::uint8_t> wanted{};
+};
+
+inline std::size_t blocks_in(int packets) {
+  return static_cast<std::size_t>((packets + kPacketsPerBlock - 1) / kPacketsPerBlock);
+}
+
+/// Calls trace(packets of the strip, block of the frame) for what is wanted of a strip of so many packets. Wanted packets form
+/// batches of their own, as large as blocks.
+template <class Trace>
+void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_strip, const Trace& trace) {
+  std::array<int, kPacketsPerBlock> batch;
+  if (work.unit == FrameWork::Unit::kPackets && !work.wanted.empty()) {
+    const std::uint8_t* wanted = work.wanted.data() + strip * static_cast<std::size_t>(packets_per_strip);
+    std::size_t size = 0;
+    for (int p = 0; p < packets_per_strip; ++p) {
+      if (wanted[p]) batch[size++] = p;
+      if (size < (p + 1 < packets_per_strip ? batch.size() : 1)) continue;
+      trace(std::span<const int>(batch.data(), size), strip * blocks_in(packets_per_strip));
+      size = 0;
+    }
+    return;
+  }
+  for (std::size_t b = 0; b < blocks_in(packets_per_strip); ++b) {
+    const std::size_t block = strip * blocks_in(packets_per_strip) + b;
+    if (!work.wanted.empty() && !work.wanted[block]) continue;
+    const int first = static_cast<int>(b) * kPacketsPerBlock;
+    std::iota(batch.begin(), batch.end(), first);
+    trace(std::span<const int>(batch.data(), static_cast<std::size_t>(std::min(kPacketsPerBlock, packets_per_strip - first))),
+          block);
+  }
+}
+
+enum class Progress { kSilent, kTold };
+
+/// Adds up what trace(strip) returns for every strip. Strips that are not begun when the context is cancelled are left out.
+template <class Trace>
+RayCounts trace_strips(std::size_t strips, const Workers& workers, Progress progress, const Trace& trace) {
+  std::vector<RayCounts> counts(strips);
+  std::atomic<std::size_t> done{0};
+  const Context& context = workers.context;
+  workers.pool.for_each(strips, [&](std::size_t strip) {
+    if (!context.cancelled) counts[strip] = trace(strip);
+    const std::size_t finished = ++done;
+    if (progress == Progress::kTold && context.frame_progress)
+      context.frame_progress(static_cast<double>(finished) / static_cast<double>(strips));
+  });
+  RayCounts total;
+  for (const RayCounts& c : counts) add(c, total);
+  return total;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,89 @@
+#include "trace/path_integrator.hpp"
+
+#include "trace/noisy_frame.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Paths are first put to Russian roulette where they leave this vertex.
+constexpr int kRouletteDepth = 3;
+
+}  // namespace
+
+PathIntegrator::PathIntegrator(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params,
+                               const PathFilm& film)
+    : PathTracer(scene, beam, params, film) {
+  if (film.noise) noise_weights_ = weights_of_halves(params.spp);
+}
+
+void PathIntegrator::begin(int sample) {
+  noise_weight_ = noise_weights_[is_of_second_half(static_cast<std::uint32_t>(sample))];
+}
+
+LaneMask PathIntegrator::begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+  if (probe_) watch_packet(packet, active, rays);
+  if (surface_.any_hit) draw_numbers(rays);
+  return active;
+}
+
+/// rays: of the lanes that have hit a surface.
+void PathIntegrator::draw_numbers(const PathRay* rays) {
+  PathPairs paths;
+  bool last = surface_.any_see_through;
+  for (int i = 0; i < kLanes; ++i) {
+    const bool hit = surface_.hit.lane[i] != 0;
+    paths.seed[i] = hit ? rays[i].seed : 0u;
+    paths.index[i] = hit ? rays[i].index : 0u;
+    paths.first[i] = hit ? kPairsPerEvent * rays[i].events : 0u;
+    last |= hit && rays[i].depth + 1 >= kRouletteDepth;
+  }
+  // The last pair is seldom asked for.
+  for (std::uint32_t p = 0; p < (last ? kPairsPerEvent : kPairsPerEvent - 1); ++p)
+    sample_pairs(paths, p, numbers_[p].x.lane, numbers_[p].y.lane);
+}
+
+void PathIntegrator::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
+  const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
+  const Vec2f choice = numbers(ray, i, kChoicePair);
+  aim_at_light(point, bsdf, ray, choice.x, numbers(ray, i, kOnLightPair));
+  const std::optional<BsdfSample> sample = bsdf.sample(choice.y, numbers(ray, i, kWayPair));
+  if (!sample || !is_possible(point, sample->direction, sample->transmitted)) return;
+  Vec3f throughput = ray.throughput * sample->weight;
+  if (ray.depth + 1 >= kRouletteDepth &&
+      !survives(throughput, std::min(0.95f, largest(throughput)), numbers(ray, i, kCoveragePair).x))
+    return;
+  go_on(ray, point, *sample, throughput, length, sample->is_delta() ? counts_.reflection : counts_.indirect);
+}
+
+void PathIntegrator::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u) {
+  const std::optional<LightSample> light = lights().sample(point.position, pick, u);
+  if (!light) return;
+  Vec3f radiance;
+  const BsdfValue value = bsdf.evaluate(light->direction);
+  if (!is_possible(point, light->direction, value.transmitted)) return;
+  if (light->is_point()) {
+    radiance = (value.cosine_f + bsdf.highlight(light->direction)) * light->radiance;
+  } else {
+    radiance = value.cosine_f * light->radiance * (power_heuristic(light->density, value.density) / light->density);
+  }
+  radiance *= ray.throughput;
+  if (radiance == Vec3f(0.0f) || !is_finite(radiance)) return;
+  shadow_rays_.push(point, *light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
+}
+
+void PathIntegrator::trace_shadow_rays() {
+  if (probe_)
+    shadow_rays_.probe(*probe_, [this](const ShadowRay& ray) { (*doubts_)[ray.pixel].light += luminance(ray.radiance); });
+  counts_.shadow +=
+      shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
+}
+
+/// Emission that a path meets at its second vertex is direct light of the first; what comes later is indirect.
+Vec3f PathIntegrator::clamped(Vec3f radiance, int depth) const {
+  const float most = largest(radiance);
+  return params_.clamp_indirect > 0.0f && depth > 1 && most > params_.clamp_indirect
+             ? radiance * (params_.clamp_indirect / most)
+             : radiance;
+}
+
+}  // namespace lippmann

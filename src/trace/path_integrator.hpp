@@ -1,0 +1,72 @@
+// Path tracing in full: at every vertex one light is asked for by a shadow ray (next-event estimation), and the path goes on in
+// a direction drawn from the BSDF, until roulette or its depth ends it.
+#pragma once
+
+#include <array>
+
+#include "trace/path_tracer.hpp"
+#include "trace/shadow_queue.hpp"
+
+namespace lippmann {
+
+class PathIntegrator : public PathTracer<PathIntegrator> {
+ public:
+  /// The scene was made for Integrator::kPath; film.all is not null.
+  PathIntegrator(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
+
+  /// From now on camera rays are sample number `sample` of their pixels.
+  void begin(int sample);
+
+  /// Random numbers of a vertex.
+  struct Numbers {
+    float pick;  ///< which light
+    Vec2f on_light, way;
+  };
+
+  /// Begins to gather what a diffuse surface receives but for lights of groups before `from` (not kPoint): of other lights by
+  /// aiming at one, of all else by a path. Adds throughput x what a white surface there would send on to ray.pixel of the film.
+  /// `ray` led to the point, `length` from its start.
+  /// before: takes the surface back to where it was in the frame before; null: it lies still, or nobody watches.
+  void gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,
+                      const Numbers& numbers, const Affine3f* before = nullptr);
+
+  /// What has to do with what moves, by pixel of the film: see RadianceRecord.
+  struct Doubt {
+    float light = 0.0f, share = 0.0f;
+    /// The same of a surface that moves by itself: by how much more light falls onto it as it stands now than as it stood, were
+    /// the way free.
+    float turned_light = 0.0f, turned_share = 0.0f;
+  };
+  /// From now on every ray that gather_diffuse() leads to is tested against the probe's boxes; `doubts`, one for each pixel of
+  /// the film, receives what those that meet one stand for. Both outlive this.
+  void watch(const TouchProbe& probe, std::vector<Doubt>& doubts) { probe_ = &probe, doubts_ = &doubts; }
+
+ private:
+  friend class PathTracer<PathIntegrator>;
+  static constexpr bool kSeesLight = true, kWidensBeams = true;
+
+  LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void end_packet(const RayHitPacket&, const LaneMask&, const PathRay*) {}
+  Vec2f numbers(const PathRay&, int i, std::uint32_t pair) const { return {numbers_[pair].x[i], numbers_[pair].y[i]}; }
+  float chance(LightGroups) const { return 1.0f; }
+  void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
+  void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.depth), ray.depth); }
+  void trace_shadow_rays();
+
+  void watch_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
+  void draw_numbers(const PathRay* rays);
+  void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u);
+  Vec3f clamped(Vec3f radiance, int depth) const;
+
+  const TouchProbe* probe_ = nullptr;  ///< null: nothing is watched
+  std::vector<Doubt>* doubts_ = nullptr;
+  std::array<float, 2> noise_weights_{};  ///< of a sample of either half: see weights_of_halves()
+  ShadowQueue shadow_rays_;
+  struct LanePairs {
+    Lanes x, y;
+  };
+  std::array<LanePairs, kPairsPerEvent> numbers_;  ///< of the surfaces' lanes
+};
+
+}  // namespace lippmann

@@ -1,0 +1,93 @@
+// What is measured of the errors of gathered frames.
+#include "radiance/gather_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lippmann/image/encode.hpp"
+#include "radiance/update_frame.hpp"
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+/// A matt floor and wall below a sky of `light`, whose soft light was fed 64 rounds.
+class SkyScene {
+ public:
+  explicit SkyScene(float light)
+      : s_(scene_below(light)), device_(s_.scene, pool_, Integrator::kPath), places_(device_.shaded()) {
+    const ResolvedScene resolved = evaluate(s_.scene, 0.0);
+    device_.update(resolved, pool_);
+    places_.update(resolved);
+    params_.max_depth = s_.scene.max_depth, params_.spp = 64;
+    const CacheUpdater updater({device_, optics_, {}}, params_);
+    for (int round = 0; round < 64; ++round) updater.update({cells_, cache_, pool_, context_}, round);
+    cache_.resolve(pool_);
+  }
+
+  GatherMeasure measure(std::uint32_t frame = 0) const {
+    TraceParams params = params_;
+    params.frame = frame;
+    return {{device_, optics_, world_}, params, std::nullopt, kPlanning, {}, pool_};
+  }
+
+  /// Of frames of this scene, with light from `cache`.
+  FrameError error_with(const RadianceCache& cache, GatherMeasure& measure) const {
+    return measure.check({{device_, optics_, world_}, cells_, cache}, {.error = 0.002f}, {});
+  }
+  const RadianceCache& cache() const { return cache_; }
+
+ private:
+  static SmallScene scene_below(float light) {
+    SmallScene s;
+    s.scene.max_depth = 3;
+    s.scene.background.horizon = s.scene.background.zenith = Vec3f(light);
+    const int matt = s.material(matte(Vec3f(0.5f)));
+    s.add(Boxes{{{-4.0f, -1.2f, -4.0f}, {4.0f, -1.0f, 4.0f}}, {{-4.0f, -4.0f, -4.0f}, {4.0f, 4.0f, -3.0f}}}, matt);
+    return s;
+  }
+
+  ThreadPool pool_{1};
+  Context context_;
+  SmallScene s_;
+  Optics optics_ = single_view(64);
+  Affine3f world_;
+  DeviceScene device_;
+  SurfacePlaces places_;
+  BeamFootprint beam_{optics_, {}};
+  CacheCells cells_{places_, beam_, 8.0f};
+  TraceParams params_;
+  RadianceCache cache_{1u << 16};
+};
+
+TEST(GatherMeasure, light_that_is_right_errs_by_little) {
+  const SkyScene scene(0.6f);
+  GatherMeasure measure = scene.measure();
+  const FrameError found = scene.error_with(scene.cache(), measure);
+  EXPECT_LT(found.pixels, 2.0f * measure.goal().pixels);
+  EXPECT_LT(found.blocks, 0.25f / (255.0f * 255.0f));  // half a code
+}
+
+// Surfaces of albedo 0.5 that are lit by a sky of 0.6, mostly, look like 0.3 or less: with light that is a fifth darker, what
+// they look like is 0.24, too dark by what sRGB's curve makes of it, over the whole of the pixels that show a surface.
+TEST(GatherMeasure, light_that_is_wrong_is_found_in_pixels_and_in_means_alike) {
+  const SkyScene scene(0.6f), darker(0.48f);
+  GatherMeasure measure = scene.measure();
+  const FrameError found = scene.error_with(darker.cache(), measure);
+  const double step = srgb_from_linear(0.3f) - srgb_from_linear(0.24f);
+  EXPECT_GT(found.blocks, 0.3 * step * step);  // where walls meet it is darker
+  EXPECT_LT(found.blocks, 1.5 * step * step);
+  EXPECT_NEAR(found.blocks, found.pixels, 0.1 * found.pixels);
+  EXPECT_GT(found.blocks - 1.65f * found.block_uncertainty, measure.goal().blocks);
+}
+
+TEST(GatherMeasure, every_frame_holds_out_other_pixels) {
+  const SkyScene scene(0.6f);
+  GatherMeasure a = scene.measure(1), b = scene.measure(1), c = scene.measure(2);
+  EXPECT_EQ(scene.error_with(scene.cache(), a).pixels, scene.error_with(scene.cache(), b).pixels);
+  EXPECT_NE(scene.error_with(scene.cache(), a).pixels, scene.error_with(scene.cache(), c).pixels);
+}
+
+}  // namespace
+}  // namespace lippmann
