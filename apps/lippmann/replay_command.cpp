@@ -8,7 +8,7 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
-#include "apps/lippmann/grid_flag.hpp"
+#include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
 #include "lippmann/core/error.hpp"
@@ -20,9 +20,9 @@ namespace {
 
 struct ReplayOptions {
   ReplayParams params;
-  std::string in, report, from, views, quilt, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
+  std::string in, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
   std::vector<double> eye;
-  std::optional<double> view_angle_deg;
+  LightFieldFlags field;
   int threads = 0;
   ResultFlags result;
 };
@@ -52,9 +52,7 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
 
 ReplayParams params_of(const ReplayOptions& options) {
   ReplayParams params = options.params;
-  params.in = options.in, params.field.report = options.report, params.field.from = options.from;
-  params.field.views = read_grid(options.views, "--views"), params.field.tiles = read_grid(options.quilt, "--quilt");
-  params.field.view_angle_deg = options.view_angle_deg;
+  params.in = options.in, params.field = options.field.read();
   params.folder = options.folder, params.video = options.video;
   params.exr = options.format == "exr";
   params.view.filter = options.filter == "nearest" ? SampleFilter::kNearest : SampleFilter::kLinear;
@@ -128,19 +126,6 @@ void add_refocus_flags(const Command& command, ReplayOptions& options) {
       .type_name("COLUMN");
 }
 
-void add_source_flags(const Command& command, ReplayOptions& options) {
-  const Command group = command.add_group("Light fields that no report.json describes");
-  group.add_option("--from", options.from, "The format of IN, as `lippmann convert --help` lists them; default: by its name")
-      .type_name("FORMAT");
-  group.add_option("--views", options.views, "Number of views across and up").type_name("CxR");
-  group.add_option("--quilt", options.quilt, "Number of tiles of a quilt").type_name("CxR");
-  group
-      .add_option("--view-angle", options.view_angle_deg,
-                  "Angle between the outermost views; default: 40 for a row of views, 10 for a grid of cameras")
-      .type_name("DEG")
-      .range(0.001, 179.0);
-}
-
 }  // namespace
 
 void add_replay_command(const Command& root, Action& chosen) {
@@ -167,8 +152,9 @@ void add_replay_command(const Command& root, Action& chosen) {
   command.add_option("--format", options->format, "File format of the pictures: png (8-bit sRGB) or exr (linear)")
       .one_of({"png", "exr"})
       .show_default();
-  add_source_flags(command, *options);
-  command.add_option("--report", options->report, "Path of report.json, if it is not beside the pictures").type_name("FILE");
+  add_light_field_flags(command, options->field);
+  command.add_option("--report", options->field.report, "Path of report.json, if it is not beside the pictures")
+      .type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   add_result_flags(command, options->result);
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

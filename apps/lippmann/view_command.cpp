@@ -10,7 +10,7 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
-#include "apps/lippmann/grid_flag.hpp"
+#include "apps/lippmann/light_field_flags.hpp"
 #include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
 #include "view/answers.hpp"
@@ -21,22 +21,17 @@ namespace lippmann::app {
 namespace {
 
 struct ViewOptions {
-  std::string in, other, host = "127.0.0.1", save, report, from, views, quilt;
-  std::optional<double> view_angle_deg;
+  std::string in, other, host = "127.0.0.1", save;
+  LightFieldFlags field;
   std::optional<int> port;
   bool open = false;
   int threads = 0;
 };
 
-LightFieldSaid said_of(const ViewOptions& options) {
-  return {options.report, options.from, read_grid(options.views, "--views"), read_grid(options.quilt, "--quilt"),
-          options.view_angle_deg};
-}
-
 std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, const Context& context) {
   std::vector<std::unique_ptr<PageField>> fields;
-  fields.push_back(std::make_unique<PageField>(options.in, said_of(options), context));
-  if (!options.other.empty()) fields.push_back(std::make_unique<PageField>(options.other, said_of(options), context));
+  fields.push_back(std::make_unique<PageField>(options.in, options.field.read(), context));
+  if (!options.other.empty()) fields.push_back(std::make_unique<PageField>(options.other, options.field.read(), context));
   for (const auto& field : fields)
     if (!field->facts().assumption.empty()) context.warning(field->facts().assumption);
   return fields;
@@ -71,19 +66,6 @@ int run(const ViewOptions& options, Context& context) {
   return 0;
 }
 
-void add_source_flags(const Command& command, ViewOptions& options) {
-  const Command group = command.add_group("Light fields that no report.json describes");
-  group.add_option("--from", options.from, "The format of IN, as `lippmann convert --help` lists them; default: by its name")
-      .type_name("FORMAT");
-  group.add_option("--views", options.views, "Number of views across and up").type_name("CxR");
-  group.add_option("--quilt", options.quilt, "Number of tiles of a quilt").type_name("CxR");
-  group
-      .add_option("--view-angle", options.view_angle_deg,
-                  "Angle between the outermost views; default: 40 for a row of views, 10 for a grid of cameras")
-      .type_name("DEG")
-      .range(0.001, 179.0);
-}
-
 }  // namespace
 
 void add_view_command(const Command& root, Action& chosen) {
@@ -108,8 +90,9 @@ void add_view_command(const Command& root, Action& chosen) {
       .add_option("--save", options->save,
                   "Instead, write the page with all its data into a folder that any web server serves, or a disk")
       .type_name("FOLDER");
-  add_source_flags(command, *options);
-  command.add_option("--report", options->report, "Path of report.json, if it is not beside the pictures").type_name("FILE");
+  add_light_field_flags(command, options->field);
+  command.add_option("--report", options->field.report, "Path of report.json, if it is not beside the pictures")
+      .type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

@@ -61,8 +61,8 @@ std::unique_ptr<ShadowCaster> ShadingTables::caster(std::uint32_t instance, cons
   return std::make_unique<MeshShadow>(material, mesh, color >= 0 ? &textures[static_cast<std::size_t>(color)] : nullptr);
 }
 
-ShadedScene::ShadedScene(const Scene& scene, const ThreadPool& pool, MaterialUse use)
-    : ShadedScene(scene, evaluate(scene, scene.timeline.time(0)), pool, use) {}
+ShadedScene::ShadedScene(const Scene& described, const ThreadPool& pool, MaterialUse use)
+    : ShadedScene(described, evaluate(described, described.timeline.time(0)), pool, use) {}
 
 ShadedScene::ShadedScene(const Scene& described, const ResolvedScene& resolved, const ThreadPool& pool, MaterialUse use)
     : ShadingTables(described, resolved, use), RayScene(described, resolved, static_cast<const ShadowMaterials&>(*this), pool) {

@@ -1,0 +1,25 @@
+#include "apps/lippmann/light_field_flags.hpp"
+
+#include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/grid_flag.hpp"
+
+namespace lippmann::app {
+
+LightFieldSaid LightFieldFlags::read() const {
+  return {report, from, read_grid(views, "--views"), read_grid(quilt, "--quilt"), view_angle_deg};
+}
+
+void add_light_field_flags(const Command& command, LightFieldFlags& flags) {
+  const Command group = command.add_group("Light fields that no report.json describes");
+  group.add_option("--from", flags.from, "The format of IN, as `lippmann convert --help` lists them; default: by its name")
+      .type_name("FORMAT");
+  group.add_option("--views", flags.views, "Number of views across and up").type_name("CxR");
+  group.add_option("--quilt", flags.quilt, "Number of tiles of a quilt").type_name("CxR");
+  group
+      .add_option("--view-angle", flags.view_angle_deg,
+                  "Angle between the outermost views; default: 40 for a row of views, 10 for a grid of cameras")
+      .type_name("DEG")
+      .range(0.001, 179.0);
+}
+
+}  // namespace lippmann::app

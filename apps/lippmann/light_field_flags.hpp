@@ -1,0 +1,24 @@
+// Flags that say what a light field is where no report.json describes it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lippmann/replay/light_field_frames.hpp"
+
+namespace lippmann::app {
+
+class Command;  // command_line.hpp
+
+struct LightFieldFlags {
+  std::string report, from, views, quilt;
+  std::optional<double> view_angle_deg;
+
+  /// Throws a usage Error naming the flag.
+  LightFieldSaid read() const;
+};
+
+/// All but --report, in a group of their own.
+void add_light_field_flags(const Command& command, LightFieldFlags& flags);
+
+}  // namespace lippmann::app
