@@ -50,7 +50,7 @@ TEST_F(TraceBatch, every_pixel_has_one_ray_through_its_centre_which_has_met_the_
   int seen = 0;
   for (std::size_t p = 0; p < 400; ++p) {
     EXPECT_EQ(integrator_.rays[p], 1) << p;
-    if (p % 20 >= 10) EXPECT_EQ(integrator_.hits[p], 0) << p;
+    EXPECT_LE(integrator_.hits[p], p % 20 < 10 ? 1 : 0) << p;
     seen += integrator_.hits[p];
   }
   EXPECT_GT(seen, 0);
