@@ -54,6 +54,27 @@ std::vector<std::string> odd_words_in(std::string text) {
   return found;
 }
 
+/// The relative links of a page that lead to no file.
+std::vector<std::string> broken_links_in(const fs::path& page) {
+  std::vector<std::string> broken;
+  const std::string text = bytes_of(page);
+  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+    const std::string link = text.substr(at + 2, text.find_first_of(")#", at + 2) - at - 2);
+    const bool is_outside = link.empty() || link.find("://") != std::string::npos || link.find(' ') != std::string::npos;
+    if (!is_outside && !fs::exists(page.parent_path() / link)) broken.push_back(link);
+  }
+  return broken;
+}
+
+TEST(Docs, links_lead_to_files) {
+  const fs::path source(LIPPMANN_SOURCE);
+  std::vector<fs::path> pages{source / "README.md", source / "CONTRIBUTING.md"};
+  for (const auto& entry : fs::recursive_directory_iterator(source / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  ASSERT_GT(pages.size(), 20u);
+  for (const fs::path& page : pages) EXPECT_THAT(broken_links_in(page), testing::IsEmpty()) << page;
+}
+
 TEST(Docs, are_in_plain_words) {
   const fs::path source(LIPPMANN_SOURCE);
   EXPECT_THAT(odd_words_in(bytes_of(source / "README.md")), testing::IsEmpty());
