@@ -81,7 +81,7 @@ class LightBench {
     prepare_references();
     if (!context_.cancelled) render_in_turn();
     run_.equal_time_psnr_db = std::nan("");
-    if (!context_.cancelled && wanted_.equal_time) measure_equal_time();
+    if (!context_.cancelled && wanted_.equal_time && !settings_.without_full) measure_equal_time();
     return run_;
   }
 
@@ -157,19 +157,23 @@ class LightBench {
                                       full_maker = make_frame_maker(stage_, frame_params(full_params_), pool_, context_);
     Made full, reuse;
     for (int frame = wanted_.first; frame < end() && !context_.cancelled; ++frame) {
-      say(fmt::format("{}, frame {}: rendering with reuse{}", wanted_.name, frame, is_compared(frame) ? " and in full" : ""));
+      const bool in_full = is_compared(frame) && !settings_.without_full;
+      say(fmt::format("{}, frame {}: rendering with reuse{}", wanted_.name, frame, in_full ? " and in full" : ""));
       RenderedFrame made = maker->make(frame);
       run_.grown_bytes = std::max(run_.grown_bytes, resident_bytes() - before);
       add(made, reuse);
       maker->recycle(std::move(made.pictures.film));
-      if (is_compared(frame)) add(full_maker->make(frame), full);
+      if (in_full) add(full_maker->make(frame), full);
     }
     if (context_.cancelled) return;
-    judge(full), judge(reuse);
-    run_.full = full.figures, run_.reuse = reuse.figures;
+    judge(reuse);
+    run_.reuse = reuse.figures;
     run_.estimates_db = reuse.estimates_db;
     run_.estimate = judge_estimates(reuse.estimates_db, reuse.figures.psnr_db_by_frame);
     run_.stated_bytes = bytes_kept_per_pixel(frame_params(reuse_params_)) * run_.width * run_.height;
+    if (settings_.without_full) return;
+    judge(full);
+    run_.full = full.figures;
     run_.full_by_spp.push_back({samples_per_pixel(full_params_.sampling), run_.full.seconds, run_.full.psnr_db});
     if (!settings_.pictures.empty()) write_pictures(full.frames, reuse.frames);
   }

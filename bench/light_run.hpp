@@ -38,6 +38,7 @@ struct LightSettings {
   std::filesystem::path references;
   std::filesystem::path pictures;  ///< a folder for pictures of the compared frames (light_pictures.hpp); empty: none
   bool denoise = false;            ///< frames of both ways to render
+  bool without_full = false;       ///< renders with reuse alone: figures of the full render mean nothing
   std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
 };
 

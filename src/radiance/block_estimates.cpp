@@ -46,16 +46,25 @@ void BlockEstimates::push_back(std::uint32_t of_pixel, float scatter_before) {
   const std::size_t e = size++;
   pixel[e] = of_pixel;
   before[e] = scatter_before;
-  samples[e] = red[e] = green[e] = blue[e] = luminance[e] = square[e] = brightest[e] = open[e] = 0.0f;
+  samples[e] = red[e] = green[e] = blue[e] = luminance[e] = square[e] = brightest[e] = open[e] = left_to_paths[e] = 0.0f;
 }
 
-void BlockEstimates::add(std::size_t e, Vec3f radiance, float opens) {
+void BlockEstimates::add(std::size_t e, Vec3f radiance, float opens, bool is_path) {
   const float y = lippmann::luminance(radiance);
   samples[e] += 1.0f;
   red[e] += radiance.x, green[e] += radiance.y, blue[e] += radiance.z;
   luminance[e] += y, square[e] += y * y;
   brightest[e] = std::max(brightest[e], y);
   open[e] += opens;
+  left_to_paths[e] += is_path ? 1.0f : 0.0f;
+}
+
+void PathScatter::add(const BlockEstimates& block) {
+  constexpr float kMost = 0.25f;  // codes from 0 to 1 scatter by no more
+  for (std::size_t e = 0; e < block.size; ++e) {
+    const float share = block.left_to_paths[e] / block.samples[e];
+    sum_ += share * std::min(block.scatter[kLanes + e], kMost), count_ += share;
+  }
 }
 
 LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
@@ -110,7 +119,9 @@ LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& 
     edge /= have + 2.0f;
     variance += block.alpha_weight * weight * edge * edge;
     variance = std::max(std::max(variance, block.before[e]), std::numeric_limits<float>::min());
-    block.wanted[e] = fast_pow(variance * inverse, kGrowth);
+    // Their paths are as good as independent: errors fall as the root of their number, and not faster.
+    const float of_paths = std::sqrt(inverse * block.path_scatter * block.left_to_paths[e] / block.samples[e]);
+    block.wanted[e] = std::max(fast_pow(variance * inverse, kGrowth), of_paths);
   }
 }
 

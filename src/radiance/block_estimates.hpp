@@ -15,11 +15,13 @@ struct BlockEstimates {
 
   std::size_t size = 0;
   float alpha_weight = 1.0f;  ///< of squared errors of alpha beside those of light
+  float path_scatter = 0.0f;  ///< of a sample that was left to paths, as scatter; 0: not known
   alignas(64) std::uint32_t pixel[kMost];
   alignas(64) Values samples;                              ///< how many
   alignas(64) Values red, green, blue, luminance, square;  ///< their sums
   alignas(64) Values brightest;                            ///< luminance of a sample
   alignas(64) Values open;                                 ///< how many see the surroundings, where pictures do not; else 0
+  alignas(64) Values left_to_paths;                        ///< how many were left to paths, as edges of light are
   alignas(64) Values before;  ///< scatter of a sample of this pixel in the frame before, squared; 0: not known
   // As of the last encode().
   alignas(64) PaddedValues mean;     ///< luminance
@@ -29,7 +31,7 @@ struct BlockEstimates {
   alignas(64) Values wanted;         ///< samples that each pixel should have
 
   void push_back(std::uint32_t of_pixel, float scatter_before);
-  void add(std::size_t e, Vec3f radiance, float opens = 0.0f);
+  void add(std::size_t e, Vec3f radiance, float opens = 0.0f, bool is_path = false);
   float alpha(std::size_t e) const { return 1.0f - open[e] / samples[e]; }
   Vec3f radiance(std::size_t e) const { return Vec3f(red[e], green[e], blue[e]) / samples[e]; }
 };
@@ -37,11 +39,24 @@ struct BlockEstimates {
 /// Sets mean and scatter; all pixels have at least two samples.
 void encode(BlockEstimates& block);
 
+/// How much samples that are left to paths scatter: the mean of what has been added. Of many pixels, as one alone whose paths
+/// have all missed a lamp would take them to be alike.
+class PathScatter {
+ public:
+  /// Of a block whose pixels all have their first samples. After encode().
+  void add(const BlockEstimates& block);
+  float mean() const { return count_ > 0.0f ? sum_ / count_ : 0.0f; }
+
+ private:
+  float sum_ = 0.0f, count_ = 0.0f;
+};
+
 /// Sets `wanted` so that those pixels that have `have` samples now get the same error as all others, on average: that of one
 /// sample of scatter `error`. After encode().
 ///
 /// What a pixel's samples have may have missed an edge, which those around then know of: by how much they scatter, or as they
 /// are brighter or darker, and the frame before, too.
+/// Pixels whose samples were left to paths scatter by block.path_scatter at least, whatever their own have met.
 void find_wanted(float have, float error, BlockEstimates& block);
 
 }  // namespace lippmann

@@ -136,6 +136,7 @@ class CachedFrame {
   void gather(bool provenance, const CachedLightPictures& pictures);
   enum class Mending { kNone, kGood, kFailed };
   Mending mend(const FrameErrors& former, GatherMeasure& measure);
+  double expected_error(const GatherMeasure& measure) const;
   FrameError gather_apart(GatherMeasure& measure);
   std::optional<PathMix> mix_wanted(const GatherMeasure& measure, double share_of_rays) const;
   Mending mix_paths(const GatherMeasure& measure);
@@ -163,6 +164,7 @@ class CachedFrame {
   std::optional<TouchProbe> moved_;
   RayCounts counts_;
   std::uint64_t rays_of_gather_ = 0;
+  double expected_ = 0.0;  ///< of GatherHistory, of what was gathered last
   bool was_worth_it_ = true;
 };
 
@@ -231,7 +233,7 @@ void CachedFrame::learn_from(const FrameErrors& former) {
 
 /// A frame from the cache, if it errs by no more than it may; else a traced one. Whether it is the former.
 bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPictures& pictures) {
-  GatherMeasure measure = this->measure(goal, kChecking);
+  GatherMeasure measure = this->measure(goal, moved_ ? kChecking : kCheckingFirst);
   const FrameErrors former = history_.errors;
   const bool was_mixed = history_.plan->mix.samples > 0;
   learn_from(former);
@@ -241,7 +243,8 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPi
     measure.choose_pixels_of(pictures.film, history_.scatter);
     const FrameError apart = shows_all ? FrameError{} : gather_apart(measure);
     history_.errors = former;
-    history_.errors.add(shows_all ? measure.error_of(pictures.film) : apart, measure.goal());
+    const auto expected = static_cast<float>(expected_error(measure));
+    history_.errors.add(shows_all ? measure.error_of(pictures.film) : apart, measure.goal(), expected);
   };
   gather_and_measure();
   Mending mending = Mending::kNone;
@@ -256,6 +259,12 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPi
   add(measure.counts(), counts_);
   was_worth_it_ = !moved_ || static_cast<double>(counts_.total()) < kWorthless * measure.rays_of_whole_frame();
   return mending != Mending::kFailed;
+}
+
+/// What pixels are expected to err by, mixed with paths as they are.
+double CachedFrame::expected_error(const GatherMeasure& measure) const {
+  const PathMix& mix = history_.plan->mix;
+  return static_cast<double>(measure.with(mix, static_cast<float>(expected_)));
 }
 
 /// What the frame's patches err by, gathered by themselves.
@@ -460,7 +469,7 @@ void CachedFrame::gather(bool provenance, const CachedLightPictures& pictures) {
   const GatherSources sources{shot_, in, *history_.cache};
   Image* const alpha = alpha_of(pictures);
   if (alpha) pictures.aovs->allocate(Aov::kAlpha, shot_.optics.panel);
-  const RayCounts rays = gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter},
+  const RayCounts rays = gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter, &expected_},
                                       {pool_, context_}, {pictures.film, alpha, pictures.noisy});
   add(rays, counts_);
   rays_of_gather_ = rays.total();
@@ -540,8 +549,10 @@ CachedLightReport CachedLightTracer::trace(const Shot& shot, const ResolvedScene
     frame.make_traced(goal, pictures);
   }
   const FrameError& error = report.traced ? history.path_errors.found() : history.errors.found();
-  report.squared_error = static_cast<double>(error.pixels), report.block_squared_error = static_cast<double>(error.blocks);
-  report.uncertainty = static_cast<double>(error.uncertainty);
+  const PixelError& of_pixels = (report.traced ? history.path_errors : history.errors).of_latest();
+  report.squared_error = static_cast<double>(of_pixels.squared),
+  report.uncertainty = static_cast<double>(of_pixels.uncertainty);
+  report.block_squared_error = static_cast<double>(error.blocks);
   report.rays = frame.counts();
   return report;
 }

@@ -90,6 +90,7 @@ void FinalGather::ask_cache(const RayHitPacket& packet, int i, const PathRay& ra
 void FinalGather::follow_path(const RayHitPacket& packet, int i, const PathRay& ray) {
   PathRay query = ray;
   query.throughput *= albedo_.get(i);
+  if (options_.paths) options_.paths[ray.pixel] += 1.0f;
   paths_.gather_diffuse(shading_point(scene_, surface_, i), bsdf_at(scene_, packet, surface_, i), query,
                         ray.path_length + packet.ray.tfar[i], cells_.lights_from,
                         {draw(ray, kChoicePair).x, draw(ray, kOnLightPair), draw(ray, kWayPair)});

@@ -17,6 +17,7 @@ struct FinalGatherOptions {
   /// Pictures show where light came from, in proportion to it: red what this frame traced, green what the cache received in
   /// this frame, blue what it has from frames before.
   bool provenance = false;
+  float* paths = nullptr;  ///< by slot, receives how many paths its sample was left to; null: nobody asks
 };
 
 /// State of one thread at a time.

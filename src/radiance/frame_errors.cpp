@@ -13,6 +13,11 @@ constexpr float kChanged = 2.5f;
 /// it takes little to mend.
 constexpr float kSure = 2.0f, kTolerated = 1.15f;
 
+/// Ratios are alike for longer than errors are.
+constexpr float kRatioRemembered = 0.85f;
+/// Of the past where the ratio is another, in frames.
+constexpr float kKeptOfOther = 0.5f;
+
 bool is_other(float now, float uncertainty, float mean, float mean_uncertainty) {
   return std::abs(now - mean) > kChanged * std::hypot(uncertainty, mean_uncertainty);
 }
@@ -25,8 +30,9 @@ Excess excess_of(float now, float uncertainty, float may, float mean, float mean
 
 }  // namespace
 
-void FrameErrors::add(const FrameError& now, const FrameError& may) {
+void FrameErrors::add(const FrameError& now, const FrameError& may, float expected) {
   latest_ = now;
+  add_ratio({now.pixels, now.uncertainty}, expected);
   const bool changed = is_other(now.pixels, now.uncertainty, found_.pixels, found_.uncertainty);
   const float before = changed ? 0.0f : kRemembered * weight_;
   weight_ = before + 1.0f;
@@ -39,6 +45,18 @@ void FrameErrors::add(const FrameError& now, const FrameError& may) {
   pool_deviation(found_.uncertainty, now.uncertainty), pool_deviation(found_.block_uncertainty, now.block_uncertainty);
   pixels_ = excess_of(now.pixels, now.uncertainty, may.pixels, found_.pixels, found_.uncertainty, allowed_.pixels);
   blocks_ = excess_of(now.blocks, now.block_uncertainty, may.blocks, found_.blocks, found_.block_uncertainty, allowed_.blocks);
+}
+
+void FrameErrors::add_ratio(const PixelError& now, float expected) {
+  const float unit = expected > 0.0f ? expected : 1.0f;
+  const PixelError ratio{now.squared / unit, now.uncertainty / unit};
+  const bool changed = is_other(ratio.squared, ratio.uncertainty, ratio_.squared, ratio_.uncertainty);
+  // A few pixels with large errors make a ratio seem another now and then, too: half a frame's worth of the past is kept.
+  const float before = std::min(kRatioRemembered * ratio_weight_, changed ? kKeptOfOther : kInfinity);
+  ratio_weight_ = before + 1.0f;
+  ratio_.squared += (ratio.squared - ratio_.squared) / ratio_weight_;
+  ratio_.uncertainty = std::hypot(before * ratio_.uncertainty, ratio.uncertainty) / ratio_weight_;
+  of_latest_ = {unit * ratio_.squared, unit * ratio_.uncertainty};
 }
 
 }  // namespace lippmann

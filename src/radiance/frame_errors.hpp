@@ -12,10 +12,14 @@ enum class Excess { kNone, kProbable, kSure };
 /// patches know little.
 class FrameErrors {
  public:
-  /// The latest frame's, and what it may be.
-  void add(const FrameError& now, const FrameError& may);
+  /// The latest frame's, and what it may be. expected: of its pixels (GatherHistory); 0: not known.
+  void add(const FrameError& now, const FrameError& may, float expected = 0.0f);
 
   const FrameError& found() const { return found_; }
+
+  /// The squared error of the latest frame's pixels, as far as this and earlier frames tell. Those have in common by how much
+  /// errors differ from what is expected of them, even where errors change from frame to frame.
+  const PixelError& of_latest() const { return of_latest_; }
   const FrameError& allowed() const { return allowed_; }
 
   const FrameError& latest() const { return latest_; }
@@ -27,8 +31,13 @@ class FrameErrors {
   bool is_too_large() const { return pixels_ == Excess::kSure || blocks_ == Excess::kSure; }
 
  private:
+  void add_ratio(const PixelError& now, float expected);
+
   FrameError found_, allowed_;  ///< weighted means
   FrameError latest_;
+  PixelError ratio_;  ///< of errors to what was expected, weighted mean
+  PixelError of_latest_;
+  float ratio_weight_ = 0.0f;
   float weight_ = 0.0f;
   Excess pixels_ = Excess::kNone, blocks_ = Excess::kNone;
 };

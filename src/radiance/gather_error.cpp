@@ -74,11 +74,30 @@ float error_of_cells(const Trial& coarse, const Trial& fine) {
   return std::max(0.0f, fine.squared_error - kLeft * coarse.squared_error) / (1.0f - kLeft);
 }
 
-/// (a - b) (c - d), the mean of three channels.
-double product(Vec3f a, Vec3f b, Vec3f c, Vec3f d) {
-  const Vec3f p = (a - b) * (c - d);
-  return (static_cast<double>(p.x) + static_cast<double>(p.y) + static_cast<double>(p.z)) / 3.0;
+/// By how much codes of a mean change with it (the slope of sRGB's curve).
+double slope_of_code(double linear) {
+  return linear <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(std::min(linear, 1.0), 1.0 / 2.4 - 1.0);
 }
+
+/// The squared error of the mean of a channel over a patch. Errors of any two pixels, multiplied, tell what both are wrong
+/// about alike, as their paths' noise has nothing to do with each other: so all paths of both sets may be held against every
+/// pixel, and only a pixel's own square is taken of two sets apart.
+class MeanError {
+ public:
+  void add(float picture, float first, float second) {
+    const double v = static_cast<double>(picture), a = v - static_cast<double>(first), b = v - static_cast<double>(second);
+    const double both = 0.5 * (a + b);
+    sum_ += both, own_ += a * b - both * both;
+    level_ += v - 0.5 * both, count_ += 1.0;
+  }
+  double of_codes() const {
+    const double slope = slope_of_code(level_ / count_);
+    return slope * slope * (sum_ * sum_ + own_) / (count_ * count_);
+  }
+
+ private:
+  double sum_ = 0.0, own_ = 0.0, level_ = 0.0, count_ = 0.0;
+};
 
 }  // namespace
 
@@ -150,8 +169,9 @@ PixelError GatherMeasure::difference_of_paths() const {
 }
 
 GatherMeasure::Codes GatherMeasure::codes_of(const std::vector<float>& light) const {
-  Codes codes{light, means_of(light)};
+  Codes codes{light, light};
   for (float& v : codes.values) v = code_of(v);
+  for (float& v : codes.shown) v = std::clamp(v, 0.0f, 1.0f);
   return codes;
 }
 
@@ -160,38 +180,29 @@ GatherMeasure::Codes GatherMeasure::codes_of(const std::vector<float>& light) co
 GatherMeasure::Codes GatherMeasure::codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const {
   std::vector<float> light(first.size());
   for (std::size_t i = 0; i < light.size(); ++i) light[i] = 0.5f * (first[i] + second[i]);
-  Codes codes{light, means_of(light)};
+  Codes codes = codes_of(light);
   for (std::size_t i = 0; i < light.size(); ++i)
-    codes.values[i] = 2.0f * code_of(light[i]) - 0.5f * (code_of(first[i]) + code_of(second[i]));
+    codes.values[i] = 2.0f * codes.values[i] - 0.5f * (code_of(first[i]) + code_of(second[i]));
   return codes;
 }
 
-/// Means of the light that is shown, as lenses and eyes average it: those of codes would be darker the noisier pixels are.
-std::vector<Vec3f> GatherMeasure::means_of(const std::vector<float>& light) const {
-  const auto shown = [&](std::size_t i) { return std::clamp(light[i], 0.0f, 1.0f); };
-  std::vector<Vec3f> means;
-  for (std::size_t p = 0; p + 1 < patches_.begin.size(); ++p) {
-    Vec3f sum(0.0f);
-    for (std::size_t i = patches_.begin[p]; i < patches_.begin[p + 1]; ++i)
-      sum += Vec3f(shown(3 * i), shown(3 * i + 1), shown(3 * i + 2));
-    const Vec3f mean = sum / static_cast<float>(patches_.begin[p + 1] - patches_.begin[p]);
-    means.emplace_back(code_of(mean.x), code_of(mean.y), code_of(mean.z));
-  }
-  return means;
-}
-
+/// Means are those of the light that is shown, as lenses and eyes average it: those of codes would be darker the noisier pixels
+/// are.
 FrameError GatherMeasure::error_of_patches(const Image& film) const {
   const Codes codes = codes_of(light_at(film, patches_.pixels));
   MeanOf pixels, blocks;  // both by patch: pixels of one err alike
-  for (std::size_t p = 0; p < codes.means.size(); ++p) {
-    const double weight = patches_.weights[p];
-    blocks.add(weight * product(codes.means[p], paths_[0].means[p], codes.means[p], paths_[1].means[p]));
+  for (std::size_t p = 0; p < patches_.weights.size(); ++p) {
     double sum = 0.0;
+    MeanError means[3];
     const std::size_t begin = 3 * patches_.begin[p], end = 3 * patches_.begin[p + 1];
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
       sum += static_cast<double>(codes.values[i] - paths_[0].values[i]) *
              static_cast<double>(codes.values[i] - paths_[1].values[i]);
+      means[i % 3].add(codes.shown[i], paths_[0].shown[i], paths_[1].shown[i]);
+    }
+    const double weight = patches_.weights[p];
     pixels.add(weight * sum / static_cast<double>(end - begin));
+    blocks.add(weight * (means[0].of_codes() + means[1].of_codes() + means[2].of_codes()) / 3.0);
   }
   return at_least_some({pixels.mean(), blocks.mean(), pixels.uncertainty(), blocks.uncertainty()});
 }

@@ -44,9 +44,10 @@ struct MeasuredPlaces {
   MeasuredShare pixels;  ///< one by one, once the whole frame is there; none: patches alone
   bool with_pixels() const { return pixels != MeasuredShare{}; }
 };
-/// Where a history is planned, where it is found out whether that was luck, and to check its frames.
+/// Where a history is planned, where it is found out whether that was luck, and to check its frames, of which the first has
+/// none before that would tell more.
 inline constexpr MeasuredPlaces kPlanning{1, {96, 12, 96}, 1, {}}, kConfirming{2, {96, 14, 80}, 4, {}},
-    kChecking{3, {96, 14, 80}, 4, {1536, 32, 160}};
+    kChecking{3, {96, 14, 80}, 4, {1536, 32, 160}}, kCheckingFirst{3, {96, 14, 80}, 4, {3072, 16, 160}};
 /// To tell the errors of frames that are traced whole, against one set of paths.
 inline constexpr MeasuredShare kWatching{2048, 100, 200};
 
@@ -81,6 +82,9 @@ class GatherMeasure {
   /// share_of_rays: what those take, of the rays of paths.
   std::optional<PathMix> mix_for(const FrameError& found, double share_of_rays) const;
 
+  /// What pixels that err by `squared` without do with the paths that are mixed in.
+  float with(const PathMix& mix, float squared) const { return errors_of(mix, {squared, 0.0f}, of_one_path()).pixels; }
+
   /// What frames would err by without the paths that are mixed in.
   FrameError without(const PathMix& mix, const FrameError& found) const;
 
@@ -107,14 +111,13 @@ class GatherMeasure {
  private:
   struct Codes {
     std::vector<float> values;  ///< of the patches' pixels
-    std::vector<Vec3f> means;   ///< of their light, by patch
+    std::vector<float> shown;   ///< their light, as far as it is shown: 0 ... 1
   };
   void trace_patches(int fewer);
   void set_goal(const PixelError& of_paths);
   PixelError difference_of_paths() const;
   Codes codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const;
   Codes codes_of(const std::vector<float>& light) const;
-  std::vector<Vec3f> means_of(const std::vector<float>& light) const;
   FrameError error_of_patches(const Image& film) const;
   MixedErrors of_one_path() const;
   FrameError at_least_some(FrameError error) const;

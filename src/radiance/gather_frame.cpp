@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <numeric>
 
 #include "core/random.hpp"
 #include "radiance/block_guides.hpp"
@@ -95,7 +96,7 @@ class BlockGatherer {
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
         guides_(pictures.noisy ? std::make_unique<BlockGuides>(display_z(sources.shot.world_from_display)) : nullptr),
         gatherer_(scene_, sources.cells, sources.cache, path_params(params.trace), film(pictures),
-                  {params.effort.edges, params.provenance}) {}
+                  {params.effort.edges, params.provenance, left_to_paths_.data()}) {}
 
   /// Fills a block whose pixels are listed.
   void gather(BlockEstimates& block) {
@@ -109,6 +110,8 @@ class BlockGatherer {
       work.clear();
       const auto n = static_cast<float>(have);
       encode(block);
+      if (have == kFirstSamples) path_scatter_.add(block);
+      block.path_scatter = path_scatter_.mean();
       find_wanted(n, error_, block);
       for (std::uint32_t e = 0; e < block.size; ++e)
         if (block.samples[e] == n && block.wanted[e] > n)
@@ -146,9 +149,9 @@ class BlockGatherer {
     for (std::size_t w = 0; w < work.size(); ++w) {
       float* light = &light_.data[3 * w];
       const Vec3f radiance(light[0], light[1], light[2]);
-      block.add(work[w].estimate, radiance, open_[w]);
+      block.add(work[w].estimate, radiance, open_[w], left_to_paths_[w] > 0.0f);
       if (guides_) guides_->add(work[w].estimate, work[w].sample, w, radiance);
-      light[0] = light[1] = light[2] = open_[w] = 0.0f;
+      light[0] = light[1] = light[2] = open_[w] = left_to_paths_[w] = 0.0f;
     }
   }
 
@@ -156,7 +159,8 @@ class BlockGatherer {
   const SampleSource& samples_;
   float error_;
   Image light_;
-  std::array<float, BlockEstimates::kMost> open_{};
+  std::array<float, BlockEstimates::kMost> open_{}, left_to_paths_{};
+  PathScatter path_scatter_;
   std::unique_ptr<BlockGuides> guides_;  ///< null: nobody asks
   FinalGather gatherer_;
 };
@@ -227,6 +231,27 @@ void list_pixels(const PacketSource& source, std::size_t strip, std::size_t bloc
                      [&](std::uint32_t pixel) { estimates.push_back(pixel, before.empty() ? 0.0f : before[pixel]); });
 }
 
+/// Of GatherHistory. By strip, and so in the same order for any number of threads.
+class ExpectedError {
+ public:
+  explicit ExpectedError(std::size_t strips) : sums_(strips, 0.0), counts_(strips, 0.0) {}
+
+  void add(std::size_t strip, const BlockEstimates& block) {
+    constexpr float kMost = 0.25f;  // codes from 0 to 1 scatter by no more, whatever their slope makes of a bright sample
+    constexpr float kEven = 1.2f;   // 1: of independent samples; measured where frames were gathered again: 1 to 1.5
+    for (std::size_t e = 0; e < block.size; ++e)
+      sums_[strip] += static_cast<double>(std::min(block.scatter[kLanes + e], kMost) / std::pow(block.samples[e], kEven));
+    counts_[strip] += static_cast<double>(block.size);
+  }
+  double mean() const {
+    return std::accumulate(sums_.begin(), sums_.end(), 0.0) /
+           std::max(1.0, std::accumulate(counts_.begin(), counts_.end(), 0.0));
+  }
+
+ private:
+  std::vector<double> sums_, counts_;
+};
+
 RayCounts gather_cached(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
                         const GatherHistory& history, const Workers& workers, const GatheredPictures& pictures) {
   if (history.now)
@@ -242,25 +267,30 @@ RayCounts gather_cached(const GatherSources& sources, const GatherParams& params
   const SampleSource samples(sources.shot, params.trace);
   const Scatter unknown;
   const Scatter& before = history.before ? *history.before : unknown;
-  return trace_strips(static_cast<std::size_t>(source.strips()), workers, wanted.empty() ? Progress::kTold : Progress::kSilent,
-                      [&](std::size_t strip) {
-                        BlockGatherer gatherer(sources, samples, params, pictures);
-                        const auto block = std::make_unique<BlockEstimates>();
-                        for (std::size_t b = 0; b < blocks_in(source.packets_per_strip()) && !workers.context.cancelled; ++b) {
-                          list_pixels(source, strip, b, wanted, before, *block);
-                          if (block->size == 0) continue;
-                          gatherer.gather(*block);
-                          for (std::size_t e = 0; e < block->size; ++e) {
-                            const std::size_t pixel = block->pixel[e];
-                            if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
-                            if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
-                            const Vec3f radiance = block->radiance(e);
-                            std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
-                          }
-                          if (pictures.noisy) gatherer.write(*block, *pictures.noisy);
-                        }
-                        return gatherer.counts();
-                      });
+  ExpectedError expected(static_cast<std::size_t>(source.strips()));
+  const RayCounts rays =
+      trace_strips(static_cast<std::size_t>(source.strips()), workers, wanted.empty() ? Progress::kTold : Progress::kSilent,
+                   [&](std::size_t strip) {
+                     BlockGatherer gatherer(sources, samples, params, pictures);
+                     const auto block = std::make_unique<BlockEstimates>();
+                     for (std::size_t b = 0; b < blocks_in(source.packets_per_strip()) && !workers.context.cancelled; ++b) {
+                       list_pixels(source, strip, b, wanted, before, *block);
+                       if (block->size == 0) continue;
+                       gatherer.gather(*block);
+                       expected.add(strip, *block);
+                       for (std::size_t e = 0; e < block->size; ++e) {
+                         const std::size_t pixel = block->pixel[e];
+                         if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
+                         if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
+                         const Vec3f radiance = block->radiance(e);
+                         std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+                       }
+                       if (pictures.noisy) gatherer.write(*block, *pictures.noisy);
+                     }
+                     return gatherer.counts();
+                   });
+  if (history.expected) *history.expected = expected.mean();
+  return rays;
 }
 
 void mix_into(Image& image, const Image& more, float weight) {

@@ -45,6 +45,9 @@ struct GatherSources {
 struct GatherHistory {
   const Scatter* before = nullptr;  ///< of the frame before, smoothed: pixels scatter as much again; null: not known
   Scatter* now = nullptr;           ///< receives what this frame finds, of the gathered pixels; null: nobody asks
+  /// Receives the squared error that the scatter of samples, and their number, lead to expect of pixels, on average. It is in
+  /// no absolute terms: what light that is wrong adds is not in it, nor all that even spreading takes away. Null: nobody asks.
+  double* expected = nullptr;
 };
 
 /// Where a gathered frame goes.

@@ -49,6 +49,29 @@ TEST(BlockEstimates, scatter_is_that_of_one_sample_as_codes_have_it) {
   EXPECT_NEAR(static_cast<double>(block->scatter[kLanes + 7]), slope * slope * 2.0 / 3.0 * 1e-4, 1e-6);
 }
 
+// Paths of pixel 7 differ, those of pixel 20 happen to agree, and of pixel 30 one sample of two was left to a path: all want
+// samples for what these paths scatter together.
+TEST(BlockEstimates, pixels_that_are_left_to_paths_want_what_all_of_these_scatter) {
+  auto block = std::make_unique<BlockEstimates>();
+  for (std::uint32_t e = 0; e < kPixels; ++e) {
+    block->push_back(100 + e, 0.0f);
+    const bool is_path = e == 7 || e == 20;
+    block->add(e, Vec3f(e == 7 ? 0.21f : 0.2f), 0.0f, is_path || e == 30);
+    block->add(e, Vec3f(e == 7 ? 0.19f : 0.2f), 0.0f, is_path);
+  }
+  encode(*block);
+  PathScatter scatter;
+  EXPECT_EQ(scatter.mean(), 0.0f);
+  scatter.add(*block);
+  const float of_seven = block->scatter[kLanes + 7];
+  EXPECT_NEAR(scatter.mean(), of_seven / 2.5f, 1e-3f * of_seven);  // shares of 1, 1 and 1/2
+  block->path_scatter = scatter.mean();
+  find_wanted(2.0f, kError, *block);
+  EXPECT_NEAR(block->wanted[20], std::sqrt(scatter.mean()) / kError, 1e-3f * block->wanted[20]);
+  EXPECT_NEAR(block->wanted[30], std::sqrt(0.5f * scatter.mean()) / kError, 1e-3f * block->wanted[30]);
+  EXPECT_LT(block->wanted[25], 0.01f);
+}
+
 // Of four samples one is open: alpha scatters by 3/4 x 1/4 x 4/3. The light of all is the same.
 TEST(BlockEstimates, alpha_scatters_as_a_channel_of_its_own) {
   auto block = even(4);

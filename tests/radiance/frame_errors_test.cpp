@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace lippmann {
 namespace {
 
@@ -46,6 +48,36 @@ TEST(FrameErrors, a_past_that_is_another_for_sure_counts_for_nothing) {
   EXPECT_FLOAT_EQ(errors.found().pixels, 3.0f);
   EXPECT_FLOAT_EQ(errors.found().uncertainty, 0.5f);
   EXPECT_FLOAT_EQ(errors.allowed().blocks, 1.0f);
+}
+
+// What the first frame tells, half as much again as was expected, is the same in the second, in which four times as much was:
+// 6, and the measured 6 agrees.
+TEST(FrameErrors, frames_have_in_common_what_errors_are_in_parts_of_what_is_expected) {
+  FrameErrors errors;
+  errors.add(error(1.5f, 0.3f), error(9.0f), 1.0f);
+  EXPECT_FLOAT_EQ(errors.of_latest().squared, 1.5f);
+  EXPECT_FLOAT_EQ(errors.of_latest().uncertainty, 0.3f);
+  errors.add(error(6.0f, 1.2f), error(9.0f), 4.0f);
+  EXPECT_FLOAT_EQ(errors.of_latest().squared, 6.0f);
+  // In parts of what is expected both have a deviation of 0.3; the past weighs 0.85.
+  EXPECT_NEAR(errors.of_latest().uncertainty, 4.0f * std::hypot(0.85f * 0.3f, 0.3f) / 1.85f, 1e-5f);
+  EXPECT_FLOAT_EQ(errors.found().pixels, 6.0f);  // as an error by itself it is another, for sure
+}
+
+TEST(FrameErrors, without_anything_expected_errors_themselves_are_remembered) {
+  FrameErrors errors;
+  errors.add(error(1.0f, 1.0f), error(9.0f));
+  errors.add(error(2.0f, 1.0f), error(9.0f));
+  EXPECT_FLOAT_EQ(errors.of_latest().squared, (0.85f * 1.0f + 2.0f) / 1.85f);
+}
+
+TEST(FrameErrors, of_parts_that_are_others_for_sure_little_is_kept) {
+  FrameErrors errors;
+  errors.add(error(1.0f, 0.1f), error(9.0f), 1.0f);
+  errors.add(error(1.0f, 0.1f), error(9.0f), 4.0f);  // a quarter, not one
+  EXPECT_FLOAT_EQ(errors.of_latest().squared, 4.0f * (0.5f * 1.0f + 0.25f) / 1.5f);
+  for (int frame = 0; frame < 12; ++frame) errors.add(error(1.0f, 0.1f), error(9.0f), 4.0f);
+  EXPECT_NEAR(errors.of_latest().squared, 1.0f, 0.25f);
 }
 
 }  // namespace

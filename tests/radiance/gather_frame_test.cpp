@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lippmann/image/encode.hpp"
 #include "radiance/update_frame.hpp"
 #include "trace/small_scene.hpp"
 
@@ -116,6 +117,35 @@ TEST(GatherFrame, fills_wanted_packets_alone) {
   cached.gather(film, wanted, {nullptr, &scatter});
   EXPECT_EQ(std::count_if(film.data.begin(), film.data.end(), [](float v) { return v >= 0.0f; }), 2 * kLanes * 3);
   for (std::size_t p = 0; p < scatter.size(); ++p) EXPECT_EQ(scatter[p] >= 0.0f, film.data[3 * p] >= 0.0f) << p;
+}
+
+double code(float linear) { return srgb_from_linear(std::clamp(static_cast<double>(linear), 0.0, 1.0)); }
+
+// Two pictures with nothing in common but the scene differ by twice the squared error of either. Samples are spread more evenly
+// than independent ones, and caches differ, too, so that no more than its order is known.
+TEST(GatherFrame, tells_the_error_that_pixels_are_expected_to_have) {
+  const SmallScene s = lit_by_all();
+  double expected[2] = {};
+  Image films[2];
+  for (const std::uint32_t seed : {0u, 1u})
+    CachedScene(s.scene, single_view(48), LightGroup::kLamps, seed)
+        .gather(films[seed], {}, {nullptr, nullptr, &expected[seed]});
+  double squares = 0.0;
+  for (std::size_t i = 0; i < films[0].data.size(); ++i)
+    squares += 0.5 * std::pow(code(films[0].data[i]) - code(films[1].data[i]), 2.0);
+  squares /= static_cast<double>(films[0].data.size());
+  EXPECT_GT(expected[0], 0.3 * squares);
+  EXPECT_LT(expected[0], 3.0 * squares);
+  EXPECT_NEAR(expected[0], expected[1], 0.3 * expected[0]);
+}
+
+TEST(GatherFrame, expects_no_error_where_samples_are_alike) {
+  SmallScene s;
+  s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.3f);
+  Image film;
+  double expected = 1.0;
+  CachedScene(s.scene, single_view(48), LightGroup::kLamps, 1).gather(film, {}, {nullptr, nullptr, &expected});
+  EXPECT_NEAR(expected, 0.0, 1e-8);  // rounding
 }
 
 /// Root mean square difference of the channels.
