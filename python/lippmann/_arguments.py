@@ -59,6 +59,11 @@ def path(value: Any, name: str) -> str:
     return result
 
 
+def path_bytes(value: Any, name: str) -> bytes:
+    """The same as the system has it: names of files need not be UTF-8."""
+    return os.fsencode(path(value, name))
+
+
 def text(value: Any, name: str) -> str:
     if not isinstance(value, str):
         raise Error(name, f"is {value!r}", "a string")

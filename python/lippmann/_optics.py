@@ -9,7 +9,7 @@ import math
 from typing import Any, List, Optional, Tuple
 
 from . import _core
-from ._arguments import integer, number, pair, path, positive, text
+from ._arguments import integer, number, pair, path_bytes, positive, text
 from ._errors import Error
 
 Display = _core.Display
@@ -25,7 +25,7 @@ def displays() -> List[Display]:
 
 def display(name: Any) -> Display:
     """A display by the name of a preset, or from a file: .toml, a display of one's own; .json, a calibration (visual.json)."""
-    return name if isinstance(name, Display) else _core.load_display(path(name, "display"))
+    return name if isinstance(name, Display) else _core.load_display(path_bytes(name, "display"))
 
 
 def display_from_toml(toml: str) -> Display:

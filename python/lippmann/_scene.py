@@ -12,7 +12,7 @@ from typing import Any, Dict, Iterator, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._arguments import array, indices, integer, number, path, positive, text, vector
+from ._arguments import array, indices, integer, number, path_bytes, positive, text, vector
 from ._errors import Error
 
 _UP = np.array([0.0, 1.0, 0.0])
@@ -88,7 +88,7 @@ class Scene:
         count = integer(frames, "frames", 1, 1 << 20)
         self._core = _core.Scene(text(name, "name"), count, positive(frames_per_second, "frames_per_second", 1e4))
         self._physical = True
-        self._materials: Dict[int, Tuple[Material, int]] = {}
+        self._materials: Dict[Any, Tuple[Any, int]] = {}
 
     @classmethod
     def _of(cls, core: Any, physical: bool) -> "Scene":
@@ -100,14 +100,17 @@ class Scene:
 
     @property
     def name(self) -> str:
+        """What it is called in reports."""
         return self._core.name
 
     @property
     def frame_count(self) -> int:
+        """How many frames its animation has; frames are counted from 0."""
         return self._core.frame_count
 
     @property
     def frames_per_second(self) -> float:
+        """Frame f shows the second f / frames_per_second."""
         return self._core.frames_per_second
 
     @property
@@ -291,14 +294,11 @@ class Scene:
     # ---- Inside --------------------------------------------------------------------------------------------------------
 
     def _material(self, material: Optional[Material]) -> int:
-        """The index of a material; each object of Python becomes one."""
+        """The index of a material; equal ones are one."""
         if material is None:
             material = Material()
         if not isinstance(material, Material):
             raise Error("material", f"is {material!r}", "a lippmann.Material")
-        known = self._materials.get(id(material))
-        if known:
-            return known[1]
         color = vector(material.color, "material.color")
         if min(color) < 0 or max(color) > 1:
             raise Error("material.color", f"is {color}", "linear light, 0 to 1")
@@ -316,6 +316,10 @@ class Scene:
                 ("clearcoat", 0, 1),
             )
         }
+        flags = bool(material.double_sided), bool(material.unlit)
+        key = (color, emission, tuple(parts.values()), flags, id(material.texture))
+        if key in self._materials:
+            return self._materials[key][1]
         texture = -1 if material.texture is None else self._core.add_texture(_rgba(material.texture), True)
         index = self._core.add_material(
             (*color, parts["alpha"]),
@@ -326,10 +330,9 @@ class Scene:
             parts["transmission"],
             parts["ior"],
             parts["clearcoat"],
-            bool(material.double_sided),
-            bool(material.unlit),
+            *flags,
         )
-        self._materials[id(material)] = material, index  # kept, so that its id stays its own
+        self._materials[key] = material.texture, index  # which is kept, so that its id stays its own
         return index
 
     def _instance(
@@ -356,12 +359,12 @@ def load(
     frames_per_second: 0: the format's default. animation: by name or index, of files with several. camera_path: a Tachyon .cam
     file. asset_root: a folder below which files may lie that the scene names; None: the scene's own.
     """
-    where = path(name, "scene")
+    where = path_bytes(name, "scene")
     core = _core.load_scene(
         where,
-        "" if camera_path is None else path(camera_path, "camera_path"),
+        "" if camera_path is None else path_bytes(camera_path, "camera_path"),
         number(frames_per_second, "frames_per_second", 0.0, 1e4),
-        "" if asset_root is None else path(asset_root, "asset_root"),
+        "" if asset_root is None else path_bytes(asset_root, "asset_root"),
         text(animation, "animation"),
     )
     return Scene._of(core, _core.is_physical_format(where))
