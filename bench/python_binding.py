@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-SCENE, DISPLAY, FRAME, SPP = "room", "looking-glass-go", 9, 4
+SCENE, DISPLAY, FRAME, SPP = "room", "looking-glass-portrait", 9, 1
 OWN = """
 import json, sys, lippmann
 field = lippmann.render(sys.argv[1], sys.argv[2], frame=int(sys.argv[3]), spp=int(sys.argv[4]), threads=1)
@@ -26,7 +26,7 @@ print(json.dumps(field.report["cpu_seconds"]))
 
 def measured(command):
     """User CPU seconds, largest memory in MB, and what was printed."""
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     said = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)

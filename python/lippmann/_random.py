@@ -18,9 +18,9 @@ def _generator(seed: Any, purpose: int) -> np.random.Generator:
     return np.random.Generator(np.random.PCG64([integer(seed, "seed", 0, (1 << 63) - 1), purpose]))
 
 
-def _material(rng: np.random.Generator) -> Material:
+def _material(rng: np.random.Generator, textured: float = 0.7) -> Material:
     texture = None
-    if rng.random() < 0.7:  # without texture there is nothing that matching could hold on to
+    if rng.random() < textured:  # without texture there is nothing that matching could hold on to
         cells = int(rng.integers(4, 33))
         texture = rng.integers(0, 256, (cells, cells, 3), dtype=np.uint8).repeat(8, axis=0).repeat(8, axis=1)
     return Material(
@@ -63,7 +63,7 @@ def random_scene(seed: int, *, objects: int = 12, frames: int = 1) -> Scene:
         wall + (0, 0, -rng.uniform(4, 12)),
         [[0, 1, 2], [0, 2, 3]],
         uvs=wall[:, :2] * rng.uniform(0.02, 0.1),
-        material=_material(rng),
+        material=_material(rng, textured=1.0),
         name="wall",
     )
     for i in range(count):

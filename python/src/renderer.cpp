@@ -40,11 +40,22 @@ py::array picture_of(const SharedFilm& film) {
   return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
 }
 
+/// What the panel shows, without a copy where that is the film itself.
+template <class Use>
+auto with_picture(const Film& film, Use use) {
+  const Image& image = film.frame.pictures.film;
+  return sub_pixels_per_pixel(film.optics) > 1 ? use(picture_of_film(image, film.optics)) : use(image);
+}
+
+Image8 film_codes(const Film& film) {
+  return with_picture(film, [&](const Image& picture) { return to_codes(picture, film.encoding); });
+}
+
 py::array codes_of_film(const Film& film) {
   Image8 codes;
   {
     const py::gil_scoped_release release;
-    codes = to_codes(picture_of_film(film.frame.pictures.film, film.optics), film.encoding);
+    codes = film_codes(film);
   }
   return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
 }
@@ -52,10 +63,8 @@ py::array codes_of_film(const Film& film) {
 /// What `render` writes: codes as .png, floats as .exr.
 void write(const Film& film, const std::filesystem::path& path) {
   const py::gil_scoped_release release;
-  const Image& image = film.frame.pictures.film;
-  if (path.extension() == ".exr") return write_picture(path, picture_of_film(image, film.optics));
-  const bool sub_pixels = sub_pixels_per_pixel(film.optics) > 1;
-  write_picture(path, to_codes(sub_pixels ? picture_of_film(image, film.optics) : image, film.encoding));
+  if (path.extension() != ".exr") return write_picture(path, film_codes(film));
+  with_picture(film, [&](const Image& picture) { write_picture(path, picture); });
 }
 
 const Image& required_layer(const Film& film, const std::string& name) {
