@@ -1,6 +1,9 @@
 """Arrays: axes, which row is lowest, memory that is shared and kept."""
 
 import gc
+import sys
+import types
+import unittest.mock
 import weakref
 
 import numpy as np
@@ -119,6 +122,21 @@ class Arrays(Case):
         self.assertIsInstance(data, xarray.Dataset)
         self.assertEqual(data.views.dims, ("row", "column", "y", "x", "channel"))
         self.assertSame(data.depth.values, field.depth)
+
+    def test_what_xarray_is_given_has_an_axis_for_every_dimension(self):
+        class Dataset:  # as far as its constructor checks
+            def __init__(self, data, places, attributes):
+                self.data, self.places = data, places
+                for name, (axes, values, *_) in {**data, **{k: v for k, v in places.items() if k != "channel"}}.items():
+                    assert len(axes) == values.ndim, name
+
+        stand_in = types.ModuleType("xarray")
+        stand_in.Dataset = Dataset
+        with unittest.mock.patch.dict(sys.modules, xarray=stand_in):
+            data = lippmann.render("room", small_grid(), layers=["depth"]).to_xarray()
+        self.assertEqual(data.data["views"][0], ("row", "column", "y", "x", "channel"))
+        self.assertEqual(set(data.data), {"views", "depth"})
+        self.assertEqual(set(data.places), {"channel", "eye_x_mm", "eye_y_mm"})
 
     def test_a_notebook_shows_every_view_and_sliders(self):
         field = lippmann.render("room", small_grid(2, 3, (24, 32)))
