@@ -77,25 +77,34 @@ PlacementWish wish_of(bool fit_depth, const std::string& focus, const std::strin
   return {{focus, fit_to, zoom, {yaw, pitch}}, fit_depth};
 }
 
+Pair panel_size(const Display& display) { return {display.pixels.y, display.pixels.x}; }
+
+std::optional<Pair> tiles_of(const Display& display) {
+  return display.quilt ? std::optional(Pair{display.quilt->rows, display.quilt->columns}) : std::nullopt;
+}
+
+double aspect_of(const Display& display) {
+  return display.quilt ? display.quilt->aspect : static_cast<double>(display.pixels.x) / display.pixels.y;
+}
+
+Pair size_of(const Optics& optics) { return {picture_size(optics).y, picture_size(optics).x}; }
+
+std::array<float, 2> window_of(const Optics& optics) { return {window_size_mm(optics).y, window_size_mm(optics).x}; }
+
 void bind_display(py::module_& module) {
-  py::class_<Display>(module, "Display")
-      .def_readonly("name", &Display::name)
-      .def_readonly("description", &Display::description)
-      .def_property_readonly("kind", [](const Display& d) { return to_string(d.kind); })
-      .def_property_readonly("size",
-                             [](const Display& d) {
-                               return Pair{d.pixels.y, d.pixels.x};
-                             })
-      .def_readonly("dpi", &Display::dpi)
-      .def_readonly("view_cone_deg", &Display::view_cone_deg)
-      .def_property_readonly("viewing_distance_mm", [](const Display& d) { return viewing_distance_mm(d); })
-      .def_property_readonly("view_count", &views_of)
-      .def_property_readonly("tiles",
-                             [](const Display& d) -> std::optional<Pair> {
-                               return d.quilt ? std::optional(Pair{d.quilt->rows, d.quilt->columns}) : std::nullopt;
-                             })
+  py::class_<Display>(module, "Display", "A display: a preset, a file of one's own, a device's calibration (lippmann.display).")
+      .def_readonly("name", &Display::name, "Of the preset, or the file's without its ending.")
+      .def_readonly("description", &Display::description, "One line.")
       .def_property_readonly(
-          "aspect", [](const Display& d) { return d.quilt ? d.quilt->aspect : static_cast<double>(d.pixels.x) / d.pixels.y; });
+          "kind", [](const Display& d) { return to_string(d.kind); }, "slanted-panel, lenticular-sheet or microlens-array.")
+      .def_property_readonly("size", &panel_size, "[height, width] of the panel in pixels.")
+      .def_readonly("dpi", &Display::dpi, "Pixels per inch.")
+      .def_readonly("view_cone_deg", &Display::view_cone_deg, "The full angle that its views spread over, degrees.")
+      .def_property_readonly(
+          "viewing_distance_mm", [](const Display& d) { return viewing_distance_mm(d); }, "How far its viewer stands.")
+      .def_property_readonly("view_count", &views_of, "How many views it shows.")
+      .def_property_readonly("tiles", &tiles_of, "[rows, columns] of its quilt; None: it has none.")
+      .def_property_readonly("aspect", &aspect_of, "Width / height.");
   module.def("load_display", &load_display);
   module.def("display_from_toml", [](const std::string& text) { return display_from_toml(text, "text"); });
   module.def("display_presets", &display_presets);
@@ -105,19 +114,17 @@ void bind_display(py::module_& module) {
 
 void bind_optics(py::module_& module) {
   bind_display(module);
-  py::class_<Optics>(module, "Optics")
-      .def_property_readonly("size",
-                             [](const Optics& o) {
-                               return Pair{picture_size(o).y, picture_size(o).x};
-                             })
-      .def_property_readonly("is_views", [](const Optics& o) { return std::holds_alternative<MultiView>(o.model); })
-      .def_property_readonly("window_mm",
-                             [](const Optics& o) {
-                               return std::array{window_size_mm(o).y, window_size_mm(o).x};
-                             })
-      .def_property_readonly("default_eye_mm", &eye_of)
-      .def_property_readonly("depth_budget_mm", &depth_budget_mm)
-      .def("rays", &rays_of);
+  py::class_<Optics>(module, "Optics", "Which ray every pixel of a panel shows (lippmann.camera_grid, lippmann.quilt, ...).")
+      .def_property_readonly("size", &size_of, "[height, width] of the panel's picture in pixels.")
+      .def_property_readonly(
+          "is_views", [](const Optics& o) { return std::holds_alternative<MultiView>(o.model); },
+          "Whether it is views side by side.")
+      .def_property_readonly("window_mm", &window_of, "[height, width] of what is seen of the display's plane.")
+      .def_property_readonly("default_eye_mm", &eye_of, "[x, y, z]: where it is meant to be seen from.")
+      .def_property_readonly("depth_budget_mm", &depth_budget_mm, "How far before its plane and behind it is sharp.")
+      .def("rays", &rays_of,
+           "Origins (n, 3), mm, and unit directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels from its "
+           "top left corner, centres at + 0.5.");
   module.def("views",
              [](const Pair& grid, const Pair& view, float pixel_mm, float cone_deg, float distance_mm, float baseline_mm) {
                return views(xy(grid), xy(view), pixel_mm, cone_deg, distance_mm, baseline_mm);

@@ -17,8 +17,6 @@ class Documents(Case):
     def test_everything_public_has_a_docstring(self):
         for name in lippmann.__all__:
             thing = getattr(lippmann, name)
-            if thing.__module__ == "lippmann._core":
-                continue  # in the stubs
             self.assertTrue(inspect.getdoc(thing), name)
             for member, value in vars(thing).items() if inspect.isclass(thing) else ():
                 if not member.startswith("_") and (callable(value) or isinstance(value, property)):
@@ -27,6 +25,8 @@ class Documents(Case):
     def test_everything_public_says_its_types(self):
         for name in lippmann.__all__:
             thing = getattr(lippmann, name)
+            if thing.__module__ == "lippmann._core":
+                continue  # in the stubs
             for function in [thing] if inspect.isfunction(thing) else vars(thing).values():
                 if not inspect.isfunction(function) or function.__name__ in ("__eq__", "__repr__"):
                     continue
