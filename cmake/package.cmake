@@ -1,5 +1,5 @@
 # Debian packages, by `cpack -G DEB` in the build folder: the tool; the module for videos, which alone needs FFmpeg; the library
-# for other programs.
+# for other programs; the Python package, which contains what it needs of the library.
 
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and benchmarks need not be built for a package
 set(CPACK_PACKAGE_NAME lippmann)
@@ -13,6 +13,9 @@ set(CPACK_COMPONENTS_ALL tool video development)
 if(TARGET lippmann_mpi_module)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
+if(TARGET lippmann_python)
+  list(APPEND CPACK_COMPONENTS_ALL python3)
+endif()
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME lippmann)
 set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS lippmann-video)
 set(CPACK_DEBIAN_VIDEO_PACKAGE_NAME lippmann-video)
@@ -25,4 +28,11 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME lippmann-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libglm-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS lippmann-video)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Lippmann as a library: headers, shared object, CMake and pkg-config files")
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_NAME python3-lippmann)
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_SECTION python)
+# The module is for one minor version of Python; NumPy is loaded by name, which shlibdeps does not see.
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS
+  "python3 (>= ${LIPPMANN_PYTHON_VERSION}), python3 (<< ${LIPPMANN_PYTHON_NEXT_VERSION}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_SUGGESTS python3-xarray)
+set(CPACK_COMPONENT_PYTHON3_DESCRIPTION "Lippmann for Python: light fields as arrays of NumPy")
 include(CPack)

@@ -12,6 +12,7 @@
 #include "lippmann/image/picture_file.hpp"
 #include "lippmann/layout/convert.hpp"
 #include "lippmann/layout/film_views.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/optics/optics.hpp"
 #include "lippmann/optics/viewing.hpp"
@@ -25,3 +26,4 @@
 #include "lippmann/scene/timeline.hpp"
 #include "lippmann/stage/lighting.hpp"
 #include "lippmann/stage/placement.hpp"
+#include "lippmann/trace/aov_names.hpp"

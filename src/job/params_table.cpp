@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "job/scene_light.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/optics/crosstalk.hpp"
+#include "lippmann/trace/aov_names.hpp"
 #include "stage/read_view_wish.hpp"
 
 namespace lippmann {
@@ -34,9 +36,8 @@ constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provena
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 5> kLayoutNames{"integral", "quilt", "views", "native", "print"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
-/// Of those that can be asked for; alpha comes with --transparent.
-constexpr std::array<std::string_view, kAovs - 1> kAovNames{"depth",  "normal", "id",     "position", "ray-depth",
-                                                            "albedo", "motion", "direct", "indirect"};
+/// Those that can be asked for; alpha comes with --transparent.
+const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
 constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in make_optics
 
@@ -228,7 +229,7 @@ ParamInfo aov_row() {
       for (std::size_t start = 0; start <= value.size();) {
         const std::size_t comma = std::min(value.find(',', start), value.size());
         const auto layer =
-            static_cast<Aov>(read_choice(std::string_view(value).substr(start, comma - start), kAovNames, where));
+            static_cast<Aov>(read_choice(std::string_view(value).substr(start, comma - start), kWantedAovNames, where));
         if (std::find(params.sampling.aov.begin(), params.sampling.aov.end(), layer) == params.sampling.aov.end())
           params.sampling.aov.push_back(layer);
         start = comma + 1;

@@ -6,6 +6,7 @@
 #include "layout/light_field_source.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
@@ -20,14 +21,12 @@ class Conversion {
   void convert_one(const fs::path& in, const fs::path& out, Converted& result) const {
     FormatOptions reading = params_.options;
     reading.with_depth = to_.uses_cameras;
-    const LightFieldSource source = light_field_source(in, params_.from, reading);
-    LightField field = source.format->read(in, source.options);
-    if (to_.uses_cameras && source.rendered && source.rendered->film.grid == field.grid)
-      field.cameras = source.rendered->cameras;
+    OpenedLightField opened = open_light_field(in, params_.from, reading);
+    LightField& field = opened.field;
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (params_.crop) crop(field, *params_.crop, "crop");
     FormatOptions writing = params_.options;
-    if (source.format->name == "quilt") writing.tiles.reset();  // they are the source's
+    if (opened.format == "quilt") writing.tiles.reset();  // they are the source's
     fs::path path = out;
     if (to_.name != "quilt" && parse_quilt_name(path))
       throw usage_error("OUT", path.string() + " is the name of a quilt, and the format is " + std::string(to_.name),

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "layout/cameras.hpp"
+#include "layout/sub_pixels.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -16,24 +17,27 @@ void require_size(const Image& image, const Panel& panel, const char* what) {
               fmt::format("{}x{}, those of the panel", panel.width, panel.height));
 }
 
+RenderedViews required_views(const Optics& optics) {
+  if (std::optional<RenderedViews> rendered = rendered_views(optics)) return *rendered;
+  throw Error("optics", "its lenses do not have a whole number of pixels, and make no views",
+              "views, or lenses with a whole number of pixels below each, neither slanted nor hexagonal");
+}
+
 }  // namespace
 
 LightField light_field_of(const Image& film, const Optics& optics, const Image* depth) {
   const Panel& panel = optics.panel;
   require_size(film, panel, "film");
   if (depth) require_size(*depth, panel, "depth");
-  const std::optional<RenderedViews> rendered = rendered_views(optics);
-  if (!rendered)
-    throw Error("optics", "its lenses do not have a whole number of pixels, and make no views",
-                "views, or lenses with a whole number of pixels below each, neither slanted nor hexagonal");
-  const ViewLayout& layout = rendered->film;
+  const RenderedViews rendered = required_views(optics);
+  const ViewLayout& layout = rendered.film;
   LightField field;
   field.grid = layout.grid;
   field.view_size = view_size(layout, {panel.width, panel.height}, "film");
   const Vec2f window = window_size_mm(optics);
   field.aspect = static_cast<double>(window.x) / window.y;
   if (layout.kind == LayoutKind::kQuilt) field.tiles = layout.tiles;
-  field.cameras = rendered->cameras;
+  field.cameras = rendered.cameras;
   const std::vector<std::uint32_t> pixels = pixels_of_views(layout, field.view_size, {panel.width, panel.height});
   field.stack = blank(Picture(film), stack_size(field));
   move_pixels(Picture(film), pixels, field.stack, {});
@@ -41,6 +45,26 @@ LightField light_field_of(const Image& film, const Optics& optics, const Image* 
   field.depth = Image(stack_size(field).x, stack_size(field).y, 1);
   move_pixels(*depth, pixels, *field.depth, {});
   return field;
+}
+
+Image views_of_layer(const Image& layer, const Optics& optics) {
+  const Vec2i panel(optics.panel.width, optics.panel.height);
+  require_size(layer, optics.panel, "layer");
+  const ViewLayout film = required_views(optics).film;
+  const Vec2i view = view_size(film, panel, "layer");
+  Image stack(view.x, view.y * film.grid.count(), layer.channels);
+  move_pixels(layer, pixels_of_views(film, view, panel), stack, {});
+  return stack;
+}
+
+Image picture_of_film(const Image& film, const Optics& optics) {
+  require_size(film, optics.panel, "film");
+  return sub_pixels_per_pixel(optics) > 1 ? join_sub_pixels(film) : film;
+}
+
+Image picture_of_layer(const Image& layer, const Optics& optics) {
+  require_size(layer, optics.panel, "layer");
+  return sub_pixels_per_pixel(optics) > 1 ? middle_sub_pixels(layer) : layer;
 }
 
 }  // namespace lippmann

@@ -6,6 +6,7 @@
 #include "core/text_pattern.hpp"
 #include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 
 namespace lippmann {
@@ -73,6 +74,28 @@ std::vector<fs::path> light_field_frames(const fs::path& folder, const std::stri
   if (!from.empty()) return find_format(from, "from").is_folder ? frame_folders_in(folder) : frame_pictures_in(folder);
   std::vector<fs::path> pictures = frame_pictures_in(folder);
   return pictures.empty() ? frame_folders_in(folder) : pictures;
+}
+
+OpenedLightField open_light_field(const fs::path& path, const std::string& from, const FormatOptions& options) {
+  const LightFieldSource source = light_field_source(path, from, options);
+  OpenedLightField opened{source.format->read(path, source.options)};
+  opened.format = source.format->name;
+  if (!source.rendered || source.rendered->film.grid != opened.field.grid) return opened;
+  opened.field.cameras = source.rendered->cameras;
+  opened.optics = source.rendering->optics;
+  return opened;
+}
+
+std::vector<fs::path> light_fields_in(const fs::path& path, const std::string& from) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
+  if (!fs::is_directory(path, ignored)) return {path};
+  std::vector<fs::path> frames = light_field_frames(path, from);
+  if (!frames.empty()) return frames;
+  if (from.empty() && !is_light_field_folder(path))
+    throw Error(path.string(), "there are no frames in it, and no views",
+                "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads");
+  return {path};
 }
 
 }  // namespace lippmann

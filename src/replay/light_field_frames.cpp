@@ -8,6 +8,7 @@
 
 #include "layout/light_field_source.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/optics/viewing.hpp"
 
@@ -55,40 +56,13 @@ FormatOptions options_of(const LightFieldSaid& said) {
   return options;
 }
 
-/// A folder of frame_*, or one light field.
-std::vector<fs::path> frames_of(const fs::path& in, const std::string& from) {
-  std::error_code ignored;
-  if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
-  if (!fs::is_directory(in, ignored)) return {in};
-  std::vector<fs::path> frames = light_field_frames(in, from);
-  if (!frames.empty()) return frames;
-  if (from.empty() && !is_light_field_folder(in))
-    throw Error(in.string(), "there are no frames in it, and no views",
-                "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads");
-  return {in};
-}
-
 /// Frames that have to be read as a format, and put where the panel has their pixels.
-LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options, ViewLayout film) {
+LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options) {
   const auto files = std::make_shared<std::vector<fs::path>>(frames.files);
-  frames.read = [files, from, options, film, optics = frames.optics](std::size_t index) -> RenderedPanel {
+  frames.read = [files, from, options, optics = frames.optics](std::size_t index) {
     const fs::path& file = (*files)[index];
     const LightFieldSource source = light_field_source(file, from, options);
-    const LightField field = source.format->read(file, source.options);
-    if (field.grid != film.grid)
-      throw Error(file.string(), fmt::format("has {}x{} views", field.grid.columns, field.grid.rows),
-                  fmt::format("{}x{}, as its report or the first frame says", film.grid.columns, film.grid.rows));
-    const Vec2i size = picture_size(film, field.view_size), panel = picture_size(optics);
-    const bool fits = film.kind == LayoutKind::kQuilt ? size / Vec2i(film.tiles.columns, film.tiles.rows) ==
-                                                            panel / Vec2i(film.tiles.columns, film.tiles.rows)
-                                                      : size == panel;
-    if (!fits)
-      throw Error(file.string(),
-                  fmt::format("its views make {}x{} pixels, and the panel has {}x{}", size.x, size.y, panel.x, panel.y),
-                  "the pictures as the render wrote them");
-    RenderedPanel rendered{optics, to_linear(panel_picture(field, film))};
-    rendered.optics.panel.width = size.x, rendered.optics.panel.height = size.y;  // without a quilt's padding
-    return rendered;
+    return panel_of(source.format->read(file, source.options), optics, file.string());
   };
   return frames;
 }
@@ -105,7 +79,7 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   std::error_code ignored;
   const std::string& layout = said.from.empty() ? rendering.layout : said.from;
   if (fs::is_directory(first, ignored) || !is_as_shown(first, layout, rendering.optics))
-    return rearranged(std::move(frames), said.from, options_of(said), film_of(rendering.optics, first.string()));
+    return rearranged(std::move(frames), said.from, options_of(said));
   const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
   frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
   return frames;
@@ -127,10 +101,26 @@ LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& sour
         first.string(), kWindowHeightMm, kDistanceMm,
         said.view_angle_deg.value_or(field.grid.rows > 1 ? kGridAngleDeg : kConeDeg));
   }
-  return rearranged(std::move(frames), said.from, source.options, {LayoutKind::kQuilt, field.grid, field.grid});
+  return rearranged(std::move(frames), said.from, source.options);
 }
 
 }  // namespace
+
+RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where) {
+  const ViewLayout film = film_of(optics, where);
+  const Vec2i size = picture_size(film, field.view_size), panel = picture_size(optics);
+  if (field.grid != film.grid)
+    throw Error(where, fmt::format("has {}x{} views", field.grid.columns, field.grid.rows),
+                fmt::format("{}x{}, as its report or the first frame says", film.grid.columns, film.grid.rows));
+  const bool is_quilt = film.kind == LayoutKind::kQuilt;  // which may have padding
+  const Vec2i tiles = is_quilt ? Vec2i(film.tiles.columns, film.tiles.rows) : Vec2i(1, 1);
+  if (size / tiles != panel / tiles)
+    throw Error(where, fmt::format("its views make {}x{} pixels, and the panel has {}x{}", size.x, size.y, panel.x, panel.y),
+                "the pictures as the render wrote them");
+  RenderedPanel rendered{optics, to_linear(panel_picture(field, film))};
+  rendered.optics.panel.width = size.x, rendered.optics.panel.height = size.y;  // without a quilt's padding
+  return rendered;
+}
 
 Optics optics_of_cameras(const LightField& field, const std::string& where) {
   const ViewCameras& cameras = *field.cameras;
@@ -182,7 +172,7 @@ Optics assumed_optics(const LightField& field, std::optional<double> view_angle_
 
 LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldSaid& said) {
   LightFieldFrames frames;
-  frames.files = frames_of(in, said.from);
+  frames.files = light_fields_in(in, said.from);
   const fs::path& first = frames.files.front();
   std::error_code ignored;
   const bool is_folder = fs::is_directory(first, ignored);

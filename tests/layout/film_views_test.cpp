@@ -65,5 +65,29 @@ TEST(FilmViews, what_is_not_of_the_panel_and_lenses_without_whole_pixels_are_ref
   EXPECT_THROW(light_field_of(numbered(8, 2, 3), slanted), Error);
 }
 
+TEST(FilmViews, layers_of_any_number_of_channels_lie_as_the_views_do) {
+  const Image motion = numbered(6, 4, 2);
+  const Image stack = views_of_layer(motion, quilt());
+  EXPECT_EQ(stack.width, 2);
+  EXPECT_EQ(stack.height, 12);
+  ASSERT_EQ(stack.channels, 2);
+  EXPECT_EQ(stack.pixel(0, 0)[1], motion.pixel(0, 2)[1]);   // view 0: lower left tile
+  EXPECT_EQ(stack.pixel(1, 11)[0], motion.pixel(5, 1)[0]);  // view 5: upper right tile
+  EXPECT_THROW(views_of_layer(numbered(6, 3, 2), quilt()), Error);
+}
+
+TEST(FilmViews, a_slanted_panel_shows_pixels_of_three_sub_pixels) {
+  Optics panel;
+  panel.panel = {6, 2, 0.1f};
+  panel.model = SlantedPanel{};
+  const Image film = numbered(6, 2, 3), depth = numbered(6, 2, 1);
+  const Image picture = picture_of_film(film, panel);
+  EXPECT_EQ(picture.width, 2);
+  EXPECT_EQ(picture.pixel(1, 1)[0], film.pixel(3, 1)[0]);
+  EXPECT_EQ(picture.pixel(1, 1)[2], film.pixel(5, 1)[2]);
+  EXPECT_EQ(picture_of_layer(depth, panel).pixel(1, 1)[0], depth.pixel(4, 1)[0]);
+  EXPECT_EQ(picture_of_film(numbered(6, 4, 3), quilt()).width, 6);  // of others the film itself
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -39,6 +39,10 @@ struct LightFieldFrames {
 /// Throws Error naming the file, or the flag that has to say what nothing else says.
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldSaid& said);
 
+/// The views of a light field put behind the optics that show them, in linear light: what eyes look at. Throws Error naming
+/// `where` for optics that have no such views.
+RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
+
 /// A quilt of those views. Throws Error naming `where` for cameras that are not a regular grid around the axis.
 Optics optics_of_cameras(const LightField& field, const std::string& where);
 

@@ -1,0 +1,14 @@
+"""A light field from files of any format: refocused, seen by an eye, a line from all views, and written in another format."""
+import sys
+
+import lippmann
+
+path, folder = sys.argv[1], sys.argv[2]
+field = lippmann.open(path)
+print(field)
+near, far = field.refocus(z_mm=10), field.refocus(z_mm=-10)  # (y, x, 3), linear light
+left = field.eye(x=-20)
+line = field.epi(row=field.shape[2] // 2)
+print("refocused:", near.shape, "eye:", left.shape, "epipolar-plane image:", line.shape)
+print("sharpness:", lippmann.to_codes(near).std(), lippmann.to_codes(far).std())
+field.save(folder, "stanford")

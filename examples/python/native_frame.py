@@ -1,0 +1,10 @@
+"""The frame of a calibrated panel, each sub-pixel with its own ray: what a device with this visual.json shows."""
+import sys
+
+import lippmann
+
+scene, calibration, picture = sys.argv[1:]
+field = lippmann.render(scene, lippmann.display(calibration), layout="native", layers=["depth"])
+print("pixels of the panel:", field.codes.shape, field.codes.dtype)
+print("depth behind each:", field.panel_layer("depth").shape, "mm")
+field.save(picture)

@@ -1,0 +1,62 @@
+"""Light fields of 3D scenes: rendered, opened, looked at and saved, as arrays of NumPy.
+
+Arrays of views have the axes (rows, columns, y, x, channel). Row 0 of the views is the LOWEST eye, column 0 the leftmost;
+`views[::-1]` has the highest first, as data sets that count from the top left. In each view y = 0 is the top row of pixels.
+Rendered colours are linear light (float32, 1 is white); opened ones are what the file stores (uint8 and uint16 are sRGB codes).
+Lengths are millimetres of the display: x to the right, y up, z towards the viewer, 0 in the display's plane.
+
+>>> import lippmann
+>>> field = lippmann.render("room", lippmann.camera_grid(rows=3, columns=3, size=(64, 64)), layers=["depth"])
+>>> field.views.shape, field.depth.shape
+((3, 3, 64, 64, 3), (3, 3, 64, 64))
+"""
+
+from ._core import version as __version__
+from ._errors import Error, LippmannWarning
+from ._light_field import LightField, formats, open, to_codes
+from ._optics import (
+    Display,
+    Optics,
+    camera_grid,
+    display,
+    display_from_toml,
+    displays,
+    lenticular_sheet,
+    microlens_array,
+    quilt,
+    single_view,
+)
+from ._random import random_camera_grid, random_display, random_scene, training_data
+from ._render import Animation, frames, render
+from ._scene import Material, Object, Scene, load, scenes
+
+__all__ = [
+    "Animation",
+    "Display",
+    "Error",
+    "LightField",
+    "LippmannWarning",
+    "Material",
+    "Object",
+    "Optics",
+    "Scene",
+    "camera_grid",
+    "display",
+    "display_from_toml",
+    "displays",
+    "formats",
+    "frames",
+    "lenticular_sheet",
+    "load",
+    "microlens_array",
+    "open",
+    "quilt",
+    "random_camera_grid",
+    "random_display",
+    "random_scene",
+    "render",
+    "scenes",
+    "single_view",
+    "to_codes",
+    "training_data",
+]

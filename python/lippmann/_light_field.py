@@ -1,0 +1,371 @@
+"""A light field: its views as arrays, what eyes see of it, and files of all formats."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, List, Optional, Tuple, Union
+
+import numpy as np
+
+from . import _core, _notebook
+from ._arguments import array, choice, integer, number, pair, path as _path, positive
+from ._errors import Error
+from ._optics import Display, Optics, display as _display
+
+_SIZE = 1 << 15
+
+
+def formats() -> Dict[str, str]:
+    """The formats of light fields that `open` reads and `LightField.save` writes: name and one line on what it is."""
+    return dict(_core.formats())
+
+
+def to_codes(picture: Any) -> np.ndarray:
+    """sRGB codes, uint8, of linear light of the shape (..., 3)."""
+    given = np.asarray(picture)
+    if given.dtype.kind not in "fiu" or given.ndim < 2 or given.shape[-1] != 3 or given.size == 0:
+        raise Error("picture", f"has the type {given.dtype} and the shape {given.shape}", "linear light of the shape (..., 3)")
+    flat = np.ascontiguousarray(given, dtype=np.float32).reshape(-1, given.shape[-2], 3)
+    return _core.codes_of(flat).reshape(given.shape)
+
+
+class LightField:
+    """The views of one moment, (rows, columns, y, x, channel); row 0 is the lowest, column 0 the leftmost.
+
+    Rendered by lippmann.render and lippmann.frames, opened by lippmann.open, or made of arrays:
+
+    views: (rows, columns, y, x, 3): uint8 or uint16 (sRGB codes) or float32 (linear light).
+    depth: (rows, columns, y, x), mm in front of the plane in which views coincide, -inf where nothing is.
+    distance_mm, baseline_mm, pixel_mm: of the cameras, as of lippmann.camera_grid; all of them or none.
+
+    Arrays that it gives cannot be written where they are its own memory: copy them, or make another light field of others.
+    """
+
+    def __init__(
+        self,
+        views: Any,
+        depth: Any = None,
+        *,
+        distance_mm: Optional[float] = None,
+        baseline_mm: Optional[float] = None,
+        pixel_mm: Optional[float] = None,
+    ) -> None:
+        samples = np.asarray(views)
+        if samples.dtype not in (np.uint8, np.uint16):
+            samples = array(views, "views", (None, None, None, None, 3))
+        elif samples.ndim != 5 or samples.shape[4] != 3 or samples.size == 0:
+            raise Error("views", f"has the shape {samples.shape}", "the shape (rows, columns, y, x, 3)")
+        rows, columns, height, width = samples.shape[:4]
+        if rows * columns > 1 << 16 or height * rows * columns > np.iinfo(np.int32).max or width > _SIZE:
+            raise Error("views", f"has the shape {samples.shape}", "at most 65536 views of at most 32768 pixels a side")
+        z = None if depth is None else array(depth, "depth", samples.shape[:4], finite=False)
+        self._start(views=_core.Views(np.ascontiguousarray(samples), z))
+        said = {"distance_mm": distance_mm, "baseline_mm": baseline_mm, "pixel_mm": pixel_mm}
+        missing = [name for name, value in said.items() if value is None]
+        if len(missing) == 3:
+            return
+        if missing:
+            raise Error(missing[0], "is missing", "distance_mm, baseline_mm and pixel_mm, or none of them")
+        distance, baseline, pixel = (positive(value, name) for name, value in said.items())
+        self._own.set_cameras(distance, (baseline, baseline), pixel)
+
+    def _start(
+        self,
+        views: Any = None,
+        film: Any = None,
+        placement: Any = None,
+        optics: Optional[Optics] = None,
+        display: Optional[Display] = None,
+    ) -> None:
+        self._own, self._film, self._placement, self._optics, self._display = views, film, placement, optics, display
+        self._shown: Any = None
+        self._layers: Dict[str, np.ndarray] = {}
+        self.path: Optional[str] = None  # where it was opened from
+
+    @classmethod
+    def _of_film(cls, film: Any, placement: Any, display: Optional[Display]) -> "LightField":
+        field = cls.__new__(cls)
+        field._start(film=film, placement=placement, optics=placement.optics, display=display)
+        return field
+
+    @classmethod
+    def _of_file(cls, views: Any, optics: Optional[Optics], path: str) -> "LightField":
+        field = cls.__new__(cls)
+        field._start(views=views, optics=optics)
+        field.path = path
+        return field
+
+    # ---- Arrays --------------------------------------------------------------------------------------------------------
+
+    @property
+    def _views(self) -> Any:
+        if self._own is None:
+            self._own = self._film.views()
+        return self._own
+
+    @property
+    def views(self) -> np.ndarray:
+        """(rows, columns, y, x, 3). float32 linear light where it was rendered, else what the file stores; no copy."""
+        return self._views.views
+
+    @property
+    def shape(self) -> Tuple[int, ...]:
+        """(rows, columns, y, x, channel)."""
+        return self.views.shape
+
+    @property
+    def depth(self) -> np.ndarray:
+        """(rows, columns, y, x), float32: mm in front of the display's plane (behind it below 0), -inf where nothing is."""
+        depth = self._views.depth
+        if depth is None:
+            raise Error("depth", "is not known", 'layers=["depth"] when rendering, or a file that has it')
+        return depth
+
+    @property
+    def disparity(self) -> np.ndarray:
+        """(rows, columns, y, x), float32: pixels by which a point lies farther left in the next view to the right (of the last
+        column: than in the one before); above 0 in front of the display, as in the HCI benchmark. Of one column: farther down
+        in the next view upwards.
+        """
+        distance, pixel, eyes = self._cameras()
+        rows, columns = eyes.shape[:2]
+        if rows * columns < 2:
+            raise Error("disparity", "is between two views, and there is one", "several views")
+        across = columns > 1
+        places = eyes[..., 0] if across else eyes[..., 1].T
+        steps = np.diff(places, axis=1)
+        steps = np.concatenate([steps, steps[:, -1:]], axis=1)
+        steps = (steps if across else steps.T)[..., None, None] / pixel[1 if across else 0]
+        with np.errstate(divide="ignore"):
+            return (steps * (distance / (distance - self.depth.astype(np.float64)) - 1.0)).astype(np.float32)
+
+    @property
+    def normals(self) -> np.ndarray:
+        """(rows, columns, y, x, 3), float32: unit vectors in the scene's world, towards the viewer; 0 where nothing is."""
+        return self.layer("normal")
+
+    @property
+    def motion(self) -> np.ndarray:
+        """(rows, columns, y, x, 2), float32: pixels to the right and down since the frame before, within the same view."""
+        return self.layer("motion")
+
+    def layer(self, name: str) -> np.ndarray:
+        """(rows, columns, y, x, channels), float32: a layer that was asked for when it was rendered (lippmann.frames)."""
+        name = choice(name, "layer", _core.layer_names)
+        if self._film is None:
+            raise Error("layer", f"{name!r} is not known of a light field that was not rendered", "depth")
+        if name not in self._layers:
+            rows, columns = self.shape[:2]
+            flat = self._film.layer_of_views(name, rows * columns)
+            self._layers[name] = flat.reshape(rows, columns, *flat.shape[1:])
+        return self._layers[name]
+
+    @property
+    def picture(self) -> np.ndarray:
+        """(y, x, 3), float32, linear: what the panel shows, as its optics lie: a quilt, an integral image, native pixels."""
+        return self._panel().picture if self._film is None else self._film.picture
+
+    @property
+    def codes(self) -> np.ndarray:
+        """(y, x, 3), uint8: the picture as `lippmann render` writes it."""
+        return to_codes(self.picture) if self._film is None else self._film.codes
+
+    def panel_layer(self, name: str) -> np.ndarray:
+        """(y, x, channels), float32: a layer as it lies in the picture; of native pixels, too."""
+        if self._film is None:
+            raise Error("layer", "is not known of a light field that was not rendered", "depth")
+        return self._film.layer(choice(name, "layer", _core.layer_names))
+
+    # ---- What is known of it -------------------------------------------------------------------------------------------
+
+    @property
+    def optics(self) -> Optional[Optics]:
+        """The optics that it was rendered for; None where nothing says so."""
+        return self._optics
+
+    @property
+    def report(self) -> Dict[str, Any]:
+        """What rendering it took: frame, kind, seconds, cpu_seconds, rays, ...; empty where it was not rendered."""
+        return {} if self._film is None else self._film.report
+
+    @property
+    def eyes_mm(self) -> np.ndarray:
+        """(rows, columns, 2), float64: x and y of the eye of every view, in the plane z = distance_mm."""
+        return self._cameras()[2]
+
+    @property
+    def distance_mm(self) -> float:
+        """From the eyes to the plane in which views coincide."""
+        return self._cameras()[0]
+
+    @property
+    def pixel_mm(self) -> Tuple[float, float]:
+        """(height, width) of a view's pixel in that plane."""
+        return self._cameras()[1]
+
+    @property
+    def units_per_mm(self) -> float:
+        """Scene units for a mm of the display."""
+        return self._placed().units_per_mm
+
+    @property
+    def world_from_display(self) -> np.ndarray:
+        """(4, 4), float32: from mm of the display to the scene's world, at this frame."""
+        return self._film.world_from_display
+
+    def _placed(self) -> Any:
+        if self._placement is None:
+            raise Error("scene", "is not known of a light field that was not rendered", "lippmann.render")
+        return self._placement
+
+    def _cameras(self) -> Any:
+        cameras = self._views.cameras
+        if cameras is None:
+            raise Error("cameras", "are not known", "LightField(views, distance_mm=, baseline_mm=, pixel_mm=)")
+        return cameras
+
+    # ---- What eyes see -------------------------------------------------------------------------------------------------
+
+    def _panel(self) -> Any:
+        if self._shown is None:
+            self._shown = self._views.panel(self._optics, None) if self._film is None else self._film.panel()
+        return self._shown
+
+    def refocus(self, z_mm: float = 0.0, size: Optional[Tuple[int, int]] = None) -> np.ndarray:
+        """(y, x, 3), float32, linear: focused at z_mm, above 0 in front of the display.
+
+        size: (height, width); None: the display's own samples. Where nothing says where its cameras stood, they are assumed, as
+        `lippmann replay` does.
+        """
+        return self._panel().refocus(number(z_mm, "z_mm"), self._size(size))
+
+    def eye(
+        self,
+        x: Optional[float] = None,
+        y: Optional[float] = None,
+        z: Optional[float] = None,
+        *,
+        size: Optional[Tuple[int, int]] = None,
+        pupil_mm: float = 0.0,
+        focus_mm: float = 0.0,
+        nearest: bool = False,
+    ) -> np.ndarray:
+        """(y, x, 3), float32, linear: what an eye at x, y, z mm sees through the display; None: where it is meant to be.
+
+        pupil_mm: its diameter, focused at focus_mm; 0: a pinhole. nearest: no interpolation between pixels below a lens.
+        """
+        panel = self._panel()
+        eye = tuple(
+            float(at) if said is None else number(said, name)
+            for said, at, name in zip((x, y, z), panel.optics.default_eye_mm, "xyz")
+        )
+        pupil = number(pupil_mm, "pupil_mm", 0.0, 1e6)
+        return panel.eye(eye, self._size(size), pupil, number(focus_mm, "focus_mm"), bool(nearest))
+
+    def epi(self, row: Optional[int] = None, column: Optional[int] = None) -> np.ndarray:
+        """An epipolar-plane image, float32, linear: of a row of pixels (counted from the top) (eyes, x, 3), the leftmost eye
+        first; or of a column (y, eyes, 3), the lowest eye first.
+        """
+        if (row is None) == (column is None):
+            raise Error("row", "and column are both given, or neither", "one of both")
+        panel = self._panel()
+        if row is not None:
+            return panel.epi_row(integer(row, "row", 0, _SIZE))
+        return panel.epi_column(integer(column, "column", 0, _SIZE))
+
+    @staticmethod
+    def _size(size: Optional[Tuple[int, int]]) -> Optional[Tuple[int, int]]:
+        return None if size is None else pair(size, "size", 1, _SIZE)
+
+    # ---- Files and others ----------------------------------------------------------------------------------------------
+
+    def save(
+        self,
+        path: Union[str, "os.PathLike[str]"],
+        format: Optional[str] = None,
+        *,
+        bits: Optional[int] = None,
+        tiles: Optional[Tuple[int, int]] = None,
+        display: Any = None,
+    ) -> List[str]:
+        """Writes it, and returns the files.
+
+        format: one of lippmann.formats(), as `lippmann convert` writes it; a missing folder is made. None: the panel's picture,
+        .png or .exr. bits: 8, 16 or 32 (linear floats, .exr) where the samples are floats; None: 32 for .exr, else 8.
+        tiles: (rows, columns) of a quilt. display: of "native", a name or file.
+        """
+        where = _path(path, "path")
+        if format is None:
+            self._write_picture(where)
+            return [where]
+        views = self._views
+        if views.views.dtype == np.float32:
+            wanted = (32 if where.endswith(".exr") else 8) if bits is None else integer(bits, "bits", 8, 32)
+            if wanted not in (8, 16, 32):
+                raise Error("bits", f"is {wanted}", "8, 16 or 32")
+            views = views if wanted == 32 else views.with_codes(wanted)
+        elif bits is not None:
+            raise Error("bits", "are the file's own, whose samples are codes", "no bits")
+        tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
+        panel = None if display is None else _display(display)
+        name = choice(format, "format", list(formats()))
+        return [os.fspath(file) for file in views.save(where, name, tiling, panel)]
+
+    def _write_picture(self, where: str) -> None:
+        if self._film is not None:
+            return self._film.write(where)
+        _core.write_picture(self._panel().picture, where)
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset: views, and depth where it is known, with the axes row, column, y, x, channel and the eyes' places.
+        Throws ImportError where xarray (python3-xarray) is not installed.
+        """
+        try:
+            import xarray
+        except ImportError:
+            raise ImportError("xarray is not installed: apt install python3-xarray, or pip install xarray") from None
+        axes = ("row", "column", "y", "x")
+        data: Dict[str, Any] = {"views": (axes + ("channel",), self.views)}
+        if self._views.depth is not None:
+            data["depth"] = (axes, self.depth, {"units": "mm"})
+        places: Dict[str, Any] = {"channel": ["red", "green", "blue"]}
+        if self._views.cameras is not None:
+            places["eye_x_mm"] = (axes[:2], self.eyes_mm[..., 0])
+            places["eye_y_mm"] = (axes[:2], self.eyes_mm[..., 1])
+        return xarray.Dataset(data, places, {"row_0": "lowest", "column_0": "leftmost"})
+
+    def _repr_html_(self) -> str:
+        return _notebook.html_of(self)
+
+    def __repr__(self) -> str:
+        try:
+            shape, dtype = self.shape, self.views.dtype
+        except Error:  # optics without views: the panel's picture is all there is
+            return f"<lippmann.LightField: a panel of {self.picture.shape[1]}x{self.picture.shape[0]} pixels>"
+        rows, columns, height, width = shape[:4]
+        return f"<lippmann.LightField: {rows} rows x {columns} columns of views, {width}x{height} pixels, {dtype}>"
+
+
+def open(
+    path: Union[str, "os.PathLike[str]"],
+    *,
+    format: Optional[str] = None,
+    frame: int = 0,
+    views: Optional[Tuple[int, int]] = None,
+    tiles: Optional[Tuple[int, int]] = None,
+    display: Any = None,
+) -> LightField:
+    """A light field from a file or folder of any format that `lippmann convert` reads (lippmann.formats()), with depth and cameras
+    where the files know them.
+
+    format: None: as names and a report.json beside it say. frame: of a folder of frames, which. views: (rows, columns), where
+    nothing says it. tiles: (rows, columns) of a quilt. display: of "native", a name or file.
+    """
+    name = "" if format is None else choice(format, "format", list(formats()))
+    files = _core.light_fields_in(_path(path, "path"), name)
+    file = files[integer(frame, "frame", 0, len(files) - 1)]
+    grid = None if views is None else pair(views, "views", 1, 1 << 16)
+    tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
+    panel = None if display is None else _display(display)
+    core, optics, _ = _core.open_light_field(file, name, grid, tiling, panel)
+    return LightField._of_file(core, optics, os.fspath(file))

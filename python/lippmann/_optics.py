@@ -1,0 +1,129 @@
+"""Displays by name and file, and optics of one's own: which ray every pixel shows.
+
+Sizes are (height, width) in pixels, as the shapes of arrays are. Lengths are mm, angles degrees.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, List, Optional, Tuple
+
+from . import _core
+from ._arguments import integer, number, pair, path_bytes, positive, text
+from ._errors import Error
+
+Display = _core.Display
+Optics = _core.Optics
+
+_MOST = 32768  # pixels of a side
+
+
+def displays() -> List[Display]:
+    """The displays that are known by name, as `lippmann displays` lists them."""
+    return list(_core.display_presets())
+
+
+def display(name: Any) -> Display:
+    """A display by the name of a preset, or from a file: .toml, a display of one's own; .json, a calibration (visual.json)."""
+    return name if isinstance(name, Display) else _core.load_display(path_bytes(name, "display"))
+
+
+def display_from_toml(toml: str) -> Display:
+    """The display that a text says, which is what a .toml file would hold (docs/displays.md)."""
+    return _core.display_from_toml(text(toml, "toml"))
+
+
+def _views(
+    rows: Any, columns: Any, size: Any, pixel_mm: Optional[float], cone_deg: float, distance_mm: Any, baseline_mm: float
+) -> Optics:
+    grid = integer(rows, "rows", 1, 256), integer(columns, "columns", 1, 256)
+    view = pair(size, "size", 1, _MOST)
+    if max(grid[0] * view[0], grid[1] * view[1]) > _MOST:
+        raise Error("size", f"all views side by side have {grid[0] * view[0]}x{grid[1] * view[1]} pixels", f"{_MOST} a side")
+    pixel = 100.0 / view[0] if pixel_mm is None else positive(pixel_mm, "pixel_mm")
+    return _core.views(grid, view, pixel, cone_deg, positive(distance_mm, "distance_mm"), baseline_mm)
+
+
+def camera_grid(
+    rows: int = 5,
+    columns: int = 5,
+    size: Tuple[int, int] = (256, 256),
+    *,
+    baseline_mm: float = 10.0,
+    distance_mm: float = 500.0,
+    pixel_mm: Optional[float] = None,
+) -> Optics:
+    """Parallel cameras in a grid, as data sets of light fields have them.
+
+    rows, columns: how many. size: (height, width) of each view in pixels. baseline_mm: between neighbours, across and up.
+    distance_mm: from the cameras to the plane in which all views coincide (disparity 0). pixel_mm: of a view in that plane;
+    None: such that views are 100 mm high.
+    """
+    return _views(rows, columns, size, pixel_mm, 0.1, distance_mm, positive(baseline_mm, "baseline_mm"))
+
+
+def quilt(
+    rows: int = 6,
+    columns: int = 8,
+    size: Tuple[int, int] = (560, 420),
+    *,
+    view_cone_deg: float = 40.0,
+    distance_mm: float = 500.0,
+    pixel_mm: Optional[float] = None,
+) -> Optics:
+    """Views from left to right at equal angles, in tiles of a picture: rows x columns tiles of `size` = (height, width) pixels.
+
+    view_cone_deg: the full angle that they spread over. The arrays have one row of rows x columns views.
+    """
+    cone = number(view_cone_deg, "view_cone_deg", 0.01, 179.0)
+    return _views(rows, columns, size, pixel_mm, cone, distance_mm, 0.0)
+
+
+def _lenses(size: Any, pixel_mm: Any, viewing_distance_mm: Any) -> Tuple[Tuple[int, int], float, float]:
+    distance = number(viewing_distance_mm, "viewing_distance_mm", 1e-3, math.inf, finite=False)
+    return pair(size, "size", 1, _MOST), positive(pixel_mm, "pixel_mm"), distance
+
+
+def lenticular_sheet(
+    size: Tuple[int, int] = (512, 512),
+    *,
+    pixel_mm: float = 0.125,
+    lens_pitch_mm: float = 1.0,
+    gap_mm: float = 2.0,
+    slant_deg: float = 0.0,
+    offset_mm: Optional[float] = None,
+    viewing_distance_mm: float = math.inf,
+) -> Optics:
+    """Cylindrical lenses on a panel of `size` = (height, width) pixels; parallax from left to right.
+
+    slant_deg: of the lenses from the vertical. gap_mm: from the panel to the lenses. offset_mm: the centre of a lens; None: half
+    a pitch, so that a boundary lies in the middle.
+    """
+    panel, pixel, distance = _lenses(size, pixel_mm, viewing_distance_mm)
+    pitch = positive(lens_pitch_mm, "lens_pitch_mm")
+    offset = pitch / 2 if offset_mm is None else number(offset_mm, "offset_mm", -1e6, 1e6)
+    slant = number(slant_deg, "slant_deg", -89.0, 89.0)
+    return _core.lenticular_sheet(panel, pixel, pitch, positive(gap_mm, "gap_mm"), slant, offset, distance)
+
+
+def microlens_array(
+    size: Tuple[int, int] = (512, 512),
+    *,
+    pixel_mm: float = 0.125,
+    lens_pitch_mm: float = 1.0,
+    gap_mm: float = 2.0,
+    hexagonal: bool = False,
+    offset_mm: Optional[float] = None,
+    viewing_distance_mm: float = math.inf,
+) -> Optics:
+    """Spherical lenses on a panel of `size` = (height, width) pixels, in squares or hexagons; parallax in all directions."""
+    panel, pixel, distance = _lenses(size, pixel_mm, viewing_distance_mm)
+    pitch = positive(lens_pitch_mm, "lens_pitch_mm")
+    offset = pitch / 2 if offset_mm is None else number(offset_mm, "offset_mm", -1e6, 1e6)
+    return _core.microlens_array(panel, pixel, pitch, positive(gap_mm, "gap_mm"), bool(hexagonal), offset, distance)
+
+
+def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, distance_mm: float = 500.0) -> Optics:
+    """What one eye sees `distance_mm` before the middle of the display: a pinhole camera of (height, width) pixels."""
+    panel = pair(size, "size", 1, _MOST)
+    return _core.single_view(panel, positive(pixel_mm, "pixel_mm"), positive(distance_mm, "distance_mm"))

@@ -1,0 +1,188 @@
+"""Frames of a scene through a display or optics, as light fields in memory: no files."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._arguments import choice, integer, number, text
+from ._errors import Error
+from ._light_field import LightField
+from ._optics import Display, Optics, camera_grid, display as _display
+from ._scene import Scene, load
+
+_PATHS = 16  # samples per pixel of paths where nobody says, as of `lippmann render`
+
+Progress = Callable[[int, float], Any]
+
+
+class Animation:
+    """Frames of one scene through one set of optics, rendered when they are asked for. What frames share is kept from one to the
+    next, so that ascending order is quickest. `for field in animation`, `animation[3]`, `len(animation)`.
+    """
+
+    def __init__(self, core: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]) -> None:
+        self._core, self._frames, self._display, self._progress = core, frames, display, progress
+        self._next = 0
+
+    def __len__(self) -> int:
+        return len(self._frames)
+
+    def __getitem__(self, index: int) -> LightField:
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"{index} is outside {len(self)} frames")
+        return self._frame(self._frames[index])
+
+    def __iter__(self) -> Iterator[LightField]:
+        for frame in self._frames:
+            yield self._frame(frame)
+
+    def _frame(self, frame: int) -> LightField:
+        progress = None if self._progress is None else lambda share: self._progress(frame, share)  # type: ignore[misc]
+        film = self._core.frame(frame, progress)
+        return LightField._of_film(film, self._core.placement, self._display)
+
+
+def frames(
+    scene: Union[Scene, str, "os.PathLike[str]"],
+    display: Union[Display, Optics, str, "os.PathLike[str]", None] = None,
+    *,
+    frames: Optional[Iterable[int]] = None,
+    layout: str = "views",
+    layers: Iterable[str] = (),
+    integrator: Optional[str] = None,
+    spp: Optional[int] = None,
+    max_depth: int = 0,
+    seed: int = 0,
+    denoise: bool = False,
+    reuse: str = "auto",
+    keyframes: Optional[int] = None,
+    min_psnr: Optional[float] = None,
+    fit_depth: Optional[bool] = None,
+    focus: str = "",
+    fit_to: str = "",
+    zoom: float = 1.0,
+    orbit: Tuple[float, float] = (0.0, 0.0),
+    light: str = "auto",
+    threads: int = 0,
+    progress: Optional[Progress] = None,
+) -> Animation:
+    """The frames of a scene as light fields, one after the other, without files. Ctrl-C stops (KeyboardInterrupt).
+
+    scene: a lippmann.Scene, the name of a built-in one, or a file.
+    display: a preset's name, a file (.toml, a calibration .json), a lippmann.Display, or optics (lippmann.camera_grid, ...).
+        None: lippmann.camera_grid().
+    frames: which, counted from 0; None: all.
+    layout: "views": of a slanted panel its quilt, else what lies behind its lenses; "native": the panel's own pixels.
+    layers: of depth (mm, above 0 in front of the display), ray-depth, normal, position (both in the world), id, albedo, motion
+        (pixels since the frame before), direct, indirect. "disparity" asks for depth.
+    integrator: "path" (all light, by random paths) or "whitted" (quick: direct light, sharp shadows, mirrors). None: path, but
+        whitted for scenes of formats that describe Whitted's shading, the built-in ones among them.
+    spp: samples per pixel; None: 16 of paths, else 1. max_depth: path vertices; 0: the scene's. seed: of the random paths.
+    denoise: takes noise out of path-traced frames.
+    reuse: auto, none, copy, light, interpolate (docs/reuse.md); keyframes, min_psnr (dB): of it, where they have a meaning.
+    fit_depth: scenes that are deeper than the display resolves are shown less deep. None: as `lippmann render`: not for views of
+        one's own.
+    focus: what lies in the display's plane: a node's name, "x,y,z" or a distance. fit_to: a node that fills the picture.
+        zoom: above 1: nearer. orbit: degrees to the right and up.
+    light: "auto" adds light where the scene has none, as `lippmann render` does; "none" adds nothing.
+    threads: 0: one per processor. The same bits for any number.
+    progress: called as progress(frame, share) about every 50 ms, in this thread; what it raises stops the render.
+    """
+    if isinstance(scene, Scene):
+        core, physical = scene._core.copy(), scene._physical
+    else:
+        loaded = load(scene)
+        core, physical = loaded._core, loaded._physical
+    reuse = choice(reuse, "reuse", ("auto", "none", "copy", "light", "interpolate"))
+    if integrator is None:
+        paths = physical and reuse != "interpolate"
+    else:
+        paths = choice(integrator, "integrator", ("path", "whitted")) == "path"
+    wanted = _layers(layers)
+    which = _which(frames, core.frame_count)
+    if progress is not None and not callable(progress):
+        raise Error("progress", f"is {progress!r}", "a function of frame and share")
+    samples = (_PATHS if paths else 0) if spp is None else integer(spp, "spp", 1, 1 << 20)
+    depth_limit = integer(max_depth, "max_depth", 0, 1 << 16)
+    key = integer(seed, "seed", 0, (1 << 32) - 1)
+    every = None if keyframes is None else integer(keyframes, "keyframes", 1, 1 << 20)
+    floor = None if min_psnr is None else number(min_psnr, "min_psnr", 1.0, 100.0)
+    workers = integer(threads, "threads", 0, 4096)
+    choice(light, "light", ("auto", "none"))
+    core.check()
+    if light == "auto" and (not paths or physical):
+        core.add_missing_light(paths)
+    native = choice(layout, "layout", ("views", "native")) == "native"
+    placement, shown = _place(core, display, native, fit_depth, focus, fit_to, zoom, orbit)
+    made = _core.Frames(
+        core, placement, paths, samples, depth_limit, key, bool(denoise), wanted, reuse, every, floor, workers
+    )
+    return Animation(made, which, shown, progress)
+
+
+def render(
+    scene: Union[Scene, str, "os.PathLike[str]"],
+    display: Union[Display, Optics, str, "os.PathLike[str]", None] = None,
+    *,
+    frame: int = 0,
+    **options: Any,
+) -> LightField:
+    """One frame as a light field. Arguments are those of lippmann.frames, but for `frame`."""
+    if "frames" in options:
+        raise TypeError("lippmann.render takes `frame`; lippmann.frames takes `frames`")
+    return frames(scene, display, frames=[frame], **options)[0]
+
+
+def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
+    if frames is None:
+        return range(count)
+    try:
+        listed = list(frames)
+    except TypeError:
+        raise Error("frames", f"is {frames!r}", "frame numbers: range(10), [0, 5]") from None
+    return [integer(frame, "frames", 0, count - 1) for frame in listed]
+
+
+def _layers(layers: Iterable[str]) -> Sequence[str]:
+    if isinstance(layers, str):
+        layers = [layers]
+    accepted = tuple(name for name in _core.layer_names if name != "alpha") + ("disparity",)
+    names = [choice(name, "layers", accepted) for name in layers]
+    return list(dict.fromkeys("depth" if name == "disparity" else name for name in names))
+
+
+def _place(
+    core: Any,
+    display: Any,
+    native: bool,
+    fit_depth: Optional[bool],
+    focus: str,
+    fit_to: str,
+    zoom: float,
+    orbit: Tuple[float, float],
+) -> Tuple[Any, Optional[Display]]:
+    """Where the display stands in the scene, and the display if it is one."""
+    try:
+        yaw, pitch = orbit
+    except (TypeError, ValueError):
+        raise Error("orbit", f"is {orbit!r}", "two angles in degrees: to the right, up") from None
+    wish = (
+        text(focus, "focus"),
+        text(fit_to, "fit_to"),
+        number(zoom, "zoom", 1e-3, 1e3),
+        number(yaw, "orbit", -360, 360),
+        number(pitch, "orbit", -90, 90),
+    )
+    optics = camera_grid() if display is None else display
+    if isinstance(optics, Optics):
+        if native:
+            raise Error("layout", "native is a display's own, and optics are given", "views, or a display")
+        fit = not optics.is_views if fit_depth is None else bool(fit_depth)
+        return _core.place(core, optics, fit, *wish), None
+    if not isinstance(optics, (Display, str, os.PathLike)):
+        raise Error("display", f"is {optics!r}", "a name, a file, a lippmann.Display or optics")
+    shown = _display(optics)
+    own = native or shown.kind != "slanted-panel"
+    return _core.place_display(core, shown, own, True if fit_depth is None else bool(fit_depth), *wish), shown

@@ -1,0 +1,458 @@
+"""Scenes: built-in ones, files, and those made of arrays.
+
+World: right-handed, any unit; +y up, as glTF. A scene's objects are placed, moved and animated by their handles (Object).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Dict, Iterator, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _core
+from ._arguments import array, indices, integer, number, path_bytes, positive, text, vector
+from ._errors import Error
+
+_UP = np.array([0.0, 1.0, 0.0])
+
+
+def scenes() -> Dict[str, str]:
+    """The built-in scenes: name and one line on what it shows."""
+    return dict(_core.builtin_scenes())
+
+
+@dataclass
+class Material:
+    """A surface after glTF's metallic-roughness model.
+
+    color: linear red, green, blue from 0 to 1. roughness: 0 (mirror) to 1 (chalk). metallic: 0 or 1. emission: linear light that
+    the surface gives off; not limited. transmission: the share of light that passes, as through glass, bent by ior. alpha: below
+    1 the surface covers that share. texture: (y, x, 3 or 4) uint8, sRGB, times color, by the mesh's uvs.
+    """
+
+    color: Sequence[float] = (0.8, 0.8, 0.8)
+    roughness: float = 0.5
+    metallic: float = 0.0
+    emission: Sequence[float] = (0.0, 0.0, 0.0)
+    transmission: float = 0.0
+    ior: float = 1.5
+    clearcoat: float = 0.0
+    alpha: float = 1.0
+    double_sided: bool = True
+    unlit: bool = False
+    texture: Optional[np.ndarray] = None
+
+
+class Object:
+    """Something that stands in a scene: a mesh, a shape, a lamp, a camera. Made by the scene's add_ functions."""
+
+    def __init__(self, scene: "Scene", node: int, name: str) -> None:
+        self._scene, self._node = scene, node
+        self.name = name
+
+    def animate(
+        self, matrices: Any = None, *, translation: Any = None, rotation: Any = None, scale: Any = None
+    ) -> "Object":
+        """Moves the object: one value for each frame of the scene, in place of where it was added.
+
+        matrices: (frames, 4, 4), columns x, y, z, origin; each a scale, then a rotation, then a move, nothing sheared. Or parts
+        of it: translation (frames, 3), rotation (frames, 4) as quaternions x, y, z, w, scale (frames, 3). Returns the object.
+        """
+        count = self._scene.frame_count
+        if matrices is not None:
+            if translation is not None or rotation is not None or scale is not None:
+                raise Error("matrices", "is given, and so are parts of it", "one of both")
+            translation, rotation, scale = _parts_of(array(matrices, "matrices", (count, 4, 4)))
+        if translation is not None:
+            translation = array(translation, "translation", (count, 3))
+        if rotation is not None:
+            rotation = _unit(array(rotation, "rotation", (count, 4)), "rotation")
+        if scale is not None:
+            scale = array(scale, "scale", (count, 3))
+        self._scene._core.animate(self._node, translation, rotation, scale)
+        return self
+
+    def __repr__(self) -> str:
+        return f"<lippmann.Object {self.name!r}>"
+
+
+class Scene:
+    """A scene made in memory. Things are added to it; `lippmann.render` and `lippmann.frames` show it.
+
+    name: for reports. frames: how many the animation has. frames_per_second: at which speed.
+    """
+
+    def __init__(self, name: str = "scene", *, frames: int = 1, frames_per_second: float = 25.0) -> None:
+        count = integer(frames, "frames", 1, 1 << 20)
+        self._core = _core.Scene(text(name, "name"), count, positive(frames_per_second, "frames_per_second", 1e4))
+        self._physical = True
+        self._materials: Dict[Any, Tuple[Any, int]] = {}
+
+    @classmethod
+    def _of(cls, core: Any, physical: bool) -> "Scene":
+        scene = cls.__new__(cls)
+        scene._core, scene._physical, scene._materials = core, physical, {}
+        return scene
+
+    # ---- What it is ----------------------------------------------------------------------------------------------------
+
+    @property
+    def name(self) -> str:
+        """What it is called in reports."""
+        return self._core.name
+
+    @property
+    def frame_count(self) -> int:
+        """How many frames its animation has; frames are counted from 0."""
+        return self._core.frame_count
+
+    @property
+    def frames_per_second(self) -> float:
+        """Frame f shows the second f / frames_per_second."""
+        return self._core.frames_per_second
+
+    @property
+    def objects(self) -> Tuple[str, ...]:
+        """Names by object id, which is what the layer "id" holds."""
+        return tuple(self._core.instance_names)
+
+    def bounds(self, frame: int = 0) -> Optional[np.ndarray]:
+        """(2, 3): the lowest and the highest coordinates of all that is finite; None where there is nothing."""
+        return self._core.bounds(integer(frame, "frame", 0, self.frame_count - 1))
+
+    def copy(self) -> "Scene":
+        """A scene of its own with the same contents. Handles of objects stay with the one that made them."""
+        return Scene._of(self._core.copy(), self._physical)
+
+    def __repr__(self) -> str:
+        count = self.frame_count
+        return f"<lippmann.Scene {self.name!r}: {len(self.objects)} objects, {count} frame{'' if count == 1 else 's'}>"
+
+    # ---- Shapes --------------------------------------------------------------------------------------------------------
+
+    def add_mesh(
+        self,
+        positions: Any,
+        triangles: Any,
+        *,
+        normals: Any = None,
+        uvs: Any = None,
+        colors: Any = None,
+        material: Optional[Material] = None,
+        name: str = "",
+        translation: Any = (0, 0, 0),
+        rotation: Any = (0, 0, 0, 1),
+        scale: Any = (1, 1, 1),
+    ) -> Object:
+        """A mesh. positions: (vertices, 3). triangles: (triangles, 3), indices, counter-clockwise seen from the front. Per vertex
+        normals (vertices, 3), uvs (vertices, 2) with v downwards, colors (vertices, 3), linear, times the material's. Without
+        normals it is faceted. translation, rotation (quaternion x, y, z, w) and scale place it.
+        """
+        points = array(positions, "positions", (None, 3))
+        count = len(points)
+        faces = indices(triangles, "triangles", 3, count)
+        if normals is not None:
+            normals = _unit(array(normals, "normals", (count, 3)), "normals")
+        if uvs is not None:
+            uvs = array(uvs, "uvs", (count, 2))
+        if colors is not None:
+            colors = array(colors, "colors", (count, 3))
+        surface = self._material(material)
+        shape = self._core.add_mesh(points, faces, normals, uvs, colors)
+        return self._instance(shape, surface, name or "mesh", translation, rotation, scale)
+
+    def add_sphere(
+        self, center: Any = (0, 0, 0), radius: float = 1.0, *, material: Optional[Material] = None, name: str = ""
+    ) -> Object:
+        """A sphere, exact. Its handle's origin is its centre."""
+        at, size, surface = vector(center, "center"), positive(radius, "radius"), self._material(material)
+        return self._instance(self._core.add_sphere((0.0, 0.0, 0.0), size), surface, name or "sphere", at)
+
+    def add_box(
+        self,
+        lower: Any = (-1, -1, -1),
+        upper: Any = (1, 1, 1),
+        *,
+        material: Optional[Material] = None,
+        name: str = "",
+        rotation: Any = (0, 0, 0, 1),
+    ) -> Object:
+        """A box between two corners. Its handle's origin is its middle, about which `rotation` turns it."""
+        low, high = np.array(vector(lower, "lower")), np.array(vector(upper, "upper"))
+        if not (low < high).all():
+            raise Error("upper", f"{tuple(high)} is not above lower, {tuple(low)}", "larger coordinates on every axis")
+        half, surface = (high - low) / 2, self._material(material)
+        shape = self._core.add_box(tuple(-half), tuple(half))
+        return self._instance(shape, surface, name or "box", tuple((low + high) / 2), rotation)
+
+    def add_cylinder(
+        self, base: Any, apex: Any, radius: float, *, material: Optional[Material] = None, name: str = ""
+    ) -> Object:
+        """The open side of a cylinder from base to apex. Its handle's origin is the world's."""
+        ends = vector(base, "base"), vector(apex, "apex")
+        if ends[0] == ends[1]:
+            raise Error("apex", "is the base", "another point")
+        surface = self._material(material)
+        return self._instance(self._core.add_cylinder(*ends, positive(radius, "radius")), surface, name or "cylinder")
+
+    def add_plane(
+        self, point: Any = (0, 0, 0), normal: Any = (0, 1, 0), *, material: Optional[Material] = None, name: str = ""
+    ) -> Object:
+        """A plane without end, seen from both sides."""
+        at, direction = vector(point, "point"), _direction(normal, "normal")
+        surface = self._material(material)
+        return self._instance(self._core.add_plane(at, tuple(direction)), surface, name or "plane")
+
+    # ---- Light ---------------------------------------------------------------------------------------------------------
+
+    def add_light(
+        self,
+        kind: str = "point",
+        *,
+        position: Any = (0, 0, 0),
+        target: Any = None,
+        direction: Any = None,
+        color: Any = (1, 1, 1),
+        intensity: float = 1.0,
+        range: float = math.inf,
+        inner_cone_deg: float = 0.0,
+        outer_cone_deg: float = 45.0,
+        name: str = "",
+    ) -> Object:
+        """A lamp. kind: "point", "spot" (both fade with the squared distance) or "directional".
+
+        Spots and directional lamps shine towards `target` (a point) or along `direction`; by default downwards. color, linear,
+        times intensity: what lights a white surface that faces the lamp at distance 1, times pi. Cones: half angles of a spot.
+        """
+        if kind not in ("point", "directional", "spot"):
+            raise Error("kind", f"is {kind!r}", "point, directional, spot")
+        at = vector(position, "position")
+        along = _along(at, target, direction, (0.0, -1.0, 0.0))
+        tint = np.array(vector(color, "color")) * number(intensity, "intensity", 0.0, 1e9)
+        if (tint < 0).any():
+            raise Error("color", f"is {tuple(tint)}", "numbers of 0 or more")
+        outer = number(outer_cone_deg, "outer_cone_deg", 0.01, 90.0)
+        inner = number(inner_cone_deg, "inner_cone_deg", 0.0, outer)
+        reach = number(range, "range", 1e-9, math.inf, finite=False)
+        node = self._core.add_node(text(name, "name") or kind, -1, at, _rotation_towards(along), (1.0, 1.0, 1.0))
+        self._core.add_light(name, kind, node, tuple(tint), reach, math.radians(inner), math.radians(outer))
+        return Object(self, node, name or kind)
+
+    def set_background(self, horizon: Any = (0, 0, 0), zenith: Any = None) -> None:
+        """What surrounds the scene, and lights it: linear colours at the horizon and straight above (None: the same)."""
+        low = vector(horizon, "horizon")
+        self._core.set_background(low, low if zenith is None else vector(zenith, "zenith"))
+
+    def set_environment(self, radiance: Any, *, strength: float = 1.0, rotation_deg: float = 0.0) -> None:
+        """A panorama that surrounds the scene, and lights it. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith
+        on top. rotation_deg: about +y.
+        """
+        map_ = array(radiance, "radiance", (None, None, 3))
+        if (map_ < 0).any():
+            raise Error("radiance", "has numbers below 0", "linear light")
+        turn = math.radians(number(rotation_deg, "rotation_deg", -1e6, 1e6))
+        self._core.set_environment(map_, number(strength, "strength", 0.0, 1e6), turn)
+
+    # ---- Where it is seen from -----------------------------------------------------------------------------------------
+
+    def add_camera(
+        self,
+        position: Any,
+        target: Any = (0, 0, 0),
+        *,
+        vertical_fov_deg: float = 40.0,
+        focus_distance: Optional[float] = None,
+        name: str = "",
+    ) -> Object:
+        """A camera that looks from `position` at `target`, in scene units. The first one decides how a display lies in the scene:
+        square to the camera, at its focus distance (None: at the target), as high as what the camera sees there.
+        """
+        at, to = vector(position, "position"), vector(target, "target")
+        along = _along(at, to, None, (0.0, 0.0, -1.0))
+        distance = float(np.linalg.norm(np.subtract(to, at))) if focus_distance is None else focus_distance
+        focus = positive(distance, "focus_distance", 1e9)
+        fov = number(vertical_fov_deg, "vertical_fov_deg", 0.01, 179.0)
+        node = self._core.add_node(text(name, "name") or "camera", -1, at, _rotation_towards(along), (1.0, 1.0, 1.0))
+        self._core.add_camera(name, node, math.radians(fov), 0.0, focus)
+        return Object(self, node, name or "camera")
+
+    def place_display(
+        self, center: Any = (0, 0, 0), *, facing: Any = (0, 0, 1), height: float = 1.0, viewing_distance: float = math.inf
+    ) -> Object:
+        """Puts the display's plane into the scene: its centre, where its viewer is, its height and how far the viewer stands, in
+        scene units. It goes before cameras.
+        """
+        at, towards = vector(center, "center"), _direction(facing, "facing")
+        size = positive(height, "height", 1e9)
+        distance = number(viewing_distance, "viewing_distance", 1e-9, math.inf, finite=False)
+        node = self._core.add_node("display", -1, at, _rotation_towards(-towards), (1.0, 1.0, 1.0))
+        self._core.set_display(node, size, distance)
+        return Object(self, node, "display")
+
+    # ---- Inside --------------------------------------------------------------------------------------------------------
+
+    def _material(self, material: Optional[Material]) -> int:
+        """The index of a material; equal ones are one."""
+        if material is None:
+            material = Material()
+        if not isinstance(material, Material):
+            raise Error("material", f"is {material!r}", "a lippmann.Material")
+        color = vector(material.color, "material.color")
+        if min(color) < 0 or max(color) > 1:
+            raise Error("material.color", f"is {color}", "linear light, 0 to 1")
+        emission = vector(material.emission, "material.emission")
+        if min(emission) < 0:
+            raise Error("material.emission", f"is {emission}", "linear light, 0 or more")
+        parts = {
+            part: number(getattr(material, part), f"material.{part}", lowest, highest)
+            for part, lowest, highest in (
+                ("alpha", 0, 1),
+                ("metallic", 0, 1),
+                ("roughness", 0, 1),
+                ("transmission", 0, 1),
+                ("ior", 1, 4),
+                ("clearcoat", 0, 1),
+            )
+        }
+        flags = bool(material.double_sided), bool(material.unlit)
+        key = (color, emission, tuple(parts.values()), flags, id(material.texture))
+        if key in self._materials:
+            return self._materials[key][1]
+        texture = -1 if material.texture is None else self._core.add_texture(_rgba(material.texture), True)
+        index = self._core.add_material(
+            (*color, parts["alpha"]),
+            texture,
+            parts["metallic"],
+            parts["roughness"],
+            emission,
+            parts["transmission"],
+            parts["ior"],
+            parts["clearcoat"],
+            *flags,
+        )
+        self._materials[key] = material.texture, index  # which is kept, so that its id stays its own
+        return index
+
+    def _instance(
+        self,
+        shape: int,
+        material: int,
+        name: str,
+        translation: Any = (0, 0, 0),
+        rotation: Any = (0, 0, 0, 1),
+        scale: Any = (1, 1, 1),
+    ) -> Object:
+        turn = _unit(array(rotation, "rotation", (4,))[None], "rotation")[0]
+        place = vector(translation, "translation"), tuple(float(q) for q in turn), vector(scale, "scale")
+        node = self._core.add_node(text(name, "name"), -1, *place)
+        self._core.add_instance(name, shape, material, node)
+        return Object(self, node, name)
+
+
+def load(
+    name: Any, *, frames_per_second: float = 0.0, animation: str = "", camera_path: Any = None, asset_root: Any = None
+) -> Scene:
+    """A built-in scene by name, or a file: .gltf, .glb, .dat, .nff, .obj, .ply.
+
+    frames_per_second: 0: the format's default. animation: by name or index, of files with several. camera_path: a Tachyon .cam
+    file. asset_root: a folder below which files may lie that the scene names; None: the scene's own.
+    """
+    where = path_bytes(name, "scene")
+    core = _core.load_scene(
+        where,
+        "" if camera_path is None else path_bytes(camera_path, "camera_path"),
+        number(frames_per_second, "frames_per_second", 0.0, 1e4),
+        "" if asset_root is None else path_bytes(asset_root, "asset_root"),
+        text(animation, "animation"),
+    )
+    return Scene._of(core, _core.is_physical_format(where))
+
+
+# ---- Directions and rotations --------------------------------------------------------------------------------------------
+
+
+def _direction(value: Any, name: str) -> np.ndarray:
+    direction = np.array(vector(value, name))
+    length = np.linalg.norm(direction)
+    if not length > 0:
+        raise Error(name, "has no length", "a direction")
+    return direction / length
+
+
+def _along(position: Sequence[float], target: Any, direction: Any, default: Sequence[float]) -> np.ndarray:
+    if target is not None and direction is not None:
+        raise Error("direction", "is given, and so is target", "one of both")
+    if target is None:
+        return _direction(default if direction is None else direction, "direction")
+    along = np.subtract(vector(target, "target"), position)
+    length = np.linalg.norm(along)
+    if not length > 0:
+        raise Error("target", "is the position", "another point")
+    return along / length
+
+
+def _rotation_towards(along: np.ndarray) -> Tuple[float, float, float, float]:
+    """The quaternion x, y, z, w that turns -z to `along` and leaves +y upwards."""
+    back = -along
+    right = np.cross(_UP, back)
+    if np.linalg.norm(right) < 1e-6:
+        right = np.array([1.0, 0.0, 0.0])
+    right /= np.linalg.norm(right)
+    return tuple(float(q) for q in _quaternions(np.stack([right, np.cross(back, right), back], axis=1)[None])[0])  # type: ignore
+
+
+def _unit(vectors: np.ndarray, name: str) -> np.ndarray:
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    if not (lengths > 0).all():
+        raise Error(name, f"has no length at {int(np.argmin(lengths))}", "vectors with a length")
+    return (vectors / lengths).astype(np.float32)
+
+
+def _quaternions(rotations: np.ndarray) -> np.ndarray:
+    """x, y, z, w of rotations (n, 3, 3): the largest of the four first, after Shepperd, "Quaternion from rotation matrix", 1978."""
+    result = np.empty((len(rotations), 4))
+    for q, m in zip(result, rotations):
+        trace = np.trace(m)
+        squares = np.array([m[0, 0], m[1, 1], m[2, 2], trace])
+        k = int(np.argmax(squares))
+        if k == 3:
+            q[:] = m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1], 1 + trace
+        else:
+            i, j = (k + 1) % 3, (k + 2) % 3
+            q[k] = 1 + m[k, k] - m[i, i] - m[j, j]
+            q[i], q[j], q[3] = m[i, k] + m[k, i], m[j, k] + m[k, j], m[j, i] - m[i, j]
+        q /= np.linalg.norm(q)
+    return result
+
+
+def _parts_of(matrices: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Translations, quaternions and scales of matrices (n, 4, 4)."""
+    wanted = "scale, then rotation, then move"
+    if np.abs(matrices[:, 3] - (0, 0, 0, 1)).max() > 1e-6:
+        raise Error("matrices", "have a last row that is not 0, 0, 0, 1", wanted)
+    axes = matrices[:, :3, :3].astype(np.float64)
+    scales = np.linalg.norm(axes, axis=1)
+    if not (scales > 0).all():
+        raise Error("matrices", f"have an axis without length at {int(np.argmin(scales.min(axis=1)))}", wanted)
+    rotations = axes / scales[:, None, :]
+    mirrored = np.linalg.det(rotations) < 0
+    scales[mirrored, 0] *= -1
+    rotations[mirrored, :, 0] *= -1
+    off = np.abs(np.einsum("nki,nkj->nij", rotations, rotations) - np.eye(3)).max(axis=(1, 2))
+    if off.max() > 1e-4:
+        raise Error("matrices", f"are sheared at frame {int(np.argmax(off))}", wanted)
+    return matrices[:, :3, 3], _quaternions(rotations), scales
+
+
+def _rgba(texture: Any) -> np.ndarray:
+    wanted = "uint8 of the shape (y, x, 3) or (y, x, 4)"
+    given = np.asarray(texture)
+    if given.dtype != np.uint8:
+        raise Error("material.texture", f"has the type {given.dtype}", wanted)
+    if given.ndim != 3 or given.shape[2] not in (3, 4) or given.size == 0:
+        raise Error("material.texture", f"has the shape {given.shape}", wanted)
+    if given.shape[2] == 4:
+        return np.ascontiguousarray(given)
+    return np.concatenate([given, np.full((*given.shape[:2], 1), 255, np.uint8)], axis=2)

@@ -1,0 +1,62 @@
+// Arrays of NumPy: views of what the library holds, without copies, and checked copies of what Python gives.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <memory>
+#include <vector>
+
+#include "bindings.hpp"
+#include "lippmann/core/math.hpp"
+#include "lippmann/image/image.hpp"
+
+namespace lippmann::python {
+
+template <class T>
+using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
+
+/// An array that cannot be written, of memory that `owner` keeps.
+template <class T, class Owner>
+py::array view_of(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr<Owner> owner) {
+  auto* kept = new std::shared_ptr<Owner>(std::move(owner));
+  const py::capsule base(kept, [](void* pointer) { delete static_cast<std::shared_ptr<Owner>*>(pointer); });
+  py::array_t<T> array(std::move(shape), data, base);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+/// The same of memory that is moved into the array.
+template <class T>
+py::array moved(std::vector<T> data, std::vector<py::ssize_t> shape) {
+  auto* kept = new std::vector<T>(std::move(data));
+  const py::capsule base(kept, [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });
+  return py::array_t<T>(std::move(shape), kept->data(), base);
+}
+
+/// (y, x, channel).
+inline py::array moved(Image image) {
+  const std::vector<py::ssize_t> shape{image.height, image.width, image.channels};
+  return moved(std::move(image.data), shape);
+}
+
+/// Throws Error naming `name` for another shape; -1: any length.
+void require_shape(const py::array& array, std::initializer_list<py::ssize_t> shape, const char* name);
+
+/// Rows of an array (n, 2), (n, 3) or (n, 4). Throws Error naming `name`.
+template <class Vec>
+std::vector<Vec> vectors_of(const Array<float>& array, const char* name) {
+  require_shape(array, {-1, Vec::length()}, name);
+  std::vector<Vec> vectors(static_cast<std::size_t>(array.shape(0)));
+  const float* data = array.data();
+  for (Vec& vector : vectors)
+    for (int c = 0; c < Vec::length(); ++c) vector[c] = *data++;
+  return vectors;
+}
+
+/// (y, x, channel) with `channels` of them.
+Image image_of(const Array<float>& array, int channels, const char* name);
+
+/// (4, 4), for column vectors.
+py::array matrix_of(const Affine3f& transform);
+
+}  // namespace lippmann::python

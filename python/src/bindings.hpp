@@ -1,0 +1,21 @@
+// What the files of the Python module share: each binds one part of the library's public headers.
+//
+// The module, lippmann._core, is thin: values in, objects and arrays out. Names of arguments, their checks and all that is
+// convenient stand in python/lippmann/*.py.
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+namespace lippmann::python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module);
+void bind_scene(py::module_& module);
+void bind_optics(py::module_& module);
+void bind_light_field(py::module_& module);
+void bind_renderer(py::module_& module);
+
+}  // namespace lippmann::python

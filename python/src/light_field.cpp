@@ -1,0 +1,246 @@
+// Light fields: their views as arrays without copies, what eyes see of them, and files.
+#include <algorithm>
+#include <utility>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "interruptible.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/display/display.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/interlace.hpp"
+#include "lippmann/layout/open_light_field.hpp"
+#include "lippmann/optics/viewing.hpp"
+#include "lippmann/replay/epipolar_image.hpp"
+#include "lippmann/replay/eye_view.hpp"
+#include "lippmann/replay/light_field_frames.hpp"
+#include "lippmann/replay/refocus.hpp"
+
+namespace lippmann::python {
+namespace {
+
+using SharedField = std::shared_ptr<LightField>;
+using SharedPanel = std::shared_ptr<RenderedPanel>;
+using Pair = std::array<int, 2>;  ///< (rows, columns) or (height, width)
+
+std::vector<py::ssize_t> shape_of(const LightField& field) {
+  return {field.grid.rows, field.grid.columns, field.view_size.y, field.view_size.x};
+}
+
+/// (rows, columns, y, x, channel): row 0 is the lowest.
+py::array views_of(const SharedField& field) {
+  std::vector<py::ssize_t> shape = shape_of(*field);
+  shape.push_back(3);
+  if (const auto* image = std::get_if<Image>(&field->stack)) return view_of(image->data.data(), shape, field);
+  if (const auto* codes = std::get_if<Image16>(&field->stack)) return view_of(codes->rgb.data(), shape, field);
+  return view_of(std::get<Image8>(field->stack).rgb.data(), shape, field);
+}
+
+py::object depth_of_views(const SharedField& field) {
+  if (!field->depth) return py::none();
+  return view_of(field->depth->data.data(), shape_of(*field), field);
+}
+
+/// distance_mm, (height, width) of a pixel, eyes (rows, columns, 2); none where they are not known.
+py::object cameras_of(const LightField& field) {
+  if (!field.cameras) return py::none();
+  std::vector<double> eyes;
+  for (const Vec2d& eye : field.cameras->eyes_mm) eyes.push_back(eye.x), eyes.push_back(eye.y);
+  const Vec2d pixel = field.cameras->pixel_mm;
+  return py::make_tuple(field.cameras->distance_mm, py::make_tuple(pixel.y, pixel.x),
+                        moved(std::move(eyes), {field.grid.rows, field.grid.columns, 2}));
+}
+
+template <class T>
+void copy_codes(const py::array& views, T& image) {
+  using Sample = typename decltype(image.rgb)::value_type;
+  const auto samples = Array<Sample>(views);
+  image.rgb.assign(samples.data(), samples.data() + samples.size());
+}
+
+Picture stack_of(const py::array& views, Vec2i size) {
+  if (py::isinstance<py::array_t<std::uint8_t>>(views)) {
+    Image8 codes{size.x, size.y, {}};
+    return copy_codes(views, codes), codes;
+  }
+  if (py::isinstance<py::array_t<std::uint16_t>>(views)) {
+    Image16 codes{size.x, size.y, {}};
+    return copy_codes(views, codes), codes;
+  }
+  const auto samples = Array<float>(views);
+  Image image(size.x, size.y, 3);
+  std::copy_n(samples.data(), image.data.size(), image.data.begin());
+  return image;
+}
+
+/// Arrays that passed the checks of lippmann.LightField: (rows, columns, y, x, 3), and depth without the last axis.
+SharedField field_of(const py::array& views, const std::optional<Array<float>>& depth) {
+  require_shape(views, {-1, -1, -1, -1, 3}, "views");
+  auto field = std::make_shared<LightField>();
+  field->grid = {static_cast<int>(views.shape(1)), static_cast<int>(views.shape(0))};
+  field->view_size = {static_cast<int>(views.shape(3)), static_cast<int>(views.shape(2))};
+  field->aspect = static_cast<double>(field->view_size.x) / field->view_size.y;
+  const Vec2i size = stack_size(*field);
+  field->stack = stack_of(views, size);
+  if (!depth) return field;
+  require_shape(*depth, {views.shape(0), views.shape(1), views.shape(2), views.shape(3)}, "depth");
+  field->depth = Image(size.x, size.y, 1);
+  std::copy_n(depth->data(), field->depth->data.size(), field->depth->data.begin());
+  return field;
+}
+
+void set_cameras(LightField& field, double distance_mm, std::array<double, 2> baseline_mm, double pixel_mm) {
+  ViewCameras cameras;
+  cameras.distance_mm = distance_mm;
+  cameras.pixel_mm = Vec2d(pixel_mm);
+  cameras.centre_px = 0.5 * Vec2d(field.view_size);
+  for (int row = 0; row < field.grid.rows; ++row)
+    for (int column = 0; column < field.grid.columns; ++column)
+      cameras.eyes_mm.push_back(
+          {(column - 0.5 * (field.grid.columns - 1)) * baseline_mm[1], (row - 0.5 * (field.grid.rows - 1)) * baseline_mm[0]});
+  field.cameras = std::move(cameras);
+}
+
+/// Codes of 8 or 16 bits in place of linear floats.
+SharedField with_codes(const LightField& field, int bits) {
+  auto copy = std::make_shared<LightField>(field);
+  const Image linear = to_linear(std::move(copy->stack));
+  if (bits == 8)
+    copy->stack = to_codes(linear, Encoding::kSrgb);
+  else
+    copy->stack = to_codes16(linear, Encoding::kSrgb);
+  return copy;
+}
+
+FormatOptions options_of(const std::optional<Pair>& views, const std::optional<Pair>& tiles,
+                         const std::optional<Display>& display) {
+  FormatOptions options;
+  if (views) options.views = ViewGrid{(*views)[1], (*views)[0]};
+  if (tiles) options.tiles = ViewGrid{(*tiles)[1], (*tiles)[0]};
+  options.display = display;
+  options.with_depth = true;
+  return options;
+}
+
+std::vector<std::filesystem::path> save(const LightField& field, const std::filesystem::path& path, const std::string& format,
+                                        const std::optional<Pair>& tiles, const std::optional<Display>& display) {
+  const FormatOptions options = options_of(std::nullopt, tiles, display);
+  const py::gil_scoped_release release;
+  return find_format(format, "format").write(field, path, options);
+}
+
+py::tuple open(const std::filesystem::path& path, const std::string& format, const std::optional<Pair>& views,
+               const std::optional<Pair>& tiles, const std::optional<Display>& display) {
+  const FormatOptions options = options_of(views, tiles, display);
+  OpenedLightField opened;
+  Interruptible(0).run(py::none(), [&](const Context&) { opened = open_light_field(path, format, options); });
+  return py::make_tuple(std::make_shared<LightField>(std::move(opened.field)), opened.optics, std::string(opened.format));
+}
+
+/// The views behind optics: those given, those of its cameras, or assumed ones.
+SharedPanel panel_of_field(const LightField& field, const std::optional<Optics>& optics,
+                           const std::optional<double>& view_angle_deg) {
+  const py::gil_scoped_release release;
+  const Optics shown = optics          ? *optics
+                       : field.cameras ? optics_of_cameras(field, "cameras")
+                                       : assumed_optics(field, view_angle_deg);
+  return std::make_shared<RenderedPanel>(panel_of(field, shown, "views"));
+}
+
+// ---- What eyes see ----------------------------------------------------------------------------------------------------
+
+Vec2i size_of(const std::optional<Pair>& size) { return size ? Vec2i((*size)[1], (*size)[0]) : Vec2i(0, 0); }
+
+void require_size(const std::optional<Pair>& size) {
+  constexpr int kMost = 32768;
+  if (!size) return;
+  for (const int side : *size)
+    if (side < 1 || side > kMost)
+      throw Error("size", "has a side of " + std::to_string(side) + " pixels", "(height, width), 1 to 32768 pixels each");
+}
+
+py::array refocused(const RenderedPanel& panel, double z_mm, const std::optional<Pair>& size) {
+  require_size(size);
+  validate_depth(panel.optics, z_mm, "z_mm");
+  Image picture;
+  Interruptible(0).run(py::none(), [&](const Context& context) {
+    picture = refocus(panel, z_mm, size_of(size), ThreadPool(resolved_threads(context)));
+  });
+  return moved(std::move(picture));
+}
+
+py::array seen(const RenderedPanel& panel, const std::array<double, 3>& eye_mm, const std::optional<Pair>& size,
+               double pupil_mm, double focus_mm, bool nearest) {
+  require_size(size);
+  EyeView view;
+  view.eye_mm = {eye_mm[0], eye_mm[1], eye_mm[2]};
+  view.size = size_of(size);
+  view.pupil_mm = pupil_mm, view.focus_mm = focus_mm;
+  view.filter = nearest ? SampleFilter::kNearest : SampleFilter::kLinear;
+  validate(view);
+  Image picture;
+  Interruptible(0).run(py::none(),
+                       [&](const Context& context) { picture = eye_view(panel, view, ThreadPool(resolved_threads(context))); });
+  return moved(std::move(picture));
+}
+
+py::array panel_array(const SharedPanel& panel) {
+  const Image& picture = panel->picture;
+  return view_of(picture.data.data(), {picture.height, picture.width, picture.channels}, panel);
+}
+
+template <class Function>
+py::array epipolar(const RenderedPanel& panel, int line, Function function) {
+  Image picture;
+  Interruptible(0).run(py::none(), [&](const Context&) { picture = function(panel, line, SampleFilter::kLinear); });
+  return moved(std::move(picture));
+}
+
+std::vector<std::pair<std::string, std::string>> format_lines() {
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const LightFieldFormat& format : light_field_formats()) lines.emplace_back(format.name, format.is);
+  return lines;
+}
+
+py::array codes_of(const Array<float>& linear) {
+  const Image8 codes = to_codes(image_of(linear, 3, "picture"), Encoding::kSrgb);
+  return moved(std::vector<std::uint8_t>(codes.rgb), {codes.height, codes.width, 3});
+}
+
+}  // namespace
+
+void bind_light_field(py::module_& module) {
+  py::class_<LightField, SharedField>(module, "Views")
+      .def(py::init(&field_of))
+      .def("set_cameras", &set_cameras)
+      .def_property_readonly("views", &views_of)
+      .def_property_readonly("depth", &depth_of_views)
+      .def_property_readonly("cameras", &cameras_of)
+      .def_property_readonly("aspect", [](const LightField& f) { return f.aspect; })
+      .def("with_codes", &with_codes)
+      .def("save", &save)
+      .def("panel", &panel_of_field);
+
+  py::class_<RenderedPanel, SharedPanel>(module, "Panel")
+      .def_property_readonly("picture", &panel_array)
+      .def_property_readonly("optics", [](const RenderedPanel& p) { return p.optics; })
+      .def("refocus", &refocused)
+      .def("eye", &seen)
+      .def("epi_row", [](const RenderedPanel& p, int row) { return epipolar(p, row, epipolar_row); })
+      .def("epi_column", [](const RenderedPanel& p, int column) { return epipolar(p, column, epipolar_column); });
+
+  module.def("open_light_field", &open);
+  module.def("light_fields_in", &light_fields_in);
+  module.def("formats", &format_lines);
+  module.def("codes_of", &codes_of);
+  module.def("write_picture", [](const Array<float>& picture, const std::filesystem::path& path) {
+    const Image linear = image_of(picture, 3, "picture");
+    const py::gil_scoped_release release;
+    if (path.extension() == ".exr") return write_picture(path, linear);
+    write_picture(path, to_codes(linear, Encoding::kSrgb));
+  });
+}
+
+}  // namespace lippmann::python

@@ -1,0 +1,14 @@
+// The module lippmann._core.
+#include "bindings.hpp"
+#include "lippmann/core/version.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  using namespace lippmann::python;
+  module.doc() = "The C++ library behind the package lippmann; nothing of it is meant to be called directly.";
+  module.attr("version") = lippmann::version();
+  bind_errors(module);
+  bind_scene(module);
+  bind_optics(module);
+  bind_light_field(module);
+  bind_renderer(module);
+}

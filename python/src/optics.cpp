@@ -1,0 +1,158 @@
+// Optics and displays, and where they stand in a scene.
+#include <cmath>
+#include <utility>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "lippmann/optics/optics.hpp"
+#include "lippmann/optics/viewing.hpp"
+#include "lippmann/stage/placement.hpp"
+
+namespace lippmann::python {
+namespace {
+
+Optics checked(Panel panel, OpticsModel model) {
+  Optics optics;
+  optics.panel = panel;
+  optics.model = std::move(model);
+  validate(optics);
+  return optics;
+}
+
+/// Views with the eyes of a grid (baseline > 0) or of a cone.
+Optics views(Vec2i grid, Vec2i view, float pixel_mm, float cone_deg, float distance_mm, float baseline_mm) {
+  MultiView model;
+  model.columns = grid.x, model.rows = grid.y;
+  model.view_cone = radians(cone_deg);
+  model.distance_mm = distance_mm;
+  model.baseline_mm = baseline_mm;
+  return checked({grid.x * view.x, grid.y * view.y, pixel_mm}, model);
+}
+
+Optics lenticular_sheet(Vec2i size, float pixel_mm, float lens_pitch_mm, float gap_mm, float slant_deg, float offset_mm,
+                        float viewing_distance_mm) {
+  LenticularSheet sheet;
+  sheet.lens_pitch_mm = lens_pitch_mm, sheet.gap_mm = gap_mm, sheet.offset_mm = offset_mm;
+  sheet.slant = radians(slant_deg);
+  sheet.viewing_distance_mm = viewing_distance_mm;
+  return checked({size.x, size.y, pixel_mm}, sheet);
+}
+
+Optics microlens_array(Vec2i size, float pixel_mm, float lens_pitch_mm, float gap_mm, bool hexagonal, float offset_mm,
+                       float viewing_distance_mm) {
+  MicrolensArray array;
+  array.packing = hexagonal ? LensPacking::kHexagonal : LensPacking::kSquare;
+  array.lens_pitch_mm = lens_pitch_mm, array.gap_mm = gap_mm, array.offset_mm = Vec2f(offset_mm);
+  array.viewing_distance_mm = viewing_distance_mm;
+  return checked({size.x, size.y, pixel_mm}, array);
+}
+
+Optics single_view(Vec2i size, float pixel_mm, float distance_mm) {
+  return checked({size.x, size.y, pixel_mm}, SingleView{distance_mm, {}});
+}
+
+using Pair = std::array<int, 2>;  ///< (rows, columns) or (height, width), as shapes of arrays are
+Vec2i xy(const Pair& pair) { return {pair[1], pair[0]}; }
+
+/// Origins (mm) and directions of the rays of points of the panel.
+py::tuple rays_of(const Optics& optics, const Array<float>& pixels) {
+  const std::vector<Vec2f> points = vectors_of<Vec2f>(pixels, "pixels");
+  std::vector<float> origins, directions;
+  for (const Vec2f& point : points) {
+    const Ray ray = ray_of_pixel(optics, point);
+    for (int c = 0; c < 3; ++c) origins.push_back(ray.origin[c]), directions.push_back(ray.direction[c]);
+  }
+  const auto count = static_cast<py::ssize_t>(points.size());
+  return py::make_tuple(moved(std::move(origins), {count, 3}), moved(std::move(directions), {count, 3}));
+}
+
+std::array<double, 3> eye_of(const Optics& optics) {
+  const Vec3d eye = default_eye_mm(optics);
+  return {eye.x, eye.y, eye.z};
+}
+
+PlacementWish wish_of(bool fit_depth, const std::string& focus, const std::string& fit_to, float zoom, float yaw, float pitch) {
+  return {{focus, fit_to, zoom, {yaw, pitch}}, fit_depth};
+}
+
+Pair panel_size(const Display& display) { return {display.pixels.y, display.pixels.x}; }
+
+std::optional<Pair> tiles_of(const Display& display) {
+  return display.quilt ? std::optional(Pair{display.quilt->rows, display.quilt->columns}) : std::nullopt;
+}
+
+double aspect_of(const Display& display) {
+  return display.quilt ? display.quilt->aspect : static_cast<double>(display.pixels.x) / display.pixels.y;
+}
+
+Pair size_of(const Optics& optics) { return {picture_size(optics).y, picture_size(optics).x}; }
+
+std::array<float, 2> window_of(const Optics& optics) { return {window_size_mm(optics).y, window_size_mm(optics).x}; }
+
+void bind_display(py::module_& module) {
+  py::class_<Display>(module, "Display", "A display: a preset, a file of one's own, a device's calibration (lippmann.display).")
+      .def_readonly("name", &Display::name, "Of the preset, or the file's without its ending.")
+      .def_readonly("description", &Display::description, "One line.")
+      .def_property_readonly(
+          "kind", [](const Display& d) { return to_string(d.kind); }, "slanted-panel, lenticular-sheet or microlens-array.")
+      .def_property_readonly("size", &panel_size, "[height, width] of the panel in pixels.")
+      .def_readonly("dpi", &Display::dpi, "Pixels per inch.")
+      .def_readonly("view_cone_deg", &Display::view_cone_deg, "The full angle that its views spread over, degrees.")
+      .def_property_readonly(
+          "viewing_distance_mm", [](const Display& d) { return viewing_distance_mm(d); }, "How far its viewer stands.")
+      .def_property_readonly("view_count", &views_of, "How many views it shows.")
+      .def_property_readonly("tiles", &tiles_of, "[rows, columns] of its quilt; None: it has none.")
+      .def_property_readonly("aspect", &aspect_of, "Width / height.");
+  module.def("load_display", &load_display);
+  module.def("display_from_toml", [](const std::string& text) { return display_from_toml(text, "text"); });
+  module.def("display_presets", &display_presets);
+}
+
+}  // namespace
+
+void bind_optics(py::module_& module) {
+  bind_display(module);
+  py::class_<Optics>(module, "Optics", "Which ray every pixel of a panel shows (lippmann.camera_grid, lippmann.quilt, ...).")
+      .def_property_readonly("size", &size_of, "[height, width] of the panel's picture in pixels.")
+      .def_property_readonly(
+          "is_views", [](const Optics& o) { return std::holds_alternative<MultiView>(o.model); },
+          "Whether it is views side by side.")
+      .def_property_readonly("window_mm", &window_of, "[height, width] of what is seen of the display's plane.")
+      .def_property_readonly("default_eye_mm", &eye_of, "[x, y, z]: where it is meant to be seen from.")
+      .def_property_readonly("depth_budget_mm", &depth_budget_mm, "How far before its plane and behind it is sharp.")
+      .def("rays", &rays_of,
+           "Origins (n, 3), mm, and unit directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels from its "
+           "top left corner, centres at + 0.5.");
+  module.def("views",
+             [](const Pair& grid, const Pair& view, float pixel_mm, float cone_deg, float distance_mm, float baseline_mm) {
+               return views(xy(grid), xy(view), pixel_mm, cone_deg, distance_mm, baseline_mm);
+             });
+  module.def("lenticular_sheet",
+             [](const Pair& size, float pixel_mm, float pitch, float gap, float slant, float offset, float distance) {
+               return lenticular_sheet(xy(size), pixel_mm, pitch, gap, slant, offset, distance);
+             });
+  module.def("microlens_array",
+             [](const Pair& size, float pixel_mm, float pitch, float gap, bool hexagonal, float offset, float distance) {
+               return microlens_array(xy(size), pixel_mm, pitch, gap, hexagonal, offset, distance);
+             });
+  module.def("single_view",
+             [](const Pair& size, float pixel_mm, float distance) { return single_view(xy(size), pixel_mm, distance); });
+
+  py::class_<Placement>(module, "Placement")
+      .def_property_readonly("optics", [](const Placement& p) { return p.placed.optics; })
+      .def_property_readonly("units_per_mm", [](const Placement& p) { return p.placed.units_per_mm; })
+      .def_property_readonly("depth_scale", [](const Placement& p) { return p.placed.depth_scale; })
+      .def_property_readonly("how", [](const Placement& p) { return p.array.how; });
+  module.def("place", [](const Scene& scene, const Optics& optics, bool fit_depth, const std::string& focus,
+                         const std::string& fit_to, float zoom, float yaw,
+                         float pitch) { return place(scene, optics, wish_of(fit_depth, focus, fit_to, zoom, yaw, pitch)); });
+  module.def("place_display", [](const Scene& scene, const Display& display, bool native, bool fit_depth,
+                                 const std::string& focus, const std::string& fit_to, float zoom, float yaw, float pitch) {
+    return place(scene, display, native ? DisplayPicture::kNative : DisplayPicture::kQuilt,
+                 wish_of(fit_depth, focus, fit_to, zoom, yaw, pitch));
+  });
+}
+
+}  // namespace lippmann::python

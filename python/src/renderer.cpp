@@ -1,0 +1,204 @@
+// Frames of a scene, one after the other, as films whose arrays need no copies.
+#include "lippmann/frames/renderer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "interruptible.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "lippmann/layout/film_views.hpp"
+#include "lippmann/layout/light_field.hpp"
+#include "lippmann/replay/rendered_panel.hpp"
+#include "lippmann/scene/timeline.hpp"
+#include "lippmann/trace/aov_names.hpp"
+
+namespace lippmann::python {
+namespace {
+
+/// A frame, and the optics that it is of.
+struct Film {
+  RenderedFrame frame;
+  Optics optics;
+  Encoding encoding = Encoding::kSrgb;
+  Affine3f world_from_display;
+};
+using SharedFilm = std::shared_ptr<Film>;
+
+std::optional<Aov> layer_named(const std::string& name) {
+  const auto found = std::find(kAovNames.begin(), kAovNames.end(), name);
+  return found == kAovNames.end() ? std::nullopt : std::optional(static_cast<Aov>(found - kAovNames.begin()));
+}
+
+/// (y, x, 3): without a copy, but for slanted panels, whose pixels are gathered.
+py::array picture_of(const SharedFilm& film) {
+  const Image& image = film->frame.pictures.film;
+  if (sub_pixels_per_pixel(film->optics) > 1) return moved(picture_of_film(image, film->optics));
+  return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
+}
+
+/// What the panel shows, without a copy where that is the film itself.
+template <class Use>
+auto with_picture(const Film& film, Use use) {
+  const Image& image = film.frame.pictures.film;
+  return sub_pixels_per_pixel(film.optics) > 1 ? use(picture_of_film(image, film.optics)) : use(image);
+}
+
+Image8 film_codes(const Film& film) {
+  return with_picture(film, [&](const Image& picture) { return to_codes(picture, film.encoding); });
+}
+
+py::array codes_of_film(const Film& film) {
+  Image8 codes;
+  {
+    const py::gil_scoped_release release;
+    codes = film_codes(film);
+  }
+  return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
+}
+
+/// What `render` writes: codes as .png, floats as .exr.
+void write(const Film& film, const std::filesystem::path& path) {
+  const py::gil_scoped_release release;
+  if (path.extension() != ".exr") return write_picture(path, film_codes(film));
+  with_picture(film, [&](const Image& picture) { write_picture(path, picture); });
+}
+
+const Image& required_layer(const Film& film, const std::string& name) {
+  const std::optional<Aov> aov = layer_named(name);
+  if (aov && film.frame.pictures.aovs.images[static_cast<std::size_t>(*aov)].width > 0) return film.frame.pictures.aovs[*aov];
+  throw Error("layers", "'" + name + "' was not rendered", "its name among `layers` when the frame is rendered");
+}
+
+/// (y, x, channel) as on the panel.
+py::array layer_on_panel(const SharedFilm& film, const std::string& name) {
+  const Image& image = required_layer(*film, name);
+  if (sub_pixels_per_pixel(film->optics) > 1) return moved(picture_of_layer(image, film->optics));
+  return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
+}
+
+/// (views, y, x, channel), view 0 first.
+py::array layer_of_views(const Film& film, const std::string& name, int views) {
+  const Image& layer = required_layer(film, name);
+  Image stack;
+  {
+    const py::gil_scoped_release release;
+    stack = views_of_layer(layer, film.optics);
+  }
+  return moved(std::move(stack.data), {views, stack.height / views, stack.width, stack.channels});
+}
+
+std::shared_ptr<LightField> views_of_film(const Film& film) {
+  const py::gil_scoped_release release;
+  const FramePictures& pictures = film.frame.pictures;
+  const Image& depth = pictures.aovs[Aov::kDepth];
+  return std::make_shared<LightField>(light_field_of(pictures.film, film.optics, depth.width > 0 ? &depth : nullptr));
+}
+
+/// What eyes look at: the display as it is, whatever part of the depth its views were drawn with.
+std::shared_ptr<RenderedPanel> panel_of_film(const Film& film) {
+  const py::gil_scoped_release release;
+  return std::make_shared<RenderedPanel>(
+      RenderedPanel{with_parallax(film.optics, 1.0f), picture_of_film(film.frame.pictures.film, film.optics)});
+}
+
+py::dict report_of(const Film& film) {
+  const FrameReport& report = film.frame.report;
+  py::dict said;
+  said["frame"] = report.frame, said["kind"] = report.kind;
+  said["seconds"] = report.seconds, said["cpu_seconds"] = report.cpu_seconds;
+  said["rays"] = report.rays.total();
+  said["reused_pixels"] = report.reused_pixels, said["missed_pixels"] = report.missed_pixels;
+  said["estimated_psnr_db"] = report.estimated_psnr_db;
+  return said;
+}
+
+// ---- The renderer -----------------------------------------------------------------------------------------------------
+
+Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, const std::optional<double>& min_psnr_db) {
+  if (name == "none") return TraceAll{};
+  if (name == "copy") return CopySettled{keyframes};
+  if (name == "light") return ShareLight{.min_psnr_db = min_psnr_db};
+  if (name == "interpolate") return Interpolate{.keyframes = keyframes, .min_psnr_db = min_psnr_db};
+  return AutoReuse{};
+}
+
+Sampling sampling_of(bool paths, int spp, int max_depth, std::uint32_t seed, bool denoise,
+                     const std::vector<std::string>& layers) {
+  Sampling sampling;
+  sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
+  sampling.spp = spp, sampling.max_depth = max_depth, sampling.seed = seed, sampling.denoise = denoise;
+  for (const std::string& name : layers)
+    if (const std::optional<Aov> aov = layer_named(name)) sampling.aov.push_back(*aov);
+  return sampling;
+}
+
+/// The frames of one animation. What the renderer needs outlives it: the context first.
+class Frames {
+ public:
+  Frames(Scene& scene, Placement placement, const FrameParams& params, int threads) : work_(threads), placement_(placement) {
+    work_.run(py::none(),
+              [&](const Context& context) { renderer_.emplace(std::move(scene), std::move(placement), params, context); });
+  }
+
+  SharedFilm frame(int index, const py::object& progress) {
+    if (!renderer_) throw Error("frames", "rendering was stopped", "a new call of lippmann.frames");
+    std::optional<RenderedFrame> made;
+    try {
+      work_.run(progress, [&](const Context&) { made = renderer_->frame(index); });
+    } catch (...) {
+      if (work_.context().cancelled) renderer_.reset();  // frames that share with others may have stopped half way
+      throw;
+    }
+    if (!made) throw Error("frames", "rendering was stopped", "a new call of lippmann.frames");
+    const Scene& scene = renderer_->scene();
+    return std::make_shared<Film>(Film{
+        std::move(*made), placement_.placed.optics, scene.encoding,
+        world_from_display(placement_.array, placement_.placed.units_per_mm, evaluate(scene, scene.timeline.time(index)))});
+  }
+
+  const Placement& placement() const { return placement_; }
+
+ private:
+  Interruptible work_;
+  Placement placement_;
+  std::optional<Renderer> renderer_;
+};
+
+/// The scene moves into it: what is left is empty.
+std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, bool paths, int spp, int max_depth,
+                                  std::uint32_t seed, bool denoise, const std::vector<std::string>& layers,
+                                  const std::string& reuse, const std::optional<int>& keyframes,
+                                  const std::optional<double>& min_psnr_db, int threads) {
+  const FrameParams params{sampling_of(paths, spp, max_depth, seed, denoise, layers),
+                           reuse_named(reuse, keyframes, min_psnr_db)};
+  return std::make_shared<Frames>(scene, placement, params, threads);
+}
+
+}  // namespace
+
+void bind_renderer(py::module_& module) {
+  py::class_<Film, SharedFilm>(module, "Film")
+      .def_property_readonly("picture", &picture_of)
+      .def_property_readonly("codes", &codes_of_film)
+      .def_property_readonly("report", &report_of)
+      .def_property_readonly("world_from_display", [](const Film& f) { return matrix_of(f.world_from_display); })
+      .def("write", &write)
+      .def("layer", &layer_on_panel)
+      .def("layer_of_views", &layer_of_views)
+      .def("views", &views_of_film)
+      .def("panel", &panel_of_film);
+
+  py::class_<Frames, std::shared_ptr<Frames>>(module, "Frames")
+      .def(py::init(&frames_of))
+      .def("frame", &Frames::frame)
+      .def_property_readonly("placement", &Frames::placement);
+
+  std::vector<std::string> layers(kAovNames.begin(), kAovNames.end());
+  module.attr("layer_names") = py::tuple(py::cast(layers));
+}
+
+}  // namespace lippmann::python

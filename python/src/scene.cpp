@@ -1,0 +1,229 @@
+// Scenes: from files, and built element by element. Elements are called by their indices here; lippmann.Scene has the names.
+#include <utility>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "interruptible.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/scene/builtin.hpp"
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
+#include "lippmann/stage/lighting.hpp"
+
+namespace lippmann::python {
+namespace {
+
+using SharedScene = std::shared_ptr<Scene>;
+using Three = std::array<float, 3>;
+using Four = std::array<float, 4>;
+
+Vec3f vec(const Three& v) { return {v[0], v[1], v[2]}; }
+Quatf quaternion(const Four& xyzw) { return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]}; }
+
+template <class T>
+int add(std::vector<T>& elements, T element) {
+  elements.push_back(std::move(element));
+  return static_cast<int>(elements.size()) - 1;
+}
+
+SharedScene load(const std::string& name, const std::string& camera_path, double frames_per_second,
+                 const std::string& asset_root, const std::string& animation) {
+  LoadOptions options;
+  if (!camera_path.empty()) options.camera_path = camera_path;
+  options.frames_per_second = frames_per_second;
+  options.asset_root = asset_root;
+  options.animation = animation;
+  SharedScene scene;
+  Interruptible(0).run(py::none(),
+                       [&](const Context& context) { scene = std::make_shared<Scene>(load_scene(name, options, context)); });
+  return scene;
+}
+
+int add_node(Scene& scene, std::string name, int parent, const Three& translation, const Four& rotation, const Three& scale) {
+  Node node;
+  node.name = std::move(name);
+  node.parent = parent;
+  node.local = {vec(translation), quaternion(rotation), vec(scale)};
+  return add(scene.nodes, std::move(node));
+}
+
+int add_mesh(Scene& scene, const Array<float>& positions, const Array<std::uint32_t>& triangles,
+             const std::optional<Array<float>>& normals, const std::optional<Array<float>>& uvs,
+             const std::optional<Array<float>>& colors) {
+  Mesh mesh;
+  mesh.positions = vectors_of<Vec3f>(positions, "positions");
+  require_shape(triangles, {-1, 3}, "triangles");
+  mesh.triangles.resize(static_cast<std::size_t>(triangles.shape(0)));
+  const std::uint32_t* index = triangles.data();
+  for (auto& triangle : mesh.triangles)
+    for (std::uint32_t& vertex : triangle) vertex = *index++;
+  if (normals) mesh.normals = vectors_of<Vec3f>(*normals, "normals");
+  if (uvs) mesh.uvs = vectors_of<Vec2f>(*uvs, "uvs");
+  if (colors) mesh.colors = vectors_of<Vec3f>(*colors, "colors");
+  return add(scene.shapes, Shape(std::move(mesh)));
+}
+
+int add_texture(Scene& scene, const Array<std::uint8_t>& rgba, bool srgb) {
+  require_shape(rgba, {-1, -1, 4}, "texture");
+  Texture texture;
+  texture.width = static_cast<int>(rgba.shape(1)), texture.height = static_cast<int>(rgba.shape(0));
+  texture.rgba.assign(rgba.data(), rgba.data() + rgba.size());
+  texture.srgb = srgb;
+  return add(scene.textures, std::move(texture));
+}
+
+int add_material(Scene& scene, const Four& base_color, int texture, float metallic, float roughness, const Three& emissive,
+                 float transmission, float ior, float clearcoat, bool double_sided, bool unlit) {
+  MetallicRoughness surface;
+  surface.base_color = {base_color[0], base_color[1], base_color[2], base_color[3]};
+  surface.base_color_map.texture = texture;
+  surface.metallic = metallic, surface.roughness = roughness;
+  surface.emissive = vec(emissive);
+  surface.transmission = transmission, surface.ior = ior;
+  surface.clearcoat = clearcoat;
+  surface.blend = base_color[3] < 1.0f;
+  surface.double_sided = double_sided, surface.unlit = unlit;
+  return add(scene.materials, Material{"", surface});
+}
+
+int add_light(Scene& scene, std::string name, const std::string& kind, int node, const Three& color, float range,
+              float inner_cone, float outer_cone) {
+  Light light;
+  light.name = std::move(name);
+  light.kind = kind == "directional" ? LightKind::kDirectional : kind == "spot" ? LightKind::kSpot : LightKind::kPoint;
+  light.node = node;
+  light.color = vec(color);
+  light.inverse_square = light.kind != LightKind::kDirectional;
+  light.range = range;
+  light.inner_cone = inner_cone, light.outer_cone = outer_cone;
+  return add(scene.lights, std::move(light));
+}
+
+int add_camera(Scene& scene, std::string name, int node, float vertical_fov, float aspect, float focus_distance) {
+  Camera camera;
+  camera.name = std::move(name);
+  camera.node = node;
+  camera.vertical_fov = vertical_fov, camera.aspect = aspect, camera.focus_distance = focus_distance;
+  return add(scene.cameras, std::move(camera));
+}
+
+/// The animation of a node, which it has at most one of.
+NodeAnimation& animation_of(Scene& scene, int node) {
+  for (NodeAnimation& animation : scene.timeline.animations)
+    if (animation.node == node) return animation;
+  scene.timeline.animations.emplace_back().node = node;
+  return scene.timeline.animations.back();
+}
+
+template <class T>
+Channel<T> channel_of(const Timeline& timeline, std::vector<T> values) {
+  Channel<T> channel;
+  for (std::size_t frame = 0; frame < values.size(); ++frame) channel.times.push_back(timeline.time(static_cast<int>(frame)));
+  channel.values = std::move(values);
+  return channel;
+}
+
+/// A key for every frame.
+void animate(Scene& scene, int node, const std::optional<Array<float>>& translation,
+             const std::optional<Array<float>>& rotation, const std::optional<Array<float>>& scale) {
+  NodeAnimation& animation = animation_of(scene, node);
+  if (translation) animation.translation = channel_of(scene.timeline, vectors_of<Vec3f>(*translation, "translation"));
+  if (scale) animation.scale = channel_of(scene.timeline, vectors_of<Vec3f>(*scale, "scale"));
+  if (!rotation) return;
+  std::vector<Quatf> turns;
+  for (const Vec4f& xyzw : vectors_of<Vec4f>(*rotation, "rotation")) turns.emplace_back(xyzw.w, xyzw.x, xyzw.y, xyzw.z);
+  animation.rotation = channel_of(scene.timeline, std::move(turns));
+}
+
+std::vector<std::string> names_of_instances(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Instance& instance : scene.instances) names.push_back(instance.name);
+  return names;
+}
+
+/// (2, 3): lowest and highest coordinates of everything finite; none where there is nothing.
+py::object bounds_of(const Scene& scene, int frame) {
+  const Bounds3f bounds = finite_bounds(scene, evaluate(scene, scene.timeline.time(frame)));
+  if (bounds.empty()) return py::none();
+  std::vector<float> corners;
+  for (const Vec3f corner : {bounds.lower, bounds.upper})
+    for (int c = 0; c < 3; ++c) corners.push_back(corner[c]);
+  return moved(std::move(corners), {2, 3});
+}
+
+void bind_elements(py::class_<Scene, SharedScene>& scene) {
+  scene.def("add_node", &add_node)
+      .def("add_mesh", &add_mesh)
+      .def("add_sphere",
+           [](Scene& s, const Three& center, float radius) {
+             return add(s.shapes, Shape(Spheres{{vec(center), radius}}));
+           })
+      .def("add_cylinder",
+           [](Scene& s, const Three& base, const Three& apex, float radius) {
+             return add(s.shapes, Shape(Cylinders{{vec(base), vec(apex), radius}}));
+           })
+      .def("add_plane",
+           [](Scene& s, const Three& point, const Three& normal) {
+             return add(s.shapes, Shape(Planes{{vec(point), glm::normalize(vec(normal))}}));
+           })
+      .def("add_box",
+           [](Scene& s, const Three& lower, const Three& upper) {
+             return add(s.shapes, Shape(Boxes{{vec(lower), vec(upper)}}));
+           })
+      .def("add_texture", &add_texture)
+      .def("add_material", &add_material)
+      .def("add_instance",
+           [](Scene& s, std::string name, int shape, int material, int node) {
+             return add(s.instances, Instance{std::move(name), shape, material, node});
+           })
+      .def("add_light", &add_light)
+      .def("add_camera", &add_camera)
+      .def("animate", &animate)
+      .def("set_display",
+           [](Scene& s, int node, float plane_height, float viewing_distance) {
+             s.display = DisplayPlacement{node, plane_height, viewing_distance};
+           })
+      .def("set_background",
+           [](Scene& s, const Three& horizon, const Three& zenith) {
+             s.background.horizon = vec(horizon), s.background.zenith = vec(zenith), s.background.map.reset();
+           })
+      .def("set_environment", [](Scene& s, const Array<float>& radiance, float strength, float rotation) {
+        s.background.map = EnvironmentMap{image_of(radiance, 3, "radiance"), strength, rotation};
+      });
+}
+
+std::vector<std::pair<std::string, std::string>> builtin_scene_lines() {
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const BuiltinScene& scene : builtin_scenes()) lines.emplace_back(scene.name, scene.description);
+  return lines;
+}
+
+}  // namespace
+
+void bind_scene(py::module_& module) {
+  py::class_<Scene, SharedScene> scene(module, "Scene");
+  scene
+      .def(py::init([](std::string name, int frames, double frames_per_second) {
+        Scene made;
+        made.name = std::move(name);
+        made.timeline.frame_count = frames, made.timeline.frames_per_second = frames_per_second;
+        return std::make_shared<Scene>(std::move(made));
+      }))
+      .def("copy", [](const Scene& s) { return std::make_shared<Scene>(s); })
+      .def("check", [](const Scene& s) { validate(s, "scene"); })
+      .def("add_missing_light",
+           [](Scene& s, bool paths) { return add_missing_light(s, paths ? Integrator::kPath : Integrator::kWhitted); })
+      .def("bounds", &bounds_of)
+      .def_readwrite("name", &Scene::name)
+      .def_property_readonly("frame_count", [](const Scene& s) { return s.timeline.frame_count; })
+      .def_property_readonly("frames_per_second", [](const Scene& s) { return s.timeline.frames_per_second; })
+      .def_property_readonly("material_count", [](const Scene& s) { return s.materials.size(); })
+      .def_property_readonly("instance_names", &names_of_instances);
+  bind_elements(scene);
+  module.def("load_scene", &load);
+  module.def("is_physical_format", &is_physical_format);
+  module.def("builtin_scenes", &builtin_scene_lines);
+}
+
+}  // namespace lippmann::python

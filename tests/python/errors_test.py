@@ -1,0 +1,226 @@
+"""Bad input: one exception that names the argument, and never a crash of the interpreter."""
+
+import os
+import threading
+import warnings
+
+import numpy as np
+
+import lippmann
+from support import Case, small_grid
+
+QUAD = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
+FACES = [[0, 1, 2], [0, 2, 3]]
+
+
+class Errors(Case):
+    def test_an_error_is_a_value_error_with_its_parts(self):
+        with self.assertRaises(ValueError) as caught:
+            lippmann.display("portrat")
+        error = caught.exception
+        self.assertIsInstance(error, lippmann.Error)
+        self.assertIn("portrat", error.problem + error.where)
+        self.assertIn(error.problem, str(error))
+        self.assertWrong("spp", lippmann.render, "room", small_grid(), spp=-1)
+
+    def test_arrays_of_wrong_shape_type_or_numbers_are_named(self):
+        scene = lippmann.Scene(frames=3)
+        self.assertWrong("positions", scene.add_mesh, [[0, 0], [1, 1], [2, 2]], FACES)
+        self.assertWrong("positions", scene.add_mesh, [], FACES)
+        self.assertWrong("positions", scene.add_mesh, "mesh", FACES)
+        self.assertWrong("positions", scene.add_mesh, [[0, 0, 0], [1, 1]], FACES)
+        self.assertWrong("positions", scene.add_mesh, np.zeros((4, 3), complex), FACES)
+        self.assertWrong("positions", scene.add_mesh, np.zeros((4, 3), object), FACES)
+        nan = np.array(QUAD, float)
+        nan[2, 1] = np.nan
+        error = self.assertWrong("positions", scene.add_mesh, nan, FACES)
+        self.assertIn("(2, 1)", error.problem)
+        self.assertWrong("positions", scene.add_mesh, np.array(QUAD) * 1e300, FACES)
+        self.assertWrong("triangles", scene.add_mesh, QUAD, [[0, 1, 4]])
+        self.assertWrong("triangles", scene.add_mesh, QUAD, [[0, 1, -1]])
+        self.assertWrong("triangles", scene.add_mesh, QUAD, [[0.0, 1.0, 2.0]])
+        self.assertWrong("triangles", scene.add_mesh, QUAD, [[0, 1]])
+        self.assertWrong("normals", scene.add_mesh, QUAD, FACES, normals=np.zeros((4, 3)))
+        self.assertWrong("uvs", scene.add_mesh, QUAD, FACES, uvs=np.zeros((3, 2)))
+        self.assertWrong("colors", scene.add_mesh, QUAD, FACES, colors=np.zeros((4, 4)))
+        self.assertEqual(scene.objects, ())  # nothing was added half
+        ball = scene.add_sphere()
+        self.assertWrong("matrices", ball.animate, np.zeros((2, 4, 4)))
+        self.assertWrong("matrices", ball.animate, np.zeros((3, 4, 4)))
+        self.assertWrong("matrices", ball.animate, np.tile(np.eye(4) + np.eye(4, k=1), (3, 1, 1)))
+        self.assertWrong("matrices", ball.animate, np.tile(np.eye(4), (3, 1, 1)), translation=np.zeros((3, 3)))
+        self.assertWrong("rotation", ball.animate, rotation=np.zeros((3, 4)))
+        self.assertWrong("material.color", scene.add_sphere, material=lippmann.Material((1, 2, 0)))
+        self.assertWrong("material.ior", scene.add_sphere, material=lippmann.Material(ior=float("nan")))
+        self.assertWrong("material.texture", scene.add_sphere, material=lippmann.Material(texture=np.zeros((2, 2, 3))))
+        self.assertWrong("material", scene.add_sphere, material="red")
+        self.assertWrong("radiance", scene.set_environment, np.full((2, 4, 3), -1.0))
+        self.assertWrong("views", lippmann.LightField, np.zeros((2, 2, 3)))
+        self.assertWrong("views", lippmann.LightField, np.zeros((2, 2, 4, 4, 3), bool))
+        self.assertWrong("views", lippmann.LightField, np.zeros((2, 2, 0, 4, 3)))
+        views = np.zeros((2, 2, 4, 4, 3))
+        self.assertWrong("depth", lippmann.LightField, views, np.zeros((2, 2, 4, 5)))
+        self.assertWrong("baseline_mm", lippmann.LightField, views, distance_mm=3, pixel_mm=1)
+        self.assertWrong("picture", lippmann.to_codes, np.zeros(3))
+
+    def test_arguments_outside_their_range_are_named(self):
+        grid = small_grid()
+        for name, value in {
+            "display": 3,
+            "frame": 480,
+            "layers": ["deph"],
+            "spp": 1.5,
+            "seed": -1,
+            "integrator": "paths",
+            "reuse": "all",
+            "layout": "quilt",
+            "light": "on",
+            "zoom": float("nan"),
+            "orbit": 3,
+            "progress": "bar",
+            "threads": -1,
+            "min_psnr": "high",
+            "focus": 3,
+        }.items():
+            options = {"display": grid, "frame": 0, name: value}
+            self.assertWrong({"frame": "frames"}.get(name, name), lippmann.render, "room", **options)
+        self.assertWrong("size", lippmann.camera_grid, size=(0, 3))
+        self.assertWrong("size", lippmann.camera_grid, size=(3, 3, 3))
+        self.assertWrong("size", lippmann.camera_grid, size=(30000, 30000))
+        self.assertWrong("rows", lippmann.camera_grid, rows=0)
+        self.assertWrong("baseline_mm", lippmann.camera_grid, baseline_mm=0)
+        self.assertWrong("gap_mm", lippmann.lenticular_sheet, gap_mm=float("inf"))
+        self.assertWrong("center", lippmann.Scene().add_sphere, (0, 0))
+        self.assertWrong("radius", lippmann.Scene().add_sphere, radius=0)
+        self.assertWrong("upper", lippmann.Scene().add_box, (0, 0, 0), (1, 0, 1))
+        self.assertWrong("apex", lippmann.Scene().add_cylinder, (0, 0, 0), (0, 0, 0), 1)
+        self.assertWrong("kind", lippmann.Scene().add_light, "area")
+        self.assertWrong("target", lippmann.Scene().add_camera, (0, 0, 0), (0, 0, 0))
+        self.assertWrong("name", lippmann.Scene, "a\udc80b")
+        self.assertWrong("name", lippmann.Scene().add_sphere, name=3)
+        self.assertWrong("frames", lippmann.Scene, frames=0)
+
+    def test_what_a_light_field_does_not_have_is_said(self):
+        field = lippmann.render("room", small_grid())
+        self.assertWrong("depth", lambda: field.depth)
+        self.assertWrong("layers", lambda: field.normals)
+        self.assertWrong("z_mm", field.refocus, float("nan"))
+        self.assertWrong("size", field.refocus, 0, (0, 5))
+        self.assertWrong("size", field.eye, size=(100000, 5))
+        self.assertWrong("x", field.eye, x="left")
+        with self.assertRaises(lippmann.Error):
+            field.eye(z=-5)
+        with self.assertRaises(lippmann.Error):
+            field.refocus(z_mm=1000)  # behind the viewer
+        self.assertWrong("row", field.epi)
+        with self.assertRaises(lippmann.Error):
+            field.epi(row=5000)
+        self.assertWrong("format", field.save, self.folder / "x", "hcj")
+        self.assertWrong("bits", field.save, self.folder / "x", "views", bits=9)
+        self.assertWrong("path", field.save, "a\0b")
+        with self.assertRaises(lippmann.Error):
+            field.save(self.folder / "x.gif")
+        with self.assertRaises(lippmann.Error):
+            field.save("/nowhere/x.png")
+        bare = lippmann.LightField(np.zeros((2, 2, 4, 4, 3), np.uint8))
+        self.assertWrong("cameras", lambda: bare.eyes_mm)
+        self.assertWrong("layer", lambda: bare.normals)
+
+    def test_files_that_are_none_are_named(self):
+        self.assertWrong("scene", lippmann.load, 3)
+        for name in ("rom", "nowhere.glb", "", "a\0b.glb"):
+            with self.assertRaises(lippmann.Error):
+                lippmann.load(name)
+        broken = self.folder / "broken.glb"
+        broken.write_bytes(b"glTF" + bytes(40))
+        with self.assertRaises(lippmann.Error) as caught:
+            lippmann.load(broken)
+        self.assertIn("broken.glb", str(caught.exception))
+        odd = self.folder / os.fsdecode(b"\xff\xfe.glb")
+        odd.write_bytes(b"glTF")
+        with self.assertRaises(lippmann.Error):
+            lippmann.load(odd)
+        for path in (self.folder / "nothing", self.folder, broken):
+            with self.assertRaises(lippmann.Error):
+                lippmann.open(path)
+        (self.folder / "p.json").write_text("{")
+        with self.assertRaises(lippmann.Error):
+            lippmann.render("room", self.folder / "p.json")
+        with self.assertRaises(lippmann.Error):
+            lippmann.display_from_toml("kind = 3")
+
+    def test_scenes_without_anything_or_of_zero_size_render_or_are_refused(self):
+        empty = lippmann.render(lippmann.Scene(), small_grid(1, 1, (8, 8)), spp=1)
+        self.assertTrue(np.isfinite(empty.views).all())
+        scene = lippmann.Scene()
+        scene.add_mesh(np.zeros((3, 3)), [[0, 1, 2]], scale=(0, 0, 0))
+        try:
+            self.assertTrue(np.isfinite(lippmann.render(scene, small_grid(1, 1, (8, 8)), spp=1).views).all())
+        except lippmann.Error as error:
+            self.assertTrue(error.problem)
+
+    def test_what_a_callback_throws_stops_the_render_and_comes_out(self):
+        class Own(Exception):
+            pass
+
+        calls = []
+
+        def stop(frame, share):
+            calls.append(share)
+            raise Own("enough")
+
+        animation = lippmann.frames("room", small_grid(3, 3, (400, 400)), spp=16, progress=stop)
+        with self.assertRaisesRegex(Own, "enough"):
+            animation[0]
+        self.assertEqual(len(calls), 1)
+        self.assertWrong("frames", lambda: animation[1])  # one that was stopped does not go on
+        self.assertEqual(lippmann.render("room", small_grid()).shape[0], 2)  # others do
+
+    def test_one_animation_is_not_shared_by_threads_at_a_time(self):
+        started, errors = threading.Event(), []
+        animation = lippmann.frames(
+            "room", small_grid(3, 3, (200, 200)), spp=16, progress=lambda frame, share: started.set()
+        )
+
+        def render():
+            animation[0]
+
+        thread = threading.Thread(target=render)
+        thread.start()
+        started.wait()
+        try:
+            animation[1]
+        except lippmann.Error as error:
+            errors.append(error.where)
+        thread.join()
+        self.assertEqual(errors, ["thread"])
+
+    def test_warnings_are_those_of_python_and_can_be_errors(self):
+        # A .dat with a line that is read past warns; the tool says the same sentence on stderr.
+        scene = self.folder / "scene.obj"
+        scene.write_text("mtllib nowhere.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            lippmann.load(scene)
+        self.assertTrue(caught, "nothing was warned of")
+        self.assertTrue(issubclass(caught[0].category, lippmann.LippmannWarning))
+        self.assertIn("nowhere.mtl", str(caught[0].message))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(lippmann.LippmannWarning):
+                lippmann.load(scene)
+
+    def test_core_functions_called_with_nonsense_raise(self):
+        # Nobody should call them; even so nothing crashes.
+        core = lippmann._core
+        for function in (core.load_scene, core.place, core.Frames, core.open_light_field, core.views, core.Views):
+            with self.assertRaises(TypeError):
+                function()
+        with self.assertRaises(lippmann.Error):
+            core.Views(np.zeros((2, 2)), None)
+        scene = core.Scene("x", 1, 25.0)
+        scene.add_instance("i", 7, 9, 3)
+        with self.assertRaises(lippmann.Error):
+            scene.check()
+        with self.assertRaises(lippmann.Error):
+            core.Scene("x", 1, 25.0).add_mesh(np.zeros((3, 2)), np.zeros((1, 3), np.uint32), None, None, None)

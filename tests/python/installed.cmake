@@ -1,0 +1,22 @@
+# Installs the component python3 below a prefix of its own, and renders with it: nothing of the build tree is needed.
+#   cmake -D BUILD=... -D PYTHON=... -D FOLDER=lib/python3.x/dist-packages -P installed.cmake
+cmake_minimum_required(VERSION 3.25)
+
+set(prefix ${BUILD}/tests/python/prefix)
+file(REMOVE_RECURSE ${prefix})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --component python3 --prefix ${prefix}
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+foreach(file __init__.py py.typed _core.pyi)
+  if(NOT EXISTS ${prefix}/${FOLDER}/lippmann/${file} OR IS_SYMLINK ${prefix}/${FOLDER}/lippmann/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
+set(ENV{PYTHONPATH} ${prefix}/${FOLDER})
+set(ENV{PYTHONDONTWRITEBYTECODE} 1)
+execute_process(COMMAND ${PYTHON} -c "import lippmann
+assert lippmann.__file__.startswith('${prefix}'), lippmann.__file__
+print(lippmann.render('room', lippmann.camera_grid(1, 2, (16, 16))).shape)"
+  OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+if(NOT output STREQUAL "(1, 2, 16, 16, 3)\n")
+  message(FATAL_ERROR "printed: ${output}")
+endif()
