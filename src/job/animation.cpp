@@ -254,7 +254,7 @@ class Animation {
   RenderFolder open_folder() {
     if (const std::string sentence = whole_paths_sentence(params_); !sentence.empty()) context_.warning(sentence);
     if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
-    for (const VideoFile& video : videos_) make_room_for_video(video, optics().panel);
+    for (const VideoFile& video : videos_) make_room_for_video(video, film_size(optics()));
     make_folder(folder_);
     remove_stale_temporaries(folder_);
     clear_folder(folder_, job_, all_frames_, run_.force, context_);

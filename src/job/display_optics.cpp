@@ -63,10 +63,10 @@ OpticsKind own_kind(const Display& display) {
   return display.kind == DisplayKind::kMicrolensArray ? OpticsKind::kMicrolens : OpticsKind::kMultiview;
 }
 
-void require_size(const Panel& panel) {
-  const std::int64_t pixels = std::int64_t{panel.width} * panel.height;
-  if (pixels > kMaxPixels || std::max(panel.width, panel.height) > kMaxSide)
-    throw usage_error("--display", fmt::format("a frame of {}x{} pixels", panel.width, panel.height),
+void require_size(Vec2i film) {
+  const std::int64_t pixels = std::int64_t{film.x} * film.y;
+  if (pixels > kMaxPixels || std::max(film.x, film.y) > kMaxSide)
+    throw usage_error("--display", fmt::format("a frame of {}x{} pixels", film.x, film.y),
                       fmt::format("1 to {} pixels, at most {} a side: --size says a smaller one", kMaxPixels, kMaxSide));
 }
 
@@ -95,7 +95,7 @@ Optics display_optics(const RenderParams& params, const Display& display) {
   else
     throw usage_error("--optics", fmt::format("{} is a {}", display.name, to_string(display.kind)),
                       "no --optics, multiview or single");
-  require_size(optics.panel);
+  require_size(film_size(optics));
   return optics;
 }
 

@@ -13,7 +13,7 @@ double said_crosstalk(const RenderParams& params, const Optics& optics, const Di
   if (!display || !display->crosstalk_px)
     throw usage_error(kPrecompensateFlag, "nothing says how much neighbours leak into one another",
                       "--crosstalk, or a display whose file says it");
-  const auto* views = std::get_if<MultiView>(&optics.model);
+  const std::optional<ViewTiles> views = view_tiles(optics);
   if (!views) return *display->crosstalk_px;
   return *display->crosstalk_px * views->columns * views->rows / pixels_below_lens(*display);
 }

@@ -40,11 +40,11 @@ ViewLayout film_of(const Optics& optics, const std::string& where) {
 
 /// Whether a picture is as the panel of these optics shows it.
 bool is_as_shown(const fs::path& picture, const std::string& layout, const Optics& optics) {
-  if (std::holds_alternative<SingleView>(optics.model)) return true;
+  if (is_single_view(optics)) return true;
   const std::optional<QuiltName> name = parse_quilt_name(picture);
-  const auto* views = std::get_if<MultiView>(&optics.model);
+  const std::optional<ViewTiles> views = view_tiles(optics);
   if (name) return views && name->tiles == ViewGrid{views->columns, views->rows};
-  if (layout == "quilt") return views != nullptr;
+  if (layout == "quilt") return views.has_value();
   if (layout == "eslf") return false;
   return layout != "integral" || has_lenses(optics);
 }

@@ -56,8 +56,9 @@ void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& fac
   const bool is_quilt = film.kind == LayoutKind::kQuilt;
   facts.tiles = is_quilt ? film.tiles : tiles_for(film.grid.count());
   facts.panel = film.kind == LayoutKind::kIntegral ? PanelPicture::kIntegral : PanelPicture::kQuilt;
-  facts.lens_samples_across = has_lenses(optics);
-  facts.lens_samples_up = std::holds_alternative<MicrolensArray>(optics.model);
+  const std::optional<LensArray> lenses = lens_array(optics);
+  facts.lens_samples_across = lenses.has_value();
+  facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
 }
 
 PageFacts facts_of(const LightFieldFrames& frames, const std::optional<RenderedViews>& views) {
