@@ -58,8 +58,9 @@ TEST(Renderer, traces_optics_that_are_rays_alone_and_does_not_interpolate_them) 
   Optics view{.panel = {24, 16, 1.0f}, .model = SingleView{.distance_mm = 60.0f}};
   const Placement as_view = place(scene, view);
   Placement as_rays = as_view;
-  as_rays.placed.optics.model =
-      make_ray_table(view.panel, 1, [&](Vec2f pixel) { return ray_of_pixel(as_view.placed.optics, pixel); });
+  RayTable table = make_ray_table(view.panel, 1, [&](Vec2f pixel) { return ray_of_pixel(as_view.placed.optics, pixel); });
+  table.spread = 1.0f / 60.0f;  // as textures are filtered for an eye 60 mm away
+  as_rays.placed.optics.model = table;
   const auto film_of = [&](const Placement& placement, const FrameParams& params) {
     return Renderer(scene, placement, params, context).frame(1)->pictures.film;
   };
