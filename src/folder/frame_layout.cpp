@@ -46,8 +46,8 @@ PictureLayout default_layout(const Optics& optics, const Display* display) {
   return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;
 }
 
-void refuse_without(bool given, bool said, const char* name, const char* other) {
-  if (said && !given) throw usage_error(name, fmt::format("means nothing without {}", other), "both, or neither");
+void refuse_without(bool has_other, bool given, const char* name, const char* other) {
+  if (given && !has_other) throw usage_error(name, fmt::format("means nothing without {}", other), "both, or neither");
 }
 
 /// The layout that a format is by another name.
@@ -155,8 +155,8 @@ Vec2i FrameLayout::picture_size() const {
   return names_.views > 0 ? arrangement_->view_size() : arrangement_->target_size();
 }
 
-std::filesystem::path FrameLayout::video_path(const std::filesystem::path& said) const {
-  return quilt_ ? with_quilt_name(said, *quilt_) : said;
+std::filesystem::path FrameLayout::video_path(const std::filesystem::path& plain) const {
+  return quilt_ ? with_quilt_name(plain, *quilt_) : plain;
 }
 
 Image FrameLayout::arrange(const Image& film) const {

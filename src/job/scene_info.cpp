@@ -74,7 +74,7 @@ std::string list_animations(const SceneInfo& info) {
   return text;
 }
 
-/// Of files that bring animations: whether frames show their keys.
+/// Whether frames show the keys of a file with animations; nothing for other files.
 std::string describe_keys(const SceneInfo& info) {
   if (info.animations.empty()) return "";
   return info.keys_on_frames ? ", every key of the file on a frame" : ", not all keys of the file on frames (--fps chooses)";

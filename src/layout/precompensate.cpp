@@ -76,7 +76,7 @@ LIPPMANN_MULTIVERSION void leak_lines(const Leak& leak, const Lane* shown, Lane*
   }
 }
 
-/// Of a sweep: how much any sample changed, and how many would be beyond their bounds.
+/// How much a sweep changed the sample that it changed most, and how many samples would lie beyond their bounds.
 struct Swept {
   Lane change{}, clipped{};
 };

@@ -175,7 +175,7 @@ double row_pitch_mm(const MicrolensArray& array) {
   return array.lens_pitch_mm * (array.packing == LensPacking::kHexagonal ? std::sqrt(0.75) : 1.0);
 }
 
-/// Of the panel, along x.
+/// The width of a cell on the panel.
 double cell_mm(const MicrolensArray& array) {
   return array.lens_pitch_mm * (1.0 + array.gap_mm / static_cast<double>(array.viewing_distance_mm));
 }

@@ -19,7 +19,7 @@ EyeAngles eye_angles(const MultiView& views) {
   return count > 1 ? EyeAngles{cone * (shift / (count - 1) - 0.5), cone / (count - 1)} : EyeAngles{0.0, 0.0};
 }
 
-/// Of one axis of a camera grid: from its middle to its first eye.
+/// The first eye of one axis of a camera grid, from its middle.
 double first_eye(double baseline_mm, int count, float shift) { return baseline_mm * (shift - 0.5 * (count - 1)); }
 
 }  // namespace
@@ -107,7 +107,7 @@ namespace {
 
 bool is_grid(const MultiView& views) { return views.baseline_mm > 0.0f; }
 
-/// Of a camera grid: of as many baselines as there are eyes, of the longer side.
+/// The zone of a camera grid is as many baselines wide as its longer side has eyes.
 float views_zone(const MultiView& views) {
   if (!is_grid(views)) return views.view_cone;
   const auto eyes = static_cast<float>(std::max(views.columns, views.rows));

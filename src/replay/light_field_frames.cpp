@@ -192,7 +192,7 @@ LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldSai
     if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, said);
     if (!parse_quilt_name(first))
       throw Error(first.string(), "nothing says what this picture is: it has no report.json beside it, and no quilt's name",
-                  "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann convert --help` lists the formats");
+                  "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann help convert` lists the formats");
   }
   const LightFieldSource source = light_field_source(first, said.from, options_of(said));
   if (source.rendering) return of_render(std::move(frames), *source.rendering, said);
