@@ -116,7 +116,7 @@ class RayBench {
         source_(stage.placed.optics, world_from_display, order, SubPixel{}),
         beam_(stage.placed.optics, world_from_display),
         max_depth_(stage.scene.max_depth),
-        film_(stage.placed.optics.panel.width, stage.placed.optics.panel.height, 3),
+        film_(film_size(stage.placed.optics).x, film_size(stage.placed.optics).y, 3),
         hits_(source_) {}
 
   MeasuredRays measure() {

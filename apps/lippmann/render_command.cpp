@@ -61,7 +61,7 @@ std::string describe_pictures(const Planned& plan) {
 
 /// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
 bool can_be_replayed(const RenderReport& report) {
-  return !std::holds_alternative<SingleView>(report.optics.model) && !report.params.output.pictures.mirror;
+  return !is_single_view(report.optics) && !report.params.output.pictures.mirror;
 }
 
 /// With what the pictures were made, and what makes better ones.

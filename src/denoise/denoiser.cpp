@@ -27,7 +27,7 @@ struct Denoiser::Impl {
 };
 
 Denoiser::Denoiser(const Optics& optics, const ViewLayout& film)
-    : impl_(std::make_unique<Impl>(Impl{{optics, film}, {optics.panel.width, optics.panel.height}})) {}
+    : impl_(std::make_unique<Impl>(Impl{{optics, film}, film_size(optics)})) {}
 Denoiser::~Denoiser() = default;
 
 std::shared_ptr<const Denoiser::Frame> Denoiser::prepare(const DenoiserInput& input, const ThreadPool& pool) const {

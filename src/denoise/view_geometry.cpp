@@ -5,7 +5,7 @@
 namespace lippmann {
 
 ViewGeometry::ViewGeometry(const Optics& optics, const ViewLayout& film) : grid_(film.grid) {
-  const Vec2i panel(optics.panel.width, optics.panel.height);
+  const Vec2i panel = film_size(optics);
   size_ = lippmann::view_size(film, panel, "denoise");
   pixels_ = pixels_of_views(film, size_, panel);
   const ViewPlaces places(optics);

@@ -91,7 +91,6 @@ Optics native_optics(const Display& display) {
   Optics optics;
   optics.panel = {display.pixels.x, display.pixels.y, static_cast<float>(display.pixel_mm())};
   if (display.kind == DisplayKind::kSlantedPanel) {
-    optics.panel.width *= 3, optics.panel.pixel_pitch_mm = static_cast<float>(display.pixel_mm() / 3.0);
     optics.model = slanted_panel(display, distance);
     return optics;
   }

@@ -51,7 +51,7 @@ Display named_preset(const PresetFile& preset) {
   return display;
 }
 
-/// Of the preset with the longest prefix of the serial number.
+/// The preset with the longest prefix of the serial number.
 std::optional<Display> preset_of_serial(const std::string& serial) {
   std::optional<Display> best;
   std::size_t length = 0;
@@ -61,7 +61,7 @@ std::optional<Display> preset_of_serial(const std::string& serial) {
   return best;
 }
 
-/// Of a device that nobody knows: a quilt of the commonest kind for its shape.
+/// An unknown device: it gets a quilt of the commonest kind for its shape.
 Display unknown_device(Vec2i pixels) {
   Display display;
   display.pixels = pixels;

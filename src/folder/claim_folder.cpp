@@ -29,7 +29,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
-/// Of which files remain that somebody may want: a render that was stopped before its first frame holds nothing.
+/// Whether files remain that somebody may want. A render that was stopped before its first frame holds nothing.
 bool holds_anything(const FolderJournal& journal) { return !journal.frames.empty() || !journal.videos.empty(); }
 
 /// Nothing else stands in place of what a render writes once.
@@ -92,7 +92,7 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
                 "all of them, with `resume` to keep the finished ones; `video` with another name; `force`, which replaces it");
 }
 
-/// Of views too, whose folder goes when it is empty. Returns whether the file is gone.
+/// Removes the file of a picture or of a view; the folder of views goes when it is empty. Returns whether the file is gone.
 bool remove_file(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path file = folder / name, parent = fs::path(name).parent_path();

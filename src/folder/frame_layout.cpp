@@ -42,12 +42,12 @@ double display_aspect(const Optics& optics) {
 
 /// Quilts for displays are called quilts.
 PictureLayout default_layout(const Optics& optics, const Display* display) {
-  const bool is_quilt = display && std::holds_alternative<MultiView>(optics.model);
+  const bool is_quilt = display && view_tiles(optics);
   return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;
 }
 
-void refuse_without(bool given, bool said, const char* name, const char* other) {
-  if (said && !given) throw usage_error(name, fmt::format("means nothing without {}", other), "both, or neither");
+void refuse_without(bool has_other, bool given, const char* name, const char* other) {
+  if (given && !has_other) throw usage_error(name, fmt::format("means nothing without {}", other), "both, or neither");
 }
 
 /// The layout that a format is by another name.
@@ -81,7 +81,7 @@ Image mirrored(const Image& image) {
 }  // namespace
 
 FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, const Display* display)
-    : film_(optics.panel.width, optics.panel.height), sub_pixels_(std::holds_alternative<SlantedPanel>(optics.model)) {
+    : film_(film_size(optics)), sub_pixels_(sub_pixels_per_pixel(optics) > 1) {
   const PictureParams params = with_layout(wanted);
   const PictureLayout layout = params.layout.value_or(default_layout(optics, display));
   const bool is_print = layout == PictureLayout::kPrint;
@@ -106,7 +106,7 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
     return;
   }
   if (!params.layout && !display) return;
-  if (std::holds_alternative<SingleView>(optics.model) && !params.layout) return;
+  if (is_single_view(optics) && !params.layout) return;
   arrange_views(params, layout, optics);
 }
 
@@ -155,8 +155,8 @@ Vec2i FrameLayout::picture_size() const {
   return names_.views > 0 ? arrangement_->view_size() : arrangement_->target_size();
 }
 
-std::filesystem::path FrameLayout::video_path(const std::filesystem::path& said) const {
-  return quilt_ ? with_quilt_name(said, *quilt_) : said;
+std::filesystem::path FrameLayout::video_path(const std::filesystem::path& plain) const {
+  return quilt_ ? with_quilt_name(plain, *quilt_) : plain;
 }
 
 Image FrameLayout::arrange(const Image& film) const {

@@ -83,8 +83,8 @@ const FlooredFrames::Segment& FlooredFrames::segment_of(int frame) {
 }
 
 FlooredFrames::Segment FlooredFrames::try_segment(int first) {
-  const Panel& panel = stage_.placed.optics.panel;
-  const std::uint64_t pixels = static_cast<std::uint64_t>(panel.width) * static_cast<std::uint64_t>(panel.height);
+  const Vec2i film = film_size(stage_.placed.optics);
+  const std::uint64_t pixels = static_cast<std::uint64_t>(film.x) * static_cast<std::uint64_t>(film.y);
   if (last_frame_ - first < 2) return {};
   key(first);
   const double prediction = prediction_cost(stage_.scene, keys_.at(first).report.rays, pixels);
@@ -136,7 +136,7 @@ bool FlooredFrames::predict_or_trace(int frame, const FrameInterval& interval, c
   InBetweenCounts counts;
   const FloorOutcome outcome =
       maker_.make_to_floor(previous, following, position(frame, interval), frame, learned, trace, pool_, image, counts);
-  FrameReport report = in_between_report(frame, counts, rays, stage_.placed.optics.panel);
+  FrameReport report = in_between_report(frame, counts, rays, film_size(stage_.placed.optics));
   if (outcome.holds) {
     report.estimated_psnr_db = estimated_psnr(outcome.error);
     report.psnr_at_least_db = psnr_db(outcome.error.bound);

@@ -95,7 +95,7 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
   const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
   const InBetweenCounts counts = maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, position,
                                              as_source, trace, pool_, source.image);
-  source.report = in_between_report(frame, counts, rays, stage_.placed.optics.panel);
+  source.report = in_between_report(frame, counts, rays, film_size(stage_.placed.optics));
   clock.add_to(source.report);
   return source;
 }

@@ -32,7 +32,7 @@ ForwardSource trace_source(Stage& stage, const Sampling& sampling, const Interpo
   return source;
 }
 
-FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, const Panel& panel) {
+FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, Vec2i film) {
   FrameReport report;
   report.frame = frame;
   report.kind = "in-between";
@@ -41,7 +41,7 @@ FrameReport in_between_report(int frame, const InBetweenCounts& counts, const Ra
   report.newly_visible_pixels = counts.causes.newly_visible;
   report.not_covered_pixels = counts.causes.not_covered;
   report.retraced_pixels = counts.retraced;
-  const std::uint64_t pixels = static_cast<std::uint64_t>(panel.width) * static_cast<std::uint64_t>(panel.height);
+  const std::uint64_t pixels = static_cast<std::uint64_t>(film.x) * static_cast<std::uint64_t>(film.y);
   report.reused_pixels = pixels - std::max(counts.missed, counts.retraced);
   return report;
 }

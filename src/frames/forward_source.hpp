@@ -22,6 +22,6 @@ ForwardSource trace_source(Stage& stage, const Sampling& sampling, const Interpo
                            const InBetweenMaker& maker, const ThreadPool& pool, const Context& context);
 
 /// Of a frame made from others; without times.
-FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, const Panel& panel);
+FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, Vec2i film);
 
 }  // namespace lippmann

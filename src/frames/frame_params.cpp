@@ -105,7 +105,7 @@ void check(const FrameParams& params, const Optics& optics) {
   check(params);
   if (params.sampling.angular_filter != AngularFilter::kBox) return;
   constexpr const char* kField = "angular-filter";
-  if (!std::holds_alternative<MultiView>(optics.model))
+  if (!view_tiles(optics))
     throw usage_error(kField,
                       "only views have eyes to be spread: below lenses, the samples of a pixel are seen from all of its "
                       "directions anyway",

@@ -103,11 +103,11 @@ std::vector<ExrAttribute> about_render(const std::string& scene, const Optics& o
 class Animation {
  public:
   /// Refuses what cannot be rendered. Writes nothing.
-  Animation(const RenderParams& said, const Context& context, const RenderObserver& observer, const RunParams& run)
+  Animation(const RenderParams& wanted, const Context& context, const RenderObserver& observer, const RunParams& run)
       : context_(context),
         observer_(observer),
         run_(run),
-        params_(with_scene_defaults(said)),
+        params_(with_scene_defaults(wanted)),
         made_as_(checked_frame_params(params_)),
         pool_(params_.threads > 0 ? params_.threads : resolved_threads(context)),
         stage_(params_, pool_, context),
@@ -213,7 +213,7 @@ class Animation {
     return std::all_of(frames_.begin(), frames_.end(), [&](int frame) { return journal.frames.contains(frame); });
   }
 
-  /// Of pictures that are finished.
+  /// Makes the videos of a folder whose pictures are all finished.
   void make_videos(FrameMaker& maker, RenderFolder& folder) {
     FrameSink sink(sink_settings(maker, videos_), folder);
     for (const int frame : frames_) sink.add_kept(frame);
@@ -254,7 +254,7 @@ class Animation {
   RenderFolder open_folder() {
     if (const std::string sentence = whole_paths_sentence(params_); !sentence.empty()) context_.warning(sentence);
     if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
-    for (const VideoFile& video : videos_) make_room_for_video(video, optics().panel);
+    for (const VideoFile& video : videos_) make_room_for_video(video, film_size(optics()));
     make_folder(folder_);
     remove_stale_temporaries(folder_);
     clear_folder(folder_, job_, all_frames_, run_.force, context_);

@@ -11,8 +11,8 @@
 namespace lippmann {
 namespace {
 
-void refuse(bool said, const char* flag, const char* problem, const char* accepted) {
-  if (said) throw usage_error(flag, problem, accepted);
+void refuse(bool given, const char* flag, const char* problem, const char* accepted) {
+  if (given) throw usage_error(flag, problem, accepted);
 }
 
 void refuse_what_the_display_decides(const RenderParams& params) {
@@ -24,8 +24,8 @@ void refuse_what_the_display_decides(const RenderParams& params) {
   refuse(params.optics.camera_grid, "--camera-grid", "displays want views at equal angles", "no --display with it");
 }
 
-/// With what is said of angle, distance and, of all but quilts, size.
-Display with_said(const RenderParams& params, Display display, bool is_quilt) {
+/// The display with the viewing angle, the viewing distance and, except for quilts, the size of the parameters.
+Display with_params(const RenderParams& params, Display display, bool is_quilt) {
   if (params.optics.view_angle_deg) display.view_cone_deg = *params.optics.view_angle_deg;
   if (params.optics.viewing_distance_mm) display.viewing_distance_mm = *params.optics.viewing_distance_mm;
   if (params.optics.size.x > 0 && !is_quilt) {
@@ -36,8 +36,8 @@ Display with_said(const RenderParams& params, Display display, bool is_quilt) {
   return display;
 }
 
-/// The display's quilt, or one as is said.
-Optics said_quilt(const RenderParams& params, Display display) {
+/// The display's quilt, or the one of the parameters.
+Optics wanted_quilt(const RenderParams& params, Display display) {
   refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display knows no quilt",
          "--views CxR and --size WxH");
   DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
@@ -63,10 +63,10 @@ OpticsKind own_kind(const Display& display) {
   return display.kind == DisplayKind::kMicrolensArray ? OpticsKind::kMicrolens : OpticsKind::kMultiview;
 }
 
-void require_size(const Panel& panel) {
-  const std::int64_t pixels = std::int64_t{panel.width} * panel.height;
-  if (pixels > kMaxPixels || std::max(panel.width, panel.height) > kMaxSide)
-    throw usage_error("--display", fmt::format("a frame of {}x{} pixels", panel.width, panel.height),
+void require_size(Vec2i film) {
+  const std::int64_t pixels = std::int64_t{film.x} * film.y;
+  if (pixels > kMaxPixels || std::max(film.x, film.y) > kMaxSide)
+    throw usage_error("--display", fmt::format("a frame of {}x{} pixels", film.x, film.y),
                       fmt::format("1 to {} pixels, at most {} a side: --size says a smaller one", kMaxPixels, kMaxSide));
 }
 
@@ -84,18 +84,18 @@ Optics display_optics(const RenderParams& params, const Display& display) {
   const bool is_quilt = kind == OpticsKind::kMultiview && !(slanted && native);
   refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no meaning for this kind of optics",
          "with --optics multiview");
-  const Display said = with_said(params, display, is_quilt);
+  const Display wanted = with_params(params, display, is_quilt);
   Optics optics;
   if (kind == OpticsKind::kSingle)
-    optics = single_optics(said);
+    optics = single_optics(wanted);
   else if (is_quilt)
-    optics = said_quilt(params, said);
+    optics = wanted_quilt(params, wanted);
   else if (kind == own_kind(display))
-    optics = native_optics(said);
+    optics = native_optics(wanted);
   else
     throw usage_error("--optics", fmt::format("{} is a {}", display.name, to_string(display.kind)),
                       "no --optics, multiview or single");
-  require_size(optics.panel);
+  require_size(film_size(optics));
   return optics;
 }
 

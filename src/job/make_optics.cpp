@@ -112,11 +112,10 @@ void require_lenses_of_a_pixel(float lens_pitch_mm, float gap_mm, float viewing_
       "a longer distance, a wider --view-angle or more --lens-pixels");
 }
 
-void check_lens(const OpticsModel& model, const Panel& panel) {
-  if (const auto* sheet = std::get_if<LenticularSheet>(&model))
-    require_lenses_of_a_pixel(sheet->lens_pitch_mm, sheet->gap_mm, sheet->viewing_distance_mm, panel);
-  if (const auto* array = std::get_if<MicrolensArray>(&model))
-    require_lenses_of_a_pixel(array->lens_pitch_mm, array->gap_mm, array->viewing_distance_mm, panel);
+void check_lens(const Optics& optics) {
+  if (const std::optional<LensArray> lenses = lens_array(optics))
+    require_lenses_of_a_pixel(lenses->lens_pitch_mm, static_cast<float>(lenses->gap_mm),
+                              static_cast<float>(lenses->viewing_distance_mm), optics.panel);
 }
 
 /// Without a display: as the parameters say, lenses 1 mm wide.
@@ -128,7 +127,7 @@ Optics optics_of_params(const RenderParams& params, const Scene& scene, const Fi
   const float window_height_mm = static_cast<float>(size.height / views.y) * optics.panel.pixel_pitch_mm;
   const float fitted_mm = array.viewing_distance / scene_units_per_mm(array, window_height_mm);
   optics.model = make_model(params, optics.panel, size, scene, viewing_distance_mm(params, fitted_mm, window_height_mm));
-  check_lens(optics.model, optics.panel);
+  check_lens(optics);
   return optics;
 }
 

@@ -31,7 +31,7 @@ void require_agreement(int size, int lenses, float pixels, const char* direction
                     "two of --size, --lenses and --lens-pixels, or three that agree");
 }
 
-/// Pixels below a lens, across: as said, or the share of a lens in the said size, or the default.
+/// Pixels below a lens, across: those of the parameters, or the share of a lens in the size they give, or the default.
 float lens_pixels_across(const RenderParams& params) {
   const int size = params.optics.size.x, lenses = params.optics.lenses.x;
   const float pixels = params.optics.lens_pixels.x;
@@ -89,11 +89,11 @@ PanelSize single_size(const RenderParams& params, Vec2i scene_resolution) {
   return {kDefaultSingle, kDefaultSingle, 0.0f};
 }
 
-void refuse(bool said, const char* flag, const char* accepted) {
-  if (said) throw usage_error(flag, "has no meaning for this kind of optics", accepted);
+void refuse(bool given, const char* flag, const char* accepted) {
+  if (given) throw usage_error(flag, "has no meaning for this kind of optics", accepted);
 }
 
-/// What is said but would change nothing is a mistake of the caller's, not ours to overlook.
+/// A flag that would change nothing is the caller's mistake, which we don't overlook.
 void refuse_what_has_no_meaning(const RenderParams& params) {
   const bool lenticular = optics_kind(params) == OpticsKind::kLenticular,
              microlens = optics_kind(params) == OpticsKind::kMicrolens;

@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provena
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 5> kLayoutNames{"integral", "quilt", "views", "native", "print"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
-/// Those that can be asked for; alpha comes with --transparent.
+/// The layers that `aov` takes; alpha comes with `transparent`.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
 constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in make_optics
@@ -79,7 +79,7 @@ Codec<Extent<T>> extent(T lowest, T highest) {
           [](const Extent<T>& value) { return value.x == T{0} ? std::string() : write_extent(value); }};
 }
 
-/// Both numbers have to be said: WxH.
+/// Both numbers must be given: WxH.
 Codec<Extent<int>> full_extent(int highest) {
   Codec<Extent<int>> codec = extent(1, highest);
   codec.read = [highest](std::string_view value, const std::string& where) {
@@ -107,18 +107,18 @@ Codec<ReuseChoice> reuse_choice() {
   return codec;
 }
 
-/// A flag that need not be said.
+/// An optional flag.
 Codec<std::optional<bool>> optional_flag() {
   return {[](std::string_view value, const std::string& where) { return std::optional(read_flag(value, where)); },
           [](const std::optional<bool>& value) { return value ? std::string(*value ? "true" : "false") : std::string(); }};
 }
 
-/// A number that need not be said.
+/// An optional number.
 template <class T>
 Codec<std::optional<T>> optional_number(double lowest, double highest) {
-  const Codec<T> said = number<T>(lowest, highest);
-  return {[said](std::string_view value, const std::string& where) { return std::optional<T>(said.read(value, where)); },
-          [said](const std::optional<T>& value) { return value ? said.write(*value) : std::string(); }};
+  const Codec<T> codec = number<T>(lowest, highest);
+  return {[codec](std::string_view value, const std::string& where) { return std::optional<T>(codec.read(value, where)); },
+          [codec](const std::optional<T>& value) { return value ? codec.write(*value) : std::string(); }};
 }
 
 /// A choice that need not be made.
@@ -150,7 +150,7 @@ auto& member_of(T& value, M Group::*member, Rest... rest) {
   return member_of(value.*member, rest...);
 }
 
-/// A row for the value at the end of a way of members. An empty text from the codec's `write` means "not said".
+/// A row for the value at the end of a way of members. An empty text from the codec's `write` means "not given".
 template <class T, class... Members>
 ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members... way) {
   ParamInfo info{words.name, words.group, words.type, words.doc, kind, true, false, {}, {}};

@@ -16,20 +16,20 @@ namespace fs = std::filesystem;
 
 void require_memory(const RenderParams& params, double bytes_kept_per_pixel, const Optics& optics, bool moves_pixels,
                     int frames_at_a_time) {
-  const Panel& panel = optics.panel;
+  const Vec2i film = film_size(optics);
   constexpr double kFilmBytes = 3 * sizeof(float), kCodeBytes = 3, kAovBytes = 3 * sizeof(float);
-  const double pixels = static_cast<double>(panel.width) * panel.height;
+  const double pixels = static_cast<double>(film.x) * film.y;
   const double films = (moves_pixels ? 2.0 : 1.0) + (params.optics.precompensate ? 2.0 : 0.0);
   const double frame = pixels * (films * kFilmBytes + kCodeBytes +
                                  kAovBytes * static_cast<double>(params.sampling.aov.size() + params.sampling.transparent));
   const double needed = frame * frames_at_a_time + pixels * bytes_kept_per_pixel;
   const double available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   if (needed > available)
-    throw Error("size",
-                fmt::format("frames of {}x{} pixels need {:.1f} GB of memory ({} at a time, {:.1f} GB each), this machine has "
-                            "{:.1f} GB",
-                            panel.width / sub_pixels_per_pixel(optics), panel.height, needed * 1e-9, frames_at_a_time,
-                            frame * 1e-9, available * 1e-9));
+    throw Error(
+        "size",
+        fmt::format("frames of {}x{} pixels need {:.1f} GB of memory ({} at a time, {:.1f} GB each), this machine has "
+                    "{:.1f} GB",
+                    optics.panel.width, optics.panel.height, needed * 1e-9, frames_at_a_time, frame * 1e-9, available * 1e-9));
 }
 
 void warn_of_videos(const Display& display, const FrameLayout& layout, const Context& context) {
@@ -47,9 +47,9 @@ VideoOptions video_options(const RenderParams& params, const fs::path& video, do
   return options;
 }
 
-void make_room_for_video(const VideoFile& video, const Panel& panel) {
+void make_room_for_video(const VideoFile& video, Vec2i film) {
   make_folder(video.path.parent_path());
-  check_video_path(video.path, video.options, panel.width, panel.height);
+  check_video_path(video.path, video.options, film.x, film.y);
   remove_stale_temporaries(video.path.parent_path(), video.path.filename());
 }
 

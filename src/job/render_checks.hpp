@@ -22,6 +22,6 @@ void warn_of_videos(const Display& display, const FrameLayout& layout, const Con
 VideoOptions video_options(const RenderParams& params, const std::filesystem::path& video, double frames_per_second);
 
 /// Makes its folder and clears away what a killed run has left of it. Throws Error if it cannot be written.
-void make_room_for_video(const VideoFile& video, const Panel& panel);
+void make_room_for_video(const VideoFile& video, Vec2i film);
 
 }  // namespace lippmann

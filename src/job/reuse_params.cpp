@@ -6,88 +6,88 @@ namespace lippmann {
 namespace {
 
 /// The first flag that only interpolation knows and that is not as it is by default; empty if there is none.
-std::string interpolation_flag(const ReuseParams& said) {
+std::string interpolation_flag(const ReuseParams& params) {
   const ReuseParams defaults;
-  if (said.splat != defaults.splat) return "--splat";
-  if (said.fill != defaults.fill) return "--fill";
-  if (said.halving) return "--halving";
-  if (said.no_z_buffer) return "--no-z-buffer";
-  return said.debug == DebugPicture::kMissed ? "--debug" : "";
+  if (params.splat != defaults.splat) return "--splat";
+  if (params.fill != defaults.fill) return "--fill";
+  if (params.halving) return "--halving";
+  if (params.no_z_buffer) return "--no-z-buffer";
+  return params.debug == DebugPicture::kMissed ? "--debug" : "";
 }
 
-void refuse_interpolation_flags(const ReuseParams& said) {
-  if (const std::string stray = interpolation_flag(said); !stray.empty())
+void refuse_interpolation_flags(const ReuseParams& params) {
+  if (const std::string stray = interpolation_flag(params); !stray.empty())
     throw usage_error(stray, "means nothing without interpolated frames", "it together with --reuse interpolate");
 }
 
-void refuse_light_flags(const ReuseParams& said) {
+void refuse_light_flags(const ReuseParams& params) {
   constexpr const char* kAccepted = "--integrator path --reuse light with it, 8 --spp or more, and no --aov direct or indirect";
-  if (said.time_budget_s) throw usage_error("--time-budget", "is for path-traced frames that share light", kAccepted);
-  if (said.debug == DebugPicture::kProvenance)
+  if (params.time_budget_s) throw usage_error("--time-budget", "is for path-traced frames that share light", kAccepted);
+  if (params.debug == DebugPicture::kProvenance)
     throw usage_error("--debug", "provenance shows where shared light came from, and none is", kAccepted);
 }
 
-TraceAll trace_all(const ReuseParams& said) {
-  refuse_interpolation_flags(said);
-  refuse_light_flags(said);
-  if (said.keyframes)
+TraceAll trace_all(const ReuseParams& params) {
+  refuse_interpolation_flags(params);
+  refuse_light_flags(params);
+  if (params.keyframes)
     throw usage_error("--keyframes", "means nothing where every frame is traced",
                       "it together with --reuse copy or interpolate");
-  if (said.min_psnr_db)
+  if (params.min_psnr_db)
     throw usage_error("--min-psnr", "means nothing where every frame is traced",
                       "it together with --reuse interpolate, or light with --integrator path");
   return {};
 }
 
-CopySettled copy_settled(const ReuseParams& said) {
-  refuse_interpolation_flags(said);
-  refuse_light_flags(said);
-  return {said.keyframes};
+CopySettled copy_settled(const ReuseParams& params) {
+  refuse_interpolation_flags(params);
+  refuse_light_flags(params);
+  return {params.keyframes};
 }
 
-ShareLight share_light(const ReuseParams& said) {
-  refuse_interpolation_flags(said);
-  if (said.keyframes)
+ShareLight share_light(const ReuseParams& params) {
+  refuse_interpolation_flags(params);
+  if (params.keyframes)
     throw usage_error("--keyframes", "means nothing where frames share light", "it together with --reuse copy or interpolate");
-  return {said.min_psnr_db, said.time_budget_s, said.debug == DebugPicture::kProvenance};
+  return {params.min_psnr_db, params.time_budget_s, params.debug == DebugPicture::kProvenance};
 }
 
-Interpolate interpolate(const ReuseParams& said) {
-  refuse_light_flags(said);
-  const bool shows_missed = said.debug == DebugPicture::kMissed;
-  if (shows_missed && said.fill == MissedFill::kRetrace)
+Interpolate interpolate(const ReuseParams& params) {
+  refuse_light_flags(params);
+  const bool shows_missed = params.debug == DebugPicture::kMissed;
+  if (shows_missed && params.fill == MissedFill::kRetrace)
     throw usage_error("--fill", "retraced pixels would not be seen: --debug missed leaves them black", "one of the two");
-  if (shows_missed && said.min_psnr_db)
+  if (shows_missed && params.min_psnr_db)
     throw usage_error("--debug", "cannot be together with --min-psnr, which traces what is missed or doubted",
                       "one of the two");
-  return {said.keyframes, said.min_psnr_db, said.splat, shows_missed ? MissedFill::kBlack : said.fill,
-          said.halving,   said.no_z_buffer};
+  return {params.keyframes, params.min_psnr_db, params.splat, shows_missed ? MissedFill::kBlack : params.fill,
+          params.halving,   params.no_z_buffer};
 }
 
-/// What is said of key frames and floors holds for any scene, as jobs for many scenes say it: frames that share light have no
+/// Key frames and floors may be given for any scene, as in jobs for many scenes: frames that share light have no
 /// key frames, and pixels that are copied or traced keep to any floor.
-Reuse reuse_by_sampling(ReuseParams said, const Sampling& sampling) {
-  if (can_copy_settled(sampling)) return copy_settled(said);
-  said.keyframes.reset();
-  if (can_share_light(sampling, {said.min_psnr_db, said.time_budget_s})) return share_light(said);
-  if (integrator_of(sampling) == Integrator::kWhitted) said.min_psnr_db.reset();
-  return trace_all(said);
+Reuse reuse_by_sampling(ReuseParams params, const Sampling& sampling) {
+  if (can_copy_settled(sampling)) return copy_settled(params);
+  params.keyframes.reset();
+  if (can_share_light(sampling, {params.min_psnr_db, params.time_budget_s})) return share_light(params);
+  if (integrator_of(sampling) == Integrator::kWhitted) params.min_psnr_db.reset();
+  return trace_all(params);
 }
 
-Reuse wanted_reuse(const ReuseParams& said, const Sampling& sampling) {
-  switch (said.choice) {
+Reuse wanted_reuse(const ReuseParams& params, const Sampling& sampling) {
+  switch (params.choice) {
     case ReuseChoice::kAuto:
-      return reuse_by_sampling(said, sampling);
+      return reuse_by_sampling(params, sampling);
     case ReuseChoice::kNone:
-      return trace_all(said);
+      return trace_all(params);
     case ReuseChoice::kCopy:
-      return copy_settled(said);
+      return copy_settled(params);
     case ReuseChoice::kLight:
-      return share_light(said);
+      return share_light(params);
     case ReuseChoice::kInterpolate:
       break;
   }
-  return interpolate(said);
+  return interpolate(params);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace lippmann {
 namespace {
 
 double pixels_of(const RenderReport& report) {
-  return static_cast<double>(report.optics.panel.width) * report.optics.panel.height;
+  const Vec2i film = film_size(report.optics);
+  return static_cast<double>(film.x) * film.y;
 }
 
 /// How much of frames that are the same bits as traced ones was copied.

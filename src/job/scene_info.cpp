@@ -74,7 +74,7 @@ std::string list_animations(const SceneInfo& info) {
   return text;
 }
 
-/// Of files that bring animations: whether frames show their keys.
+/// Whether frames show the keys of a file with animations; nothing for other files.
 std::string describe_keys(const SceneInfo& info) {
   if (info.animations.empty()) return "";
   return info.keys_on_frames ? ", every key of the file on a frame" : ", not all keys of the file on frames (--fps chooses)";
@@ -179,10 +179,8 @@ std::string to_text(const SceneInfo& info) {
                                info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));
   line("array", info.array.how);
   line("", fmt::format("Its centre is at ({:g}, {:g}, {:g}).", info.array_center.x, info.array_center.y, info.array_center.z));
-  const int per_pixel = sub_pixels_per_pixel(info.optics);
-  line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width / per_pixel,
-                            info.optics.panel.height, static_cast<float>(per_pixel) * info.optics.panel.pixel_pitch_mm,
-                            info.units_per_mm));
+  line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width,
+                            info.optics.panel.height, info.optics.panel.pixel_pitch_mm, info.units_per_mm));
   line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));
   line("depth", depth_budget_sentence(shown_depth(info.array, info.units_per_mm, info.depth_scale, info.optics), info.optics,
                                       info.depth_scale));

@@ -27,7 +27,7 @@ const FrameReport& lowest(const std::vector<FrameReport>& frames, std::optional<
                            [&](const FrameReport& a, const FrameReport& b) { return a.*figure < b.*figure; });
 }
 
-/// Of the mean of the squared errors.
+/// The PSNR that belongs to the mean of the squared errors.
 double mean_psnr_db(const std::vector<FrameReport>& frames) {
   double squares = 0.0;
   for (const FrameReport& frame : frames) squares += std::pow(10.0, -0.1 * frame.estimated_psnr_db.value());

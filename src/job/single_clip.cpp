@@ -12,9 +12,8 @@ std::string beside(const fs::path& video) {
 }
 
 Extent<int> extent_of_picture(const Optics& optics) {
-  const auto* views = std::get_if<MultiView>(&optics.model);
-  const int columns = views ? views->columns : 1, rows = views ? views->rows : 1;
-  return {optics.panel.width / columns, optics.panel.height / rows};
+  const ViewTiles tiles = view_tiles(optics).value_or(ViewTiles{});
+  return {optics.panel.width / tiles.columns, optics.panel.height / tiles.rows};
 }
 
 }  // namespace

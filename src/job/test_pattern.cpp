@@ -37,18 +37,6 @@ bool on_grid(Vec2f place) {
   return near_line(off(place.x)) || near_line(off(place.y));
 }
 
-/// Where the viewer that the zone is meant for stands; inf: cells run parallel.
-float viewer_distance_mm(const Optics& optics) {
-  struct Distance {
-    float operator()(const LenticularSheet& model) const { return model.viewing_distance_mm; }
-    float operator()(const MicrolensArray& model) const { return model.viewing_distance_mm; }
-    float operator()(const MultiView& model) const { return model.distance_mm; }
-    float operator()(const SingleView& model) const { return model.distance_mm; }
-    float operator()(const SlantedPanel& model) const { return model.distance_mm; }
-  };
-  return std::visit(Distance{}, optics.model);
-}
-
 /// Where in the zone a ray arrives: 0.5 of a single view.
 float place_in_zone(const Ray& ray, Vec3f at_plane, float distance_mm, float zone) {
   if (!(zone > 0.0f)) return 0.5f;
@@ -97,8 +85,9 @@ Image test_pattern_film(const Optics& optics, const ThreadPool& pool) {
   parallel.z_front_mm = 1.0f;  // rays begin near the plane: exact crossings
   const RayGenerator generator(parallel);
   const Vec2f half = 0.5f * window_size_mm(optics);
-  const float distance = viewer_distance_mm(optics), zone = viewing_zone(optics);
-  Image film(optics.panel.width, optics.panel.height, 3);
+  const float distance = viewing_distance_mm(optics), zone = viewing_zone(optics);
+  const Vec2i size = film_size(optics);
+  Image film(size.x, size.y, 3);
   pool.for_each(static_cast<std::size_t>(film.height), [&](std::size_t row) {
     for (int i = 0; i < film.width; ++i) {
       const Ray ray = generator.ray({static_cast<float>(i) + 0.5f, static_cast<float>(row) + 0.5f});

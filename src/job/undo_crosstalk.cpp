@@ -8,12 +8,12 @@ namespace {
 
 constexpr const char* kPrecompensateFlag = "--precompensate";
 
-double said_crosstalk(const RenderParams& params, const Optics& optics, const Display* display) {
+double known_crosstalk(const RenderParams& params, const Optics& optics, const Display* display) {
   if (params.optics.crosstalk_px) return *params.optics.crosstalk_px;
   if (!display || !display->crosstalk_px)
     throw usage_error(kPrecompensateFlag, "nothing says how much neighbours leak into one another",
                       "--crosstalk, or a display whose file says it");
-  const auto* views = std::get_if<MultiView>(&optics.model);
+  const std::optional<ViewTiles> views = view_tiles(optics);
   if (!views) return *display->crosstalk_px;
   return *display->crosstalk_px * views->columns * views->rows / pixels_below_lens(*display);
 }
@@ -28,7 +28,7 @@ std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics
   }
   if (params.output.pictures.pseudoscopic)
     throw usage_error(kPrecompensateFlag, "recorded pictures are not shown as they are", "no --pseudoscopic with it");
-  const double sigma = said_crosstalk(params, optics, display);
+  const double sigma = known_crosstalk(params, optics, display);
   Image nothing;
   precompensate(optics, sigma, kPrecompensateFlag, nothing);  // refuses before hours are spent on frames
   return sigma;

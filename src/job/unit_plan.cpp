@@ -62,9 +62,9 @@ double cpu_seconds_of(const std::vector<int>& frames, int segment, const FrameCo
 
 }  // namespace
 
-UnitPlan plan_units(const RenderParams& said, int count, bool measure, const Context& context) {
+UnitPlan plan_units(const RenderParams& wanted, int count, bool measure, const Context& context) {
   const auto begin = std::chrono::steady_clock::now();
-  const RenderParams params = with_scene_defaults(said);
+  const RenderParams params = with_scene_defaults(wanted);
   const FrameParams made_as = frame_params(params);
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   JobStage stage(params, pool, context);

@@ -1,10 +1,4 @@
-// The cameras that the views of a rendered picture are: where their eyes stand and how their pixels lie in the plane z = 0.
-//
-// Views of a quilt are off-axis pinholes by construction (optics/multi_view.hpp). So are the views of a lens array that is seen
-// from a distance V: the pixels at offset o from the centres of their cells have rays of slope -l/V - o/g through lens l, which
-// all pass through x = -o V/g at z = V, and one sample per lens, a lens pitch p apart. Their eyes stand m V/g apart, m the
-// pixel pitch, and the distance between samples is p; down a lenticular sheet, where lenses have no power, it is m V/(V + g).
-// A parallax (with_parallax) draws all of these eyes nearer together.
+// How the views of a rendered picture lie in it, and which cameras they are (optics/view_cameras.hpp).
 #pragma once
 
 #include <optional>

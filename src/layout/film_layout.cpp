@@ -1,15 +1,15 @@
 #include "layout/film_layout.hpp"
 
-#include <variant>
+#include <optional>
 
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
 
 ViewLayout film_layout(const Optics& optics, const char* where) {
-  if (const auto* views = std::get_if<MultiView>(&optics.model)) {
+  if (const std::optional<ViewTiles> views = view_tiles(optics)) {
     const ViewGrid tiles{views->columns, views->rows};
-    return {LayoutKind::kQuilt, views->baseline_mm > 0.0f ? tiles : ViewGrid{tiles.count(), 1}, tiles};
+    return {LayoutKind::kQuilt, views->camera_grid ? tiles : ViewGrid{tiles.count(), 1}, tiles};
   }
   const Vec2i n = whole_pixels_per_lens(optics);
   if (n.x > 0) return {LayoutKind::kIntegral, {n.x, n.y}, {}};

@@ -11,10 +11,10 @@
 namespace lippmann {
 namespace {
 
-void require_size(const Image& image, const Panel& panel, const char* what) {
-  if (image.width == panel.width && image.height == panel.height) return;
+void require_size(const Image& image, Vec2i film, const char* what) {
+  if (image.width == film.x && image.height == film.y) return;
   throw Error(what, fmt::format("has {}x{} pixels", image.width, image.height),
-              fmt::format("{}x{}, those of the panel", panel.width, panel.height));
+              fmt::format("{}x{}, those of the panel", film.x, film.y));
 }
 
 RenderedViews required_views(const Optics& optics) {
@@ -26,19 +26,19 @@ RenderedViews required_views(const Optics& optics) {
 }  // namespace
 
 LightField light_field_of(const Image& film, const Optics& optics, const Image* depth) {
-  const Panel& panel = optics.panel;
-  require_size(film, panel, "film");
-  if (depth) require_size(*depth, panel, "depth");
+  const Vec2i size = film_size(optics);
+  require_size(film, size, "film");
+  if (depth) require_size(*depth, size, "depth");
   const RenderedViews rendered = required_views(optics);
   const ViewLayout& layout = rendered.film;
   LightField field;
   field.grid = layout.grid;
-  field.view_size = view_size(layout, {panel.width, panel.height}, "film");
+  field.view_size = view_size(layout, size, "film");
   const Vec2f window = window_size_mm(optics);
   field.aspect = static_cast<double>(window.x) / window.y;
   if (layout.kind == LayoutKind::kQuilt) field.tiles = layout.tiles;
   field.cameras = rendered.cameras;
-  const std::vector<std::uint32_t> pixels = pixels_of_views(layout, field.view_size, {panel.width, panel.height});
+  const std::vector<std::uint32_t> pixels = pixels_of_views(layout, field.view_size, size);
   field.stack = blank(Picture(film), stack_size(field));
   move_pixels(Picture(film), pixels, field.stack, {});
   if (!depth) return field;
@@ -48,22 +48,22 @@ LightField light_field_of(const Image& film, const Optics& optics, const Image* 
 }
 
 Image views_of_layer(const Image& layer, const Optics& optics) {
-  const Vec2i panel(optics.panel.width, optics.panel.height);
-  require_size(layer, optics.panel, "layer");
+  const Vec2i size = film_size(optics);
+  require_size(layer, size, "layer");
   const ViewLayout film = required_views(optics).film;
-  const Vec2i view = view_size(film, panel, "layer");
+  const Vec2i view = view_size(film, size, "layer");
   Image stack(view.x, view.y * film.grid.count(), layer.channels);
-  move_pixels(layer, pixels_of_views(film, view, panel), stack, {});
+  move_pixels(layer, pixels_of_views(film, view, size), stack, {});
   return stack;
 }
 
 Image picture_of_film(const Image& film, const Optics& optics) {
-  require_size(film, optics.panel, "film");
+  require_size(film, film_size(optics), "film");
   return sub_pixels_per_pixel(optics) > 1 ? join_sub_pixels(film) : film;
 }
 
 Image picture_of_layer(const Image& layer, const Optics& optics) {
-  require_size(layer, optics.panel, "layer");
+  require_size(layer, film_size(optics), "layer");
   return sub_pixels_per_pixel(optics) > 1 ? middle_sub_pixels(layer) : layer;
 }
 

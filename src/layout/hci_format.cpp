@@ -38,7 +38,7 @@ std::optional<HciParameters> read_parameters(const fs::path& folder) {
   return parse_hci_parameters(text.str(), path.string());
 }
 
-/// As said, as parameters.cfg says, or a square.
+/// The grid in the options, the one in parameters.cfg, or a square.
 ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options,
                  const std::optional<HciParameters>& parameters) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(count))));
@@ -56,7 +56,7 @@ fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid
   return folder / fmt::format("gt_{}_lowres_Cam{:03}.pfm", kind, from_top_left(grid, view));
 }
 
-/// Of all views, or of none.
+/// Reads the depth of all views, or of none if one of them has none.
 void read_depth(const fs::path& folder, const HciParameters& parameters, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view)
     if (!is_regular_file_there(per_view(folder, "depth", field.grid, view))) return;

@@ -8,14 +8,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ViewGrid said_views(const fs::path& path, const FormatOptions& options) {
+ViewGrid wanted_views(const fs::path& path, const FormatOptions& options) {
   if (options.views) return *options.views;
   throw usage_error("views", path.string() + " does not say how many pixels lie below its lenses", "CxR, such as 8x1");
 }
 
 template <LayoutKind kind>
 LightField read_integral(const fs::path& path, const FormatOptions& options) {
-  return read_packed(path, {kind, said_views(path, options), {}}, options.with_depth);
+  return read_packed(path, {kind, wanted_views(path, options), {}}, options.with_depth);
 }
 
 template <LayoutKind kind>

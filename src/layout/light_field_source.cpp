@@ -63,8 +63,8 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;
   if (!source.options.views) source.options.views = film.grid;
-  const bool said_by_name = parse_quilt_name(path).has_value();
-  if (!source.options.tiles && film.kind == LayoutKind::kQuilt && !said_by_name) source.options.tiles = film.tiles;
+  const bool named_by_quilt = parse_quilt_name(path).has_value();
+  if (!source.options.tiles && film.kind == LayoutKind::kQuilt && !named_by_quilt) source.options.tiles = film.tiles;
   return source;
 }
 

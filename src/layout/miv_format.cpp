@@ -42,7 +42,7 @@ void sort_as_views(std::vector<MivCamera>& cameras) {
   });
 }
 
-/// As said; or as many rows as there are heights, if all hold as many views; else one row.
+/// The grid in the options; or as many rows as there are heights, if all hold as many views; else one row.
 ViewGrid grid_of(const std::vector<MivCamera>& cameras, const FormatOptions& options, const fs::path& folder) {
   const int count = static_cast<int>(cameras.size());
   int rows = 1;
@@ -80,7 +80,7 @@ std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera,
   return depth;
 }
 
-/// Of all views, or of none.
+/// Reads the depth of all views, or of none if one of them has none.
 void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, LightField& field) {
   for (std::size_t view = 0; view < cameras.size(); ++view) {
     const std::optional<Image> depth = read_depth(folder, cameras[view], field.cameras->distance_mm, field.view_size);
@@ -107,7 +107,7 @@ struct DepthRange {
   double near_m = 0.1, far_m = 100.0;
 };
 
-/// Of all that is hit; the far end a little beyond, so that code 0 says that nothing is there.
+/// The range that holds everything that is hit. Its far end lies a little beyond, so that code 0 means that nothing is there.
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {

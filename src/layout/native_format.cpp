@@ -1,4 +1,4 @@
-// The frame of a calibrated slanted panel, for a display that is said: made of views, and taken apart into them.
+// The frame of a calibrated slanted panel, for a given display: made of views, and taken apart into them.
 #include <fmt/format.h>
 
 #include <thread>
@@ -14,15 +14,15 @@ namespace fs = std::filesystem;
 
 ThreadPool all_threads() { return ThreadPool(std::max(1, static_cast<int>(std::thread::hardware_concurrency()))); }
 
-const Display& said_display(const FormatOptions& options) {
+const Display& wanted_display(const FormatOptions& options) {
   if (options.display) return *options.display;
   throw usage_error("display", "a panel's own frame is made for one display",
                     "a name that 'lippmann displays' lists, or a file");
 }
 
-/// As many views as are said, else those of the display's quilt, of its tiles' size.
+/// As many views as the options give, else those of the display's quilt, of its tiles' size.
 LightField read_native(const fs::path& path, const FormatOptions& options) {
-  const Display& display = said_display(options);
+  const Display& display = wanted_display(options);
   const DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
   const int count = options.views ? options.views->count() : quilt.columns * quilt.rows;
   const Vec2i size(quilt.width / quilt.columns, quilt.height / quilt.rows);
@@ -37,7 +37,7 @@ LightField read_native(const fs::path& path, const FormatOptions& options) {
 
 std::vector<fs::path> write_native(const LightField& field, const fs::path& path, const FormatOptions& options) {
   const InterlaceParams params{options.filter.value_or(ViewFilter::kNearest), options.sigma_views.value_or(0.5)};
-  write_picture(path, interlace(field, said_display(options), params, all_threads()));
+  write_picture(path, interlace(field, wanted_display(options), params, all_threads()));
   return {path};
 }
 

@@ -76,7 +76,7 @@ LIPPMANN_MULTIVERSION void leak_lines(const Leak& leak, const Lane* shown, Lane*
   }
 }
 
-/// Of a sweep: how much any sample changed, and how many would be beyond their bounds.
+/// How much a sweep changed the sample that it changed most, and how many samples would lie beyond their bounds.
 struct Swept {
   Lane change{}, clipped{};
 };
@@ -150,7 +150,7 @@ LinesOfAxes lines_of_panel(const Image& picture) {
 }
 
 /// The same pixel of every view.
-LinesOfAxes lines_of_views(const Image& picture, const MultiView& views) {
+LinesOfAxes lines_of_views(const Image& picture, const ViewTiles& views) {
   const auto columns = static_cast<std::size_t>(views.columns), rows = static_cast<std::size_t>(views.rows);
   const std::size_t row_stride = 3 * static_cast<std::size_t>(picture.width);
   const std::size_t width = static_cast<std::size_t>(picture.width) / columns;
@@ -160,7 +160,7 @@ LinesOfAxes lines_of_views(const Image& picture, const MultiView& views) {
   };
   Lines lines{{}, 3 * width, height, row_stride};
   LinesOfAxes all;
-  const bool grid = views.baseline_mm > 0.0f;
+  const bool grid = views.camera_grid;
   for (std::size_t row = 0; row < rows; ++row) {
     if (grid || row == 0) lines.sample.clear();
     for (std::size_t column = 0; column < columns; ++column) lines.sample.push_back(tile(column, row));
@@ -195,7 +195,7 @@ double largest_difference(const Image& a, const Image& b) {
 }  // namespace
 
 Precompensation precompensate(const Optics& optics, double sigma_px, const char* where, Image& picture) {
-  if (std::holds_alternative<SingleView>(optics.model))
+  if (crosstalk_sigmas(optics, 1.0) == Vec2d(0.0))
     throw usage_error(where, "a single view has no neighbours", "optics of several");
   const Vec2d sigma = crosstalk_sigmas(optics, sigma_px);
   if (!(std::max(sigma.x, sigma.y) <= kMaxPrecompensatedPx))
@@ -205,7 +205,7 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
                                   std::max(sigma.x, sigma.y)),
                       fmt::format("at most {} pixels or views: fewer views, or none of it", kMaxPrecompensatedPx));
   for (float& value : picture.data) value = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // NaN: 0
-  const auto* views = std::get_if<MultiView>(&optics.model);
+  const std::optional<ViewTiles> views = view_tiles(optics);
   const LinesOfAxes lines = views ? lines_of_views(picture, *views) : lines_of_panel(picture);
   const Image wanted = picture;
   std::size_t clipped = 0;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "core/json_text.hpp"
 #include "core/regular_file.hpp"
@@ -52,6 +55,32 @@ bool lists(const Json& json, const char* text) {
   return json.is_array() && std::find(json.begin(), json.end(), Json(text)) != json.end();
 }
 
+FrameFacts frame_facts(const Json& frame) {
+  constexpr std::array<std::string_view, 4> kKinds{"full", "key", "in-between", "shared"};
+  FrameFacts facts;
+  if (const auto kind = frame.find("kind"); kind != frame.end() && kind->is_string())
+    for (const std::string_view known : kKinds)
+      if (*kind == known) facts.kind = known;
+  if (const auto psnr = frame.find("estimated_psnr_db"); psnr != frame.end() && psnr->is_number())
+    if (const double value = psnr->get<double>(); std::isfinite(value)) facts.psnr_db = value;
+  return facts;
+}
+
+/// By number. Frames that cannot be understood are left out.
+std::map<int, FrameFacts> frames_of(const Json& report) {
+  std::map<int, FrameFacts> frames;
+  const auto list = report.find("frames");
+  if (list == report.end() || !list->is_array()) return frames;
+  for (const Json& frame : *list) {
+    if (!frame.is_object()) continue;
+    const auto number = frame.find("frame");
+    if (number != frame.end() && number->is_number_integer() && number->get<std::int64_t>() >= 0 &&
+        number->get<std::int64_t>() < (std::int64_t{1} << 30))
+      frames[number->get<int>()] = frame_facts(frame);
+  }
+  return frames;
+}
+
 /// Of a report with "optics".
 Rendering rendering_from(const Json& json, const fs::path& report) {
   Rendering rendering{optics_from_json(json["optics"], report.string())};
@@ -62,6 +91,7 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   rendering.has_depth_layer = !settings.contains("aov") || lists(settings["aov"], "depth");
   rendering.frames_per_second = frame_rate_of(json);
   rendering.depth_scale = depth_scale_of(json);
+  rendering.frames = frames_of(json);
   return rendering;
 }
 
@@ -84,6 +114,12 @@ Rendering read_rendering(const fs::path& report) {
   if (!json.contains("optics"))
     throw Error(report.string(), "does not say for which optics the pictures were rendered", "an object \"optics\"");
   return rendering_from(json, report);
+}
+
+std::optional<Rendering> readable_rendering(const fs::path& report) try {
+  return read_rendering(report);
+} catch (const Error&) {
+  return std::nullopt;
 }
 
 std::optional<Rendering> rendering_of(const fs::path& picture) {

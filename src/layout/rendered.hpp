@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,12 @@
 
 namespace lippmann {
 
+/// What a report says of one frame.
+struct FrameFacts {
+  std::string kind = {};               ///< full, key, in-between or shared; empty: the report does not say
+  std::optional<double> psnr_db = {};  ///< as estimated while rendering; none: exact, or not estimated
+};
+
 struct Rendering {
   Optics optics;
   std::string layout = {};      ///< what `layout` or `to` asked for: integral, views, quilt, ...; empty: as their optics lie
@@ -18,6 +25,7 @@ struct Rendering {
   bool has_depth_layer = true;  ///< else a layer of depth that lies there is of another render
   std::optional<double> frames_per_second = {};
   float depth_scale = 1.0f;  ///< shown depth / true depth: the parallax that the pictures were rendered with
+  std::map<int, FrameFacts> frames = {};
 };
 
 /// What a report says of it; none where it does not, or nothing within reason.
@@ -29,6 +37,9 @@ Rendering read_rendering(const std::filesystem::path& report);
 /// Of the report.json in the folder of the picture (or folder of views), or in that folder's own; none if there is none.
 /// Throws Error naming the report if it cannot be understood.
 std::optional<Rendering> rendering_of(const std::filesystem::path& picture);
+
+/// What a report says, for pictures that can be shown without it: none if there is no report, or if it is damaged.
+std::optional<Rendering> readable_rendering(const std::filesystem::path& report);
 
 /// z in display mm, one channel, of the picture's size: of an EXR picture that has it, or of aov_0000.exr beside frame_0000...,
 /// aov_000.exr beside view_000... None if there is none. Throws Error as read_channels.

@@ -17,7 +17,7 @@ int number(const std::string& digits) {
   return value;
 }
 
-/// Of an axis of `count` views.
+/// The numbers in a range of an axis of `count` views.
 std::vector<int> members(const ViewRange& range, int count, const char* axis, const std::string& flag) {
   const int last = range.last < 0 ? count - 1 : range.last;
   if (range.first > last || last >= count)

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Of a view's top left pixel, and the steps to its neighbours.
+/// Where a view's top left pixel lies, and the steps to its neighbours.
 struct Corner {
   Vec2i at, step;
 };

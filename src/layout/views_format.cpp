@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of all views, or of none.
+/// Reads the depth of all views, or of none if one of them has none.
 void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view) {
     const std::optional<Image> depth = rendered_depth(by_view[static_cast<std::size_t>(view)]);

@@ -28,10 +28,10 @@ std::vector<float> places(int samples, int base) {
 }  // namespace
 
 std::vector<Vec2f> eye_shifts(const Optics& optics, AngularFilter filter, int samples) {
-  const auto* views = std::get_if<MultiView>(&optics.model);
+  const std::optional<ViewTiles> views = view_tiles(optics);
   if (filter == AngularFilter::kNone || !views) return {Vec2f(0.0f)};
-  const bool grid = views->baseline_mm > 0.0f;
-  const bool across = grid ? views->columns > 1 : views->columns * views->rows > 1, up = grid && views->rows > 1;
+  const bool grid = views->camera_grid;
+  const bool across = grid ? views->columns > 1 : views->count() > 1, up = grid && views->rows > 1;
   const std::vector<float> x = places(samples, 3), y = places(samples, 5);
   std::vector<Vec2f> shifts;
   for (std::size_t i = 0; i < x.size(); ++i) shifts.emplace_back(across ? x[i] : 0.0f, up ? y[i] : 0.0f);
@@ -39,7 +39,11 @@ std::vector<Vec2f> eye_shifts(const Optics& optics, AngularFilter filter, int sa
 }
 
 Optics with_eyes_shifted(Optics optics, Vec2f shift) {
-  if (auto* views = std::get_if<MultiView>(&optics.model)) views->eye_shift = shift;
+  std::visit(
+      [&](auto& model) {
+        if constexpr (requires { model.eye_shift; }) model.eye_shift = shift;
+      },
+      optics.model);
   return optics;
 }
 

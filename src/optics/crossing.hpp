@@ -22,6 +22,7 @@ struct RayFrame {
   Vec3f origin{0.0f};                                   ///< world position of (0, 0, z_front)
   Vec3f right{1.0f, 0.0f, 0.0f}, up{0.0f, 1.0f, 0.0f};  ///< world vectors of 1 mm along x and y
   Vec3f unit_right{1.0f, 0.0f, 0.0f}, unit_up{0.0f, 1.0f, 0.0f}, unit_forward{0.0f, 0.0f, -1.0f};  ///< forward: display -z
+  Vec3f forward{0.0f, 0.0f, -1.0f};                                                                ///< of 1 mm
 };
 
 /// The frame for lines that are given at z = z_front.
@@ -37,6 +38,13 @@ LIPPMANN_INLINE void write_ray(const RayFrame& frame, const Crossing& line, cons
   rays.direction_x[i] = (frame.unit_forward.x - (sx * frame.unit_right.x + sy * frame.unit_up.x)) * inverse_length;
   rays.direction_y[i] = (frame.unit_forward.y - (sx * frame.unit_right.y + sy * frame.unit_up.y)) * inverse_length;
   rays.direction_z[i] = (frame.unit_forward.z - (sx * frame.unit_right.z + sy * frame.unit_up.z)) * inverse_length;
+}
+
+/// The ray of one point, of models whose lines all start in the plane z = z_front: their crossing(constants, px, py).
+template <class Rays>
+LIPPMANN_INLINE void write_ray_of(const Rays& constants, const RayFrame& frame, float px, float py, const RayArrays& rays,
+                                  int i) {
+  write_ray(frame, crossing(constants, px, py), rays, i);
 }
 
 /// Loops over pixels work in blocks of this many: one AVX-512 vector or two AVX2 vectors, loop-free and with every constant

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "lippmann/core/error.hpp"
+#include "optics/model.hpp"
 
 namespace lippmann {
 namespace {
@@ -41,13 +42,12 @@ Taps gaussian_taps(double position_px, double sigma_px) {
 }
 
 Vec2d crosstalk_sigmas(const Optics& optics, double sigma_px) {
-  if (const auto* sheet = std::get_if<LenticularSheet>(&optics.model))
-    return {std::min(sigma_px / std::cos(double{sheet->slant}), kMaxBlurPx), 0.0};
-  if (std::holds_alternative<MicrolensArray>(optics.model)) return Vec2d(sigma_px);
-  if (const auto* views = std::get_if<MultiView>(&optics.model))
-    return {views->columns > 1 || views->baseline_mm <= 0.0f ? sigma_px : 0.0,
-            views->rows > 1 && views->baseline_mm > 0.0f ? sigma_px : 0.0};
-  return {std::holds_alternative<SlantedPanel>(optics.model) ? sigma_px : 0.0, 0.0};
+  const OpticsFacts facts = optics_facts(optics);
+  const auto along = [&](double pitch) {
+    if (!(pitch > 0.0)) return 0.0;
+    return pitch == 1.0 ? sigma_px : std::min(sigma_px / pitch, kMaxBlurPx);
+  };
+  return {along(facts.crosstalk_pitch.x), along(facts.crosstalk_pitch.y)};
 }
 
 double neighbour_share(double sigma_px) {

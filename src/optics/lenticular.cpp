@@ -1,5 +1,8 @@
 #include "optics/lenticular.hpp"
 
+#include "optics/checks.hpp"
+#include "optics/members.hpp"
+
 namespace lippmann {
 
 LenticularConstants<double> make_lenticular(const Panel& panel, const LenticularSheet& sheet, double z_front_mm) {
@@ -65,6 +68,83 @@ void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point
     const double px = (s + py * c.sine) * c.inverse_cosine;
     if (px >= 0.0 && px < panel.width) pixels.emplace_back(px, py);
   }
+}
+
+void check_model(const Panel& panel, const LenticularSheet& sheet) {
+  check_lens("lenticular.lens_pitch_mm", sheet.lens_pitch_mm, panel);
+  check_length("lenticular.gap_mm", sheet.gap_mm);
+  if (!(std::abs(sheet.slant) < radians(89.9f)))
+    reject_field("lenticular.slant", fmt::format("is {} degrees", degrees(sheet.slant)),
+                 "an angle between -89.9 and 89.9 degrees");
+  check_position("lenticular.offset_mm", sheet.offset_mm);
+  check_distance_or_infinity("lenticular.viewing_distance_mm", sheet.viewing_distance_mm);
+  check_position("lenticular.eye_height_mm", sheet.eye_height_mm);
+}
+
+void write_model(const LenticularSheet& sheet, nlohmann::ordered_json& json) {
+  json["lens_pitch_mm"] = sheet.lens_pitch_mm;
+  json["gap_mm"] = sheet.gap_mm;
+  json["slant_deg"] = degrees(sheet.slant);
+  json["offset_mm"] = sheet.offset_mm;
+  json["viewing_distance_mm"] = finite_or_null(sheet.viewing_distance_mm);
+  json["eye_height_mm"] = sheet.eye_height_mm;
+}
+
+void read_model(const Members& json, LenticularSheet& sheet) {
+  sheet.lens_pitch_mm = json.number("lens_pitch_mm");
+  sheet.gap_mm = json.number("gap_mm");
+  sheet.slant = radians(json.number("slant_deg"));
+  sheet.offset_mm = json.number_or("offset_mm", sheet.offset_mm);
+  sheet.viewing_distance_mm = json.number_or_infinity("viewing_distance_mm");
+  sheet.eye_height_mm = json.number_or("eye_height_mm", 0.0f);
+}
+
+OpticsFacts facts_of(const Panel& panel, const LenticularSheet& sheet) {
+  const double cosine = std::cos(static_cast<double>(sheet.slant)), pitch = sheet.lens_pitch_mm / cosine;
+  const double spread = 1.0 + sheet.gap_mm / static_cast<double>(sheet.viewing_distance_mm);
+  const int whole = make_lenticular(panel, sheet, 0.0).axis.whole_pixels;
+  OpticsFacts facts = facts_of_lenses(
+      panel,
+      {pitch, 0.0, sheet.gap_mm, sheet.viewing_distance_mm, sheet.eye_height_mm, pitch * spread, cosine, sheet.lens_pitch_mm},
+      whole > 0 ? Vec2i(whole, 1) : Vec2i(0));
+  const double viewer = sheet.viewing_distance_mm;
+  const double to_plane = std::isfinite(viewer) ? viewer / (viewer + sheet.gap_mm) : 1.0;  // rows meet at the viewer's height
+  facts.samples = {pitch, panel.pixel_pitch_mm * to_plane};
+  facts.crosstalk_pitch = {cosine, 0.0};
+  return facts;
+}
+
+Vec2d zone_slope(const Panel&, const LenticularSheet& sheet, Vec2d share) {
+  const double pitch = sheet.lens_pitch_mm / std::cos(static_cast<double>(sheet.slant));
+  const double cell = pitch * (1.0 + sheet.gap_mm / static_cast<double>(sheet.viewing_distance_mm));
+  return {(share.x - 0.5) * cell / sheet.gap_mm, 0.0};
+}
+
+StepRule step_rule(const Panel& panel, const LenticularSheet& sheet, StepsWithin within) {
+  const LenticularRays c = make_lenticular(panel, sheet, 0.0).as<float>();
+  StepRule rule;
+  if (within == StepsWithin::kLens)
+    rule.bounds = StepRule::Bounds::kSheetLens;
+  else
+    rule.across.x = c.axis.cell_px * c.inverse_cosine;
+  rule.down.x = c.sine * c.inverse_cosine;  // along the lens
+  rule.columns = c.axis, rule.cosine = c.cosine, rule.sine = c.sine, rule.inverse_cosine = c.inverse_cosine;
+  return rule;
+}
+
+std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet& sheet) {
+  const int n = make_lenticular(panel, sheet, 0.0).axis.whole_pixels;
+  const double v = sheet.viewing_distance_mm, g = sheet.gap_mm, m = panel.pixel_pitch_mm;
+  if (n < 1 || !std::isfinite(v)) return std::nullopt;
+  // Rows are told from the middle of the panel; the height of the eye shifts them towards it in the plane of the lenses.
+  const Vec2d centre(0.5 * panel.width / n, 0.5 * panel.height + g * sheet.eye_height_mm / (v * m));
+  return ViewCameras{
+      v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes({n, 1}, sheet.parallax * m * v / g, sheet.eye_height_mm)};
+}
+
+void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offset_mm) {
+  sheet.lens_pitch_mm = pitch_mm, sheet.gap_mm = gap_mm, sheet.offset_mm = offset_mm.x;
+  sheet.viewing_distance_mm = kInfinity;
 }
 
 }  // namespace lippmann

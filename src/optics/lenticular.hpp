@@ -10,6 +10,7 @@
 #include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
 #include "optics/lens_axis.hpp"
+#include "optics/model.hpp"
 
 namespace lippmann {
 
@@ -47,6 +48,32 @@ LIPPMANN_INLINE Crossing crossing(const LenticularRays& c, float px, float py) {
 void write_block(const LenticularRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
+class LenticularSight;  // optics/sight.hpp
+
+// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+
+constexpr std::string_view kind_of(const LenticularSheet&) { return "lenticular"; }
+constexpr int sub_pixels_of(const LenticularSheet&) { return 1; }
+void check_model(const Panel& panel, const LenticularSheet& sheet);
+void write_model(const LenticularSheet& sheet, nlohmann::ordered_json& json);
+void read_model(const Members& json, LenticularSheet& sheet);
+OpticsFacts facts_of(const Panel& panel, const LenticularSheet& sheet);
+inline float front_mm(const Panel& panel, const LenticularSheet& sheet, float chosen_mm) {
+  return front_of_lenses_mm(panel, sheet.viewing_distance_mm, chosen_mm);
+}
+inline LenticularRays make_rays(const Panel& panel, const LenticularSheet& sheet, float z_front_mm) {
+  return make_lenticular(panel, sheet, z_front_mm).as<float>();
+}
+inline Vec2f footprint_mm(const Panel& panel, const LenticularSheet& sheet, float z_mm) {
+  const float m = panel.pixel_pitch_mm;
+  return {lens_footprint_mm(sheet.lens_pitch_mm, sheet.gap_mm / sheet.parallax, sheet.viewing_distance_mm, m, z_mm),
+          m * std::abs(1.0f - (z_mm + sheet.gap_mm) / (sheet.viewing_distance_mm + sheet.gap_mm))};
+}
+Vec2d zone_slope(const Panel& panel, const LenticularSheet& sheet, Vec2d share);
+StepRule step_rule(const Panel& panel, const LenticularSheet& sheet, StepsWithin within);
 void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point_mm, std::vector<Vec2f>& pixels);
+LenticularSight sight_of(const Panel& panel, const LenticularSheet& sheet);
+std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet& sheet);
+void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offset_mm);
 
 }  // namespace lippmann

@@ -2,9 +2,10 @@
 
 #include <numbers>
 
-namespace lippmann {
+#include "optics/checks.hpp"
+#include "optics/members.hpp"
 
-using Vec2d = glm::dvec2;
+namespace lippmann {
 
 MicrolensConstants<double> make_microlens(const Panel& panel, const MicrolensArray& array, double z_front_mm) {
   const bool hexagonal = array.packing == LensPacking::kHexagonal;
@@ -132,6 +133,103 @@ void pixels_seeing(const Panel& panel, const MicrolensArray& array, Vec3f point_
     hexagonal ? append_hexagonal_cell(search, x, down) : append_square_cell(search, x, down);
   else
     hexagonal ? append_hexagonal(search, x, down, z) : append_square(search, x, down, z);
+}
+
+std::variant<SquareMicrolensRays, HexagonalMicrolensRays> make_rays(const Panel& panel, const MicrolensArray& array,
+                                                                    float z_front_mm) {
+  const MicrolensConstants<float> constants = make_microlens(panel, array, z_front_mm).as<float>();
+  if (array.packing == LensPacking::kHexagonal) return HexagonalMicrolensRays{constants};
+  return SquareMicrolensRays{constants};
+}
+
+void check_model(const Panel& panel, const MicrolensArray& array) {
+  check_lens("microlens.lens_pitch_mm", array.lens_pitch_mm, panel);
+  check_length("microlens.gap_mm", array.gap_mm);
+  check_position("microlens.offset_mm.x", array.offset_mm.x);
+  check_position("microlens.offset_mm.y", array.offset_mm.y);
+  check_distance_or_infinity("microlens.viewing_distance_mm", array.viewing_distance_mm);
+}
+
+void write_model(const MicrolensArray& array, nlohmann::ordered_json& json) {
+  json["packing"] = array.packing == LensPacking::kSquare ? "square" : "hexagonal";
+  json["lens_pitch_mm"] = array.lens_pitch_mm;
+  json["gap_mm"] = array.gap_mm;
+  json["offset_mm"] = {array.offset_mm.x, array.offset_mm.y};
+  json["viewing_distance_mm"] = finite_or_null(array.viewing_distance_mm);
+}
+
+void read_model(const Members& json, MicrolensArray& array) {
+  const std::string packing = json.word("packing");
+  if (packing != "square" && packing != "hexagonal")
+    json.reject("packing", "is " + shown(packing), "\"square\" or \"hexagonal\"");
+  array.packing = packing == "square" ? LensPacking::kSquare : LensPacking::kHexagonal;
+  array.lens_pitch_mm = json.number("lens_pitch_mm");
+  array.gap_mm = json.number("gap_mm");
+  array.offset_mm = json.pair_or("offset_mm", array.offset_mm);
+  array.viewing_distance_mm = json.number_or_infinity("viewing_distance_mm");
+}
+
+namespace {
+
+double row_pitch_mm(const MicrolensArray& array) {
+  return array.lens_pitch_mm * (array.packing == LensPacking::kHexagonal ? std::sqrt(0.75) : 1.0);
+}
+
+/// The width of a cell on the panel.
+double cell_mm(const MicrolensArray& array) {
+  return array.lens_pitch_mm * (1.0 + array.gap_mm / static_cast<double>(array.viewing_distance_mm));
+}
+
+Vec2i whole_cells(const Panel& panel, const MicrolensArray& array) {
+  const MicrolensConstants<double> c = make_microlens(panel, array, 0.0);
+  const Vec2i n(c.columns.whole_pixels, c.rows.whole_pixels);
+  return n.x > 0 && n.y > 0 ? n : Vec2i(0);
+}
+
+}  // namespace
+
+OpticsFacts facts_of(const Panel& panel, const MicrolensArray& array) {
+  OpticsFacts facts = facts_of_lenses(panel,
+                                      {array.lens_pitch_mm, row_pitch_mm(array), array.gap_mm, array.viewing_distance_mm, 0.0,
+                                       cell_mm(array), 1.0, array.lens_pitch_mm},
+                                      whole_cells(panel, array));
+  facts.samples = {array.lens_pitch_mm, row_pitch_mm(array)};
+  facts.crosstalk_pitch = Vec2d(1.0);
+  return facts;
+}
+
+Vec2d zone_slope(const Panel&, const MicrolensArray& array, Vec2d share) {
+  const double cell = cell_mm(array);
+  return {(share.x - 0.5) * cell / array.gap_mm,
+          (share.y - 0.5) * cell * (row_pitch_mm(array) / array.lens_pitch_mm) / array.gap_mm};
+}
+
+StepRule step_rule(const Panel& panel, const MicrolensArray& array, StepsWithin within) {
+  const MicrolensConstants<float> c = make_microlens(panel, array, 0.0).as<float>();
+  const bool hexagonal = array.packing == LensPacking::kHexagonal;
+  StepRule rule;
+  rule.columns = c.columns, rule.rows = c.rows;
+  if (within == StepsWithin::kLens) {
+    rule.bounds = hexagonal ? StepRule::Bounds::kHexagon : StepRule::Bounds::kSquareLens;
+  } else {
+    rule.across.x = c.columns.cell_px;
+    // Every second row of a hexagonal array has its lenses in the same columns.
+    rule.down.y = c.rows.cell_px * (hexagonal ? 2.0f : 1.0f);
+  }
+  return rule;
+}
+
+std::optional<ViewCameras> cameras_of(const Panel& panel, const MicrolensArray& array) {
+  const Vec2i n = whole_cells(panel, array);
+  const double v = array.viewing_distance_mm, g = array.gap_mm, m = panel.pixel_pitch_mm;
+  if (n.x < 1 || !std::isfinite(v)) return std::nullopt;
+  const Vec2d centre(0.5 * panel.width / n.x, 0.5 * panel.height / n.y);
+  return ViewCameras{v, Vec2d(array.lens_pitch_mm), centre, lens_eyes(n, array.parallax * m * v / g, 0.0)};
+}
+
+void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offset_mm) {
+  array.lens_pitch_mm = pitch_mm, array.gap_mm = gap_mm, array.offset_mm = offset_mm;
+  array.viewing_distance_mm = kInfinity;
 }
 
 }  // namespace lippmann

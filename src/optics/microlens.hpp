@@ -5,11 +5,13 @@
 // lens_pitch sqrt(3)/2 apart, odd rows are shifted right by half a pitch; a panel point belongs to the nearest cell centre.
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
 #include "optics/lens_axis.hpp"
+#include "optics/model.hpp"
 
 namespace lippmann {
 
@@ -57,9 +59,13 @@ LIPPMANN_INLINE HexagonalCell<T> nearest_hexagon(T u, T v) {
 
 /// Steps of the lattice from the centre of lens (0, 0)'s cell.
 template <class T>
+LIPPMANN_INLINE HexagonalCell<T> hexagon_at(const LensAxis<T>& columns, const LensAxis<T>& rows, T px, T py) {
+  return nearest_hexagon((px - columns.start_px) * columns.cells_per_px - T(0.5),
+                         (py - rows.start_px) * rows.cells_per_px - T(0.5));
+}
+template <class T>
 LIPPMANN_INLINE HexagonalCell<T> hexagon_at(const MicrolensConstants<T>& c, T px, T py) {
-  return nearest_hexagon((px - c.columns.start_px) * c.columns.cells_per_px - T(0.5),
-                         (py - c.rows.start_px) * c.rows.cells_per_px - T(0.5));
+  return hexagon_at(c.columns, c.rows, px, py);
 }
 
 LIPPMANN_INLINE Crossing crossing(const HexagonalMicrolensRays& c, float px, float py) {
@@ -76,6 +82,33 @@ void write_block(const SquareMicrolensRays& constants, const RayFrame& frame, co
 void write_block(const HexagonalMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
+class MicrolensSight;  // optics/sight.hpp
+
+// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+
+constexpr std::string_view kind_of(const MicrolensArray&) { return "microlens"; }
+constexpr int sub_pixels_of(const MicrolensArray&) { return 1; }
+void check_model(const Panel& panel, const MicrolensArray& array);
+void write_model(const MicrolensArray& array, nlohmann::ordered_json& json);
+void read_model(const Members& json, MicrolensArray& array);
+OpticsFacts facts_of(const Panel& panel, const MicrolensArray& array);
+inline float front_mm(const Panel& panel, const MicrolensArray& array, float chosen_mm) {
+  return front_of_lenses_mm(panel, array.viewing_distance_mm, chosen_mm);
+}
+std::variant<SquareMicrolensRays, HexagonalMicrolensRays> make_rays(const Panel& panel, const MicrolensArray& array,
+                                                                    float z_front_mm);
+inline Vec2f footprint_mm(const Panel& panel, const MicrolensArray& array, float z_mm) {
+  const auto of_pitch = [&](float pitch) {
+    return lens_footprint_mm(pitch, array.gap_mm / array.parallax, array.viewing_distance_mm, panel.pixel_pitch_mm, z_mm);
+  };
+  const float rows = array.packing == LensPacking::kHexagonal ? std::sqrt(0.75f) : 1.0f;
+  return {of_pitch(array.lens_pitch_mm), of_pitch(array.lens_pitch_mm * rows)};
+}
+Vec2d zone_slope(const Panel& panel, const MicrolensArray& array, Vec2d share);
+StepRule step_rule(const Panel& panel, const MicrolensArray& array, StepsWithin within);
 void pixels_seeing(const Panel& panel, const MicrolensArray& array, Vec3f point_mm, std::vector<Vec2f>& pixels);
+MicrolensSight sight_of(const Panel& panel, const MicrolensArray& array);
+std::optional<ViewCameras> cameras_of(const Panel& panel, const MicrolensArray& array);
+void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offset_mm);
 
 }  // namespace lippmann

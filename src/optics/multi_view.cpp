@@ -1,5 +1,8 @@
 #include "optics/multi_view.hpp"
 
+#include "optics/checks.hpp"
+#include "optics/members.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -16,7 +19,7 @@ EyeAngles eye_angles(const MultiView& views) {
   return count > 1 ? EyeAngles{cone * (shift / (count - 1) - 0.5), cone / (count - 1)} : EyeAngles{0.0, 0.0};
 }
 
-/// Of one axis of a camera grid: from its middle to its first eye.
+/// The first eye of one axis of a camera grid, from its middle.
 double first_eye(double baseline_mm, int count, float shift) { return baseline_mm * (shift - 0.5 * (count - 1)); }
 
 }  // namespace
@@ -66,6 +69,110 @@ void pixels_seeing(const Panel& panel, const MultiView& views, Vec3f point_mm, s
     if (!(x >= 0.0 && x < width && y >= 0.0 && y < height)) continue;
     pixels.emplace_back(v % views.columns * width + x, panel.height - (v / views.columns + 1) * height + y);
   }
+}
+
+void check_model(const Panel& panel, const MultiView& views) {
+  check_count("multiview.columns", views.columns, panel.width);
+  check_count("multiview.rows", views.rows, panel.height);
+  check_cone("multiview.view_cone", views.view_cone);
+  check_length("multiview.distance_mm", views.distance_mm);
+  if (views.baseline_mm != 0.0f) check_length("multiview.baseline_mm", views.baseline_mm);
+  check_number("multiview.pixel_height", views.pixel_height, 0.01, 100);
+}
+
+void write_model(const MultiView& views, nlohmann::ordered_json& json) {
+  json["columns"] = views.columns, json["rows"] = views.rows, json["distance_mm"] = views.distance_mm;
+  if (views.baseline_mm > 0.0f) {
+    json["baseline_mm"] = views.baseline_mm;
+  } else {
+    json["view_cone_deg"] = degrees(views.view_cone);
+    json["cone_ends_included"] = views.cone_ends_included;
+  }
+  if (views.pixel_height != 1.0f) json["pixel_height"] = views.pixel_height;
+}
+
+void read_model(const Members& json, MultiView& views) {
+  views.columns = json.count("columns"), views.rows = json.count("rows");
+  views.distance_mm = json.number("distance_mm");
+  views.pixel_height = json.number_or("pixel_height", 1.0f);
+  if (json.has("baseline_mm")) {
+    views.baseline_mm = json.number("baseline_mm");
+    return;
+  }
+  views.view_cone = radians(json.number("view_cone_deg"));
+  views.cone_ends_included = json.flag_or("cone_ends_included", false);
+}
+
+namespace {
+
+bool is_grid(const MultiView& views) { return views.baseline_mm > 0.0f; }
+
+/// The zone of a camera grid is as many baselines wide as its longer side has eyes.
+float views_zone(const MultiView& views) {
+  if (!is_grid(views)) return views.view_cone;
+  const auto eyes = static_cast<float>(std::max(views.columns, views.rows));
+  return 2.0f * std::atan(0.5f * eyes * views.baseline_mm / views.distance_mm);
+}
+
+/// Where a point in front of the plane moves by one pixel between the two middle views.
+float view_budget_mm(const MultiView& views, float pixel_pitch_mm) {
+  const int steps = views.columns * views.rows - (views.cone_ends_included ? 1 : 0);
+  if (views.columns * views.rows < 2) return kInfinity;
+  const float on_cone = 2.0f * views.distance_mm * std::tan(0.5f * views.view_cone / static_cast<float>(steps));
+  const float eyes_apart = is_grid(views) ? views.baseline_mm : on_cone;
+  return pixel_pitch_mm * views.distance_mm / (eyes_apart + pixel_pitch_mm);
+}
+
+}  // namespace
+
+OpticsFacts facts_of(const Panel& panel, const MultiView& views) {
+  const bool grid = is_grid(views);
+  const int count = views.columns * views.rows;
+  OpticsFacts facts =
+      facts_of_window({panel.width / views.columns, panel.height / views.rows, panel.pixel_pitch_mm}, views.distance_mm);
+  facts.tiles = ViewTiles{views.columns, views.rows, grid};
+  facts.whole_pixels_per_lens = Vec2i(1);
+  facts.window_size_mm =
+      Vec2f(1.0f, views.pixel_height) * Vec2f(panel.width / views.columns, panel.height / views.rows) * panel.pixel_pitch_mm;
+  facts.window = {{0.0, 0.0}, Vec2d(facts.window_size_mm)};
+  facts.viewing_zone = views_zone(views);
+  facts.depth_budget_mm = view_budget_mm(views, panel.pixel_pitch_mm);
+  facts.parallax = grid ? Parallax{views.columns > 1, views.rows > 1} : Parallax{true, false};
+  facts.view_counts = grid ? Vec2i(views.columns, views.rows) : Vec2i(count, 1);
+  facts.samples.down_mm = static_cast<double>(panel.pixel_pitch_mm) * views.pixel_height;
+  facts.views_by_angle = !grid;
+  facts.crosstalk_pitch = {views.columns > 1 || !grid ? 1.0 : 0.0, views.rows > 1 && grid ? 1.0 : 0.0};
+  return facts;
+}
+
+Vec2d zone_slope(const Panel&, const MultiView& views, Vec2d share) {
+  if (is_grid(views))
+    return {(share.x - 0.5) * views.columns * views.baseline_mm / views.distance_mm,
+            (share.y - 0.5) * views.rows * views.baseline_mm / views.distance_mm};
+  const int count = views.columns * views.rows;
+  // The ends of the cone are views' eyes where they are included: the zone then reaches half a view farther.
+  const double widening = views.cone_ends_included && count > 1 ? count / (count - 1.0) : 1.0;
+  return {std::tan(views.view_cone * widening * (share.x - 0.5)), 0.0};
+}
+
+StepRule step_rule(const Panel& panel, const MultiView& views, StepsWithin) {
+  StepRule rule;
+  rule.bounds = StepRule::Bounds::kTile;
+  rule.tile = {panel.width / views.columns, panel.height / views.rows};
+  rule.last_tile = {views.columns - 1, views.rows - 1};
+  rule.padding_top = panel.height - views.rows * rule.tile.y;
+  return rule;
+}
+
+std::optional<ViewCameras> cameras_of(const Panel& panel, const MultiView& views) {
+  const Vec2d pixel_mm = Vec2d(1.0, views.pixel_height) * double(panel.pixel_pitch_mm);
+  ViewCameras cameras{views.distance_mm, pixel_mm, {}, {}};
+  cameras.centre_px = 0.5 * Vec2d(panel.width / views.columns, panel.height / views.rows);
+  for (int view = 0; view < views.columns * views.rows; ++view) {
+    const EyeMm eye = eye_of_view(views, view);
+    cameras.eyes_mm.emplace_back(eye.x, eye.y);
+  }
+  return cameras;
 }
 
 }  // namespace lippmann

@@ -10,6 +10,7 @@
 
 #include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
+#include "optics/model.hpp"
 
 namespace lippmann {
 
@@ -70,6 +71,27 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
 void write_block(const MultiViewRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
+class QuiltSight;  // optics/sight.hpp
+
+// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+
+constexpr std::string_view kind_of(const MultiView&) { return "multiview"; }
+constexpr int sub_pixels_of(const MultiView&) { return 1; }
+void check_model(const Panel& panel, const MultiView& views);
+void write_model(const MultiView& views, nlohmann::ordered_json& json);
+void read_model(const Members& json, MultiView& views);
+OpticsFacts facts_of(const Panel& panel, const MultiView& views);
+inline float front_mm(const Panel&, const MultiView& views, float chosen_mm) { return std::min(chosen_mm, views.distance_mm); }
+inline MultiViewRays make_rays(const Panel& panel, const MultiView& views, float z_front_mm) {
+  return make_multi_view(panel, views, z_front_mm);
+}
+inline Vec2f footprint_mm(const Panel& panel, const MultiView& views, float z_mm) {
+  return Vec2f(1.0f, views.pixel_height) * (panel.pixel_pitch_mm * std::abs(1.0f - z_mm / views.distance_mm));
+}
+Vec2d zone_slope(const Panel& panel, const MultiView& views, Vec2d share);
+StepRule step_rule(const Panel& panel, const MultiView& views, StepsWithin within);
 void pixels_seeing(const Panel& panel, const MultiView& views, Vec3f point_mm, std::vector<Vec2f>& pixels);
+QuiltSight sight_of(const Panel& panel, const MultiView& views);
+std::optional<ViewCameras> cameras_of(const Panel& panel, const MultiView& views);
 
 }  // namespace lippmann

@@ -1,20 +1,26 @@
 #include "lippmann/optics/optics.hpp"
 
+#include "lippmann/core/error.hpp"
+#include "optics/models.hpp"
 #include "optics/ray_generator.hpp"
 
 namespace lippmann {
 namespace {
 
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
+/// The answer of the model.
+template <class Question>
+auto ask(const Optics& optics, const Question& question) {
+  return std::visit([&](const auto& model) { return question(optics.panel, model); }, optics.model);
+}
 
-/// lens pitch (seen in perspective from the viewing distance) or the magnified pixel, whichever is wider.
-float lens_footprint_mm(float pitch_mm, float gap_mm, float viewing_distance_mm, float pixel_pitch_mm, float z_mm) {
-  return std::max(pitch_mm * std::abs(1.0f - z_mm / viewing_distance_mm), std::abs(z_mm) * pixel_pitch_mm / gap_mm);
+}  // namespace
+
+// ---- What models share ------------------------------------------------------------------------------------------------
+
+float front_of_lenses_mm(const Panel& panel, float viewing_distance_mm, float chosen_mm) {
+  if (std::isfinite(chosen_mm)) return chosen_mm;
+  if (std::isfinite(viewing_distance_mm)) return viewing_distance_mm;
+  return 4.0f * (panel.pixel_pitch_mm * std::hypot(static_cast<float>(panel.width), static_cast<float>(panel.height)));
 }
 
 float lens_zone(float pitch_mm, float gap_mm, float viewing_distance_mm) {
@@ -22,49 +28,61 @@ float lens_zone(float pitch_mm, float gap_mm, float viewing_distance_mm) {
   return 2.0f * std::atan(cell_mm / (2.0f * gap_mm));
 }
 
-/// What lies below one lens of a slanted panel, along a row.
-struct SlantedLens {
-  float pitch_mm;
-  float slope_step;  ///< dx/dz from one sub-pixel to the next
-};
+int rounded_count(double samples) { return static_cast<int>(std::clamp(std::round(samples), 1.0, 65536.0)); }
 
-SlantedLens slanted_lens(const Panel& panel, const SlantedPanel& slanted) {
-  const auto sub_pixels = static_cast<float>(panel.width / slanted.periods);
-  return {sub_pixels * panel.pixel_pitch_mm, 2.0f * std::tan(0.5f * slanted.view_cone) / sub_pixels};
+OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i whole_pixels_per_lens) {
+  const double m = panel.pixel_pitch_mm;
+  const double toward_viewer = lenses.gap_mm / (lenses.viewing_distance_mm + lenses.gap_mm);  // 0 where that is infinite
+  const auto gap = static_cast<float>(lenses.gap_mm), distance = static_cast<float>(lenses.viewing_distance_mm);
+  const bool rows = lenses.row_pitch_mm > 0.0;
+  OpticsFacts facts;
+  facts.lenses = lenses;
+  facts.whole_pixels_per_lens = whole_pixels_per_lens;
+  facts.window_size_mm = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
+  facts.window = {{0.0, lenses.eye_height_mm * toward_viewer},
+                  Vec2d(panel.width * m, panel.height * m) * (1.0 - toward_viewer)};
+  facts.viewing_distance_mm = distance;
+  facts.eye_height_mm = static_cast<float>(lenses.eye_height_mm);
+  facts.viewing_zone = lens_zone(lenses.lens_pitch_mm, gap, distance);
+  facts.depth_budget_mm = lenses.lens_pitch_mm * gap / panel.pixel_pitch_mm;
+  facts.parallax = {true, rows};
+  facts.view_counts = {rounded_up_count(lenses.cell_mm / m),
+                       rows ? rounded_up_count(lenses.cell_mm * (lenses.row_pitch_mm / lenses.pitch_mm) / m) : 1};
+  facts.lens_step_mm = lenses.pitch_mm;
+  facts.next_lens_beyond = true;
+  return facts;
 }
 
-/// Of a camera grid: of as many baselines as there are eyes, of the longer side.
-float views_zone(const MultiView& views) {
-  if (!(views.baseline_mm > 0.0f)) return views.view_cone;
-  const auto eyes = static_cast<float>(std::max(views.columns, views.rows));
-  return 2.0f * std::atan(0.5f * eyes * views.baseline_mm / views.distance_mm);
+OpticsFacts facts_of_window(const Panel& panel, float viewing_distance_mm) {
+  OpticsFacts facts;
+  facts.window_size_mm = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
+  facts.window = {{0.0, 0.0}, Vec2d(facts.window_size_mm)};
+  facts.viewing_distance_mm = viewing_distance_mm;
+  facts.samples = {panel.pixel_pitch_mm, panel.pixel_pitch_mm};
+  return facts;
 }
 
-/// Where a point in front of the plane moves by one pixel between the two middle views.
-float view_budget_mm(const MultiView& views, float pixel_pitch_mm) {
-  const int steps = views.columns * views.rows - (views.cone_ends_included ? 1 : 0);
-  if (views.columns * views.rows < 2) return kInfinity;
-  const float on_cone = 2.0f * views.distance_mm * std::tan(0.5f * views.view_cone / static_cast<float>(steps));
-  const float eyes_apart = views.baseline_mm > 0.0f ? views.baseline_mm : on_cone;
-  return pixel_pitch_mm * views.distance_mm / (eyes_apart + pixel_pitch_mm);
+std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm) {
+  std::vector<Vec2d> eyes;
+  for (int row = 0; row < n.y; ++row)
+    for (int column = 0; column < n.x; ++column)
+      eyes.emplace_back((column - 0.5 * (n.x - 1)) * eye_step_mm, eye_height_mm + (row - 0.5 * (n.y - 1)) * eye_step_mm);
+  return eyes;
 }
 
-}  // namespace
+void refuse_without_inverse() {
+  throw usage_error("optics", "a table of rays says where pixels look, not from where a point is seen",
+                    "other optics, whose rays can be followed backwards");
+}
+
+// ---- What the optics say ----------------------------------------------------------------------------------------------
+
+OpticsFacts optics_facts(const Optics& optics) {
+  return ask(optics, [](const Panel& panel, const auto& model) { return facts_of(panel, model); });
+}
 
 float resolved_z_front_mm(const Optics& optics) {
-  const float chosen = optics.z_front_mm;
-  const float diagonal =
-      optics.panel.pixel_pitch_mm * std::hypot(static_cast<float>(optics.panel.width), static_cast<float>(optics.panel.height));
-  const auto of_lenses = [&](float viewing_distance) {
-    if (std::isfinite(chosen)) return chosen;
-    return std::isfinite(viewing_distance) ? viewing_distance : 4.0f * diagonal;
-  };
-  return std::visit(Overloaded{[&](const LenticularSheet& s) { return of_lenses(s.viewing_distance_mm); },
-                               [&](const MicrolensArray& a) { return of_lenses(a.viewing_distance_mm); },
-                               [&](const MultiView& v) { return std::min(chosen, v.distance_mm); },
-                               [&](const SingleView& v) { return std::min(chosen, v.distance_mm); },
-                               [&](const SlantedPanel& p) { return std::min(chosen, p.distance_mm); }},
-                    optics.model);
+  return ask(optics, [&](const Panel& panel, const auto& model) { return front_mm(panel, model, optics.z_front_mm); });
 }
 
 Ray ray_of_pixel(const Optics& optics, Vec2f pixel) { return RayGenerator(optics).ray(pixel); }
@@ -76,83 +94,70 @@ void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pix
 void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   if (!std::isfinite(point_mm.x) || !std::isfinite(point_mm.y) || !std::isfinite(point_mm.z)) return;
   if (!(point_mm.z <= resolved_z_front_mm(optics) && point_mm.z >= -optics.z_back_mm)) return;
-  std::visit([&](const auto& model) { pixels_seeing(optics.panel, model, point_mm, pixels); }, optics.model);
+  ask(optics, [&]<class Model>(const Panel& panel, const Model& model) {
+    if constexpr (HasInverse<Model>)
+      pixels_seeing(panel, model, point_mm, pixels);
+    else
+      refuse_without_inverse();
+  });
 }
 
-Vec2i whole_pixels_per_lens(const Optics& optics) {
-  return std::visit(Overloaded{[&](const LenticularSheet& s) {
-                                 const int n = make_lenticular(optics.panel, s, 0.0).axis.whole_pixels;
-                                 return n > 0 ? Vec2i(n, 1) : Vec2i(0);
-                               },
-                               [&](const MicrolensArray& a) {
-                                 const auto c = make_microlens(optics.panel, a, 0.0);
-                                 const Vec2i n(c.columns.whole_pixels, c.rows.whole_pixels);
-                                 return n.x > 0 && n.y > 0 ? n : Vec2i(0);
-                               },
-                               [](const MultiView&) { return Vec2i(1); }, [](const SingleView&) { return Vec2i(1); },
-                               [](const SlantedPanel&) { return Vec2i(0); }},
-                    optics.model);
+AnySight make_sight(const Optics& optics) {
+  return ask(optics, []<class Model>(const Panel& panel, const Model& model) -> AnySight {
+    if constexpr (HasInverse<Model>)
+      return sight_of(panel, model);
+    else
+      refuse_without_inverse();
+  });
+}
+
+std::optional<ViewCameras> view_cameras(const Optics& optics) {
+  return ask(optics, []<class Model>(const Panel& panel, const Model& model) -> std::optional<ViewCameras> {
+    if constexpr (HasCameras<Model>)
+      return cameras_of(panel, model);
+    else
+      return std::nullopt;
+  });
 }
 
 Vec2f sample_footprint_mm(const Optics& optics, float z_mm) {
-  const float m = optics.panel.pixel_pitch_mm;
-  const auto of_lens = [&](const auto& a, float pitch) {
-    return lens_footprint_mm(pitch, a.gap_mm / a.parallax, a.viewing_distance_mm, m, z_mm);
-  };
-  return std::visit(
-      Overloaded{[&](const LenticularSheet& s) {
-                   const float along = m * std::abs(1.0f - (z_mm + s.gap_mm) / (s.viewing_distance_mm + s.gap_mm));
-                   return Vec2f(of_lens(s, s.lens_pitch_mm), along);
-                 },
-                 [&](const MicrolensArray& a) {
-                   const float rows = a.packing == LensPacking::kHexagonal ? std::sqrt(0.75f) : 1.0f;
-                   return Vec2f(of_lens(a, a.lens_pitch_mm), of_lens(a, a.lens_pitch_mm * rows));
-                 },
-                 [&](const MultiView& v) { return Vec2f(1.0f, v.pixel_height) * (m * std::abs(1.0f - z_mm / v.distance_mm)); },
-                 [&](const SingleView& v) { return Vec2f(m * std::abs(1.0f - z_mm / v.distance_mm)); },
-                 [&](const SlantedPanel& p) {
-                   const SlantedLens lens = slanted_lens(optics.panel, p);
-                   const float pixel = 3.0f * m * std::abs(1.0f - z_mm / p.distance_mm);
-                   return Vec2f(std::max(pixel, std::abs(z_mm) * lens.slope_step * p.parallax), pixel);
-                 }},
-      optics.model);
+  return ask(optics, [&](const Panel& panel, const auto& model) { return footprint_mm(panel, model, z_mm); });
 }
 
-float viewing_zone(const Optics& optics) {
-  return std::visit(
-      Overloaded{[](const LenticularSheet& s) { return lens_zone(s.lens_pitch_mm, s.gap_mm, s.viewing_distance_mm); },
-                 [](const MicrolensArray& a) { return lens_zone(a.lens_pitch_mm, a.gap_mm, a.viewing_distance_mm); },
-                 [](const MultiView& v) { return views_zone(v); }, [](const SingleView&) { return 0.0f; },
-                 [](const SlantedPanel& p) { return p.view_cone; }},
-      optics.model);
+int sub_pixels_per_pixel(const Optics& optics) {
+  return ask(optics, [](const Panel&, const auto& model) { return sub_pixels_of(model); });
 }
 
-float depth_budget_mm(const Optics& optics) {
-  const float m = optics.panel.pixel_pitch_mm;
-  return std::visit(
-      Overloaded{[&](const LenticularSheet& s) { return s.lens_pitch_mm * s.gap_mm / m; },
-                 [&](const MicrolensArray& a) { return a.lens_pitch_mm * a.gap_mm / m; },
-                 [&](const MultiView& v) { return view_budget_mm(v, m); }, [](const SingleView&) { return kInfinity; },
-                 [&](const SlantedPanel& p) {
-                   const SlantedLens lens = slanted_lens(optics.panel, p);
-                   return lens.pitch_mm / lens.slope_step;
-                 }},
-      optics.model);
-}
+Vec2i film_size(const Optics& optics) { return {optics.panel.width * sub_pixels_per_pixel(optics), optics.panel.height}; }
+
+Vec2i whole_pixels_per_lens(const Optics& optics) { return optics_facts(optics).whole_pixels_per_lens; }
+std::optional<LensArray> lens_array(const Optics& optics) { return optics_facts(optics).lenses; }
+std::optional<ViewTiles> view_tiles(const Optics& optics) { return optics_facts(optics).tiles; }
+bool is_single_view(const Optics& optics) { return optics_facts(optics).single_view; }
+float viewing_distance_mm(const Optics& optics) { return optics_facts(optics).viewing_distance_mm; }
+float viewing_zone(const Optics& optics) { return optics_facts(optics).viewing_zone; }
+float depth_budget_mm(const Optics& optics) { return optics_facts(optics).depth_budget_mm; }
+Vec2f window_size_mm(const Optics& optics) { return optics_facts(optics).window_size_mm; }
+
+// ---- The same optics, otherwise ---------------------------------------------------------------------------------------
 
 Optics with_parallax(Optics optics, float parallax) {
-  std::visit(Overloaded{[](SingleView&) {}, [&](auto& model) { model.parallax = parallax; }}, optics.model);
+  std::visit(
+      [&](auto& model) {
+        if constexpr (requires { model.parallax; }) model.parallax = parallax;
+      },
+      optics.model);
   return optics;
 }
 
-Vec2f window_size_mm(const Optics& optics) {
-  const Panel& panel = optics.panel;
-  Vec2f size = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
-  if (const auto* views = std::get_if<MultiView>(&optics.model))
-    size = Vec2f(1.0f, views->pixel_height) * Vec2f(panel.width / views->columns, panel.height / views->rows) *
-           panel.pixel_pitch_mm;
-  if (std::holds_alternative<SlantedPanel>(optics.model)) size.y *= 3.0f;
-  return size;
+std::optional<OpticsModel> with_lenses(OpticsModel model, float pitch_mm, float gap_mm, Vec2f offset_mm) {
+  const bool has_lenses = std::visit(
+      [&]<class Model>(Model& lenses) {
+        if constexpr (HasLenses<Model>) set_lenses(lenses, pitch_mm, gap_mm, offset_mm);
+        return HasLenses<Model>;
+      },
+      model);
+  return has_lenses ? std::optional(model) : std::nullopt;
 }
 
 }  // namespace lippmann

@@ -1,25 +1,24 @@
 #include "optics/ray_generator.hpp"
 
 namespace lippmann {
+namespace {
+
+template <class Rays>
+AnyRays any_rays(Rays rays) {
+  return rays;
+}
+
+/// The same for a model that has several kinds of rays.
+template <class... Kinds>
+AnyRays any_rays(std::variant<Kinds...> rays) {
+  return std::visit([](const auto& kind) -> AnyRays { return kind; }, rays);
+}
+
+}  // namespace
 
 RayGenerator::RayGenerator(const Optics& optics, const Affine3f& world_from_display) {
-  const Panel& panel = optics.panel;
   const float z_front = resolved_z_front_mm(optics);
-  if (const auto* sheet = std::get_if<LenticularSheet>(&optics.model)) {
-    model_ = make_lenticular(panel, *sheet, z_front).as<float>();
-  } else if (const auto* array = std::get_if<MicrolensArray>(&optics.model)) {
-    const MicrolensConstants<float> constants = make_microlens(panel, *array, z_front).as<float>();
-    if (array->packing == LensPacking::kSquare)
-      model_ = SquareMicrolensRays{constants};
-    else
-      model_ = HexagonalMicrolensRays{constants};
-  } else if (const auto* views = std::get_if<MultiView>(&optics.model)) {
-    model_ = make_multi_view(panel, *views, z_front);
-  } else if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) {
-    model_ = make_slanted_panel(panel, *slanted, z_front);
-  } else {
-    model_ = make_single_view(panel, std::get<SingleView>(optics.model), z_front);
-  }
+  model_ = std::visit([&](const auto& model) { return any_rays(make_rays(optics.panel, model, z_front)); }, optics.model);
   frame_ = make_ray_frame(world_from_display, z_front);
   depth_ = (z_front + optics.z_back_mm) * uniform_scale(world_from_display);
 }
@@ -37,7 +36,7 @@ void RayGenerator::rays(const float* pixel_x, const float* pixel_y, int count, c
 Ray RayGenerator::ray(Vec2f pixel) const {
   Ray ray;
   const RayArrays arrays{&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y, &ray.direction.z};
-  std::visit([&](const auto& model) { write_ray(frame_, crossing(model, pixel.x, pixel.y), arrays, 0); }, model_);
+  std::visit([&](const auto& model) { write_ray_of(model, frame_, pixel.x, pixel.y, arrays, 0); }, model_);
   return ray;
 }
 

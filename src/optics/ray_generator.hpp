@@ -1,14 +1,9 @@
 // Rays of many pixels at once, in world space: what does not change from pixel to pixel is worked out once per frame.
 #pragma once
 
-#include <variant>
-
 #include "lippmann/optics/optics.hpp"
-#include "optics/lenticular.hpp"
-#include "optics/microlens.hpp"
-#include "optics/multi_view.hpp"
-#include "optics/single_view.hpp"
-#include "optics/slanted_panel.hpp"
+#include "optics/crossing.hpp"
+#include "optics/models.hpp"
 
 namespace lippmann {
 
@@ -20,7 +15,8 @@ class RayGenerator {
   explicit RayGenerator(const Optics& optics, const Affine3f& world_from_display = {});
 
   /// The rays of `count` points of the panel, in continuous pixel coordinates. They start in the plane z = z_front (see
-  /// resolved_z_front_mm). Worked out in blocks of 16: best for multiples of that; the arrays must not overlap.
+  /// resolved_z_front_mm), those of a table at their own origins. Worked out in blocks of 16: best for multiples of that; the
+  /// arrays must not overlap.
   void rays(const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays) const;
 
   /// The ray of one point, bit-identical to rays().
@@ -34,8 +30,7 @@ class RayGenerator {
   float depth() const { return depth_; }
 
  private:
-  std::variant<LenticularRays, SquareMicrolensRays, HexagonalMicrolensRays, MultiViewRays, SingleViewRays, SlantedPanelRays>
-      model_;
+  AnyRays model_;
   RayFrame frame_;
   float depth_;
 };

@@ -1,5 +1,8 @@
 #include "optics/single_view.hpp"
 
+#include "optics/checks.hpp"
+#include "optics/members.hpp"
+
 namespace lippmann {
 
 SingleViewRays make_single_view(const Panel& panel, const SingleView& view, float z_front_mm) {
@@ -19,6 +22,37 @@ void pixels_seeing(const Panel& panel, const SingleView& view, Vec3f point_mm, s
   const double px = 0.5 * panel.width - view.pixel_offset.x + point_mm.x * px_per_mm;
   const double py = 0.5 * panel.height - view.pixel_offset.y - point_mm.y * px_per_mm;
   if (px >= 0.0 && px < panel.width && py >= 0.0 && py < panel.height) pixels.emplace_back(px, py);
+}
+
+void check_model(const Panel&, const SingleView& view) {
+  check_length("singleview.distance_mm", view.distance_mm);
+  for (const float offset : {view.pixel_offset.x, view.pixel_offset.y})
+    if (!(std::abs(offset) <= kMaxSide))
+      reject_field("singleview.pixel_offset", fmt::format("is {} pixels", offset), fmt::format("at most {} pixels", kMaxSide));
+}
+
+void write_model(const SingleView& view, nlohmann::ordered_json& json) {
+  json["distance_mm"] = view.distance_mm;
+  json["pixel_offset_px"] = {view.pixel_offset.x, view.pixel_offset.y};
+}
+
+void read_model(const Members& json, SingleView& view) {
+  view.distance_mm = json.number("distance_mm");
+  view.pixel_offset = json.pair_or("pixel_offset_px", Vec2f(0.0f));
+}
+
+OpticsFacts facts_of(const Panel& panel, const SingleView& view) {
+  OpticsFacts facts = facts_of_window(panel, view.distance_mm);
+  const double m = panel.pixel_pitch_mm;
+  facts.window = {Vec2d(view.pixel_offset.x, -view.pixel_offset.y) * m, Vec2d(panel.width * m, panel.height * m)};
+  facts.whole_pixels_per_lens = Vec2i(1);
+  facts.single_view = true;
+  return facts;
+}
+
+std::optional<ViewCameras> cameras_of(const Panel& panel, const SingleView& view) {
+  const Vec2d centre = 0.5 * Vec2d(panel.width, panel.height) - Vec2d(view.pixel_offset);
+  return ViewCameras{view.distance_mm, Vec2d(panel.pixel_pitch_mm), centre, {Vec2d(0.0)}};
 }
 
 }  // namespace lippmann

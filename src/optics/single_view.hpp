@@ -5,6 +5,7 @@
 
 #include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
+#include "optics/model.hpp"
 
 namespace lippmann {
 
@@ -27,6 +28,27 @@ LIPPMANN_INLINE Crossing crossing(const SingleViewRays& c, float px, float py) {
 void write_block(const SingleViewRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
+class QuiltSight;  // optics/sight.hpp
+
+// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+
+constexpr std::string_view kind_of(const SingleView&) { return "single"; }
+constexpr int sub_pixels_of(const SingleView&) { return 1; }
+void check_model(const Panel& panel, const SingleView& view);
+void write_model(const SingleView& view, nlohmann::ordered_json& json);
+void read_model(const Members& json, SingleView& view);
+OpticsFacts facts_of(const Panel& panel, const SingleView& view);
+inline float front_mm(const Panel&, const SingleView& view, float chosen_mm) { return std::min(chosen_mm, view.distance_mm); }
+inline SingleViewRays make_rays(const Panel& panel, const SingleView& view, float z_front_mm) {
+  return make_single_view(panel, view, z_front_mm);
+}
+inline Vec2f footprint_mm(const Panel& panel, const SingleView& view, float z_mm) {
+  return Vec2f(panel.pixel_pitch_mm * std::abs(1.0f - z_mm / view.distance_mm));
+}
+inline Vec2d zone_slope(const Panel&, const SingleView&, Vec2d) { return Vec2d(0.0); }
+inline StepRule step_rule(const Panel&, const SingleView&, StepsWithin) { return {}; }
 void pixels_seeing(const Panel& panel, const SingleView& view, Vec3f point_mm, std::vector<Vec2f>& pixels);
+QuiltSight sight_of(const Panel& panel, const SingleView& view);
+std::optional<ViewCameras> cameras_of(const Panel& panel, const SingleView& view);
 
 }  // namespace lippmann

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 
+#include "optics/checks.hpp"
+#include "optics/members.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -50,9 +53,12 @@ class LensEquation {
   double pitch_, a_, cone_;
 };
 
+constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;  ///< phases keep 1e-7 of a lens even so
+constexpr double kMaxOffset = 4;                   ///< pixels, of sub-pixels from their pixel's centre
+
 /// A point of the plane z = 0 in panel pixels, from the left and from the bottom: all sub-pixels that it lies on.
 void append_sub_pixels(const Panel& panel, const SlantedPanel& slanted, double x, double y, std::vector<Vec2f>& pixels) {
-  const int width = panel.width / 3, height = panel.height;
+  const int width = panel.width, height = panel.height;
   for (int up = 0; up < 4; ++up)
     for (int column = 0; column < 2; ++column)
       for (int color = 0; color < 3; ++color) {
@@ -80,7 +86,7 @@ SubPixelOffsets striped_sub_pixels(bool blue_first) {
 }
 
 SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slanted, float z_front_mm) {
-  const int width = panel.width / 3;
+  const int width = panel.width;
   SlantedPanelRays c{};
   c.lenses_per_px = slanted.periods / width;
   c.lenses_per_row = slanted.tilt * slanted.periods / panel.height;
@@ -88,7 +94,7 @@ SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slan
   c.phase_sign = slanted.inverted ? -1.0f : 1.0f;
   c.half_cone = 0.5f * slanted.view_cone;
   c.width_px = static_cast<float>(width), c.height_px = static_cast<float>(panel.height);
-  c.pixel_mm = 3.0f * panel.pixel_pitch_mm;
+  c.pixel_mm = panel.pixel_pitch_mm;
   c.eye_reach_mm = slanted.parallax * slanted.distance_mm;
   c.distance_mm = slanted.distance_mm, c.inverse_distance = 1.0f / slanted.distance_mm;
   c.front_from_eye_mm = z_front_mm - slanted.distance_mm;
@@ -107,7 +113,7 @@ void write_block(const SlantedPanelRays& c, const RayFrame& frame, const float* 
 void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   const double distance = slanted.distance_mm, from_eye = distance - point_mm.z;
   if (!(from_eye > 0.0)) return;
-  const double magnification = distance / from_eye, pixel_mm = 3.0 * panel.pixel_pitch_mm;
+  const double magnification = distance / from_eye, pixel_mm = panel.pixel_pitch_mm;
   const double width_mm = panel.width * static_cast<double>(panel.pixel_pitch_mm);
   const double up = 0.5 * panel.height + point_mm.y * magnification / pixel_mm;
   constexpr double kReach = 4.0;  // pixels by which a sub-pixel may lie beyond its pixel: see validate
@@ -131,9 +137,103 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
       if (!(wanted >= low && wanted <= high)) continue;
       const double f = equation.solve(wanted, ends[piece], ends[piece + 1]);
       const double x = (k + f - phase_at_middle) * pitch;
-      append_sub_pixels(panel, slanted, x / pixel_mm + 0.5 * (panel.width / 3), up, pixels);
+      append_sub_pixels(panel, slanted, x / pixel_mm + 0.5 * panel.width, up, pixels);
     }
   }
+}
+
+void check_model(const Panel& panel, const SlantedPanel& slanted) {
+  check_number("slanted.periods", slanted.periods, 1e-3, 3.0 * panel.width);  // a lens is as wide as a sub-pixel at least
+  check_number("slanted.tilt", slanted.tilt, -kMaxTilt, kMaxTilt);
+  check_number("slanted.center", slanted.center, -kMaxPhase, kMaxPhase);
+  check_cone("slanted.view_cone", slanted.view_cone);
+  check_length("slanted.distance_mm", slanted.distance_mm);
+  for (const auto& row : slanted.sub_pixels)
+    for (const auto& column : row)
+      for (const Vec2f offset : column)
+        for (const float value : {offset.x, offset.y}) check_number("slanted.sub_pixels", value, -kMaxOffset, kMaxOffset);
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Rows from the bottom, columns, colours.
+Json sub_pixels_json(const SubPixelOffsets& offsets) {
+  Json rows = Json::array();
+  for (const auto& row : offsets) {
+    Json columns = Json::array();
+    for (const auto& column : row) {
+      Json colors = Json::array();
+      for (const Vec2f offset : column) colors.push_back({offset.x, offset.y});
+      columns.push_back(std::move(colors));
+    }
+    rows.push_back(std::move(columns));
+  }
+  return rows;
+}
+
+/// A list of so many elements.
+template <class List>
+void read_list(const Members& members, const Json& json, List& list, const auto& read_element) {
+  if (!json.is_array() || json.size() != list.size())
+    members.reject("sub_pixel_offsets_px", "is not what it should be",
+                   "4 rows of 2 columns of 3 colours of [x, y], panel pixels from the pixel's centre");
+  for (std::size_t i = 0; i < list.size(); ++i) read_element(json[i], list[i]);
+}
+
+}  // namespace
+
+void write_model(const SlantedPanel& slanted, Json& json) {
+  json["periods"] = slanted.periods;
+  json["tilt"] = slanted.tilt;
+  json["center"] = slanted.center;
+  json["inverted"] = slanted.inverted;
+  json["view_cone_deg"] = degrees(slanted.view_cone);
+  json["distance_mm"] = slanted.distance_mm;
+  if (slanted.sub_pixels != striped_sub_pixels()) json["sub_pixel_offsets_px"] = sub_pixels_json(slanted.sub_pixels);
+}
+
+void read_model(const Members& json, SlantedPanel& slanted) {
+  slanted.periods = json.exact("periods"), slanted.tilt = json.exact("tilt"), slanted.center = json.exact("center");
+  slanted.inverted = json.flag_or("inverted", true);
+  slanted.view_cone = radians(json.number("view_cone_deg"));
+  slanted.distance_mm = json.number("distance_mm");
+  constexpr std::string_view kOffsets = "sub_pixel_offsets_px";
+  if (json.has(kOffsets))
+    read_list(json, json.value(kOffsets), slanted.sub_pixels, [&](const Json& row, auto& columns) {
+      read_list(json, row, columns, [&](const Json& column, auto& colors) {
+        read_list(json, column, colors, [&](const Json& offset, Vec2f& to) { to = json.pair(kOffsets, offset); });
+      });
+    });
+}
+
+OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted) {
+  const SlantedLens lens = slanted_lens(panel, slanted);
+  const int film_width = 3 * panel.width;
+  OpticsFacts facts = facts_of_window(panel, slanted.distance_mm);
+  facts.viewing_zone = slanted.view_cone;
+  facts.depth_budget_mm = lens.pitch_mm / lens.slope_step;
+  facts.parallax = {true, false};
+  facts.view_counts = {rounded_up_count(film_width / std::abs(slanted.periods)), 1};
+  facts.lens_step_mm = facts.window.size.x / std::abs(slanted.periods);
+  facts.views_by_angle = true;
+  facts.next_lens_beyond = true;
+  facts.lens_columns_per_row = film_width * slanted.tilt / panel.height;
+  facts.crosstalk_pitch = {1.0, 0.0};
+  return facts;
+}
+
+Vec2d zone_slope(const Panel&, const SlantedPanel& slanted, Vec2d share) {
+  return {std::tan(slanted.view_cone * (share.x - 0.5)), 0.0};
+}
+
+StepRule step_rule(const Panel& panel, const SlantedPanel& slanted, StepsWithin) {
+  const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
+  StepRule rule;
+  rule.across.x = static_cast<float>(3.0 / std::abs(c.lenses_per_px));
+  rule.down.x = static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // along the lens: a row down is a row less
+  return rule;
 }
 
 }  // namespace lippmann

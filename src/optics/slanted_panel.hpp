@@ -12,6 +12,7 @@
 
 #include "lippmann/optics/optics.hpp"
 #include "optics/crossing.hpp"
+#include "optics/model.hpp"
 #include "optics/multi_view.hpp"
 
 namespace lippmann {
@@ -22,8 +23,8 @@ struct SlantedPanelRays {
   float phase_sign;                      ///< -1 where v = 1 - fract(z)
   float half_cone;                       ///< half the view cone: tangent_of_double takes half angles
   float width_px, height_px;             ///< panel pixels
-  float pixel_mm;                        ///< of a panel pixel, as wide as it is high
-  float eye_reach_mm;                    ///< eyes are at this times the tangent of their angle
+  float pixel_mm;
+  float eye_reach_mm;  ///< eyes are at this times the tangent of their angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
   /// Positions of sub-pixels, panel pixels from their pixel's centre: of red, green and blue in the columns 2n and 2n + 1 of
@@ -54,6 +55,40 @@ LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py)
 void write_block(const SlantedPanelRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
+class SlantedSight;  // optics/slanted_sight.hpp
+
+/// What lies below one lens, along a row.
+struct SlantedLens {
+  float pitch_mm;
+  float slope_step;  ///< dx/dz from one sub-pixel to the next
+};
+
+inline SlantedLens slanted_lens(const Panel& panel, const SlantedPanel& slanted) {
+  const auto sub_pixels = static_cast<float>(3 * panel.width / slanted.periods);
+  return {sub_pixels * (panel.pixel_pitch_mm / 3.0f), 2.0f * std::tan(0.5f * slanted.view_cone) / sub_pixels};
+}
+
+// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+
+constexpr std::string_view kind_of(const SlantedPanel&) { return "slanted"; }
+constexpr int sub_pixels_of(const SlantedPanel&) { return 3; }
+void check_model(const Panel& panel, const SlantedPanel& slanted);
+void write_model(const SlantedPanel& slanted, nlohmann::ordered_json& json);
+void read_model(const Members& json, SlantedPanel& slanted);
+OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted);
+inline float front_mm(const Panel&, const SlantedPanel& slanted, float chosen_mm) {
+  return std::min(chosen_mm, slanted.distance_mm);
+}
+inline SlantedPanelRays make_rays(const Panel& panel, const SlantedPanel& slanted, float z_front_mm) {
+  return make_slanted_panel(panel, slanted, z_front_mm);
+}
+inline Vec2f footprint_mm(const Panel& panel, const SlantedPanel& slanted, float z_mm) {
+  const float pixel = panel.pixel_pitch_mm * std::abs(1.0f - z_mm / slanted.distance_mm);
+  return {std::max(pixel, std::abs(z_mm) * slanted_lens(panel, slanted).slope_step * slanted.parallax), pixel};
+}
+Vec2d zone_slope(const Panel& panel, const SlantedPanel& slanted, Vec2d share);
+StepRule step_rule(const Panel& panel, const SlantedPanel& slanted, StepsWithin within);
 void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_mm, std::vector<Vec2f>& pixels);
+SlantedSight sight_of(const Panel& panel, const SlantedPanel& slanted);
 
 }  // namespace lippmann

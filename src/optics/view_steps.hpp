@@ -5,15 +5,10 @@
 #include <optional>
 
 #include "lippmann/optics/optics.hpp"
-#include "optics/lenticular.hpp"
-#include "optics/microlens.hpp"
+#include "optics/model.hpp"
 
 namespace lippmann {
 
-enum class StepsWithin {
-  kView,  ///< the same directional view
-  kLens,  ///< below the same lens
-};
 enum class StepDirection { kLeft, kRight, kUp, kDown };
 inline constexpr StepDirection kStepDirections[] = {StepDirection::kLeft, StepDirection::kRight, StepDirection::kUp,
                                                     StepDirection::kDown};
@@ -50,20 +45,12 @@ class ViewSteps {
   float length_px(StepDirection direction) const { return glm::length(step_of(direction)); }
 
  private:
-  /// Steps may not leave: the whole panel, the tile of a quilt, the cell of a lens.
-  enum class Bounds { kPanel, kTile, kSheetLens, kSquareLens, kHexagon };
-
   Vec2f step_of(StepDirection direction) const;
   void limit_to_tile(Vec2f place, ViewWalk& walk) const;
   void limit_to_lens(Vec2f place, ViewWalk& walk) const;
 
-  int width_, height_;
-  Vec2f across_{1.0f, 0.0f}, down_{0.0f, 1.0f};  ///< pixels
-  Bounds bounds_ = Bounds::kPanel;
-  LenticularConstants<float> sheet_{};
-  MicrolensConstants<float> lenses_{};
-  Vec2i tile_{1, 1}, last_tile_{0, 0};
-  int padding_top_ = 0;
+  Vec2i film_;
+  StepRule rule_;
 };
 
 }  // namespace lippmann

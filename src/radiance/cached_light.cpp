@@ -353,7 +353,8 @@ void CachedFrame::update_more(int attempt) {
 
 void CachedFrame::start_cache(float samples_per_cell, LightGroup lights_from) {
   if (history_.cache && samples_per_cell == history_.samples_per_cell && lights_from == history_.lights_from) return;
-  const double pixels = static_cast<double>(shot_.optics.panel.width) * static_cast<double>(shot_.optics.panel.height);
+  const Vec2i film = film_size(shot_.optics);
+  const double pixels = static_cast<double>(film.x) * static_cast<double>(film.y);
   history_.cache.emplace(static_cast<std::size_t>(std::max(kCellsPerPixel * pixels, kLeastCells)));
   history_.samples_per_cell = samples_per_cell, history_.lights_from = lights_from;
   round_ = 0, records_ = 0, update_seconds_ = 0.0;
@@ -468,7 +469,7 @@ void CachedFrame::gather(bool provenance, const CachedLightPictures& pictures) {
   const CacheCells in = cells();
   const GatherSources sources{shot_, in, *history_.cache};
   Image* const alpha = alpha_of(pictures);
-  if (alpha) pictures.aovs->allocate(Aov::kAlpha, shot_.optics.panel);
+  if (alpha) pictures.aovs->allocate(Aov::kAlpha, film_size(shot_.optics));
   const RayCounts rays = gather_frame(sources, {params_, effort(), provenance}, {}, {&before_, &history_.scatter, &expected_},
                                       {pool_, context_}, {pictures.film, alpha, pictures.noisy});
   add(rays, counts_);

@@ -131,7 +131,7 @@ void GatherMeasure::set_goal(const PixelError& of_paths) {
 /// of half as many.
 void GatherMeasure::trace_patches(int fewer) {
   const Context quiet;  // a few patches are no progress of the frame
-  Image film(shot_.optics.panel.width, shot_.optics.panel.height, 3);
+  Image film(film_size(shot_.optics).x, film_size(shot_.optics).y, 3);
   TraceParams params = trace_;
   params.spp = fewer_samples(trace_.spp, fewer);
   const bool in_halves = params.spp < trace_.spp;

@@ -28,7 +28,7 @@ class SampleSource {
   SampleSource(const Shot& shot, const TraceParams& params)
       : rays_(shot.optics, shot.world_from_display, SubPixel{params.seed, kMostGatherSamples, params.angular_filter}),
         seed_(hash(params.seed, params.frame, kPlacesSalt)),
-        width_(static_cast<std::uint32_t>(shot.optics.panel.width)) {}
+        width_(static_cast<std::uint32_t>(film_size(shot.optics).x)) {}
 
   /// Of the packet's streams, which are pixels, and samples.
   void fill(CameraPacket& packet) const {
@@ -192,7 +192,7 @@ void for_each_pixel(const Optics& optics, const Affine3f& world_from_display, Ra
 
 Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool& pool) {
   if (scatter.empty()) return {};
-  const int width = optics.panel.width, height = optics.panel.height;
+  const int width = film_size(optics).x, height = film_size(optics).y;
   const int lens = std::max(1, whole_pixels_per_lens(optics).x);
   Scatter across(scatter.size()), smooth(scatter.size());
   const auto average = [&](const Scatter& from, Scatter& to, auto... steps) {
@@ -256,13 +256,13 @@ RayCounts gather_cached(const GatherSources& sources, const GatherParams& params
                         const GatherHistory& history, const Workers& workers, const GatheredPictures& pictures) {
   if (history.now)
     history.now->assign(
-        static_cast<std::size_t>(sources.shot.optics.panel.width) * static_cast<std::size_t>(sources.shot.optics.panel.height),
+        static_cast<std::size_t>(film_size(sources.shot.optics).x) * static_cast<std::size_t>(film_size(sources.shot.optics).y),
         -1.0f);
   const Optics& optics = sources.shot.optics;
   Image& film = pictures.film;
-  film.width = optics.panel.width, film.height = optics.panel.height, film.channels = 3;
+  film.width = film_size(optics).x, film.height = film_size(optics).y, film.channels = 3;
   film.data.resize(3 * static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
-  if (pictures.noisy) clear_guides(optics.panel, *pictures.noisy);
+  if (pictures.noisy) clear_guides(film_size(optics), *pictures.noisy);
   const PacketSource source(optics, sources.shot.world_from_display, params.trace.order, SubPixel{});
   const SampleSource samples(sources.shot, params.trace);
   const Scatter unknown;

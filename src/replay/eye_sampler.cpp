@@ -5,8 +5,7 @@
 #include <variant>
 
 #include "lippmann/optics/viewing.hpp"
-#include "replay/sight.hpp"
-#include "replay/slanted_sight.hpp"
+#include "optics/models.hpp"
 
 namespace lippmann {
 namespace {
@@ -174,17 +173,20 @@ class SlantedSampler {
 
 using Sampler = std::variant<SlantedSampler, LensSampler<LenticularSight>, LensSampler<MicrolensSight>, QuiltSampler>;
 
+template <class Sight>
+LensSampler<Sight> sampler_of(const Sight& sight, const RenderedPanel& rendered, const Quality& quality) {
+  return {sight, rendered, quality};
+}
+SlantedSampler sampler_of(const SlantedSight& sight, const RenderedPanel& rendered, const Quality& quality) {
+  return {sight, rendered, quality};
+}
+QuiltSampler sampler_of(const QuiltSight& sight, const RenderedPanel& rendered, const Quality& quality) {
+  return {sight, rendered, quality};
+}
+
 Sampler make_sampler(const RenderedPanel& rendered, const Quality& quality) {
-  const Panel& panel = rendered.optics.panel;
-  if (const auto* sheet = std::get_if<LenticularSheet>(&rendered.optics.model))
-    return LensSampler<LenticularSight>({panel, *sheet}, rendered, quality);
-  if (const auto* array = std::get_if<MicrolensArray>(&rendered.optics.model))
-    return LensSampler<MicrolensSight>({panel, *array}, rendered, quality);
-  if (const auto* slanted = std::get_if<SlantedPanel>(&rendered.optics.model))
-    return SlantedSampler({panel, *slanted}, rendered, quality);
-  if (const auto* views = std::get_if<MultiView>(&rendered.optics.model))
-    return QuiltSampler({panel, *views}, rendered, quality);
-  return QuiltSampler({panel, std::get<SingleView>(rendered.optics.model)}, rendered, quality);
+  return std::visit([&](const auto& sight) -> Sampler { return sampler_of(sight, rendered, quality); },
+                    make_sight(rendered.optics));
 }
 
 }  // namespace

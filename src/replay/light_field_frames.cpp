@@ -41,11 +41,11 @@ ViewLayout film_of(const Optics& optics, const std::string& where) {
 
 /// Whether a picture is as the panel of these optics shows it.
 bool is_as_shown(const fs::path& picture, const std::string& layout, const Optics& optics) {
-  if (std::holds_alternative<SingleView>(optics.model)) return true;
+  if (is_single_view(optics)) return true;
   const std::optional<QuiltName> name = parse_quilt_name(picture);
-  const auto* views = std::get_if<MultiView>(&optics.model);
+  const std::optional<ViewTiles> views = view_tiles(optics);
   if (name) return views && name->tiles == ViewGrid{views->columns, views->rows};
-  if (layout == "quilt") return views != nullptr;
+  if (layout == "quilt") return views.has_value();
   if (layout == "eslf") return false;
   return layout != "integral" || has_lenses(optics);
 }
@@ -182,7 +182,7 @@ LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldSai
     if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, said);
     if (!parse_quilt_name(first))
       throw Error(first.string(), "nothing says what this picture is: it has no report.json beside it, and no quilt's name",
-                  "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann convert --help` lists the formats");
+                  "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann help convert` lists the formats");
   }
   const LightFieldSource source = light_field_source(first, said.from, options_of(said));
   if (source.rendering) return of_render(std::move(frames), *source.rendering, said);

@@ -15,14 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 SpocDisplay display_as_recorded(const Optics& recorded) {
-  const auto of = [&](const auto& model, double cell_px) {
-    return SpocDisplay{model.lens_pitch_mm, model.gap_mm, static_cast<int>(std::clamp(std::round(cell_px), 1.0, 4096.0))};
-  };
-  const double m = recorded.panel.pixel_pitch_mm;
-  if (const auto* sheet = std::get_if<LenticularSheet>(&recorded.model))
-    return of(*sheet, sheet->lens_pitch_mm / std::cos(double{sheet->slant}) / m);
-  if (const auto* array = std::get_if<MicrolensArray>(&recorded.model)) return of(*array, array->lens_pitch_mm / m);
-  throw usage_error("spoc", "the picture was not recorded by a lens array", "pictures of `optics` lenticular or microlens");
+  const std::optional<LensArray> lenses = lens_array(recorded);
+  if (!lenses)
+    throw usage_error("spoc", "the picture was not recorded by a lens array", "pictures of `optics` lenticular or microlens");
+  const double cell_px = std::round(lenses->pitch_mm / recorded.panel.pixel_pitch_mm);
+  return {lenses->lens_pitch_mm, lenses->gap_mm, static_cast<int>(std::clamp(cell_px, 1.0, 4096.0))};
 }
 
 struct Conversion {

@@ -55,7 +55,7 @@ Arrivals find_arrivals(const Optics& optics, double z, Vec2i size, const ThreadP
   const RayGenerator generator(optics);
   const Viewer viewer = design_viewer(optics);
   const Window window = display_window(optics);
-  Arrivals arrivals(optics.panel.width, optics.panel.height);
+  Arrivals arrivals(film_size(optics).x, film_size(optics).y);
   pool.for_each(static_cast<std::size_t>(arrivals.height), [&](std::size_t row) {
     RayRow rays(arrivals.width);
     rays.trace(generator, static_cast<int>(row));
@@ -179,7 +179,7 @@ Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const Thre
   const Vec2d pixel_mm = display_window(optics).size / Vec2d(size);
   const Vec2f half_width(glm::max(sample_spacing_mm(optics) / pixel_mm, Vec2d(1.0)));
   if (disagreement) *disagreement = Image(size.x, size.y, 1);
-  if (!std::holds_alternative<SlantedPanel>(optics.model)) {
+  if (sub_pixels_per_pixel(optics) == 1) {
     Image picture(size.x, size.y, 3);
     const auto color = [&](int x, int y) { return rendered.picture.pixel(x, y); };
     sum_rays(arrivals, 0, 1, color, half_width, pool, picture, disagreement);

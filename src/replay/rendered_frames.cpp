@@ -22,7 +22,7 @@ void check_layout(const Rendering& rendering, const std::string& where) {
   if (rendering.mirrored)
     throw Error(where, "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
   const std::string& layout = rendering.layout;
-  const bool is_quilt = std::holds_alternative<MultiView>(rendering.optics.model);
+  const bool is_quilt = view_tiles(rendering.optics).has_value();
   if (layout == "views" || layout == "eslf" || (layout == "quilt" && !is_quilt) || (layout == "integral" && is_quilt))
     throw Error(where, "the pictures are " + shown(layout) + ", not what the display itself shows",
                 "a render without `layout`, or the same converted to integral");

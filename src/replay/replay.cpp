@@ -12,6 +12,7 @@
 #include "lippmann/replay/epipolar_image.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "lippmann/replay/refocus.hpp"
+#include "optics/model.hpp"
 #include "replay/replay_files.hpp"
 
 namespace lippmann {
@@ -169,10 +170,9 @@ class Replay {
   }
 
   const char* seen_out_of_zone() const {
-    if (has_lenses(frames_.optics) || std::holds_alternative<SlantedPanel>(frames_.optics.model))
-      return "the pictures of neighbouring lenses";
-    const auto* views = std::get_if<MultiView>(&frames_.optics.model);
-    return views && views->baseline_mm > 0.0f ? "the outermost cameras' pictures" : "the views of the next cone";
+    const OpticsFacts facts = optics_facts(frames_.optics);
+    if (facts.next_lens_beyond) return "the pictures of neighbouring lenses";
+    return facts.tiles && facts.tiles->camera_grid ? "the outermost cameras' pictures" : "the views of the next cone";
   }
 
   const ReplayParams& params_;

@@ -1,5 +1,6 @@
 #include "replay/rotate_elemental.hpp"
 
+#include <optional>
 #include <string>
 
 #include "lippmann/core/error.hpp"
@@ -28,7 +29,7 @@ PixelMap map_of(const Panel& panel, const auto& source_of) {
 }
 
 /// Tile v becomes tile N - 1 - v; the padding at the right and at the top stays.
-PixelMap reversed_views(const Panel& panel, const MultiView& views) {
+PixelMap reversed_views(const Panel& panel, const ViewTiles& views) {
   const int width = panel.width / views.columns, height = panel.height / views.rows;
   const int padding = panel.height - height * views.rows;
   return map_of(panel, [&](int x, int y) {
@@ -41,7 +42,7 @@ PixelMap reversed_views(const Panel& panel, const MultiView& views) {
 }  // namespace
 
 PixelMap rotated_elemental_images(const Optics& optics, const std::string& where) {
-  if (const auto* views = std::get_if<MultiView>(&optics.model)) return reversed_views(optics.panel, *views);
+  if (const std::optional<ViewTiles> views = view_tiles(optics)) return reversed_views(optics.panel, *views);
   const Vec2i pixels = whole_pixels_per_lens(optics);
   if (pixels.x < 1)
     throw Error(where, "elemental images can only be rotated where whole pixels lie below every lens",

@@ -6,7 +6,7 @@
 
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/viewing.hpp"
-#include "replay/sight.hpp"
+#include "optics/models.hpp"
 
 namespace lippmann {
 namespace {
@@ -65,6 +65,10 @@ void check(const SpocParams& params) {
                       "a distance before the recording array, > 0");
 }
 
+[[noreturn]] void refuse_without_lenses() {
+  throw usage_error("spoc", "the picture was not recorded by a lens array", "pictures of `optics` lenticular or microlens");
+}
+
 }  // namespace
 
 Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
@@ -72,25 +76,19 @@ Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
     throw usage_error("lens-pixels", fmt::format("{} pixels below lenses of {} mm", display.pixels, display.lens_pitch_mm));
   Optics optics = recorded;
   const Vec2d window = display_window(recorded).size;
-  const auto set_lens = [&](auto& model, double pitch_along_x, bool lenses_along) {
-    const double pixel = pitch_along_x / display.pixels;
-    const auto whole = [](double count) { return std::clamp(std::round(count), 1.0, 65536.0); };
-    const double across = whole(window.x / pitch_along_x), along = whole(window.y / pitch_along_x);
-    optics.panel.pixel_pitch_mm = static_cast<float>(pixel);
-    optics.panel.width = static_cast<int>(std::min(across * display.pixels, 1e9));
-    optics.panel.height = static_cast<int>(std::min(lenses_along ? along * display.pixels : whole(window.y / pixel), 1e9));
-    model.lens_pitch_mm = static_cast<float>(display.lens_pitch_mm), model.gap_mm = static_cast<float>(display.gap_mm);
-    model.viewing_distance_mm = kInfinity;
-    // Cell 0 begins at the panel's edge: of an even number of lenses a boundary lies in the middle, of an odd one a centre.
-    return Vec2f(std::fmod(across, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0,
-                 std::fmod(along, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0);
-  };
-  if (auto* sheet = std::get_if<LenticularSheet>(&optics.model))
-    sheet->offset_mm = set_lens(*sheet, display.lens_pitch_mm / std::cos(double{sheet->slant}), false).x;
-  else if (auto* array = std::get_if<MicrolensArray>(&optics.model))
-    array->offset_mm = set_lens(*array, display.lens_pitch_mm, true);
-  else
-    throw usage_error("spoc", "the picture was not recorded by a lens array", "pictures of `optics` lenticular or microlens");
+  const std::optional<LensArray> lenses = lens_array(recorded);
+  if (!lenses) refuse_without_lenses();
+  const double pitch_along_x = display.lens_pitch_mm / lenses->slant_cosine, pixel = pitch_along_x / display.pixels;
+  const auto whole = [](double count) { return std::clamp(std::round(count), 1.0, 65536.0); };
+  const double across = whole(window.x / pitch_along_x), along = whole(window.y / pitch_along_x);
+  const double rows = lenses->row_pitch_mm > 0.0 ? along * display.pixels : whole(window.y / pixel);
+  optics.panel = {static_cast<int>(std::min(across * display.pixels, 1e9)), static_cast<int>(std::min(rows, 1e9)),
+                  static_cast<float>(pixel)};
+  // Cell 0 begins at the panel's edge: of an even number of lenses a boundary lies in the middle, of an odd one a centre.
+  const Vec2f offset(std::fmod(across, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0,
+                     std::fmod(along, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0);
+  optics.model =
+      *with_lenses(recorded.model, static_cast<float>(display.lens_pitch_mm), static_cast<float>(display.gap_mm), offset);
   try {
     validate(optics);
   } catch (const Error& error) {
@@ -101,15 +99,14 @@ Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
 
 PixelMap spoc(const Optics& recorded, const Optics& display, const SpocParams& params) {
   check(params);
-  if (const auto* sheet = std::get_if<LenticularSheet>(&recorded.model)) {
-    const LenticularSight sight(recorded.panel, *sheet);
-    return map_rays(display, params, RecordedPixels(recorded, sight, params.reference_mm));
-  }
-  const auto* array = std::get_if<MicrolensArray>(&recorded.model);
-  if (!array)
-    throw usage_error("spoc", "the picture was not recorded by a lens array", "pictures of `optics` lenticular or microlens");
-  const MicrolensSight sight(recorded.panel, *array);
-  return map_rays(display, params, RecordedPixels(recorded, sight, params.reference_mm));
+  return std::visit(
+      [&]<class Sight>(const Sight& sight) -> PixelMap {
+        if constexpr (requires { sight.cell(Vec2d(0.0)); })
+          return map_rays(display, params, RecordedPixels<Sight>(recorded, sight, params.reference_mm));
+        else
+          refuse_without_lenses();
+      },
+      make_sight(recorded));
 }
 
 }  // namespace lippmann

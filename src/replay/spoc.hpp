@@ -19,7 +19,7 @@
 //      pixel floor(N'/2 + o' / m') of cell k.
 // With D = 0 and equal arrays k is the lens itself, x_ref = l + o z_ref / g, and o' = -o: rotated elemental images.
 //
-// As the papers' lenses but for any array, the reference point takes the place of the eye in replay/sight.hpp. We deviate:
+// As the papers' lenses but for any array, the reference point takes the place of the eye in optics/sight.hpp. We deviate:
 // where the nearest lens has no pixel that looks at the point, the nearest one that has is taken, so that no pixel stays black
 // unless none has.
 #pragma once

@@ -81,7 +81,7 @@ int whole_step(float length_px, int size) { return std::clamp(static_cast<int>(s
 }  // namespace
 
 DoubtEstimator::DoubtEstimator(const Optics& optics, Encoding encoding)
-    : width_(optics.panel.width), height_(optics.panel.height), linear_film_(encoding == Encoding::kSrgb) {
+    : width_(film_size(optics).x), height_(film_size(optics).y), linear_film_(encoding == Encoding::kSrgb) {
   const ViewSteps steps(optics, StepsWithin::kView);
   across_ = whole_step(steps.length_px(StepDirection::kRight), width_);
   down_ = whole_step(steps.length_px(StepDirection::kDown), height_);

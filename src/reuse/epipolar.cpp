@@ -79,11 +79,7 @@ struct Samples {
 
 }  // namespace
 
-bool EpipolarSampler::suits(const Optics& optics) {
-  const bool lenses =
-      std::holds_alternative<LenticularSheet>(optics.model) || std::holds_alternative<MicrolensArray>(optics.model);
-  return lenses && whole_pixels_per_lens(optics).x > 0;
-}
+bool EpipolarSampler::suits(const Optics& optics) { return has_lenses(optics) && whole_pixels_per_lens(optics).x > 0; }
 
 EpipolarSampler::EpipolarSampler(const Optics& optics, Encoding encoding)
     : grid_(std::get<GridLanding>(make_landing(optics, SplatMode::kView))), linear_film_(encoding == Encoding::kSrgb) {}

@@ -12,9 +12,7 @@ constexpr float kNearness = 0.7f;
 /// Of the following frame.
 float weight_at(float position) { return 0.5f + kNearness * (position - 0.5f); }
 
-bool has_size(const Image& film, const Panel& panel) {
-  return film.width == panel.width && film.height == panel.height && film.channels == 3;
-}
+bool has_size(const Image& film, Vec2i size) { return film.width == size.x && film.height == size.y && film.channels == 3; }
 
 /// Of equals: the same bits.
 void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& pool, Image& film) {
@@ -30,7 +28,7 @@ void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& poo
 
 InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const ForwardParams& params)
     : params_(params),
-      panel_(optics.panel),
+      film_size_(film_size(optics)),
       encoding_(scene.encoding),
       groups_(make_motion_groups(scene)),
       splatter_(optics, params.splat),
@@ -44,7 +42,7 @@ InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const F
 }
 
 Image& InBetweenMaker::film_of(PointImage& frame) const {
-  if (!has_size(frame.film, panel_)) frame.film = Image(panel_.width, panel_.height, 3);  // else every pixel is written over
+  if (!has_size(frame.film, film_size_)) frame.film = Image(film_size_.x, film_size_.y, 3);  // else every pixel is written over
   return frame.film;
 }
 
@@ -88,7 +86,7 @@ void InBetweenMaker::predict(const PointImage& previous, const PointImage& follo
   splatter_.splat(previous, from_previous, pool, landed_previous_);
   splatter_.splat(following, from_following, pool, landed_following_);
   for (Image* alone : {&from_previous_, &from_following_})
-    if (!has_size(*alone, panel_)) *alone = Image(panel_.width, panel_.height, 3);
+    if (!has_size(*alone, film_size_)) *alone = Image(film_size_.x, film_size_.y, 3);
   const EpipolarSampler* sampler = sampler_ ? &*sampler_ : nullptr;
   const SplatSource a{previous, from_previous, landed_previous_, 1.0f}, b{following, from_following, landed_following_, 1.0f};
   average(a, {following, from_following, landed_following_, 0.0f}, sampler, pool, from_previous_, missed_);

@@ -66,7 +66,7 @@ class InBetweenMaker {
                PointImage& frame, InBetweenCounts& counts);
 
   ForwardParams params_;
-  Panel panel_;
+  Vec2i film_size_;
   Encoding encoding_;
   MotionGroups groups_;
   Splatter splatter_;

@@ -150,11 +150,18 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
     throw usage_error("reuse", "interpolate does not know panels whose sub-pixels do not lie in stripes",
                       "`reuse` copy or none, or a quilt, which can be interpolated");
   const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
-  const auto width = static_cast<float>(panel.width), height = static_cast<float>(panel.height);
+  const auto width = static_cast<float>(3 * panel.width), height = static_cast<float>(panel.height);
   const double per_sub_pixel = c.lenses_per_px / 3.0;
   return SlantedLanding{{c, static_cast<float>(per_sub_pixel), static_cast<float>(1.0 / per_sub_pixel),
-                         static_cast<float>(-c.lenses_per_row), 1.0f / panel.pixel_pitch_mm, width, height, 0.5f * width,
+                         static_cast<float>(-c.lenses_per_row), 3.0f / panel.pixel_pitch_mm, width, height, 0.5f * width,
                          0.5f * height, blue_first ? -1.0f : 1.0f, 0.0f, 0.0f}};
+}
+
+/// Models that do not say where a point lands.
+template <class Model>
+AnyLanding landing(const Panel&, const Model&, SplatMode) {
+  throw usage_error("reuse", "interpolate does not know where points are seen by these optics",
+                    "`reuse` copy, light, none or auto");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace lippmann {
 
 Patches::Patches(const Optics& optics, RayOrder order) : begin_{0} {
   const StripOrder strip = make_strip_order(optics, order);
-  const int width = optics.panel.width, height = optics.panel.height;
+  const int width = film_size(optics).x, height = film_size(optics).y;
   per_strip_ = (strip.pixels.size() + kPatchPixels - 1) / kPatchPixels;
   pixels_.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int top = 0; top < height; top += strip.strip_height)

@@ -256,8 +256,8 @@ struct Splatter::Impl {
 
 Splatter::Splatter(const Optics& optics, const SplatParams& params)
     : impl_(new Impl{make_landing(optics, params.mode),
-                     {optics.panel.width, resolved_z_front_mm(optics), -optics.z_back_mm},
-                     optics.panel.height,
+                     {film_size(optics).x, resolved_z_front_mm(optics), -optics.z_back_mm},
+                     film_size(optics).y,
                      params.z_buffer}) {}
 Splatter::~Splatter() = default;
 

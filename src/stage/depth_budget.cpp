@@ -11,8 +11,7 @@ namespace {
 
 /// What is seen at a depth that many times the budget.
 std::string beyond(float times, const Optics& optics) {
-  if (std::holds_alternative<MultiView>(optics.model))
-    return fmt::format("neighbouring views are {:.1f} pixels apart and seen as steps", times);
+  if (view_tiles(optics)) return fmt::format("neighbouring views are {:.1f} pixels apart and seen as steps", times);
   return fmt::format("a pixel is as wide as {:.1f} lenses", times);
 }
 

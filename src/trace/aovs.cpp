@@ -10,9 +10,9 @@ bool FrameAovs::wants_any(bool light) const {
   return false;
 }
 
-void FrameAovs::allocate(Aov aov, const Panel& panel) {
+void FrameAovs::allocate(Aov aov, Vec2i film_size) {
   Image& image = (*this)[aov];
-  image = Image(panel.width, panel.height, channels_of(aov));
+  image = Image(film_size.x, film_size.y, channels_of(aov));
   std::fill(image.data.begin(), image.data.end(), info_of(aov).nothing);
 }
 

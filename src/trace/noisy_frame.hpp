@@ -28,7 +28,7 @@ inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(samp
 std::array<float, 2> weights_of_halves(int spp);
 
 /// Gives all images but the film the panel's size, and 0.
-void clear_guides(const Panel& panel, NoisyFrame& noisy);
+void clear_guides(Vec2i film, NoisyFrame& noisy);
 
 /// As trace_frame for the same scene, made for paths, at 2 or more samples per pixel: noisy.film has the bits of its film.
 RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,

@@ -67,9 +67,9 @@ PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_disp
     : rays_(optics, world_from_display, sub_pixel),
       order_(make_strip_order(optics, order)),
       sub_pixel_(sub_pixel),
-      width_(optics.panel.width),
-      height_(optics.panel.height),
-      strips_((optics.panel.height + order_.strip_height - 1) / order_.strip_height),
+      width_(film_size(optics).x),
+      height_(film_size(optics).y),
+      strips_((height_ + order_.strip_height - 1) / order_.strip_height),
       packets_(static_cast<int>((order_.pixels.size() + kLanes - 1) / kLanes)) {
   order_.pixels.resize(static_cast<std::size_t>(packets_) * kLanes, order_.pixels.back());
 }

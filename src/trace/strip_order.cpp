@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optics/model.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -52,21 +54,22 @@ void append_along_slant(std::vector<StripPixel>& out, double columns_per_row, in
         }
 }
 
-int strip_height(const Optics& optics, Vec2i n) {
+int strip_height(const std::optional<LensArray>& lenses, Vec2i n) {
   // Two-dimensional lenses: four lens rows, so that view tiles are 4 x 4.
-  if (std::holds_alternative<MicrolensArray>(optics.model) && n.y > 0) return 4 * n.y;
+  if (lenses && lenses->row_pitch_mm > 0.0 && n.y > 0) return 4 * n.y;
   return kRowsPerStrip;
 }
 
 }  // namespace
 
 StripOrder make_strip_order(const Optics& optics, RayOrder order) {
-  const Vec2i n = whole_pixels_per_lens(optics);
-  const int width = optics.panel.width;
+  const OpticsFacts facts = optics_facts(optics);
+  const Vec2i n = facts.whole_pixels_per_lens;
+  const int width = film_size(optics).x;
   StripOrder strip;
-  strip.strip_height = std::min(strip_height(optics, n), optics.panel.height);
+  strip.strip_height = std::min(strip_height(facts.lenses, n), film_size(optics).y);
   strip.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(strip.strip_height));
-  const bool one_dimensional = std::holds_alternative<LenticularSheet>(optics.model);
+  const bool one_dimensional = facts.lenses && !(facts.lenses->row_pitch_mm > 0.0);
   switch (order) {
     case RayOrder::kRows:
       append_rows(strip.pixels, width, strip.strip_height);
@@ -75,8 +78,8 @@ StripOrder make_strip_order(const Optics& optics, RayOrder order) {
       append_down(strip.pixels, 0, width, 1, 0, strip.strip_height, 1);
       break;
     case RayOrder::kViewTiles:
-      if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) {
-        append_along_slant(strip.pixels, width * slanted->tilt / optics.panel.height, width, strip.strip_height);
+      if (facts.lens_columns_per_row) {
+        append_along_slant(strip.pixels, *facts.lens_columns_per_row, width, strip.strip_height);
       } else if (one_dimensional && n.x > 0) {
         append_lens_groups(strip.pixels, n.x, width, strip.strip_height);
       } else if (one_dimensional) {

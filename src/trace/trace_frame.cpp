@@ -67,11 +67,11 @@ class FrameTracer {
 };
 
 /// Where the parts of the light go that are wanted.
-PathFilm allocated_light(const Panel& panel, FrameAovs& aovs) {
+PathFilm allocated_light(Vec2i film_size, FrameAovs& aovs) {
   PathFilm film;
   const auto part = [&](Aov aov) -> float* {
     if (!aovs.wants(aov)) return nullptr;
-    aovs.allocate(aov, panel);
+    aovs.allocate(aov, film_size);
     return aovs[aov].data.data();
   };
   film.direct = part(Aov::kDirect), film.indirect = part(Aov::kIndirect), film.open = part(Aov::kAlpha);
@@ -93,17 +93,17 @@ std::array<float, 2> weights_of_halves(int spp) {
   return {weight(spp - second), -weight(second)};
 }
 
-void clear_guides(const Panel& panel, NoisyFrame& noisy) {
-  for (Image* image : {&noisy.noise, &noisy.seen, &noisy.albedo, &noisy.normal}) *image = Image(panel.width, panel.height, 3);
-  for (Image* image : {&noisy.z, &noisy.met}) *image = Image(panel.width, panel.height, 1);
+void clear_guides(Vec2i film, NoisyFrame& noisy) {
+  for (Image* image : {&noisy.noise, &noisy.seen, &noisy.albedo, &noisy.normal}) *image = Image(film.x, film.y, 3);
+  for (Image* image : {&noisy.z, &noisy.met}) *image = Image(film.x, film.y, 1);
 }
 
 RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,
                             FrameAovs& aovs) {
-  const Panel& panel = shot.optics.panel;
-  noisy.film = Image(panel.width, panel.height, 3);
-  clear_guides(panel, noisy);
-  PathFilm film = allocated_light(panel, aovs);
+  const Vec2i size = film_size(shot.optics);
+  noisy.film = Image(size.x, size.y, 3);
+  clear_guides(size, noisy);
+  PathFilm film = allocated_light(size, aovs);
   film.noise = noisy.noise.data.data(), film.seen = noisy.seen.data.data();
   const FirstSurfaces surfaces{noisy.albedo.data.data(), noisy.normal.data.data(), noisy.z.data.data(), noisy.met.data.data(),
                                display_z(shot.world_from_display)};
@@ -115,11 +115,11 @@ RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const W
 
 RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into) {
   const ShadedScene& scene = shot.device.shaded();
-  const Panel& panel = shot.optics.panel;
-  const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
-  into.film.width = panel.width, into.film.height = panel.height, into.film.channels = 3;
+  const Vec2i size = film_size(shot.optics);
+  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  into.film.width = size.x, into.film.height = size.y, into.film.channels = 3;
   into.film.data.resize(3 * pixels);
-  FrameTracer tracer(shot, params, into.film, into.aovs ? allocated_light(panel, *into.aovs) : PathFilm{});
+  FrameTracer tracer(shot, params, into.film, into.aovs ? allocated_light(size, *into.aovs) : PathFilm{});
   std::optional<PointCapture> capture;
   if (into.points) {
     into.points->resize(pixels);

@@ -29,7 +29,7 @@ struct OrderedPixels {
 
 OrderedPixels in_ray_order(Pixels pixels, const Optics& optics, RayOrder ray_order) {
   const StripOrder order = make_strip_order(optics, ray_order);
-  const std::vector<std::uint32_t> ranks = ranks_in_strip(order, optics.panel.width);
+  const std::vector<std::uint32_t> ranks = ranks_in_strip(order, film_size(optics).x);
   const auto strip_pixels = static_cast<std::uint32_t>(ranks.size());
   OrderedPixels ordered{{pixels.begin(), pixels.end()}, {0}};
   std::size_t end = 0;
@@ -51,7 +51,7 @@ struct PixelRays {
       : sub_pixel(where),
         centre(optics, world_from_display),
         samples(optics, world_from_display, where),
-        width(static_cast<std::uint32_t>(optics.panel.width)) {}
+        width(static_cast<std::uint32_t>(film_size(optics).x)) {}
 
   SubPixel sub_pixel;
   RayGenerator centre;

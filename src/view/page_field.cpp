@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of all views of one frame that eyes are asked for: what takes a second or two.
+/// The most pixels that are made for all eyes of one frame: what takes a second or two.
 constexpr double kMostEyePixels = 6e6;
 constexpr int kMostEyesAcross = 48, kMostEyesUp = 9;
 
@@ -56,8 +56,9 @@ void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& fac
   const bool is_quilt = film.kind == LayoutKind::kQuilt;
   facts.tiles = is_quilt ? film.tiles : tiles_for(film.grid.count());
   facts.panel = film.kind == LayoutKind::kIntegral ? PanelPicture::kIntegral : PanelPicture::kQuilt;
-  facts.lens_samples_across = has_lenses(optics);
-  facts.lens_samples_up = std::holds_alternative<MicrolensArray>(optics.model);
+  const std::optional<LensArray> lenses = lens_array(optics);
+  facts.lens_samples_across = lenses.has_value();
+  facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
 }
 
 PageFacts facts_of(const LightFieldFrames& frames, const std::optional<RenderedViews>& views) {
@@ -78,13 +79,13 @@ PageFacts facts_of(const LightFieldFrames& frames, const std::optional<RenderedV
   return facts;
 }
 
-std::vector<PageFrame> label_frames(const std::vector<fs::path>& files, const ReportFacts& report) {
+std::vector<PageFrame> label_frames(const std::vector<fs::path>& files, const std::map<int, FrameFacts>& facts) {
   std::vector<PageFrame> frames;
   for (const fs::path& file : files) {
     PageFrame frame{frame_label(file), {}};
     int number = -1;
     std::from_chars(frame.label.data(), frame.label.data() + frame.label.size(), number);
-    if (const auto found = report.frames.find(number); found != report.frames.end()) frame.facts = found->second;
+    if (const auto found = facts.find(number); found != facts.end()) frame.facts = found->second;
     frames.push_back(std::move(frame));
   }
   return frames;
@@ -105,7 +106,7 @@ PageField::PageField(fs::path in, LightFieldSaid said, const Context& context)
       facts_(facts_of(frames_, rendered_views(frames_.optics))),
       pool_(resolved_threads(context)) {
   facts_.title = title_of(in);
-  facts_.frames = label_frames(frames_.files, read_report_facts(frames_.folder));
+  facts_.frames = label_frames(frames_.files, readable_rendering(frames_.folder / "report.json").value_or(Rendering{}).frames);
   try {
     facts_.has_depth = has_depth_beside(0);
   } catch (const Error& error) {

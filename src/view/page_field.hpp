@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "layout/rendered.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
-#include "view/report_facts.hpp"
 #include "view/view_axes.hpp"
 
 namespace lippmann {

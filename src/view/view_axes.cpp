@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lippmann/optics/viewing.hpp"
+#include "optics/model.hpp"
 
 namespace lippmann {
 namespace {
@@ -15,14 +16,9 @@ ViewAxis axis_between(int count, double first_slope, double last_slope, bool by_
   return axis;
 }
 
-bool spreads_by_angle(const Optics& optics) {
-  const auto* views = std::get_if<MultiView>(&optics.model);
-  return std::holds_alternative<SlantedPanel>(optics.model) || (views && !(views->baseline_mm > 0.0f));
-}
-
-BeyondZone beyond_zone(const Optics& optics) {
-  if (has_lenses(optics)) return BeyondZone::kNextLens;
-  return spreads_by_angle(optics) ? BeyondZone::kRepeats : BeyondZone::kStays;
+BeyondZone beyond_zone(const OpticsFacts& facts) {
+  if (facts.lenses) return BeyondZone::kNextLens;
+  return facts.views_by_angle ? BeyondZone::kRepeats : BeyondZone::kStays;
 }
 
 }  // namespace
@@ -37,11 +33,12 @@ ViewAxes view_axes(const Optics& optics, ViewGrid grid) {
   const auto last = [](int count) { return 1.0 - 0.5 / count; };
   const auto across = [&](double share) { return viewer_in_zone(optics, share).slope_at_centre.x; };
   const auto up = [&](double share) { return viewer_in_zone_vertically(optics, share).slope_at_centre.y; };
+  const OpticsFacts facts = optics_facts(optics);
   ViewAxes axes;
-  axes.across = axis_between(grid.columns, across(first(grid.columns)), across(last(grid.columns)), spreads_by_angle(optics),
-                             beyond_zone(optics));
+  axes.across = axis_between(grid.columns, across(first(grid.columns)), across(last(grid.columns)), facts.views_by_angle,
+                             beyond_zone(facts));
   axes.up = axis_between(grid.rows, up(first(grid.rows)), up(last(grid.rows)), false,
-                         grid.rows > 1 ? beyond_zone(optics) : BeyondZone::kStays);
+                         grid.rows > 1 ? beyond_zone(facts) : BeyondZone::kStays);
   axes.vergence = design_viewer(optics).vergence;
   return axes;
 }

@@ -37,9 +37,8 @@ TEST(SlantedDisplay, portrait_sub_pixel_table_by_hand) {
   //   100   2047  0   0.06542969  0.00024414   15.456170  0.543830
   //   1535  2047  2   0.99967448  0.00024414  243.556014  0.443986
   const Optics optics = native_optics(load_display("portrait"));
-  EXPECT_EQ(optics.panel.width, 4608);
-  EXPECT_EQ(optics.panel.height, 2048);
-  EXPECT_NEAR(optics.panel.pixel_pitch_mm, 25.4 / 324 / 3, 1e-8);
+  EXPECT_EQ(film_size(optics), Vec2i(4608, 2048));
+  EXPECT_NEAR(optics.panel.pixel_pitch_mm, 25.4 / 324, 1e-8);
   const struct {
     int i, j, color;
     double v;

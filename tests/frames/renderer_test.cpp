@@ -52,6 +52,33 @@ TEST(Renderer, fits_depth_to_what_optics_resolve_unless_told_not_to) {
   EXPECT_LT(place(scene, small_quilt()).placed.depth_scale, 1.0f);
 }
 
+TEST(Renderer, traces_optics_that_are_rays_alone_and_does_not_interpolate_them) {
+  const Context context;
+  const Scene scene = built_in("primitives");
+  Optics view{.panel = {24, 16, 1.0f}, .model = SingleView{.distance_mm = 60.0f}};
+  const Placement as_view = place(scene, view);
+  Placement as_rays = as_view;
+  RayTable table = make_ray_table(view.panel, 1, [&](Vec2f pixel) { return ray_of_pixel(as_view.placed.optics, pixel); });
+  table.spread = 1.0f / 60.0f;  // as textures are filtered for an eye 60 mm away
+  as_rays.placed.optics.model = table;
+  const auto film_of = [&](const Placement& placement, const FrameParams& params) {
+    return Renderer(scene, placement, params, context).frame(1)->pictures.film;
+  };
+  const Image traced = film_of(as_view, {}), from_rays = film_of(as_rays, {});
+  ASSERT_EQ(traced.data.size(), from_rays.data.size());
+  std::size_t different = 0;  // rays differ in their last bits: at an edge another surface may be hit
+  for (std::size_t i = 0; i < traced.data.size(); ++i) different += std::abs(traced.data[i] - from_rays.data[i]) > 1e-3f;
+  EXPECT_LE(different, traced.data.size() / 100);
+  EXPECT_NO_THROW(film_of(as_rays, {.reuse = CopySettled{}}));
+  EXPECT_NO_THROW(film_of(as_rays, {.sampling = {.integrator = Integrator::kPath, .spp = 8}, .reuse = ShareLight{}}));
+  try {
+    film_of(as_rays, {.reuse = Interpolate{}});
+    FAIL() << "a table of rays was interpolated";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "reuse");
+  }
+}
+
 TEST(Renderer, shares_light_between_views_and_frames_and_reports_its_error) {
   const Context context;
   const Scene scene = built_in("room");

@@ -74,7 +74,7 @@ TEST(Derived, default_sheet_has_28_degrees_and_16_mm) {
 TEST(Derived, slanted_panel_of_20_sub_pixels_a_lens) {
   // Lenses 20 x 0.1 = 2 mm wide, 20 directions in a cone of 2 atan(1/2): 1 / 20 apart. 2 mm / (1/20) = 40 mm. At 20 mm a
   // sub-pixel is 1 mm wide, at 4 mm less than a pixel of 0.3 mm; the viewer at 500 mm sees that shrink in perspective.
-  const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {600, 100, 0.1f});
+  const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {200, 100, 0.3f});
   EXPECT_NEAR(depth_budget_mm(panel), 40.0f, 1e-4f);
   EXPECT_EQ(viewing_zone(panel), 2.0f * std::atan(0.5f));
   EXPECT_EQ(whole_pixels_per_lens(panel), Vec2i(0, 0));
@@ -89,7 +89,7 @@ TEST(Window, is_the_panel_or_one_view_of_a_quilt) {
   EXPECT_EQ(window_size_mm(with(MultiView{.columns = 7, .rows = 3}, {300, 200, 0.5f})), Vec2f(21.0f, 33.0f));
   EXPECT_EQ(window_size_mm(with(MultiView{.columns = 7, .rows = 3, .pixel_height = 2.0f}, {300, 200, 0.5f})),
             Vec2f(21.0f, 66.0f));
-  EXPECT_EQ(window_size_mm(with(SlantedPanel{}, {300, 200, 0.5f})), Vec2f(150.0f, 300.0f));
+  EXPECT_EQ(window_size_mm(with(SlantedPanel{}, {100, 200, 1.5f})), Vec2f(150.0f, 300.0f));
 }
 
 TEST(Footprint, is_the_lens_up_to_the_depth_budget_and_the_magnified_pixel_beyond) {
@@ -150,7 +150,7 @@ Optics with_depths(float front, float back) {
   return optics;
 }
 
-constexpr Panel kSlantedPanel{513, 512, 0.05f};
+constexpr Panel kSlantedPanel{171, 512, 0.15f};
 
 Optics with_sub_pixel(Vec2f offset) {
   SlantedPanel slanted;
@@ -205,7 +205,6 @@ const BadCase kBadCases[] = {
     {"zero_distance", "multiview.distance_mm", with(MultiView{.distance_mm = 0.0f})},
     {"infinite_distance", "singleview.distance_mm", with(SingleView{.distance_mm = kInfinity})},
     {"nan_pixel_offset", "singleview.pixel_offset", with(SingleView{.pixel_offset = {kNaN, 0.0f}})},
-    {"slanted_panel_of_512_sub_pixels", "panel.width", with(SlantedPanel{})},
     {"no_lenses", "slanted.periods", with(SlantedPanel{.periods = 0.0}, kSlantedPanel)},
     {"nan_lenses", "slanted.periods", with(SlantedPanel{.periods = kNaN}, kSlantedPanel)},
     {"lenses_below_a_sub_pixel", "slanted.periods", with(SlantedPanel{.periods = 514.0}, kSlantedPanel)},

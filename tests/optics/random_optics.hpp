@@ -65,9 +65,9 @@ class OpticsSampler {
   /// Of 2 to 20 sub-pixels below a lens, in stripes or anyhow within their pixel.
   Optics slanted_panel() {
     Optics o{.panel = panel(), .model = {}};
-    o.panel.width -= o.panel.width % 3;
+    o.panel.width /= 3, o.panel.pixel_pitch_mm *= 3.0f;
     SlantedPanel s;
-    s.periods = o.panel.width / uniform(2.0f, 20.0f);
+    s.periods = 3 * o.panel.width / uniform(2.0f, 20.0f);
     s.tilt = uniform(-1.0f, 1.0f), s.center = uniform(-3.0f, 3.0f);
     s.inverted = coin();
     s.view_cone = uniform(0.3f, 1.5f), s.distance_mm = uniform(200.0f, 1000.0f);
@@ -116,7 +116,7 @@ class OpticsSampler {
 };
 
 inline const char* model_name(const Optics& o) {
-  constexpr const char* kNames[] = {"lenticular", "microlens", "multi-view", "single view", "slanted panel"};
+  constexpr const char* kNames[] = {"lenticular", "microlens", "multi-view", "single view", "slanted panel", "ray table"};
   return kNames[o.model.index()];
 }
 

@@ -37,13 +37,13 @@ void check_round_trip(OpticsSampler& random, int model, float sign) {
   const RayGenerator generator(optics);
   const float gap = test::gap_of(optics);
   for (int sample = 0; sample < 50; ++sample) {
-    const Vec2f pixel(random.uniform(1.0f, optics.panel.width - 1.0f), random.uniform(1.0f, optics.panel.height - 1.0f));
+    const Vec2f pixel(random.uniform(1.0f, film_size(optics).x - 1.0f), random.uniform(1.0f, optics.panel.height - 1.0f));
     const Ray ray = generator.ray(pixel);
     const float z = sign * random.uniform(gap, std::min(30.0f * gap, 0.95f * resolved_z_front_mm(optics)));
     std::vector<Vec2f> seeing;
     pixels_seeing(optics, test::at_depth(ray, z), seeing);
     const auto* views = std::get_if<MultiView>(&optics.model);
-    const bool padding = views != nullptr && (pixel.x >= optics.panel.width / views->columns * views->columns ||
+    const bool padding = views != nullptr && (pixel.x >= film_size(optics).x / views->columns * views->columns ||
                                               pixel.y < optics.panel.height % views->rows);
     if (padding) continue;
     // 16 roundings of that size lie between a pixel and itself; 1e-2 pixel is what the interface promises.
@@ -73,7 +73,7 @@ TEST_P(RoundTrip, rays_of_pixels_are_bit_identical_to_ray_of_pixel) {
     constexpr int kCount = 53;  // three vectors of 16 and a tail
     float px[kCount], py[kCount], out[6][kCount];
     for (int i = 0; i < kCount; ++i)
-      px[i] = random.uniform(0.0f, optics.panel.width), py[i] = random.uniform(0.0f, optics.panel.height);
+      px[i] = random.uniform(0.0f, film_size(optics).x), py[i] = random.uniform(0.0f, optics.panel.height);
     rays_of_pixels(optics, px, py, kCount, {out[0], out[1], out[2], out[3], out[4], out[5]});
     for (int i = 0; i < kCount; ++i) {
       const Ray ray = ray_of_pixel(optics, {px[i], py[i]});
@@ -90,7 +90,7 @@ TEST_P(RoundTrip, rays_start_on_z_front_and_run_backwards_with_unit_length) {
     if (random.coin()) optics.z_front_mm = random.uniform(-5.0f, 100.0f);
     for (int sample = 0; sample < 20; ++sample) {
       const Ray ray =
-          ray_of_pixel(optics, {random.uniform(0.0f, optics.panel.width), random.uniform(0.0f, optics.panel.height)});
+          ray_of_pixel(optics, {random.uniform(0.0f, film_size(optics).x), random.uniform(0.0f, optics.panel.height)});
       EXPECT_EQ(ray.origin.z, resolved_z_front_mm(optics));
       EXPECT_LT(ray.direction.z, 0.0f);
       EXPECT_NEAR(glm::length(ray.direction), 1.0f, 3e-7f);  // a few roundings of 6e-8
@@ -104,7 +104,7 @@ TEST_P(RoundTrip, z_front_does_not_change_the_line) {
     Optics near = random.every(GetParam()), far = near;
     near.z_front_mm = 10.0f, far.z_front_mm = 150.0f;
     for (int sample = 0; sample < 20; ++sample) {
-      const Vec2f pixel(random.uniform(0.0f, near.panel.width), random.uniform(0.0f, near.panel.height));
+      const Vec2f pixel(random.uniform(0.0f, film_size(near).x), random.uniform(0.0f, near.panel.height));
       const Ray a = ray_of_pixel(near, pixel), b = ray_of_pixel(far, pixel);
       EXPECT_EQ(a.direction, b.direction);
       // Positions up to about 1000 mm, each good to 6e-8 of that, and 140 mm along a direction as good.
@@ -117,7 +117,7 @@ TEST_P(RoundTrip, point_outside_the_rays_range_of_depths_is_seen_by_none) {
   OpticsSampler random(6000 + GetParam());
   Optics optics = random.every(GetParam());
   optics.z_front_mm = 20.0f, optics.z_back_mm = 30.0f;
-  const Ray ray = ray_of_pixel(optics, {optics.panel.width / 2 + 0.3f, optics.panel.height / 2 + 0.3f});
+  const Ray ray = ray_of_pixel(optics, {film_size(optics).x / 2 + 0.3f, optics.panel.height / 2 + 0.3f});
   std::vector<Vec2f> seeing;
   pixels_seeing(optics, test::at_depth(ray, 21.0f), seeing);
   EXPECT_TRUE(seeing.empty());

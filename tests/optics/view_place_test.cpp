@@ -32,7 +32,7 @@ std::vector<Optics> all_kinds(unsigned seed) {
 TEST(ViewPlace, all_points_of_a_ray_are_seen_at_one_place) {
   for (unsigned seed = 0; seed < 20; ++seed)
     for (const Optics& optics : all_kinds(seed)) {
-      const Vec2f pixel(0.3f * optics.panel.width, 0.6f * optics.panel.height);
+      const Vec2f pixel(0.3f * film_size(optics).x, 0.6f * optics.panel.height);
       const Ray ray = ray_of_pixel(optics, pixel);
       const Vec2f at = own_place(optics, pixel);
       for (const float z : {-40.0f, -3.0f, 5.0f, 50.0f}) {

@@ -23,7 +23,7 @@ inline Vec2d meets(const Optics& optics, int x, int y, double z) {
 /// color(point) of the plane z behind or in front of the display, as every pixel sees it.
 template <class Color>
 RenderedPanel record(const Optics& optics, double z, const Color& color) {
-  RenderedPanel panel{optics, Image(optics.panel.width, optics.panel.height, 3)};
+  RenderedPanel panel{optics, Image(film_size(optics).x, film_size(optics).y, 3)};
   for (int y = 0; y < panel.picture.height; ++y)
     for (int x = 0; x < panel.picture.width; ++x) {
       const Vec3f c = color(meets(optics, x, y, z));

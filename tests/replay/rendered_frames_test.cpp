@@ -76,7 +76,7 @@ TEST(RenderedFrames, pictures_mirrored_for_print_are_refused) {
 TEST(RenderedFrames, frames_of_a_slanted_panel_have_a_pixel_for_three_of_its_sub_pixels) {
   const TempDir dir;
   Optics optics;
-  optics.panel = {48, 5, 0.03f};
+  optics.panel = {16, 5, 0.09f};
   SlantedPanel slanted;
   slanted.periods = 3.3;
   optics.model = slanted;

@@ -13,7 +13,7 @@ namespace {
 /// 240 x 160 pixels of 0.2 mm, 30.3 lenses across, from left to right lower by three lenses.
 Optics slanted_panel() {
   Optics optics;
-  optics.panel = {720, 160, 0.2f / 3};
+  optics.panel = {240, 160, 0.2f};
   SlantedPanel slanted;
   slanted.periods = 30.3, slanted.tilt = -0.1, slanted.center = 0.2;
   slanted.view_cone = radians(40.0f);

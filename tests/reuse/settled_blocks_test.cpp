@@ -113,7 +113,7 @@ Optics lenticular_sheet() {
 }
 
 Optics slanted_panel() {
-  return {.panel = {144, 48, 4.0f / 144}, .model = SlantedPanel{.periods = 11.3, .view_cone = 0.5f, .distance_mm = 10.0f}};
+  return {.panel = {48, 48, 4.0f / 48}, .model = SlantedPanel{.periods = 11.3, .view_cone = 0.5f, .distance_mm = 10.0f}};
 }
 
 void expect_settled_blocks_as_traced(const Optics& optics) {

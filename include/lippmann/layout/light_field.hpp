@@ -10,19 +10,9 @@
 #include "lippmann/core/math.hpp"
 #include "lippmann/image/picture_file.hpp"
 #include "lippmann/layout/view_layout.hpp"
+#include "lippmann/optics/view_cameras.hpp"
 
 namespace lippmann {
-
-using Vec2d = glm::dvec2;
-
-/// Parallel cameras that look along -z through one plane z = 0, each off its axis: the model of render's views and of the data
-/// sets of vision research. Lengths in mm of the display frame (optics/optics.hpp).
-struct ViewCameras {
-  double distance_mm = 0.0;         ///< from every eye to the plane z = 0, where views coincide
-  Vec2d pixel_mm{0.0};              ///< of a view in that plane: width and height
-  Vec2d centre_px{0.0};             ///< where the middle of the plane, x = y = 0, lies in every view, from its top left corner
-  std::vector<Vec2d> eyes_mm = {};  ///< x to the right and y up, by view
-};
 
 struct LightField {
   Picture stack;  ///< the views one below the other, view 0 on top

@@ -21,10 +21,8 @@ struct Window {
   }
 };
 
-/// The pixels of the picture that a panel shows: its own; of a slanted panel, each of three sub-pixels.
-inline Vec2i picture_size(const Optics& optics) {
-  return {optics.panel.width / sub_pixels_per_pixel(optics), optics.panel.height};
-}
+/// The pixels of the picture that a panel shows.
+inline Vec2i picture_size(const Optics& optics) { return {optics.panel.width, optics.panel.height}; }
 
 /// The panel (one tile of a quilt) as it is seen in the plane z = 0 from where it is meant to be seen.
 Window display_window(const Optics& optics);

@@ -55,7 +55,7 @@ constexpr bool is_light(Aov aov) { return info_of(aov).is_light; }
 
 struct FrameAovs {
   std::array<bool, kAovs> wanted{};
-  std::array<Image, kAovs> images;  ///< of the panel's size where wanted, else empty
+  std::array<Image, kAovs> images;  ///< of the film's size where wanted, else empty
 
   bool wants(Aov aov) const { return wanted[static_cast<std::size_t>(aov)]; }
   bool wants_any(bool light) const;  ///< for which is_light is so
@@ -63,8 +63,8 @@ struct FrameAovs {
   Image& operator[](Aov aov) { return images[static_cast<std::size_t>(aov)]; }
   const Image& operator[](Aov aov) const { return images[static_cast<std::size_t>(aov)]; }
 
-  /// Gives the image of a wanted layer the panel's size, with nothing hit.
-  void allocate(Aov aov, const Panel& panel);
+  /// Gives the image of a wanted layer the film's size, with nothing hit.
+  void allocate(Aov aov, Vec2i film_size);
 };
 
 }  // namespace lippmann

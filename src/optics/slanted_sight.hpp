@@ -16,12 +16,12 @@ struct SlantedPoint {
   bool in_zone = true;
 };
 
-/// Pixels of the panel are whole ones, of three sub-pixels; rows are counted from the top.
+/// Rows are counted from the top.
 class SlantedSight {
  public:
   SlantedSight(const Panel& panel, const SlantedPanel& slanted);
 
-  Vec2i size() const { return size_; }  ///< of the panel, pixels
+  Vec2i size() const { return size_; }  ///< of the panel
 
   /// A point of the plane z = 0 in continuous pixel coordinates.
   Vec2d pixel_at(Vec2d point_mm) const;

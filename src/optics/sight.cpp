@@ -1,4 +1,4 @@
-#include "replay/sight.hpp"
+#include "optics/sight.hpp"
 
 #include <cmath>
 
@@ -45,6 +45,11 @@ CellOf MicrolensSight::cell(Vec2d pixel) const {
   const HexagonalCell<double> cell = hexagon_at(c_, pixel.x, pixel.y);
   return {cell.column, cell.row};
 }
+
+LenticularSight sight_of(const Panel& panel, const LenticularSheet& sheet) { return {panel, sheet}; }
+MicrolensSight sight_of(const Panel& panel, const MicrolensArray& array) { return {panel, array}; }
+QuiltSight sight_of(const Panel& panel, const MultiView& views) { return {panel, views}; }
+QuiltSight sight_of(const Panel& panel, const SingleView& view) { return {panel, view}; }
 
 QuiltSight::QuiltSight(const Panel& panel, const MultiView& views)
     : columns_(views.columns),

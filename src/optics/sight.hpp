@@ -5,8 +5,6 @@
 // neighbour's, and the picture flips. A cylindrical lens has a centre only across; along it the line keeps its own place.
 #pragma once
 
-#include <variant>
-
 #include "lippmann/optics/viewer.hpp"
 #include "optics/lenticular.hpp"
 #include "optics/microlens.hpp"

@@ -1,12 +1,12 @@
-#include "replay/slanted_sight.hpp"
+#include "optics/slanted_sight.hpp"
 
 #include <cmath>
 
 namespace lippmann {
 
 SlantedSight::SlantedSight(const Panel& panel, const SlantedPanel& slanted)
-    : size_(panel.width / 3, panel.height),
-      pixel_mm_(3.0 * panel.pixel_pitch_mm),
+    : size_(panel.width, panel.height),
+      pixel_mm_(panel.pixel_pitch_mm),
       per_column_(slanted.periods / size_.x),
       per_row_(slanted.tilt * slanted.periods / size_.y),
       center_(slanted.center),
@@ -14,6 +14,8 @@ SlantedSight::SlantedSight(const Panel& panel, const SlantedPanel& slanted)
       distance_(slanted.distance_mm),
       inverted_(slanted.inverted),
       sub_pixels_(slanted.sub_pixels) {}
+
+SlantedSight sight_of(const Panel& panel, const SlantedPanel& slanted) { return {panel, slanted}; }
 
 Vec2d SlantedSight::pixel_at(Vec2d point_mm) const { return 0.5 * Vec2d(size_) + Vec2d(point_mm.x, -point_mm.y) / pixel_mm_; }
 
