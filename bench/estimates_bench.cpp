@@ -15,9 +15,9 @@
 namespace lippmann::bench {
 namespace {
 
-/// Of references, in two halves: what these err by is multiplied, and weighs little beside what frames err by.
-constexpr int kSamples = 256;
-/// A history.
+/// Of references, in two halves whose errors have nothing to do with each other.
+constexpr int kReferenceSamples = 256;
+/// A history; of fewer frames the first, which is known worst, would count for more.
 constexpr int kHistory = 16;
 
 struct Shape {
@@ -25,7 +25,7 @@ struct Shape {
   int view_pixels;
 };
 
-/// Hostile scenes, and the built-in ones in which light is shared.
+/// Hostile scenes, and built-in ones in which light is shared.
 std::vector<std::string> all_scenes() {
   return {"bar-sun",     "bar-lamp",   "fast-lamp", "fast-point", "tiny-lamp",   "flash",    "mirrors",
           "glass",       "gloss",      "thin",      "flight",     "walker",      "textured", "furnished",
@@ -34,26 +34,67 @@ std::vector<std::string> all_scenes() {
 
 std::vector<Shape> shapes_of(const Request& request) {
   if (!request.views.empty() || request.view_pixels > 0) return {{request.views, request.view_pixels}};
+  if (request.quick) return {{"3x1", 24}};
   return {{"3x1", 120}, {"3x1", 96}, {"8x6", 32}};
 }
 
-struct Tally {
-  int frames = 0, close = 0;
-  double excess_db = 0.0;
+std::vector<LightCase> cases_of(Request request, const Shape& shape, const Context& context) {
+  request.views = shape.views, request.view_pixels = shape.view_pixels;
+  if (request.scenes.empty()) request.scenes = all_scenes();
+  if (request.frames == 0 && !request.quick) request.frames = kHistory;
+  if (request.reference_spp == 0 && !request.quick) request.reference_spp = kReferenceSamples;
+  std::vector<LightCase> cases = light_cases(request, context);
+  for (LightCase& wanted : cases) wanted.reference_step = 1;
+  return cases;
+}
 
-  void add(double excess) {
-    ++frames, close += std::abs(excess) <= kCloseDb ? 1 : 0;
-    excess_db += excess;
+/// Of frames: by how many decibels what they are told is above what is true.
+struct Excesses {
+  std::vector<double> db;
+
+  std::size_t close() const {
+    return static_cast<std::size_t>(std::count_if(db.begin(), db.end(), [](double e) { return std::abs(e) <= kCloseDb; }));
   }
-  double share() const { return frames > 0 ? 100.0 * close / frames : std::nan(""); }
+  double mean() const {
+    double sum = 0.0;
+    for (const double e : db) sum += e;
+    return sum / static_cast<double>(std::max<std::size_t>(db.size(), 1));
+  }
+  double most() const {
+    double most = 0.0;
+    for (const double e : db) most = std::max(most, std::abs(e));
+    return most;
+  }
+  void add(const Excesses& more) { db.insert(db.end(), more.db.begin(), more.db.end()); }
 };
 
-LightCase every_frame_of(LightCase wanted, const Request& request) {
-  wanted.count = std::min(wanted.count, request.frames > 0 ? request.frames : kHistory);
-  wanted.reference_step = 1;
-  wanted.reference_spp = request.reference_spp > 0 ? request.reference_spp : request.quick ? wanted.reference_spp : kSamples;
-  wanted.equal_time = false;
-  return wanted;
+Excesses excesses_of(const LightRun& run) {
+  Excesses excesses;
+  for (std::size_t f = 0; f < run.estimates_db.size(); ++f)
+    if (run.estimates_db[f] && std::isfinite(run.reuse.psnr_db_by_frame[f]))
+      excesses.db.push_back(*run.estimates_db[f] - run.reuse.psnr_db_by_frame[f]);
+  return excesses;
+}
+
+nlohmann::ordered_json json_of(const LightCase& wanted, const LightRun& run, const Excesses& excesses) {
+  nlohmann::ordered_json by_frame = nlohmann::ordered_json::array();
+  for (const double e : excesses.db) by_frame.push_back(std::round(e * 1e3) / 1e3);
+  return {{"scene", wanted.name},
+          {"width", run.width},
+          {"height", run.height},
+          {"frames", excesses.db.size()},
+          {"psnr_db", run.reuse.psnr_db},
+          {"close_frames", excesses.close()},
+          {"mean_excess_db", excesses.mean()},
+          {"largest_error_db", excesses.most()},
+          {"excess_db_by_frame", by_frame}};
+}
+
+std::string line_of(const std::string& name, const std::string& size, const Excesses& excesses) {
+  return fmt::format(
+      "{:<12} {:>9} {:>7} {:>11} {:>7.1f} {:>+12.2f} {:>9.2f}\n", name, size, excesses.db.size(), excesses.close(),
+      100.0 * static_cast<double>(excesses.close()) / static_cast<double>(std::max<std::size_t>(excesses.db.size(), 1)),
+      excesses.mean(), excesses.most());
 }
 
 }  // namespace
@@ -64,49 +105,21 @@ Report measure_estimates(const Request& request, const Context& context) {
   settings.say = request.say;
   settings.without_full = true;
   Report report;
-  Tally all, firsts;
-  report.text = fmt::format("{:<12} {:>9} {:>7} {:>12} {:>12} {:>10} {:>10}\n", "scene", "views", "frames", "true dB",
-                            "told dB", "within 0.5", "most off");
-  for (const Shape& shape : shapes_of(request)) {
-    Request shaped = request;
-    shaped.views = shape.views, shaped.view_pixels = shape.view_pixels;
-    if (shaped.scenes.empty()) shaped.scenes = all_scenes();
-    if (shaped.frames == 0) shaped.frames = kHistory;
-    for (const LightCase& given : light_cases(shaped, context)) {
-      const LightCase wanted = every_frame_of(given, shaped);
+  report.text = fmt::format("{:<12} {:>9} {:>7} {:>11} {:>7} {:>12} {:>9}\n", "scene", "pixels", "frames", "within 0.5", "%",
+                            "mean, dB", "most, dB");
+  Excesses all, firsts;
+  for (const Shape& shape : shapes_of(request))
+    for (const LightCase& wanted : cases_of(request, shape, context)) {
       const LightRun run = run_light(wanted, settings, context);
       if (context.cancelled) return report;
+      const Excesses excesses = excesses_of(run);
+      all.add(excesses);
+      if (!excesses.db.empty()) firsts.db.push_back(excesses.db.front());
+      report.rows.push_back(json_of(wanted, run, excesses));
+      report.text += line_of(wanted.name, fmt::format("{}x{}", run.width, run.height), excesses);
       report.passed_checks += run.passed_checks;
-      Tally row;
-      double truth = 0.0, told = 0.0, most = 0.0;
-      nlohmann::ordered_json excesses = nlohmann::ordered_json::array();
-      for (std::size_t f = 0; f < run.estimates_db.size(); ++f) {
-        const double true_db = run.reuse.psnr_db_by_frame[f];
-        if (!run.estimates_db[f] || !std::isfinite(true_db)) continue;
-        const double excess = *run.estimates_db[f] - true_db;
-        row.add(excess), all.add(excess);
-        if (f == 0) firsts.add(excess);
-        truth += true_db, told += *run.estimates_db[f], most = std::max(most, std::abs(excess));
-        excesses.push_back(std::round(excess * 1e3) / 1e3);
-      }
-      const std::string views = fmt::format("{}x{}", run.width, run.height);
-      const double frames = std::max(row.frames, 1);
-      report.text += fmt::format("{:<12} {:>9} {:>7} {:>12.2f} {:>12.2f} {:>10} {:>10.2f}\n", wanted.name, views, row.frames,
-                                 truth / frames, told / frames, row.close, most);
-      report.rows.push_back({{"scene", wanted.name},
-                             {"width", run.width},
-                             {"height", run.height},
-                             {"views", shape.views},
-                             {"frames", row.frames},
-                             {"true_psnr_db", truth / frames},
-                             {"estimated_psnr_db", told / frames},
-                             {"close_frames", row.close},
-                             {"excess_db_by_frame", excesses}});
     }
-  }
-  report.text += fmt::format(
-      "within {:.1f} dB of the true PSNR: {} of {} frames, {:.1f} %; of first frames {} of {}; {:+.2f} dB on average\n",
-      kCloseDb, all.close, all.frames, all.share(), firsts.close, firsts.frames, all.excess_db / std::max(all.frames, 1));
+  report.text += line_of("first frames", "", firsts) + line_of("all", "", all);
   return report;
 }
 

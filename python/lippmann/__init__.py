@@ -23,6 +23,7 @@ from ._optics import (
     displays,
     lenticular_sheet,
     microlens_array,
+    own_optics,
     quilt,
     single_view,
 )
@@ -50,6 +51,7 @@ __all__ = [
     "load",
     "microlens_array",
     "open",
+    "own_optics",
     "quilt",
     "random_camera_grid",
     "random_display",

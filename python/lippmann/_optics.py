@@ -6,10 +6,12 @@ Sizes are (height, width) in pixels, as the shapes of arrays are. Lengths are mm
 from __future__ import annotations
 
 import math
-from typing import Any, List, Optional, Tuple
+from typing import Any, Callable, List, Optional, Tuple
+
+import numpy as np
 
 from . import _core
-from ._arguments import integer, number, pair, path_bytes, positive, text
+from ._arguments import array, integer, number, pair, path_bytes, positive, text
 from ._errors import Error
 
 Display = _core.Display
@@ -127,3 +129,51 @@ def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, 
     """What one eye sees `distance_mm` before the middle of the display: a pinhole camera of (height, width) pixels."""
     panel = pair(size, "size", 1, _MOST)
     return _core.single_view(panel, positive(pixel_mm, "pixel_mm"), positive(distance_mm, "distance_mm"))
+
+
+def _middles(size: Tuple[int, int], samples_per_side: int) -> np.ndarray:
+    """(n, 2): x, y of the middle of every part of every pixel, row by row from the top left, in pixels."""
+    y, x = np.mgrid[0 : size[0] * samples_per_side, 0 : size[1] * samples_per_side].astype(np.float32)
+    return np.stack([x.ravel() + 0.5, y.ravel() + 0.5], axis=1) / samples_per_side
+
+
+def _spread(directions: np.ndarray, rows: int) -> float:
+    """mm per mm of depth by which the rays of most neighbours in a row part."""
+    slopes = (directions[:, :2] / -directions[:, 2:]).reshape(rows, -1, 2)
+    steps = np.linalg.norm(np.diff(slopes, axis=1), axis=2)
+    return float(np.median(steps)) if steps.size else 0.0
+
+
+def own_optics(
+    rays: Callable[[np.ndarray], Tuple[np.ndarray, np.ndarray]],
+    size: Tuple[int, int] = (256, 256),
+    *,
+    pixel_mm: float = 0.1,
+    samples_per_side: int = 1,
+) -> Optics:
+    """Optics that are a function from pixel to ray: of a simulated lens, a measured display, anything.
+
+    rays: called once with the points (n, 2) of the panel that are traced, x from the left and y from the top in pixels, the
+    middle of a pixel at + 0.5; returns origins (n, 3) in mm and directions (n, 3) of any length. The display's frame has x to
+    the right, y up and z towards the viewer, its middle at (0, 0, 0); rays run away from the viewer (z below 0) and show what
+    comes after their origins. What it raises is passed on. size: (height, width) of the panel in pixels of pixel_mm.
+    samples_per_side: 4 gives every pixel 16 rays, among which its samples (spp) choose.
+
+    Such pictures are traced, and that is all: they have no views, and cannot be interpolated, denoised or replayed.
+    """
+    panel = pair(size, "size", 1, _MOST)
+    samples = integer(samples_per_side, "samples_per_side", 1, 16)
+    points = _middles(panel, samples)
+    try:
+        origins, directions = rays(points)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, Error):
+            raise
+        raise Error("rays", str(error), "a function of points (n, 2) to origins (n, 3) and directions (n, 3)") from error
+    origins = array(origins, "rays: origins", (len(points), 3))
+    directions = array(directions, "rays: directions", (len(points), 3))
+    if not (directions[:, 2] < 0).all():
+        raise Error("rays: directions", "do not all have z below 0", "rays that run away from the viewer")
+    directions = directions / np.linalg.norm(directions, axis=1, keepdims=True)
+    spread = _spread(directions, panel[0] * samples) * samples
+    return _core.ray_table(panel, positive(pixel_mm, "pixel_mm"), samples, spread, origins, directions)

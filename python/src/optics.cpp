@@ -1,5 +1,6 @@
 // Optics and displays, and where they stand in a scene.
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "arrays.hpp"
@@ -51,6 +52,16 @@ Optics microlens_array(Vec2i size, float pixel_mm, float lens_pitch_mm, float ga
 
 Optics single_view(Vec2i size, float pixel_mm, float distance_mm) {
   return checked({size.x, size.y, pixel_mm}, SingleView{distance_mm, {}});
+}
+
+/// samples_per_side squared rays a pixel; origins in mm.
+Optics ray_table(Vec2i size, float pixel_mm, int samples_per_side, float spread, const Array<float>& origins,
+                 const Array<float>& directions) {
+  const std::vector<Vec3f> from = vectors_of<Vec3f>(origins, "origins"), to = vectors_of<Vec3f>(directions, "directions");
+  if (from.size() != to.size()) throw Error("directions", "are not as many as origins", "as many as origins");
+  auto rays = std::make_shared<std::vector<Ray>>(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) (*rays)[i] = {from[i], to[i]};
+  return checked({size.x, size.y, pixel_mm}, RayTable{std::move(rays), samples_per_side, spread});
 }
 
 using Pair = std::array<int, 2>;  ///< (rows, columns) or (height, width), as shapes of arrays are
@@ -139,6 +150,10 @@ void bind_optics(py::module_& module) {
              });
   module.def("single_view",
              [](const Pair& size, float pixel_mm, float distance) { return single_view(xy(size), pixel_mm, distance); });
+  module.def("ray_table", [](const Pair& size, float pixel_mm, int samples, float spread, const Array<float>& origins,
+                             const Array<float>& directions) {
+    return ray_table(xy(size), pixel_mm, samples, spread, origins, directions);
+  });
 
   py::class_<Placement>(module, "Placement")
       .def_property_readonly("optics", [](const Placement& p) { return p.placed.optics; })

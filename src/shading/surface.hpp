@@ -62,7 +62,7 @@ class BeamFootprint {
  private:
   static constexpr float kLeastOfSample = 0.125f;
 
-  const Optics& optics_;
+  Optics optics_;
   float of_sample_;
   float scale_;
   Vec3f axis_x_, axis_y_;

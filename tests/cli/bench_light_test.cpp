@@ -1,6 +1,8 @@
 // The figures of path-traced light with reuse, on a few small frames: what must be so whatever is saved.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -108,6 +110,25 @@ TEST(BenchLight, hostile_row_has_its_figures_and_bars) {
   EXPECT_NEAR(row["full_mean_light"].get<double>(), 1.0, 0.05);
   for (const char* what : {"reference", "full", "reuse", "error", "block_error"})
     EXPECT_TRUE(std::filesystem::exists(dir / "pictures" / (std::string("bar-lamp_0002_") + what + ".png"))) << what;
+}
+
+TEST(BenchEstimates, tells_of_every_frame_how_far_its_psnr_is_from_what_is_told) {
+  const TempDir dir;
+  const Json row = report_of(
+      dir, {"bench", "estimates", "--quick", "--scene", "flash", "--references", (dir / "references").string()})["rows"][0];
+  EXPECT_EQ(row["width"], 72);
+  EXPECT_EQ(row["frames"], 3);
+  ASSERT_EQ(row["excess_db_by_frame"].size(), 3u);
+  double most = 0.0, sum = 0.0;
+  int close = 0;
+  for (const Json& excess : row["excess_db_by_frame"]) {
+    most = std::max(most, std::abs(excess.get<double>())), sum += excess.get<double>();
+    close += std::abs(excess.get<double>()) <= 0.5 ? 1 : 0;
+  }
+  EXPECT_NEAR(row["largest_error_db"].get<double>(), most, 1e-3);
+  EXPECT_NEAR(row["mean_excess_db"].get<double>(), sum / 3.0, 1e-3);
+  EXPECT_EQ(row["close_frames"], close);
+  EXPECT_LT(most, 10.0);
 }
 
 TEST(BenchLight, list_names_all_rows_and_measures_none) {

@@ -78,7 +78,7 @@ TEST(FilmViews, layers_of_any_number_of_channels_lie_as_the_views_do) {
 
 TEST(FilmViews, a_slanted_panel_shows_pixels_of_three_sub_pixels) {
   Optics panel;
-  panel.panel = {6, 2, 0.1f};
+  panel.panel = {2, 2, 0.3f};
   panel.model = SlantedPanel{};
   const Image film = numbered(6, 2, 3), depth = numbered(6, 2, 1);
   const Image picture = picture_of_film(film, panel);

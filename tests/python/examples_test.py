@@ -53,6 +53,11 @@ class Examples(Case):
         self.assertIn("(160, 90, 3) uint8", self.run_example("native_frame.py", DESK, panel, "native.png"))
         self.assertTrue((self.folder / "native.png").exists())
 
+    def test_own_optics(self):
+        self.run_example("own_optics.py")
+        header = (self.folder / "barrel.png").read_bytes()[16:24]
+        self.assertEqual(header, (240).to_bytes(4, "big") * 2)
+
     def test_training(self):
         said = self.run_example("training.py")
         self.assertEqual(said.count("(3, 3, 64, 64, 3) (3, 3, 64, 64)"), 3)

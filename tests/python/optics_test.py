@@ -1,0 +1,68 @@
+"""Optics that are a function from pixel to ray."""
+
+import numpy as np
+
+import lippmann
+from support import Case
+
+
+class OwnOptics(Case):
+    def test_rays_of_a_known_model_show_what_the_model_shows(self):
+        sheet = dict(pixel_mm=0.25, lens_pitch_mm=2.0, gap_mm=4.0)
+        for known, pixel_mm in (
+            (lippmann.single_view((40, 56), pixel_mm=0.5), 0.5),
+            (lippmann.lenticular_sheet((40, 56), **sheet), 0.25),
+        ):
+            own = lippmann.own_optics(known.rays, (40, 56), pixel_mm=pixel_mm)
+            pictures = [
+                lippmann.render("small-balls", optics, frame=40, integrator="whitted", fit_depth=False).picture
+                for optics in (known, own)
+            ]
+            self.assertEqual(pictures[0].shape, (40, 56, 3))
+            self.assertGreater(pictures[0].std(), 0.05)
+            # Both filter textures as wide as they know their pixels to be, and rounding tips a pixel at an edge now and then.
+            differ = np.abs(pictures[0] - pictures[1]).max(axis=2) > 2e-3
+            self.assertLess(differ.mean(), 0.02)
+
+    def test_rays_are_asked_for_once_row_by_row(self):
+        asked = []
+
+        def rays(points):
+            asked.append(points)
+            return np.zeros((len(points), 3)), np.tile([0.0, 0.0, -2.0], (len(points), 1))
+
+        optics = lippmann.own_optics(rays, (2, 3), samples_per_side=2)
+        self.assertEqual(optics.size, [2, 3])
+        self.assertEqual(len(asked), 1)
+        self.assertEqual(asked[0].shape, (24, 2))
+        self.assertSame(asked[0][:2], np.array([[0.25, 0.25], [0.75, 0.25]], np.float32))
+        self.assertSame(asked[0][-1], np.array([2.75, 1.75], np.float32))
+        origin, direction = optics.rays(np.array([[1.25, 0.25]], np.float32))
+        self.assertSame(direction, np.array([[0, 0, -1]], np.float32))  # of unit length
+        self.assertSame(origin, np.zeros((1, 3), np.float32))
+
+    def test_wrong_rays_are_named(self):
+        def with_rays(function):
+            return lambda: lippmann.own_optics(function, (2, 2))
+
+        ahead = np.tile([0.0, 0.0, -1.0], (4, 1))
+        self.assertWrong("rays", with_rays(lambda points: ahead))  # one array
+        self.assertWrong("rays", with_rays(lambda: None))
+        self.assertWrong("rays: origins", with_rays(lambda points: (ahead[:3], ahead)))
+        self.assertWrong("rays: origins", with_rays(lambda points: (ahead * np.nan, ahead)))
+        self.assertWrong("rays: directions", with_rays(lambda points: (ahead, -ahead)))
+        self.assertWrong("size", lambda: lippmann.own_optics(lambda points: (ahead, ahead), (0, 2)))
+        with self.assertRaises(ZeroDivisionError):
+            lippmann.own_optics(lambda points: 1 // 0, (2, 2))
+
+    def test_what_needs_views_says_that_there_are_none(self):
+        def parallel(points):
+            at = (points - 8) * [1.0, -1.0]
+            return np.column_stack([at, np.full(len(at), 50.0)]), np.tile([0.0, 0.0, -1.0], (len(at), 1))
+
+        field = lippmann.render("room", lippmann.own_optics(parallel, (16, 16)), frame=40, integrator="whitted")
+        self.assertEqual(field.picture.shape, (16, 16, 3))
+        with self.assertRaises(lippmann.Error):
+            field.views
+        with self.assertRaises(lippmann.Error):
+            field.eye()
