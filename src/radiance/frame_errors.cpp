@@ -1,5 +1,6 @@
 #include "radiance/frame_errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lippmann {
@@ -13,9 +14,7 @@ constexpr float kChanged = 2.5f;
 /// it takes little to mend.
 constexpr float kSure = 2.0f, kTolerated = 1.15f;
 
-/// Ratios are alike for longer than errors are.
-constexpr float kRatioRemembered = 0.85f;
-/// Of the past where the ratio is another, in frames.
+/// What ratios keep of the past where they are others, in frames.
 constexpr float kKeptOfOther = 0.5f;
 
 bool is_other(float now, float uncertainty, float mean, float mean_uncertainty) {
@@ -52,7 +51,7 @@ void FrameErrors::add_ratio(const PixelError& now, float expected) {
   const PixelError ratio{now.squared / unit, now.uncertainty / unit};
   const bool changed = is_other(ratio.squared, ratio.uncertainty, ratio_.squared, ratio_.uncertainty);
   // A few pixels with large errors make a ratio seem another now and then, too: half a frame's worth of the past is kept.
-  const float before = std::min(kRatioRemembered * ratio_weight_, changed ? kKeptOfOther : kInfinity);
+  const float before = std::min(kRemembered * ratio_weight_, changed ? kKeptOfOther : kInfinity);
   ratio_weight_ = before + 1.0f;
   ratio_.squared += (ratio.squared - ratio_.squared) / ratio_weight_;
   ratio_.uncertainty = std::hypot(before * ratio_.uncertainty, ratio.uncertainty) / ratio_weight_;
