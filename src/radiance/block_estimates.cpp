@@ -60,10 +60,9 @@ void BlockEstimates::add(std::size_t e, Vec3f radiance, float opens, bool is_pat
 }
 
 void PathScatter::add(const BlockEstimates& block) {
-  constexpr float kMost = 0.25f;  // codes from 0 to 1 scatter by no more
   for (std::size_t e = 0; e < block.size; ++e) {
     const float share = block.left_to_paths[e] / block.samples[e];
-    sum_ += share * std::min(block.scatter[kLanes + e], kMost), count_ += share;
+    sum_ += share * std::min(block.scatter[kLanes + e], kMostScatter), count_ += share;
   }
 }
 

@@ -6,6 +6,9 @@
 
 namespace lippmann {
 
+/// Codes from 0 to 1 scatter by no more, squared, whatever their slope makes of a bright sample.
+inline constexpr float kMostScatter = 0.25f;
+
 /// An array per quantity; pixels lie in the order of rays. Scatter and errors are as sRGB's codes (0 ... 1) have them.
 struct BlockEstimates {
   static constexpr std::size_t kMost = kPacketsPerBlock * kLanes;

@@ -136,7 +136,7 @@ class CachedFrame {
   void gather(bool provenance, const CachedLightPictures& pictures);
   enum class Mending { kNone, kGood, kFailed };
   Mending mend(const FrameErrors& former, GatherMeasure& measure);
-  double expected_error(const GatherMeasure& measure) const;
+  float expected_error(const GatherMeasure& measure) const;
   FrameError gather_apart(GatherMeasure& measure);
   std::optional<PathMix> mix_wanted(const GatherMeasure& measure, double share_of_rays) const;
   Mending mix_paths(const GatherMeasure& measure);
@@ -243,8 +243,7 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPi
     measure.choose_pixels_of(pictures.film, history_.scatter);
     const FrameError apart = shows_all ? FrameError{} : gather_apart(measure);
     history_.errors = former;
-    const auto expected = static_cast<float>(expected_error(measure));
-    history_.errors.add(shows_all ? measure.error_of(pictures.film) : apart, measure.goal(), expected);
+    history_.errors.add(shows_all ? measure.error_of(pictures.film) : apart, measure.goal(), expected_error(measure));
   };
   gather_and_measure();
   Mending mending = Mending::kNone;
@@ -262,9 +261,8 @@ bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPi
 }
 
 /// What pixels are expected to err by, mixed with paths as they are.
-double CachedFrame::expected_error(const GatherMeasure& measure) const {
-  const PathMix& mix = history_.plan->mix;
-  return static_cast<double>(measure.with(mix, static_cast<float>(expected_)));
+float CachedFrame::expected_error(const GatherMeasure& measure) const {
+  return measure.with(history_.plan->mix, static_cast<float>(expected_));
 }
 
 /// What the frame's patches err by, gathered by themselves.

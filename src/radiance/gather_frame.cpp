@@ -237,10 +237,10 @@ class ExpectedError {
   explicit ExpectedError(std::size_t strips) : sums_(strips, 0.0), counts_(strips, 0.0) {}
 
   void add(std::size_t strip, const BlockEstimates& block) {
-    constexpr float kMost = 0.25f;  // codes from 0 to 1 scatter by no more, whatever their slope makes of a bright sample
-    constexpr float kEven = 1.2f;   // 1: of independent samples; measured where frames were gathered again: 1 to 1.5
+    constexpr float kEven = 1.2f;  // 1: of independent samples; measured where frames were gathered again: 1 to 1.5
     for (std::size_t e = 0; e < block.size; ++e)
-      sums_[strip] += static_cast<double>(std::min(block.scatter[kLanes + e], kMost) / std::pow(block.samples[e], kEven));
+      sums_[strip] +=
+          static_cast<double>(std::min(block.scatter[kLanes + e], kMostScatter) / std::pow(block.samples[e], kEven));
     counts_[strip] += static_cast<double>(block.size);
   }
   double mean() const {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/random.hpp"
+#include "radiance/block_estimates.hpp"
 #include "radiance/measured_codes.hpp"
 
 namespace lippmann {
@@ -18,11 +19,8 @@ constexpr std::size_t kLeastPatches = 12, kLeastPixels = 192;
 /// Where errors are likely to be large, places are chosen up to 1 + 1 / this times as often as elsewhere.
 constexpr double kEvenShare = 0.5;
 
-/// Codes from 0 to 1 scatter by no more, whatever their slope makes of a bright sample.
-constexpr double kMostScatter = 0.25;
-
 /// Not the scatter itself, but its root: more samples are taken where it is large, so that errors differ less than it does.
-double likely_error(float scatter) { return std::sqrt(std::clamp(static_cast<double>(scatter), 0.0, kMostScatter)); }
+double likely_error(float scatter) { return std::sqrt(static_cast<double>(std::clamp(scatter, 0.0f, kMostScatter))); }
 
 struct Chosen {
   std::size_t place;
