@@ -55,7 +55,7 @@ class FileDescriptor {
 
 constexpr std::string_view kMark = ".tmp-";
 
-/// Of `.STEM.tmp-PID-HOST.EXT` with this machine's name: where the mark begins and PID; nothing for other names.
+/// Where the mark begins in `.STEM.tmp-PID-HOST.EXT` with this machine's name, and PID; nothing for other names.
 struct TemporaryName {
   std::size_t mark;
   pid_t process;

@@ -1,5 +1,9 @@
 // Runs pieces of work on threads of their own, beside the caller, a bounded number at a time: compressing and writing files
 // while the next frame is traced.
+//
+// Not oneTBB's flow graph, though its sequencer and limiter nodes order and bound just so: its tasks run on the workers that
+// trace, of which there are as many as cores. Writing waits for disks, and a task that waits holds its worker; and where all
+// workers trace, written frames pile up behind them. Threads of their own leave both to the operating system.
 #pragma once
 
 #include <functional>

@@ -3,7 +3,7 @@
 
 namespace lippmann {
 
-/// A 0 means "not said": it follows from the rest.
+/// A 0 means "not given": it follows from the rest.
 template <class T>
 struct Extent {
   T x = 0, y = 0;

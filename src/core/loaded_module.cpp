@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the program, or of the shared library that this is a part of.
+/// The file of the program, or of the shared library that this is a part of.
 fs::path own_file() {
   std::error_code ignored;
   Dl_info info;

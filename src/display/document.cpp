@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr int kMaxDepth = 16;
 
@@ -32,6 +32,17 @@ Json json_of(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return number->get();
   if (const auto* truth = node.as_boolean()) return truth->get();
   return nullptr;
+}
+
+/// Calibrations have some members as {"value": x}: x takes their place.
+Json unwrapped(Json json) {
+  for (auto& member : json) {
+    if (member.is_object() && member.contains("value"))
+      member = Json(member["value"]);
+    else if (member.is_structured())
+      member = unwrapped(std::move(member));
+  }
+  return json;
 }
 
 /// Brackets outside of strings, whatever else the text is: deeper than any document of ours, nothing is parsed at all.
@@ -62,7 +73,7 @@ int line_of(std::string_view text, std::size_t offset) {
 Json parse_toml(std::string_view text, const std::string& where) {
   if (text.size() > kMaxDocumentBytes) check_limits(text, where, "TOML");  // the parser has its own limit of depth
   try {
-    return json_of(toml::parse(text, where));
+    return unwrapped(json_of(toml::parse(text, where)));
   } catch (const toml::parse_error& error) {
     throw Error(fmt::format("{}:{}", where, error.source().begin.line), printable(error.description()), "TOML: key = value");
   }
@@ -73,7 +84,7 @@ Json parse_json(std::string_view text, const std::string& where) {
   try {
     Json json = Json::parse(text.begin(), text.end());
     if (!json.is_object()) throw Error(where, "is no JSON object", "a calibration: {\"pitch\": {\"value\": 52.0}, ...}");
-    return json;
+    return unwrapped(std::move(json));
   } catch (const Json::parse_error& error) {
     throw Error(fmt::format("{}:{}", where, line_of(text, error.byte)), "is not valid JSON", "a calibration");
   } catch (const Json::exception&) {

@@ -10,9 +10,9 @@ namespace lippmann {
 /// Files above this are refused.
 inline constexpr std::size_t kMaxDocumentBytes = 1 << 20;
 
-/// An object. Throw Error naming `where` (and the line) for text that is no such document, and for one that is too large or
-/// nested too deep. Dates, of which no display has any, become null.
-nlohmann::json parse_toml(std::string_view text, const std::string& where);
-nlohmann::json parse_json(std::string_view text, const std::string& where);
+/// An object; members that are {"value": x} have become x. Throw Error naming `where` (and the line) for text that is no such
+/// document, and for one that is too large or nested too deep. Dates, of which no display has any, become null.
+nlohmann::ordered_json parse_toml(std::string_view text, const std::string& where);
+nlohmann::ordered_json parse_json(std::string_view text, const std::string& where);
 
 }  // namespace lippmann

@@ -19,7 +19,7 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMaker = "looking-glass-";
 

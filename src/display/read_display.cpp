@@ -4,22 +4,22 @@
 
 #include <cmath>
 
+#include "core/json_fields.hpp"
 #include "core/printable.hpp"
-#include "display/fields.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 
 namespace lippmann {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-constexpr Range kSide{1, 65536}, kTiles{1, 64}, kDpi{1, 1e5}, kCone{0.1, 175}, kAspect{0.01, 100}, kOffset{-4, 4},
+constexpr NumberRange kSide{1, 65536}, kTiles{1, 64}, kDpi{1, 1e5}, kCone{0.1, 175}, kAspect{0.01, 100}, kOffset{-4, 4},
     kAngle{-360, 360};
 constexpr std::size_t kMaxCells = 8;
 
 /// Within a factor of a thousand of what lenses are, and not 0.
-double read_slope(const Fields& fields, double otherwise) {
+double read_slope(const JsonFields& fields, double otherwise) {
   const double slope = fields.number_or("slope", {-1e4, 1e4}, otherwise);
   if (std::abs(slope) < 1e-3)
     fields.reject("slope", fmt::format("is {}: lenses that lie along the rows", slope),
@@ -27,14 +27,14 @@ double read_slope(const Fields& fields, double otherwise) {
   return slope;
 }
 
-std::vector<SubPixelCell> read_cells(const Fields& fields) {
+std::vector<SubPixelCell> read_cells(const JsonFields& fields) {
   const Json& json = fields.value("subpixelCells");
   if (!json.is_array()) fields.reject("subpixelCells", "is no list", "a list of tables with ROffsetX, ROffsetY, ...");
   if (json.size() > kMaxCells)
     fields.reject("subpixelCells", fmt::format("has {} cells", json.size()), fmt::format("at most {}", kMaxCells));
   std::vector<SubPixelCell> cells;
   for (const Json& element : json) {
-    const Fields cell = fields.element("subpixelCells", element);
+    const JsonFields cell = fields.element("subpixelCells", element);
     const auto offset = [&](const char* x, const char* y) {
       return Vec2f(static_cast<float>(cell.number(x, kOffset)), static_cast<float>(cell.number(y, kOffset)));
     };
@@ -43,7 +43,7 @@ std::vector<SubPixelCell> read_cells(const Fields& fields) {
   return cells;
 }
 
-Calibration read_calibration(const Fields& fields, Calibration c) {
+Calibration read_calibration(const JsonFields& fields, Calibration c) {
   c.pitch = fields.number("pitch", {1e-3, 1e5});
   if (!fields.has("slope")) fields.number("slope", {-1e4, 1e4});  // is missing
   c.slope = read_slope(fields, c.slope);
@@ -64,10 +64,10 @@ Calibration read_calibration(const Fields& fields, Calibration c) {
   return c;
 }
 
-DisplayLenses read_lenses(const Fields& fields) {
+DisplayLenses read_lenses(const JsonFields& fields) {
   fields.allow_only({"pitch_mm", "lenses_per_inch", "slant_deg", "packing"});
   if (fields.has("pitch_mm") == fields.has("lenses_per_inch"))
-    fields.reject("pitch_mm", fields.has("pitch_mm") ? "is said besides lenses_per_inch" : "is missing, and lenses_per_inch",
+    fields.reject("pitch_mm", fields.has("pitch_mm") ? "is given besides lenses_per_inch" : "is missing, and lenses_per_inch",
                   "one of the two");
   DisplayLenses lenses;
   lenses.pitch_mm =
@@ -77,9 +77,9 @@ DisplayLenses read_lenses(const Fields& fields) {
   return lenses;
 }
 
-DisplayQuilt read_quilt(const Fields& fields, Vec2i pixels) {
+DisplayQuilt read_quilt(const JsonFields& fields, Vec2i pixels) {
   fields.allow_only({"tiles", "size", "aspect"});
-  const Vec2i tiles = fields.pair("tiles", kTiles), size = fields.pair("size", kSide);
+  const Vec2i tiles = fields.whole_pair("tiles", kTiles), size = fields.whole_pair("size", kSide);
   if (size.x < tiles.x || size.y < tiles.y)
     fields.reject("size",
                   fmt::format("is {}x{}, with less than a pixel for each of {}x{} tiles", size.x, size.y, tiles.x, tiles.y),
@@ -88,7 +88,7 @@ DisplayQuilt read_quilt(const Fields& fields, Vec2i pixels) {
   return {tiles.x, tiles.y, size.x, size.y, aspect};
 }
 
-DisplayVideo read_video(const Fields& fields) {
+DisplayVideo read_video(const JsonFields& fields) {
   static const std::vector<std::string_view> codecs{"h264", "hevc", "vp9", "av1", "ffv1"};
   fields.allow_only({"codec", "longest_side", "quilts"});
   DisplayVideo video;
@@ -99,7 +99,7 @@ DisplayVideo read_video(const Fields& fields) {
 }
 
 /// A sigma in pixels, or a text such as "10%".
-double read_crosstalk_of(const Fields& fields) {
+double read_crosstalk_of(const JsonFields& fields) {
   if (!fields.value("crosstalk").is_string()) return fields.number("crosstalk", {0.0, kMaxBlurPx});
   try {
     return read_crosstalk(fields.text("crosstalk"), "crosstalk");
@@ -108,7 +108,7 @@ double read_crosstalk_of(const Fields& fields) {
   }
 }
 
-void read_optics(const Fields& fields, Display& display) {
+void read_optics(const JsonFields& fields, Display& display) {
   static const std::vector<std::string_view> kinds{"slanted-panel", "lenticular-sheet", "microlens-array"};
   if (!fields.has("kind")) fields.reject("kind", "is missing", "slanted-panel, lenticular-sheet or microlens-array");
   display.kind = static_cast<DisplayKind>(fields.word_or("kind", kinds, 0));
@@ -116,7 +116,7 @@ void read_optics(const Fields& fields, Display& display) {
     display.lenses = read_lenses(fields.inner("lenses"));
     return;
   }
-  const Fields calibration = fields.inner("calibration");
+  const JsonFields calibration = fields.inner("calibration");
   calibration.allow_only({"pitch", "slope", "center", "invView", "flipImageX", "flipImageY", "flipSubp", "verticalAngle",
                           "fringe", "subpixelCells", "CellPatternMode", "configVersion", "patterns", "inversion"});
   display.calibration = read_calibration(calibration, {});
@@ -125,14 +125,14 @@ void read_optics(const Fields& fields, Display& display) {
 }  // namespace
 
 Display display_from_tables(const Json& json, const std::string& where) {
-  const Fields fields(json, where, "");
+  const JsonFields fields(json, where, "");
   fields.allow_only({"base", "description", "kind", "serials", "pixels", "dpi", "view_cone_deg", "viewing_distance_mm",
                      "crosstalk", "calibration", "lenses", "quilt", "video"});
   Display display;
   read_optics(fields, display);
   display.description = printable(fields.text_or("description", ""));
   for (const std::string& serial : fields.texts_or_none("serials")) display.serials.push_back(printable(serial));
-  display.pixels = fields.pair("pixels", kSide);
+  display.pixels = fields.whole_pair("pixels", kSide);
   display.dpi = fields.number("dpi", kDpi);
   display.view_cone_deg = fields.number("view_cone_deg", kCone);
   if (fields.has("viewing_distance_mm")) display.viewing_distance_mm = fields.number("viewing_distance_mm", {1, 1e7});
@@ -144,7 +144,7 @@ Display display_from_tables(const Json& json, const std::string& where) {
 }
 
 Display display_from_visual(const Json& json, const std::string& where, Display display) {
-  const Fields fields(json, where, "");
+  const JsonFields fields(json, where, "");
   display.calibration = read_calibration(fields, display.calibration);
   display.pixels = {fields.whole_or("screenW", kSide, display.pixels.x), fields.whole_or("screenH", kSide, display.pixels.y)};
   display.dpi = fields.number_or("DPI", kDpi, display.dpi);

@@ -9,10 +9,10 @@
 namespace lippmann {
 
 /// A whole display; `json` as docs/displays.md describes TOML files. Throws Error naming `where` and the key.
-Display display_from_tables(const nlohmann::json& json, const std::string& where);
+Display display_from_tables(const nlohmann::ordered_json& json, const std::string& where);
 
 /// What a calibration's JSON says, over `base`: its pitch, slope and center it must say itself. Throws likewise.
-Display display_from_visual(const nlohmann::json& json, const std::string& where, Display base);
+Display display_from_visual(const nlohmann::ordered_json& json, const std::string& where, Display base);
 
 /// Throws Error naming `where` if the display's pixels have no rays.
 void check_display(const Display& display, const std::string& where);

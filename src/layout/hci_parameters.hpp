@@ -31,8 +31,8 @@ std::string hci_parameters_text(const HciParameters& parameters);
 /// Pixels from camera to camera, positive nearer than the focus distance. depth_m: planar, above 0; inf: at infinity.
 double hci_disparity_px(const HciParameters& parameters, double depth_m);
 
-/// Of a light field whose cameras are known. Sensors are 35 mm wide. Throws Error naming `where` if the format cannot say what
-/// they are: distances between eyes that differ, or pixels that are not square.
+/// The parameters of a light field whose cameras are known. Sensors are 35 mm wide. Throws Error naming `where` if the format
+/// cannot say what they are: distances between eyes that differ, or pixels that are not square.
 HciParameters hci_parameters(const LightField& field, const std::string& where);
 /// Around the axis: where the middle camera stands in its scene, and how it is turned, does not matter to views.
 ViewCameras hci_cameras(const HciParameters& parameters);

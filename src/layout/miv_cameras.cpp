@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
+#include "core/json_fields.hpp"
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
@@ -15,55 +17,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Members of one camera; every complaint names the file and the key.
-class Camera {
- public:
-  Camera(const Json& json, const std::string& where) : json_(json), where_(where) {}
+void read_numbers(const JsonFields& json, std::string_view key, std::span<double> to, NumberRange range) {
+  std::ranges::copy(json.numbers(key, to.size(), range), to.begin());
+}
 
-  std::string text(const char* key, const char* otherwise = nullptr) const {
-    if (otherwise && !json_.contains(key)) return otherwise;
-    if (!json_.contains(key) || !json_[key].is_string()) reject(key, "a text");
-    return json_[key].get<std::string>();
-  }
-
-  void numbers(const char* key, double* to, std::size_t count, double lowest, double highest) const {
-    if (!json_.contains(key) || !json_[key].is_array() || json_[key].size() != count)
-      reject(key, fmt::format("{} numbers", count));
-    for (std::size_t i = 0; i < count; ++i) {
-      const Json& number = json_[key][i];
-      if (number.is_number()) to[i] = number.get<double>();
-      if (!number.is_number() || !(to[i] >= lowest && to[i] <= highest))
-        reject(key, fmt::format("numbers from {} to {}", lowest, highest));
-    }
-  }
-
-  [[noreturn]] void reject(const char* key, const std::string& accepted) const {
-    throw Error(where_, fmt::format("the {} of a camera is missing or makes no sense", key), accepted);
-  }
-
- private:
-  const Json& json_;
-  const std::string& where_;
-};
-
-MivCamera camera_from(const Camera& json) {
+MivCamera camera_from(const JsonFields& json) {
   constexpr double kMost = 1e9;
   MivCamera camera;
   camera.name = json.text("Name");
   if (camera.name.empty() || camera.name.find_first_of("/\\") != std::string::npos || camera.name[0] == '.' ||
       printable(camera.name) != camera.name)
-    json.reject("Name", "the name of a picture, without folder and ending");
-  if (json.text("Projection", "Perspective") != "Perspective") json.reject("Projection", "Perspective");
-  double resolution[2];
-  json.numbers("Position", camera.position_m, 3, -kMost, kMost);
-  json.numbers("Rotation", camera.rotation_deg, 3, -360.0, 360.0);
-  json.numbers("Resolution", resolution, 2, 1.0, 65536.0);
-  json.numbers("Focal", &camera.focal_px.x, 2, 1e-6, kMost);
-  json.numbers("Principle_point", &camera.principal_point_px.x, 2, -kMost, kMost);
-  double range[2];
-  json.numbers("Depth_range", range, 2, 1e-9, 1e30);
-  camera.near_m = range[0], camera.far_m = range[1];
-  camera.resolution = {static_cast<int>(resolution[0]), static_cast<int>(resolution[1])};
+    json.reject("Name", "is " + shown(camera.name), "the name of a picture, without folder and ending");
+  json.word_or("Projection", {"Perspective"}, 0);
+  read_numbers(json, "Position", camera.position_m, {-kMost, kMost});
+  read_numbers(json, "Rotation", camera.rotation_deg, {-360.0, 360.0});
+  camera.resolution = Vec2i(json.pair("Resolution", {1.0, 65536.0}));
+  camera.focal_px = json.pair("Focal", {1e-6, kMost});
+  camera.principal_point_px = json.pair("Principle_point", {-kMost, kMost});
+  const Vec2d range = json.pair("Depth_range", {1e-9, 1e30});
+  camera.near_m = range.x, camera.far_m = range.y;
   return camera;
 }
 
@@ -78,9 +50,9 @@ std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::str
     throw Error(where, fmt::format("has {} cameras", json["cameras"].size()), fmt::format("1 to {}", kMaxCameras));
   std::vector<MivCamera> cameras;
   for (const Json& camera : json["cameras"]) {
-    if (!camera.is_object()) throw Error(where, "one of its cameras is none");
-    if (camera.value("Name", Json()) == "viewport") continue;  // TMIV's own: what is to be synthesized
-    cameras.push_back(camera_from(Camera(camera, where)));
+    const JsonFields fields(camera, where, "camera");
+    if (fields.value("Name") == "viewport") continue;  // TMIV's own: what is to be synthesized
+    cameras.push_back(camera_from(fields));
   }
   return cameras;
 }

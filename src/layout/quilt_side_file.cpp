@@ -1,14 +1,12 @@
 #include "layout/quilt_side_file.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "core/atomic_file.hpp"
+#include "core/json_fields.hpp"
 #include "core/json_text.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
@@ -43,26 +41,13 @@ std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, cons
   const Json json = json_from_text(text);
   if (json.is_discarded()) throw Error(where, "is not JSON");
   if (!json.is_object() || !json.contains("quilt_settings")) return std::nullopt;
+  const JsonFields settings = JsonFields(json, where, "").inner("quilt_settings");
+  const NumberRange tiles{1, kMaxTiles};
   QuiltSideFile side;
-  try {
-    const Json& settings = json.at("quilt_settings");
-    settings.at("viewX").get_to(side.quilt.tiles.columns);
-    settings.at("viewY").get_to(side.quilt.tiles.rows);
-    const auto in_range = [](int n) { return n >= 1 && n <= kMaxTiles; };
-    if (!in_range(side.quilt.tiles.columns) || !in_range(side.quilt.tiles.rows))
-      throw Error(where, "speaks of a quilt without tiles", fmt::format("viewX and viewY from 1 to {}", kMaxTiles));
-    side.views = settings.value("viewTotal", side.quilt.tiles.count());
-    side.quilt.aspect = settings.value("aspect", 1.0);
-    side.inverted = settings.value("invertViews", false);
-  } catch (const nlohmann::json::exception&) {
-    throw Error(where, "its quilt_settings are incomplete or of the wrong kind",
-                "viewX, viewY, viewTotal, aspect, invertViews");
-  }
-  if (side.views < 1 || side.views > side.quilt.tiles.count())
-    throw Error(where,
-                fmt::format("speaks of {} views in {}x{} tiles", side.views, side.quilt.tiles.columns, side.quilt.tiles.rows));
-  if (!(side.quilt.aspect > 0.0) || !std::isfinite(side.quilt.aspect))
-    throw Error(where, "its aspect is no ratio", "a number above 0");
+  side.quilt.tiles = {settings.whole("viewX", tiles), settings.whole("viewY", tiles)};
+  side.views = settings.whole_or("viewTotal", {1.0, static_cast<double>(side.quilt.tiles.count())}, side.quilt.tiles.count());
+  side.quilt.aspect = settings.number_or("aspect", {1e-6, 1e6}, 1.0);
+  side.inverted = settings.flag_or("invertViews", false);
   return side;
 }
 

@@ -20,7 +20,7 @@ std::filesystem::path quilt_side_path(const std::filesystem::path& image);
 /// None if there is no such file, or it does not speak of a quilt. Throws Error where it says something impossible.
 std::optional<QuiltSideFile> read_quilt_side_file(const std::filesystem::path& image);
 
-/// Of its text; `where` names it in messages.
+/// Reads its text; `where` names it in messages.
 std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, const std::string& where);
 
 void write_quilt_side_file(const std::filesystem::path& image, const QuiltSideFile& side);

@@ -81,7 +81,7 @@ std::map<int, FrameFacts> frames_of(const Json& report) {
   return frames;
 }
 
-/// Of a report with "optics".
+/// Reads a report with "optics".
 Rendering rendering_from(const Json& json, const fs::path& report) {
   Rendering rendering{optics_from_json(json["optics"], report.string())};
   const Json settings = json.value("settings", Json::object());

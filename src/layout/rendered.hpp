@@ -34,7 +34,7 @@ std::optional<double> frame_rate_of(const nlohmann::ordered_json& report);
 /// What a report says. Throws Error naming it if it cannot be understood or does not say for which optics it is.
 Rendering read_rendering(const std::filesystem::path& report);
 
-/// Of the report.json in the folder of the picture (or folder of views), or in that folder's own; none if there is none.
+/// Reads the report.json in the folder of the picture (or folder of views), or in that folder's own; none if there is none.
 /// Throws Error naming the report if it cannot be understood.
 std::optional<Rendering> rendering_of(const std::filesystem::path& picture);
 

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Of one row of the panel: v = view(i, color).
+/// For one row of the panel: v = view(i, color).
 struct SubPixelRow {
   std::array<std::array<double, 3>, 2> phase;  ///< at i = 0, for even and odd pixels
   double phase_per_pixel;

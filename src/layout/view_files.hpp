@@ -22,7 +22,7 @@ struct NumberedFile {
 std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const TextPattern& pattern,
                                          const std::string& accepted);
 
-/// Of files with rows and columns, which may begin at any number: how many there are, if none is missing between the first
+/// For files with rows and columns, which may begin at any number: how many there are, if none is missing between the first
 /// and the last. Throws Error naming the folder and one that is missing.
 ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<NumberedFile>& files);
 

@@ -1,7 +1,7 @@
 #include "optics/lenticular.hpp"
 
+#include "core/json_fields.hpp"
 #include "optics/checks.hpp"
-#include "optics/members.hpp"
 
 namespace lippmann {
 
@@ -90,13 +90,13 @@ void write_model(const LenticularSheet& sheet, nlohmann::ordered_json& json) {
   json["eye_height_mm"] = sheet.eye_height_mm;
 }
 
-void read_model(const Members& json, LenticularSheet& sheet) {
-  sheet.lens_pitch_mm = json.number("lens_pitch_mm");
-  sheet.gap_mm = json.number("gap_mm");
-  sheet.slant = radians(json.number("slant_deg"));
-  sheet.offset_mm = json.number_or("offset_mm", sheet.offset_mm);
-  sheet.viewing_distance_mm = json.number_or_infinity("viewing_distance_mm");
-  sheet.eye_height_mm = json.number_or("eye_height_mm", 0.0f);
+void read_model(const JsonFields& json, LenticularSheet& sheet) {
+  sheet.lens_pitch_mm = json.float_number("lens_pitch_mm");
+  sheet.gap_mm = json.float_number("gap_mm");
+  sheet.slant = radians(json.float_number("slant_deg"));
+  sheet.offset_mm = json.float_or("offset_mm", sheet.offset_mm);
+  sheet.viewing_distance_mm = json.float_or_infinity("viewing_distance_mm");
+  sheet.eye_height_mm = json.float_or("eye_height_mm", 0.0f);
 }
 
 OpticsFacts facts_of(const Panel& panel, const LenticularSheet& sheet) {

@@ -56,7 +56,7 @@ constexpr std::string_view kind_of(const LenticularSheet&) { return "lenticular"
 constexpr int sub_pixels_of(const LenticularSheet&) { return 1; }
 void check_model(const Panel& panel, const LenticularSheet& sheet);
 void write_model(const LenticularSheet& sheet, nlohmann::ordered_json& json);
-void read_model(const Members& json, LenticularSheet& sheet);
+void read_model(const JsonFields& json, LenticularSheet& sheet);
 OpticsFacts facts_of(const Panel& panel, const LenticularSheet& sheet);
 inline float front_mm(const Panel& panel, const LenticularSheet& sheet, float chosen_mm) {
   return front_of_lenses_mm(panel, sheet.viewing_distance_mm, chosen_mm);

@@ -2,8 +2,8 @@
 
 #include <numbers>
 
+#include "core/json_fields.hpp"
 #include "optics/checks.hpp"
-#include "optics/members.hpp"
 
 namespace lippmann {
 
@@ -158,15 +158,12 @@ void write_model(const MicrolensArray& array, nlohmann::ordered_json& json) {
   json["viewing_distance_mm"] = finite_or_null(array.viewing_distance_mm);
 }
 
-void read_model(const Members& json, MicrolensArray& array) {
-  const std::string packing = json.word("packing");
-  if (packing != "square" && packing != "hexagonal")
-    json.reject("packing", "is " + shown(packing), "\"square\" or \"hexagonal\"");
-  array.packing = packing == "square" ? LensPacking::kSquare : LensPacking::kHexagonal;
-  array.lens_pitch_mm = json.number("lens_pitch_mm");
-  array.gap_mm = json.number("gap_mm");
-  array.offset_mm = json.pair_or("offset_mm", array.offset_mm);
-  array.viewing_distance_mm = json.number_or_infinity("viewing_distance_mm");
+void read_model(const JsonFields& json, MicrolensArray& array) {
+  array.packing = json.word("packing", {"square", "hexagonal"}) == 0 ? LensPacking::kSquare : LensPacking::kHexagonal;
+  array.lens_pitch_mm = json.float_number("lens_pitch_mm");
+  array.gap_mm = json.float_number("gap_mm");
+  if (json.has("offset_mm")) array.offset_mm = json.pair("offset_mm");
+  array.viewing_distance_mm = json.float_or_infinity("viewing_distance_mm");
 }
 
 namespace {

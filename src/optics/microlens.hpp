@@ -90,7 +90,7 @@ constexpr std::string_view kind_of(const MicrolensArray&) { return "microlens"; 
 constexpr int sub_pixels_of(const MicrolensArray&) { return 1; }
 void check_model(const Panel& panel, const MicrolensArray& array);
 void write_model(const MicrolensArray& array, nlohmann::ordered_json& json);
-void read_model(const Members& json, MicrolensArray& array);
+void read_model(const JsonFields& json, MicrolensArray& array);
 OpticsFacts facts_of(const Panel& panel, const MicrolensArray& array);
 inline float front_mm(const Panel& panel, const MicrolensArray& array, float chosen_mm) {
   return front_of_lenses_mm(panel, array.viewing_distance_mm, chosen_mm);

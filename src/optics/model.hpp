@@ -19,7 +19,7 @@
 
 namespace lippmann {
 
-class Members;  // optics/members.hpp
+class JsonFields;  // core/json_fields.hpp
 
 /// How far apart the samples of a view are in the plane z = 0: to the right and down.
 struct SampleGrid {
@@ -49,12 +49,13 @@ struct OpticsFacts {
   Vec2d crosstalk_pitch{0.0};  ///< pixels (views) of the panel along x and y that are one across the lenses; 0: no power
 };
 
-/// Of a lens: its pitch, seen in perspective from the viewing distance, or the magnified pixel, whichever is wider.
+/// The footprint of a lens: its pitch, seen in perspective from the viewing distance, or the magnified pixel, whichever is
+/// wider.
 inline float lens_footprint_mm(float pitch_mm, float gap_mm, float viewing_distance_mm, float pixel_pitch_mm, float z_mm) {
   return std::max(pitch_mm * std::abs(1.0f - z_mm / viewing_distance_mm), std::abs(z_mm) * pixel_pitch_mm / gap_mm);
 }
 
-/// Where rays of lenses start: where it is said; else at the viewing distance, or well in front of the panel.
+/// Where rays of lenses start: as chosen; else at the viewing distance, or well in front of the panel.
 float front_of_lenses_mm(const Panel& panel, float viewing_distance_mm, float chosen_mm);
 
 /// The viewing zone of lenses.
@@ -95,7 +96,7 @@ struct StepRule {
 /// itself.
 template <class Model>
 concept AnswersForItself = requires(const Panel& panel, const Model& model, Model& read, nlohmann::ordered_json& json,
-                                    const Members& members, float mm, Vec2d share, StepsWithin within) {
+                                    const JsonFields& members, float mm, Vec2d share, StepsWithin within) {
   /// Its name in report.json.
   { kind_of(model) } -> std::convertible_to<std::string_view>;
   /// Film pixels side by side in one pixel of the panel.
@@ -146,7 +147,7 @@ OpticsFacts optics_facts(const Optics& optics);
 /// the caller's to change.
 std::optional<OpticsModel> with_lenses(OpticsModel model, float pitch_mm, float gap_mm, Vec2f offset_mm);
 
-/// Of optics without an inverse: throws a usage Error.
+/// Throws a usage Error for optics without an inverse.
 [[noreturn]] void refuse_without_inverse();
 
 }  // namespace lippmann

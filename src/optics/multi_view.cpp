@@ -1,7 +1,7 @@
 #include "optics/multi_view.hpp"
 
+#include "core/json_fields.hpp"
 #include "optics/checks.hpp"
-#include "optics/members.hpp"
 
 namespace lippmann {
 namespace {
@@ -91,15 +91,15 @@ void write_model(const MultiView& views, nlohmann::ordered_json& json) {
   if (views.pixel_height != 1.0f) json["pixel_height"] = views.pixel_height;
 }
 
-void read_model(const Members& json, MultiView& views) {
-  views.columns = json.count("columns"), views.rows = json.count("rows");
-  views.distance_mm = json.number("distance_mm");
-  views.pixel_height = json.number_or("pixel_height", 1.0f);
+void read_model(const JsonFields& json, MultiView& views) {
+  views.columns = json.whole("columns", kAnyCount), views.rows = json.whole("rows", kAnyCount);
+  views.distance_mm = json.float_number("distance_mm");
+  views.pixel_height = json.float_or("pixel_height", 1.0f);
   if (json.has("baseline_mm")) {
-    views.baseline_mm = json.number("baseline_mm");
+    views.baseline_mm = json.float_number("baseline_mm");
     return;
   }
-  views.view_cone = radians(json.number("view_cone_deg"));
+  views.view_cone = radians(json.float_number("view_cone_deg"));
   views.cone_ends_included = json.flag_or("cone_ends_included", false);
 }
 

@@ -60,7 +60,7 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
   const float x = (px - column * c.tile_width_px - 0.5f * c.tile_width_px) * c.pixel_pitch_mm;
   const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_height_mm;
   const float view = (c.rows - 1.0f - row) * c.columns + column;
-  // Of the two terms one is 0: no branch, no gather.
+  // One of the two terms is 0: no branch, no gather.
   const float on_cone = c.eye_reach_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
   const float eye_x = on_cone + (c.first_eye_mm.x + column * c.baseline_mm);
   const float eye_y = c.first_eye_mm.y + (c.rows - 1.0f - row) * c.baseline_mm;
@@ -79,7 +79,7 @@ constexpr std::string_view kind_of(const MultiView&) { return "multiview"; }
 constexpr int sub_pixels_of(const MultiView&) { return 1; }
 void check_model(const Panel& panel, const MultiView& views);
 void write_model(const MultiView& views, nlohmann::ordered_json& json);
-void read_model(const Members& json, MultiView& views);
+void read_model(const JsonFields& json, MultiView& views);
 OpticsFacts facts_of(const Panel& panel, const MultiView& views);
 inline float front_mm(const Panel&, const MultiView& views, float chosen_mm) { return std::min(chosen_mm, views.distance_mm); }
 inline MultiViewRays make_rays(const Panel& panel, const MultiView& views, float z_front_mm) {

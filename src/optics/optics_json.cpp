@@ -6,7 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "optics/members.hpp"
+#include "core/json_fields.hpp"
+#include "core/printable.hpp"
+#include "lippmann/core/error.hpp"
 #include "optics/models.hpp"
 
 namespace lippmann {
@@ -32,8 +34,8 @@ std::string all_kinds() {
   return kinds;
 }
 
-OpticsModel model_from(const Members& json) {
-  const std::string kind = json.word("kind");
+OpticsModel model_from(const JsonFields& json) {
+  const std::string kind = json.text("kind");
   OpticsModel read;
   const bool known = any_kind([&](auto model) {
     if (kind != kind_of(model)) return false;
@@ -46,12 +48,12 @@ OpticsModel model_from(const Members& json) {
 }
 
 /// Reports give the film: its width, and how far apart its pixels are.
-Panel panel_from(const Members& json, int sub_pixels) {
-  const int width = json.count("width");
+Panel panel_from(const JsonFields& json, int sub_pixels) {
+  const int width = json.whole("width", kAnyCount);
   if (width % sub_pixels != 0)
     json.reject("width", fmt::format("is {}, which is no whole number of pixels of {} sub-pixels", width, sub_pixels),
                 fmt::format("{} sub-pixels for each pixel of the panel", sub_pixels));
-  return {width / sub_pixels, json.count("height"), static_cast<float>(json.exact("pixel_pitch_mm") * sub_pixels)};
+  return {width / sub_pixels, json.whole("height", kAnyCount), static_cast<float>(json.number("pixel_pitch_mm") * sub_pixels)};
 }
 
 }  // namespace
@@ -70,11 +72,11 @@ Json optics_json(const Optics& optics) {
 }
 
 Optics optics_from_json(const Json& json, const std::string& where) {
-  const Members members(json, where);
+  const JsonFields members(json, where, "optics");
   Optics optics;
   optics.model = model_from(members);
   optics.panel = panel_from(members, sub_pixels_per_pixel(optics));
-  if (members.has("z_front_mm")) optics.z_front_mm = members.number_or_infinity("z_front_mm");
+  optics.z_front_mm = members.float_or("z_front_mm", kInfinity);
   try {
     validate(optics);
   } catch (const Error& error) {

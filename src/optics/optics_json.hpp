@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// Of the display as built: a parallax other than 1 is the picture's, and not written.
+/// Describes the display as built: a parallax other than 1 is the picture's, and not written.
 /// "width" and "pixel_pitch_mm" are those of the film: of a slanted panel, its sub-pixels.
 /// Also says what follows from the rest: "viewing_zone_deg" and "depth_budget_mm".
 nlohmann::ordered_json optics_json(const Optics& optics);

@@ -1,7 +1,7 @@
 #include "optics/ray_table.hpp"
 
+#include "core/json_fields.hpp"
 #include "optics/checks.hpp"
-#include "optics/members.hpp"
 
 namespace lippmann {
 
@@ -45,7 +45,7 @@ void write_model(const RayTable& table, nlohmann::ordered_json& json) {
   json["spread"] = table.spread;
 }
 
-void read_model(const Members& json, RayTable&) {
+void read_model(const JsonFields& json, RayTable&) {
   json.reject("kind", "is rays, which are not written", "pictures of other optics");
 }
 

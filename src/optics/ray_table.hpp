@@ -36,7 +36,7 @@ constexpr int sub_pixels_of(const RayTable&) { return 1; }
 void check_model(const Panel& panel, const RayTable& table);
 /// The rays themselves are not written, so that reading throws.
 void write_model(const RayTable& table, nlohmann::ordered_json& json);
-void read_model(const Members& json, RayTable& table);
+void read_model(const JsonFields& json, RayTable& table);
 OpticsFacts facts_of(const Panel& panel, const RayTable& table);
 float front_mm(const Panel& panel, const RayTable& table, float chosen_mm);
 RayTableRays make_rays(const Panel& panel, const RayTable& table, float z_front_mm);

@@ -1,7 +1,7 @@
 #include "optics/single_view.hpp"
 
+#include "core/json_fields.hpp"
 #include "optics/checks.hpp"
-#include "optics/members.hpp"
 
 namespace lippmann {
 
@@ -36,9 +36,9 @@ void write_model(const SingleView& view, nlohmann::ordered_json& json) {
   json["pixel_offset_px"] = {view.pixel_offset.x, view.pixel_offset.y};
 }
 
-void read_model(const Members& json, SingleView& view) {
-  view.distance_mm = json.number("distance_mm");
-  view.pixel_offset = json.pair_or("pixel_offset_px", Vec2f(0.0f));
+void read_model(const JsonFields& json, SingleView& view) {
+  view.distance_mm = json.float_number("distance_mm");
+  view.pixel_offset = json.has("pixel_offset_px") ? Vec2f(json.pair("pixel_offset_px")) : Vec2f(0.0f);
 }
 
 OpticsFacts facts_of(const Panel& panel, const SingleView& view) {

@@ -36,7 +36,7 @@ constexpr std::string_view kind_of(const SingleView&) { return "single"; }
 constexpr int sub_pixels_of(const SingleView&) { return 1; }
 void check_model(const Panel& panel, const SingleView& view);
 void write_model(const SingleView& view, nlohmann::ordered_json& json);
-void read_model(const Members& json, SingleView& view);
+void read_model(const JsonFields& json, SingleView& view);
 OpticsFacts facts_of(const Panel& panel, const SingleView& view);
 inline float front_mm(const Panel&, const SingleView& view, float chosen_mm) { return std::min(chosen_mm, view.distance_mm); }
 inline SingleViewRays make_rays(const Panel& panel, const SingleView& view, float z_front_mm) {

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
+#include "core/json_fields.hpp"
 #include "optics/checks.hpp"
-#include "optics/members.hpp"
 
 namespace lippmann {
 namespace {
@@ -175,7 +175,7 @@ Json sub_pixels_json(const SubPixelOffsets& offsets) {
 
 /// A list of so many elements.
 template <class List>
-void read_list(const Members& members, const Json& json, List& list, const auto& read_element) {
+void read_list(const JsonFields& members, const Json& json, List& list, const auto& read_element) {
   if (!json.is_array() || json.size() != list.size())
     members.reject("sub_pixel_offsets_px", "is not what it should be",
                    "4 rows of 2 columns of 3 colours of [x, y], panel pixels from the pixel's centre");
@@ -194,16 +194,19 @@ void write_model(const SlantedPanel& slanted, Json& json) {
   if (slanted.sub_pixels != striped_sub_pixels()) json["sub_pixel_offsets_px"] = sub_pixels_json(slanted.sub_pixels);
 }
 
-void read_model(const Members& json, SlantedPanel& slanted) {
-  slanted.periods = json.exact("periods"), slanted.tilt = json.exact("tilt"), slanted.center = json.exact("center");
+void read_model(const JsonFields& json, SlantedPanel& slanted) {
+  slanted.periods = json.number("periods"), slanted.tilt = json.number("tilt"), slanted.center = json.number("center");
   slanted.inverted = json.flag_or("inverted", true);
-  slanted.view_cone = radians(json.number("view_cone_deg"));
-  slanted.distance_mm = json.number("distance_mm");
+  slanted.view_cone = radians(json.float_number("view_cone_deg"));
+  slanted.distance_mm = json.float_number("distance_mm");
   constexpr std::string_view kOffsets = "sub_pixel_offsets_px";
   if (json.has(kOffsets))
     read_list(json, json.value(kOffsets), slanted.sub_pixels, [&](const Json& row, auto& columns) {
       read_list(json, row, columns, [&](const Json& column, auto& colors) {
-        read_list(json, column, colors, [&](const Json& offset, Vec2f& to) { to = json.pair(kOffsets, offset); });
+        read_list(json, column, colors, [&](const Json& offset, Vec2f& to) {
+          const std::vector<double> xy = json.numbers_in(kOffsets, offset, 2);
+          to = Vec2f(Vec2d(xy[0], xy[1]));
+        });
       });
     });
 }

@@ -74,7 +74,7 @@ constexpr std::string_view kind_of(const SlantedPanel&) { return "slanted"; }
 constexpr int sub_pixels_of(const SlantedPanel&) { return 3; }
 void check_model(const Panel& panel, const SlantedPanel& slanted);
 void write_model(const SlantedPanel& slanted, nlohmann::ordered_json& json);
-void read_model(const Members& json, SlantedPanel& slanted);
+void read_model(const JsonFields& json, SlantedPanel& slanted);
 OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted);
 inline float front_mm(const Panel&, const SlantedPanel& slanted, float chosen_mm) {
   return std::min(chosen_mm, slanted.distance_mm);

@@ -201,9 +201,10 @@ TEST(Quilt, name_and_side_file_that_disagree_are_refused) {
     return error_message([&] { format("quilt").read(written, {}); });
   };
   EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":2,"viewY":3}})"), AllOf(HasSubstr("3x2"), HasSubstr("2x3")));
-  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":0,"viewY":3}})"), HasSubstr("without tiles"));
-  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":3,"viewY":2,"viewTotal":7}})"), HasSubstr("7 views"));
-  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":"a"}})"), HasSubstr("wrong kind"));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":0,"viewY":3}})"), HasSubstr("quilt_settings.viewX"));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":3,"viewY":2,"viewTotal":7}})"),
+              HasSubstr("quilt_settings.viewTotal: is 7"));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":"a"}})"), HasSubstr("quilt_settings.viewX: is no number"));
   EXPECT_THAT(refusal("{"), HasSubstr("not JSON"));
 }
 

@@ -42,19 +42,19 @@ TEST(OpticsJson, infinite_distances_come_back) {
 
 TEST(OpticsJson, hostile_json_gives_one_error_that_names_file_and_key) {
   EXPECT_THAT(message_for("lenticular"), HasSubstr("report.json"));
-  EXPECT_THAT(message_for(nullptr), HasSubstr("not an object"));
+  EXPECT_THAT(message_for(nullptr), HasSubstr("no object"));
   for (const auto& [key, value, part] : std::vector<std::tuple<const char*, Json, const char*>>{
            {"kind", "lenticuler", "'lenticuler'"},
-           {"kind", 7, "\"kind\""},
-           {"width", -3, "\"width\""},
-           {"width", 1e300, "\"width\""},
-           {"width", 123456789012345678, "\"width\""},
+           {"kind", 7, "optics.kind"},
+           {"width", -3, "optics.width"},
+           {"width", 1e300, "optics.width"},
+           {"width", 123456789012345678, "optics.width"},
            {"width", 100000, "panel.width"},
-           {"gap_mm", "2", "\"gap_mm\""},
+           {"gap_mm", "2", "optics.gap_mm"},
            {"gap_mm", 0.0, "gap_mm"},
-           {"gap_mm", nullptr, "\"gap_mm\""},
-           {"lens_pitch_mm", 1e300, "\"lens_pitch_mm\""},
-           {"viewing_distance_mm", Json::array(), "\"viewing_distance_mm\""},
+           {"gap_mm", nullptr, "optics.gap_mm"},
+           {"lens_pitch_mm", 1e300, "optics.lens_pitch_mm"},
+           {"viewing_distance_mm", Json::array(), "optics.viewing_distance_mm"},
        }) {
     Json json = some_optics();
     json[key] = value;
@@ -79,7 +79,7 @@ TEST(OpticsJson, missing_keys_are_named) {
   for (const char* key : {"kind", "width", "height", "pixel_pitch_mm", "lens_pitch_mm", "gap_mm", "viewing_distance_mm"}) {
     Json json = some_optics();
     json.erase(key);
-    EXPECT_THAT(message_for(json), HasSubstr(std::string(key) + "\" of")) << key;
+    EXPECT_THAT(message_for(json), HasSubstr("optics." + std::string(key) + ": is missing")) << key;
   }
 }
 
