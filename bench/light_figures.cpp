@@ -11,8 +11,6 @@
 namespace lippmann::bench {
 namespace {
 
-const MultiView* views_of(const Optics& optics) { return std::get_if<MultiView>(&optics.model); }
-
 /// Rows of a strip of the panel, from `top` on: a band in each of its stretches.
 void append_drawn_rows(int top, int height, int band, int share, std::vector<int>& rows) {
   const int stretch = band * share;
@@ -40,7 +38,7 @@ struct ViewArea {
 std::vector<ViewArea> view_areas(const Optics& optics, int rows) {
   const auto step = step_within_view(optics);
   if (!step) return {};
-  const MultiView* views = views_of(optics);
+  const std::optional<ViewTiles> views = view_tiles(optics);
   const Vec2i tiles = views ? Vec2i(views->columns, views->rows) : Vec2i(1);
   const int width = optics.panel.width / tiles.x, height = rows / tiles.y;
   std::vector<ViewArea> areas;
@@ -79,7 +77,7 @@ std::vector<ViewTriple> neighbours_below_lenses(int lens_pixels, int width, int 
 }
 
 /// Tiles hold the same rows each; view v lies at column v mod columns, row v / columns from the bottom.
-std::vector<ViewTriple> neighbours_among_tiles(const MultiView& views, int width, int rows) {
+std::vector<ViewTriple> neighbours_among_tiles(const ViewTiles& views, int width, int rows) {
   const int tile_width = width / views.columns, tile_rows = rows / views.rows;
   const auto pixel_of = [&](int view, int x, int y) {
     const int row = (views.rows - 1 - view / views.columns) * tile_rows + y;
@@ -88,7 +86,7 @@ std::vector<ViewTriple> neighbours_among_tiles(const MultiView& views, int width
   std::vector<ViewTriple> triples;
   for (int v = 1; v + 1 < views.columns * views.rows; ++v) {
     const bool in_one_row = v % views.columns > 0 && (v + 1) % views.columns > 0;
-    if (views.baseline_mm > 0.0f && !in_one_row) continue;
+    if (views.camera_grid && !in_one_row) continue;
     for (int y = 0; y < tile_rows; ++y)
       for (int x = 0; x < tile_width; ++x) triples.push_back({pixel_of(v - 1, x, y), pixel_of(v, x, y), pixel_of(v + 1, x, y)});
   }
@@ -101,7 +99,7 @@ int second_difference(int a, int b, int c) { return std::abs(a - 2 * b + c); }
 
 std::vector<int> rows_to_compare(const Optics& optics, int share) {
   std::vector<int> rows;
-  const MultiView* views = views_of(optics);
+  const std::optional<ViewTiles> views = view_tiles(optics);
   const int bands = views ? views->rows : 1, height = optics.panel.height / bands;
   const int padding = optics.panel.height - bands * height;
   const auto step = step_within_view(optics);
@@ -120,7 +118,8 @@ Image8 take_rows(const Image8& picture, const std::vector<int>& rows) {
 
 std::vector<ViewTriple> neighbouring_views(const Optics& optics, const std::vector<int>& rows) {
   const int count = static_cast<int>(rows.size());
-  if (const MultiView* views = views_of(optics)) return neighbours_among_tiles(*views, optics.panel.width, count);
+  if (const std::optional<ViewTiles> views = view_tiles(optics))
+    return neighbours_among_tiles(*views, optics.panel.width, count);
   const int lens_pixels = whole_pixels_per_lens(optics).x;
   return lens_pixels > 2 ? neighbours_below_lenses(lens_pixels, optics.panel.width, count) : std::vector<ViewTriple>{};
 }

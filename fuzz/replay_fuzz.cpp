@@ -38,7 +38,7 @@ void look(const RenderedPanel& rendered) {
     const double share = share_out_of_zone(rendered.optics, viewer_at(at));
     if (!(share >= 0.0 && share <= 1.0)) std::abort();
   }
-  if (std::holds_alternative<SlantedPanel>(rendered.optics.model)) return;
+  if (sub_pixels_per_pixel(rendered.optics) > 1) return;  // nothing refocuses films of sub-pixels
   for (const double z : {-1e3, 0.0, 7.0}) {
     try {
       validate_depth(rendered.optics, z, "--refocus");

@@ -26,4 +26,4 @@
 #include "lippmann/scene/timeline.hpp"
 #include "lippmann/stage/lighting.hpp"
 #include "lippmann/stage/placement.hpp"
-#include "lippmann/trace/aov_names.hpp"
+#include "lippmann/trace/aovs.hpp"

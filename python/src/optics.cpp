@@ -128,8 +128,7 @@ void bind_optics(py::module_& module) {
   py::class_<Optics>(module, "Optics", "Which ray every pixel of a panel shows (lippmann.camera_grid, lippmann.quilt, ...).")
       .def_property_readonly("size", &size_of, "[height, width] of the panel's picture in pixels.")
       .def_property_readonly(
-          "is_views", [](const Optics& o) { return std::holds_alternative<MultiView>(o.model); },
-          "Whether it is views side by side.")
+          "is_views", [](const Optics& o) { return view_tiles(o).has_value(); }, "Whether it is views side by side.")
       .def_property_readonly("window_mm", &window_of, "[height, width] of what is seen of the display's plane.")
       .def_property_readonly("default_eye_mm", &eye_of, "[x, y, z]: where it is meant to be seen from.")
       .def_property_readonly("depth_budget_mm", &depth_budget_mm, "How far before its plane and behind it is sharp.")

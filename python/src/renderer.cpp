@@ -14,7 +14,7 @@
 #include "lippmann/layout/light_field.hpp"
 #include "lippmann/replay/rendered_panel.hpp"
 #include "lippmann/scene/timeline.hpp"
-#include "lippmann/trace/aov_names.hpp"
+#include "lippmann/trace/aovs.hpp"
 
 namespace lippmann::python {
 namespace {

@@ -21,29 +21,10 @@ namespace fs = std::filesystem;
 ExrSample exr_sample(ExrPixels pixels) { return pixels == ExrPixels::kHalf ? ExrSample::kHalf : ExrSample::kFloat; }
 
 ExrLayer layer_of(Aov aov, const Image& image) {
-  switch (aov) {
-    case Aov::kDepth:
-      return depth_layer(image);
-    case Aov::kNormal:
-      return normal_layer(image);
-    case Aov::kId:
-      return object_id_layer(image);
-    case Aov::kPosition:
-      return position_layer(image);
-    case Aov::kRayDepth:
-      return ray_depth_layer(image);
-    case Aov::kMotion:
-      return motion_layer(image);
-    case Aov::kAlbedo:
-      return color_layer("albedo", image);
-    case Aov::kDirect:
-      return color_layer("direct", image);
-    case Aov::kIndirect:
-      return color_layer("indirect", image);
-    case Aov::kAlpha:
-      break;
-  }
-  return alpha_layer(image);
+  const AovInfo& info = info_of(aov);
+  ExrLayer layer{std::string(info.exr.layer), &image, {}, info.exr.is_float ? ExrSample::kFloat : ExrSample::kHalf};
+  for (int c = 0; c < info.channels; ++c) layer.channels.emplace_back(info.exr.channels[static_cast<std::size_t>(c)]);
+  return layer;
 }
 
 /// All but alpha, which belongs to the colours.
@@ -123,7 +104,7 @@ void make_frame_folder(const fs::path& folder) {
   remove_stale_temporaries(folder);
 }
 
-/// Of 8 bits, or of 16.
+/// Takes codes of 8 bits, or of 16.
 Picture codes_of(const FrameFiles& files, const Image& stack) {
   if (files.format == PictureFormat::kPng16) return to_codes16(stack, files.encoding);
   return to_codes(stack, files.encoding);

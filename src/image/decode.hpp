@@ -34,7 +34,7 @@ struct DecodedPicture {
   Samples samples;  ///< of the header's kind; width x height x channels
 };
 
-/// Of whichever format the bytes begin as; an error that lists the formats if they begin as none.
+/// Decodes whichever format the bytes begin as; an error that lists the formats if they begin as none.
 PictureHeader picture_header(FileBytes file, const std::string& where);
 DecodedPicture decode_picture(FileBytes file, const std::string& where);
 

@@ -40,7 +40,7 @@ std::string channel_name(const ExrLayer& layer, std::size_t channel) {
   return layer.name.empty() ? layer.channels[channel] : layer.name + "." + layer.channels[channel];
 }
 
-/// Of one kind of samples; OpenEXR only converts when reading.
+/// Reads one kind of samples; OpenEXR only converts when reading.
 template <class Sample>
 std::vector<Sample> samples_of(const Image& image) {
   return {image.data.begin(), image.data.end()};
@@ -100,14 +100,6 @@ std::vector<std::byte> encode(const Contents& contents) {
 ExrLayer film_layer(const Image& film, ExrSample sample) { return {"", &film, {"R", "G", "B"}, sample}; }
 ExrLayer alpha_layer(const Image& alpha, ExrSample sample) { return {"", &alpha, {"A"}, sample}; }
 ExrLayer depth_layer(const Image& depth) { return {"", &depth, {"Z"}, ExrSample::kFloat}; }
-ExrLayer normal_layer(const Image& normal) { return {"N", &normal, {"X", "Y", "Z"}, ExrSample::kHalf}; }
-ExrLayer object_id_layer(const Image& object_id) { return {"", &object_id, {"id"}, ExrSample::kFloat}; }
-ExrLayer position_layer(const Image& position) { return {"P", &position, {"X", "Y", "Z"}, ExrSample::kFloat}; }
-ExrLayer ray_depth_layer(const Image& ray_depth) { return {"ray", &ray_depth, {"Z"}, ExrSample::kFloat}; }
-ExrLayer motion_layer(const Image& motion) { return {"motion", &motion, {"X", "Y"}, ExrSample::kFloat}; }
-ExrLayer color_layer(std::string name, const Image& color) {
-  return {std::move(name), &color, {"R", "G", "B"}, ExrSample::kHalf};
-}
 
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, ExrCompression compression,
                std::span<const ExrAttribute> attributes) {

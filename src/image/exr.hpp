@@ -1,7 +1,7 @@
 // Writes float pictures as layers of one OpenEXR file: the film and what else is known of every pixel.
 //
-// One part; channels named as compositing programs expect them: R G B, Z, N.X N.Y N.Z, P.X P.Y P.Z, id, albedo.R, motion.X, ...
-// Equal pictures give equal bytes: no time stamp is written.
+// One part; channels named as compositing programs expect them: R G B A, Z, and what else a frame has
+// (lippmann/trace/aovs.hpp). Equal pictures give equal bytes: no time stamp is written.
 #pragma once
 
 #include <filesystem>
@@ -28,18 +28,11 @@ struct ExrLayer {
   ExrSample sample = ExrSample::kHalf;
 };
 
-/// The layers of a frame. Depth, position, motion and ids are stored as float: half has not enough digits for them.
 ExrLayer film_layer(const Image& film, ExrSample sample = ExrSample::kHalf);
 /// Colours of the film are multiplied by it already, as the format wants it.
 ExrLayer alpha_layer(const Image& alpha, ExrSample sample = ExrSample::kHalf);
+/// As float: half has not enough digits for it.
 ExrLayer depth_layer(const Image& depth);
-ExrLayer normal_layer(const Image& normal);
-ExrLayer object_id_layer(const Image& object_id);
-ExrLayer position_layer(const Image& position);
-ExrLayer ray_depth_layer(const Image& ray_depth);
-ExrLayer motion_layer(const Image& motion);
-/// `name` with the channels R, G and B.
-ExrLayer color_layer(std::string name, const Image& color);
 
 /// Text in the header of a file, beside the channels.
 struct ExrAttribute {

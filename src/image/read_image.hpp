@@ -28,7 +28,7 @@ enum class SampleKind { kByte, kWord, kFloat };
 SampleKind sample_kind(const std::filesystem::path& path);
 
 /// The 8-bit codes: as stored; of 16-bit files round(255 code / 65535); of float files sRGB-encoded (image/encode.hpp).
-/// Of more than 3 channels the first three, of fewer the first one three times.
+/// Takes the first three of more than 3 channels, and the first one three times of fewer.
 Image8 read_image8(const std::filesystem::path& path);
 
 }  // namespace lippmann

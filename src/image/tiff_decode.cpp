@@ -27,7 +27,7 @@ struct OptionsDeleter {
   void operator()(TIFFOpenOptions* p) const { TIFFOpenOptionsFree(p); }
 };
 
-/// Of a picture that is read as it is.
+/// The samples of a picture that is read as it is.
 struct Layout {
   std::uint16_t channels = 1, bits = 8, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG, photometric = 0;
   std::uint32_t width = 0, height = 0;

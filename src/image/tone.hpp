@@ -24,7 +24,7 @@ struct Tone {
 /// Display light, linear, of scene light, linear; curves give [0, 1] (of finite colours).
 Vec3f apply_tone(const Tone& tone, Vec3f color);
 
-/// Of every pixel of a film of 3 channels.
+/// Applies to every pixel of a film of 3 channels.
 void apply_tone(const Tone& tone, Image& film);
 
 }  // namespace lippmann

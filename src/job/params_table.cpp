@@ -1,6 +1,7 @@
 #include "job/params_table.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <limits>
@@ -14,7 +15,7 @@
 #include "job/scene_light.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/optics/crosstalk.hpp"
-#include "lippmann/trace/aov_names.hpp"
+#include "lippmann/trace/aovs.hpp"
 #include "stage/read_view_wish.hpp"
 
 namespace lippmann {
@@ -212,17 +213,10 @@ ParamInfo frames_row() {
 }
 
 ParamInfo aov_row() {
-  ParamInfo info{"aov",
-                 "Files",
-                 "LAYER,...",
-                 "Extra layers for every frame: depth, ray-depth, normal, position, id, albedo, motion; of paths direct and "
-                 "indirect light; "
-                 "in the EXR itself, else in one beside the picture",
-                 ParamKind::kList,
-                 true,
-                 false,
-                 {},
-                 {}};
+  static const std::string doc = fmt::format(
+      "Extra layers for every frame: {} (the last two of paths alone); in the EXR itself, else in one beside the picture",
+      fmt::join(kWantedAovNames, ", "));
+  ParamInfo info{"aov", "Files", "LAYER,...", doc, ParamKind::kList, true, false, {}, {}};
   info.set = [](RenderParams& params, const Values& values, const std::string& where) {
     params.sampling.aov.clear();
     for (const std::string& value : values)

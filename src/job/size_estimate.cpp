@@ -41,30 +41,6 @@ double picture_bytes_per_sample(const RenderParams& params, PictureFormat format
   return (params.output.pictures.exr_pixels == ExrPixels::kFloat ? 2.2 : 1.0) * of(texture, 1.2, 1.3, 1.4);
 }
 
-double layer_bytes_per_pixel(Aov aov) {
-  switch (aov) {
-    case Aov::kId:
-      return 0.15;
-    case Aov::kNormal:
-      return 1.5;
-    case Aov::kAlbedo:
-      return 2.8;
-    case Aov::kDepth:
-    case Aov::kRayDepth:
-      return 3.0;
-    case Aov::kMotion:
-      return 3.0;
-    case Aov::kPosition:
-      return 7.0;
-    case Aov::kDirect:
-    case Aov::kIndirect:
-      return 9.0;
-    case Aov::kAlpha:
-      break;
-  }
-  return 0.2;
-}
-
 double video_bytes_per_pixel(const RenderParams& params, VideoCodec codec) {
   const Texture texture = texture_of(params);
   const std::optional<CrfRange> range = crf_range(codec);
@@ -80,7 +56,7 @@ FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& param
   const double pixels = picture * plan.pictures_per_frame * static_cast<double>(plan.frames.size());
   FileSizes sizes;
   sizes.pictures = 3.0 * pixels * picture_bytes_per_sample(params, plan.format);
-  for (const Aov aov : params.sampling.aov) sizes.layers += pixels * layer_bytes_per_pixel(aov);
+  for (const Aov aov : params.sampling.aov) sizes.layers += pixels * info_of(aov).exr.bytes_per_pixel;
   for (const std::string& video : plan.videos)
     sizes.videos += pixels * video_bytes_per_pixel(params, choose_codec(video, params.output.video_codec, plan.picture_size.x,
                                                                         plan.picture_size.y));

@@ -143,12 +143,17 @@ TEST(Alpha, divides_light_that_it_has_multiplied) {
   EXPECT_THAT(alpha_codes16(alpha), ElementsAre(32768, 65535, 0));
 }
 
+ExrLayer ids_layer(const Image& ids) { return {"", &ids, {"id"}, ExrSample::kFloat}; }
+
 TEST(Exr, float_layers_come_back_bit_by_bit_under_their_names) {
   const TempDir dir;
   const Image film = noise_image(13, 9, 3, 1), depth = noise_image(13, 9, 1, 2), normal = noise_image(13, 9, 3, 3),
               id = noise_image(13, 9, 1, 4), position = noise_image(13, 9, 3, 5);
-  const ExrLayer layers[] = {film_layer(film, ExrSample::kFloat), depth_layer(depth), normal_layer(normal), object_id_layer(id),
-                             position_layer(position)};
+  const ExrLayer layers[] = {film_layer(film, ExrSample::kFloat),
+                             depth_layer(depth),
+                             {"N", &normal, {"X", "Y", "Z"}},
+                             ids_layer(id),
+                             {"P", &position, {"X", "Y", "Z"}, ExrSample::kFloat}};
   write_exr(dir / "a.exr", layers);
   EXPECT_EQ(read_channels(dir / "a.exr", std::vector<std::string>{"R", "G", "B"}).data, film.data);
   EXPECT_EQ(read_channels(dir / "a.exr", std::vector<std::string>{"Z"}).data, depth.data);
@@ -173,7 +178,7 @@ TEST(Exr, infinite_depth_and_negative_ids_are_kept) {
   Image depth(2, 1, 1), id(2, 1, 1);
   depth.data = {-std::numeric_limits<float>::infinity(), 3.5f};
   id.data = {-1.0f, 16777215.0f};
-  const ExrLayer layers[] = {depth_layer(depth), object_id_layer(id)};
+  const ExrLayer layers[] = {depth_layer(depth), ids_layer(id)};
   for (const ExrCompression compression : {ExrCompression::kNone, ExrCompression::kRunLength, ExrCompression::kZipRow,
                                            ExrCompression::kZip, ExrCompression::kPiz}) {
     write_exr(dir / "a.exr", layers, compression);
@@ -194,7 +199,7 @@ TEST(Exr, equal_pictures_give_equal_bytes_and_no_date) {
 TEST(Exr, layers_that_do_not_fit_together_are_errors) {
   const TempDir dir;
   const Image small = noise_image(4, 4, 1), large = noise_image(8, 4, 1);
-  const ExrLayer sizes[] = {depth_layer(small), object_id_layer(large)};
+  const ExrLayer sizes[] = {depth_layer(small), ids_layer(large)};
   EXPECT_THAT(error_message([&] { write_exr(dir / "a.exr", sizes); }), HasSubstr("differs in size"));
   const ExrLayer twice[] = {depth_layer(small), depth_layer(small)};
   EXPECT_THAT(error_message([&] { write_exr(dir / "a.exr", twice); }), HasSubstr("two channels are called Z"));

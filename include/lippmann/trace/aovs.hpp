@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <string_view>
 
 #include "lippmann/image/image.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -28,23 +29,33 @@ enum class Aov : std::uint8_t {
               ///< the others would see, the film is then free
 };
 
+/// All that is known of a layer anywhere: a new one is a value of Aov, a row below and what computes it.
 struct AovInfo {
+  std::string_view name;  ///< as flags, files and other programs call it
   int channels;
-  float nothing;          ///< where nothing was hit
-  bool is_light = false;  ///< a mean over all samples, made with the light: no property of what is behind the pixel's centre
+  float nothing;  ///< where nothing was hit
+  bool is_light;  ///< a mean over all samples, made with the light: no property of what is behind the pixel's centre
+  /// In OpenEXR: layer.channel, or just channel where the layer has no name, as compositing programs expect them. Floats where
+  /// half has not enough digits.
+  struct InExr {
+    std::string_view layer;
+    std::array<std::string_view, 3> channels;
+    bool is_float;
+    double bytes_per_pixel;  ///< about, as compressed files of the built-in scenes have it
+  } exr;
 };
 /// By Aov.
 inline constexpr AovInfo kAovInfos[] = {
-    {1, -std::numeric_limits<float>::infinity()},  // kDepth
-    {3, 0.0f},                                     // kNormal
-    {1, -1.0f},                                    // kId
-    {3, 0.0f},                                     // kPosition
-    {1, std::numeric_limits<float>::infinity()},   // kRayDepth
-    {3, 0.0f},                                     // kAlbedo
-    {2, 0.0f},                                     // kMotion
-    {3, 0.0f, true},                               // kDirect
-    {3, 0.0f, true},                               // kIndirect
-    {1, 0.0f, true},                               // kAlpha
+    {"depth", 1, -std::numeric_limits<float>::infinity(), false, {"", {"Z"}, true, 3.0}},
+    {"normal", 3, 0.0f, false, {"N", {"X", "Y", "Z"}, false, 1.5}},
+    {"id", 1, -1.0f, false, {"", {"id"}, true, 0.15}},
+    {"position", 3, 0.0f, false, {"P", {"X", "Y", "Z"}, true, 7.0}},
+    {"ray-depth", 1, std::numeric_limits<float>::infinity(), false, {"ray", {"Z"}, true, 3.0}},
+    {"albedo", 3, 0.0f, false, {"albedo", {"R", "G", "B"}, false, 2.8}},
+    {"motion", 2, 0.0f, false, {"motion", {"X", "Y"}, true, 3.0}},
+    {"direct", 3, 0.0f, true, {"direct", {"R", "G", "B"}, false, 9.0}},
+    {"indirect", 3, 0.0f, true, {"indirect", {"R", "G", "B"}, false, 9.0}},
+    {"alpha", 1, 0.0f, true, {"", {"A"}, false, 0.2}},
 };
 inline constexpr std::size_t kAovs = std::size(kAovInfos);
 static_assert(kAovs == static_cast<std::size_t>(Aov::kAlpha) + 1);
@@ -52,6 +63,13 @@ static_assert(kAovs == static_cast<std::size_t>(Aov::kAlpha) + 1);
 constexpr const AovInfo& info_of(Aov aov) { return kAovInfos[static_cast<std::size_t>(aov)]; }
 constexpr int channels_of(Aov aov) { return info_of(aov).channels; }
 constexpr bool is_light(Aov aov) { return info_of(aov).is_light; }
+
+/// By Aov.
+inline constexpr std::array<std::string_view, kAovs> kAovNames = [] {
+  std::array<std::string_view, kAovs> names;
+  for (std::size_t i = 0; i < kAovs; ++i) names[i] = kAovInfos[i].name;
+  return names;
+}();
 
 struct FrameAovs {
   std::array<bool, kAovs> wanted{};
