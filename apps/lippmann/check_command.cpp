@@ -23,7 +23,7 @@ struct Options {
   ResultFlags result;
 };
 
-/// Of each kind a line per file, then all in one.
+/// Prints a line per file of each kind, then all in one.
 void print_text(const std::string& folder, const FolderCheck& check) {
   for (const auto& [kind, names] :
        {std::pair("damaged", check.damaged), std::pair("missing", check.missing), std::pair("foreign", check.foreign)})

@@ -95,18 +95,18 @@ int report(const CLI::ParseError& outcome, const CLI::App& root) {
 
 std::string with_flags(std::string_view text) {
   constexpr std::string_view kOfNames = "abcdefghijklmnopqrstuvwxyz-";
-  std::string said;
+  std::string worded;
   while (!text.empty()) {
     const std::size_t open = text.find('`');
-    said += text.substr(0, open);
+    worded += text.substr(0, open);
     if (open == text.npos) break;
     text.remove_prefix(open + 1);
     const std::size_t end = text.find_first_not_of(kOfNames);
     const bool is_name = end != text.npos && end > 0 && text[end] == '`';
-    said += is_name ? fmt::format("--{}", text.substr(0, end)) : "`";
+    worded += is_name ? fmt::format("--{}", text.substr(0, end)) : "`";
     if (is_name) text.remove_prefix(end + 1);
   }
-  return said;
+  return worded;
 }
 
 const Flag& Flag::required() const { return option_->required(), *this; }

@@ -74,8 +74,8 @@ class CommandLine {
   ~CommandLine();
 
   Command root() { return Command(*app_); }
-  /// None: a command was named and is ready to run. Else all is said, on stdout --help or --version, on stderr one line about
-  /// wrong usage, and this is the exit code.
+  /// None: a command was named and is ready to run. Else all is printed, on stdout --help or --version, on stderr one line
+  /// about wrong usage, and this is the exit code.
   std::optional<int> parse(int argc, char** argv);
 
   /// What an Error says, in the words of the command line.

@@ -36,14 +36,14 @@ struct EncodeOptions {
   ResultFlags result;
 };
 
-/// As said, or as the report beside the frames says.
+/// As given, or as the report beside the frames says.
 double rate_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   if (options.fps) return *options.fps;
   const std::optional<Rendering> rendering = rendering_of(frames.front().path);
   return rendering ? rendering->frames_per_second.value_or(kUsualRate) : kUsualRate;
 }
 
-/// All of the folder's, or those that are said; none of them may be missing.
+/// All of the folder's, or those that are given; none of them may be missing.
 std::vector<NumberedFrame> wanted_frames(const EncodeOptions& options) {
   if (options.frames.empty()) return find_frames(options.from);
   return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));

@@ -5,7 +5,7 @@
 
 namespace lippmann::app {
 
-LightFieldSaid LightFieldFlags::read() const {
+LightFieldHints LightFieldFlags::read() const {
   return {report, from, read_grid(views, "--views"), read_grid(quilt, "--quilt"), view_angle_deg};
 }
 

@@ -15,7 +15,7 @@ struct LightFieldFlags {
   std::optional<double> view_angle_deg;
 
   /// Throws a usage Error naming the flag.
-  LightFieldSaid read() const;
+  LightFieldHints read() const;
 };
 
 /// All but --report, in a group of their own.

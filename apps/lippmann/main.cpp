@@ -38,7 +38,7 @@ void check_stack_limit() {
                 fmt::format("at least {} KB", kLeastBytes >> 10));
 }
 
-/// Its exit code; Errors are said in the words of the command line.
+/// Its exit code; Errors are told in the words of the command line.
 int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
   try {
     return chosen(context);

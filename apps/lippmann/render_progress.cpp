@@ -41,7 +41,7 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
                      folder, bytes_text(bytes));
 }
 
-/// Where a default decides what is seen of the scene, it is said before hours are spent on it.
+/// Where a default decides what is seen of the scene, it is printed before hours are spent on it.
 void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   const PlacedOptics& placed = plan.stage.placed;
   if (placed.depth_scale >= 1.0f) return;
@@ -113,7 +113,7 @@ void RenderProgress::tick() {
   if (written_ < wanted_ && schedule_.is_due_within(seconds())) print_object(-1);
 }
 
-/// Of all frames, as large as those that are there.
+/// What all frames take if they are as large as those that are there.
 double RenderProgress::estimated_bytes() const {
   return written_ == 0 ? estimated_at_first_ : bytes_ / written_ * frames_ + video_bytes_;
 }

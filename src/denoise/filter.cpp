@@ -119,7 +119,7 @@ class Gatherer {
     mean_.add(a_.light, a_.variance, 1.0f);
   }
 
-  /// Of a frame's view around a place, between its four pixels. plane: null where nobody knows where things were.
+  /// What a frame's view has around a place, between its four pixels. plane: null where nobody knows where things were.
   void add(const std::vector<Texel>& texels, int view, Vec2f place, const PlaneOf* plane) {
     const Vec2f corner = glm::floor(place), share = place - corner;
     const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);

@@ -18,7 +18,7 @@
 
 namespace lippmann {
 
-/// Of one of the two scenes' tables.
+/// The tables of one of the two scenes.
 struct PrimitiveGeometries {
   EmbreeGeometry spheres, cylinders, rings, boxes;
 };

@@ -19,7 +19,7 @@ namespace lippmann {
 /// Tracing reads it from any number of threads; update() must not overlap with it.
 class RayScene : public SceneGeometry {
  public:
-  /// Of the timeline's first moment. `scene` outlives it, as do the casters that `materials` gives.
+  /// Stands at the timeline's first moment. `scene` outlives it, as do the casters that `materials` gives.
   RayScene(const Scene& scene, const ResolvedScene& resolved, const ShadowMaterials& materials, const ThreadPool& pool);
   ~RayScene();
   RayScene(const RayScene&) = delete;

@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// Of a mesh that is not opaque everywhere. Thread-safe.
+/// What a mesh that is not opaque everywhere lets through. Thread-safe.
 class ShadowCaster {
  public:
   virtual ~ShadowCaster() = default;
@@ -20,7 +20,7 @@ class ShadowCaster {
 class ShadowMaterials {
  public:
   virtual ~ShadowMaterials() = default;
-  /// Of an instance's whole surface; 0: opaque.
+  /// What an instance's whole surface lets through; 0: opaque.
   virtual float transmittance(std::uint32_t instance) const = 0;
   /// For an instance that `mesh` shows, which outlives it; null: opaque.
   virtual std::unique_ptr<ShadowCaster> caster(std::uint32_t instance, const Mesh& mesh) const = 0;

@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-// Boxes are so much wider than they are said to be, as a share of their coordinates: more than rounding moves a ray's crossing.
+// Boxes are so much wider than given, as a share of their coordinates: more than rounding moves a ray's crossing.
 constexpr float kPadding = 1e-5f;
 
 struct Slab {

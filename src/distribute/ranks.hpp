@@ -52,7 +52,7 @@ int rank_count();
 /// else its share among the ranks on this machine.
 int threads_of_rank(int cpus, int cpus_online, int local_ranks);
 
-/// Of the processes that mpirun has started how many are on this machine.
+/// How many of the processes that mpirun has started are on this machine.
 int local_rank_count();
 
 /// Null in a process that stands alone. Throws Error where several were started together and the module for MPI is not

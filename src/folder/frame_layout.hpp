@@ -38,9 +38,9 @@ class FrameLayout {
   int pictures_per_frame() const { return pictures_per_frame_; }
 
   /// Where a video of these pictures goes: a quilt's says so in its name.
-  std::filesystem::path video_path(const std::filesystem::path& said) const;
+  std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
-  /// Of quilts: tiles and the display's aspect.
+  /// For quilts: tiles and the display's aspect.
   const std::optional<QuiltName>& quilt() const { return quilt_; }
 
   /// Whether film is moved at all.
@@ -49,10 +49,10 @@ class FrameLayout {
   /// Whether what the panel shows is the picture as arranged, whole pixels of sub-pixels; else it is the film.
   bool joins_sub_pixels() const { return sub_pixels_; }
 
-  /// Of the display, where there is one; else 0.
+  /// Those of the display, where there is one; else 0.
   double pixels_per_mm() const { return pixels_per_mm_; }
 
-  /// Of a view; of the whole picture where nothing is moved.
+  /// The size of a view; that of the whole picture where nothing is moved.
   Vec2i picture_size() const;
 
   /// Throws a usage Error where that is more than the picture's kind of file, or that of extra layers, holds.

@@ -32,7 +32,7 @@ namespace lippmann {
 /// Files of a folder by their names relative to it, as they were when they were finished.
 using FileRecords = std::map<std::string, FileChecksum>;
 
-/// Of files that lie in `folder`. Throws Error naming the one that cannot be read.
+/// The records of files that lie in `folder`. Throws Error naming the one that cannot be read.
 FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 struct JournalFrame {

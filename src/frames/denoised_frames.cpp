@@ -21,7 +21,7 @@ RenderedFrame DenoisedFrames::make(int frame) {
   while (!traced_.empty() && traced_.begin()->first < frame - 1) traced_.erase(traced_.begin());
   RenderedFrame rendered;
   const auto neighbour = [&](int other) {
-    return lit_ && !LitFrames::are_of_one_history(frame, other) ? nullptr : traced(other);
+    return lit_ && !SharedLightFrames::are_of_one_history(frame, other) ? nullptr : traced(other);
   };
   const Traced* before = neighbour(frame - 1);
   Traced* now = traced(frame);
@@ -97,7 +97,7 @@ std::vector<FrameReport> DenoisedFrames::sources() const {
 
 double DenoisedFrames::bytes_kept_per_pixel(bool shares_light) {
   constexpr double kNoisyBytes = 84.0 + 16.0;  // images of a NoisyFrame, two of motion
-  const double of_light = shares_light ? LitFrames::bytes_kept_per_pixel() : 0.0;
+  const double of_light = shares_light ? SharedLightFrames::bytes_kept_per_pixel() : 0.0;
   return of_light + 3.0 * Denoiser::kFrameBytesPerPixel + std::max(kNoisyBytes, Denoiser::kWorkBytesPerPixel);
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "denoise/denoiser.hpp"
-#include "frames/lit_frames.hpp"
+#include "frames/shared_light_frames.hpp"
 
 namespace lippmann {
 
@@ -40,7 +40,7 @@ class DenoisedFrames final : public FrameMaker {
   const ThreadPool& pool_;
   const Context& context_;
   Denoiser denoiser_;
-  std::optional<LitFrames> lit_;  ///< none: whole paths
+  std::optional<SharedLightFrames> lit_;  ///< none: whole paths
   std::map<int, Traced> traced_;
   std::map<int, FrameReport> unused_;  ///< reports of frames that were traced and not asked for so far
 };

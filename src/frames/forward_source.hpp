@@ -21,7 +21,7 @@ inline int key_frame_interval(const Interpolate& reuse) { return reuse.keyframes
 ForwardSource trace_source(Stage& stage, const Sampling& sampling, const Interpolate& reuse, int frame,
                            const InBetweenMaker& maker, const ThreadPool& pool, const Context& context);
 
-/// Of a frame made from others; without times.
+/// The report of a frame made from others; without times.
 FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, Vec2i film);
 
 }  // namespace lippmann

@@ -54,7 +54,8 @@ class FrameClock {
 /// Which layers a frame has to have.
 FrameAovs wanted_aovs(const Sampling& sampling);
 
-/// How frames are traced. Quilts that displays show are seen as beams as wide as a view, unless something else is said.
+/// How frames are traced. Quilts that displays show are seen as beams as wide as a view, unless `sampling` asks for something
+/// else.
 TraceParams trace_params(const Sampling& sampling, const Stage& stage);
 
 /// Fills the layers that do not come with the light; the device scene is at the frame's `moment`.

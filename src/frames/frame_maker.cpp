@@ -4,10 +4,10 @@
 
 #include "core/printable.hpp"
 #include "frames/denoised_frames.hpp"
+#include "frames/error_bounded_frames.hpp"
 #include "frames/exact_frames.hpp"
-#include "frames/floored_frames.hpp"
 #include "frames/forward_frames.hpp"
-#include "frames/lit_frames.hpp"
+#include "frames/shared_light_frames.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
 
@@ -54,11 +54,11 @@ class MakerOf {
   std::unique_ptr<FrameMaker> operator()(const CopySettled& reuse) const { return make<ExactFrames>(reuse); }
   std::unique_ptr<FrameMaker> operator()(const ShareLight& reuse) const {
     if (sampling_.denoise) return make<DenoisedFrames>(&reuse);
-    return make<LitFrames>(reuse);
+    return make<SharedLightFrames>(reuse);
   }
   std::unique_ptr<FrameMaker> operator()(const Interpolate& reuse) const {
     refuse_deforming_meshes(stage_.scene);
-    if (reuse.min_psnr_db) return make<FlooredFrames>(reuse);
+    if (reuse.min_psnr_db) return make<ErrorBoundedFrames>(reuse);
     return make<ForwardFrames>(reuse);
   }
 
@@ -74,7 +74,7 @@ class MakerOf {
   const Context& context_;
 };
 
-/// What each of them keeps.
+/// How many frames belong together, for each kind of reuse.
 struct BytesKept {
   const Sampling& sampling;
 
@@ -82,21 +82,21 @@ struct BytesKept {
   double operator()(const TraceAll&) const { return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(false) : 0.0; }
   double operator()(const CopySettled&) const { return ExactFrames::bytes_kept_per_pixel(); }
   double operator()(const ShareLight&) const {
-    return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(true) : LitFrames::bytes_kept_per_pixel();
+    return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(true) : SharedLightFrames::bytes_kept_per_pixel();
   }
   double operator()(const Interpolate& reuse) const {
-    return reuse.min_psnr_db ? FlooredFrames::bytes_kept_per_pixel() : ForwardFrames::bytes_kept_per_pixel(reuse);
+    return reuse.min_psnr_db ? ErrorBoundedFrames::bytes_kept_per_pixel() : ForwardFrames::bytes_kept_per_pixel(reuse);
   }
 };
 
-/// Of each of them.
+/// How many frames belong together, for each kind of reuse.
 struct SegmentLength {
   int operator()(const AutoReuse&) const { return 1; }
   int operator()(const TraceAll&) const { return 1; }
   int operator()(const CopySettled& reuse) const { return reuse.keyframes.value_or(1); }
-  int operator()(const ShareLight&) const { return LitFrames::frames_per_segment(); }
+  int operator()(const ShareLight&) const { return SharedLightFrames::frames_per_segment(); }
   int operator()(const Interpolate& reuse) const {
-    return reuse.min_psnr_db ? FlooredFrames::frames_per_segment(reuse) : key_frame_interval(reuse);
+    return reuse.min_psnr_db ? ErrorBoundedFrames::frames_per_segment(reuse) : key_frame_interval(reuse);
   }
 };
 

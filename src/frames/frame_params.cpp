@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Of fewer paths a pixel there is nothing to be saved.
+/// Fewer paths a pixel leave nothing to be saved.
 constexpr int kLeastPaths = 8;
 
 bool has_layer(const Sampling& sampling, Aov layer) {
@@ -60,7 +60,8 @@ void check_reuse(const Interpolate& how, const Sampling& sampling) {
     throw usage_error("angular-filter", "points that are moved to be interpolated are those of one eye",
                       "`reuse` copy, light, none or auto");
   if (const std::string against = against_floor(how); how.min_psnr_db && !against.empty())
-    throw usage_error(against, "cannot be together with `min-psnr`, which traces what is missed or doubted", "one of the two");
+    throw usage_error(against, "cannot be together with `min-psnr`, which traces what is missed or uncertain",
+                      "one of the two");
 }
 
 void check_sampling(const Sampling& sampling) {

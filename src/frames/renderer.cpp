@@ -33,9 +33,9 @@ struct Renderer::Impl {
   Stage stage;
   std::unique_ptr<FrameMaker> maker;
 
-  Impl(Scene scene, Placement placement, FrameParams said, const Context& caller)
+  Impl(Scene scene, Placement placement, FrameParams requested, const Context& caller)
       : context(caller),
-        params(checked(std::move(said), placement.placed.optics)),
+        params(checked(std::move(requested), placement.placed.optics)),
         pool(resolved_threads(caller)),
         stage(checked(std::move(scene)), std::move(placement.array), std::move(placement.placed),
               integrator_of(params.sampling), pool),

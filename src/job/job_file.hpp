@@ -13,7 +13,7 @@ namespace lippmann {
 /// Reads the keys of a job over `params`. Throws Error naming file, line and, for an unknown key, the nearest known one.
 void read_job(const std::filesystem::path& file, RenderParams& params);
 
-/// The text of a job file in `folder` that gives these params: every key that is said, under its group's heading.
+/// The text of a job file in `folder` that gives these params: every key that is given, under its group's heading.
 std::string job_text(const RenderParams& params, const std::filesystem::path& folder);
 
 /// Writes job_text(), whole or not at all.

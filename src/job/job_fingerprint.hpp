@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// Of the parameters that change pictures, the scene, the display and this program's version: 16 hexadecimal digits.
+/// Identifies the parameters that change pictures, the scene, the display and this program's version: 16 hexadecimal digits.
 std::string job_fingerprint(const RenderParams& params, const Scene& scene, const Display* display = nullptr);
 
 /// The names of the parameters in which a job file and `params` differ, of those that decide pictures; none if the file cannot

@@ -15,7 +15,7 @@
 
 namespace lippmann {
 
-/// Of the display where one is given (job/display_optics.hpp), else of the parameters alone.
+/// The optics of the display where one is given (job/display_optics.hpp), else those of the parameters alone.
 /// Rays start where the fitted viewer stands, so that a camera inside a room sees the room.
 /// Throws a usage Error for parameters that contradict each other (job/panel_size.hpp) or make no rays.
 PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array,

@@ -1,8 +1,8 @@
 // How large the panel is: from lenses, pixels below a lens, and the whole size, of which any may be left to follow from the
 // rest.
 //
-// For lens arrays width = lenses across x pixels below a lens; where both and the size are said, they must agree to the pixel.
-// Nothing said: 64 lenses of 8 pixels, square. Quilts: 8x6 views of 256x256 pixels.
+// For lens arrays width = lenses across x pixels below a lens; where both and the size are given, they must agree to the pixel.
+// By default: 64 lenses of 8 pixels, square. Quilts: 8x6 views of 256x256 pixels.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct PanelSize {
   float lens_pixels = 8.0f;       ///< across a lens, along a pixel row; lens arrays only
 };
 
-/// Columns and rows of views: as said, or 8x6.
+/// Columns and rows of views: as given, or 8x6.
 Extent<int> quilt_views(const RenderParams& params);
 
 /// `scene_resolution`: what the scene's file asks for, the default size of a single view; {0, 0}: nothing.

@@ -58,7 +58,7 @@ struct OpticsParams {
   bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
 };
 
-/// What frames take from each other, as it is said: what the chosen kind does not know must not be said (job/reuse_params.hpp).
+/// What frames take from each other, as requested: parameters of other kinds must not be given (job/reuse_params.hpp).
 struct ReuseParams {
   ReuseChoice choice = ReuseChoice::kAuto;
   std::optional<int> keyframes;         ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
@@ -95,16 +95,16 @@ struct RenderParams {
 /// Samples per pixel of paths that are the scene's default: a first picture comes within seconds.
 inline constexpr int kFirstPathSamples = 16;
 
-/// With the integrator that the scene's format asks for where none is said: paths for physical formats (is_physical_format),
+/// With the integrator that the scene's format asks for where none is given: paths for physical formats (is_physical_format),
 /// unless --reuse interpolate is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Formats that
 /// hold depth get the layer. Everything below takes the parameters as they are after this.
 RenderParams with_scene_defaults(RenderParams params);
 
-/// As said; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a display
-/// are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.
+/// As given; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a
+/// display are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.
 bool fits_depth(const RenderParams& params);
 
-/// What is traced: as said, or lenticular.
+/// What is traced: as given, or lenticular.
 inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.kind.value_or(OpticsKind::kLenticular); }
 
 /// Whether `scene` names one of the built-in scenes, and thus no file.
@@ -120,7 +120,7 @@ struct SceneNotes {
 /// (test_pattern.hpp). The camera that decides the view is its first. Throws Error.
 Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes = nullptr);
 
-/// `output`, or where it is not said out/<scene name>: the built-in's name, or the file's without folder and ending.
+/// `output`, or by default out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);
 
 /// The frames that the job asks for, ascending. Throws a usage Error for those outside the animation.

@@ -28,7 +28,7 @@ struct ParamInfo {
 
   /// `where` is how to call the place in a message: "--spp", "job.toml:3: spp".
   std::function<void(RenderParams&, const std::vector<std::string>& values, const std::string& where)> set;
-  /// Empty where the parameter is not said and follows from others. set(get()) changes nothing.
+  /// Empty where the parameter is not given and follows from others. set(get()) changes nothing.
   std::function<std::vector<std::string>(const RenderParams&)> get;
 
   std::string_view opposite = {};      ///< of a kFlag: the name of the flag and key that says false; empty: none

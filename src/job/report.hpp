@@ -34,7 +34,7 @@ struct RenderReport {
   bool interrupted = false;         ///< stopped before the last frame; what is listed is whole
 };
 
-/// Of all frames: the mean share clipped, the largest residual of any. None where no crosstalk was undone.
+/// Over all frames: the mean share clipped, the largest residual of any. None where no crosstalk was undone.
 std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
 nlohmann::ordered_json to_json(const RenderReport& report);

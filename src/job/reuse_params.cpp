@@ -58,7 +58,7 @@ Interpolate interpolate(const ReuseParams& params) {
   if (shows_missed && params.fill == MissedFill::kRetrace)
     throw usage_error("--fill", "retraced pixels would not be seen: --debug missed leaves them black", "one of the two");
   if (shows_missed && params.min_psnr_db)
-    throw usage_error("--debug", "cannot be together with --min-psnr, which traces what is missed or doubted",
+    throw usage_error("--debug", "cannot be together with --min-psnr, which traces what is missed or uncertain",
                       "one of the two");
   return {params.keyframes, params.min_psnr_db, params.splat, shows_missed ? MissedFill::kBlack : params.fill,
           params.halving,   params.no_z_buffer};

@@ -1,4 +1,4 @@
-// From what is said of reuse to the kind of reuse with its own parameters (frames/reuse.hpp).
+// From the parameters of reuse to the kind of reuse with its own parameters (frames/reuse.hpp).
 #pragma once
 
 #include "job/params.hpp"

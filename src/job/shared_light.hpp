@@ -1,5 +1,5 @@
-// What is said of an animation whose path-traced frames may share light: how many do, how good all are as measured, and which
-// of them may miss the PSNR that was asked for. Sentences for people; report.json has the figures.
+// What a report tells about an animation whose path-traced frames may share light: how many do, how good all are as measured,
+// and which of them may miss the PSNR that was asked for. Sentences for people; report.json has the figures.
 #pragma once
 
 #include <string>

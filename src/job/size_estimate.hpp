@@ -17,7 +17,7 @@ struct FileSizes {
   double all() const { return pictures + layers + videos; }
 };
 
-/// Of the frames of a plan, kept ones included.
+/// The sizes of the frames of a plan, kept ones included.
 FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& params);
 
 /// "0.35 MB", "12 MB", "4.1 GB": two digits that count.

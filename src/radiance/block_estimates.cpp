@@ -29,7 +29,7 @@ constexpr float kBlack = 0.003f;
 
 LIPPMANN_INLINE float shown(float luminance) { return std::min(std::max(luminance, kBlack), 1.0f); }
 
-/// Of sRGB's curve (0 ... 1), but for what is nearly black.
+/// The value of sRGB's curve (0 ... 1), but for what is nearly black.
 LIPPMANN_INLINE float fast_code_of(float luminance) { return 1.055f * fast_pow(shown(luminance), 1.0f / 2.4f) - 0.055f; }
 
 /// The scatter of which n samples would leave the error of having missed light of an `other` luminance.

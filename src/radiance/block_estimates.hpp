@@ -46,7 +46,7 @@ void encode(BlockEstimates& block);
 /// have all missed a lamp would take them to be alike.
 class PathScatter {
  public:
-  /// Of a block whose pixels all have their first samples. After encode().
+  /// Adds a block whose pixels all have their first samples. After encode().
   void add(const BlockEstimates& block);
   float mean() const { return count_ > 0.0f ? sum_ / count_ : 0.0f; }
 

@@ -14,11 +14,11 @@
 namespace lippmann {
 namespace {
 
-/// Of the surface that shows the light.
+/// The albedo of the surface that shows the light.
 constexpr float kAlbedo = 0.7f;
 /// Deviations by which a second difference is more than chance explains.
 constexpr float kSure = 4.0f;
-/// Cells of fewer samples are not asked.
+/// Cells of fewer samples tell nothing.
 constexpr float kLeastSamples = 2.0f;
 
 /// Half of the second difference of the light, as codes show it.

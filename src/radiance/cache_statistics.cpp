@@ -18,14 +18,14 @@ namespace {
 constexpr float kLongestHistory = 2048.0f;
 /// Means that differ by more than this many deviations do not differ by chance.
 constexpr float kContradiction = 3.0f;
-/// Few samples say little of how much they scatter, and of what is doubtful: the larger cell around counts as so many.
+/// Few samples say little of how much they scatter, and of what may have changed: the larger cell around counts as so many.
 constexpr float kPrior = 8.0f;
 /// Samples scatter alike in proportion to the light: the larger cell around says more of it than a cell's own samples, of which
 /// a single one may be all.
 constexpr float kPriorScatter = 200.0f;
 /// Light that is none, squared.
 constexpr float kNone = 1e-20f;
-/// Of the light along rays that pass what moves, or that arrive at another angle, so much changes from frame to frame: most of
+/// So much of the light along rays that pass what moves, or that arrive at another angle, changes from frame to frame: most of
 /// them meet the same thing again, and others make up for those.
 constexpr float kChanging = 0.5f;
 
@@ -79,13 +79,13 @@ float RadianceCache::contradicted(const Cell& cell) {
   return std::min(1.0f, cell.scatter.root / (change - by_chance) / cell.inherited);
 }
 
-/// The same, where what moves may have changed the light: its variance grows by the square of what is doubtful, as that of a
-/// Kalman filter's state does. How bright it is and how much samples scatter, the cell around tells: by their own samples,
+/// The same, where what moves may have changed the light: its variance grows by the square of what may have changed, as that of
+/// a Kalman filter's state does. How bright it is and how much samples scatter, the cell around tells: by their own samples,
 /// cells that were lucky would keep more of their past than those that were not, or less, and light would be gained or lost.
-float RadianceCache::doubted(const Cell& cell, const Cell* parent) {
+float RadianceCache::possibly_changed(const Cell& cell, const Cell* parent) {
   const Cell& around = parent ? *parent : cell;
   const float light = std::max(luminance(around.past.mean), luminance(around.now.mean));
-  const float change = squared(std::abs(cell.doubt.light) + kChanging * cell.doubt.share * light);
+  const float change = squared(std::abs(cell.possible_change.light) + kChanging * cell.possible_change.share * light);
   return change > 0.0f ? around.scatter.light / (around.scatter.light + cell.inherited * change) : 1.0f;
 }
 
@@ -108,7 +108,7 @@ void RadianceCache::begin_frame(const Motion& moved, const ThreadPool& pool) {
       cell.past.add(cell.now);
       cell.past.count = cell.inherited = std::min(cell.past.count * cell.keep, kLongestHistory);
       cell.now = {};
-      cell.doubt_now = {};
+      cell.possible_change_now = {};
     }
   });
 }
@@ -118,10 +118,11 @@ float RadianceCache::forget(const ThreadPool& pool) {
     for_each_of_size(pool, slots, [&](Cell& cell, Slot&) {
       const Cell* parent = parent_of(cell);
       const float own = parent ? cell.now.count / (cell.now.count + kPrior) : 1.0f;
-      const Doubt around = parent ? parent->doubt : Doubt{};
-      cell.doubt = {glm::mix(around.light, cell.doubt_now.light, own), glm::mix(around.share, cell.doubt_now.share, own)};
+      const PossibleChange around = parent ? parent->possible_change : PossibleChange{};
+      cell.possible_change = {glm::mix(around.light, cell.possible_change_now.light, own),
+                              glm::mix(around.share, cell.possible_change_now.share, own)};
       cell.keep = std::min(parent ? parent->keep : 1.0f, contradicted(cell));
-      cell.past.count = cell.inherited * std::min(cell.keep, doubted(cell, parent));
+      cell.past.count = cell.inherited * std::min(cell.keep, possibly_changed(cell, parent));
     });
   std::array<double, kShards> known{}, kept{};
   pool.for_each(kShards, [&](std::size_t s) {

@@ -23,9 +23,9 @@ CacheUpdate::CacheUpdate(const ShadedScene& scene, const CacheCells& cells, cons
       watches_(moved != nullptr),
       made_(made),
       light_(kMostQueries, 1, 3),
-      doubts_(kMostQueries),
+      changes_(kMostQueries),
       paths_(scene, cells.beam, params, {.all = light_.data.data()}) {
-  if (moved) paths_.watch(*moved, doubts_);
+  if (moved) paths_.watch(*moved, changes_);
 }
 
 void CacheUpdate::finish() {
@@ -37,15 +37,15 @@ void CacheUpdate::finish() {
     record.place = queries_[q].place;
     record.light = {light[0], light[1], light[2]};
     // What moves by itself passes its own box with every ray: how far it has moved (RadianceCache::Motion) and turned tells
-    // what is doubtful.
+    // what may have changed.
     if (watches_) {
-      const PathIntegrator::Doubt& doubt = doubts_[q];
-      record.doubtful_light = queries_[q].moves ? doubt.turned_light : doubt.light;
-      record.doubtful_share = std::min(1.0f, queries_[q].moves ? doubt.turned_share : doubt.share);
+      const PathIntegrator::PossibleChange& change = changes_[q];
+      record.changed_light = queries_[q].moves ? change.turned_light : change.light;
+      record.changed_share = std::min(1.0f, queries_[q].moves ? change.turned_share : change.share);
     }
     made_.sources.push_back(queries_[q].source);
     light[0] = light[1] = light[2] = 0.0f;
-    doubts_[q] = {};
+    changes_[q] = {};
   }
   queries_.clear();
 }

@@ -36,7 +36,7 @@ struct CacheRecords {
 class CacheUpdate : public PathTracer<CacheUpdate> {
  public:
   /// Adds to `made`, which outlives this. sparse: makes records for these cells only; none: for all. moved: boxes around what
-  /// has moved since the frame before, to tell what is doubtful (RadianceRecord); null: nothing is.
+  /// has moved since the frame before, to tell what may have changed (RadianceRecord); null: nothing is.
   CacheUpdate(const ShadedScene& scene, const CacheCells& cells, const PathParams& params, std::optional<SparseCells> sparse,
               const TouchProbe* moved, CacheRecords& made);
 
@@ -69,7 +69,7 @@ class CacheUpdate : public PathTracer<CacheUpdate> {
     bool moves;  ///< with the thing that it lies on
   };
   Image light_;  ///< what arrives, by query
-  std::vector<PathIntegrator::Doubt> doubts_;
+  std::vector<PathIntegrator::PossibleChange> changes_;
   PathIntegrator paths_;
   std::vector<Query> queries_;
 };

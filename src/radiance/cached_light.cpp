@@ -53,7 +53,7 @@ struct History {
   Scatter scatter;                     ///< of the frame before, where it was gathered
 };
 
-/// Of the error that a sample may have, where a frame errs by too much.
+/// Where a frame errs by too much, a sample may have so much of the error that it might have before.
 constexpr float kFiner = 0.75f, kFinerAtOnce = 0.6f;
 /// Where pixels err by less than this part of what they may, they need not be sampled as finely: what is wrong then is the
 /// light.
@@ -69,7 +69,7 @@ constexpr int kAttempts = 4;
 constexpr double kMostMending = 0.6;
 /// An error so many times as large as it may be is more than that makes up for.
 constexpr float kHopeless = 6.0f;
-/// Of the error before: an attempt that leaves more has not helped.
+/// An attempt that leaves more than this share of the error has not helped.
 constexpr float kHelped = 0.9f;
 /// After so many frames in a row that had to be traced, or that took so many of the rays of paths, the others of the history
 /// are traced, too.
@@ -113,7 +113,7 @@ class CachedFrame {
 
   const RayCounts& counts() const { return counts_; }
 
-  /// Of a frame that was gathered, and did not begin a history: whether it took clearly fewer rays than paths do.
+  /// For a frame that was gathered, and did not begin a history: whether it took clearly fewer rays than paths do.
   bool was_worth_it() const { return was_worth_it_; }
 
  private:
@@ -417,7 +417,7 @@ void CachedFrame::begin_history(const CachedLightGoal& goal) {
   add(measure.counts(), counts_);
 }
 
-/// Of setups that are not good enough, keeps the one that needs the fewest rays once paths are mixed in.
+/// Keeps, among setups that are not good enough, the one that needs the fewest rays once paths are mixed in.
 void CachedFrame::keep_mixed(const GatherMeasure& measure, const CacheSetup& setup, std::optional<MixedSetup>& best) const {
   MixedSetup now{setup, *history_.plan};
   const std::optional<PathMix> mix = measure.mix_for(now.plan.expected, now.plan.share_of_rays);
@@ -447,7 +447,7 @@ SetupOutcome CachedFrame::try_setup(const CachedLightGoal& goal, GatherMeasure& 
   return outcome;
 }
 
-/// Of many setups one is good by chance where it was tried: only what is good elsewhere, too, is taken.
+/// Among many setups one is good by chance where it was tried: only what is good elsewhere, too, is taken.
 void CachedFrame::confirm(SetupOutcome& outcome, const FrameError& may, GatherMeasure& fresh) {
   const CacheCells in = cells();
   const FrameError found = fresh.check({shot_, in, *history_.cache}, history_.plan->effort_alone(), {});
@@ -457,7 +457,7 @@ void CachedFrame::confirm(SetupOutcome& outcome, const FrameError& may, GatherMe
   outcome.is_good = found.pixels - found.uncertainty <= may.pixels && found.blocks - found.block_uncertainty <= may.blocks;
 }
 
-/// Of a frame's, what a round of updates leaves.
+/// What a round of updates leaves of a frame's seconds.
 double CachedFrame::seconds_for_pixels(double seconds) const {
   constexpr double kLeastShare = 0.2;
   return std::max(kLeastShare * seconds, seconds - update_seconds_ / std::max(round_, 1));

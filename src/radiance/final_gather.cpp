@@ -24,7 +24,8 @@ FinalGather::FinalGather(const ShadedScene& scene, const CacheCells& cells, cons
       cells_(cells),
       cache_(cache),
       options_(options),
-      asks_points_alone_(lights().points() <= kFewLights && !(lights().chance({LightGroup::kSun, cells.lights_from}) > 0.0f)),
+      samples_points_alone_(lights().points() <= kFewLights &&
+                            !(lights().chance({LightGroup::kSun, cells.lights_from}) > 0.0f)),
       paths_(scene, cells.beam, params, {.all = film.all}) {}
 
 void FinalGather::finish() {

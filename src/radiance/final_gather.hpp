@@ -1,5 +1,5 @@
 // Final gather: paths that end in the radiance cache. From the lens array to surfaces, mirrors and glass they are exact; lights
-// that the cache does not hold are asked by shadow rays, all other light on diffuse surfaces is looked up.
+// that the cache does not hold are sampled by shadow rays, all other light on diffuse surfaces is looked up.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// So many point-like lights are all asked at every point, and make no noise; of more of them, one.
+/// So many point-like lights are all sampled at every point, and make no noise; of more of them, one.
 inline constexpr std::size_t kFewLights = 4;
 
 struct FinalGatherOptions {
@@ -52,7 +52,7 @@ class FinalGather : public PathTracer<FinalGather> {
   void reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length);
   void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
 
-  // Phong's surfaces, side by side where all lights that are asked are points.
+  // Phong's surfaces, side by side where all lights that are sampled are points.
   LaneMask phong_lanes() const;
   void shade_phong(const RayHitPacket& packet, LaneMask lanes, const PathRay* rays);
   void light_phong(const RayPacket& view, const LaneMask& lanes, std::size_t light);
@@ -69,11 +69,11 @@ class FinalGather : public PathTracer<FinalGather> {
   const CacheCells& cells_;
   const RadianceCache& cache_;
   FinalGatherOptions options_;
-  bool asks_points_alone_;                        ///< lights that are asked at a diffuse surface are few and points
+  bool samples_points_alone_;                     ///< lights that are sampled at a diffuse surface are few and points
   PathIntegrator paths_;                          ///< where the cache knows nothing
   std::array<ShadowQueue, kFewLights> to_point_;  ///< by light, where they are few: packets to one light stay together
   ShadowQueue to_others_;
-  // Of the packet that is being shaded.
+  // What follows belongs to the packet that is being shaded.
   PathLanes lanes_{};  ///< of Phong's surfaces
   PhongLanes phong_;
   ShadowPacket shadow_;

@@ -12,7 +12,7 @@ constexpr int kNearlyFull = 12;
 
 LaneMask FinalGather::phong_lanes() const {
   LaneMask lanes{};
-  if (!asks_points_alone_ || !surface_.any_hit) return lanes;
+  if (!samples_points_alone_ || !surface_.any_hit) return lanes;
   for (int i = 0; i < kLanes; ++i)
     if (surface_.hit.lane[i] && scene_.materials.materials[scene_.material_of_instance[surface_.instance[i]]].is_whole)
       lanes.lane[i] = -1;

@@ -24,7 +24,7 @@ class FrameErrors {
 
   const FrameError& latest() const { return latest_; }
 
-  /// Of the latest frame.
+  /// Whether the latest frame errs by too much.
   Excess pixels() const { return pixels_; }
   Excess blocks() const { return blocks_; }
   bool is_good() const { return pixels_ == Excess::kNone && blocks_ == Excess::kNone; }

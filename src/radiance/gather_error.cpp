@@ -32,9 +32,10 @@ constexpr int kTrials = 7;
 /// After this trial, one that is not better than this many times the last ends them.
 constexpr int kLeastTrials = 2;
 constexpr float kStalled = 0.95f;
-/// Of the rays that paths need; above it they are traced: rays of single pixels take up to twice as long as those of packets.
+/// A share of the rays that paths need; above it they are traced: rays of single pixels take up to twice as long as those of
+/// packets.
 constexpr double kLargestShare = 0.7;
-/// Of the rays that paths need, what mixing in some may take with all else.
+/// The share of the rays that paths need which mixing in some may take with all else.
 constexpr double kMostMixed = 0.75;
 /// More edges, and half the allowed error, are tried so often where means of patches err by too much, and kept where they leave
 /// this much.
@@ -319,7 +320,7 @@ void GatherMeasure::plan_frames_in_a_row(const GatherSources& sources, GatherPla
   plan.error = error_in_a_row(sources, plan.effort_alone(), kMargin * goal_.pixels);
 }
 
-/// Of frames that know the one before, if those that do not need `alone` to be good enough.
+/// The error of frames that know the one before, if those that do not need `alone` to be good enough.
 float GatherMeasure::error_in_a_row(const GatherSources& sources, const GatherEffort& alone, float enough) {
   const auto with = [&](float error) { return GatherEffort{error, alone.edges, alone.mix}; };
   Scatter scatter;

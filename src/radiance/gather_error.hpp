@@ -66,7 +66,7 @@ class GatherMeasure {
   /// What frames may err by. Means of patches by kBlockLoss times as much as those of as many paths as the goal takes.
   const FrameError& goal() const { return goal_; }
 
-  /// Of pixels of paths with trace.spp samples: mean squared error. Measured where patches have all of these or pixels are
+  /// Mean squared error of pixels of paths with trace.spp samples. Measured where patches have all of these or pixels are
   /// measured one by one; else, as goal(), of no use.
   float of_paths() const { return of_paths_.squared; }
 
@@ -102,7 +102,7 @@ class GatherMeasure {
   /// where even that takes longer.
   Timed plan_within(const GatherSources& sources, double seconds);
 
-  /// Of paths with trace.spp samples, as far as the patches tell.
+  /// What paths with trace.spp samples need, as far as the patches tell.
   double rays_of_whole_frame() const { return rays_of_paths_ / std::max(patches_.of_frame, 1e-6); }
 
   /// All that were traced.

@@ -30,7 +30,7 @@ class SampleSource {
         seed_(hash(params.seed, params.frame, kPlacesSalt)),
         width_(static_cast<std::uint32_t>(film_size(shot.optics).x)) {}
 
-  /// Of the packet's streams, which are pixels, and samples.
+  /// Takes the packet's streams, which are pixels, and samples.
   void fill(CameraPacket& packet) const {
     alignas(64) float px[kLanes], py[kLanes];
     place_samples(packet, px, py);
@@ -122,7 +122,7 @@ class BlockGatherer {
     encode(block);
   }
 
-  /// Of the block that was gathered last.
+  /// Writes the guides of the block that was gathered last.
   void write(const BlockEstimates& block, NoisyFrame& noisy) const { guides_->write(block, noisy); }
 
   RayCounts counts() const { return gatherer_.counts(); }
@@ -231,7 +231,7 @@ void list_pixels(const PacketSource& source, std::size_t strip, std::size_t bloc
                      [&](std::uint32_t pixel) { estimates.push_back(pixel, before.empty() ? 0.0f : before[pixel]); });
 }
 
-/// Of GatherHistory. By strip, and so in the same order for any number of threads.
+/// Sums up what GatherHistory expects. By strip, and so in the same order for any number of threads.
 class ExpectedError {
  public:
   explicit ExpectedError(std::size_t strips) : sums_(strips, 0.0), counts_(strips, 0.0) {}

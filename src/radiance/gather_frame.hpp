@@ -27,7 +27,7 @@ struct GatherParams {
 /// Empty: of none.
 using Scatter = std::vector<float>;
 
-/// Of each pixel half itself, as what stands still scatters again, and half the mean of those near by, in its own view and in
+/// For each pixel half itself, as what stands still scatters again, and half the mean of those near by, in its own view and in
 /// neighbouring ones: a few samples' scatter is mostly chance, and what moves a little from frame to frame stays within.
 Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool& pool);
 
@@ -41,7 +41,7 @@ struct GatherSources {
   const RadianceCache& cache;
 };
 
-/// Of the pixels that are to be gathered.
+/// What is known of the pixels that are to be gathered.
 struct GatherHistory {
   const Scatter* before = nullptr;  ///< of the frame before, smoothed: pixels scatter as much again; null: not known
   Scatter* now = nullptr;           ///< receives what this frame finds, of the gathered pixels; null: nobody asks

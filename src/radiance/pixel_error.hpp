@@ -16,13 +16,13 @@ class PixelMeasure {
  public:
   PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredPixels where, int sets, const ThreadPool& pool);
 
-  /// Of paths with trace.spp samples: half the squared difference of both sets.
+  /// The error of paths with trace.spp samples: half the squared difference of both sets.
   PixelError of_paths() const;
   /// Likewise, of those that made this picture, and one set.
   PixelError of_paths(const Image& film) const;
 
-  /// Of a picture made by any means: what it differs by from one set, times what it differs by from the other, is its squared
-  /// error on average, as what both sets err by has nothing to do with each other.
+  /// The error of a picture made by any means: what it differs by from one set, times what it differs by from the other, is its
+  /// squared error on average, as what both sets err by has nothing to do with each other.
   PixelError error_of(const Image& film) const;
 
   /// All rays that were traced.

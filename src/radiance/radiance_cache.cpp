@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Of the queries' cells of a level: of places moved along the surface, by `reach` times half a cell at most.
+/// The keys of the queries' cells of a level, for places moved along the surface, by `reach` times half a cell at most.
 LIPPMANN_MULTIVERSION void find_keys(const CacheQueries& q, int level, float reach, std::uint64_t* keys) {
   LIPPMANN_FOR_LANES(i) {
     const int exponent = exponent_of(q.size[i], level);
@@ -126,8 +126,8 @@ void RadianceCache::add(std::span<const std::span<const RadianceRecord>> records
         cell.now.add(record.light);
         cell.samples_ever += 1.0f;
         const float share = 1.0f / cell.now.count;
-        cell.doubt_now.light += share * (record.doubtful_light - cell.doubt_now.light);
-        cell.doubt_now.share += share * (record.doubtful_share - cell.doubt_now.share);
+        cell.possible_change_now.light += share * (record.changed_light - cell.possible_change_now.light);
+        cell.possible_change_now.share += share * (record.changed_share - cell.possible_change_now.share);
       }
   });
 }

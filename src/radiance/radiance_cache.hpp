@@ -39,7 +39,7 @@ struct RadianceRecord {
   /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it. Where the
   /// place itself has moved: luminance that they send there by Lambert's law, less what they sent to where it was, and the
   /// share by which cosines of other rays have changed.
-  float doubtful_light = 0.0f, doubtful_share = 0.0f;
+  float changed_light = 0.0f, changed_share = 0.0f;
 };
 
 /// Places side by side, for RadianceCache::pick.
@@ -113,7 +113,7 @@ class RadianceCache {
 
   std::size_t cells() const;
   std::size_t bytes() const;
-  /// Of a full cache.
+  /// What a cell takes in a full cache.
   static std::size_t bytes_per_cell();
 
  private:
@@ -131,7 +131,7 @@ class RadianceCache {
     float root_variance() const;  ///< of its fourth root
   };
   /// As RadianceRecord has it.
-  struct Doubt {
+  struct PossibleChange {
     float light = 0.0f, share = 0.0f;
   };
   /// Squared deviations: of the luminance, and of its fourth root.
@@ -150,8 +150,8 @@ class RadianceCache {
     Moments now, past;
     float inherited = 0.0f;  ///< samples of the past before forget()
     float samples_ever = 0.0f;
-    Doubt doubt_now;  ///< mean of what `now` holds
-    Doubt doubt;      ///< the same, with what larger cells say of it
+    PossibleChange possible_change_now;  ///< mean of what `now` holds
+    PossibleChange possible_change;      ///< the same, with what larger cells say of it
     float samples = 0.0f;
     float root = 0.0f;      ///< mean fourth root of the luminance
     Scatter scatter;        ///< of one sample
@@ -197,7 +197,7 @@ class RadianceCache {
   std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
   const Cell* parent_of(const Cell& cell) const;
   static float contradicted(const Cell& cell);
-  static float doubted(const Cell& cell, const Cell* parent);
+  static float possibly_changed(const Cell& cell, const Cell* parent);
   static float level(const Cell& cell, const Cell* parent);
   static float outdated(const Cell& cell, const Cell& parent, float moved);
   struct Interpolated {

@@ -20,8 +20,8 @@ struct SetupOutcome {
   float of_cells = 0.0f;  ///< share of the allowed error that cells make
 };
 
-/// More light where cells are too noisy; lamps, then the sky asked at every point where cells blur their shadows; smaller cells
-/// where it is other light that they blur. What has not helped is not tried again.
+/// More light where cells are too noisy; lamps, then the sky sampled at every point where cells blur their shadows; smaller
+/// cells where it is other light that they blur. What has not helped is not tried again.
 class SetupSearch {
  public:
   SetupSearch(bool has_lamps, bool has_sky) : has_lamps_(has_lamps), has_sky_(has_sky) {}

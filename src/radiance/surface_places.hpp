@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// Of a mesh, by triangle: the first vertex of the part that it hangs together with.
+/// By triangle of a mesh: the first vertex of the part that it hangs together with.
 std::vector<std::uint32_t> connected_parts(const Mesh& mesh);
 
 class SurfacePlaces {
@@ -35,7 +35,7 @@ class SurfacePlaces {
     return space.world_from_own_before * inverse(space.world_from_own);
   }
 
-  /// Of lane i. normal: where light is asked for, world space, on the viewer's side; size: of the smallest cell, world units.
+  /// Sets lane i. normal: where light is asked for, world space, on the viewer's side; size: of the smallest cell, world units.
   /// `normal` goes over to the place's space, unit length.
   CachePoint operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal, float size) const;
 

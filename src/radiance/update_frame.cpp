@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Of a packet, to be worth a packet more: cells that a surface only grazes are always sparse.
+/// So many of a packet's places make it worth a packet more: cells that a surface only grazes are always sparse.
 constexpr std::size_t kSparsePlaces = 4;
 
 /// Sub-pixel places that these rays take in turn.
@@ -73,7 +73,7 @@ struct GroupPackets {
 
 }  // namespace
 
-/// Of every group the packet whose turn it is.
+/// Updates by the packet of every group whose turn it is.
 RayCounts CacheUpdater::update_strip(const UpdateTarget& target, std::size_t strip, int round, const Choice& choice,
                                      CacheRecords& made) const {
   const auto seed = static_cast<std::uint32_t>(round);

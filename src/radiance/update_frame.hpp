@@ -15,7 +15,7 @@ struct UpdateTarget {
   RadianceCache& cache;
   const ThreadPool& pool;
   const Context& context;
-  const TouchProbe* moved = nullptr;  ///< boxes around what has moved since the frame before; null: nothing is doubtful
+  const TouchProbe* moved = nullptr;  ///< boxes around what has moved since the frame before; null: nothing has
 };
 
 /// By strip: groups of kRoundsPerFrame packets.

@@ -50,9 +50,9 @@ bool is_as_shown(const fs::path& picture, const std::string& layout, const Optic
   return layout != "integral" || has_lenses(optics);
 }
 
-FormatOptions options_of(const LightFieldSaid& said) {
+FormatOptions options_of(const LightFieldHints& hints) {
   FormatOptions options;
-  options.views = said.views, options.tiles = said.tiles;
+  options.views = hints.views, options.tiles = hints.tiles;
   return options;
 }
 
@@ -68,40 +68,40 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
 }
 
 /// What a render has left, in whatever layout.
-LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldSaid& said) {
+LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
-  if (said.view_angle_deg)
+  if (hints.view_angle_deg)
     throw usage_error("view-angle", "the report of the render says where the views were seen from", "no `view-angle`");
   if (rendering.mirrored)
     throw Error(first.string(), "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
   frames.optics = rendering.optics;
   frames.frames_per_second = rendering.frames_per_second.value_or(frames.frames_per_second);
   std::error_code ignored;
-  const std::string& layout = said.from.empty() ? rendering.layout : said.from;
+  const std::string& layout = hints.from.empty() ? rendering.layout : hints.from;
   if (fs::is_directory(first, ignored) || !is_as_shown(first, layout, rendering.optics))
-    return rearranged(std::move(frames), said.from, options_of(said));
+    return rearranged(std::move(frames), hints.from, options_of(hints));
   const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
   frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
   return frames;
 }
 
 /// A light field beside which no render's report lies.
-LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldSaid& said) {
+LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);
   if (field.cameras) {
-    if (said.view_angle_deg)
+    if (hints.view_angle_deg)
       throw usage_error("view-angle", first.string() + " says where its cameras stood", "no `view-angle`");
     frames.optics = optics_of_cameras(field, first.string());
   } else {
-    frames.optics = assumed_optics(field, said.view_angle_deg);
+    frames.optics = assumed_optics(field, hints.view_angle_deg);
     frames.assumption = fmt::format(
         "Nothing says where the cameras of {} stood. Assumed: a display {:.4g} mm high, seen from {:.4g} mm, whose views "
         "spread over {:.4g} degrees. `view-angle` sets another angle.",
         first.string(), kWindowHeightMm, kDistanceMm,
-        said.view_angle_deg.value_or(field.grid.rows > 1 ? kGridAngleDeg : kConeDeg));
+        hints.view_angle_deg.value_or(field.grid.rows > 1 ? kGridAngleDeg : kConeDeg));
   }
-  return rearranged(std::move(frames), said.from, source.options);
+  return rearranged(std::move(frames), hints.from, source.options);
 }
 
 }  // namespace
@@ -170,23 +170,23 @@ Optics assumed_optics(const LightField& field, std::optional<double> view_angle_
   return optics;
 }
 
-LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldSaid& said) {
+LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHints& hints) {
   LightFieldFrames frames;
-  frames.files = light_fields_in(in, said.from);
+  frames.files = light_fields_in(in, hints.from);
   const fs::path& first = frames.files.front();
   std::error_code ignored;
   const bool is_folder = fs::is_directory(first, ignored);
   frames.folder = first == in && is_folder ? in : first.parent_path();
-  if (!said.report.empty()) return of_render(std::move(frames), read_rendering(said.report), said);
-  if (!is_folder && said.from.empty()) {
-    if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, said);
+  if (!hints.report.empty()) return of_render(std::move(frames), read_rendering(hints.report), hints);
+  if (!is_folder && hints.from.empty()) {
+    if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, hints);
     if (!parse_quilt_name(first))
       throw Error(first.string(), "nothing says what this picture is: it has no report.json beside it, and no quilt's name",
                   "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann help convert` lists the formats");
   }
-  const LightFieldSource source = light_field_source(first, said.from, options_of(said));
-  if (source.rendering) return of_render(std::move(frames), *source.rendering, said);
-  return of_format(std::move(frames), source, said);
+  const LightFieldSource source = light_field_source(first, hints.from, options_of(hints));
+  if (source.rendering) return of_render(std::move(frames), *source.rendering, hints);
+  return of_format(std::move(frames), source, hints);
 }
 
 }  // namespace lippmann

@@ -42,8 +42,8 @@ struct SpocDisplay {
 };
 Optics spoc_display(const Optics& recorded, const SpocDisplay& display);
 
-/// Of pictures of the recorded panel, the one for the display's. Both are lens arrays of one kind. Throws a usage Error for
-/// distances that are not finite, or a reference plane that is not before the recording array.
+/// The picture of the display's panel, made of pictures of the recorded one. Both are lens arrays of one kind. Throws a usage
+/// Error for distances that are not finite, or a reference plane that is not before the recording array.
 PixelMap spoc(const Optics& recorded, const Optics& display, const SpocParams& params);
 
 }  // namespace lippmann

@@ -13,9 +13,9 @@ constexpr double kNormal99 = 2.326;  // one-sided; why not that of 95 %: see the
 constexpr std::array<std::uint8_t, 256> kLevels = [] {
   std::array<std::uint8_t, 256> levels{};
   int level = 0;
-  for (int doubt = 0; doubt < 256; ++doubt) {
-    if (doubt > kLevelEnd[static_cast<std::size_t>(level)]) ++level;
-    levels[static_cast<std::size_t>(doubt)] = static_cast<std::uint8_t>(level);
+  for (int uncertainty = 0; uncertainty < 256; ++uncertainty) {
+    if (uncertainty > kLevelEnd[static_cast<std::size_t>(level)]) ++level;
+    levels[static_cast<std::size_t>(uncertainty)] = static_cast<std::uint8_t>(level);
   }
   return levels;
 }();
@@ -25,7 +25,7 @@ class Runs {
  public:
   Runs(std::uint32_t length, std::uint32_t seed, int frame)
       : length_(length), seed_(hash(seed, static_cast<std::uint32_t>(frame))) {
-    for (std::uint32_t level = 0; level < kDoubtLevels; ++level) begin(level);
+    for (std::uint32_t level = 0; level < kUncertaintyLevels; ++level) begin(level);
   }
 
   /// Whether the next pixel of a level is the sample of its run.
@@ -44,7 +44,7 @@ class Runs {
   void begin(std::uint32_t level) { runs_[level].sample = hash(seed_, level, runs_[level].index) % length_; }
 
   std::uint32_t length_, seed_;
-  std::array<Run, kDoubtLevels> runs_;
+  std::array<Run, kUncertaintyLevels> runs_;
 };
 
 double squared_deviations(const Evidence::Level& level) {
@@ -53,18 +53,18 @@ double squared_deviations(const Evidence::Level& level) {
 
 }  // namespace
 
-int level_of(std::uint8_t doubt) { return kLevels[doubt]; }
+int level_of(std::uint8_t uncertainty) { return kLevels[uncertainty]; }
 
 std::uint32_t patches_per_sample(std::size_t patches) {
   constexpr std::size_t kLeast = 4, kMost = 64, kSamples = 400;
   return static_cast<std::uint32_t>(std::clamp(patches / kSamples, kLeast, kMost));
 }
 
-HeldOut hold_out(std::span<const std::uint8_t> doubt, std::uint32_t seed, int frame) {
+HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame) {
   HeldOut held_out{};
-  Runs runs(patches_per_sample(doubt.size()), seed, frame);
-  for (std::size_t p = 0; p < doubt.size(); ++p) {
-    const std::uint8_t level = kLevels[doubt[p]];
+  Runs runs(patches_per_sample(uncertainty.size()), seed, frame);
+  for (std::size_t p = 0; p < uncertainty.size(); ++p) {
+    const std::uint8_t level = kLevels[uncertainty[p]];
     ++held_out.population[level];
     if (!runs.draw(level)) continue;
     ++held_out.drawn[level];
@@ -95,11 +95,11 @@ void Evidence::weigh(double weight) {
   for (Level& level : levels) level.count *= weight, level.sum *= weight, level.squares *= weight;
 }
 
-std::array<ErrorEstimate, kDoubtLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence) {
+std::array<ErrorEstimate, kUncertaintyLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence) {
   double patches = 0.0;
   for (const std::uint64_t population : held_out.population) patches += static_cast<double>(population);
 
-  std::array<ErrorEstimate, kDoubtLevels> errors;
+  std::array<ErrorEstimate, kUncertaintyLevels> errors;
   double mse = 0.0, variance = 0.0, weight = 0.0, unseen = kUnseenError * kUnseenError;
   for (std::size_t h = 0; h < errors.size(); ++h) {
     const Evidence::Level& known = evidence.levels[h];
@@ -119,7 +119,7 @@ std::array<ErrorEstimate, kDoubtLevels> estimate_errors(const HeldOut& held_out,
   return errors;
 }
 
-int trusted_levels(const std::array<ErrorEstimate, kDoubtLevels>& errors, double mse) {
+int trusted_levels(const std::array<ErrorEstimate, kUncertaintyLevels>& errors, double mse) {
   const auto failed = std::find_if(errors.begin(), errors.end(), [&](const ErrorEstimate& e) { return e.bound > mse; });
   return static_cast<int>(failed - errors.begin());
 }

@@ -1,9 +1,9 @@
 // Held-out patches: a sample of an in-between frame's predictions that is traced to learn how wrong the others are.
 //
-// Patches (patches.hpp) are sorted into levels by their doubt (doubt.hpp), and every level is sampled by itself: of each run of
-// R consecutive patches of a level one, at a place hashed from seed, frame, level and run. So every patch has the chance 1/R,
-// and samples are spread evenly over levels and picture (stratified sampling of clusters: W. G. Cochran, "Sampling Techniques",
-// 3rd ed., 1977, chapters 5 and 9).
+// Patches (patches.hpp) are sorted into levels by their uncertainty (uncertainty.hpp), and every level is sampled by itself: of
+// each run of R consecutive patches of a level one, at a place hashed from seed, frame, level and run. So every patch has the
+// chance 1/R, and samples are spread evenly over levels and picture (stratified sampling of clusters: W. G. Cochran, "Sampling
+// Techniques", 3rd ed., 1977, chapters 5 and 9).
 //
 // With N patches in the frame, N_h in level h, n_h of them drawn, e_hi the mean squared errors of the samples known of that
 // level (over pixels and R, G, B, in 8-bit display codes), k_h how many and m_h their mean, the mean squared error that levels
@@ -17,10 +17,10 @@
 // of a Poisson count are 3.0, 4.7, 6.3, 7.8: few errors are not normally distributed, so that the normal quantile of 95
 // %, 1.645, would fall short of them, and that of 99 % is taken. It is a bound for errors like those that samples can find:
 // what is wrong in a few pixels of a frame, by a hundred codes, and nowhere else, has to stay below kUnseenError. A level of
-// which no sample is known is taken to err by its doubt.
+// which no sample is known is taken to err by its uncertainty.
 //
 // The samples known are the frame's own and, by kLearnedWeight, all patches of a frame near by that was predicted and traced as
-// a whole: what a level of doubt errs by is taken to be the same in both. Then few of the frame's own are needed.
+// a whole: what a level of uncertainty errs by is taken to be the same in both. Then few of the frame's own are needed.
 #pragma once
 
 #include <array>
@@ -30,29 +30,29 @@
 
 namespace lippmann {
 
-/// Levels of doubt: 0, 1, 2, 3, then about the square root of 2 wide.
-inline constexpr int kDoubtLevels = 24;
-/// The largest doubt of each level.
-inline constexpr std::array<std::uint8_t, kDoubtLevels> kLevelEnd{0,  1,  2,  3,  4,  5,  6,  8,  10, 12,  14,  17,
-                                                                  20, 24, 28, 34, 40, 48, 57, 68, 81, 114, 161, 255};
+/// Levels of uncertainty: 0, 1, 2, 3, then about the square root of 2 wide.
+inline constexpr int kUncertaintyLevels = 24;
+/// The largest uncertainty of each level.
+inline constexpr std::array<std::uint8_t, kUncertaintyLevels> kLevelEnd{0,  1,  2,  3,  4,  5,  6,  8,  10, 12,  14,  17,
+                                                                        20, 24, 28, 34, 40, 48, 57, 68, 81, 114, 161, 255};
 
-int level_of(std::uint8_t doubt);
+int level_of(std::uint8_t uncertainty);
 
 inline constexpr double kUnseenError = 12.0;  ///< root mean square over a patch, codes: of one pixel's error a quarter
 
 /// The sample of one frame.
 struct HeldOut {
-  std::vector<std::uint32_t> patches;                  ///< ascending
-  std::vector<std::uint8_t> levels;                    ///< of those patches
-  std::array<std::uint64_t, kDoubtLevels> population;  ///< patches of the frame by level
-  std::array<std::uint64_t, kDoubtLevels> drawn;       ///< how many of them are in the sample
+  std::vector<std::uint32_t> patches;                        ///< ascending
+  std::vector<std::uint8_t> levels;                          ///< of those patches
+  std::array<std::uint64_t, kUncertaintyLevels> population;  ///< patches of the frame by level
+  std::array<std::uint64_t, kUncertaintyLevels> drawn;       ///< how many of them are in the sample
 };
 
 /// R for frames of that many patches: such that there are about 400 samples, within 4 ... 64.
 std::uint32_t patches_per_sample(std::size_t patches);
 
-/// `doubt` of patches.
-HeldOut hold_out(std::span<const std::uint8_t> doubt, std::uint32_t seed, int frame);
+/// `uncertainty` of patches.
+HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame);
 
 /// What a patch of the frame that was learned from counts as, in samples: its patches have their errors in common, with their
 /// neighbours', and other frames will differ from it.
@@ -64,7 +64,7 @@ struct Evidence {
   struct Level {
     double count = 0.0, sum = 0.0, squares = 0.0, largest = 0.0;
   };
-  std::array<Level, kDoubtLevels> levels;
+  std::array<Level, kUncertaintyLevels> levels;
 
   /// `squared_errors`: one per held-out patch.
   void add(const HeldOut& held_out, std::span<const double> squared_errors);
@@ -80,11 +80,11 @@ struct ErrorEstimate {
 };
 
 /// Entry h: what levels 0 ... h leave in the frame that `held_out` is of. `evidence`: of that sample, and maybe others.
-std::array<ErrorEstimate, kDoubtLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence);
+std::array<ErrorEstimate, kUncertaintyLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence);
 
 /// How many levels, from the lowest on, can be trusted so that the frame's error stays at or below `mse`: every one of their
 /// bounds does. Levels are thus tested in a fixed order until one fails, so that trusting too many has a chance of 5 %, however
 /// many are tested.
-int trusted_levels(const std::array<ErrorEstimate, kDoubtLevels>& errors, double mse);
+int trusted_levels(const std::array<ErrorEstimate, kUncertaintyLevels>& errors, double mse);
 
 }  // namespace lippmann

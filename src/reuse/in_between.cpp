@@ -9,12 +9,12 @@ namespace {
 /// evenly; equal weights even out what either frame's samples miss. In between, both are better off than at either end.
 constexpr float kNearness = 0.7f;
 
-/// Of the following frame.
+/// The share of the following frame.
 float weight_at(float position) { return 0.5f + kNearness * (position - 0.5f); }
 
 bool has_size(const Image& film, Vec2i size) { return film.width == size.x && film.height == size.y && film.channels == 3; }
 
-/// Of equals: the same bits.
+/// The mean of equals has the same bits.
 void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& pool, Image& film) {
   constexpr std::size_t kPiece = std::size_t{1} << 15;
   const std::size_t values = film.data.size();
@@ -37,7 +37,7 @@ InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const F
   if (params.sampling == SplatSampling::kEpipolar && by_view && EpipolarSampler::suits(optics))
     sampler_.emplace(optics, scene.encoding);
   if (!params.floor) return;
-  doubter_.emplace(optics, scene.encoding);
+  uncertainty_estimator_.emplace(optics, scene.encoding);
   patches_.emplace(optics, params.order);
 }
 
@@ -99,7 +99,8 @@ void InBetweenMaker::predict(const PointImage& previous, const PointImage& follo
     const Motion to_following = motion_between(groups_, frame.moment, following.moment);
     counts.causes = resolve_missed({a, b, to_previous, to_following}, splatter_, steps_, missed_, pool, &frame.film);
   }
-  doubter_->estimate({from_previous_, landed_previous_}, {from_following_, landed_following_}, frame.film, pool, doubt_);
+  uncertainty_estimator_->estimate({from_previous_, landed_previous_}, {from_following_, landed_following_}, frame.film, pool,
+                                   uncertainty_);
 }
 
 FloorLesson InBetweenMaker::learn_floor(const PointImage& previous, const PointImage& following, float position, int number,
@@ -109,7 +110,7 @@ FloorLesson InBetweenMaker::learn_floor(const PointImage& previous, const PointI
   InBetweenCounts counts;
   predict(previous, following, position, pool, predicted, counts);
   const std::vector<float> costs = patches_->costs(previous.rays);
-  return lippmann::learn_floor(*params_.floor, {number, doubt_, costs}, *patches_, encoding_, predicted.film, traced.film,
+  return lippmann::learn_floor(*params_.floor, {number, uncertainty_, costs}, *patches_, encoding_, predicted.film, traced.film,
                                pool);
 }
 
@@ -119,7 +120,7 @@ FloorOutcome InBetweenMaker::make_to_floor(const PointImage& previous, const Poi
   predict(previous, following, position, pool, frame, counts);
   const std::vector<float> costs = patches_->costs(previous.rays);
   const FloorOutcome outcome =
-      hold_floor(*params_.floor, {number, doubt_, costs}, learned, *patches_, encoding_, trace, pool, frame.film);
+      hold_floor(*params_.floor, {number, uncertainty_, costs}, learned, *patches_, encoding_, trace, pool, frame.film);
   counts.retraced = outcome.retraced;
   return outcome;
 }

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "reuse/doubt.hpp"
 #include "reuse/epipolar.hpp"
 #include "reuse/missed.hpp"
 #include "reuse/quality_floor.hpp"
 #include "reuse/retrace.hpp"
+#include "reuse/uncertainty.hpp"
 
 namespace lippmann {
 
@@ -61,7 +61,7 @@ class InBetweenMaker {
 
  private:
   Image& film_of(PointImage& frame) const;
-  /// Fills frame.film and doubt_.
+  /// Fills frame.film and uncertainty_.
   void predict(const PointImage& previous, const PointImage& following, float position, const ThreadPool& pool,
                PointImage& frame, InBetweenCounts& counts);
 
@@ -74,10 +74,10 @@ class InBetweenMaker {
   std::optional<EpipolarSampler> sampler_;
   SplatBuffer landed_previous_, landed_following_;
   std::vector<std::uint32_t> missed_;
-  std::optional<DoubtEstimator> doubter_;
+  std::optional<UncertaintyEstimator> uncertainty_estimator_;
   std::optional<Patches> patches_;
   Image from_previous_, from_following_;  ///< predictions of one key frame alone
-  std::vector<std::uint8_t> doubt_;
+  std::vector<std::uint8_t> uncertainty_;
 };
 
 }  // namespace lippmann

@@ -27,7 +27,7 @@ void set_column(GridLanding& grid, int set, int i, const GridLine& line) {
   grid.high[at] = line.high;
 }
 
-/// Of an axis with whole cells.
+/// The rule of an axis with whole cells.
 GridScale scale_of(const LensAxis<double>& axis) {
   return {static_cast<float>(1.0 / axis.pitch_mm), static_cast<float>(0.5 - axis.lens0_mm / axis.pitch_mm),
           static_cast<float>(axis.whole_pixels)};

@@ -79,7 +79,7 @@ Vec3f interpolated(const SplatPair& pair, std::uint32_t pixel, const Surrounding
     if (neighbour) farthest = std::min(farthest, neighbour->seen.z);
   if (farthest == kInfinity)
     return 0.5f * (color_at(pair.previous.image.film, pixel) + color_at(pair.following.image.film, pixel));
-  // Of background (-inf) there is but one layer.
+  // The background (-inf) is but one layer.
   const float layer_end = farthest == -kInfinity ? farthest : farthest + kSameLayer * (1.0f + std::abs(farthest));
   Vec3f sum(0.0f);
   float weights = 0.0f;

@@ -22,9 +22,9 @@ class Patches {
   Patches(const Optics& optics, RayOrder order);
 
   std::size_t count() const { return begin_.size() - 1; }
-  /// Of all patches.
+  /// How many pixels all patches have.
   std::size_t pixel_count() const { return pixels_.size(); }
-  /// Of one patch: 16, fewer or none at the panel's lower edge.
+  /// The pixels of one patch: 16, fewer or none at the panel's lower edge.
   std::span<const std::uint32_t> pixels(std::size_t patch) const {
     return {pixels_.data() + begin_[patch], begin_[patch + 1] - begin_[patch]};
   }

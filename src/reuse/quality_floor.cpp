@@ -46,9 +46,9 @@ double share_of_rays(std::span<const float> costs, std::span<const std::uint8_t>
 }
 
 /// By patch: of level `level` or above, and not held out.
-std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t> doubt, Indices held_out) {
-  std::vector<std::uint8_t> wanted(doubt.size());
-  for (std::size_t p = 0; p < doubt.size(); ++p) wanted[p] = level_of(doubt[p]) >= level;
+std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t> uncertainty, Indices held_out) {
+  std::vector<std::uint8_t> wanted(uncertainty.size());
+  for (std::size_t p = 0; p < uncertainty.size(); ++p) wanted[p] = level_of(uncertainty[p]) >= level;
   for (const std::uint32_t patch : held_out) wanted[patch] = 0;
   return wanted;
 }
@@ -66,21 +66,21 @@ std::uint64_t pixels_in(const Patches& patches, std::span<const std::uint8_t> wa
 
 FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Patches& patches, Encoding encoding,
                         const Image& predicted, const Image& traced, const ThreadPool& pool) {
-  std::vector<std::uint8_t> doubt;
-  patches.root_mean_squares(frame.doubt, pool, doubt);
-  const HeldOut held_out = hold_out(doubt, params.seed, frame.number);
+  std::vector<std::uint8_t> uncertainty;
+  patches.root_mean_squares(frame.uncertainty, pool, uncertainty);
+  const HeldOut held_out = hold_out(uncertainty, params.seed, frame.number);
   HeldOut all = held_out;
   all.patches.resize(patches.count()), all.levels.resize(patches.count());
   for (std::uint32_t p = 0; p < all.patches.size(); ++p) {
     all.patches[p] = p;
-    all.levels[p] = static_cast<std::uint8_t>(level_of(doubt[p]));
+    all.levels[p] = static_cast<std::uint8_t>(level_of(uncertainty[p]));
   }
   FloorLesson lesson;
   lesson.evidence.add(all, errors_of(patches, all.patches, codes_of(predicted, patches, all.patches, encoding),
                                      codes_of(traced, patches, all.patches, encoding)));
   lesson.evidence.weigh(kLearnedWeight);
   const int trusted = trusted_levels(estimate_errors(held_out, lesson.evidence), most_error(params));
-  std::vector<std::uint8_t> wanted = of_levels_from(trusted, doubt, {});
+  std::vector<std::uint8_t> wanted = of_levels_from(trusted, uncertainty, {});
   for (const std::uint32_t patch : held_out.patches) wanted[patch] = 1;
   lesson.cost = partial_tracing_cost(share_of_rays(frame.costs, wanted));
   return lesson;
@@ -88,9 +88,9 @@ FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, 
 
 FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned, const Patches& patches,
                         Encoding encoding, const TracePackets& trace, const ThreadPool& pool, Image& film) {
-  std::vector<std::uint8_t> doubt;
-  patches.root_mean_squares(frame.doubt, pool, doubt);
-  const HeldOut held_out = hold_out(doubt, params.seed, frame.number);
+  std::vector<std::uint8_t> uncertainty;
+  patches.root_mean_squares(frame.uncertainty, pool, uncertainty);
+  const HeldOut held_out = hold_out(uncertainty, params.seed, frame.number);
   std::vector<std::uint8_t> wanted(patches.count());
   for (const std::uint32_t patch : held_out.patches) wanted[patch] = 1;
   const std::vector<unsigned char> predicted = codes_of(film, patches, held_out.patches, encoding);
@@ -104,7 +104,7 @@ FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, 
   auto errors = estimate_errors(held_out, evidence);
   for (std::size_t h = 0; h < errors.size(); ++h) errors[h].bound = std::max(errors[h].bound, by_sample[h].mse);
   const int trusted = trusted_levels(errors, most_error(params));
-  const std::vector<std::uint8_t> rest = of_levels_from(trusted, doubt, held_out.patches);
+  const std::vector<std::uint8_t> rest = of_levels_from(trusted, uncertainty, held_out.patches);
   if (trusted == 0 || partial_tracing_cost(share_of_rays(frame.costs, rest)) > kMostCost) return outcome;
   trace(rest, film);
   outcome.retraced += pixels_in(patches, rest);

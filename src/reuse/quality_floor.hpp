@@ -1,6 +1,6 @@
 // Traces of a predicted frame what has to be traced for its PSNR to stay at or above a floor.
 //
-//   1. What patches of each level of doubt err by is known from a frame near by that was predicted and traced as a whole
+//   1. What patches of each level of uncertainty err by is known from a frame near by that was predicted and traced as a whole
 //      (learn_floor), and from held-out patches of this frame, which are traced. Both together bound with 95 % confidence what
 //      each level leaves in the frame (held_out.hpp).
 //   2. The most levels, from the lowest on, that keep the bound within the floor's mean squared error, and whose errors by this
@@ -29,9 +29,9 @@ inline constexpr double kMostCost = 0.9;
 
 /// What is known of a predicted frame.
 struct PredictedFrame {
-  int number = 0;                       ///< in the animation
-  std::span<const std::uint8_t> doubt;  ///< of pixels
-  std::span<const float> costs;         ///< of patches (Patches::costs)
+  int number = 0;                             ///< in the animation
+  std::span<const std::uint8_t> uncertainty;  ///< of pixels
+  std::span<const float> costs;               ///< of patches (Patches::costs)
 };
 
 /// What a frame that was predicted and traced as a whole tells about others.

@@ -248,7 +248,7 @@ Mat3f turned_in_node(const Setting& setting, int node, const Mat3f& node_from_vi
   return glm::transpose(world_from_node) * turned(world_from_node * node_from_view, orbit);
 }
 
-/// Of the view that would be there without the wish to fit it to something.
+/// Takes the view that would be there without the wish to fit it to something.
 Direction direction_of(const Scene& scene) {
   Direction direction;
   if (scene.display) {

@@ -34,7 +34,7 @@ struct SeenParts {
   void add(const SeenParts& parts) { bounds.add(parts.bounds), tangent = glm::max(tangent, parts.tangent); }
 };
 
-/// Of one instance, in the frame that the region is given in.
+/// The bounds of one instance, in the frame that the region is given in.
 SeenParts seen_parts(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
                      const Affine3f& frame_from_world, const ConvexRegion& region);
 

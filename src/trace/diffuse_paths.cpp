@@ -24,7 +24,7 @@ void PathIntegrator::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf,
   if (before) {
     const float cosine = glm::dot(bsdf.normal(), sample.direction);
     const float cosine_before = std::max(0.0f, glm::dot(before->linear * bsdf.normal(), sample.direction));
-    (*doubts_)[ray.pixel].turned_share += luminance(ray.throughput) * std::abs(cosine_before / cosine - 1.0f);
+    (*changes_)[ray.pixel].turned_share += luminance(ray.throughput) * std::abs(cosine_before / cosine - 1.0f);
   }
   // What the path meets compares its density with that of sample(), whose light is a point-like one at times.
   const float chance = lights().chance({from, LightGroup::kEnd});
@@ -37,7 +37,7 @@ void PathIntegrator::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf,
 void PathIntegrator::watch_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
   const LaneMask met = probe_->met(packet.ray, active);
   for (int i = 0; i < kLanes; ++i)
-    if (met.lane[i]) (*doubts_)[rays[i].pixel].share += luminance(rays[i].throughput);
+    if (met.lane[i]) (*changes_)[rays[i].pixel].share += luminance(rays[i].throughput);
 }
 
 /// What the light sends there, by Lambert's law, less what it sent to where the surface was.
@@ -53,7 +53,7 @@ void PathIntegrator::watch_turning(Vec3f position, Vec3f normal, const LightSamp
   }
   const float cosine_before = std::max(0.0f, glm::dot(before.linear * normal, way));
   const float per_cosine = luminance(ray.throughput * light.radiance) / (kPi * light.density);
-  (*doubts_)[ray.pixel].turned_light += per_cosine * (cosine - nearer * cosine_before);
+  (*changes_)[ray.pixel].turned_light += per_cosine * (cosine - nearer * cosine_before);
 }
 
 }  // namespace lippmann

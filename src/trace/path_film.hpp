@@ -16,7 +16,7 @@ struct FirstSurfaces {
 /// The last row of the matrix from world to display.
 Vec4f display_z(const Affine3f& world_from_display);
 
-/// Three channels a pixel each, unless something else is said; null: nowhere.
+/// Three channels a pixel each, unless stated otherwise; null: nowhere.
 struct PathFilm {
   float* all = nullptr;
   float* direct = nullptr;    ///< what shines by itself, and what one surface has scattered

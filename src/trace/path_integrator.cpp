@@ -73,7 +73,7 @@ void PathIntegrator::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, c
 
 void PathIntegrator::trace_shadow_rays() {
   if (probe_)
-    shadow_rays_.probe(*probe_, [this](const ShadowRay& ray) { (*doubts_)[ray.pixel].light += luminance(ray.radiance); });
+    shadow_rays_.probe(*probe_, [this](const ShadowRay& ray) { (*changes_)[ray.pixel].light += luminance(ray.radiance); });
   counts_.shadow +=
       shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
 }

@@ -1,4 +1,4 @@
-// Path tracing in full: at every vertex one light is asked for by a shadow ray (next-event estimation), and the path goes on in
+// Path tracing in full: at every vertex one light is sampled by a shadow ray (next-event estimation), and the path goes on in
 // a direction drawn from the BSDF, until roulette or its depth ends it.
 #pragma once
 
@@ -31,15 +31,15 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
                       const Numbers& numbers, const Affine3f* before = nullptr);
 
   /// What has to do with what moves, by pixel of the film: see RadianceRecord.
-  struct Doubt {
+  struct PossibleChange {
     float light = 0.0f, share = 0.0f;
     /// The same of a surface that moves by itself: by how much more light falls onto it as it stands now than as it stood, were
     /// the way free.
     float turned_light = 0.0f, turned_share = 0.0f;
   };
-  /// From now on every ray that gather_diffuse() leads to is tested against the probe's boxes; `doubts`, one for each pixel of
+  /// From now on every ray that gather_diffuse() leads to is tested against the probe's boxes; `changes`, one for each pixel of
   /// the film, receives what those that meet one stand for. Both outlive this.
-  void watch(const TouchProbe& probe, std::vector<Doubt>& doubts) { probe_ = &probe, doubts_ = &doubts; }
+  void watch(const TouchProbe& probe, std::vector<PossibleChange>& changes) { probe_ = &probe, changes_ = &changes; }
 
  private:
   friend class PathTracer<PathIntegrator>;
@@ -60,7 +60,7 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   Vec3f clamped(Vec3f radiance, int depth) const;
 
   const TouchProbe* probe_ = nullptr;  ///< null: nothing is watched
-  std::vector<Doubt>* doubts_ = nullptr;
+  std::vector<PossibleChange>* changes_ = nullptr;
   std::array<float, 2> noise_weights_{};  ///< of a sample of either half: see weights_of_halves()
   ShadowQueue shadow_rays_;
   struct LanePairs {

@@ -17,7 +17,7 @@ struct PathRay {
   std::uint16_t depth = 0;            ///< vertices on surfaces so far
   bool spread = false;                ///< scattered by other than Dirac lobes: textures need not be sharp
   std::uint16_t events : 13 = 0;      ///< vertices, passed surfaces included: what the random numbers go by
-  std::uint16_t lights_from : 3 = 0;  ///< LightGroups before this one have been asked already: to meet them adds nothing
+  std::uint16_t lights_from : 3 = 0;  ///< LightGroups before this one have been sampled already: to meet them adds nothing
 };
 
 /// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.

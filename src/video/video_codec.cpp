@@ -44,7 +44,7 @@ std::string names(const std::vector<VideoCodec>& codecs) {
   return text;
 }
 
-/// Of a side, in pixels. H.264, HEVC: what decoders in devices take (levels 5.2 and 6.2); VP9, AV1: the largest quilts.
+/// The longest side in pixels. H.264, HEVC: what decoders in devices take (levels 5.2 and 6.2); VP9, AV1: the largest quilts.
 int longest_side(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:

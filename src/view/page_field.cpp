@@ -91,17 +91,17 @@ std::vector<PageFrame> label_frames(const std::vector<fs::path>& files, const st
   return frames;
 }
 
-FormatOptions options_with_depth(const LightFieldSaid& said) {
+FormatOptions options_with_depth(const LightFieldHints& hints) {
   FormatOptions options;
-  options.views = said.views, options.tiles = said.tiles, options.with_depth = true;
+  options.views = hints.views, options.tiles = hints.tiles, options.with_depth = true;
   return options;
 }
 
 }  // namespace
 
-PageField::PageField(fs::path in, LightFieldSaid said, const Context& context)
-    : said_(std::move(said)),
-      frames_(find_light_field_frames(in, said_)),
+PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
+    : hints_(std::move(hints)),
+      frames_(find_light_field_frames(in, hints_)),
       root_(shown_root(in)),
       facts_(facts_of(frames_, rendered_views(frames_.optics))),
       pool_(resolved_threads(context)) {
@@ -129,7 +129,7 @@ Image8 PageField::quilt(std::size_t frame) const {
 Image8 PageField::disparities(std::size_t frame) const {
   const fs::path& file = frames_.files[frame];
   require_within(root_, file);
-  const LightFieldSource source = light_field_source(file, said_.from, options_with_depth(said_));
+  const LightFieldSource source = light_field_source(file, hints_.from, options_with_depth(hints_));
   const LightField field = source.format->read(file, source.options);
   if (!field.depth || field.grid != facts_.grid || field.view_size != facts_.view_size)
     throw Error(file.string(), "has no depth of its views, which the first frame has", "render with `aov` depth");
@@ -154,7 +154,7 @@ bool PageField::has_depth_beside(std::size_t frame) const {
   if (facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return false;
   const fs::path& file = frames_.files[frame];
   require_within(root_, file);
-  const LightFieldSource source = light_field_source(file, said_.from, options_with_depth(said_));
+  const LightFieldSource source = light_field_source(file, hints_.from, options_with_depth(hints_));
   const LightField field = source.format->read(file, source.options);
   return field.depth.has_value() && field.grid == facts_.grid && field.view_size == facts_.view_size;
 }

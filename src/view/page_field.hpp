@@ -55,11 +55,11 @@ class PageField {
   /// Throws Error naming the file, or the flag that has to say what nothing else says; depth that cannot be read is left out
   /// with a warning. Files that lead out of the folder that
   /// is shown are refused when they are read.
-  PageField(std::filesystem::path in, LightFieldSaid said, const Context& context);
+  PageField(std::filesystem::path in, LightFieldHints hints, const Context& context);
 
   const PageFacts& facts() const { return facts_; }
 
-  // Of the frame of that index, below facts().frames.size(). All throw Error naming the file; thread-safe.
+  // These are of the frame of that index, below facts().frames.size(). All throw Error naming the file; thread-safe.
 
   /// sRGB codes; facts().tiles of facts().view_size.
   Image8 quilt(std::size_t frame) const;
@@ -73,7 +73,7 @@ class PageField {
   bool has_depth_beside(std::size_t frame) const;
   Image seen_by_eyes(const RenderedPanel& rendered) const;
 
-  LightFieldSaid said_;
+  LightFieldHints hints_;
   LightFieldFrames frames_;
   std::filesystem::path root_;
   PageFacts facts_;

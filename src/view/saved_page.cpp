@@ -103,7 +103,7 @@ SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const
 
 SavedPage save_page(const fs::path& in, const fs::path& folder, const Context& context) {
   std::vector<std::unique_ptr<PageField>> fields;
-  fields.push_back(std::make_unique<PageField>(in, LightFieldSaid{}, context));
+  fields.push_back(std::make_unique<PageField>(in, LightFieldHints{}, context));
   return save_page(fields, folder, context);
 }
 

@@ -1,7 +1,7 @@
 // Which eyes the views of a page stand for, along one axis: equally far apart in slope, or in angle.
 //
 // An eye is its slope at the middle of the display (optics/viewer.hpp), so that eyes of displays for an infinitely far viewer
-// are said in the same way as others. View i has T(slope) = first + i step, T the identity, or the arc tangent where
+// are described in the same way as others. View i has T(slope) = first + i step, T the identity, or the arc tangent where
 // `by_angle`.
 #pragma once
 
@@ -32,7 +32,7 @@ struct ViewAxes {
   double vergence = 0.0;  ///< of all of these eyes: 1 / distance, per mm
 };
 
-/// Of the views of whole pixels that these optics have, or of eyes in as many directions as can be told apart.
+/// The axes of the views of whole pixels that these optics have, or of eyes in as many directions as can be told apart.
 ViewAxes view_axes(const Optics& optics, ViewGrid grid);
 
 }  // namespace lippmann

@@ -36,11 +36,11 @@ SmallScene turning_square() {
 }
 
 /// Means over what is fed at a moment, where everything is watched that has moved since the one before.
-struct MeanDoubt {
+struct MeanChange {
   double light = 0.0, share = 0.0;
 };
 
-MeanDoubt doubt_of(const SmallScene& small, double before, double now) {
+MeanChange change_of(const SmallScene& small, double before, double now) {
   const Scene& scene = small.scene;
   const ThreadPool pool(1);
   const Context context;
@@ -60,38 +60,38 @@ MeanDoubt doubt_of(const SmallScene& small, double before, double now) {
   TraceParams params;
   params.max_depth = scene.max_depth;
   const CacheUpdater updater({device, optics, {}}, params);
-  MeanDoubt mean;
+  MeanChange mean;
   double count = 0.0;
   for (int round = 0; round < 8; ++round)
     for (const CacheRecords& strip : updater.update({cells, cache, pool, context, &moved}, round).strips)
       for (const RadianceRecord& record : strip.records) {
-        mean.light += static_cast<double>(record.doubtful_light), mean.share += static_cast<double>(record.doubtful_share);
+        mean.light += static_cast<double>(record.changed_light), mean.share += static_cast<double>(record.changed_share);
         count += 1.0;
       }
   return {mean.light / count, mean.share / count};
 }
 
 // A lamp of area A and radiance L, d away, sends L A cos / (pi d^2) to a white surface. The square's cosine was cos(45 degrees)
-// and is cos(45 degrees - turn): so much light is doubtful, though it has not left its place.
+// and is cos(45 degrees - turn): so much light may have changed, though it has not left its place.
 TEST(CacheUpdate, what_turns_towards_a_lamp_gets_as_much_more_light) {
-  const MeanDoubt doubt = doubt_of(turning_square(), 0.0, 0.5);
+  const MeanChange change = change_of(turning_square(), 0.0, 0.5);
   const double area = 4.0 * kLampHalf * kLampHalf, across = kLampDistance;
   const double per_cosine = kLampLight * area / (M_PI * across * across);
   const double more = per_cosine * (std::cos(M_PI / 4 - kTurn) - std::cos(M_PI / 4));
-  EXPECT_NEAR(doubt.light, more, 0.02 * more);
+  EXPECT_NEAR(change.light, more, 0.02 * more);
 }
 
 // What comes from all around, by the mean change of the cosine it arrives at: about as much as it turns by.
-TEST(CacheUpdate, what_turns_doubts_light_from_all_around) {
-  const MeanDoubt doubt = doubt_of(turning_square(), 0.0, 0.5);
-  EXPECT_GT(doubt.share, 0.6 * kTurn);
-  EXPECT_LT(doubt.share, 1.4 * kTurn);
+TEST(CacheUpdate, what_turns_may_change_light_from_all_around) {
+  const MeanChange change = change_of(turning_square(), 0.0, 0.5);
+  EXPECT_GT(change.share, 0.6 * kTurn);
+  EXPECT_LT(change.share, 1.4 * kTurn);
 }
 
 TEST(CacheUpdate, what_lies_still_is_sure_of_its_light) {
-  const MeanDoubt doubt = doubt_of(turning_square(), 0.5, 1.0);
-  EXPECT_NEAR(doubt.light, 0.0, 1e-6);
-  EXPECT_NEAR(doubt.share, 0.0, 1e-6);
+  const MeanChange change = change_of(turning_square(), 0.5, 1.0);
+  EXPECT_NEAR(change.light, 0.0, 1e-6);
+  EXPECT_NEAR(change.share, 0.0, 1e-6);
 }
 
 }  // namespace

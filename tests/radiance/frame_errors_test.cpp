@@ -10,7 +10,7 @@ namespace {
 
 FrameError error(float pixels, float uncertainty = 0.0f) { return {pixels, 0.5f * pixels, uncertainty, 0.5f * uncertainty}; }
 
-TEST(FrameErrors, an_error_beyond_doubt_is_too_large_at_once) {
+TEST(FrameErrors, an_error_beyond_chance_is_too_large_at_once) {
   FrameErrors errors;
   errors.add(error(1.0f), error(2.0f));
   EXPECT_EQ(errors.pixels(), Excess::kNone);

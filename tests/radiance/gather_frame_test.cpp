@@ -322,7 +322,7 @@ TEST(FeedFrame, scarce_places_are_found_and_fed_until_there_is_enough) {
 }
 
 // A box that holds the scene is passed by all rays, and one within the floor by none.
-TEST(FeedFrame, light_is_doubtful_where_rays_pass_what_has_moved) {
+TEST(FeedFrame, light_may_have_changed_where_rays_pass_what_has_moved) {
   SmallScene s = lit_by_all();
   const ThreadPool pool(1);
   const Context context;
@@ -341,12 +341,12 @@ TEST(FeedFrame, light_is_doubtful_where_rays_pass_what_has_moved) {
     return updater.update({cells, cache, pool, context, &moved}, 0);
   };
   const UpdateRound all = cached({Vec3f(-9.0f), Vec3f(9.0f)});
-  std::size_t doubtful = 0;
+  std::size_t changed = 0;
   for (const CacheRecords& strip : all.strips)
-    for (const RadianceRecord& r : strip.records) doubtful += r.doubtful_light + r.doubtful_share > 0.0f;
-  EXPECT_GT(doubtful, all.records() * 95 / 100);  // but for paths that end where they begin
+    for (const RadianceRecord& r : strip.records) changed += r.changed_light + r.changed_share > 0.0f;
+  EXPECT_GT(changed, all.records() * 95 / 100);  // but for paths that end where they begin
   for (const CacheRecords& strip : cached({Vec3f(-1.0f, -1.15f, -1.0f), Vec3f(1.0f, -1.05f, 1.0f)}).strips)
-    for (const RadianceRecord& r : strip.records) EXPECT_EQ(r.doubtful_light + r.doubtful_share, 0.0f);
+    for (const RadianceRecord& r : strip.records) EXPECT_EQ(r.changed_light + r.changed_share, 0.0f);
 }
 
 // Twelve renders each: |t| of the mean's difference below 4, which chance exceeds once in 1,500 tests of 22 degrees of freedom;

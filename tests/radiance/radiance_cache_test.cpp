@@ -273,14 +273,14 @@ TEST(RadianceCache, rare_bright_samples_lose_no_light) {
   EXPECT_NEAR(known, fed, 0.01 * fed);
 }
 
-// 64 samples a cell; noise of deviation 0.2. If all of the light is in doubt, its variance grows by 1 (or, of other rays than
-// those to lamps, by 1 / 4): the past then counts for 0.2^2 / 1 or 0.2^2 / 0.25 of a sample.
-TEST(RadianceCache, what_moves_puts_the_past_in_doubt) {
+// 64 samples a cell; noise of deviation 0.2. If all of the light may have changed, its variance grows by 1 (or, of other rays
+// than those to lamps, by 1 / 4): the past then counts for 0.2^2 / 1 or 0.2^2 / 0.25 of a sample.
+TEST(RadianceCache, what_moves_takes_weight_from_the_past) {
   const auto left = [](float light, float share, int forgets) {
     RadianceCache cache(kMostWanted);
     update(cache, spread(16384, 0.2f, 1, one));
     std::vector<RadianceRecord> records = spread(16384, 0.2f, 2, one);
-    for (RadianceRecord& r : records) r.doubtful_light = light, r.doubtful_share = share;
+    for (RadianceRecord& r : records) r.changed_light = light, r.changed_share = share;
     return 1.0f - next_frame(cache, records, forgets);
   };
   EXPECT_GT(left(0.0f, 0.0f, 1), 0.98f);

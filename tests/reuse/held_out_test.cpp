@@ -8,28 +8,28 @@
 namespace lippmann {
 namespace {
 
-TEST(HeldOut, levels_follow_doubt) {
+TEST(HeldOut, levels_follow_uncertainty) {
   EXPECT_EQ(level_of(0), 0);
   EXPECT_EQ(level_of(6), 6);
   EXPECT_EQ(level_of(7), 7);
   EXPECT_EQ(level_of(8), 7);
   EXPECT_EQ(level_of(9), 8);
-  EXPECT_EQ(level_of(255), kDoubtLevels - 1);
-  for (int doubt = 1; doubt < 256; ++doubt)
-    EXPECT_GE(level_of(static_cast<std::uint8_t>(doubt)), level_of(static_cast<std::uint8_t>(doubt - 1)));
+  EXPECT_EQ(level_of(255), kUncertaintyLevels - 1);
+  for (int uncertainty = 1; uncertainty < 256; ++uncertainty)
+    EXPECT_GE(level_of(static_cast<std::uint8_t>(uncertainty)), level_of(static_cast<std::uint8_t>(uncertainty - 1)));
 }
 
 TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
   // Two levels that alternate; 30 patches per sample.
-  std::vector<std::uint8_t> doubt(12000);
-  for (std::size_t p = 0; p < doubt.size(); ++p) doubt[p] = p % 2 ? 30 : 0;
-  ASSERT_EQ(patches_per_sample(doubt.size()), 30u);
-  const HeldOut held_out = hold_out(doubt, 1, 2);
+  std::vector<std::uint8_t> uncertainty(12000);
+  for (std::size_t p = 0; p < uncertainty.size(); ++p) uncertainty[p] = p % 2 ? 30 : 0;
+  ASSERT_EQ(patches_per_sample(uncertainty.size()), 30u);
+  const HeldOut held_out = hold_out(uncertainty, 1, 2);
   ASSERT_EQ(held_out.patches.size(), 12000u / 30);
   std::array<std::size_t, 2> drawn{};
   for (std::size_t i = 0; i < held_out.patches.size(); ++i) {
     const std::uint32_t patch = held_out.patches[i], odd = patch % 2;
-    EXPECT_EQ(held_out.levels[i], level_of(doubt[patch]));
+    EXPECT_EQ(held_out.levels[i], level_of(uncertainty[patch]));
     EXPECT_EQ(patch / 60, drawn[odd]++);  // runs of 30 of a level are 60 patches long here
   }
   EXPECT_EQ(held_out.population[0], 6000u);
@@ -39,11 +39,11 @@ TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
 }
 
 TEST(HeldOut, other_frames_and_seeds_draw_other_patches) {
-  const std::vector<std::uint8_t> doubt(12000, 5);
-  const HeldOut first = hold_out(doubt, 1, 2);
-  EXPECT_EQ(hold_out(doubt, 1, 2).patches, first.patches);
-  EXPECT_NE(hold_out(doubt, 1, 3).patches, first.patches);
-  EXPECT_NE(hold_out(doubt, 2, 2).patches, first.patches);
+  const std::vector<std::uint8_t> uncertainty(12000, 5);
+  const HeldOut first = hold_out(uncertainty, 1, 2);
+  EXPECT_EQ(hold_out(uncertainty, 1, 2).patches, first.patches);
+  EXPECT_NE(hold_out(uncertainty, 1, 3).patches, first.patches);
+  EXPECT_NE(hold_out(uncertainty, 2, 2).patches, first.patches);
 }
 
 /// 100 patches of level 0 of which 4 were drawn, 50 of level 2 of which 2 were drawn.
@@ -92,18 +92,18 @@ TEST(HeldOut, what_another_frame_has_shown_counts_like_samples_of_this_one) {
   EXPECT_GT(estimate_errors(held_out, evidence)[0].bound, errors[0].bound);
 }
 
-TEST(HeldOut, level_without_a_sample_errs_by_its_doubt) {
+TEST(HeldOut, level_without_a_sample_errs_by_its_uncertainty) {
   HeldOut held_out = drawn_by_hand();
   held_out.population[3] = 50;
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>(6, 0.0)));
   EXPECT_EQ(errors[2].mse, 0.0);
-  EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);  // doubt 3
+  EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);  // uncertainty 3
 }
 
 TEST(HeldOut, trust_ends_at_the_first_level_whose_bound_fails) {
-  std::array<ErrorEstimate, kDoubtLevels> errors;
+  std::array<ErrorEstimate, kUncertaintyLevels> errors;
   for (std::size_t h = 0; h < errors.size(); ++h) errors[h].bound = 1.0;
-  EXPECT_EQ(trusted_levels(errors, 1.0), kDoubtLevels);
+  EXPECT_EQ(trusted_levels(errors, 1.0), kUncertaintyLevels);
   errors[5].bound = 1.1;
   EXPECT_EQ(trusted_levels(errors, 1.0), 5);
   EXPECT_EQ(trusted_levels(errors, 0.9), 0);
@@ -112,14 +112,14 @@ TEST(HeldOut, trust_ends_at_the_first_level_whose_bound_fails) {
 TEST(HeldOut, bound_holds_in_nineteen_of_twenty_samples_of_heavy_tailed_errors) {
   // Squared errors of 16,000 patches, log-normal over four decades; one level, so that only the bound is tested.
   constexpr int kTrials = 400;
-  const std::vector<std::uint8_t> doubt(16000, 5);
+  const std::vector<std::uint8_t> uncertainty(16000, 5);
   std::mt19937 random(3);
   std::lognormal_distribution<double> error(-2.0, 2.0);
-  std::vector<double> errors(doubt.size());
+  std::vector<double> errors(uncertainty.size());
   for (double& e : errors) e = error(random);
   int held = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
-    const HeldOut held_out = hold_out(doubt, 7, trial);
+    const HeldOut held_out = hold_out(uncertainty, 7, trial);
     double truth = 0.0;
     for (const double e : errors) truth += e;
     std::vector<double> drawn;

@@ -40,7 +40,7 @@ std::vector<Image8> write_sheet_frames(const std::filesystem::path& folder, int 
 std::vector<std::unique_ptr<PageField>> fields_of(const std::filesystem::path& in) {
   const Context context;
   std::vector<std::unique_ptr<PageField>> fields;
-  fields.push_back(std::make_unique<PageField>(in, LightFieldSaid{}, context));
+  fields.push_back(std::make_unique<PageField>(in, LightFieldHints{}, context));
   return fields;
 }
 

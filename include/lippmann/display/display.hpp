@@ -63,7 +63,7 @@ struct DisplayLenses {
   LensPacking packing = LensPacking::kSquare;
 };
 
-/// What a device plays. Everything, where nothing is said.
+/// What a device plays. By default, everything.
 struct DisplayVideo {
   std::string codec = "hevc";  ///< h264, hevc, vp9, av1 or ffv1
   int longest_side = 8192;     ///< pixels
@@ -89,7 +89,7 @@ struct Display {
   Vec2d size_mm() const { return Vec2d(pixels) * pixel_mm(); }
 };
 
-/// How far the viewer stands: as said, or (height / 2) / tan(7 degrees).
+/// How far the viewer stands: as given, or (height / 2) / tan(7 degrees).
 double viewing_distance_mm(const Display& display);
 
 /// The model of a slanted panel for a viewer at that distance. Panel: 3 W x H, pixel_pitch_mm = pixel_mm() / 3.

@@ -35,7 +35,7 @@ struct FrameParams {
   Reuse reuse{};
 };
 
-/// Samples per pixel of paths where nothing is said.
+/// Samples per pixel of paths by default.
 inline constexpr int kPathSamples = 64;
 
 inline Integrator integrator_of(const Sampling& sampling) { return sampling.integrator.value_or(Integrator::kWhitted); }

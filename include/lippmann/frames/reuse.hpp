@@ -32,7 +32,7 @@ struct ShareLight {
 /// shading alone.
 struct Interpolate {
   std::optional<int> keyframes{};       ///< a key frame every so many frames; none: kDefaultKeyframes, or chosen with a floor
-  std::optional<double> min_psnr_db{};  ///< a floor for every frame, 8-bit codes: doubtful pixels are traced; none: no floor
+  std::optional<double> min_psnr_db{};  ///< a floor for every frame, 8-bit codes: uncertain pixels are traced; none: no floor
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;
   bool halving = false;      ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only
@@ -41,7 +41,7 @@ struct Interpolate {
 
 using Reuse = std::variant<AutoReuse, TraceAll, CopySettled, ShareLight, Interpolate>;
 
-/// Of interpolated animations, where nothing is said.
+/// The default for interpolated animations.
 inline constexpr int kDefaultKeyframes = 8;
 
 /// auto, none, copy, light or interpolate.

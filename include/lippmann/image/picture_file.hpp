@@ -11,7 +11,7 @@ namespace lippmann {
 /// 8-bit codes, 16-bit codes, or floats of 3 channels.
 using Picture = std::variant<Image8, Image16, Image>;
 
-/// Of more than 3 channels the first three, of fewer the first one three times. Throws Error as read_image.
+/// Takes the first three of more than 3 channels, and the first one three times of fewer. Throws Error as read_image.
 Picture read_picture(const std::filesystem::path& path);
 
 /// 8- and 16-bit codes as .png, floats as .exr. Throws Error naming the file, also where the ending does not suit.

@@ -17,7 +17,7 @@ class Arrangement {
   Vec2i view_size() const { return view_; }
   Vec2i target_size() const { return to_size_; }
 
-  /// Of any number of channels. Padding of a quilt stays behind.
+  /// Takes any number of channels. Padding of a quilt stays behind.
   Image apply(const Image& picture) const;
 
  private:

@@ -23,7 +23,7 @@ struct Converted {
   std::vector<std::filesystem::path> written;
   ViewGrid views;
   Vec2i view_size{0, 0};
-  bool lacks_cameras = false, lacks_depth = false;  ///< which a format would have taken, but nothing said
+  bool lacks_cameras = false, lacks_depth = false;  ///< which a format would have taken, but nothing gave
 };
 
 /// Where a report.json of `render` lies beside a picture, it says what its views are, unless the options say it; and for

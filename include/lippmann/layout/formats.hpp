@@ -15,7 +15,7 @@
 
 namespace lippmann {
 
-/// What is said about a format beside its name; each uses what concerns it.
+/// What a format may need beside its name; each uses what concerns it.
 struct FormatOptions {
   std::optional<ViewGrid> views = {};     ///< how many views across and up: needed where neither names nor side files say it
   std::optional<ViewGrid> tiles = {};     ///< of a quilt; none: as its name says, or as square as can be

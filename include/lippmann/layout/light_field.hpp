@@ -25,7 +25,7 @@ struct LightField {
   std::optional<ViewCameras> cameras = {};  ///< where they are known
 };
 
-/// Of the stack of all views.
+/// The size of the stack of all views.
 inline Vec2i stack_size(const LightField& field) { return {field.view_size.x, field.view_size.y * field.grid.count()}; }
 
 Vec2i size_of(const Picture& picture);

@@ -17,7 +17,7 @@ struct QuiltName {
   double aspect = 1.0;
 };
 
-/// Of the quilt that a display wants.
+/// The name of the quilt that a display wants.
 QuiltName quilt_name_of(const DisplayQuilt& quilt);
 
 /// None if the name says nothing. Throws Error where it says something impossible (no tiles, no aspect).
@@ -29,7 +29,7 @@ std::string quilt_ending(const QuiltName& quilt);
 /// The path without that in its name; the path itself where the name says nothing.
 std::filesystem::path without_quilt_name(const std::filesystem::path& path);
 
-/// The path with that in its name, before the ending, in place of what it said before.
+/// The path with that in its name, before the ending, in place of what it had before.
 std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt);
 
 }  // namespace lippmann

@@ -37,12 +37,12 @@ struct ViewLayout {
   ViewGrid tiles;  ///< of a quilt: how many side by side and above each other; as many as there are views
 };
 
-/// Of the whole picture. view_size: of one view.
+/// The size of the whole picture. view_size: that of one view.
 Vec2i picture_size(const ViewLayout& layout, Vec2i view_size);
 
-/// Of one view in a picture of that size. Throws Error naming `where` if views do not fill the picture exactly, unless it is a
-/// quilt: there tiles are floor(width / columns) x floor(height / rows) pixels, and what is left over at the right and at the
-/// top is padding.
+/// The size of one view in a picture of that size. Throws Error naming `where` if views do not fill the picture exactly, unless
+/// it is a quilt: there tiles are floor(width / columns) x floor(height / rows) pixels, and what is left over at the right and
+/// at the top is padding.
 Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& where);
 
 /// Where the pixels of one view lie: pixel (x, y) of it at `first` + x `across` + y `down`, row-major in the picture.

@@ -1,5 +1,5 @@
-// Of several refocused pictures, at every pixel the one in focus, and the depth at which it was: everything sharp, and a depth
-// map.
+// Takes at every pixel the one of several refocused pictures that is in focus, and the depth at which it was: everything sharp,
+// and a depth map.
 //
 // In focus is where the rays of a pixel agree: where they come from one point of a surface, they have its colour from wherever
 // they are seen. The measure is the variance of their colours (replay/refocus.hpp), averaged over a square window, as the

@@ -18,7 +18,7 @@
 namespace lippmann {
 
 /// What flags say about the light field.
-struct LightFieldSaid {
+struct LightFieldHints {
   std::filesystem::path report = {};          ///< empty: report.json beside the pictures
   std::string from = {};                      ///< a format of `convert`; empty: as names and the report say
   std::optional<ViewGrid> views = {};         ///< how many across and up
@@ -37,7 +37,7 @@ struct LightFieldFrames {
 };
 
 /// Throws Error naming the file, or the flag that has to say what nothing else says.
-LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldSaid& said);
+LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
 /// The views of a light field put behind the optics that show them, in linear light: what eyes look at. Throws Error naming
 /// `where` for optics that have no such views.
@@ -47,7 +47,7 @@ RenderedPanel panel_of(const LightField& field, const Optics& optics, const std:
 Optics optics_of_cameras(const LightField& field, const std::string& where);
 
 /// The same of views whose cameras nobody states: a display 100 mm high, seen from 300 mm away, by a row of views that spread
-/// over an angle (40 degrees unless said), or by a grid of cameras (10 degrees across).
+/// over an angle (40 degrees unless hints), or by a grid of cameras (10 degrees across).
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg);
 
 }  // namespace lippmann

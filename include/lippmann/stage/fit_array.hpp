@@ -11,7 +11,7 @@
 // breathes. What is fitted to a node's subject is fitted in that moving frame.
 //
 // Lengths are in units of that node (without a node: of the world): a parent that scales the camera scales the array with it.
-// Of a node's transform the rotation and one scale are used, its shear and uneven scale are left out.
+// The rotation and one scale of a node's transform are used; its shear and uneven scale are left out.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ struct Placement {
   PlacedOptics placed;
 };
 
-/// What is said of a placement, where not all is left to the fit.
+/// What is chosen of a placement, where not all is left to the fit.
 struct PlacementWish {
   ViewWish view{};
   bool fit_depth = true;  ///< a scene that is deeper than the optics resolve is shown less deep (PlacedOptics::depth_scale)

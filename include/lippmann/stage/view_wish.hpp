@@ -15,8 +15,8 @@ struct Orbit {
 };
 
 struct ViewWish {
-  std::string focus;   ///< a node's name, X,Y,Z in the world, or a distance from the viewer; empty: not said
-  std::string fit_to;  ///< a node's name; empty: not said
+  std::string focus;   ///< a node's name, X,Y,Z in the world, or a distance from the viewer; empty: not given
+  std::string fit_to;  ///< a node's name; empty: not given
   float zoom = 1.0f;   ///< > 0; what is seen of the plane is that much smaller
   Orbit orbit;
 };

@@ -25,7 +25,7 @@ class Report {
   /// Throws Error there.
   [[noreturn]] void fail(std::string_view element, const std::string& problem, const std::string& accepted = {}) const;
 
-  /// Warns about the file as a whole. The same text is said once, and after 50 texts that there are more.
+  /// Warns about the file as a whole. Each text is reported once; after 50 texts, only that there are more.
   void warn(const std::string& text);
 
   /// Warns about something that may occur in many elements, once, naming the first of them.

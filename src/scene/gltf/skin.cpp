@@ -116,12 +116,12 @@ std::vector<float> read_morph_weights(Document& document, int file_node) {
       document.report.fail(
           element({node.mesh, static_cast<int>(i)}),
           fmt::format("has {} morph targets, the mesh's first primitive {}", mesh.primitives[i].targets.size(), targets));
-  const std::vector<double>& said = node.weights.empty() ? mesh.weights : node.weights;
-  if (!said.empty() && said.size() != targets)
+  const std::vector<double>& given = node.weights.empty() ? mesh.weights : node.weights;
+  if (!given.empty() && given.size() != targets)
     document.report.fail(element("nodes", static_cast<std::size_t>(file_node)),
-                         fmt::format("has {} weights for {} morph targets", said.size(), targets));
+                         fmt::format("has {} weights for {} morph targets", given.size(), targets));
   document.unpacked.spend(targets, sizeof(float), element("nodes", static_cast<std::size_t>(file_node)), document.report);
-  std::vector<float> weights(said.begin(), said.end());
+  std::vector<float> weights(given.begin(), given.end());
   weights.resize(targets, 0.0f);
   return weights;
 }

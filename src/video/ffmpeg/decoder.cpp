@@ -56,8 +56,8 @@ class FfmpegDecoder : public VideoDecoder {
     if (code < 0) throw ffmpeg_error(path_, action, code);
   }
 
-  /// What a decoder hands out is only what the bytes of the stream said: libswscale asserts or reads beyond the frame where it
-  /// makes no sense.
+  /// What a decoder hands out is only what the bytes of the stream declare: libswscale asserts or reads beyond the frame where
+  /// it makes no sense.
   void check_frame() {
     const Vec2i size(frame_->width, frame_->height);
     const auto wrong = [&](const std::string& problem) {

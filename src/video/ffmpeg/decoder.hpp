@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Of a regular file.
+/// Decodes a regular file.
 std::unique_ptr<VideoDecoder> make_decoder(const std::filesystem::path& path);
 
 }  // namespace lippmann

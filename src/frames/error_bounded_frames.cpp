@@ -1,4 +1,4 @@
-#include "frames/floored_frames.hpp"
+#include "frames/error_bounded_frames.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -35,8 +35,8 @@ double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0
 
 }  // namespace
 
-FlooredFrames::FlooredFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
-                             const Context& context)
+ErrorBoundedFrames::ErrorBoundedFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
+                                       const Context& context)
     : stage_(stage),
       sampling_(sampling),
       reuse_(reuse),
@@ -46,13 +46,13 @@ FlooredFrames::FlooredFrames(Stage& stage, const Sampling& sampling, const Inter
       last_frame_(stage.scene.timeline.frame_count - 1),
       maker_(stage.scene, stage.placed.optics, forward_params(sampling, reuse)) {}
 
-RenderedFrame FlooredFrames::make(int frame) {
+RenderedFrame ErrorBoundedFrames::make(int frame) {
   std::erase_if(films_, [&](const auto& film) { return film.first < frame; });
   if (!films_.contains(frame) && !keys_.contains(frame)) render(frame);
   return context_.cancelled ? RenderedFrame{} : take(frame);
 }
 
-void FlooredFrames::render(int frame) {
+void ErrorBoundedFrames::render(int frame) {
   const Segment& segment = segment_of(frame);
   if (context_.cancelled || films_.contains(frame) || keys_.contains(frame)) return;
   if (segment.length == 0) {
@@ -66,7 +66,7 @@ void FlooredFrames::render(int frame) {
   }
 }
 
-void FlooredFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
+void ErrorBoundedFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
   forget_before(interval.first);
   const bool holds = middle_holds(interval, learned);
   if (context_.cancelled || films_.contains(frame)) return;  // it is the middle one
@@ -76,13 +76,13 @@ void FlooredFrames::render_between(int frame, const FrameInterval& interval, con
     trace(frame);
 }
 
-const FlooredFrames::Segment& FlooredFrames::segment_of(int frame) {
+const ErrorBoundedFrames::Segment& ErrorBoundedFrames::segment_of(int frame) {
   const int first = frame - frame % (kSegmentIntervals * every_);
   const auto known = segments_.find(first);
   return known != segments_.end() ? known->second : segments_[first] = try_segment(first);
 }
 
-FlooredFrames::Segment FlooredFrames::try_segment(int first) {
+ErrorBoundedFrames::Segment ErrorBoundedFrames::try_segment(int first) {
   const Vec2i film = film_size(stage_.placed.optics);
   const std::uint64_t pixels = static_cast<std::uint64_t>(film.x) * static_cast<std::uint64_t>(film.y);
   if (last_frame_ - first < 2) return {};
@@ -100,7 +100,7 @@ FlooredFrames::Segment FlooredFrames::try_segment(int first) {
   return {};
 }
 
-FloorLesson FlooredFrames::learn(const FrameInterval& interval) {
+FloorLesson ErrorBoundedFrames::learn(const FrameInterval& interval) {
   const int middle = middle_frame(interval);
   const PointImage &previous = key(interval.first), &following = key(interval.last), &traced = key(middle);
   if (context_.cancelled) return {};
@@ -113,7 +113,7 @@ FloorLesson FlooredFrames::learn(const FrameInterval& interval) {
   return lesson;
 }
 
-bool FlooredFrames::middle_holds(const FrameInterval& interval, const Evidence& learned) {
+bool ErrorBoundedFrames::middle_holds(const FrameInterval& interval, const Evidence& learned) {
   const int middle = middle_frame(interval);
   if (keys_.contains(middle)) return true;  // learned from
   if (const auto known = middle_holds_.find(middle); known != middle_holds_.end()) return known->second;
@@ -121,7 +121,7 @@ bool FlooredFrames::middle_holds(const FrameInterval& interval, const Evidence& 
   return middle_holds_[middle] = holds;
 }
 
-bool FlooredFrames::predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned) {
+bool ErrorBoundedFrames::predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned) {
   const PointImage &previous = key(interval.first), &following = key(interval.last);
   const FrameClock clock(pool_);
   PointImage image;
@@ -153,13 +153,13 @@ bool FlooredFrames::predict_or_trace(int frame, const FrameInterval& interval, c
   return outcome.holds;
 }
 
-void FlooredFrames::trace(int frame, const FrameReport& spent) {
+void ErrorBoundedFrames::trace(int frame, const FrameReport& spent) {
   RenderedFrame& rendered = films_[frame] = render_frame(stage_, sampling_, frame, pool_, context_);
   add_spent(spent, rendered.report);
   not_asked_for_[frame] = rendered.report;
 }
 
-const PointImage& FlooredFrames::key(int frame) {
+const PointImage& ErrorBoundedFrames::key(int frame) {
   const auto known = keys_.find(frame);
   if (known != keys_.end()) return known->second.image;
   ForwardSource& source = keys_[frame] = trace_source(stage_, sampling_, reuse_, frame, maker_, pool_, context_);
@@ -167,11 +167,11 @@ const PointImage& FlooredFrames::key(int frame) {
   return source.image;
 }
 
-void FlooredFrames::forget_before(int frame) {
+void ErrorBoundedFrames::forget_before(int frame) {
   std::erase_if(keys_, [&](const auto& source) { return source.first < frame; });
 }
 
-RenderedFrame FlooredFrames::take(int frame) {
+RenderedFrame ErrorBoundedFrames::take(int frame) {
   not_asked_for_.erase(frame);
   if (const auto made = films_.find(frame); made != films_.end()) return std::move(films_.extract(made).mapped());
   const FrameClock clock(pool_);
@@ -183,20 +183,20 @@ RenderedFrame FlooredFrames::take(int frame) {
   return rendered;
 }
 
-std::vector<FrameReport> FlooredFrames::sources() const {
+std::vector<FrameReport> ErrorBoundedFrames::sources() const {
   std::vector<FrameReport> reports;
   for (const auto& [frame, report] : not_asked_for_) reports.push_back(report);
   return reports;
 }
 
-double FlooredFrames::bytes_kept_per_pixel() {
+double ErrorBoundedFrames::bytes_kept_per_pixel() {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   const int halvings = halving_depth(kDefaultKeyframes);
   const int images = 2 + halvings, films = halvings;
-  constexpr double kDoubt = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;  // landed, predicted by either key, planes
-  return images * (kFilm + kPoint + kContrast) + films * kFilm + kDoubt;
+  constexpr double kUncertainty = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;  // landed, predicted by either key, planes
+  return images * (kFilm + kPoint + kContrast) + films * kFilm + kUncertainty;
 }
 
-int FlooredFrames::frames_per_segment(const Interpolate& reuse) { return kSegmentIntervals * key_frame_interval(reuse); }
+int ErrorBoundedFrames::frames_per_segment(const Interpolate& reuse) { return kSegmentIntervals * key_frame_interval(reuse); }
 
 }  // namespace lippmann

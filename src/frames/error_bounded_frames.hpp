@@ -1,10 +1,10 @@
 // Interpolated frames that keep to a PSNR (--reuse interpolate --min-psnr): key frames are traced, the others predicted from
-// them and traced where they are doubted (reuse/quality_floor.hpp).
+// them and traced where they are uncertain (reuse/quality_floor.hpp).
 //
 // Whether that pays is told from counts (reuse/tracing_costs.hpp), never from a clock. An animation is cut into segments of
 // kSegmentIntervals intervals, each of kDefaultKeyframes frames or as many as were asked for. In the first interval of a
-// segment the middle frame is predicted, traced as a whole and compared: its errors tell what doubt means in the segment, and
-// what the other frames will cost. If that pays, all of the segment has such intervals; if not, intervals half as long are
+// segment the middle frame is predicted, traced as a whole and compared: its errors tell what uncertainty means in the segment,
+// and what the other frames will cost. If that pays, all of the segment has such intervals; if not, intervals half as long are
 // tried, unless a length was asked for. If nothing pays, all frames of the segment are traced, at no further cost. In every
 // interval the middle frame is made first; where it has to be traced as a whole after all, so have the others.
 //
@@ -22,11 +22,11 @@
 
 namespace lippmann {
 
-class FlooredFrames final : public FrameMaker {
+class ErrorBoundedFrames final : public FrameMaker {
  public:
   /// `reuse.min_psnr_db` is given.
-  FlooredFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
-                const Context& context);
+  ErrorBoundedFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
+                     const Context& context);
 
   RenderedFrame make(int frame) override;
   std::vector<FrameReport> sources() const override;
@@ -39,13 +39,13 @@ class FlooredFrames final : public FrameMaker {
  private:
   struct Segment {
     int length = 0;     ///< frames from key to key; 0: all are traced
-    Evidence evidence;  ///< what doubt means in it
+    Evidence evidence;  ///< what uncertainty means in it
   };
 
   /// Renders a frame, and whatever it depends on, into films_ or keys_.
   void render(int frame);
   void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
-  /// Of a frame. Tries the segment where that has not been done.
+  /// The segment of a frame. Tries it where that has not been done.
   const Segment& segment_of(int frame);
   Segment try_segment(int first);
   /// Traces the middle frame of an interval, which has such keys around it, and compares it with its prediction.

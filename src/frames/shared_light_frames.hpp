@@ -7,9 +7,10 @@
 
 namespace lippmann {
 
-class LitFrames final : public FrameMaker {
+class SharedLightFrames final : public FrameMaker {
  public:
-  LitFrames(Stage& stage, const Sampling& sampling, const ShareLight& reuse, const ThreadPool& pool, const Context& context);
+  SharedLightFrames(Stage& stage, const Sampling& sampling, const ShareLight& reuse, const ThreadPool& pool,
+                    const Context& context);
 
   RenderedFrame make(int frame) override;
 

@@ -1,4 +1,4 @@
-#include "reuse/doubt.hpp"
+#include "reuse/uncertainty.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,15 +63,15 @@ struct Signals {
 };
 
 LIPPMANN_MULTIVERSION void add_up(const Byte* own, const Signals& signals, const std::uint64_t* keys_a,
-                                  const std::uint64_t* keys_b, int width, Byte* doubt) {
+                                  const std::uint64_t* keys_b, int width, Byte* uncertainty) {
   const Byte *around = signals.around.data(), *beside = signals.beside.data(), *contrast = signals.contrast.data(),
              *contrast_beside = signals.contrast_beside.data();
   for (int x = 0; x < width; ++x) {
     const int sum = own[x] + around[x] / 2 + beside[x] / 2 + contrast[x] / 8 + contrast_beside[x] / 8;
     const int missing = (keys_a[x] == 0 ? 1 : 0) + (keys_b[x] == 0 ? 1 : 0);
-    const int some = missing > 0 ? kOneKeyDoubt : 0, least = missing > 1 ? kMissedDoubt : some;
+    const int some = missing > 0 ? kOneKeyUncertainty : 0, least = missing > 1 ? kMissedUncertainty : some;
     const int limited = sum < 255 ? sum : 255;
-    doubt[x] = static_cast<Byte>(limited > least ? limited : least);
+    uncertainty[x] = static_cast<Byte>(limited > least ? limited : least);
   }
 }
 
@@ -80,7 +80,7 @@ int whole_step(float length_px, int size) { return std::clamp(static_cast<int>(s
 
 }  // namespace
 
-DoubtEstimator::DoubtEstimator(const Optics& optics, Encoding encoding)
+UncertaintyEstimator::UncertaintyEstimator(const Optics& optics, Encoding encoding)
     : width_(film_size(optics).x), height_(film_size(optics).y), linear_film_(encoding == Encoding::kSrgb) {
   const ViewSteps steps(optics, StepsWithin::kView);
   across_ = whole_step(steps.length_px(StepDirection::kRight), width_);
@@ -90,7 +90,7 @@ DoubtEstimator::DoubtEstimator(const Optics& optics, Encoding encoding)
     plane->resize(stride_ * static_cast<std::size_t>(height_));
 }
 
-void DoubtEstimator::make_planes(const Prediction& previous, const Prediction& following, const Image& film, int row) {
+void UncertaintyEstimator::make_planes(const Prediction& previous, const Prediction& following, const Image& film, int row) {
   const std::size_t values = 3 * static_cast<std::size_t>(width_), from = values * static_cast<std::size_t>(row);
   const std::size_t to = stride_ * static_cast<std::size_t>(row) + static_cast<std::size_t>(across_);
   std::vector<Byte> a(values), b(values);
@@ -102,10 +102,10 @@ void DoubtEstimator::make_planes(const Prediction& previous, const Prediction& f
   for (Plane* plane : {&disagreement_, &codes_[0], &codes_[1], &codes_[2]}) fill_margins(plane->data() + to, width_, across_);
 }
 
-void DoubtEstimator::estimate(const Prediction& previous, const Prediction& following, const Image& film,
-                              const ThreadPool& pool, std::vector<std::uint8_t>& doubt) {
+void UncertaintyEstimator::estimate(const Prediction& previous, const Prediction& following, const Image& film,
+                                    const ThreadPool& pool, std::vector<std::uint8_t>& uncertainty) {
   const auto width = static_cast<std::size_t>(width_);
-  doubt.resize(width * static_cast<std::size_t>(height_));
+  uncertainty.resize(width * static_cast<std::size_t>(height_));
   const auto for_each_row = [&](const auto& fn) {
     pool.for_each(static_cast<std::size_t>((height_ + kRowsPerPiece - 1) / kRowsPerPiece), [&](std::size_t piece) {
       const int first = static_cast<int>(piece) * kRowsPerPiece;
@@ -138,7 +138,7 @@ void DoubtEstimator::estimate(const Prediction& previous, const Prediction& foll
       }
       const std::size_t pixel = width * static_cast<std::size_t>(row);
       add_up(disagreement_.data() + here, signals, previous.landed.keys.data() + pixel, following.landed.keys.data() + pixel,
-             width_, doubt.data() + pixel);
+             width_, uncertainty.data() + pixel);
     }
   });
 }

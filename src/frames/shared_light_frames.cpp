@@ -1,4 +1,4 @@
-#include "frames/lit_frames.hpp"
+#include "frames/shared_light_frames.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr int kSegment = 16;
 /// Standard deviations above its estimate that an error exceeds in one of twenty cases.
 constexpr double kOneSided = 1.645;
 
-/// Of a mean squared error of codes from 0 to 1.
+/// The PSNR of a mean squared error of codes from 0 to 1.
 double psnr_of(double squared_error) { return psnr_db(255.0 * 255.0 * squared_error); }
 
 /// The kind and the errors of a frame; whole paths are measured, too.
@@ -28,8 +28,8 @@ void tell_errors(const CachedLightReport& light, FrameReport& report) {
 
 }  // namespace
 
-LitFrames::LitFrames(Stage& stage, const Sampling& sampling, const ShareLight& reuse, const ThreadPool& pool,
-                     const Context& context)
+SharedLightFrames::SharedLightFrames(Stage& stage, const Sampling& sampling, const ShareLight& reuse, const ThreadPool& pool,
+                                     const Context& context)
     : stage_(stage),
       sampling_(sampling),
       reuse_(reuse),
@@ -38,7 +38,7 @@ LitFrames::LitFrames(Stage& stage, const Sampling& sampling, const ShareLight& r
       swept_(stage.scene, -1),
       tracer_(stage.device) {}
 
-RenderedFrame LitFrames::make(int frame) {
+RenderedFrame SharedLightFrames::make(int frame) {
   RenderedFrame rendered;
   rendered.pictures.aovs = wanted_aovs(sampling_);
   go_to(frame, rendered.pictures);
@@ -49,23 +49,23 @@ RenderedFrame LitFrames::make(int frame) {
   return rendered;
 }
 
-FrameReport LitFrames::make_noisy(int frame, FramePictures& pictures, NoisyFrame& noisy) {
+FrameReport SharedLightFrames::make_noisy(int frame, FramePictures& pictures, NoisyFrame& noisy) {
   go_to(frame, pictures);
   return visit(frame, pictures, &noisy);
 }
 
-int LitFrames::frames_per_segment() { return kSegment; }
+int SharedLightFrames::frames_per_segment() { return kSegment; }
 
-bool LitFrames::are_of_one_history(int frame, int other) { return frame / kSegment == other / kSegment; }
+bool SharedLightFrames::are_of_one_history(int frame, int other) { return frame / kSegment == other / kSegment; }
 
 /// Visits what comes before a frame in its history and has not been visited yet.
-void LitFrames::go_to(int frame, FramePictures& pictures) {
+void SharedLightFrames::go_to(int frame, FramePictures& pictures) {
   const int start = frame / kSegment * kSegment;
   if (next_ < start || next_ > frame) next_ = start;
   while (next_ < frame && !context_.cancelled) sources_.push_back(visit(next_, pictures));
 }
 
-FrameReport LitFrames::visit(int frame, FramePictures& pictures, NoisyFrame* noisy) {
+FrameReport SharedLightFrames::visit(int frame, FramePictures& pictures, NoisyFrame* noisy) {
   const FrameClock clock(pool_);
   if (frame % kSegment == 0) tracer_.restart();
   const Moment moment = stage_.moment_at(frame);

@@ -1,0 +1,105 @@
+// Uncertainty of hand-made predictions.
+#include "reuse/uncertainty.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lippmann {
+namespace {
+
+/// A single view of 16 x 8 pixels: neighbours of a view are neighbours of the panel.
+Optics small_view() {
+  Optics optics;
+  optics.panel = {16, 8, 1.0f};
+  optics.model = SingleView{100.0f, {0.0f, 0.0f}};
+  return optics;
+}
+
+constexpr std::size_t kWidth = 16, kPixels = 16 * 8;
+
+std::size_t pixel(std::size_t x, std::size_t y) { return y * kWidth + x; }
+
+/// Display-referred, so that codes are 255 times the values. Everything black and landed from both keys, until changed.
+struct Case {
+  Image previous{16, 8, 3}, following{16, 8, 3}, film{16, 8, 3};
+  SplatBuffer landed_previous{std::vector<std::uint64_t>(kPixels, 1)}, landed_following = landed_previous;
+
+  static void paint(Image& image, std::size_t p, float value) {
+    for (std::size_t c = 0; c < 3; ++c) image.data[3 * p + c] = value;
+  }
+  std::vector<std::uint8_t> uncertainty(int threads = 1) const {
+    UncertaintyEstimator estimator(small_view(), Encoding::kTachyonTruncate);
+    std::vector<std::uint8_t> result;
+    estimator.estimate({previous, landed_previous}, {following, landed_following}, film, ThreadPool(threads), result);
+    return result;
+  }
+};
+
+TEST(Uncertainty, keys_that_agree_on_a_flat_picture_leave_none) {
+  EXPECT_EQ(Case().uncertainty(), std::vector<std::uint8_t>(kPixels, 0));
+}
+
+TEST(Uncertainty, disagreement_counts_whole_in_its_pixel_and_half_around_and_beside) {
+  Case c;
+  Case::paint(c.following, pixel(5, 3), 40.0f / 255.0f);
+  const auto uncertainty = c.uncertainty();
+  EXPECT_EQ(uncertainty[pixel(5, 3)], 40 + 20);  // its own, and the largest around it, which is its own
+  EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // a neighbour of the view, and the pixel beside
+  EXPECT_EQ(uncertainty[pixel(5, 4)], 20);
+  EXPECT_EQ(uncertainty[pixel(4, 2)], 20);
+  EXPECT_EQ(uncertainty[pixel(7, 3)], 0);
+  EXPECT_EQ(uncertainty[pixel(5, 5)], 0);
+}
+
+TEST(Uncertainty, contrast_of_the_prediction_counts_an_eighth) {
+  Case c;
+  for (std::size_t y = 0; y < 8; ++y)
+    for (std::size_t x = 8; x < 16; ++x) Case::paint(c.film, pixel(x, y), 80.0f / 255.0f);
+  const auto uncertainty = c.uncertainty();
+  EXPECT_EQ(uncertainty[pixel(7, 3)], 80 / 8 + 80 / 8);  // as neighbours of the view, and as pixels beside
+  EXPECT_EQ(uncertainty[pixel(8, 3)], 80 / 8 + 80 / 8);
+  EXPECT_EQ(uncertainty[pixel(6, 3)], 0);
+  EXPECT_EQ(uncertainty[pixel(9, 3)], 0);
+}
+
+TEST(Uncertainty, pixels_onto_which_less_than_two_points_landed_are_uncertain_by_how_many) {
+  Case c;
+  c.landed_previous.keys[pixel(2, 2)] = 0;
+  c.landed_following.keys[pixel(9, 2)] = 0;
+  c.landed_previous.keys[pixel(5, 6)] = c.landed_following.keys[pixel(5, 6)] = 0;
+  const auto uncertainty = c.uncertainty();
+  EXPECT_EQ(uncertainty[pixel(2, 2)], kOneKeyUncertainty);
+  EXPECT_EQ(uncertainty[pixel(9, 2)], kOneKeyUncertainty);
+  EXPECT_EQ(uncertainty[pixel(5, 6)], kMissedUncertainty);
+  EXPECT_EQ(uncertainty[pixel(3, 2)], 0);
+}
+
+TEST(Uncertainty, linear_film_is_compared_by_square_roots) {
+  Case c;
+  Case::paint(c.following, pixel(5, 3), 0.25f);  // of 1: half the codes
+  UncertaintyEstimator estimator(small_view(), Encoding::kSrgb);
+  std::vector<std::uint8_t> uncertainty;
+  estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);
+  EXPECT_EQ(uncertainty[pixel(5, 4)], 128 / 2);
+}
+
+TEST(Uncertainty, below_lenses_neighbours_are_a_lens_apart_and_other_views_beside) {
+  Optics optics;
+  optics.panel = {16, 8, 0.25f};
+  LenticularSheet sheet;
+  sheet.lens_pitch_mm = 1.0f;  // 4 pixels
+  sheet.gap_mm = 2.0f;
+  optics.model = sheet;
+  Case c;
+  Case::paint(c.following, pixel(5, 3), 40.0f / 255.0f);
+  UncertaintyEstimator estimator(optics, Encoding::kTachyonTruncate);
+  std::vector<std::uint8_t> uncertainty;
+  estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);
+  EXPECT_EQ(uncertainty[pixel(9, 3)], 20);  // the next lens
+  EXPECT_EQ(uncertainty[pixel(1, 4)], 20);
+  EXPECT_EQ(uncertainty[pixel(6, 3)], 20);  // the next view
+  EXPECT_EQ(uncertainty[pixel(7, 3)], 0);
+  EXPECT_EQ(uncertainty[pixel(6, 4)], 0);
+}
+
+}  // namespace
+}  // namespace lippmann
