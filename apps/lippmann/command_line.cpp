@@ -22,7 +22,8 @@ std::string suggestion(const std::string& word, const CLI::App& command) {
     for (const CLI::Option* option : command.get_options())
       for (const std::string& name : option->get_lnames()) names.push_back(name);
   } else {
-    for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) names.push_back(sub->get_name());
+    for (const CLI::App* sub : command.get_subcommands([](const CLI::App* app) { return !app->get_group().empty(); }))
+      names.push_back(sub->get_name());
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   // Dashes count for nothing: as letters that agree they would make any two short flags alike.
@@ -162,6 +163,7 @@ Flag Command::add_flag(const std::string& names, std::function<void()> when_give
 }
 
 void Command::footer(const std::string& text) const { app_->footer(text); }
+void Command::hide() const { app_->group(""); }
 
 void Command::short_help(std::vector<std::string> flags, std::string examples) const {
   app_->set_help_all_flag("--help-all", "Print all options and exit");

@@ -59,6 +59,7 @@ class Command {
   Flag add_flag(const std::string& names, bool& value, const std::string& doc) const;
   Flag add_flag(const std::string& names, std::function<void()> when_given, const std::string& doc) const;
   void footer(const std::string& text) const;  ///< ends --help
+  void hide() const;                           ///< for programs to call: --help does not list it
   /// Adds --help-all; --help then lists these flags alone, below the examples.
   void short_help(std::vector<std::string> flags, std::string examples) const;
   void when_named(std::function<void()> then) const;  ///< called once all is parsed
@@ -77,6 +78,14 @@ class CommandLine {
   /// None: a command was named and is ready to run. Else all is printed, on stdout --help or --version, on stderr one line
   /// about wrong usage, and this is the exit code.
   std::optional<int> parse(int argc, char** argv);
+
+  /// Values of a flag, named without dashes, or of an argument, that its declaration does not list.
+  using ValuesOf = std::function<std::vector<std::string>(const std::string& name)>;
+  /// What the last of these words, which follow the tool's name, may become; ":files" among them: a file's name, too.
+  std::vector<std::string> completions(const std::vector<std::string>& words, const ValuesOf& values_of) const;
+
+  /// The manual page, for man(1): all commands with all their flags.
+  std::string manual() const;
 
   /// What an Error says, in the words of the command line.
   std::string message_of(const Error& error) const;

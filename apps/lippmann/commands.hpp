@@ -21,7 +21,8 @@
 
 namespace lippmann::app {
 
-class Command;  // command_line.hpp
+class Command;      // command_line.hpp
+class CommandLine;  // likewise
 
 /// What the command line asked for: runs it and returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
@@ -41,5 +42,8 @@ void add_scenes_command(const Command& root, Action& chosen);
 void add_displays_command(const Command& root, Action& chosen);
 void add_view_command(const Command& root, Action& chosen);
 void add_bench_command(const Command& root, Action& chosen);
+/// `command_line` is what these tell about.
+void add_complete_command(const Command& root, Action& chosen, const CommandLine& command_line);
+void add_manual_command(const Command& root, Action& chosen, const CommandLine& command_line);
 
 }  // namespace lippmann::app

@@ -68,6 +68,8 @@ int run(int argc, char** argv) {
   add_scenes_command(root, chosen);
   add_displays_command(root, chosen);
   add_bench_command(root, chosen);
+  add_complete_command(root, chosen, command_line);
+  add_manual_command(root, chosen, command_line);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;
   Context context;
   context.warn = [](std::string_view text) { fmt::print(stderr, "warning: {}\n", with_flags(text)); };

@@ -47,6 +47,7 @@ template <class T>
 struct Codec {
   std::function<T(std::string_view, const std::string& where)> read;
   std::function<std::string(const T&)> write;
+  std::vector<std::string_view> choices = {};  ///< the words that `read` takes, where it takes no others
 };
 
 Codec<std::string> text() {
@@ -95,7 +96,8 @@ template <class E, std::size_t N>
 Codec<E> choice(const std::array<std::string_view, N>& names) {
   return {
       [&names](std::string_view value, const std::string& where) { return static_cast<E>(read_choice(value, names, where)); },
-      [&names](const E& value) { return std::string(names[static_cast<std::size_t>(value)]); }};
+      [&names](const E& value) { return std::string(names[static_cast<std::size_t>(value)]); },
+      {names.begin(), names.end()}};
 }
 
 /// Jobs of before have other names.
@@ -127,7 +129,7 @@ template <class E, std::size_t N>
 Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& names) {
   const Codec<E> made = choice<E>(names);
   return {[made](std::string_view value, const std::string& where) { return std::optional<E>(made.read(value, where)); },
-          [made](const std::optional<E>& value) { return value ? made.write(*value) : std::string(); }};
+          [made](const std::optional<E>& value) { return value ? made.write(*value) : std::string(); }, made.choices};
 }
 
 /// The name of a format of light fields.
@@ -162,6 +164,7 @@ ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members...
     std::string value = write(member_of(params, way...));
     return value.empty() ? Values{} : Values{std::move(value)};
   };
+  info.choices = std::move(codec.choices);
   return info;
 }
 
@@ -229,6 +232,7 @@ ParamInfo aov_row() {
         start = comma + 1;
       }
   };
+  info.choices = {kWantedAovNames.begin(), kWantedAovNames.end()};
   info.get = [](const RenderParams& params) {
     Values names;
     for (const Aov layer : params.sampling.aov) names.emplace_back(kAovNames[static_cast<std::size_t>(layer)]);
@@ -458,7 +462,8 @@ std::vector<ParamInfo> file_rows() {
       [](std::string_view value, const std::string& where) -> std::optional<VideoCodec> {
         return static_cast<VideoCodec>(read_choice(value, kVideoCodecNames, where));
       },
-      [](const std::optional<VideoCodec>& value) { return value ? std::string(name_of(*value)) : std::string(); }};
+      [](const std::optional<VideoCodec>& value) { return value ? std::string(name_of(*value)) : std::string(); },
+      {kVideoCodecNames.begin(), kVideoCodecNames.end()}};
   const Codec<std::optional<int>> crf{
       [](std::string_view value, const std::string& where) -> std::optional<int> {
         return static_cast<int>(read_integer(value, 0, 63, where));

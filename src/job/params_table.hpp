@@ -31,8 +31,9 @@ struct ParamInfo {
   /// Empty where the parameter is not given and follows from others. set(get()) changes nothing.
   std::function<std::vector<std::string>(const RenderParams&)> get;
 
-  std::string_view opposite = {};      ///< of a kFlag: the name of the flag and key that says false; empty: none
-  std::string_view opposite_doc = {};  ///< one line
+  std::vector<std::string_view> choices = {};  ///< all that it may be, where those are words; empty: anything else
+  std::string_view opposite = {};              ///< of a kFlag: the name of the flag and key that says false; empty: none
+  std::string_view opposite_doc = {};          ///< one line
 };
 
 /// All parameters, in the order of --help. `scene` comes first.
