@@ -14,7 +14,8 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import frame, tool  # noqa: E402
+from lippmann import engine, frame, tool  # noqa: E402
+from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
 
@@ -113,6 +114,35 @@ class AddOn(unittest.TestCase):
         bpy.data.objects.remove(scene.camera)
         with self.assertRaisesRegex(tool.ToolError, "neither a light-field frame nor a camera"):
             frame.zone(scene)
+
+    def test_a_cancelled_render_ends_its_children(self):
+        scene = new_scene(self.folder, "quilt", samples=4096, size=(800, 600))
+        job = jobs.Job(scene, True)
+        asked = []
+        with self.assertRaises(jobs.Cancelled):
+            job.frame(1, stopped=lambda: asked.append(job._started) or job._started)
+        self.assertFalse(job._child.running())
+        self.assertFalse(tool.pictures(self.folder / "still", 0))
+
+    def test_a_missing_texture_is_said_and_the_rest_rendered(self):
+        new_scene(self.folder, "single", samples=1)
+        image = bpy.data.images.new("bark", 4, 4)
+        image.source, image.filepath = "FILE", "/nowhere/bark.png"
+        tree = bpy.data.materials["Material"].node_tree
+        node = tree.nodes.new("ShaderNodeTexImage")
+        node.image = image
+        tree.links.new(node.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
+        bpy.ops.render.render()
+        self.assertTrue(any("bark" in warning for warning in engine.last_warnings), engine.last_warnings)
+        self.assertTrue(tool.pictures(self.folder / "still", 0))
+
+    def test_a_sky_of_nodes_becomes_a_panorama(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        tree = scene.world.node_tree
+        sky = tree.nodes.new("ShaderNodeTexSky")
+        tree.links.new(sky.outputs["Color"], tree.nodes["Background"].inputs["Color"])
+        bpy.ops.render.render()
+        self.assertTrue((self.folder / "world.exr").is_file())
 
     def test_a_tool_that_is_not_there_is_said(self):
         with self.assertRaisesRegex(tool.ToolError, "not at /nowhere/lippmann"):
