@@ -1,11 +1,13 @@
 """The displays that the tool knows, asked for once, and what the add-on needs of the chosen one."""
 
 import os
+import zlib
 
 import bpy
 
 from . import tool
 
+DEFAULT = "looking-glass-portrait"
 _known = None      # of all presets, as `lippmann displays --json` tells them
 _files = {}        # (path, time of change) -> display
 _choices = []      # Blender needs the strings of dynamic lists to stay alive
@@ -30,14 +32,19 @@ def known():
     return _known
 
 
+def number(name):
+    """What files store for a display: it must not change when the tool knows others. 0 is what Blender takes without a choice."""
+    return 0 if name == DEFAULT else zlib.crc32(name.encode()) & 0x7FFFFFFF
+
+
 def choices(_self, _context):
     if not _choices:
         try:
             names = [(display["name"], display["description"]) for display in known()]
         except tool.ToolError:
             return [("none", "Tool not found", "Set the path of lippmann in the add-on's preferences")]
-        names.sort(key=lambda name: "portrait" not in name[0])  # the first one is the default
-        _choices.extend((name, description, name, index) for index, (name, description) in enumerate(names))
+        names.sort(key=lambda name: name[0] != DEFAULT)
+        _choices.extend((name, description, name, number(name)) for name, description in names)
     return _choices
 
 

@@ -12,6 +12,7 @@ last_warnings = []       # of the last render, for the panel
 last_folder = ""         # where its pictures lie
 
 
+@bpy.app.handlers.persistent  # other files are loaded while the add-on is on
 def end_animation(*_):
     global _animation
     if _animation:

@@ -105,7 +105,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         for warning in engine.last_warnings:
             layout.label(text=warning, icon="ERROR")
         if scene.view_settings.view_transform != "Standard":
-            layout.label(text="Blender shows results through " + scene.view_settings.view_transform + "; files are not changed by it", icon="INFO")
+            layout.label(text="Shown as " + scene.view_settings.view_transform + "; files are not", icon="INFO")
 
     def _frame(self, scene, layout):
         settings = scene.lippmann
@@ -124,8 +124,10 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
             return
         budget = display["depth_budget_mm"]
         box = layout.box().column()
-        box.label(text=f"{display['views']} views over {display['view_cone_deg']:.0f} degrees, seen from {display['viewing_distance_mm']:.0f} mm")
-        box.label(text=f"Sharp: {budget:.1f} mm in front and behind, {zone.budget:.3g} in the scene")
+        box.label(text=f"{display['views']} views, {display['view_cone_deg']:.0f} degrees")
+        box.label(text=f"Viewer at {display['viewing_distance_mm']:.0f} mm")
+        box.label(text=f"Sharp within {budget:.1f} mm")
+        box.label(text=f"In the scene: {zone.budget:.3g}")
 
 
 CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, ViewInPage, LIPPMANN_PT_light_field)

@@ -207,11 +207,11 @@ def set_keys(thing, matrix, frame):
             thing.keyframe_insert(channel, frame=frame)
 
 
-def key_places(thing, places, frames):
-    """Places the object, with keys at all frames where it moves or is not always there."""
+def key_places(thing, places, frames, always=False):
+    """Places the object, with keys at all frames where it moves or is not always there, or always."""
     thing.rotation_mode = "QUATERNION"
     first = next(iter(places.values()))
-    if len(places) == len(frames) and all(place == first for place in places.values()):
+    if not always and len(places) == len(frames) and all(place == first for place in places.values()):
         set_keys(thing, first, None)
         return
     before = None
@@ -260,7 +260,7 @@ def build_stage(scene, request, report):
         key_places(thing, places, frames)
     eye = eye_of(zone, EYE)
     stage.collection.objects.link(eye)
-    key_places(eye, eyes, frames)
+    key_places(eye, eyes, frames, always=not request["still"])  # so that animations in which nothing moves have their length, too
     keep_deforming(stage, tracks.kept.values(), report)
     if not tracks.places and not tracks.kept:
         raise RuntimeError("The scene shows nothing that could be rendered: it has no visible mesh, curve, text or light.")
