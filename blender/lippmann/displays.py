@@ -1,0 +1,98 @@
+"""The displays that the tool knows, asked for once, and what the add-on needs of the chosen one."""
+
+import os
+import zlib
+
+import bpy
+
+from . import tool
+
+DEFAULT = "looking-glass-portrait"
+_known = None      # of all presets, as `lippmann displays --json` tells them
+_files = {}        # (path, time of change) -> display
+_choices = []      # Blender needs the strings of dynamic lists to stay alive
+
+
+def preferred_tool():
+    addon = bpy.context.preferences.addons.get(__package__)
+    return tool.find(addon.preferences.tool if addon else "")
+
+
+def forget():
+    """After the tool's path has changed."""
+    global _known
+    _known = None
+    _choices.clear()
+
+
+def known():
+    global _known
+    if _known is None:
+        _known = tool.ask(preferred_tool(), "displays")
+    return _known
+
+
+def number(name):
+    """What files store for a display: it must not change when the tool knows others. 0 is what Blender takes without a choice."""
+    return 0 if name == DEFAULT else zlib.crc32(name.encode()) & 0x7FFFFFFF
+
+
+def choices(_self, _context):
+    if not _choices:
+        try:
+            names = [(display["name"], display["description"]) for display in known()]
+        except tool.ToolError:
+            return [("none", "Tool not found", "Set the path of lippmann in the add-on's preferences")]
+        names.sort(key=lambda name: name[0] != DEFAULT)
+        _choices.extend((name, description, name, number(name)) for name, description in names)
+    return _choices
+
+
+def argument(scene):
+    """What --display takes."""
+    settings = scene.lippmann
+    return bpy.path.abspath(settings.calibration) if settings.calibration else settings.display
+
+
+def chosen(scene):
+    """The display as the tool describes it. Raises ToolError."""
+    path = argument(scene)
+    if not scene.lippmann.calibration:
+        known()
+        for display in known():
+            if display["name"] == path:
+                return display
+        raise tool.ToolError(f"The tool knows no display {path}.")
+    if not os.path.isfile(path):
+        raise tool.ToolError(f"There is no calibration file {path}.")
+    key = (path, os.stat(path).st_mtime_ns)
+    if key not in _files:
+        _files[key] = tool.ask(preferred_tool(), "displays", path)
+    return _files[key]
+
+
+def aspect(display):
+    """Width over height of what is seen."""
+    width, height = display["size_mm"]
+    return display.get("quilt", {}).get("aspect") or width / height
+
+
+def picture_size(display, output):
+    """Pixels of one frame's picture; of a folder of views, those of one view."""
+    quilt = display.get("quilt")
+    if output == "quilt" and quilt:
+        return tuple(quilt["size"])
+    if output in ("views", "single"):
+        height = 1024
+        return round(height * aspect(display)), height
+    return tuple(display["pixels"])
+
+
+def fit_resolution(scene):
+    """Blender's resolution becomes that of the picture. Nothing changes where the display cannot be read: its panel says why."""
+    try:
+        size = picture_size(chosen(scene), scene.lippmann.output)
+    except tool.ToolError:
+        return
+    scene.render.resolution_x, scene.render.resolution_y = size
+    scene.render.pixel_aspect_x = scene.render.pixel_aspect_y = 1.0

@@ -1,0 +1,111 @@
+"""The render engine: F12 is one frame of the tool, Ctrl-F12 one run of it whose frames are shown as they are finished."""
+
+import sys
+
+import bpy
+
+from . import job as jobs
+from . import tool
+
+_animation = None        # the Job whose frames Blender asks for one by one
+last_warnings = []       # of the last render, for the panel
+last_folder = ""         # where its pictures lie
+
+
+@bpy.app.handlers.persistent  # other files are loaded while the add-on is on
+def end_animation(*_):
+    global _animation
+    if _animation:
+        _animation.stop()
+        _animation = None
+
+
+class Engine(bpy.types.RenderEngine):
+    bl_idname = "LIPPMANN"
+    bl_label = "Lippmann"
+    bl_use_preview = False
+    bl_use_gpu_context = False
+
+    def render(self, depsgraph):
+        scene = depsgraph.scene.original if hasattr(depsgraph.scene, "original") else depsgraph.scene
+        try:
+            pictures = self._pictures(scene)
+            self._show(scene, pictures)
+        except jobs.Cancelled:
+            end_animation()
+        except tool.ToolError as error:
+            end_animation()
+            self._fail(str(error))
+
+    def _fail(self, message):
+        if bpy.app.background:
+            print(f"lippmann: error: {message}", file=sys.stderr, flush=True)
+        self.report({"ERROR"}, message)
+        self.error_set(message)
+
+    def _pictures(self, scene):
+        global _animation, last_warnings, last_folder
+        still = not self.is_animation
+        if still:
+            job = jobs.Job(scene, True)
+        else:
+            if _animation is None:
+                _animation = jobs.Job(scene, False)
+            job = _animation
+        self.update_stats("Lippmann", f"frame {scene.frame_current}")
+        try:
+            found = job.frame(scene.frame_current, self.update_progress, self.test_break)
+        finally:
+            if still:
+                job.stop()
+            last_folder = str(job.pictures_folder)
+        if last_warnings != job.warnings:
+            last_warnings = list(job.warnings)
+            for warning in last_warnings:
+                self.report({"WARNING"}, warning)
+        if not still and scene.frame_current == job.last:
+            end_animation()
+        return found
+
+    def _show(self, scene, pictures):
+        """The picture as Blender's result; of several views the middle one. The files hold the codes for the display."""
+        picture = pictures[len(pictures) // 2]
+        width, height = jobs.resolution(scene)
+        image = bpy.data.images.load(str(picture))
+        size = tuple(image.size)
+        bpy.data.images.remove(image)
+        if size != (width, height):
+            self.report({"WARNING"}, f"The picture has {size[0]} x {size[1]} pixels, not Blender's resolution; see {picture}.")
+            return
+        result = self.begin_result(0, 0, width, height)
+        result.layers[0].load_from_file(str(picture))
+        self.end_result(result)
+
+
+def panels():
+    """Blender's own panels that make sense with this engine: those that its built-in renderer has, but for its settings of rendering."""
+    left_out = {"VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_simplify", "RENDER_PT_freestyle"}
+    for panel in bpy.types.Panel.__subclasses__():
+        if "BLENDER_RENDER" in getattr(panel, "COMPAT_ENGINES", ()) and panel.__name__ not in left_out:
+            yield panel
+    for name in ("EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface", "EEVEE_WORLD_PT_surface", "DATA_PT_EEVEE_light"):
+        panel = getattr(bpy.types, name, None)
+        if panel:
+            yield panel
+
+
+def register():
+    bpy.utils.register_class(Engine)
+    for panel in panels():
+        panel.COMPAT_ENGINES.add("LIPPMANN")
+    bpy.app.handlers.render_cancel.append(end_animation)
+    bpy.app.handlers.render_complete.append(end_animation)
+
+
+def unregister():
+    end_animation()
+    bpy.app.handlers.render_complete.remove(end_animation)
+    bpy.app.handlers.render_cancel.remove(end_animation)
+    for panel in panels():
+        panel.COMPAT_ENGINES.discard("LIPPMANN")
+    bpy.utils.unregister_class(Engine)

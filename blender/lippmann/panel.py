@@ -1,0 +1,144 @@
+"""The panel in the render properties, and what its buttons do."""
+
+import subprocess
+
+import bpy
+
+from . import displays, engine, frame, tool
+
+
+class Operator(bpy.types.Operator):
+    """An operator whose ToolErrors are shown to the user."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        try:
+            self.act(context)
+        except tool.ToolError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class PlaceAtSelected(Operator):
+    bl_idname = "lippmann.place_at_selected"
+    bl_label = "At Selected Objects"
+    bl_description = "Put the light-field frame through the middle of the selected objects, facing the camera"
+
+    def act(self, context):
+        things = [thing for thing in context.selected_objects if not thing.lippmann.is_frame]
+        if not things:
+            raise tool.ToolError("No object is selected that the frame could be placed at.")
+        frame.place_at_objects(context.scene.lippmann.frame or frame.add(context), things, context.scene.camera)
+
+
+class PlaceAtFocus(Operator):
+    bl_idname = "lippmann.place_at_focus"
+    bl_label = "At Camera's Focus"
+    bl_description = "Put the light-field frame where the camera is focused, as large as what it frames there"
+
+    def act(self, context):
+        camera = context.scene.camera
+        if not camera:
+            raise tool.ToolError("The scene has no camera.")
+        matrix, height = frame.at_focus(camera, displays.aspect(displays.chosen(context.scene)))
+        frame.place(context.scene.lippmann.frame or frame.add(context), matrix, height)
+
+
+class MatchResolution(Operator):
+    bl_idname = "lippmann.match_resolution"
+    bl_label = "Match Resolution"
+    bl_description = "Set Blender's resolution to that of the display's pictures"
+
+    def act(self, context):
+        displays.chosen(context.scene)
+        displays.fit_resolution(context.scene)
+
+
+class ViewInPage(Operator):
+    bl_idname = "lippmann.view"
+    bl_label = "View in Browser"
+    bl_description = "Show the last rendered light field in the browser, where the mouse moves the eye"
+    bl_options = {"REGISTER"}
+
+    def act(self, context):
+        if not engine.last_folder:
+            raise tool.ToolError("Nothing has been rendered yet.")
+        stop_viewing()
+        ViewInPage.child = subprocess.Popen([displays.preferred_tool(), "view", engine.last_folder, "--open"], stdin=subprocess.DEVNULL)
+
+
+def stop_viewing():
+    child = getattr(ViewInPage, "child", None)
+    if child:
+        child.terminate()
+        child.wait()
+        ViewInPage.child = None
+
+
+class LIPPMANN_PT_light_field(bpy.types.Panel):
+    bl_label = "Light Field"
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "render"
+
+    @classmethod
+    def poll(cls, context):
+        return context.engine == "LIPPMANN"
+
+    def draw(self, context):
+        scene, layout = context.scene, self.layout
+        settings = scene.lippmann
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        column = layout.column()
+        column.prop(settings, "display")
+        column.prop(settings, "calibration", text="Or a File")
+        column.prop(settings, "output")
+        column.operator("lippmann.match_resolution")
+        self._frame(scene, layout)
+        column = layout.column()
+        for name in ("samples", "denoise", "full_depth", "folder", "resume", "video", "extra"):
+            column.prop(settings, name)
+        layout.operator("lippmann.view", icon="URL")
+        for warning in engine.last_warnings:
+            layout.label(text=warning, icon="ERROR")
+        if scene.view_settings.view_transform != "Standard":
+            layout.label(text="Shown as " + scene.view_settings.view_transform + "; files are not", icon="INFO")
+
+    def _frame(self, scene, layout):
+        settings = scene.lippmann
+        column = layout.column()
+        column.prop(settings, "frame")
+        if settings.frame:
+            column.prop(settings.frame.lippmann, "height")
+        row = layout.row(align=True)
+        row.operator("lippmann.place_at_selected")
+        row.operator("lippmann.place_at_focus")
+        layout.prop(settings, "show_overlay")
+        try:
+            zone, display = frame.zone(scene), displays.chosen(scene)
+        except tool.ToolError as error:
+            layout.label(text=str(error), icon="ERROR")
+            return
+        budget = display["depth_budget_mm"]
+        box = layout.box().column()
+        box.label(text=f"{display['views']} views, {display['view_cone_deg']:.0f} degrees")
+        box.label(text=f"Viewer at {display['viewing_distance_mm']:.0f} mm")
+        box.label(text=f"Sharp within {budget:.1f} mm")
+        box.label(text=f"In the scene: {zone.budget:.3g}")
+
+
+CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, ViewInPage, LIPPMANN_PT_light_field)
+
+
+def register():
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister():
+    stop_viewing()
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,366 @@
+"""Writes a scene as glTF, with the eye that looks at its light-field frame. It runs in a Blender of its own, in the background:
+
+  blender -b --factory-startup -P scene_export.py -- REQUEST.json
+
+so that it may change the scene as it likes, and is stopped by ending the process. REQUEST.json: library (a .blend with the scene), scene, display
+and calibration, frames [first, last], still (one picture), glb, world (the panorama to write), report (what was done, as JSON).
+
+Everything that Blender's instances show (modifiers, collections, particles, text, curves) becomes a mesh placed by keys at each frame, since glTF's exporter
+drops what is moved by constraints, drivers, parents or simulations. In animations, meshes that armatures or shape keys deform stay as they
+are, for the exporter to write them as skins and morph targets.
+"""
+
+import importlib
+import json
+import math
+import pathlib
+import sys
+
+import bpy
+import numpy as np
+from mathutils import Matrix
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOLID = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
+LOST = {"VOLUME": "volumes", "CURVES": "hair curves", "POINTCLOUD": "point clouds", "GPENCIL": "grease pencil", "LIGHT_PROBE": None, "SPEAKER": None}
+EYE = "lippmann-eye"
+
+
+class Report:
+    """What the user should know, each thing once."""
+
+    def __init__(self):
+        self.warnings = []
+
+    def warn(self, text):
+        if text not in self.warnings:
+            self.warnings.append(text)
+
+
+def load(request):
+    with bpy.data.libraries.load(request["library"]) as (there, here):
+        here.scenes = list(there.scenes)
+    scene = here.scenes[0]
+    bpy.context.window.scene = scene
+    scene.lippmann.display = request["display"]
+    scene.lippmann.calibration = request["calibration"]
+    return scene
+
+
+def name_everything(report):
+    """Names that are no UTF-8, which Python cannot read, get others."""
+    for things in (bpy.data.objects, bpy.data.meshes, bpy.data.materials, bpy.data.images, bpy.data.lights, bpy.data.cameras, bpy.data.actions, bpy.data.armatures):
+        for index, thing in enumerate(things):
+            try:
+                _ = thing.name
+            except UnicodeDecodeError:
+                thing.name = f"unnamed {index}"
+                report.warn("Names that are no UTF-8 were replaced.")
+
+
+def leave_out_missing_files(report):
+    for library in bpy.data.libraries:
+        if not pathlib.Path(bpy.path.abspath(library.filepath)).is_file():
+            report.warn(f"The linked library {library.filepath} is missing; its objects are left out.")
+    for image in bpy.data.images:
+        if image.source != "FILE" or image.packed_file or not image.users or image.type != "IMAGE":
+            continue
+        if not pathlib.Path(bpy.path.abspath(image.filepath, library=image.library)).is_file():
+            report.warn(f"The texture {image.name} ({image.filepath}) is missing; the material's own colour is shown.")
+            for material in bpy.data.materials:
+                for node in list(material.node_tree.nodes) if material.node_tree else []:
+                    if node.type == "TEX_IMAGE" and node.image == image:
+                        material.node_tree.nodes.remove(node)
+
+
+def show_as_rendered(scene):
+    """The viewport's evaluation shows what renders show."""
+    def show(layer):
+        layer.hide_viewport = False
+        layer.collection.hide_viewport = layer.collection.hide_render
+        for child in layer.children:
+            show(child)
+
+    view = bpy.context.view_layer
+    show(view.layer_collection)
+    for thing in scene.objects:
+        thing.hide_viewport = thing.hide_render
+        if thing.name in view.objects:
+            thing.hide_set(False)
+        for modifier in thing.modifiers:
+            modifier.show_viewport = modifier.show_render
+            if modifier.type in ("SUBSURF", "MULTIRES"):
+                modifier.levels = modifier.render_levels
+    for particles in bpy.data.particles:
+        particles.display_percentage = 100
+        if particles.child_type != "NONE":
+            particles.child_nbr = particles.rendered_child_count
+
+
+def deforms(thing):
+    """Whether glTF can show how this object changes its shape: by an armature or by shape keys."""
+    keys = getattr(thing.data, "shape_keys", None)
+    armature = any(modifier.type == "ARMATURE" and modifier.object for modifier in thing.modifiers)
+    return thing.type == "MESH" and (armature or bool(keys and (keys.animation_data or keys.key_blocks)))
+
+
+def mesh_of(instance, depsgraph):
+    """A mesh of what the instance shows, with the materials that its object gives it; None where it has no faces."""
+    shown = instance.object
+    mesh = bpy.data.meshes.new_from_object(shown, preserve_all_data_layers=True, depsgraph=depsgraph)
+    if not mesh.polygons:
+        return None
+    for index, slot in enumerate(shown.material_slots):
+        material = slot.material.original if slot.material else None
+        if index < len(mesh.materials):
+            mesh.materials[index] = material
+        else:
+            mesh.materials.append(material)
+    return mesh
+
+
+def shining_area(light, report):
+    """A mesh in place of an area light, with its radiance. The light's own blend of colour is kept; it shines along -Z alone, as Blender's does."""
+    across = light.size
+    up = light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else across
+    if light.shape in ("SQUARE", "RECTANGLE"):
+        outline = [(-0.5, -0.5), (-0.5, 0.5), (0.5, 0.5), (0.5, -0.5)]
+    else:
+        outline = [(0.5 * math.cos(-t * math.pi / 32), 0.5 * math.sin(-t * math.pi / 32)) for t in range(64)]
+    mesh = bpy.data.meshes.new("area light")
+    mesh.from_pydata([(x * across, y * up, 0.0) for x, y in outline], [], [list(range(len(outline)))])
+    area = across * up * (1.0 if len(outline) == 4 else 0.25 * math.pi)
+    material = bpy.data.materials.new("area light")
+    material.use_nodes = True
+    material.use_backface_culling = True
+    shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
+    emission = "Emission" if "Emission" in shader.inputs else "Emission Color"
+    shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
+    shader.inputs[emission].default_value = (*light.color, 1.0)
+    shader.inputs["Emission Strength"].default_value = light.energy / (math.pi * area)
+    mesh.materials.append(material)
+    report.warn("Area lights arrive as shining surfaces of their size, which are seen in the picture; Blender's are not.")
+    return mesh
+
+
+def shape_of(instance, depsgraph, report):
+    """What an object that stands for the instance has as its data: a mesh, a light, or None."""
+    shown = instance.object
+    if shown.type == "LIGHT":
+        light = shown.data.original
+        if light.type == "AREA":
+            return shining_area(light, report)
+        if (light.type == "SUN" and light.angle > 0.01) or (light.type != "SUN" and light.shadow_soft_size > 0.0):
+            report.warn("Point, spot and sun lights arrive without their size: their shadows are hard.")
+        return light
+    if shown.type in SOLID:
+        return mesh_of(instance, depsgraph)
+    if LOST.get(shown.type):
+        report.warn(f"Objects that are {LOST[shown.type]} are left out.")
+    return None
+
+
+class Tracks:
+    """Where everything stands at each frame, and what it looks like when it is first seen."""
+
+    def __init__(self, still, report):
+        self.still, self.report = still, report
+        self.places, self.shapes, self.kept, self.outlines = {}, {}, {}, {}
+
+    def gather(self, frame):
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        meshes = {}  # instances share the mesh of one evaluated object
+        for instance in depsgraph.object_instances:
+            shown = instance.object
+            original = shown.original
+            if shown.hide_render or not instance.show_self or shown.type in ("EMPTY", "CAMERA", "ARMATURE", "LATTICE"):
+                continue
+            if not self.still and not instance.is_instance and deforms(original):
+                self.kept[original.name_full] = original
+                continue
+            parent = instance.parent.original.name_full if instance.is_instance and instance.parent else ""
+            key = (original.name_full, parent, tuple(instance.persistent_id) if instance.is_instance else ())
+            if key not in self.shapes:
+                data = (original.name_full, shown.data.as_pointer() if shown.data else 0)
+                if data not in meshes:
+                    meshes[data] = shape_of(instance, depsgraph, self.report)
+                self.shapes[key] = meshes[data]
+            if self.shapes[key] is not None:
+                self.places.setdefault(key, {})[frame] = instance.matrix_world.copy()
+                self.watch(key, shown)
+
+    def watch(self, key, shown):
+        """Says so where a shape changes in a way that glTF has no word for."""
+        if self.still or shown.type != "MESH":
+            return
+        points = np.empty(3 * len(shown.data.vertices), np.float32)
+        shown.data.vertices.foreach_get("co", points)
+        first = self.outlines.setdefault(key, points)
+        if len(first) != len(points) or not np.allclose(first, points, atol=1e-5):
+            self.report.warn(f"{key[0]} changes its shape by a modifier or a simulation; it keeps the shape of the first frame.")
+
+
+def set_keys(thing, matrix, frame):
+    thing.matrix_world = matrix  # which also sets location, rotation and scale
+    if frame is not None:
+        for channel in ("location", "rotation_quaternion", "scale"):
+            thing.keyframe_insert(channel, frame=frame)
+
+
+def key_places(thing, places, frames, always=False):
+    """Places the object, with keys at all frames where it moves or is not always there, or always."""
+    thing.rotation_mode = "QUATERNION"
+    first = next(iter(places.values()))
+    if not always and len(places) == len(frames) and all(place == first for place in places.values()):
+        set_keys(thing, first, None)
+        return
+    before = None
+    last = first
+    for frame in frames:
+        last = places.get(frame, last)
+        set_keys(thing, last if frame in places else last @ Matrix.Scale(1e-6, 4), frame)
+        if before is not None and before.dot(thing.rotation_quaternion) < 0.0:
+            thing.rotation_quaternion.negate()
+            thing.keyframe_insert("rotation_quaternion", frame=frame)
+        before = thing.rotation_quaternion.copy()
+    for curve in thing.animation_data.action.fcurves:
+        for point in curve.keyframe_points:
+            point.interpolation = "LINEAR"
+
+
+def eye_of(zone, name):
+    camera = bpy.data.cameras.new(name)
+    camera.sensor_fit = "VERTICAL"
+    camera.lens = 0.5 * camera.sensor_height / (0.5 * zone.height / zone.distance)
+    camera.clip_start, camera.clip_end = 1e-3 * zone.distance, 1e3 * zone.distance
+    return bpy.data.objects.new(name, camera)
+
+
+def build_stage(scene, request, report):
+    """A scene of what is to be exported, and the zone of its first frame."""
+    frame_module = importlib.import_module(f"{HERE.name}.frame")
+    first, last = request["frames"]
+    frames = list(range(first, last + 1)) if request["still"] else list(range(first, last + 2))  # glTF leaves out the frame at the very end
+    tracks, eyes, zone = Tracks(request["still"], report), {}, None
+    for frame in frames:
+        scene.frame_set(frame)
+        bpy.context.view_layer.update()
+        now = frame_module.zone(scene)
+        zone = zone or now
+        eyes[frame] = now.world_from_frame @ Matrix.Translation((0.0, 0.0, zone.distance))
+        tracks.gather(frame)
+    stage = bpy.data.scenes.new("stage")
+    render = stage.render
+    render.fps, render.fps_base = scene.render.fps, scene.render.fps_base
+    render.resolution_x, render.resolution_y = max(1, round(1e4 * zone.width / zone.height)), 10000
+    stage.frame_start, stage.frame_end = (0, 0) if request["still"] else (first, last + 1)
+    for key, places in tracks.places.items():
+        thing = bpy.data.objects.new(key[0], tracks.shapes[key])
+        stage.collection.objects.link(thing)
+        key_places(thing, places, frames)
+    eye = eye_of(zone, EYE)
+    stage.collection.objects.link(eye)
+    key_places(eye, eyes, frames, always=not request["still"])  # so that animations in which nothing moves have their length, too
+    keep_deforming(stage, tracks.kept.values(), report)
+    if not tracks.places and not tracks.kept:
+        raise RuntimeError("The scene shows nothing that could be rendered: it has no visible mesh, curve, text or light.")
+    return stage, zone, any(getattr(thing.data, "shape_keys", None) for thing in tracks.kept.values())
+
+
+def keep_deforming(stage, things, report):
+    """Links objects that deform, and all that they hang on, to the stage; of parents that are meshes only their place counts."""
+    def link(thing):
+        if thing.name not in stage.collection.objects:
+            stage.collection.objects.link(thing)
+
+    for thing in things:
+        link(thing)
+        above = [modifier.object for modifier in thing.modifiers if modifier.type == "ARMATURE"] + [thing.parent]
+        while above:
+            other = above.pop()
+            if other is None:
+                continue
+            if other.type in SOLID and not deforms(other):
+                report.warn(f"{thing.name} deforms and hangs on {other.name}, which is exported twice, in the same place.")
+            link(other)
+            above.append(other.parent)
+
+
+def export_gltf(stage, path, still, has_shape_keys):
+    """Blender's own exporter, with those of the options that this version knows."""
+    bpy.context.window.scene = stage
+    stage.frame_set(stage.frame_start)
+    bpy.context.view_layer.update()  # otherwise objects that are new stand at the origin
+    options = {"export_format": "GLB", "export_cameras": True, "export_lights": True, "export_apply": not has_shape_keys, "export_yup": True,
+               "export_animations": not still, "export_frame_range": True, "export_force_sampling": True, "export_nla_strips": False,
+               "export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_morph": True, "export_skins": True,
+               "export_extras": False, "use_selection": False, "use_active_scene": True, "export_optimize_animation_size": False}
+    known = bpy.ops.export_scene.gltf.get_rna_type().properties.keys()
+    bpy.ops.export_scene.gltf(filepath=path, **{name: value for name, value in options.items() if name in known})
+
+
+def plain_world(world):
+    """The world's linear colour where that is all there is to it, else None."""
+    if world is None:
+        return (0.0, 0.0, 0.0)
+    if not world.use_nodes:
+        return tuple(world.color)
+    output = next((node for node in world.node_tree.nodes if node.type == "OUTPUT_WORLD" and node.is_active_output), None)
+    if output is None or not output.inputs["Surface"].is_linked:
+        return (0.0, 0.0, 0.0)
+    shader = output.inputs["Surface"].links[0].from_node
+    if shader.type != "BACKGROUND" or any(socket.is_linked for socket in shader.inputs):
+        return None
+    return tuple(shader.inputs["Strength"].default_value * channel for channel in shader.inputs["Color"].default_value[:3])
+
+
+def write_panorama(world, path):
+    """What the world looks like all around, rendered by Cycles: so that skies, panoramas and any other nodes arrive alike."""
+    sky = bpy.data.scenes.new("sky")
+    sky.world = world
+    sky.render.engine = "CYCLES"
+    sky.cycles.samples = 4
+    sky.cycles.use_denoising = False
+    sky.render.resolution_x, sky.render.resolution_y = 2048, 1024
+    sky.view_settings.view_transform = "Raw"
+    sky.render.image_settings.file_format = "OPEN_EXR"
+    sky.render.image_settings.color_depth = "32"
+    camera = bpy.data.cameras.new("sky")
+    camera.type = "PANO"
+    holder = camera if hasattr(camera, "panorama_type") else camera.cycles
+    holder.panorama_type = "EQUIRECTANGULAR"
+    # The camera looks along +X, and the picture's middle is that of glTF's panoramas.
+    eye = bpy.data.objects.new("sky", camera)
+    eye.rotation_euler = (math.pi / 2, 0.0, -math.pi / 2)
+    sky.collection.objects.link(eye)
+    sky.camera = eye
+    sky.render.filepath = path
+    bpy.ops.render.render(write_still=True, scene=sky.name)
+
+
+def main():
+    request = json.loads(pathlib.Path(sys.argv[sys.argv.index("--") + 1]).read_text())
+    sys.path.insert(0, str(HERE.parent))
+    addon = importlib.import_module(HERE.name)
+    addon.register()
+    report = Report()
+    scene = load(request)
+    name_everything(report)
+    leave_out_missing_files(report)
+    show_as_rendered(scene)
+    stage, zone, has_shape_keys = build_stage(scene, request, report)
+    export_gltf(stage, request["glb"], request["still"], has_shape_keys)
+    colour = plain_world(scene.world)
+    if colour is None:
+        write_panorama(scene.world, request["world"])
+    environment = request["world"] if colour is None else "none" if not any(colour) else ",".join(f"{channel:.7g}" for channel in colour)
+    told = {"warnings": report.warnings, "environment": environment, "distance": zone.distance, "eye": EYE}
+    pathlib.Path(request["report"]).write_text(json.dumps(told))
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Exception as error:  # the parent shows this line; the traceback is in its log
+        print(f"error: {error}", file=sys.stderr)
+        raise

@@ -1,0 +1,63 @@
+"""What the user chooses, stored in the scene and in the frame's object. Lengths are in Blender's units unless a name says mm."""
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
+
+from . import displays
+
+OUTPUTS = [
+    ("quilt", "Quilt", "All views side by side in one picture, as the display's player takes it"),
+    ("native", "Native frame", "Every sub-pixel of the calibrated panel"),
+    ("views", "Views", "A folder with one picture for each view"),
+    ("single", "Preview", "One eye's view from the middle of the viewing zone"),
+]
+
+
+def is_frame(_, candidate):
+    return candidate.type == "EMPTY" and candidate.lippmann.is_frame
+
+
+def show_other_display(self, context):
+    displays.fit_resolution(context.scene)
+
+
+class SceneSettings(bpy.types.PropertyGroup):
+    frame: PointerProperty(type=bpy.types.Object, name="Frame", poll=is_frame,
+                           description="The light-field frame: where the display's plane stands. Without one, it stands at the camera's focus")
+    display: EnumProperty(items=displays.choices, name="Display", update=show_other_display,
+                          description="The display that is rendered for")
+    calibration: StringProperty(name="File", subtype="FILE_PATH", update=show_other_display,
+                                description="A device's calibration (visual.json), or a display of your own (.toml); used in place of the preset")
+    output: EnumProperty(items=OUTPUTS, name="Output", default="quilt", update=show_other_display, description="What F12 and Ctrl-F12 render")
+    samples: IntProperty(name="Samples", default=16, min=1, max=1 << 16, description="Paths for each pixel")
+    denoise: BoolProperty(name="Denoise", description="Take out the noise of few samples")
+    full_depth: BoolProperty(name="All of the depth", description="Show all of the scene's depth, blurred where the display cannot resolve it; "
+                             "otherwise a scene that is too deep is shown less deep")
+    resume: BoolProperty(name="Resume", default=True, description="Ctrl-F12 keeps the frames that an earlier, interrupted render of the same scene has finished")
+    video: BoolProperty(name="Video", description="Ctrl-F12 also writes a video of the frames")
+    folder: StringProperty(name="Folder", subtype="DIR_PATH", default="//lippmann/", description="Where the pictures, the video and the exported scene are written")
+    show_overlay: BoolProperty(name="Show in viewport", default=True, description="Draw the frame, its sharp depth and its viewing zone")
+    extra: StringProperty(name="More flags", description="Flags of lippmann render, such as: --tone agx --exposure 0.5")
+
+
+class ObjectSettings(bpy.types.PropertyGroup):
+    is_frame: BoolProperty(options={"HIDDEN"})
+    height: FloatProperty(name="Height", default=1.0, min=1e-6, soft_max=100.0, unit="LENGTH",
+                          description="Height of the display in the scene")
+
+
+CLASSES = (SceneSettings, ObjectSettings)
+
+
+def register():
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.Scene.lippmann = PointerProperty(type=SceneSettings)
+    bpy.types.Object.lippmann = PointerProperty(type=ObjectSettings)
+
+
+def unregister():
+    del bpy.types.Object.lippmann
+    del bpy.types.Scene.lippmann
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,158 @@
+"""The add-on inside Blender, which runs this file: blender -b --factory-startup --python addon_test.py"""
+
+import json
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
+import lippmann  # noqa: E402
+from lippmann import engine, frame, tool  # noqa: E402
+from lippmann import job as jobs  # noqa: E402
+
+lippmann.register()
+
+
+def new_scene(folder, output, samples=16, size=(60, 80)):
+    """Blender's own first scene: a cube, a lamp, a camera."""
+    bpy.ops.wm.read_factory_settings()
+    scene = bpy.context.scene
+    scene.render.engine = "LIPPMANN"
+    scene.view_settings.view_transform = "Standard"
+    settings = scene.lippmann
+    settings.display, settings.output, settings.samples, settings.folder = "looking-glass-portrait", output, samples, str(folder)
+    scene.render.resolution_x, scene.render.resolution_y = size
+    scene.render.filepath = str(pathlib.Path(folder) / "blender_")
+    return scene
+
+
+def gltf(folder):
+    data = (pathlib.Path(folder) / "scene.glb").read_bytes()
+    return json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
+
+
+def contrast(picture):
+    """The standard deviation of a picture's codes, from 0 to 1."""
+    image = bpy.data.images.load(str(picture))
+    values = np.empty(len(image.pixels), np.float32)
+    image.pixels.foreach_get(values)
+    return values.reshape(-1, image.channels)[:, :3].std()
+
+
+def failure(operator, **arguments):
+    try:
+        operator(**arguments)
+    except RuntimeError as error:
+        return str(error)
+    return ""
+
+
+class AddOn(unittest.TestCase):
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self._folder.cleanup)
+        self.folder = pathlib.Path(self._folder.name)
+
+    def test_preview_and_middle_view_agree(self):
+        new_scene(self.folder / "one", "single", samples=64)
+        bpy.ops.render.render()
+        scene = new_scene(self.folder / "many", "views", samples=64, size=(60, 80))
+        scene.lippmann.extra = "--views 3x1 --size 180x80 --full-depth --angular-filter none"
+        bpy.ops.render.render()
+        preview = tool.pictures(self.folder / "one" / "still", 0)
+        views = tool.pictures(self.folder / "many" / "still", 0)
+        self.assertEqual((len(preview), len(views)), (1, 3))
+        told = subprocess.run([os.environ["LIPPMANN_TOOL"], "compare", preview[0], views[1], "--json"], capture_output=True, check=True)
+        self.assertGreater(json.loads(told.stdout)["mean"]["ssim"], 0.99)
+        self.assertGreater(contrast(preview[0]), 0.1)  # two blank pictures would be alike, too
+
+    def test_an_animation_has_its_frames_moves_by_constraints_and_resumes(self):
+        scene = new_scene(self.folder, "quilt", samples=1, size=(80, 60))
+        scene.frame_start, scene.frame_end = 3, 4
+        cube = bpy.data.objects["Cube"]
+        for number, place in ((3, 0.0), (4, 2.0)):
+            cube.location.x = place
+            cube.keyframe_insert("location", frame=number)
+        bpy.ops.mesh.primitive_plane_add()
+        follower = bpy.context.object
+        follower.constraints.new("COPY_LOCATION").target = cube
+        bpy.ops.render.render(animation=True)
+        self.assertTrue(tool.pictures(self.folder / "animation", 3) and tool.pictures(self.folder / "animation", 4))
+        self.assertTrue((self.folder / "blender_0004.png").is_file())
+        document = gltf(self.folder)
+        moved = {document["nodes"][channel["target"]["node"]]["name"] for motion in document["animations"] for channel in motion["channels"]}
+        self.assertTrue(any(name.startswith("Plane") for name in moved), moved)
+        before = [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)]
+        bpy.ops.render.render(animation=True)
+        self.assertEqual(before, [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)])
+
+    def test_a_frame_stands_at_the_camera_s_focus_and_at_objects(self):
+        scene = new_scene(self.folder, "single")
+        scene.camera.data.dof.focus_distance = 5.0
+        bpy.ops.lippmann.place_at_focus()
+        zone = frame.zone(scene)
+        away = (scene.camera.matrix_world.translation - zone.world_from_frame.translation).length
+        self.assertAlmostEqual(away, 5.0, places=4)
+        bpy.ops.lippmann.place_at_selected()
+        self.assertLess(frame.zone(scene).world_from_frame.translation.length, 1e-5)
+        self.assertAlmostEqual(scene.lippmann.frame.lippmann.height, 2.4, places=5)
+
+    def test_a_scene_without_a_camera_or_with_a_frame_of_no_size_is_refused_in_one_sentence(self):
+        scene = new_scene(self.folder, "single")
+        bpy.ops.lippmann.place_at_focus()
+        scene.lippmann.frame.scale = (0.0, 0.0, 0.0)
+        bpy.context.view_layer.update()
+        self.assertIn("no size", failure(bpy.ops.render.render))
+        bpy.data.objects.remove(scene.lippmann.frame)
+        bpy.data.objects.remove(scene.camera)
+        with self.assertRaisesRegex(tool.ToolError, "neither a light-field frame nor a camera"):
+            frame.zone(scene)
+
+    def test_a_cancelled_render_ends_its_children(self):
+        scene = new_scene(self.folder, "quilt", samples=4096, size=(800, 600))
+        job = jobs.Job(scene, True)
+        asked = []
+        with self.assertRaises(jobs.Cancelled):
+            job.frame(1, stopped=lambda: asked.append(job._started) or job._started)
+        self.assertFalse(job._child.running())
+        self.assertFalse(tool.pictures(self.folder / "still", 0))
+
+    def test_a_missing_texture_is_said_and_the_rest_rendered(self):
+        new_scene(self.folder, "single", samples=1)
+        image = bpy.data.images.new("bark", 4, 4)
+        image.source, image.filepath = "FILE", "/nowhere/bark.png"
+        tree = bpy.data.materials["Material"].node_tree
+        node = tree.nodes.new("ShaderNodeTexImage")
+        node.image = image
+        tree.links.new(node.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
+        bpy.ops.render.render()
+        self.assertTrue(any("bark" in warning for warning in engine.last_warnings), engine.last_warnings)
+        self.assertTrue(tool.pictures(self.folder / "still", 0))
+
+    def test_a_sky_of_nodes_becomes_a_panorama(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        tree = scene.world.node_tree
+        sky = tree.nodes.new("ShaderNodeTexSky")
+        tree.links.new(sky.outputs["Color"], tree.nodes["Background"].inputs["Color"])
+        bpy.ops.render.render()
+        self.assertTrue((self.folder / "world.exr").is_file())
+
+    def test_a_tool_that_is_not_there_is_said(self):
+        with self.assertRaisesRegex(tool.ToolError, "not at /nowhere/lippmann"):
+            tool.find("/nowhere/lippmann")
+
+    def test_a_stopped_child_leaves_no_process(self):
+        child = tool.Child(["sleep", "60"], self.folder / "log")
+        child.stop()
+        self.assertFalse(child.running())
+
+
+done = unittest.main(argv=["addon_test"], exit=False, verbosity=2)
+sys.exit(0 if done.result.wasSuccessful() else 1)
