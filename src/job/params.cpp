@@ -44,6 +44,7 @@ Scene wanted_scene(const RenderParams& params, const Context& context, SceneNote
   if (!params.scene.camera_path.empty()) options.camera_path = params.scene.camera_path;
   options.frames_per_second = params.scene.fps;
   options.animation = params.scene.animation;
+  options.variant = params.scene.variant;
   options.asset_root = params.scene.asset_root;
   Scene scene = load_scene(params.scene.name, options, context);
   SceneNotes known{camera_names(scene), {}};

@@ -26,16 +26,17 @@ enum class ReuseChoice { kAuto, kNone, kCopy, kLight, kInterpolate };
 enum class DebugPicture { kNone, kMissed, kProvenance };
 /// Which scene, in what light, and what of it is looked at.
 struct SceneParams {
-  std::string name;                       ///< a built-in name or a file
-  std::string camera_path;                ///< a Tachyon .cam file for a .dat scene; empty: none
-  std::string animation;                  ///< name or index of the one to show, of scenes that hold several; empty: the first
-  std::string asset_root;                 ///< files that the scene names may lie below it; empty: in its own folder only
-  std::string camera;                     ///< name or index of the one that decides the view; empty: the first
-  UpAxis up = UpAxis::kY;                 ///< the axis of the scene's file that points upwards
-  double fps = 0.0;                       ///< frames per second of the animation and of videos; 0: the scene's own
-  float light_scale = 1.0f;               ///< factor on the light of the file's lamps
-  std::string environment;                ///< none, studio, a colour or a panorama; empty: see job/scene_light.hpp
-  float environment_strength = 1.0f;      ///< factor
+  std::string name;                   ///< a built-in name or a file
+  std::string camera_path;            ///< a Tachyon .cam file for a .dat scene; empty: none
+  std::string animation;              ///< name or index of the one to show, of scenes that hold several; empty: the first
+  std::string variant;                ///< name or index of the set of materials, of scenes that hold several; empty: the file's
+  std::string asset_root;             ///< files that the scene names may lie below it; empty: in its own folder only
+  std::string camera;                 ///< name or index of the one that decides the view; empty: the first
+  UpAxis up = UpAxis::kY;             ///< the axis of the scene's file that points upwards
+  double fps = 0.0;                   ///< frames per second of the animation and of videos; 0: the scene's own
+  float light_scale = 1.0f;           ///< factor on the light of the file's lamps
+  std::string environment;            ///< none, studio, a colour or a panorama; empty: see job/scene_light.hpp
+  float environment_strength = 1.0f;  ///< factor
   float environment_rotation_deg = 0.0f;  ///< about the vertical
   ViewWish view;
 };

@@ -74,6 +74,14 @@ std::string list_animations(const SceneInfo& info) {
   return text;
 }
 
+/// "Beach (0), Street (1)".
+std::string list_variants(const SceneInfo& info) {
+  std::string text;
+  for (std::size_t i = 0; i < info.variants.size(); ++i)
+    text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", printable(info.variants[i]), i);
+  return text;
+}
+
 /// Whether frames show the keys of a file with animations; nothing for other files.
 std::string describe_keys(const SceneInfo& info) {
   if (info.animations.empty()) return "";
@@ -101,6 +109,7 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   const Scene scene = wanted_scene(params, collecting, &info.notes);
   info.name = scene.name;
   info.animations = scene.animation_names, info.animation = scene.animation;
+  info.variants = scene.variant_names;
   info.frames = scene.timeline.frame_count;
   info.frames_per_second = scene.timeline.frames_per_second;
   info.keys_on_frames = keys_fall_on_frames(scene.timeline, info.frames_per_second);
@@ -136,6 +145,7 @@ Json to_json(const SceneInfo& info) {
           {"light", info.notes.light},
           {"animations", info.animations},
           {"animation", info.animation < 0 ? Json(nullptr) : Json(info.animation)},
+          {"variants", info.variants},
           {"frames", info.frames},
           {"frames_per_second", info.frames_per_second},
           {"seconds", info.frames / info.frames_per_second},
@@ -169,6 +179,7 @@ std::string to_text(const SceneInfo& info) {
                               {info.lights, "light"},
                               {info.cameras, "camera"}}));
   if (info.cameras > 1) line("cameras", list_cameras(info.notes.camera_names) + "; --camera chooses");
+  if (!info.variants.empty()) line("variants", list_variants(info) + "; --variant chooses");
   line("light", info.notes.light);
   line("animation",
        fmt::format("{} frames at {:g} a second = {:.1f} s{}; {} of {} instances move", info.frames, info.frames_per_second,

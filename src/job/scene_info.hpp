@@ -27,6 +27,7 @@ struct SceneInfo {
   std::size_t moving_instances = 0;     ///< that move or change their shape
   std::vector<std::string> animations;  ///< names of all that the file has
   int animation = -1;                   ///< which of them is shown
+  std::vector<std::string> variants;    ///< names of the sets of materials that --variant chooses from
 
   Bounds3f bounds;  ///< world, of everything finite, over the animation (sampled at up to 32 frames)
 

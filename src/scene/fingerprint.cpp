@@ -19,7 +19,7 @@ class SceneFingerprint {
 
   void add(const Scene& scene) {
     const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, cameras, display, background, timeline,
-                 animation_names, animation, encoding, max_depth, resolution] = scene;
+                 animation_names, animation, variant_names, encoding, max_depth, resolution] = scene;
     add_each(nodes);
     add_each(shapes);
     add_each(textures);
@@ -124,11 +124,37 @@ class SceneFingerprint {
                  occlusion_map, occlusion_strength, emissive, emissive_map, ior, transmission, transmission_map, specular,
                  specular_map, specular_color, specular_color_map, clearcoat, clearcoat_roughness, clearcoat_map,
                  clearcoat_roughness_map, clearcoat_normal_map, clearcoat_normal_scale, alpha_cutoff, blend, double_sided,
-                 unlit] = surface;
+                 unlit, extensions] = surface;
     add_all(base_color, base_color_map, metallic, roughness, metallic_roughness_map, normal_map, normal_scale, occlusion_map,
             occlusion_strength, emissive, emissive_map, ior, transmission, transmission_map, specular, specular_map,
             specular_color, specular_color_map, clearcoat, clearcoat_roughness, clearcoat_map, clearcoat_roughness_map,
             clearcoat_normal_map, clearcoat_normal_scale, alpha_cutoff, blend, double_sided, unlit);
+    if (extensions) add(*extensions);  // else nothing, so that surfaces without them keep their fingerprints
+  }
+  void add(const SurfaceExtensions& extensions) {
+    const auto& [sheen, anisotropy, iridescence, diffuse_transmission, volume, dispersion] = extensions;
+    add_all(sheen, anisotropy, iridescence, diffuse_transmission, dispersion);
+    add_optional(volume);
+  }
+  void add(const Sheen& sheen) {
+    const auto& [color, color_map, roughness, roughness_map] = sheen;
+    add_all(color, color_map, roughness, roughness_map);
+  }
+  void add(const Anisotropy& anisotropy) {
+    const auto& [strength, rotation, map] = anisotropy;
+    add_all(strength, rotation, map);
+  }
+  void add(const Iridescence& iridescence) {
+    const auto& [share, map, ior, least_thickness_nm, most_thickness_nm, thickness_map] = iridescence;
+    add_all(share, map, ior, least_thickness_nm, most_thickness_nm, thickness_map);
+  }
+  void add(const DiffuseTransmission& transmission) {
+    const auto& [share, map, color, color_map] = transmission;
+    add_all(share, map, color, color_map);
+  }
+  void add(const Volume& volume) {
+    const auto& [is_solid, attenuation_color, attenuation_distance] = volume;
+    add_all(is_solid, attenuation_color, attenuation_distance);
   }
   void add(const Material& material) {
     const auto& [name, surface] = material;

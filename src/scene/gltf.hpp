@@ -1,8 +1,9 @@
 // Reads glTF 2.0, the Khronos Group's exchange format, as one JSON file with others beside it (.gltf) or as one binary (.glb).
 //
 // Read: the default scene's node hierarchy; one of the file's animations; triangle meshes, their skins and morph targets;
-// metallic-roughness materials with all their textures (PNG, JPEG); cameras; the extensions KHR_lights_punctual,
-// KHR_materials_unlit, _emissive_strength, _ior, _transmission, _specular, _clearcoat, KHR_texture_transform,
+// metallic-roughness materials with all their textures (PNG, JPEG, WebP); cameras; the extensions KHR_lights_punctual,
+// KHR_materials_unlit, _emissive_strength, _ior, _transmission, _volume, _dispersion, _diffuse_transmission, _specular,
+// _clearcoat, _sheen, _anisotropy, _iridescence, _pbrSpecularGlossiness, _variants, KHR_texture_transform, EXT_texture_webp,
 // KHR_mesh_quantization, KHR_draco_mesh_compression, EXT_meshopt_compression, EXT_mesh_gpu_instancing. Simplified, with one
 // warning each: an orthographic camera becomes a perspective one. Lights are as in the file: there may be none. What else a
 // file holds and this reader leaves out (other extensions, further scenes) is named by one warning; an extension that the file
@@ -40,13 +41,15 @@ struct GltfLimits {
 /// Throws Error naming the file and the element ("Box.glb: accessors[3]: ..."). The timeline shows frame f
 /// at f / frames_per_second and has as many frames as fit the animation's length (so that it loops), at least one; with
 /// frames_per_second 0 at the first of 30, 24, 25 and 60 a second at which every key falls on a frame, else at 30.
-/// animation: the name or the index of the one to show; empty: the first. asset_root: files may lie below it, too.
+/// animation: the name or the index of the one to show; empty: the first. asset_root: files may lie below it, too. variant: the
+/// name or the index of the set of materials to show; empty: those that the file shows without a choice.
 Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context,
-                const GltfLimits& limits = {}, const std::string& animation = {}, const std::filesystem::path& asset_root = {});
+                const GltfLimits& limits = {}, const std::string& animation = {}, const std::filesystem::path& asset_root = {},
+                const std::string& variant = {});
 
 /// The same of a file's contents; `path` names it in messages, and the files that it refers to lie in its folder.
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
                  const Context& context, const GltfLimits& limits = {}, const std::string& animation = {},
-                 const std::filesystem::path& asset_root = {});
+                 const std::filesystem::path& asset_root = {}, const std::string& variant = {});
 
 }  // namespace lippmann

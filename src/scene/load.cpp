@@ -35,7 +35,7 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
 }
 
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return load_gltf(path, options.frames_per_second, context, {}, options.animation, options.asset_root);
+  return load_gltf(path, options.frames_per_second, context, {}, options.animation, options.asset_root, options.variant);
 }
 
 Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context) {
@@ -53,9 +53,10 @@ Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Cont
 /// One row per file format. Rows that share a loader stand together.
 struct Format {
   std::string_view extension;  ///< lower case, with its dot
-  bool takes_camera_path, has_animations;
-  bool may_be_empty;  ///< a background alone is a scene
-  bool is_physical;   ///< is_physical_format()
+  bool takes_camera_path;
+  bool has_animations;  ///< to choose from, and sets of materials
+  bool may_be_empty;    ///< a background alone is a scene
+  bool is_physical;     ///< is_physical_format()
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&);
 };
 
@@ -128,6 +129,8 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
     throw usage_error("camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
   if (!options.animation.empty() && !format->has_animations)
     throw usage_error("animation", fmt::format("{} has no animations to choose from", path.string()), "a glTF scene");
+  if (!options.variant.empty() && !format->has_animations)
+    throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", path.string()), "a glTF scene");
   Scene scene = format->load(path, options, context);
   if (!format->may_be_empty) require_surfaces(scene, path);
   return scene;
@@ -145,6 +148,8 @@ Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
     throw usage_error("camera-path", fmt::format("{} brings its own cameras", builtin.name), "a Tachyon .dat scene");
   if (!options.animation.empty())
     throw usage_error("animation", fmt::format("{} has no animations to choose from", builtin.name), "a glTF scene");
+  if (!options.variant.empty())
+    throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", builtin.name), "a glTF scene");
   Scene scene = builtin.build();
   Timeline& timeline = scene.timeline;
   if (options.frames_per_second > 0.0) {

@@ -48,15 +48,29 @@ void spend(const PictureHeader& picture, const std::string& where, TextureBudget
   budget.left -= bytes;
 }
 
+struct Reader {
+  bool (*recognises)(FileBytes);
+  PictureHeader (*header)(FileBytes, const std::string&);
+  DecodedPicture (*decode)(FileBytes, const std::string&);
+};
+
+constexpr Reader kReaders[] = {
+    {is_png, png_header, decode_png}, {is_jpeg, jpeg_header, decode_jpeg}, {is_webp, webp_header, decode_webp}};
+
+const Reader& reader_of(FileBytes encoded, const std::string& where) {
+  for (const Reader& reader : kReaders)
+    if (reader.recognises(encoded)) return reader;
+  throw Error(where, "is neither PNG nor JPEG");
+}
+
 }  // namespace
 
 bool is_texture_image(std::span<const std::byte> encoded) { return is_png(encoded) || is_jpeg(encoded); }
 
 void decode_texture(std::span<const std::byte> encoded, const std::string& where, TextureBudget& budget, Texture& into) {
-  const bool png = is_png(encoded);
-  if (!png && !is_jpeg(encoded)) throw Error(where, "is neither PNG nor JPEG");
-  spend(png ? png_header(encoded, where) : jpeg_header(encoded, where), where, budget);
-  DecodedPicture picture = png ? decode_png(encoded, where) : decode_jpeg(encoded, where);
+  const Reader& reader = reader_of(encoded, where);
+  spend(reader.header(encoded, where), where, budget);
+  DecodedPicture picture = reader.decode(encoded, where);
   into.width = picture.header.width, into.height = picture.header.height;
   into.rgba = expanded_to_rgba(to_bytes(std::move(picture.samples)), picture.header.channels.size());
 }

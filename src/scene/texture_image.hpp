@@ -1,4 +1,4 @@
-// Decodes the pictures that scene files use as textures: PNG and JPEG, told apart by their first bytes.
+// Decodes the pictures that scene files use as textures: PNG, JPEG and, in glTF files, WebP, told apart by their first bytes.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct TextureBudget {
   std::uint64_t left = 0;   ///< of these, still to be spent
 };
 
-/// Whether they begin as a picture that decode_texture can decode.
+/// Whether they begin as PNG or JPEG, which every scene format knows.
 bool is_texture_image(std::span<const std::byte> encoded);
 
 /// Fills the texture's width, height and rgba, the top left texel first; colour profiles and orientation tags are ignored,

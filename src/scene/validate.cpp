@@ -196,6 +196,27 @@ class Validator {
                 finite(Vec2f(s.clearcoat_roughness, s.clearcoat_normal_scale)),
             element, "a coefficient is not finite");
     require(finite(s.ior) && s.ior > 0.0f, element, "the index of refraction is not a positive number");
+    if (s.extensions) check_extensions(*s.extensions, element);
+  }
+
+  void check_extensions(const SurfaceExtensions& s, const std::string& element) const {
+    for (const TextureMap* map : {&s.sheen.color_map, &s.sheen.roughness_map, &s.anisotropy.map, &s.iridescence.map,
+                                  &s.iridescence.thickness_map, &s.diffuse_transmission.map, &s.diffuse_transmission.color_map})
+      check_map(*map, element);
+    require(finite(s.sheen.color) && finite(s.diffuse_transmission.color), element, "a colour is not finite");
+    require(finite(Vec4f(s.sheen.roughness, s.anisotropy.strength, s.anisotropy.rotation, s.dispersion)) &&
+                finite(Vec2f(s.iridescence.share, s.diffuse_transmission.share)),
+            element, "a coefficient is not finite");
+    require(s.dispersion >= 0.0f, element, "the dispersion is negative");
+    const Vec3f film(s.iridescence.ior, s.iridescence.least_thickness_nm, s.iridescence.most_thickness_nm);
+    require(finite(film) && film.x >= 1.0f && film.y >= 0.0f && film.z >= 0.0f, element,
+            "the film has an index of refraction below 1 or a thickness below 0");
+    if (!s.volume) return;
+    const Vec3f left = s.volume->attenuation_color;
+    require(
+        finite(left) && glm::all(glm::greaterThanEqual(left, Vec3f(0.0f))) && glm::all(glm::lessThanEqual(left, Vec3f(1.0f))),
+        element, "the attenuation colour is not between 0 and 1");
+    require(s.volume->attenuation_distance > 0.0f, element, "the attenuation distance is not above 0");  // may be infinite
   }
 
   // ---- What stands in the scene ----

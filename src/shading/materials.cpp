@@ -33,6 +33,13 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
 // Roughness above this has no visible mirror image; below, the mirror fades in.
 constexpr float kMirrorRoughness = 0.4f;
 
+// KHR_materials_ior: stands for "reflects everything".
+constexpr float kMirrorLikeIor = 1000.0f;
+
+bool is_thin_wall(const MetallicRoughness& s) {
+  return s.extensions && s.extensions->volume && !s.extensions->volume->is_solid;
+}
+
 WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   WhittedMaterial m;
   m.color = Vec3f(s.base_color);
@@ -48,7 +55,9 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
     m.diffuse = 0.0f;
     return m;
   }
-  const float dielectric_f0 = ((s.ior - 1.0f) / (s.ior + 1.0f)) * ((s.ior - 1.0f) / (s.ior + 1.0f));
+  float dielectric_f0 = ((s.ior - 1.0f) / (s.ior + 1.0f)) * ((s.ior - 1.0f) / (s.ior + 1.0f));
+  if (s.ior >= kMirrorLikeIor)  // its specular colour alone says how much it reflects
+    dielectric_f0 *= s.specular * (s.specular_color.x + s.specular_color.y + s.specular_color.z) / 3.0f;
   const float smooth = std::max(0.0f, 1.0f - s.roughness / kMirrorRoughness);
   m.mirror = smooth * glm::mix(dielectric_f0, 1.0f, s.metallic);
   m.mirror_tint = s.metallic;
@@ -64,15 +73,15 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   m.highlight_cutoff = cutoff_for(m.highlight, m.highlight_size);
   if (s.transmission > 0.0f) {
     m.opacity = 1.0f - s.transmission;
-    m.ior = s.ior;
+    m.ior = is_thin_wall(s) ? 1.0f : s.ior;
   }
   return m;
 }
 
 /// Whether nothing but its colour scatters light.
 bool is_matt(const MetallicRoughness& s) {
-  return !s.unlit && s.metallic == 0.0f && s.specular == 0.0f && s.transmission == 0.0f && s.clearcoat == 0.0f &&
-         s.normal_map.texture < 0;
+  return !s.unlit && !s.extensions && s.metallic == 0.0f && s.specular == 0.0f && s.transmission == 0.0f &&
+         s.clearcoat == 0.0f && s.normal_map.texture < 0;
 }
 
 void prepare_for_paths(const Material& material, WhittedMaterial& m) {

@@ -42,7 +42,10 @@ class MeshShadow final : public ShadowCaster {
 ShadingTables::ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use)
     : lights(make_lights(scene, resolved)), environment(std::make_unique<Environment>(scene.background)) {
   materials = make_material_table(scene, surroundings(scene, *environment), use);
-  if (use == MaterialUse::kPaths) path = std::make_unique<PathTables>();
+  if (use == MaterialUse::kPaths) {
+    path = std::make_unique<PathTables>();
+    path->media = Media(scene);
+  }
   material_of_instance.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances)
     material_of_instance.push_back(static_cast<std::uint32_t>(instance.material));

@@ -7,6 +7,7 @@
 #include "device/ray_scene.hpp"
 #include "shading/light_table.hpp"
 #include "shading/materials.hpp"
+#include "shading/media.hpp"
 #include "shading/texture.hpp"
 #include "transport/environment.hpp"
 #include "transport/ggx_albedo.hpp"
@@ -16,6 +17,7 @@ namespace lippmann {
 /// What only paths ask for.
 struct PathTables {
   GgxAlbedo albedo;
+  Media media;
   std::unique_ptr<LightTable> lights;  ///< of the frame
 };
 

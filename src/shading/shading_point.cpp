@@ -84,6 +84,80 @@ MetalRoughSurface surface_at(const MetallicRoughness& m, Vec3f base_color, const
   return s;
 }
 
+/// The tangent, turned as an anisotropy's map and rotation say; strength: in, its factor, out, with the map. The null vector
+/// where the mesh has none.
+Vec3f anisotropy_direction(const Anisotropy& anisotropy, const Maps& maps, Vec3f normal, float outer, float& strength) {
+  Vec3f tangent, bitangent;
+  if (!maps.record || !tangent_frame(maps, anisotropy.map, outer * normal, tangent, bitangent)) return Vec3f(0.0f);
+  Vec2f along(1.0f, 0.0f);
+  if (anisotropy.map.texture >= 0) {
+    const Vec4f texel = maps(anisotropy.map);
+    along = {2.0f * texel.r - 1.0f, 2.0f * texel.g - 1.0f};
+    strength *= texel.b;
+  }
+  const float c = std::cos(anisotropy.rotation), s = std::sin(anisotropy.rotation);
+  return (c * along.x - s * along.y) * tangent + (s * along.x + c * along.y) * bitangent;
+}
+
+void set_film(const Iridescence& from, const Maps& maps, LayeredSurface& s) {
+  s.film_share = from.share * maps(from.map).r;
+  s.film.ior = from.ior;
+  s.film.thickness_nm = glm::mix(from.least_thickness_nm, from.most_thickness_nm, maps(from.thickness_map).g);
+  if (!(s.film.thickness_nm > 0.0f)) s.film_share = 0.0f;
+}
+
+/// What only LayeredBsdf knows.
+bool is_layered(const SurfaceExtensions& e) {
+  return e.sheen.color != Vec3f(0.0f) || e.anisotropy.strength > 0.0f || e.iridescence.share > 0.0f ||
+         e.diffuse_transmission.share > 0.0f || (e.volume && !e.volume->is_solid);
+}
+
+LayeredSurface layered_surface(const MetalRoughSurface& base, const SurfaceExtensions& e, const Maps& maps) {
+  LayeredSurface s;
+  s.base = base;
+  s.sheen_color = glm::clamp(e.sheen.color * Vec3f(maps(e.sheen.color_map)), Vec3f(0.0f), Vec3f(1.0f));
+  s.sheen_roughness = e.sheen.roughness * maps(e.sheen.roughness_map).a;
+  if (e.iridescence.share > 0.0f) set_film(e.iridescence, maps, s);
+  s.diffuse_transmission = e.diffuse_transmission.share * maps(e.diffuse_transmission.map).a;
+  s.diffuse_transmission_color = e.diffuse_transmission.color * Vec3f(maps(e.diffuse_transmission.color_map));
+  s.is_thin = e.volume && !e.volume->is_solid;
+  return s;
+}
+
+/// Khronos Group, KHR_materials_dispersion: green is refracted as the material's index says, red less, blue more.
+float ior_of_channel(float ior, float dispersion, int channel) {
+  const float half_spread = (ior - 1.0f) * 0.025f * dispersion;
+  return std::max(1.0f, ior + static_cast<float>(channel - 1) * half_spread);
+}
+
+/// Where the light is that has gone through the surface.
+std::uint16_t medium_behind(const SurfaceExtensions& extensions, const ShadedScene& scene, const SurfacePacket& surface,
+                            int i) {
+  if (!extensions.volume || !extensions.volume->is_solid) return kSameMedium;
+  if (!surface.entering.lane[i]) return kNoMedium;
+  return scene.path->media.of_material(scene.material_of_instance[surface.instance[i]]);
+}
+
+/// The directions that a surface looks into.
+struct Facing {
+  Vec3f normal, coat, view;
+  bool entering;
+};
+
+[[gnu::noinline]] Bsdf extended_bsdf(MetalRoughSurface base, const SurfaceExtensions& e, const Maps& maps,
+                                     const GgxAlbedo& albedo, const Facing& facing, int channel) {
+  if (e.dispersion > 0.0f && base.transmission > 0.0f) base.ior = ior_of_channel(base.ior, e.dispersion, channel);
+  if (!is_layered(e))
+    return Bsdf(std::in_place_type<MetalRoughBsdf>, base, albedo, facing.normal, facing.coat, facing.view, facing.entering);
+  LayeredSurface s = layered_surface(base, e, maps);
+  Vec3f along(0.0f);
+  float strength = e.anisotropy.strength;
+  if (strength > 0.0f)
+    along = anisotropy_direction(e.anisotropy, maps, facing.normal, facing.entering ? 1.0f : -1.0f, strength);
+  if (along != Vec3f(0.0f)) s.anisotropy = strength;
+  return Bsdf(std::in_place_type<LayeredBsdf>, s, albedo, facing.normal, along, facing.coat, facing.view, facing.entering);
+}
+
 }  // namespace
 
 ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surface, int i) {
@@ -97,6 +171,10 @@ ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surfac
     p.coverage = surface.opacity[i];
     p.scatters = !m->unlit;
     if (m->unlit) p.emission += p.base_color;
+    if (m->extensions) {
+      p.behind = medium_behind(*m->extensions, scene, surface, i);
+      p.disperses = m->extensions->dispersion > 0.0f && m->transmission > 0.0f;
+    }
   } else {
     // Ambient light stands for what paths bring, but where no other light is answered it is the shape's own: a backdrop's.
     if (surface.diffuse[i] == 0.0f) p.emission += surface.ambient.get(i) * p.base_color;
@@ -127,6 +205,9 @@ Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const Surface
     return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, normal, outer) : normal;
   };
   const Vec3f bent = mapped(m->normal_map, m->normal_scale), coat = mapped(m->clearcoat_normal_map, m->clearcoat_normal_scale);
+  if (m->extensions)
+    return extended_bsdf(surface_at(*m, color, maps), *m->extensions, maps, scene.path->albedo, {bent, coat, view, entering},
+                         surface.color_channel[i]);
   return Bsdf(std::in_place_type<MetalRoughBsdf>, surface_at(*m, color, maps), scene.path->albedo, bent, coat, view, entering);
 }
 

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "shading/surface.hpp"
+#include "transport/layered_bsdf.hpp"
 #include "transport/metal_rough_bsdf.hpp"
 #include "transport/phong_bsdf.hpp"
 
@@ -15,6 +16,7 @@ class Bsdf {
  public:
   Bsdf(const PhongBsdf& bsdf) : bsdf_(bsdf) {}
   Bsdf(const MetalRoughBsdf& bsdf) : bsdf_(bsdf) {}
+  Bsdf(const LayeredBsdf& bsdf) : bsdf_(bsdf) {}
   /// Of `kind`, made in place: they are large.
   template <class Kind, class... Arguments>
   explicit Bsdf(std::in_place_type_t<Kind> kind, Arguments&&... arguments)
@@ -51,17 +53,19 @@ class Bsdf {
   }
 
  private:
-  std::variant<PhongBsdf, MetalRoughBsdf> bsdf_;
+  std::variant<PhongBsdf, MetalRoughBsdf, LayeredBsdf> bsdf_;
 };
 
 struct ShadingPoint {
   Vec3f position{0.0f};
   Vec3f facet{0.0f};  ///< normal of the facet, of any length, towards the viewer
   Vec3f emission{0.0f};
-  Vec3f base_color{0.0f};  ///< textures looked up
-  float coverage = 1.0f;   ///< the rest of the light passes as if nothing were here
-  bool scatters = true;    ///< false: it only shines
-  float t_near = 0.0f;     ///< rays that leave start so far away
+  Vec3f base_color{0.0f};              ///< textures looked up
+  float coverage = 1.0f;               ///< the rest of the light passes as if nothing were here
+  bool scatters = true;                ///< false: it only shines
+  float t_near = 0.0f;                 ///< rays that leave start so far away
+  std::uint16_t behind = kSameMedium;  ///< the medium that light is in which has gone through the surface
+  bool disperses = false;              ///< each colour goes its own way
 };
 
 /// Lane i of surfaces that were hit (of scenes made for paths).

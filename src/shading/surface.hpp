@@ -23,6 +23,7 @@ struct SurfacePacket {
   Lanes3 color, ambient, emission;  ///< ambient: radiance per colour
   Lanes diffuse, highlight, highlight_size, highlight_cutoff, highlight_tint;
   Lanes mirror, mirror_tint, opacity, ior;
+  std::uint8_t color_channel[kLanes];  ///< of R, G, B the one that the path is of; set where the surface disperses
   bool any_highlight = false, any_mirror = false, any_see_through = false;
 };
 

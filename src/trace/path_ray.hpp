@@ -16,8 +16,10 @@ struct PathRay {
   std::uint32_t seed = 0, index = 0;  ///< of its random numbers (transport/sampler.hpp)
   std::uint16_t depth = 0;            ///< vertices on surfaces so far
   bool spread = false;                ///< scattered by other than Dirac lobes: textures need not be sharp
+  bool one_color = false;             ///< of one colour alone, as a surface has dispersed it
   std::uint16_t events : 13 = 0;      ///< vertices, passed surfaces included: what the random numbers go by
   std::uint16_t lights_from : 3 = 0;  ///< LightGroups before this one have been sampled already: to meet them adds nothing
+  std::uint16_t medium = kNoMedium;   ///< that it is in
 };
 
 /// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.
@@ -52,6 +54,7 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& s
   ray.t_near = point.t_near, ray.path_length = length;
   ++ray.depth, ++ray.events;
   ray.spread |= !sample.is_delta();
+  if (sample.transmitted && point.behind != kSameMedium) ray.medium = point.behind;
   // What shines straight behind is reached by the last vertex's shadow rays, too.
   if (!sample.straight) ray.density = sample.density, ray.scattered_at = length, ray.lights_from = 0;
 }

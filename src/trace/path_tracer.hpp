@@ -192,7 +192,23 @@ class PathTracer {
     if constexpr (Policy::kSeesLight)
       if (point.emission != Vec3f(0.0f)) add_emission(packet, i, ray, point.emission);
     if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
-    policy().vertex(packet, i, ray, point, length);
+    if (point.disperses)
+      policy().vertex(packet, i, of_one_color(ray, i), point, length);
+    else
+      policy().vertex(packet, i, ray, point, length);
+  }
+
+  /// From the first surface on that disperses light, a path is one of red, green or blue light, which stands for three: else
+  /// each such surface would divide it again.
+  PathRay of_one_color(PathRay ray, int i) {
+    const std::uint32_t channel = hash(ray.seed, ray.index, kColorStream) % 3;
+    surface_.color_channel[i] = static_cast<std::uint8_t>(channel);
+    if (ray.one_color) return ray;
+    Vec3f throughput(0.0f);
+    throughput[static_cast<int>(channel)] = 3.0f * ray.throughput[static_cast<int>(channel)];
+    ray.throughput = throughput;
+    ray.one_color = true;
+    return ray;
   }
 
  protected:
@@ -213,6 +229,8 @@ class PathTracer {
   }
 
  private:
+  static constexpr std::uint32_t kColorStream = 0x636f6c6fu;
+
   std::vector<PathRay> wave_;
   SkyRays sky_;  ///< of the packet's lanes
 };

@@ -56,7 +56,8 @@ LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int
 }  // namespace
 
 PathWave::PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays)
-    : rays_(rays),
+    : scene_(scene),
+      rays_(rays),
       packets_(packets_of(rays.size())),
       met_(std::make_unique_for_overwrite<RayHitPacket[]>(packets_)),
       order_(std::make_unique_for_overwrite<std::uint32_t[]>(rays.size())) {
@@ -90,6 +91,9 @@ void PathWave::load(std::size_t p) {
     if (i < count) lanes_[i] = rays_[r];
   }
   gather_packet(met_.get(), place, packet_);
+  for (std::size_t i = 0; i < count; ++i)
+    if (lanes_[i].medium != kNoMedium)
+      lanes_[i].throughput *= scene_.path->media.transmittance(lanes_[i].medium, packet_.ray.tfar[i]);
 }
 
 }  // namespace lippmann

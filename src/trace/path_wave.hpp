@@ -13,7 +13,7 @@ namespace lippmann {
 
 class PathWave {
  public:
-  /// Meets all of `rays`, which must outlive the wave, with the scene.
+  /// Meets all of `rays` with the scene; both must outlive the wave.
   PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays);
 
   std::size_t packets() const { return packets_; }
@@ -23,11 +23,13 @@ class PathWave {
   /// Valid until the next load().
   const RayHitPacket& packet() const { return packet_; }
   const LaneMask& active() const { return active_; }
-  const PathRay* rays() const { return lanes_; }  ///< of the packet's active lanes
+  /// Of the packet's active lanes, with what the media on their way have left of their throughput.
+  const PathRay* rays() const { return lanes_; }
 
  private:
   void sort();
 
+  const ShadedScene& scene_;
   const std::vector<PathRay>& rays_;
   std::size_t packets_;
   std::unique_ptr<RayHitPacket[]> met_;     ///< in the order of rays_

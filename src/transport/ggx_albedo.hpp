@@ -8,7 +8,9 @@
 #include <array>
 
 #include "lippmann/core/math.hpp"
+#include "transport/brushed_albedo.hpp"
 #include "transport/glass_albedo.hpp"
+#include "transport/sheen.hpp"
 
 namespace lippmann {
 
@@ -37,12 +39,17 @@ class GgxAlbedo {
 
   /// The like of single() for rough glass.
   const GlassAlbedo& glass() const { return glass_; }
+  /// And for gloss that is rougher one way, and for sheen.
+  const BrushedAlbedo& brushed() const { return brushed_; }
+  const SheenAlbedo& sheen() const { return sheen_; }
 
  private:
   static constexpr int kSize = 32;  ///< of each table's side; cosines from 0 to 1, roughness = sqrt(alpha) from 0 to 1
   std::array<std::array<Vec2f, kSize>, kSize> single_;  ///< [roughness][cosine]
   std::array<Vec4f, kSize> mean_;                       ///< by roughness: of single_.x, single_.y and of both times (1 - E) / E
   GlassAlbedo glass_;
+  BrushedAlbedo brushed_;
+  SheenAlbedo sheen_;
 };
 
 }  // namespace lippmann

@@ -40,6 +40,29 @@ struct Ggx {
   }
 };
 
+/// Facets that lean further along x than along y, or less far. alpha: along both, each >= kSmoothAlpha.
+struct AnisotropicGgx {
+  Vec2f alpha{1.0f};
+
+  float distribution(Vec3f h) const {
+    const float d = squared(h.x / alpha.x) + squared(h.y / alpha.y) + h.z * h.z;
+    return 1.0f / (kPi * alpha.x * alpha.y * d * d);
+  }
+  float masking(Vec3f v) const { return 1.0f / (1.0f + lambda(v)); }
+  float masking(Vec3f a, Vec3f b) const { return 1.0f / (1.0f + lambda(a) + lambda(b)); }
+  Vec3f sample_visible(Vec3f v, Vec2f u) const;
+  float visible_density(Vec3f v, Vec3f h) const {
+    return masking(v) * std::max(0.0f, glm::dot(v, h)) * distribution(h) / std::abs(v.z);
+  }
+  float lambda(Vec3f v) const {
+    return 0.5f * (std::sqrt(1.0f + (squared(alpha.x * v.x) + squared(alpha.y * v.y)) / squared(v.z)) - 1.0f);
+  }
+  /// Of the isotropic surface whose albedo comes closest from v (unit): what v sees of both alphas.
+  float alpha_towards(Vec3f v) const {
+    return std::sqrt(squared(alpha.x * v.x) + squared(alpha.y * v.y) + alpha.x * alpha.y * squared(v.z));
+  }
+};
+
 /// (1 - cosine)^5.
 inline float schlick_weight(float cosine) {
   const float m = std::clamp(1.0f - cosine, 0.0f, 1.0f), squared = m * m;

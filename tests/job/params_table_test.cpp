@@ -19,6 +19,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"scene", {"room"}},
     {"camera-path", {"room.cam"}},
     {"animation", {"Walk"}},
+    {"variant", {"Beach"}},
     {"asset-root", {"models"}},
     {"camera", {"Front"}},
     {"up", {"-z"}},

@@ -15,6 +15,7 @@ struct LoadOptions {
   double frames_per_second = 0.0;                    ///< 0: the format's default
   std::filesystem::path asset_root{};  ///< the files that a scene names may lie below it; empty: in the scene's folder only
   std::string animation{};             ///< name or index of the one to show, of files that hold several; empty: the first
+  std::string variant{};  ///< name or index of the set of materials, of files that hold several; empty: the file's default
 };
 
 /// `name` is a built-in scene (builtin.hpp) or a file: .gltf, .glb, .dat, .nff, .obj, .ply. Throws Error; what is read but not

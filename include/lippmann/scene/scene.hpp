@@ -147,6 +147,55 @@ struct TextureMap {
   Vec2f offset{0.0f};
 };
 
+/// Fibres that scatter light at grazing angles, above everything but the clear coat (KHR_materials_sheen).
+struct Sheen {
+  Vec3f color{0.0f};  ///< black: there is none
+  TextureMap color_map;
+  float roughness = 0.0f;
+  TextureMap roughness_map;  ///< A
+};
+
+/// Gloss that is rougher along one direction of the surface (KHR_materials_anisotropy).
+struct Anisotropy {
+  float strength = 0.0f;  ///< 0 to 1: how much rougher along the direction than across
+  float rotation = 0.0f;  ///< of the direction, from the tangent towards the bitangent
+  TextureMap map;         ///< RG = (direction + 1) / 2 before the rotation, B: strength
+};
+
+/// A film on the surface, as thin as light waves are long (KHR_materials_iridescence).
+struct Iridescence {
+  float share = 0.0f;  ///< of the surface that has the film
+  TextureMap map;      ///< R
+  float ior = 1.3f;
+  float least_thickness_nm = 100.0f, most_thickness_nm = 400.0f;
+  TextureMap thickness_map;  ///< G: from least to most; none: most
+};
+
+/// Light that enters on one side and leaves on the other in all directions (KHR_materials_diffuse_transmission).
+struct DiffuseTransmission {
+  float share = 0.0f;  ///< of the diffuse light
+  TextureMap map;      ///< A
+  Vec3f color{1.0f};
+  TextureMap color_map;
+};
+
+/// What lies behind a surface that lets light through (KHR_materials_volume).
+struct Volume {
+  bool is_solid = false;                   ///< a closed shape, filled; false: both sides of a thin wall, which bends nothing
+  Vec3f attenuation_color{1.0f};           ///< what is left of white light after the attenuation distance
+  float attenuation_distance = kInfinity;  ///< in world units
+};
+
+/// Extensions of glTF's that few materials have.
+struct SurfaceExtensions {
+  Sheen sheen;
+  Anisotropy anisotropy;
+  Iridescence iridescence;
+  DiffuseTransmission diffuse_transmission;
+  std::optional<Volume> volume;  ///< none: what transmits light refracts it, as closed shapes do, and absorbs nothing
+  float dispersion = 0.0f;       ///< 20 / Abbe number; 0: all colours are refracted alike
+};
+
 /// glTF 2.0's metallic-roughness model with the extensions that docs/gltf.md lists. Maps multiply the factors beside them, with
 /// the channels named here; colours are sRGB textures, all else is stored as it is.
 struct MetallicRoughness {
@@ -176,6 +225,7 @@ struct MetallicRoughness {
   bool blend = false;         ///< alpha is coverage (blend mode)
   bool double_sided = false;
   bool unlit = false;
+  std::optional<SurfaceExtensions> extensions{};
 };
 
 struct Material {
@@ -310,6 +360,7 @@ struct Scene {
   Timeline timeline;
   std::vector<std::string> animation_names;  ///< of all that the file has
   int animation = -1;                        ///< which of them the timeline shows
+  std::vector<std::string> variant_names{};  ///< of sets of materials that the file has to choose from
   Encoding encoding = Encoding::kSrgb;
   int max_depth = 6;       ///< path vertices; the file's own limit where it has one
   Vec2i resolution{0, 0};  ///< that the file asks for; 0: none

@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
-#include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "scene/gltf.hpp"
 #include "scene/gltf/accessor.hpp"
+#include "scene/gltf/choice.hpp"
 
 namespace lippmann::gltf {
 namespace {
@@ -128,27 +127,6 @@ double rate_of_keys(const Timeline& timeline) {
   return kGltfFramesPerSecond;
 }
 
-/// "Walk (0), Run (1)".
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 20;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
-    text += fmt::format("{}{} ({})", i > 0 ? ", " : "", printable(names[i]), i);
-  return names.size() > kMost ? text + fmt::format(", ... ({})", names.size() - 1) : text;
-}
-
-/// Names first: an animation may be called "1".
-std::size_t choose(const std::vector<std::string>& names, const std::string& wanted) {
-  if (wanted.empty()) return 0;
-  const auto named = std::find(names.begin(), names.end(), wanted);
-  if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
-  std::size_t index = 0;
-  const auto [end, problem] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  if (problem == std::errc{} && end == wanted.data() + wanted.size() && index < names.size()) return index;
-  const std::string hint = did_you_mean(wanted, std::vector<std::string_view>(names.begin(), names.end()));
-  throw usage_error("animation", shown(wanted) + " is not in the file" + hint, listed(names));
-}
-
 }  // namespace
 
 void read_animation(Document& document, const NodeMap& nodes, const std::string& wanted, double frames_per_second,
@@ -159,7 +137,7 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
     if (!wanted.empty()) throw usage_error("animation", "the file has no animations", "no `animation` with it");
     return;
   }
-  const std::size_t chosen = choose(scene.animation_names, wanted);
+  const std::size_t chosen = wanted.empty() ? 0 : choose("animation", scene.animation_names, wanted);
   scene.animation = static_cast<int>(chosen);
   AnimationReader reader(document, nodes, scene);
   reader.read(chosen);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 #include "scene/gltf/accessor.hpp"
@@ -24,14 +25,41 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view kExtensions[] = {
-    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",     "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_specular",  "KHR_materials_transmission",
-    "KHR_materials_unlit",     "KHR_mesh_quantization",   "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression",
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
 };
+/// What says nothing about how things look.
+constexpr std::string_view kSilent[] = {"KHR_xmp", "KHR_xmp_json_ld"};
 
-bool is_read(const std::string& extension) {
-  return std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
+/// What users can do about an extension that is not read.
+struct Advice {
+  std::string_view extension, text;
+};
+constexpr Advice kAdvice[] = {
+    {"KHR_texture_basisu",
+     "convert its textures to PNG, JPEG or WebP first (with gltf-transform: `ktxdecompress`, or `webp`)"}};
+
+bool is_among(std::span<const std::string_view> names, const std::string& extension) {
+  return std::find(names.begin(), names.end(), extension) != names.end();
 }
 
 /// Before the schema, because a file of version 1 differs from it in almost everything.
@@ -43,17 +71,35 @@ void check_version(const Json& root, const Report& report) {
   if (root.contains(min_version) && root.at(min_version) != "2.0") report.fail("asset.minVersion", "is not 2.0", "2.0");
 }
 
-void check_extensions(const Json& root, std::set<std::string> used, Report& report) {
-  for (const Json& name : root.value("extensionsUsed", Json::array())) used.insert(name.get<std::string>());
+[[noreturn]] void refuse_extension(const std::string& name, const Report& report) {
+  std::string accepted;
+  for (const std::string_view known : kExtensions) accepted += fmt::format("{}{}", accepted.empty() ? "" : ", ", known);
+  std::string problem = fmt::format("needs {}, which is not supported", printable(name));
+  for (const Advice& advice : kAdvice)
+    if (advice.extension == name) problem += fmt::format(": {}", advice.text);
+  report.fail("extensionsRequired", problem, accepted);
+}
+
+/// " (materials[2] 'Silk', materials[4] and 3 more)": the objects that have it, with their names; nothing where only the list
+/// of used ones names it.
+std::string users_of(const ExtensionUse& use) {
+  std::string text;
+  for (const ExtensionUse::User& user : use.users) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", user.where);
+    if (!user.name.empty()) text += " " + shown(user.name);
+  }
+  if (use.count > use.users.size()) text += fmt::format(" and {} more", use.count - use.users.size());
+  return text.empty() ? text : fmt::format(" ({})", text);
+}
+
+void check_extensions(const Json& root, UsedExtensions used, Report& report) {
+  for (const Json& name : root.value("extensionsUsed", Json::array())) used[name.get<std::string>()];
+  const auto is_known = [](const std::string& name) { return is_among(kExtensions, name) || is_among(kSilent, name); };
   for (const Json& name : root.value("extensionsRequired", Json::array()))
-    if (!is_read(name)) {
-      std::string accepted;
-      for (const std::string_view known : kExtensions) accepted += fmt::format("{}{}", accepted.empty() ? "" : ", ", known);
-      report.fail("extensionsRequired", fmt::format("needs {}, which is not supported", printable(name.get<std::string>())),
-                  accepted);
-    }
-  for (const std::string& name : used)
-    if (!is_read(name)) report.warn(fmt::format("the extension {} is not supported yet and is ignored", printable(name)));
+    if (const std::string& text = name.get_ref<const std::string&>(); !is_known(text)) refuse_extension(text, report);
+  for (const auto& [name, use] : used)
+    if (!is_known(name))
+      report.warn(fmt::format("the extension {} is not supported yet and is ignored{}", printable(name), users_of(use)));
 }
 
 /// What a buffer refers to; `left` counts down the bytes that buffers may still load.
@@ -123,8 +169,8 @@ void read_document(std::vector<std::byte> contents, Document& document) {
   const Container container = split_container(document.contents, document.report);
   Json root = parse_json(container.json, document.limits, document.report);
   check_version(root, document.report);
-  const std::set<std::string> extensions = check_schema(root, document.report);
-  check_extensions(root, extensions, document.report);
+  UsedExtensions extensions = check_schema(root, document.report);
+  check_extensions(root, std::move(extensions), document.report);
   take_buffers(root, container.binary, document);
   take_images(root, document);
   take_packed_views(root, document);

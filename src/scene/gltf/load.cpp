@@ -18,6 +18,7 @@
 #include "scene/gltf/mesh.hpp"
 #include "scene/gltf/nodes.hpp"
 #include "scene/gltf/skin.hpp"
+#include "scene/gltf/variants.hpp"
 
 namespace lippmann {
 namespace gltf {
@@ -32,9 +33,11 @@ void refuse_infinite(const Affine3f& a, int file_node, const Report& report) {
 /// Makes the Scene's shapes and instances; a primitive that several nodes show is one shape.
 class InstanceReader {
  public:
-  InstanceReader(Document& document, const NodeMap& nodes, Scene& scene)
+  /// variant: the one that is shown; -1: the file's materials without a choice.
+  InstanceReader(Document& document, const NodeMap& nodes, int variant, Scene& scene)
       : document_(document),
         nodes_(nodes),
+        variant_(variant),
         scene_(scene),
         materials_(read_materials(document, scene)),
         skins_(document, nodes, scene) {}
@@ -70,7 +73,8 @@ class InstanceReader {
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
       Instance instance;
       const PrimitiveId id{node.mesh, static_cast<int>(i)};
-      instance.material = material_of(mesh.primitives[i].material, materials_, scene_);
+      instance.material =
+          material_of(material_in(mesh.primitives[i], variant_, element(id), document_.report), materials_, scene_);
       instance.shape = shape_of(id, skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
       instance.skin = skin;
       instance.name = node.name.empty() ? mesh.name : node.name;
@@ -108,6 +112,7 @@ class InstanceReader {
 
   Document& document_;
   const NodeMap& nodes_;
+  int variant_;
   Scene& scene_;
   MaterialTable materials_;
   SkinReader skins_;
@@ -126,7 +131,7 @@ void refuse_infinite_transforms(const Document& document, const NodeMap& nodes, 
 
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
                  const Context& context, const GltfLimits& limits, const std::string& animation,
-                 const std::filesystem::path& asset_root) {
+                 const std::filesystem::path& asset_root, const std::string& variant) {
   if (!(frames_per_second >= 0.0) || !std::isfinite(frames_per_second))
     throw usage_error("frames per second", fmt::format("is {}", frames_per_second),
                       "a number above 0, or 0: as the keys have it");
@@ -137,7 +142,8 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   scene.name = path.stem().string();
   const gltf::NodeMap nodes = gltf::read_nodes(document, scene);
   gltf::refuse_infinite_transforms(document, nodes, scene);
-  gltf::InstanceReader(document, nodes, scene).read();
+  scene.variant_names = gltf::variant_names(document);
+  gltf::InstanceReader(document, nodes, gltf::choose_variant(scene.variant_names, variant), scene).read();
   gltf::read_lights(document, nodes, scene);
   gltf::read_cameras(document, nodes, scene);
   gltf::read_animation(document, nodes, animation, frames_per_second, scene);
@@ -145,10 +151,10 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
 }
 
 Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context, const GltfLimits& limits,
-                const std::string& animation, const std::filesystem::path& asset_root) {
+                const std::string& animation, const std::filesystem::path& asset_root, const std::string& variant) {
   const gltf::Report report(path.string(), context);
   return parse_gltf(gltf::read_file(path, limits.file_bytes, {}, report), path, frames_per_second, context, limits, animation,
-                    asset_root);
+                    asset_root, variant);
 }
 
 }  // namespace lippmann

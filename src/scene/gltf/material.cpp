@@ -1,8 +1,10 @@
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9 "Materials"; KHR_materials_unlit, _emissive_strength,
-// _ior, _transmission, _specular, _clearcoat.
+// _ior, _transmission, _specular, _clearcoat, _volume, _sheen, _anisotropy, _iridescence, _diffuse_transmission, _dispersion,
+// _pbrSpecularGlossiness.
 #include "scene/gltf/material.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/gltf/texture_map.hpp"
 
@@ -32,6 +34,14 @@ class Extension {
     for (int i = 0; i < 3; ++i) color[i] = static_cast<float>(value->Get(i).GetNumberAsDouble());
     return color;
   }
+  /// With alpha; in [0, 1].
+  Vec4f color4(const char* name, Vec4f otherwise) const {
+    const tinygltf::Value* value = find(name);
+    if (!value) return otherwise;
+    Vec4f color;
+    for (int i = 0; i < 4; ++i) color[i] = unit_factor(value->Get(i).GetNumberAsDouble());
+    return color;
+  }
 
  private:
   const tinygltf::Value* value_ = nullptr;
@@ -55,9 +65,12 @@ class MaterialReader {
       read_transmission(from, surface);
       read_specular(from, surface);
       read_clearcoat(from, surface);
+      read_extensions(from, surface);
+      if (const Extension old(from, "KHR_materials_pbrSpecularGlossiness"); old) read_specular_glossiness(old, surface);
     }
     needs.uv_sets = choose_uv_sets(surface, element("materials", index), document_.report);
-    needs.tangents = surface.normal_map.texture >= 0 || surface.clearcoat_normal_map.texture >= 0;
+    needs.tangents = surface.normal_map.texture >= 0 || surface.clearcoat_normal_map.texture >= 0 ||
+                     (surface.extensions && surface.extensions->anisotropy.strength > 0.0f);
     return {from.name, surface};
   }
 
@@ -120,6 +133,86 @@ class MaterialReader {
     surface.clearcoat_normal_map = data(map_source(normal));
     if (normal && normal->Has("scale"))
       surface.clearcoat_normal_scale = static_cast<float>(normal->Get("scale").GetNumberAsDouble());
+  }
+
+  /// Where none of them has an effect, the surface is left without.
+  void read_extensions(const tinygltf::Material& from, MetallicRoughness& surface) {
+    SurfaceExtensions e;
+    read_sheen(Extension(from, "KHR_materials_sheen"), e.sheen);
+    read_anisotropy(Extension(from, "KHR_materials_anisotropy"), e.anisotropy);
+    read_iridescence(Extension(from, "KHR_materials_iridescence"), e.iridescence);
+    read_diffuse_transmission(Extension(from, "KHR_materials_diffuse_transmission"), e.diffuse_transmission);
+    const bool passes = surface.transmission > 0.0f || e.diffuse_transmission.share > 0.0f;
+    const Extension volume(from, "KHR_materials_volume");
+    if (volume && passes) e.volume = read_volume(volume);
+    const bool is_thin = e.volume && !e.volume->is_solid;
+    if (surface.transmission > 0.0f && !is_thin)
+      e.dispersion = static_cast<float>(Extension(from, "KHR_materials_dispersion").number("dispersion", 0.0));
+    if (e.sheen.color != Vec3f(0.0f) || e.anisotropy.strength > 0.0f || e.iridescence.share > 0.0f ||
+        e.diffuse_transmission.share > 0.0f || e.volume || e.dispersion > 0.0f)
+      surface.extensions = std::move(e);
+  }
+
+  /// How thick it is, rays find out; the file only says whether it is thick at all.
+  static Volume read_volume(const Extension& extension) {
+    Volume volume;
+    volume.is_solid = extension.number("thicknessFactor", 0.0) > 0.0;
+    volume.attenuation_color = glm::min(extension.color("attenuationColor", Vec3f(1.0f)), Vec3f(1.0f));
+    // 0 means nothing that light could do; exporters write it for "none".
+    const float distance = static_cast<float>(extension.number("attenuationDistance", 0.0));
+    volume.attenuation_distance = distance > 0.0f ? distance : kInfinity;
+    return volume;
+  }
+
+  void read_sheen(const Extension& extension, Sheen& sheen) {
+    sheen.color = glm::min(extension.color("sheenColorFactor", Vec3f(0.0f)), Vec3f(1.0f));
+    if (sheen.color == Vec3f(0.0f)) return;
+    sheen.color_map = color(map_source(extension.find("sheenColorTexture")));
+    sheen.roughness = unit_factor(extension.number("sheenRoughnessFactor", 0.0));
+    sheen.roughness_map = data(map_source(extension.find("sheenRoughnessTexture")));
+  }
+
+  void read_anisotropy(const Extension& extension, Anisotropy& anisotropy) {
+    anisotropy.strength = unit_factor(extension.number("anisotropyStrength", 0.0));
+    if (!(anisotropy.strength > 0.0f)) return;
+    anisotropy.rotation = static_cast<float>(extension.number("anisotropyRotation", 0.0));
+    anisotropy.map = data(map_source(extension.find("anisotropyTexture")));
+  }
+
+  void read_iridescence(const Extension& extension, Iridescence& iridescence) {
+    iridescence.share = unit_factor(extension.number("iridescenceFactor", 0.0));
+    if (!(iridescence.share > 0.0f)) return;
+    iridescence.map = data(map_source(extension.find("iridescenceTexture")));
+    iridescence.ior = static_cast<float>(extension.number("iridescenceIor", 1.3));
+    iridescence.least_thickness_nm = static_cast<float>(extension.number("iridescenceThicknessMinimum", 100.0));
+    iridescence.most_thickness_nm = static_cast<float>(extension.number("iridescenceThicknessMaximum", 400.0));
+    iridescence.thickness_map = data(map_source(extension.find("iridescenceThicknessTexture")));
+  }
+
+  void read_diffuse_transmission(const Extension& extension, DiffuseTransmission& transmission) {
+    transmission.share = unit_factor(extension.number("diffuseTransmissionFactor", 0.0));
+    if (!(transmission.share > 0.0f)) return;
+    transmission.map = data(map_source(extension.find("diffuseTransmissionTexture")));
+    transmission.color = glm::min(extension.color("diffuseTransmissionColorFactor", Vec3f(1.0f)), Vec3f(1.0f));
+    transmission.color_map = color(map_source(extension.find("diffuseTransmissionColorTexture")));
+  }
+
+  /// As a dielectric that reflects everything, times the specular colour at normal incidence: the reflectance that the old
+  /// model has. It replaces the metallic-roughness description, which such files bring for readers that do not know it.
+  void read_specular_glossiness(const Extension& old, MetallicRoughness& surface) {
+    surface.metallic = 0.0f;
+    surface.ior = ior_of(0.0);
+    surface.specular = 1.0f;
+    surface.specular_map = {};
+    surface.base_color = old.color4("diffuseFactor", Vec4f(1.0f));
+    surface.base_color_map = color(map_source(old.find("diffuseTexture")));
+    surface.specular_color = old.color("specularFactor", Vec3f(1.0f));
+    const MapSource both = map_source(old.find("specularGlossinessTexture"));
+    surface.specular_color_map = color(both);
+    const float glossiness = unit_factor(old.number("glossinessFactor", 1.0));
+    surface.metallic_roughness_map =
+        read_map_from(both, [&](int texture) { return textures_.read_roughness(texture, glossiness); });
+    surface.roughness = surface.metallic_roughness_map.texture >= 0 ? 1.0f : 1.0f - glossiness;
   }
 
   Document& document_;

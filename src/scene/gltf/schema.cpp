@@ -32,7 +32,7 @@ class Checker {
  public:
   Checker(const Json& root, const Report& report) : root_(root), report_(report) {}
 
-  std::set<std::string> extensions;
+  UsedExtensions extensions;
 
   void check_object(Json& value, std::span<const Property> properties, const Path& path) {
     if (!value.is_object()) fail(path, "is not an object");
@@ -65,7 +65,14 @@ class Checker {
     const auto found = value.find("extensions");
     if (found == value.end()) return;
     if (!found->is_object()) fail({&path, "extensions"}, "is not an object");
-    for (const auto& entry : found->items()) extensions.insert(entry.key());
+    for (const auto& entry : found->items()) note_use(entry.key(), value, path);
+  }
+
+  void note_use(const std::string& extension, const Json& user, const Path& path) {
+    ExtensionUse& use = extensions[extension];
+    if (++use.count > ExtensionUse::kMostNamed) return;
+    const auto name = user.find("name");
+    use.users.push_back({path.text(), name != user.end() && name->is_string() ? name->get<std::string>() : ""});
   }
 
   void check(Json& value, const Property& property, const Path& path) {
@@ -181,7 +188,7 @@ class Checker {
 
 }  // namespace
 
-std::set<std::string> check_schema(Json& root, const Report& report) {
+UsedExtensions check_schema(Json& root, const Report& report) {
   Checker checker(root, report);
   checker.check_object(root, kRoot, {});
   return std::move(checker.extensions);

@@ -1,17 +1,30 @@
 // Checks a parsed glTF document against the part of the glTF 2.0 schema that the reader uses.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
-#include <set>
 #include <string>
+#include <vector>
 
 #include "scene/gltf/report.hpp"
 
 namespace lippmann::gltf {
 
+/// Where in the document an extension occurs.
+struct ExtensionUse {
+  static constexpr std::size_t kMostNamed = 4;
+  struct User {
+    std::string where, name;  ///< "materials[2]"; its name in the file, which may be empty
+  };
+  std::size_t count = 0;
+  std::vector<User> users;  ///< the first kMostNamed
+};
+using UsedExtensions = std::map<std::string, ExtensionUse>;
+
 /// After it, every property that is left has its right type, range and length, every required one is there, and every index
 /// refers to something that exists. Properties that the reader does not use (extras, foreign extensions, ...) are removed, so
-/// that they cost nothing further on. Throws Error naming the element. Returns the names of all extensions that occur.
-std::set<std::string> check_schema(nlohmann::json& root, const Report& report);
+/// that they cost nothing further on. Throws Error naming the element. Returns all extensions that occur.
+UsedExtensions check_schema(nlohmann::json& root, const Report& report);
 
 }  // namespace lippmann::gltf

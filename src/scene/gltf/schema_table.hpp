@@ -137,7 +137,16 @@ constexpr Property kDraco[] = {
     index("bufferView", "bufferViews", kRequired),
     {.name = "attributes", .kind = Kind::kIntegerMap, .need = kRequired, .lower = 0.0, .upper = kMaxInt},
 };
-constexpr Property kPrimitiveExtensions[] = {object("KHR_draco_mesh_compression", kDraco)};
+constexpr std::string_view kVariantsPath = "/extensions/KHR_materials_variants/variants";
+constexpr Property kVariantMapping[] = {
+    index("material", "materials", kRequired),
+    {.name = "variants", .kind = Kind::kIndices, .need = kRequired, .lower = 0.0, .upper = kMaxInt, .refers_to = kVariantsPath},
+};
+constexpr Property kVariantMappings[] = {objects("mappings", kVariantMapping, kRequired)};
+constexpr Property kPrimitiveExtensions[] = {
+    object("KHR_draco_mesh_compression", kDraco),
+    object("KHR_materials_variants", kVariantMappings),
+};
 constexpr Property kPrimitive[] = {
     object("extensions", kPrimitiveExtensions),
     index_map("attributes", Kind::kIndexMap, kRequired),
@@ -156,7 +165,14 @@ constexpr Property kSkin[] = {
 // ---- Textures and materials -----------------------------------------------------------------------------------------
 
 constexpr Property kImage[] = {string("name"), string("uri"), index("bufferView", "bufferViews")};
-constexpr Property kTexture[] = {string("name"), index("sampler", "samplers"), index("source", "images")};
+constexpr Property kWebpTexture[] = {index("source", "images", kRequired)};
+constexpr Property kImageFormats[] = {object("EXT_texture_webp", kWebpTexture)};
+constexpr Property kTexture[] = {
+    string("name"),
+    index("sampler", "samplers"),
+    index("source", "images"),
+    object("extensions", kImageFormats),
+};
 constexpr double kFirstFilter = 9728, kLastFilter = 9987, kFirstWrap = 10497, kLastWrap = 33648;
 constexpr Property kSampler[] = {
     integer("magFilter", kFirstFilter, kLastFilter),
@@ -200,7 +216,50 @@ constexpr Property kClearcoat[] = {
     object("clearcoatRoughnessTexture", kTextureInfo),
     object("clearcoatNormalTexture", kNormalTexture),
 };
+constexpr Property kVolume[] = {
+    number("thicknessFactor", 0.0, FLT_MAX),
+    object("thicknessTexture", kTextureInfo),
+    number("attenuationDistance", 0.0, DBL_MAX),  // exporters write huge numbers for infinite ones
+    numbers("attenuationColor", 3, 0.0, kOne),
+};
+constexpr Property kSheen[] = {
+    numbers("sheenColorFactor", 3, 0.0, kOne),
+    object("sheenColorTexture", kTextureInfo),
+    number("sheenRoughnessFactor", 0.0, kOne),
+    object("sheenRoughnessTexture", kTextureInfo),
+};
+constexpr Property kAnisotropy[] = {
+    number("anisotropyStrength", 0.0, kOne),
+    number("anisotropyRotation", -1e6, 1e6),
+    object("anisotropyTexture", kTextureInfo),
+};
+constexpr Property kIridescence[] = {
+    number("iridescenceFactor", 0.0, kOne),          object("iridescenceTexture", kTextureInfo),
+    number("iridescenceIor", 1.0, 1000.0),           number("iridescenceThicknessMinimum", 0.0, 1e6),
+    number("iridescenceThicknessMaximum", 0.0, 1e6), object("iridescenceThicknessTexture", kTextureInfo),
+};
+constexpr Property kDiffuseTransmission[] = {
+    number("diffuseTransmissionFactor", 0.0, kOne),
+    object("diffuseTransmissionTexture", kTextureInfo),
+    numbers("diffuseTransmissionColorFactor", 3, 0.0, kOne),
+    object("diffuseTransmissionColorTexture", kTextureInfo),
+};
+constexpr Property kDispersion[] = {number("dispersion", 0.0, 1e3)};
+constexpr Property kSpecularGlossiness[] = {
+    numbers("diffuseFactor", 4, 0.0, kOne),
+    object("diffuseTexture", kTextureInfo),
+    numbers("specularFactor", 3, 0.0, kOne),
+    number("glossinessFactor", 0.0, kOne),
+    object("specularGlossinessTexture", kTextureInfo),
+};
 constexpr Property kMaterialExtensions[] = {
+    object("KHR_materials_volume", kVolume),
+    object("KHR_materials_sheen", kSheen),
+    object("KHR_materials_anisotropy", kAnisotropy),
+    object("KHR_materials_iridescence", kIridescence),
+    object("KHR_materials_diffuse_transmission", kDiffuseTransmission),
+    object("KHR_materials_dispersion", kDispersion),
+    object("KHR_materials_pbrSpecularGlossiness", kSpecularGlossiness),
     object("KHR_materials_clearcoat", kClearcoat),
     object("KHR_materials_specular", kSpecular),
     object("KHR_materials_unlit", {}),
@@ -252,7 +311,9 @@ constexpr Property kLight[] = {
     object("spot", kSpot),
 };
 constexpr Property kLights[] = {objects("lights", kLight, kRequired)};
-constexpr Property kRootExtensions[] = {object("KHR_lights_punctual", kLights)};
+constexpr Property kVariant[] = {string("name", kRequired)};
+constexpr Property kVariants[] = {objects("variants", kVariant, kRequired)};
+constexpr Property kRootExtensions[] = {object("KHR_lights_punctual", kLights), object("KHR_materials_variants", kVariants)};
 constexpr std::string_view kLightsPath = "/extensions/KHR_lights_punctual/lights";
 
 // ---- Nodes and animations -------------------------------------------------------------------------------------------

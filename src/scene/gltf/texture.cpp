@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lippmann::gltf {
 namespace {
@@ -25,13 +26,14 @@ Wrap wrap_mode(int mode, const std::string& where, const Report& report) {
 int TextureReader::read(int index, bool srgb) {
   const tinygltf::Texture& texture = document_.model.textures[static_cast<std::size_t>(index)];
   const std::string where = element("textures", static_cast<std::size_t>(index));
-  if (texture.source < 0) {
+  const int source = image_of(texture);
+  if (source < 0) {
     document_.report.warn_at("textures without a PNG or JPEG image are white", where);
     return -1;
   }
-  if (const std::string problem = image_problem(document_, static_cast<std::size_t>(texture.source)); !problem.empty()) {
+  if (const std::string problem = image_problem(document_, static_cast<std::size_t>(source)); !problem.empty()) {
     document_.report.warn_at(problem + "; the surface is shown without it",
-                             element("images", static_cast<std::size_t>(texture.source)));
+                             element("images", static_cast<std::size_t>(source)));
     return -1;
   }
   tinygltf::Sampler sampler;
@@ -42,17 +44,41 @@ int TextureReader::read(int index, bool srgb) {
   const Wrap wrap_u = wrap_mode(sampler.wrapS, sampler_where, document_.report);
   const Wrap wrap_v = wrap_mode(sampler.wrapT, sampler_where, document_.report);
 
-  const auto [known, is_new] =
-      known_.try_emplace({texture.source, wrap_u, wrap_v, srgb}, static_cast<int>(scene_.textures.size()));
+  const auto [known, is_new] = known_.try_emplace({source, wrap_u, wrap_v, srgb}, static_cast<int>(scene_.textures.size()));
   if (!is_new) return known->second;
   Texture result;
-  const std::size_t image = static_cast<std::size_t>(texture.source);
+  const std::size_t image = static_cast<std::size_t>(source);
   result.name = !document_.images[image].name.empty() ? document_.images[image].name : texture.name;
   result.wrap_u = wrap_u, result.wrap_v = wrap_v;
   result.srgb = srgb;
   decode(image, result);
   scene_.textures.push_back(std::move(result));
   return known->second;
+}
+
+int TextureReader::read_roughness(int index, float glossiness) {
+  const int from = read(index, false);
+  if (from < 0) return -1;
+  const auto [known, is_new] = roughness_.try_emplace({from, glossiness}, static_cast<int>(scene_.textures.size()));
+  if (!is_new) return known->second;
+  Texture roughness = scene_.textures[static_cast<std::size_t>(from)];
+  if (roughness.rgba.size() > budget_.left)
+    document_.report.fail(element("textures", static_cast<std::size_t>(index)), "the textures decode to too much memory",
+                          fmt::format("at most {} bytes together", budget_.bytes));
+  budget_.left -= roughness.rgba.size();
+  for (std::size_t i = 0; i < roughness.rgba.size(); i += 4) {
+    const float rough = 255.0f - glossiness * static_cast<float>(roughness.rgba[i + 3]);
+    roughness.rgba[i + 1] = static_cast<std::uint8_t>(std::lround(rough));
+    roughness.rgba[i + 3] = 255;
+  }
+  scene_.textures.push_back(std::move(roughness));
+  return known->second;
+}
+
+/// WebP first: the other is for readers that do not know it.
+int TextureReader::image_of(const tinygltf::Texture& texture) {
+  const auto webp = texture.extensions.find("EXT_texture_webp");
+  return webp == texture.extensions.end() ? texture.source : webp->second.Get("source").GetNumberAsInt();
 }
 
 void TextureReader::decode(std::size_t image, Texture& into) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
@@ -22,13 +23,19 @@ class TextureReader {
   /// srgb: its colours are encoded; false for data.
   int read(int texture, bool srgb);
 
+  /// The same of a texture whose alpha is glossiness, as data whose G is the roughness 1 - factor * glossiness.
+  int read_roughness(int texture, float glossiness);
+
  private:
   void decode(std::size_t image, Texture& into);
+  /// The image of a texture that is read; -1: it has none.
+  static int image_of(const tinygltf::Texture& texture);
 
   Document& document_;
   Scene& scene_;
   TextureBudget budget_;
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
+  std::map<std::pair<int, float>, int> roughness_;  ///< by texture of the scene and factor
 };
 
 }  // namespace lippmann::gltf

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace lippmann::gltf {
 namespace {
@@ -24,10 +25,15 @@ void set_transform(const tinygltf::Value& transform, TextureMap& map) {
 }
 
 /// In the order in which they choose their sets.
-std::array<TextureMap*, 11> maps_of(MetallicRoughness& s) {
-  return {&s.base_color_map, &s.normal_map,           &s.metallic_roughness_map, &s.emissive_map,
-          &s.occlusion_map,  &s.transmission_map,     &s.specular_map,           &s.specular_color_map,
-          &s.clearcoat_map,  &s.clearcoat_normal_map, &s.clearcoat_roughness_map};
+std::vector<TextureMap*> maps_of(MetallicRoughness& s) {
+  std::vector<TextureMap*> maps{&s.base_color_map, &s.normal_map,           &s.metallic_roughness_map, &s.emissive_map,
+                                &s.occlusion_map,  &s.transmission_map,     &s.specular_map,           &s.specular_color_map,
+                                &s.clearcoat_map,  &s.clearcoat_normal_map, &s.clearcoat_roughness_map};
+  if (!s.extensions) return maps;
+  SurfaceExtensions& e = *s.extensions;
+  maps.insert(maps.end(), {&e.sheen.color_map, &e.sheen.roughness_map, &e.anisotropy.map, &e.iridescence.map,
+                           &e.iridescence.thickness_map, &e.diffuse_transmission.map, &e.diffuse_transmission.color_map});
+  return maps;
 }
 
 }  // namespace
@@ -42,9 +48,13 @@ MapSource map_source(const tinygltf::Value* info) {
 }
 
 TextureMap read_map(const MapSource& source, bool srgb, TextureReader& textures) {
+  return read_map_from(source, [&](int texture) { return textures.read(texture, srgb); });
+}
+
+TextureMap read_map_from(const MapSource& source, const std::function<int(int)>& read) {
   TextureMap map;
   if (source.texture < 0) return map;
-  map.texture = textures.read(source.texture, srgb);
+  map.texture = read(source.texture);
   map.uv_set = source.uv_set;
   if (source.transform) set_transform(*source.transform, map);
   return map;

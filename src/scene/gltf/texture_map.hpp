@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "scene/gltf/texture.hpp"
 
@@ -26,6 +27,9 @@ MapSource map_source(const tinygltf::Value* info);
 
 /// Decodes the texture. The map's uv_set is still the file's n of TEXCOORD_n. srgb: its colours are encoded; false for data.
 TextureMap read_map(const MapSource& source, bool srgb, TextureReader& textures);
+
+/// The same where read(texture of the file) makes the Scene's.
+TextureMap read_map_from(const MapSource& source, const std::function<int(int)>& read);
 
 /// Which TEXCOORD_n become Mesh::uvs and uvs_1 (-1: none) for this surface; renumbers its maps' uv_set accordingly. Beyond two
 /// sets: a warning, and the first one is used.

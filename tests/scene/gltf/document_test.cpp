@@ -132,14 +132,15 @@ TEST(GltfDocument, control_characters_of_the_file_do_not_reach_the_message) {
 
 TEST(GltfDocument, integer_written_as_float_is_read) { EXPECT_THAT(message_with("/scene", 0.0), "(no Error)"); }
 
-TEST(GltfDocument, extension_that_is_not_read_is_one_warning) {
+TEST(GltfDocument, extension_that_is_not_read_is_one_warning_that_names_its_objects) {
   GltfBuilder b = good_document();
-  b.root["extensionsUsed"] = {"KHR_materials_volume"};
-  b.root["materials"][0]["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 1}};
+  b.root["extensionsUsed"] = {"EXT_surprise"};
+  b.root["materials"][0]["name"] = "Silk";
+  b.root["materials"][0]["extensions"]["EXT_surprise"] = {{"thicknessFactor", 1}};
   std::vector<std::string> warnings;
   parse(b, &warnings);
   EXPECT_EQ(std::count(warnings.begin(), warnings.end(),
-                       "a.glb: the extension KHR_materials_volume is not supported yet and is ignored"),
+                       "a.glb: the extension EXT_surprise is not supported yet and is ignored (materials[0] 'Silk')"),
             1);
 }
 
@@ -148,7 +149,29 @@ TEST(GltfDocument, extension_that_is_used_but_not_listed_is_a_warning) {
   b.root["materials"][0]["extensions"]["EXT_surprise"] = Json::object();
   std::vector<std::string> warnings;
   parse(b, &warnings);
-  EXPECT_THAT(warnings, Contains("a.glb: the extension EXT_surprise is not supported yet and is ignored"));
+  EXPECT_THAT(warnings, Contains("a.glb: the extension EXT_surprise is not supported yet and is ignored (materials[0])"));
+}
+
+TEST(GltfDocument, extension_of_many_objects_names_the_first_of_them) {
+  GltfBuilder b = good_document();
+  for (int i = 0; i < 6; ++i) b.add("materials", {{"extensions", {{"EXT_surprise", Json::object()}}}});
+  std::vector<std::string> warnings;
+  parse(b, &warnings);
+  EXPECT_THAT(warnings, Contains(HasSubstr("(materials[1], materials[2], materials[3], materials[4] and 2 more)")));
+}
+
+TEST(GltfDocument, description_of_the_files_origin_is_no_warning) {
+  GltfBuilder b = good_document();
+  b.root["extensionsUsed"] = {"KHR_xmp", "KHR_xmp_json_ld"};
+  b.root["extensionsRequired"] = {"KHR_xmp_json_ld"};
+  std::vector<std::string> warnings;
+  parse(b, &warnings);
+  EXPECT_THAT(warnings, testing::Each(testing::Not(HasSubstr("xmp"))));
+}
+
+TEST(GltfDocument, required_textures_of_basis_universal_are_refused_with_what_to_do) {
+  EXPECT_THAT(message_with("/extensionsRequired", Json::array({"KHR_texture_basisu"})),
+              HasSubstr("convert its textures to PNG, JPEG or WebP first"));
 }
 
 TEST(GltfDocument, after_50_warnings_there_is_one_more) {

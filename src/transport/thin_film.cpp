@@ -1,0 +1,75 @@
+// The letters are the paper's: 1 is air, 2 the film, 3 the surface; R and T what a boundary mirrors and lets through, phi the
+// phase that mirroring shifts, D the optical path that is longer through the film.
+//
+// The spectrum that the film sends back is a sum of cosines of the phase, whose colours are known: those of eyes' sensitivity
+// in the Fourier domain, which is close to a sum of Gaussians.
+#include "transport/thin_film.hpp"
+
+#include <algorithm>
+
+#include "transport/microfacet.hpp"
+
+namespace lippmann {
+namespace {
+
+/// One Gaussian of a colour matching function's, over wave numbers.
+struct Sensitivity {
+  float height, place, variance;
+
+  float at(float phase, float shift) const {
+    return height * std::sqrt(2.0f * kPi * variance) * std::cos(place * phase + shift) * std::exp(-variance * phase * phase);
+  }
+};
+
+// Section 4, table of the fit: X has two of them.
+constexpr Sensitivity kX{5.4856e-13f, 1.6810e+06f, 4.3278e+09f}, kXBlue{9.7470e-14f, 2.2399e+06f, 4.5282e+09f},
+    kY{4.4201e-13f, 1.7953e+06f, 9.3046e+09f}, kZ{5.2481e-13f, 2.2084e+06f, 6.6121e+09f};
+constexpr float kWhole = 1.0685e-7f;  ///< what makes white 1
+
+/// Colour of the cosine that a path longer by `path_m` and the shifts make of white, in linear sRGB.
+Vec3f color_of_path(float path_m, Vec3f shift) {
+  const float phase = 2.0f * kPi * path_m;
+  const float x = kX.at(phase, shift.x) + kXBlue.at(phase, shift.x), y = kY.at(phase, shift.y), z = kZ.at(phase, shift.z);
+  return Vec3f(3.2404542f * x - 1.5371385f * y - 0.4985314f * z, -0.9692660f * x + 1.8760108f * y + 0.0415560f * z,
+               0.0556434f * x - 0.2040259f * y + 1.0572252f * z) /
+         kWhole;
+}
+
+float schlick(float f0, float cosine) { return f0 + (1.0f - f0) * schlick_weight(cosine); }
+
+float reflectance_between(float from, float to) { return squared((to - from) / (to + from)); }
+
+/// A film that vanishes must not be seen: its index goes to air's below 30 nm.
+float visible_ior(const ThinFilm& film) {
+  const float t = std::clamp(film.thickness_nm / 30.0f, 0.0f, 1.0f);
+  return 1.0f + (film.ior - 1.0f) * t * t * (3.0f - 2.0f * t);
+}
+
+}  // namespace
+
+Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine) {
+  const float n2 = visible_ior(film), c1 = std::clamp(cosine, 0.0f, 1.0f);
+  const float squared_c2 = 1.0f - (1.0f - c1 * c1) / (n2 * n2);
+  if (squared_c2 < 0.0f) return Vec3f(1.0f);
+  const float c2 = std::sqrt(squared_c2);
+  const float r12 = schlick(reflectance_between(1.0f, n2), c1), t121 = 1.0f - r12;
+
+  Vec3f r23, phi;
+  for (int c = 0; c < 3; ++c) {
+    const float root = std::sqrt(std::clamp(f0[c], 0.0f, 0.9999f)), n3 = (1.0f + root) / (1.0f - root);
+    r23[c] = schlick(reflectance_between(n2, n3), c2);
+    phi[c] = kPi + (n3 < n2 ? kPi : 0.0f);  // that of 21, a way back into a denser medium, and of 23
+  }
+  const Vec3f r123 = glm::clamp(r12 * r23, Vec3f(1e-5f), Vec3f(0.9999f)), root = glm::sqrt(r123);
+  const Vec3f rs = t121 * t121 * r23 / (Vec3f(1.0f) - r123);
+  const float path = 2.0f * n2 * c2 * film.thickness_nm * 1e-9f;
+
+  Vec3f sum = r12 + rs, term = rs - Vec3f(t121);
+  for (int m = 1; m <= 2; ++m) {
+    term *= root;
+    sum += 2.0f * term * color_of_path(static_cast<float>(m) * path, static_cast<float>(m) * phi);
+  }
+  return glm::clamp(sum, Vec3f(0.0f), Vec3f(1.0f));
+}
+
+}  // namespace lippmann
