@@ -137,7 +137,7 @@ def shining_area(light, report):
     emission = "Emission" if "Emission" in shader.inputs else "Emission Color"
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
     shader.inputs[emission].default_value = (*light.color, 1.0)
-    shader.inputs["Emission Strength"].default_value = light.energy / (math.pi * area)
+    shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # as Cycles has it, not pi
     mesh.materials.append(material)
     report.warn("Area lights arrive as shining surfaces of their size, which are seen in the picture; Blender's are not.")
     return mesh

@@ -52,7 +52,8 @@ Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine) {
   const float squared_c2 = 1.0f - (1.0f - c1 * c1) / (n2 * n2);
   if (squared_c2 < 0.0f) return Vec3f(1.0f);
   const float c2 = std::sqrt(squared_c2);
-  const float r12 = schlick(reflectance_between(1.0f, n2), c1), t121 = 1.0f - r12;
+  // Schlick's would mirror at a slant where the film has no index left.
+  const float r12 = fresnel_dielectric(c1, n2), t121 = 1.0f - r12;
 
   Vec3f r23, phi;
   for (int c = 0; c < 3; ++c) {

@@ -1,7 +1,8 @@
 // The colours of thin films: light that is mirrored at both sides of a film as thin as its waves are long.
 //
 // Based on: L. Belcour, P. Barla, "A Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence", ACM
-// TOG 36(4), 2017; Khronos Group, KHR_materials_iridescence (Schlick's reflectance at both sides, sRGB's primaries).
+// TOG 36(4), 2017; Khronos Group, KHR_materials_iridescence (Schlick's reflectance of the surface, sRGB's primaries). We
+// deviate: what the film's own front mirrors is Fresnel's, else films that vanish would be seen at a slant.
 #pragma once
 
 #include "lippmann/core/math.hpp"

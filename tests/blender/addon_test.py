@@ -144,6 +144,36 @@ class AddOn(unittest.TestCase):
         bpy.ops.render.render()
         self.assertTrue((self.folder / "world.exr").is_file())
 
+    def test_area_lights_have_the_radiance_of_cycles_and_particles_and_bent_meshes_arrive(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        light = bpy.data.lights.new("area", "AREA")
+        light.energy, light.size = 100.0, 2.0
+        scene.collection.objects.link(bpy.data.objects.new("area", light))
+        cube = bpy.data.objects["Cube"]
+        bpy.ops.mesh.primitive_plane_add(size=8.0)
+        plane = bpy.context.object
+        plane.modifiers.new("grown", "PARTICLE_SYSTEM")
+        grown = plane.particle_systems[0].settings
+        grown.type, grown.render_type, grown.instance_object, grown.count, grown.use_advanced_hair = "HAIR", "OBJECT", cube, 7, True
+        bpy.ops.object.armature_add()
+        bone = bpy.context.object.pose.bones[0]
+        bone.rotation_mode, bone.rotation_euler = "XYZ", (1.0, 0.0, 0.0)
+        bpy.ops.mesh.primitive_monkey_add()
+        monkey = bpy.context.object
+        monkey.modifiers.new("bent", "ARMATURE").object = bpy.data.objects["Armature"]
+        monkey.vertex_groups.new(name="Bone").add(range(len(monkey.data.vertices)), 1.0, "REPLACE")
+        bpy.ops.render.render()
+        document = gltf(self.folder)
+        strengths = [m["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] for m in document["materials"] if "emissiveFactor" in m]
+        self.assertEqual(len(strengths), 1)
+        self.assertAlmostEqual(strengths[0], 100.0 / (4.0 * 2.0 * 2.0), places=4)
+        self.assertEqual(len([n for n in document["nodes"] if "mesh" in n]), 1 + 7 + 1 + 1 + 1, [n["name"] for n in document["nodes"]])
+        bent = next(mesh for mesh in document["meshes"] if mesh["name"].startswith("Suzanne"))
+        bounds = document["accessors"][bent["primitives"][0]["attributes"]["POSITION"]]
+        straight = [max(v.co[axis] for v in monkey.data.vertices) for axis in range(3)]
+        self.assertAlmostEqual(bounds["max"][0], straight[0], places=3)  # it bends about x
+        self.assertGreater(abs(bounds["max"][2] + min(v.co.y for v in monkey.data.vertices)), 0.1)  # glTF's z is Blender's -y
+
     def test_a_tool_that_is_not_there_is_said(self):
         with self.assertRaisesRegex(tool.ToolError, "not at /nowhere/lippmann"):
             tool.find("/nowhere/lippmann")
