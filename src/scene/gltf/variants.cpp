@@ -9,7 +9,7 @@
 namespace lippmann::gltf {
 namespace {
 
-constexpr const char* kVariants = "KHR_materials_variants";
+constexpr const char* kExtension = "KHR_materials_variants";
 
 std::vector<int> variants_of(const tinygltf::Value& mapping) {
   std::vector<int> variants;
@@ -22,7 +22,7 @@ std::vector<int> variants_of(const tinygltf::Value& mapping) {
 
 std::vector<std::string> variant_names(const Document& document) {
   std::vector<std::string> names;
-  const auto found = document.model.extensions.find(kVariants);
+  const auto found = document.model.extensions.find(kExtension);
   if (found == document.model.extensions.end()) return names;
   const tinygltf::Value& list = found->second.Get("variants");
   for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) names.push_back(list.Get(i).Get("name").Get<std::string>());
@@ -36,7 +36,7 @@ int choose_variant(const std::vector<std::string>& names, const std::string& wan
 }
 
 int material_in(const tinygltf::Primitive& primitive, int variant, const std::string& where, const Report& report) {
-  const auto found = primitive.extensions.find(kVariants);
+  const auto found = primitive.extensions.find(kExtension);
   if (variant < 0 || found == primitive.extensions.end()) return primitive.material;
   const tinygltf::Value& mappings = found->second.Get("mappings");
   int material = -1;
