@@ -37,7 +37,7 @@ std::vector<std::string> display_names() {
 /// What flags, without dashes, and arguments take that their declaration does not say.
 std::vector<std::string> values_of(const std::string& name) {
   if (name == "SCENE") return scene_names();
-  if (name == "display" || name == "from-display") return display_names();
+  if (name == "display") return display_names();
   if (name == "to" || name == "from") return format_names();
   const ParamInfo* param = find_param(name);
   return param ? std::vector<std::string>(param->choices.begin(), param->choices.end()) : std::vector<std::string>();

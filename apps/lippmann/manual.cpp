@@ -69,8 +69,10 @@ std::string CommandLine::manual() const {
       ".SH DESCRIPTION\n"
       "An integral image is what lies behind an array of lenses: each lens shows, at every angle, another pixel, so that it is "
       "seen in depth without glasses. Every flag of \\fBlippmann render\\fR is a key of the same name in a job file.\n"
-      ".SH COMMANDS\n",
+      ".SH OPTIONS\n",
       plain(version()), plain(app_->get_description()));
+  for (const CLI::Option* option : app_->get_options()) text += entry(*option);
+  text += ".SH COMMANDS\n";
   for (const CLI::App* command : app_->get_subcommands([](const CLI::App* app) { return !app->get_group().empty(); }))
     text += fmt::format(".SS lippmann {}\n{}\n{}", plain(command->get_name()), plain(command->get_description()),
                         entries(*command));

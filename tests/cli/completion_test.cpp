@@ -66,6 +66,7 @@ TEST(Manual, every_command_has_its_flags_in_it) {
   EXPECT_EQ(page.rfind(".TH LIPPMANN 1", 0), 0u);
   EXPECT_THAT(page, HasSubstr(".SS lippmann replay"));
   EXPECT_THAT(page, HasSubstr("\\-\\-min\\-psnr"));
+  EXPECT_LT(page.find("\\-\\-version"), page.find(".SH COMMANDS"));
   EXPECT_THAT(page, Not(HasSubstr(".SS lippmann complete")));
   for (const std::string& line : lines(page)) EXPECT_FALSE(line.starts_with("'")) << line;
 }
