@@ -32,6 +32,9 @@ constexpr int kTrials = 7;
 /// After this trial, one that is not better than this many times the last ends them.
 constexpr int kLeastTrials = 2;
 constexpr float kStalled = 0.95f;
+/// Means that err by so many times what they may, surely, are wrong because of cells: more samples of pixels would not mend
+/// them.
+constexpr float kBlocksOfCells = 3.0f;
 /// A share of the rays that paths need; above it they are traced: rays of single pixels take up to twice as long as those of
 /// packets.
 constexpr double kLargestShare = 0.7;
@@ -73,6 +76,13 @@ float blocks_between(const Trial& coarse, const Trial& fine, float error) {
 float error_of_cells(const Trial& coarse, const Trial& fine) {
   constexpr float kLeft = 0.426f;  // 2^(-1.6 * 2 / 2.6)
   return std::max(0.0f, fine.squared_error - kLeft * coarse.squared_error) / (1.0f - kLeft);
+}
+
+/// Whether means err by far too much, and no less than with coarser pixels.
+bool blocks_need_cells(const Trial& coarse, const FrameError& found, float may) {
+  constexpr float kHelpedByPixels = 0.8f;
+  return found.blocks - 2.0f * found.block_uncertainty > kBlocksOfCells * may &&
+         found.blocks > kHelpedByPixels * coarse.measured.blocks;
 }
 
 /// By how much codes of a mean change with it (the slope of sRGB's curve).
@@ -176,14 +186,18 @@ GatherMeasure::Codes GatherMeasure::codes_of(const std::vector<float>& light) co
   return codes;
 }
 
-/// sRGB's curve makes what is noisy darker on average: of half as many samples by twice as much, and so of all by the
-/// difference between these two (jackknife; M. H. Quenouille, "Notes on bias in estimation", Biometrika 43, 1956).
+/// sRGB's curve makes what is noisy darker on average, and so does the white that brighter light is cut off at: of half as many
+/// samples by twice as much, and so of all by the difference between these two (jackknife; M. H. Quenouille, "Notes on bias in
+/// estimation", Biometrika 43, 1956).
 GatherMeasure::Codes GatherMeasure::codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const {
   std::vector<float> light(first.size());
   for (std::size_t i = 0; i < light.size(); ++i) light[i] = 0.5f * (first[i] + second[i]);
   Codes codes = codes_of(light);
-  for (std::size_t i = 0; i < light.size(); ++i)
+  const auto shown = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
+  for (std::size_t i = 0; i < light.size(); ++i) {
     codes.values[i] = 2.0f * codes.values[i] - 0.5f * (code_of(first[i]) + code_of(second[i]));
+    codes.shown[i] = 2.0f * codes.shown[i] - 0.5f * (shown(first[i]) + shown(second[i]));
+  }
   return codes;
 }
 
@@ -251,6 +265,11 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
       if (next_trial_ == 0) break;
       if (!coarse) --next_trial_;
     } else {
+      if (coarse && blocks_need_cells(*coarse, measured, goal_.blocks)) {
+        GatherPlan plan{error, error, edges, {}, 1.0f, measured, rays_of_last_ / rays_of_paths_};
+        refine_for_blocks(sources, plan);
+        return plan;
+      }
       const bool stalled = coarse && next_trial_ > kLeastTrials && found.squared_error > kStalled * coarse->squared_error;
       coarse = found;
       if (fine) break;

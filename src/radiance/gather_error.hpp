@@ -105,6 +105,9 @@ class GatherMeasure {
   /// What paths with trace.spp samples need, as far as the patches tell.
   double rays_of_whole_frame() const { return rays_of_paths_ / std::max(patches_.of_frame, 1e-6); }
 
+  /// What was gathered last took, of the rays of paths.
+  double share_of_last() const { return rays_of_last_ / rays_of_paths_; }
+
   /// All that were traced.
   const RayCounts& counts() const { return counts_; }
 

@@ -7,6 +7,9 @@ namespace {
 
 /// So many rounds are tried whether fewer have helped or not; more of them than the latter are never worth it.
 constexpr int kFewRounds = 16, kMostRounds = 64;
+/// Where the error is beyond this many times what it may be, four times the rounds are tried at once: twice as many would not
+/// do.
+constexpr float kFar = 4.0f;
 /// Rounds that cells of another size or of other lights begin with.
 constexpr int kRoundsAnew = 32, kRoundsOfSmall = 32;
 constexpr float kSmallestPart = 0.25f;
@@ -33,7 +36,7 @@ bool SetupSearch::go_on(const SetupOutcome& outcome) {
   }
   if (updates_more) {
     step_ = Step::kMore;
-    current_.rounds *= 2;
+    current_.rounds = std::min((outcome.excess > kFar ? 4 : 2) * current_.rounds, kMostRounds);
     return true;
   }
   return !good_ && (ask_more() || (helped || done == Step::kMore ? shrink() : false));

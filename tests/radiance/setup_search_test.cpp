@@ -22,9 +22,17 @@ TEST(SetupSearch, cells_that_make_most_of_the_error_are_fed_more_though_frames_a
   EXPECT_EQ(search.good()->rounds, 8);
 }
 
+TEST(SetupSearch, far_from_good_four_times_the_updates_are_tried_at_once) {
+  SetupSearch search(true, true);
+  ASSERT_TRUE(search.go_on({false, 8.0f, 1.0f}));
+  EXPECT_EQ(search.current().rounds, 16);
+  ASSERT_TRUE(search.go_on({false, 3.0f, 1.0f}));
+  EXPECT_EQ(search.current().rounds, 32);
+}
+
 TEST(SetupSearch, updates_go_on_as_long_as_they_help) {
   SetupSearch search(false, false);
-  float excess = 100.0f;
+  float excess = 3.9f;
   int rounds = 4;
   for (; search.current().rounds < 64; excess *= 0.5f) {
     EXPECT_EQ(search.current().rounds, rounds);
