@@ -34,6 +34,11 @@ RenderParams with_scene_defaults(RenderParams params) {
   return params;
 }
 
+bool wants_stereo(const RenderParams& params) {
+  const PictureParams& pictures = params.output.pictures;
+  return pictures.layout == PictureLayout::kStereo || pictures.to == "stereo";
+}
+
 bool fits_depth(const RenderParams& params) {
   return params.optics.fit_depth.value_or(!params.optics.display.empty() || optics_kind(params) != OpticsKind::kMultiview);
 }

@@ -12,6 +12,7 @@
 #include "lippmann/display/display.hpp"
 #include "lippmann/layout/interlace.hpp"
 #include "lippmann/layout/light_field.hpp"
+#include "lippmann/layout/stereo.hpp"
 
 namespace lippmann {
 
@@ -25,6 +26,7 @@ struct FormatOptions {
   std::optional<Display> display = {};    ///< whose own frame a native picture is
   std::optional<ViewFilter> filter = {};  ///< of views when native frames are made; none: the nearest
   std::optional<double> sigma_views = {};
+  std::optional<StereoLayout> stereo = {};  ///< how two views lie in one picture; none: as its name says, or side by side
 };
 
 /// Paths are those of one light field, of one moment: a picture or a folder.
@@ -49,6 +51,7 @@ LightFieldFormat jpeg_pleno_format();
 LightFieldFormat eslf_format();
 LightFieldFormat native_format();
 LightFieldFormat miv_format();
+LightFieldFormat stereo_format();
 
 /// All of them, in the order of --help.
 const std::vector<LightFieldFormat>& light_field_formats();
