@@ -57,17 +57,19 @@ std::optional<PictureLayout> layout_named(const std::string& format) {
   if (format == "views") return PictureLayout::kViews;
   if (format == "native") return PictureLayout::kNative;
   if (format == "stereo") return PictureLayout::kStereo;
+  if (format == "rgbd") return PictureLayout::kRgbd;
   return std::nullopt;
 }
 
 /// `to` as a layout where it is one.
 PictureParams with_layout(PictureParams params) {
+  if (params.layout == PictureLayout::kRgbd && params.to.empty()) params.to = "rgbd";
   if (params.to.empty()) return params;
   find_format(params.to, "to");
   const std::optional<PictureLayout> layout = layout_named(params.to);
   if (params.layout && params.layout != layout)
     throw usage_error("to", fmt::format("'{}' is not what `layout` asks for", params.to), "one of both");
-  if (layout) params.layout = layout, params.to.clear();
+  if (layout && layout != PictureLayout::kRgbd) params.layout = layout, params.to.clear();
   return params;
 }
 
@@ -136,7 +138,7 @@ void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
 }
 
 void FrameLayout::use_format(const LightFieldFormat& format, const Optics& optics) {
-  const ViewLayout film = film_layout(optics, "to");
+  const ViewLayout film = is_single_view(optics) ? ViewLayout{LayoutKind::kStack, {1, 1}, {}} : film_layout(optics, "to");
   light_field_ = &format;
   names_.is_folder = format.is_folder;
   if (format_ == PictureFormat::kTiff) throw usage_error("format", "light fields hold no TIFF pictures", "png, png16 or exr");

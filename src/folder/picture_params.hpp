@@ -11,7 +11,7 @@
 namespace lippmann {
 
 /// Where the pixels of views lie (layout/view_layout.hpp).
-enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint, kStereo };
+enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint, kStereo, kRgbd };
 enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 enum class ExrPixels { kHalf, kFloat };
 

@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
 constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provenance"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
-constexpr std::array<std::string_view, 6> kLayoutNames{"integral", "quilt", "views", "native", "print", "stereo"};
+constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "views", "native", "print", "stereo", "rgbd"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 /// The layers that `aov` takes; alpha comes with `transparent`.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
@@ -501,9 +501,8 @@ std::vector<ParamInfo> file_rows() {
           {"layout", "Files", "LAYOUT",
            "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
            "them), "
-           "native (the display's own frame), print (TIFF at the display's resolution) or stereo (the views of two eyes); "
-           "default: as "
-           "the optics lie"}),
+           "native (the display's own frame), print (TIFF at the display's resolution), stereo (the views of two eyes) or rgbd "
+           "(one view's colours and its depth beside them); default: as the optics lie"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::to, light_field_name(),
           {"to", "Files", "FORMAT",
            "Write each frame as a light field that 'convert' knows: hci, stanford, jpeg-pleno, miv, eslf (formats with cameras "

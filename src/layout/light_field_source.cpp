@@ -5,6 +5,8 @@
 #include "core/folder_entries.hpp"
 #include "core/text_pattern.hpp"
 #include "layout/frame_names.hpp"
+#include "layout/rgbd_name.hpp"
+#include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
@@ -38,6 +40,7 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   if (fs::is_directory(path, ignored)) return format_of_folder(path).value_or("views");
   if (parse_quilt_name(path)) return "quilt";
   if (parse_stereo_name(path)) return "stereo";
+  if (has_rgbd_name(path) || read_rgbd_side_file(path)) return "rgbd";
   if (source.rendering && !source.rendering->layout.empty()) return source.rendering->layout;
   if (!source.rendered) throw usage_error("from", "nothing says what " + path.string() + " is", "the name of a format");
   switch (source.rendered->film.kind) {
@@ -59,7 +62,8 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   if (source.rendering)
     source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "from");
-  if (source.format->is_folder && source.format->name != "views") source.rendering.reset(), source.rendered.reset();
+  if ((source.format->is_folder && source.format->name != "views") || source.format->name == "rgbd")
+    source.rendering.reset(), source.rendered.reset();
   if (source.rendering && !source.rendering->has_depth_layer) source.options.with_depth = false;
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;

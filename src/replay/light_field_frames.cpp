@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "layout/light_field_source.hpp"
+#include "layout/rgbd_name.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
@@ -178,7 +179,7 @@ LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHin
   const bool is_folder = fs::is_directory(first, ignored);
   frames.folder = first == in && is_folder ? in : first.parent_path();
   if (!hints.report.empty()) return of_render(std::move(frames), read_rendering(hints.report), hints);
-  if (!is_folder && hints.from.empty()) {
+  if (!is_folder && hints.from.empty() && !has_rgbd_name(first)) {
     if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, hints);
     if (!parse_quilt_name(first) && !parse_stereo_name(first))
       throw Error(

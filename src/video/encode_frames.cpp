@@ -44,7 +44,7 @@ SeriesNames names_of(const std::string& from) {
     return {
         from,
         TextPattern(
-            R"((.*?)([0-9]{1,9})((?:_qs[^.]*(?:\.[0-9]+)?[^.]*|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?)?\.(?:png|exr|jpg|jpeg|tif|tiff|ppm|bmp|tga|webp)))",
+            R"((.*?)([0-9]{1,9})((?:_qs[^.]*(?:\.[0-9]+)?[^.]*|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_rgbd)?\.(?:png|exr|jpg|jpeg|tif|tiff|ppm|bmp|tga|webp)))",
             TextPattern::Letters::kEitherCase)};
   static const TextPattern number(R"(\*|%0?[0-9]*d)");
   const fs::path path(from);
