@@ -8,14 +8,17 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/crosstalk_flags.hpp"
+#include "apps/lippmann/depth_flags.hpp"
 #include "apps/lippmann/grid_flag.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "apps/lippmann/stereo_flags.hpp"
 #include "folder/claim_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/convert.hpp"
+#include "replay/depth_frames.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -27,6 +30,8 @@ struct ConvertOptions {
   ResultFlags result;
   OrthoscopicFlags orthoscopic;
   CrosstalkFlags crosstalk;
+  StereoFlags stereo;
+  DepthFlags depth;
 };
 
 ViewFilter read_filter(const std::string& word) {
@@ -44,9 +49,19 @@ ConvertParams params_of(const ConvertOptions& options) {
   if (!options.display.empty()) params.options.display = load_display(options.display);
   if (!options.filter.empty()) params.options.filter = read_filter(options.filter);
   if (options.sigma > 0.0) params.options.sigma_views = options.sigma;
+  params.options.stereo = options.stereo.layout();
+  options.depth.add_to(params.options);
   if (!options.crop.empty()) params.crop = read_crop(options.crop, "--crop");
   if (!options.keep.empty()) params.keep = read_kept_views(options.keep, "--keep");
   return params;
+}
+
+LightFieldHints hints_of(const ConvertOptions& options) {
+  return {{},
+          options.from,
+          read_grid(options.views, "--views"),
+          read_grid(options.quilt, "--quilt"),
+          options.stereo.view_angle_deg};
 }
 
 int run(const ConvertOptions& options, const Context& context) {
@@ -58,6 +73,14 @@ int run(const ConvertOptions& options, const Context& context) {
   if (options.crosstalk.precompensate)
     throw usage_error("--precompensate", "is a step of its own, of what a panel shows", "no --to with it");
   if (options.to.empty()) throw usage_error("--to", "is required", "a format, see --help");
+  const bool from_rgbd = options.from == "rgbd" || (options.from.empty() && is_rgbd(options.in));
+  options.stereo.require_stereo(options.from, from_rgbd && options.stereo.view_angle_deg ? "stereo" : options.to);
+  options.depth.require_rgbd(from_rgbd, options.to);
+  if (from_rgbd && options.to != "rgbd" && options.keep.empty() && options.crop.empty())
+    return run_depth_views(options.depth, options.stereo.view_angle_deg, options.stereo.ipd_mm, options.in, options.out,
+                           options.to, params_of(options).options, options.result, context);
+  if (options.to == "stereo" && options.from != "stereo" && options.keep.empty() && options.crop.empty())
+    return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
   const Converted converted = convert(options.in, options.out, params_of(options));
   if (converted.lacks_cameras)
     context.warning("nothing says what cameras saw these views: no parameters, depth or disparity (render writes report.json)");
@@ -125,6 +148,8 @@ void add_convert_command(const Command& root, Action& chosen) {
   command.add_option("--sigma", options->sigma, "Width of --filter gaussian, in views; default 0.5").range(0.1, 10.0);
   add_orthoscopic_flags(command, options->orthoscopic);
   add_crosstalk_flags(command, options->crosstalk);
+  add_stereo_flags(command, options->stereo);
+  add_depth_flags(command, options->depth);
   add_result_flags(command, options->result);
   command.footer(formats_help());
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

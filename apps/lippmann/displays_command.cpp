@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,6 +11,8 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "display/display_json.hpp"
+#include "display/find_calibrations.hpp"
+#include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 
 namespace lippmann::app {
@@ -17,7 +20,8 @@ namespace {
 
 struct DisplaysOptions {
   std::string display;
-  bool json = false;
+  bool json = false, find = false;
+  std::vector<std::string> mounts;
 };
 
 std::string quilt_text(const Display& display) {
@@ -55,14 +59,58 @@ void print_details(const Display& d) {
   else
     fmt::print("lenses           {:.4f} mm wide ({:g} per inch), slant {:g}°\n", d.lenses.pitch_mm, 25.4 / d.lenses.pitch_mm,
                d.lenses.slant_deg);
-  if (d.quilt) fmt::print("quilt            {} pixels, aspect {:g}\n", quilt_text(d), d.quilt->aspect);
+  if (const std::optional<Optics> quilt = quilt_optics(d))
+    fmt::print("quilt            {} pixels, aspect {:g}; depth budget +-{:.1f} mm\n", quilt_text(d), d.quilt->aspect,
+               depth_budget_mm(*quilt));
   fmt::print("views            {}\n", views_of(d));
   if (d.kind != DisplayKind::kLenticularSheet)
     fmt::print("video            {} up to {} pixels on a side{}\n", d.video.codec, d.video.longest_side,
                d.video.quilts ? "" : "; quilts as pictures only");
 }
 
+/// A calibration that lies on a device, or what is wrong with it.
+nlohmann::ordered_json found_json(const std::string& file) try {
+  nlohmann::ordered_json json{{"file", file}};
+  json.update(display_json(load_display(file)));
+  return json;
+} catch (const Error& error) {
+  return {{"file", file}, {"error", error.what()}};
+}
+
+void print_found(const std::string& file) try {
+  const Display display = load_display(file);
+  fmt::print("{}\n  {}, {}x{} pixels, quilt {}\n  lippmann render SCENE --display '{}'\n", file, display.description,
+             display.pixels.x, display.pixels.y, quilt_text(display), file);
+} catch (const Error& error) {
+  fmt::print("{}\n", with_flags(error.what()));
+}
+
+/// Exit code 1 where no device is found.
+int find_devices(const DisplaysOptions& options) {
+  if (!options.display.empty()) throw usage_error("--find", "looks for devices, and a display is named", "one of both");
+  const std::vector<std::filesystem::path> mounts =
+      options.mounts.empty() ? usual_mount_points()
+                             : std::vector<std::filesystem::path>(options.mounts.begin(), options.mounts.end());
+  const std::vector<std::filesystem::path> found = find_calibrations(mounts);
+  if (options.json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const auto& file : found) all.push_back(found_json(file.string()));
+    print_json(all);
+    return 0;
+  }
+  if (found.empty()) {
+    std::vector<std::string> looked;
+    for (const auto& mount : mounts) looked.push_back(mount.string());
+    throw Error("displays", fmt::format("there is no LKG_calibration/visual.json below {}", fmt::join(looked, ", ")),
+                "a display whose drive is mounted, or --mounts with where it is");
+  }
+  for (const auto& file : found) print_found(file.string());
+  return 0;
+}
+
 int run(const DisplaysOptions& options) {
+  if (options.find) return find_devices(options);
+  if (!options.mounts.empty()) throw usage_error("--mounts", "says where --find looks", "--find with it");
   const bool one = !options.display.empty();
   const std::vector<Display> displays = one ? std::vector{load_display(options.display)} : display_presets();
   if (options.json) {
@@ -83,6 +131,11 @@ void add_displays_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<DisplaysOptions>();
   const Command command = root.add_command("displays", "List the known displays, or describe one of them");
   command.add_option("DISPLAY", options->display, "A name from the list, a display's .toml, or a calibration's .json");
+  command.add_flag("--find", options->find, "Look for the calibrations of displays that are plugged in");
+  command
+      .add_option("--mounts", options->mounts,
+                  "Where --find looks for their drives; default: /media, /run/media, /mnt and /Volumes")
+      .type_name("DIR");
   command.add_flag("--json", options->json, "Print JSON on stdout");
   command.when_named([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
 }

@@ -53,6 +53,7 @@ int run(const EncodeOptions& options, Context& context) {
   VideoOptions video{.rate = {}, .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
   if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
   const std::vector<NumberedFrame> frames = wanted_frames(options);
+  video.stereo = stereo_of(frames);
   video.rate = frame_rate(rate_of(options, frames));
   const fs::path out = video_path(options.out, frames);
   const NewFolder folder(out.parent_path());
@@ -85,7 +86,7 @@ void add_encode_command(const Command& root, Action& chosen) {
       .add_option(
           "OUT", options->out,
           "The video: .mp4 (H.264; HEVC above 4096 pixels a side), .mov, .webm (VP9), .mkv (FFV1, lossless); frames that are "
-          "quilts give it their quilt's name")
+          "quilts or stereo pictures give it the end of their name")
       .required();
   command.add_option("--codec", options->codec, "h264, hevc, vp9, av1 or ffv1; default: by OUT's ending and size")
       .type_name("NAME");

@@ -60,9 +60,11 @@ OrderedJson display_json(const Display& d) {
     json["lenses"] = lenses_json(d.lenses);
   }
   if (d.crosstalk_px) json["crosstalk_px"] = *d.crosstalk_px;
-  if (d.quilt)
-    json["quilt"] = {
-        {"tiles", {d.quilt->columns, d.quilt->rows}}, {"size", {d.quilt->width, d.quilt->height}}, {"aspect", d.quilt->aspect}};
+  if (const std::optional<Optics> quilt = quilt_optics(d))
+    json["quilt"] = {{"tiles", {d.quilt->columns, d.quilt->rows}},
+                     {"size", {d.quilt->width, d.quilt->height}},
+                     {"aspect", d.quilt->aspect},
+                     {"depth_budget_mm", depth_budget_mm(*quilt)}};
   json["video"] = {{"codec", d.video.codec}, {"longest_side", d.video.longest_side}, {"quilts", d.video.quilts}};
   return json;
 }

@@ -56,17 +56,20 @@ std::optional<PictureLayout> layout_named(const std::string& format) {
   if (format == "quilt") return PictureLayout::kQuilt;
   if (format == "views") return PictureLayout::kViews;
   if (format == "native") return PictureLayout::kNative;
+  if (format == "stereo") return PictureLayout::kStereo;
+  if (format == "rgbd") return PictureLayout::kRgbd;
   return std::nullopt;
 }
 
 /// `to` as a layout where it is one.
 PictureParams with_layout(PictureParams params) {
+  if (params.layout == PictureLayout::kRgbd && params.to.empty()) params.to = "rgbd";
   if (params.to.empty()) return params;
   find_format(params.to, "to");
   const std::optional<PictureLayout> layout = layout_named(params.to);
   if (params.layout && params.layout != layout)
     throw usage_error("to", fmt::format("'{}' is not what `layout` asks for", params.to), "one of both");
-  if (layout) params.layout = layout, params.to.clear();
+  if (layout && layout != PictureLayout::kRgbd) params.layout = layout, params.to.clear();
   return params;
 }
 
@@ -90,6 +93,9 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
   refuse_without(layout == PictureLayout::kQuilt, params.quilt.x > 0, "quilt", "`layout` quilt");
   refuse_without(is_print, params.mirror, "mirror", "`layout` print");
   refuse_without(display != nullptr, layout == PictureLayout::kNative || is_print, "`layout` native or print", "`display`");
+  const bool is_stereo = layout == PictureLayout::kStereo;
+  refuse_without(is_stereo, params.stereo.packing != StereoPacking::kSideBySide, "stereo", "`layout` stereo");
+  refuse_without(is_stereo, params.stereo.right_first, "right-first", "`layout` stereo");
   mirrors_ = params.mirror;
   if (display) pixels_per_mm_ = 1.0 / display->pixel_mm();
   if (params.pseudoscopic) {
@@ -98,6 +104,10 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
   }
   if (!params.to.empty()) {
     use_format(find_format(params.to, "to"), optics);
+    return;
+  }
+  if (layout == PictureLayout::kStereo) {
+    pair_views(params.stereo, optics);
     return;
   }
   if (layout == PictureLayout::kNative || is_print || (layout == PictureLayout::kIntegral && has_lenses(optics))) {
@@ -128,7 +138,7 @@ void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
 }
 
 void FrameLayout::use_format(const LightFieldFormat& format, const Optics& optics) {
-  const ViewLayout film = film_layout(optics, "to");
+  const ViewLayout film = is_single_view(optics) ? ViewLayout{LayoutKind::kStack, {1, 1}, {}} : film_layout(optics, "to");
   light_field_ = &format;
   names_.is_folder = format.is_folder;
   if (format_ == PictureFormat::kTiff) throw usage_error("format", "light fields hold no TIFF pictures", "png, png16 or exr");
@@ -140,7 +150,7 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
   const ViewLayout film = film_layout(optics, "layout"), wanted = wanted_layout(params, layout, film);
   if (wanted.kind == LayoutKind::kQuilt) {
     quilt_ = {wanted.tiles, display_aspect(optics)};
-    names_.quilt = quilt_ending(*quilt_);
+    names_.suffix = quilt_ending(*quilt_);
   }
   if (wanted.kind == LayoutKind::kStack) {
     names_.views = pictures_per_frame_ = film.grid.count();
@@ -148,7 +158,22 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
   if (!same_places(film, wanted)) arrangement_.emplace(film, wanted, film_, "layout");
 }
 
+/// The film holds the views side by side, as they lie in the picture: squeezed by their pixels, which are not square.
+void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
+  const ViewLayout film = film_layout(optics, "layout");
+  if (film.kind != LayoutKind::kQuilt || film.grid != ViewGrid{2, 1})
+    throw usage_error("layout", "a stereo picture has the views of two eyes, and these optics have others", "no `optics`");
+  const Vec2i stored = view_size(film, film_, "layout");
+  const std::vector<std::uint32_t> film_pixels = pixels_of_views(film, stored, film_);
+  stereo_ = layout;
+  stereo_size_ = stereo_picture_size(layout.packing, stored);
+  stereo_pixels_ = lippmann::stereo_pixels(layout, stored);
+  for (std::uint32_t& pixel : stereo_pixels_) pixel = film_pixels[pixel];
+  names_.suffix = stereo_ending(layout);
+}
+
 Vec2i FrameLayout::picture_size() const {
+  if (stereo_) return stereo_size_;
   if (light_field_) return light_field_->is_folder ? view_size_ : film_;
   if (sub_pixels_) return {film_.x / 3, film_.y};
   if (!arrangement_) return film_;
@@ -156,10 +181,16 @@ Vec2i FrameLayout::picture_size() const {
 }
 
 std::filesystem::path FrameLayout::video_path(const std::filesystem::path& plain) const {
+  if (stereo_) return with_stereo_name(plain, *stereo_);
   return quilt_ ? with_quilt_name(plain, *quilt_) : plain;
 }
 
 Image FrameLayout::arrange(const Image& film) const {
+  if (stereo_) {
+    Image picture(stereo_size_.x, stereo_size_.y, film.channels);
+    move_pixels(film, stereo_pixels_, picture, {});
+    return picture;
+  }
   if (sub_pixels_) return join_sub_pixels(film);
   if (mirrors_) return mirrored(film);
   return arrangement_ ? arrangement_->apply(film) : film;

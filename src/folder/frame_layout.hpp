@@ -2,8 +2,10 @@
 // field in one of the formats that convert writes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "folder/picture_params.hpp"
 #include "layout/frame_names.hpp"
@@ -37,14 +39,17 @@ class FrameLayout {
   /// How many pictures of picture_size() a frame has.
   int pictures_per_frame() const { return pictures_per_frame_; }
 
-  /// Where a video of these pictures goes: a quilt's says so in its name.
+  /// Where a video of these pictures goes: a quilt's says so in its name, and a stereo video.
   std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
   /// For quilts: tiles and the display's aspect.
   const std::optional<QuiltName>& quilt() const { return quilt_; }
 
+  /// How two views lie in each picture, where that is its layout.
+  const std::optional<StereoLayout>& stereo() const { return stereo_; }
+
   /// Whether film is moved at all.
-  bool moves() const { return arrangement_ || sub_pixels_ || mirrors_; }
+  bool moves() const { return stereo_ || arrangement_ || sub_pixels_ || mirrors_; }
 
   /// Whether what the panel shows is the picture as arranged, whole pixels of sub-pixels; else it is the film.
   bool joins_sub_pixels() const { return sub_pixels_; }
@@ -67,6 +72,7 @@ class FrameLayout {
  private:
   void turn_round(const Optics& optics, PictureLayout layout);
   void arrange_views(const PictureParams& params, PictureLayout layout, const Optics& optics);
+  void pair_views(const StereoLayout& layout, const Optics& optics);
   void use_format(const LightFieldFormat& format, const Optics& optics);
 
   Vec2i film_;
@@ -77,6 +83,9 @@ class FrameLayout {
   int pictures_per_frame_ = 1;
   Vec2i view_size_{0, 0};  ///< of a light field
   std::optional<Arrangement> arrangement_;
+  std::optional<StereoLayout> stereo_;
+  std::vector<std::uint32_t> stereo_pixels_;  ///< of the film, by pixel of the picture
+  Vec2i stereo_size_{0, 0};
   bool sub_pixels_ = false, mirrors_ = false;
   double pixels_per_mm_ = 0.0;
 };

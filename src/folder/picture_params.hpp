@@ -6,11 +6,12 @@
 
 #include "core/extent.hpp"
 #include "image/tone.hpp"
+#include "lippmann/layout/stereo.hpp"
 
 namespace lippmann {
 
 /// Where the pixels of views lie (layout/view_layout.hpp).
-enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint };
+enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint, kStereo, kRgbd };
 enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 enum class ExrPixels { kHalf, kFloat };
 
@@ -22,6 +23,7 @@ struct PictureParams {
   bool pseudoscopic = false;            ///< kIntegral: as a lens array records, depth turned round
   bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
   Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
+  StereoLayout stereo;                  ///< of kStereo
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
 };

@@ -229,6 +229,7 @@ class Animation {
     for (const fs::path path : params_.output.video) {
       const fs::path video = layout_.video_path(path);
       videos_.push_back({video, video_options(params_, video, frames_per_second())});
+      videos_.back().options.stereo = layout_.stereo();
     }
   }
 

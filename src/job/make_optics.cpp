@@ -8,6 +8,7 @@
 
 #include "job/display_optics.hpp"
 #include "job/panel_size.hpp"
+#include "job/stereo_optics.hpp"
 #include "lippmann/core/error.hpp"
 #include "stage/depth_budget.hpp"
 
@@ -134,6 +135,8 @@ Optics optics_of_params(const RenderParams& params, const Scene& scene, const Fi
 }  // namespace
 
 PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array, const Display* display) {
+  refuse_stereo_params(params);
+  if (wants_stereo(params)) return placed_on(array, stereo_optics(params, array, display), fits_depth(params));
   PlacedOptics placed =
       placed_on(array, display ? display_optics(params, *display) : optics_of_params(params, scene, array), fits_depth(params));
   placed.for_display = display != nullptr;
@@ -141,6 +144,7 @@ PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const F
 }
 
 float window_aspect(const RenderParams& params, Vec2i scene_resolution, const Display* display) {
+  if (wants_stereo(params)) return stereo_window_aspect(params, display);
   if (display) {
     const Vec2f window = window_size_mm(display_optics(params, *display));
     return window.x / window.y;

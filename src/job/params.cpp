@@ -22,6 +22,9 @@ bool is_builtin_scene(const std::string& scene) {
 }
 
 RenderParams with_scene_defaults(RenderParams params) {
+  PictureParams& pictures = params.output.pictures;
+  if (pictures.layout == PictureLayout::kRgbd && pictures.to.empty()) pictures.layout.reset(), pictures.to = "rgbd";
+  if (pictures.to == "rgbd" && !params.optics.kind) params.optics.kind = OpticsKind::kSingle;  // the view that is written
   const std::string& format = params.output.pictures.to;
   std::vector<Aov>& layers = params.sampling.aov;
   if (!format.empty() && find_format(format, "to").uses_cameras &&
@@ -32,6 +35,11 @@ RenderParams with_scene_defaults(RenderParams params) {
   params.sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
   if (paths && params.sampling.spp == 0) params.sampling.spp = kFirstPathSamples;
   return params;
+}
+
+bool wants_stereo(const RenderParams& params) {
+  const PictureParams& pictures = params.output.pictures;
+  return pictures.layout == PictureLayout::kStereo || pictures.to == "stereo";
 }
 
 bool fits_depth(const RenderParams& params) {

@@ -55,6 +55,8 @@ struct OpticsParams {
   std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
   std::optional<bool> fit_depth;               ///< depth is compressed to what the display can resolve; none: fits_depth()
   float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
+  std::optional<double> ipd_mm;                ///< stereo: between the eyes; none: kUsualIpdMm
+  std::optional<double> screen_width_mm;       ///< stereo: of the screen; none: the display's, or kUsualScreenMm
   std::optional<double> crosstalk_px;          ///< sigma (optics/crosstalk.hpp); none: the display's
   bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
 };
@@ -100,6 +102,9 @@ inline constexpr int kFirstPathSamples = 16;
 /// unless --reuse interpolate is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Formats that
 /// hold depth get the layer. Everything below takes the parameters as they are after this.
 RenderParams with_scene_defaults(RenderParams params);
+
+/// Whether pictures are to hold the views of two eyes (job/stereo_optics.hpp).
+bool wants_stereo(const RenderParams& params);
 
 /// As given; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a
 /// display are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.

@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
 constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provenance"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
-constexpr std::array<std::string_view, 5> kLayoutNames{"integral", "quilt", "views", "native", "print"};
+constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "views", "native", "print", "stereo", "rgbd"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 /// The layers that `aov` takes; alpha comes with `transparent`.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
@@ -256,6 +256,20 @@ ParamInfo video_row() {
   return info;
 }
 
+ParamInfo stereo_row() {
+  return row_of(ParamKind::kText, choice<StereoPacking>(kStereoPackingNames),
+                {"stereo", "Files", "PACKING",
+                 "Layout stereo: side by side (sbs), one above the other (over-under), each also squeezed to half (half-sbs, "
+                 "half-over-under), or row by row (rows)"},
+                &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::packing);
+}
+
+ParamInfo right_first_row() {
+  return row_of(ParamKind::kFlag, flag(),
+                {"right-first", "Files", "", "Layout stereo: the right eye's view at the left, on top, or in the first row"},
+                &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::right_first);
+}
+
 std::vector<ParamInfo> scene_rows() {
   using P = RenderParams;
   const Codec<Orbit> orbit{read_orbit, write_orbit};
@@ -334,6 +348,11 @@ std::vector<ParamInfo> optics_rows() {
            "Where the lenses' cells converge; auto: the display's, else where the camera stands"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::slant_deg, number<float>(-80.0, 80.0),
           {"slant", "Optics", "DEG", "Angle of a lenticular sheet's lenses from the vertical"}),
+      row(ParamKind::kNumber, &P::optics, &OpticsParams::ipd_mm, optional_number<double>(0.1, 1000.0),
+          {"ipd", "Optics", "MM", "Layout stereo: distance between the pupils of the eyes; default 63"}),
+      row(ParamKind::kNumber, &P::optics, &OpticsParams::screen_width_mm, optional_number<double>(1.0, 1e6),
+          {"screen-width", "Optics", "MM",
+           "Layout stereo: how wide the picture is where it is shown; default: the display's width, else 600 (27 inch)"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::crosstalk_px, crosstalk,
           {"crosstalk", "Optics", "PIXELS|C%",
            "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
@@ -482,7 +501,8 @@ std::vector<ParamInfo> file_rows() {
           {"layout", "Files", "LAYOUT",
            "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
            "them), "
-           "native (the display's own frame) or print (TIFF at the display's resolution); default: as the optics lie"}),
+           "native (the display's own frame), print (TIFF at the display's resolution), stereo (the views of two eyes) or rgbd "
+           "(one view's colours and its depth beside them); default: as the optics lie"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::to, light_field_name(),
           {"to", "Files", "FORMAT",
            "Write each frame as a light field that 'convert' knows: hci, stanford, jpeg-pleno, miv, eslf (formats with cameras "
@@ -494,6 +514,8 @@ std::vector<ParamInfo> file_rows() {
           {"mirror", "Files", "", "Layout print: left and right exchanged, for printing on the back of the sheet"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::quilt, full_extent(4096),
           {"quilt", "Files", "CxR", "Tiles of --layout quilt; default: as the views lie, or as square as can be"}),
+      stereo_row(),
+      right_first_row(),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::format, choice<PictureFormat>(kFormatNames),
           {"format", "Files", "FORMAT",
            "File format of the pictures: png (8 bit), png16, tiff (8 bit, says its resolution) or exr (linear)"}),

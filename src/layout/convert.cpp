@@ -4,6 +4,7 @@
 
 #include "core/folder.hpp"
 #include "layout/light_field_source.hpp"
+#include "layout/rgbd_name.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/open_light_field.hpp"
@@ -21,6 +22,7 @@ class Conversion {
   void convert_one(const fs::path& in, const fs::path& out, Converted& result) const {
     FormatOptions reading = params_.options;
     reading.with_depth = to_.uses_cameras;
+    if (to_.name == "stereo") reading.stereo.reset();  // it is what is made; pictures that are read have names
     OpenedLightField opened = open_light_field(in, params_.from, reading);
     LightField& field = opened.field;
     if (params_.keep) keep(field, *params_.keep, "keep");
@@ -41,7 +43,7 @@ class Conversion {
 
   /// What a frame is called there. Only a quilt is named like one: `to_` names its own.
   fs::path name_of(const fs::path& frame) const {
-    const fs::path bare = without_quilt_name(frame.filename());
+    const fs::path bare = without_rgbd_name(without_stereo_name(without_quilt_name(frame.filename())));
     return to_.is_folder ? bare.stem() : bare;
   }
 

@@ -10,7 +10,7 @@ namespace lippmann {
 
 struct FrameNames {
   std::string ending = "png";  ///< of pictures, without the dot
-  std::string quilt = {};      ///< the end of a quilt's name, such as _qs8x6a0.75 (layout/quilt_name.hpp); else empty
+  std::string suffix = {};     ///< what names of quilts and stereo pictures end with: _qs8x6a0.75, _2x1; else empty
   int views = 0;               ///< above 0: every frame is a folder of so many pictures
   bool is_folder = false;      ///< every frame is a folder whose files a format names (layout/formats.hpp)
 };

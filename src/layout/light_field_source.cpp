@@ -5,6 +5,8 @@
 #include "core/folder_entries.hpp"
 #include "core/text_pattern.hpp"
 #include "layout/frame_names.hpp"
+#include "layout/rgbd_name.hpp"
+#include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
@@ -37,6 +39,8 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return format_of_folder(path).value_or("views");
   if (parse_quilt_name(path)) return "quilt";
+  if (parse_stereo_name(path)) return "stereo";
+  if (has_rgbd_name(path) || read_rgbd_side_file(path)) return "rgbd";
   if (source.rendering && !source.rendering->layout.empty()) return source.rendering->layout;
   if (!source.rendered) throw usage_error("from", "nothing says what " + path.string() + " is", "the name of a format");
   switch (source.rendered->film.kind) {
@@ -53,12 +57,13 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
 
 LightFieldSource light_field_source(const fs::path& path, const std::string& from, const FormatOptions& options) {
   LightFieldSource source{nullptr, options};
-  const bool may_be_rendered = from.empty() || from == "integral" || from == "quilt" || from == "views";
+  const bool may_be_rendered = from.empty() || from == "integral" || from == "quilt" || from == "views" || from == "stereo";
   if (may_be_rendered) source.rendering = rendering_of(path);
   if (source.rendering)
     source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "from");
-  if (source.format->is_folder && source.format->name != "views") source.rendering.reset(), source.rendered.reset();
+  if ((source.format->is_folder && source.format->name != "views") || source.format->name == "rgbd")
+    source.rendering.reset(), source.rendered.reset();
   if (source.rendering && !source.rendering->has_depth_layer) source.options.with_depth = false;
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;
@@ -69,6 +74,16 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
 }
 
 bool is_light_field_folder(const fs::path& folder) { return format_of_folder(folder).has_value(); }
+
+namespace {
+
+/// Whether the views have the pixels that their report speaks of; of a picture of rows, half of them are there.
+bool has_all_pixels(const LightFieldSource& source, const LightField& field, const fs::path& path) {
+  if (source.format->name != "stereo") return true;
+  return view_size(source.rendered->film, film_size(source.rendering->optics), path.string()) == field.view_size;
+}
+
+}  // namespace
 
 std::vector<fs::path> light_field_frames(const fs::path& folder, const std::string& from) {
   if (!from.empty()) return find_format(from, "from").is_folder ? frame_folders_in(folder) : frame_pictures_in(folder);
@@ -81,6 +96,7 @@ OpenedLightField open_light_field(const fs::path& path, const std::string& from,
   OpenedLightField opened{source.format->read(path, source.options)};
   opened.format = source.format->name;
   if (!source.rendered || source.rendered->film.grid != opened.field.grid) return opened;
+  if (!has_all_pixels(source, opened.field, path)) return opened;
   opened.field.cameras = source.rendered->cameras;
   opened.optics = source.rendering->optics;
   return opened;

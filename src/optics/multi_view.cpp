@@ -114,10 +114,11 @@ float views_zone(const MultiView& views) {
   return 2.0f * std::atan(0.5f * eyes * views.baseline_mm / views.distance_mm);
 }
 
-/// Where a point in front of the plane moves by one pixel between the two middle views.
+/// Where a point in front of the plane moves by one pixel between the two middle views. None of a stereo pair: each eye keeps
+/// its view, and passes through nothing between.
 float view_budget_mm(const MultiView& views, float pixel_pitch_mm) {
   const int steps = views.columns * views.rows - (views.cone_ends_included ? 1 : 0);
-  if (views.columns * views.rows < 2) return kInfinity;
+  if (views.columns * views.rows < 2 || (is_grid(views) && views.columns == 2 && views.rows == 1)) return kInfinity;
   const float on_cone = 2.0f * views.distance_mm * std::tan(0.5f * views.view_cone / static_cast<float>(steps));
   const float eyes_apart = is_grid(views) ? views.baseline_mm : on_cone;
   return pixel_pitch_mm * views.distance_mm / (eyes_apart + pixel_pitch_mm);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "layout/light_field_source.hpp"
+#include "layout/rgbd_name.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
@@ -46,7 +47,7 @@ bool is_as_shown(const fs::path& picture, const std::string& layout, const Optic
   const std::optional<ViewTiles> views = view_tiles(optics);
   if (name) return views && name->tiles == ViewGrid{views->columns, views->rows};
   if (layout == "quilt") return views.has_value();
-  if (layout == "eslf") return false;
+  if (layout == "eslf" || layout == "stereo") return false;
   return layout != "integral" || has_lenses(optics);
 }
 
@@ -178,11 +179,13 @@ LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHin
   const bool is_folder = fs::is_directory(first, ignored);
   frames.folder = first == in && is_folder ? in : first.parent_path();
   if (!hints.report.empty()) return of_render(std::move(frames), read_rendering(hints.report), hints);
-  if (!is_folder && hints.from.empty()) {
+  if (!is_folder && hints.from.empty() && !has_rgbd_name(first)) {
     if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, hints);
-    if (!parse_quilt_name(first))
-      throw Error(first.string(), "nothing says what this picture is: it has no report.json beside it, and no quilt's name",
-                  "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann help convert` lists the formats");
+    if (!parse_quilt_name(first) && !parse_stereo_name(first))
+      throw Error(
+          first.string(),
+          "nothing says what this picture is: it has no report.json beside it, and no name of a quilt or a stereo picture",
+          "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann help convert` lists the formats");
   }
   const LightFieldSource source = light_field_source(first, hints.from, options_of(hints));
   if (source.rendering) return of_render(std::move(frames), *source.rendering, hints);

@@ -41,9 +41,11 @@ std::string escaped(const std::string& text) {
 SeriesNames names_of(const std::string& from) {
   std::error_code ignored;
   if (fs::is_directory(from, ignored))
-    return {from,
-            TextPattern(R"((.*?)([0-9]{1,9})((?:_qs[^.]*(?:\.[0-9]+)?[^.]*)?\.(?:png|exr|jpg|jpeg|tif|tiff|ppm|bmp|tga|webp)))",
-                        TextPattern::Letters::kEitherCase)};
+    return {
+        from,
+        TextPattern(
+            R"((.*?)([0-9]{1,9})((?:_qs[^.]*(?:\.[0-9]+)?[^.]*|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_rgbd)?\.(?:png|exr|jpg|jpeg|tif|tiff|ppm|bmp|tga|webp)))",
+            TextPattern::Letters::kEitherCase)};
   static const TextPattern number(R"(\*|%0?[0-9]*d)");
   const fs::path path(from);
   const std::string name = path.filename().string();
@@ -111,7 +113,12 @@ std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int>
   return frames;
 }
 
+std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames) {
+  return frames.empty() ? std::nullopt : parse_stereo_name(frames.front().path);
+}
+
 fs::path video_path(const fs::path& out, const std::vector<NumberedFrame>& frames) {
+  if (const std::optional<StereoLayout> stereo = stereo_of(frames)) return with_stereo_name(out, *stereo);
   const std::optional<QuiltName> quilt = frames.empty() ? std::nullopt : parse_quilt_name(frames.front().path);
   return quilt && !parse_quilt_name(out) ? with_quilt_name(out, *quilt) : out;
 }

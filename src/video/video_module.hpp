@@ -11,6 +11,7 @@
 #include <string>
 
 #include "lippmann/image/image.hpp"
+#include "lippmann/layout/stereo.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {
@@ -26,6 +27,7 @@ struct EncoderSettings {
   int crf = 0;                          ///< ignored by codecs that lose nothing
   int numerator = 25, denominator = 1;  ///< frames per second
   int threads = 1;
+  std::optional<StereoLayout> stereo = {};  ///< said to players, as far as the container can say it
 };
 
 class VideoEncoder {
@@ -52,7 +54,7 @@ class VideoModule {
 };
 
 /// To be raised with every change of this header: a module of another version is refused.
-inline constexpr int kVideoModuleVersion = 1;
+inline constexpr int kVideoModuleVersion = 2;
 
 /// What the module exports as lippmann_video_module; null where it has another version.
 using VideoModuleEntry = const VideoModule*(int version);

@@ -78,7 +78,8 @@ struct VideoWriter::Impl {
                                       .crf = checked_crf(path, chosen, options.crf),
                                       .numerator = options.rate.numerator,
                                       .denominator = options.rate.denominator,
-                                      .threads = options.threads});
+                                      .threads = options.threads,
+                                      .stereo = options.stereo});
   }
 
   void add_frame(const Image8& frame) {

@@ -1,6 +1,8 @@
 // `lippmann displays`, and `convert` to and from a slanted panel's own frame.
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "cli/tool.hpp"
@@ -26,6 +28,45 @@ TEST(Displays, one_by_name_tells_its_lenses) {
   const auto json = json_of(run_tool(dir, {"displays", "portrait", "--json"}).out);
   EXPECT_NEAR(json["periods"].get<double>(), 244.041, 5e-4);
   EXPECT_NEAR(json["tilt"].get<double>(), -0.190476, 5e-7);
+}
+
+TEST(Displays, find_reads_the_calibration_of_a_mounted_device) {
+  const TempDir dir;
+  std::filesystem::create_directories(dir / "media/me/LKG/LKG_calibration");
+  const auto file = dir / "media/me/LKG/LKG_calibration/visual.json";
+  std::ofstream(file)
+      << R"({"serial": "LKG-J00042", "pitch": 44, "slope": -7, "center": 0.1, "DPI": 566, "screenW": 7680, "screenH": 4320})";
+  const std::string mounts = (dir / "media").string();
+  const RunResult text = run_tool(dir, {"displays", "--find", "--mounts", mounts});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("lippmann render SCENE --display '" + file.string() + "'"));
+  EXPECT_THAT(text.out, HasSubstr("LKG-J00042, 7680x4320 pixels")) << "the device's own panel, whatever its model has";
+  const auto json = json_of(run_tool(dir, {"displays", "--find", "--mounts", mounts, "--json"}).out);
+  ASSERT_EQ(json.size(), 1u);
+  EXPECT_EQ(json[0]["file"], file.string());
+  EXPECT_EQ(json[0]["pixels"], nlohmann::json({7680, 4320}));
+}
+
+TEST(Displays, find_says_what_is_wrong_with_a_calibration_and_where_it_has_looked) {
+  const TempDir dir;
+  std::filesystem::create_directories(dir / "media/LKG");
+  const std::string mounts = (dir / "media").string();
+  expect_refusal(run_tool(dir, {"displays", "--find", "--mounts", mounts}), 1, "below " + mounts);
+  EXPECT_EQ(json_of(run_tool(dir, {"displays", "--find", "--mounts", mounts, "--json"}).out), nlohmann::json::array());
+  std::ofstream(dir / "media/LKG/visual.json") << "{";
+  EXPECT_THAT(run_tool(dir, {"displays", "--find", "--mounts", mounts}).out, HasSubstr("visual.json"));
+  EXPECT_TRUE(json_of(run_tool(dir, {"displays", "--find", "--mounts", mounts, "--json"}).out)[0].contains("error"));
+  expect_refusal(run_tool(dir, {"displays", "--mounts", mounts}), 2, "--find");
+}
+
+TEST(Displays, depth_budgets_are_those_of_the_panel_and_of_the_quilt) {
+  const TempDir dir;
+  const auto json = json_of(run_tool(dir, {"displays", "portrait", "--json"}).out);
+  // A view's pixel is 120.4 mm / 420 wide; 48 eyes spread over 40 degrees at D: 2 D tan(20 / 48 degrees) apart.
+  const double distance = json["viewing_distance_mm"], pixel = json["size_mm"][0].get<double>() / 420.0;
+  const double apart = 2.0 * distance * std::tan(20.0 / 48.0 * 3.14159265358979 / 180.0);
+  EXPECT_NEAR(json["quilt"]["depth_budget_mm"].get<double>(), pixel * distance / (apart + pixel), 1e-3);
+  EXPECT_NE(json["quilt"]["depth_budget_mm"], json["depth_budget_mm"]);
 }
 
 TEST(Displays, unknown_names_are_wrong_usage_and_bad_files_failed_work) {

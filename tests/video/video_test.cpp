@@ -26,6 +26,7 @@ using test::smooth_codes;
 using test::TempDir;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 void write_video(const fs::path& path, const std::vector<Image8>& frames, const VideoOptions& options = {}) {
   VideoWriter writer(path, options);
@@ -157,6 +158,41 @@ TEST(Video, files_say_their_codec_and_colours) {
       EXPECT_THAT(found, HasSubstr("codec_tag_string=hvc1"));
     }
   }
+}
+
+/// What ffprobe says of a video of two eyes' views.
+std::string probe_stereo(const fs::path& path, VideoCodec codec, const StereoLayout& stereo) {
+  write_video(path, smooth_frames(2, 96, 64), {.codec = codec, .stereo = stereo});
+  return test::run_command("ffprobe -v error -show_streams '" + path.string() + "'").output;
+}
+
+TEST(Video, files_of_two_eyes_views_say_how_they_lie) {
+  if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
+  const TempDir dir;
+  const StereoLayout sbs{}, half{StereoPacking::kHalfSideBySide}, over{StereoPacking::kOverUnder}, rows{StereoPacking::kRows},
+      right{StereoPacking::kSideBySide, true};
+  const fs::path mkv = dir / "a.mkv", mp4 = dir / "a.mp4";
+  EXPECT_THAT(probe_stereo(mkv, VideoCodec::kFfv1, sbs),
+              AllOf(HasSubstr("type=side by side"), HasSubstr("inverted=0"), HasSubstr("sample_aspect_ratio=1:1")));
+  EXPECT_THAT(probe_stereo(mkv, VideoCodec::kFfv1, half),
+              AllOf(HasSubstr("type=side by side"), HasSubstr("sample_aspect_ratio=2:1")));
+  EXPECT_THAT(probe_stereo(mkv, VideoCodec::kFfv1, over), HasSubstr("type=top and bottom"));
+  EXPECT_THAT(probe_stereo(mkv, VideoCodec::kFfv1, rows), HasSubstr("type=interleaved lines"));
+  EXPECT_THAT(probe_stereo(mkv, VideoCodec::kFfv1, right), AllOf(HasSubstr("type=side by side"), HasSubstr("inverted=1")));
+  EXPECT_THAT(probe_stereo(mp4, VideoCodec::kHevc, sbs), HasSubstr("type=side by side")) << "st3d";
+  EXPECT_THAT(probe_stereo(mp4, VideoCodec::kHevc, over), HasSubstr("type=top and bottom"));
+  write_video(mkv, smooth_frames(2, 96, 64));
+  EXPECT_THAT(test::run_command("ffprobe -v error -show_streams '" + mkv.string() + "'").output,
+              Not(HasSubstr("side by side")));
+}
+
+TEST(Video, h264_says_in_its_stream_how_two_views_lie) {
+  if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
+  if (!has_encoder(VideoCodec::kH264)) GTEST_SKIP() << "no encoder of H.264";
+  const TempDir dir;
+  write_video(dir / "a.mov", smooth_frames(2, 96, 64), {.codec = VideoCodec::kH264, .stereo = StereoLayout{}});
+  const std::string frames = test::run_command("ffprobe -v error -show_frames '" + (dir / "a.mov").string() + "'").output;
+  EXPECT_THAT(frames, HasSubstr("Stereo 3D"));
 }
 
 TEST(ChooseCodec, ending_and_size_decide_where_nobody_says) {

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "lippmann/display/display.hpp"
+#include "lippmann/layout/depth_coding.hpp"
 #include "lippmann/layout/interlace.hpp"
 #include "lippmann/layout/light_field.hpp"
+#include "lippmann/layout/stereo.hpp"
 
 namespace lippmann {
 
@@ -25,6 +27,9 @@ struct FormatOptions {
   std::optional<Display> display = {};    ///< whose own frame a native picture is
   std::optional<ViewFilter> filter = {};  ///< of views when native frames are made; none: the nearest
   std::optional<double> sigma_views = {};
+  std::optional<StereoLayout> stereo = {};     ///< how two views lie in one picture; none: as its name says, or side by side
+  std::optional<DepthRange> depth_range = {};  ///< of an RGB-D picture's greys; none: as its side file says, or all there is
+  std::optional<bool> even_in_depth = {}, near_black = {};  ///< how they are coded; none: as the side file says (DepthCoding)
 };
 
 /// Paths are those of one light field, of one moment: a picture or a folder.
@@ -49,6 +54,8 @@ LightFieldFormat jpeg_pleno_format();
 LightFieldFormat eslf_format();
 LightFieldFormat native_format();
 LightFieldFormat miv_format();
+LightFieldFormat stereo_format();
+LightFieldFormat rgbd_format();
 
 /// All of them, in the order of --help.
 const std::vector<LightFieldFormat>& light_field_formats();

@@ -9,6 +9,7 @@
 #include "video/ffmpeg/convert.hpp"
 #include "video/ffmpeg/encoders.hpp"
 #include "video/ffmpeg/ffmpeg.hpp"
+#include "video/ffmpeg/stereo_tags.hpp"
 
 namespace lippmann {
 namespace {
@@ -47,6 +48,7 @@ class FfmpegEncoder : public VideoEncoder {
   void add_frame(const Image8& frame) override {
     AVFrame& converted = converter_->convert(frame);
     converted.pts = frames_++;
+    if (settings_.stereo) tag_stereo(converted, *settings_.stereo);
     encode(&converted);
   }
 
@@ -90,6 +92,7 @@ class FfmpegEncoder : public VideoEncoder {
     check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), "cannot be set up");
     // The tag that QuickTime and Apple's players want; FFmpeg's own choice is hev1.
     if (settings_.codec == VideoCodec::kHevc && is_mpeg4()) stream_->codecpar->codec_tag = MKTAG('h', 'v', 'c', '1');
+    if (settings_.stereo) tag_stereo(*muxer_.context, *stream_, *settings_.stereo);
     check(avio_open(&muxer_.context->pb, settings_.temporary.c_str(), AVIO_FLAG_WRITE), "cannot be created");
     AVDictionary* muxer_options = nullptr;
     if (is_mpeg4()) av_dict_set(&muxer_options, "movflags", "+faststart", 0);

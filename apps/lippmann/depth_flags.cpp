@@ -1,0 +1,85 @@
+#include "apps/lippmann/depth_flags.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/print_json.hpp"
+#include "apps/lippmann/result_flags.hpp"
+#include "lippmann/core/error.hpp"
+#include "replay/depth_frames.hpp"
+
+namespace lippmann::app {
+namespace {
+
+/// NEAR:FAR
+DepthRange read_depth_range(const std::string& text) {
+  DepthRange range;
+  int read = 0;
+  if (std::sscanf(text.c_str(), "%lf:%lf%n", &range.near_mm, &range.far_mm, &read) != 2 ||
+      read != static_cast<int>(text.size()) || !(range.far_mm < range.near_mm && range.near_mm - range.far_mm < 1e9))
+    throw usage_error("--depth-range", "'" + text + "' is no range of depths",
+                      "NEAR:FAR in mm, above 0 in front of the screen, such as 10:-30");
+  return range;
+}
+
+}  // namespace
+
+void DepthFlags::add_to(FormatOptions& options) const {
+  if (!range.empty()) options.depth_range = read_depth_range(range);
+  if (!coding.empty()) options.even_in_depth = coding == "depth";
+  if (near_black) options.near_black = true;
+}
+
+void DepthFlags::require_rgbd(bool from_rgbd, const std::string& to) const {
+  if (scale && !(from_rgbd && to != "rgbd"))
+    throw usage_error("--depth-scale", "is a flag of RGB-D pictures that are shown", "--from rgbd");
+  if (from_rgbd || to == "rgbd") return;
+  if (!range.empty() || !coding.empty() || near_black)
+    throw usage_error(!range.empty()    ? "--depth-range"
+                      : !coding.empty() ? "--depth-coding"
+                                        : "--near-black",
+                      "is a flag of RGB-D pictures", "--from rgbd or --to rgbd");
+}
+
+void add_depth_flags(const Command& command, DepthFlags& flags) {
+  const Command group =
+      command.add_group("RGB-D pictures", "With --from rgbd, as views for --display or of --views; or with --to rgbd");
+  group
+      .add_option(
+          "--depth-range", flags.range,
+          "Depths of the nearest and the farthest grey in mm, above 0 in front of the screen; default: as the side file says "
+          "(without one 10:-30), or all that is there")
+      .type_name("NEAR:FAR");
+  group.add_option("--depth-coding", flags.coding, "What grey is linear in: disparity (default) or depth")
+      .one_of({"disparity", "depth"});
+  group.add_flag("--near-black", flags.near_black, "Black is near; default: white is");
+  group.add_option("--depth-scale", flags.scale, "Show the picture this many times as deep; default 1")
+      .type_name("X")
+      .range(0.0, 100.0);
+}
+
+int run_depth_views(const DepthFlags& flags, const std::optional<double>& view_angle_deg, const std::optional<double>& ipd_mm,
+                    const std::string& in, const std::string& out, const std::string& to, const FormatOptions& options,
+                    const ResultFlags& result, const Context& context) {
+  DepthFramesParams params{in, out, to, options, view_angle_deg};
+  params.ipd_mm = ipd_mm.value_or(kUsualIpdMm), params.depth_scale = flags.scale.value_or(1.0);
+  const DepthFrames made = convert_depth_frames(params, context);
+  if (result.json) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const auto& path : made.written) files.push_back(path.string());
+    print_json(nlohmann::ordered_json{{"views", {made.views.columns, made.views.rows}},
+                                      {"view_size", {made.view_size.x, made.view_size.y}},
+                                      {"filled_share", made.filled_share},
+                                      {"files", files}});
+  } else if (result.wants_text() && !made.written.empty()) {
+    fmt::print("{}x{} views of {}x{} pixels, {:.2f} % of them filled where nothing is known: {}{}\n", made.views.columns,
+               made.views.rows, made.view_size.x, made.view_size.y, 100.0 * made.filled_share, made.written.front().string(),
+               made.written.size() > 1 ? " ... " + made.written.back().string() : "");
+  }
+  return 0;
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,34 @@
+// Flags of `convert` for RGB-D pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lippmann/core/context.hpp"
+#include "lippmann/layout/formats.hpp"
+
+namespace lippmann::app {
+
+class Command;       // command_line.hpp
+struct ResultFlags;  // result_flags.hpp
+
+struct DepthFlags {
+  std::string range, coding;
+  bool near_black = false;
+  std::optional<double> scale;
+
+  /// Puts what is said of the coding into the options. Throws a usage Error.
+  void add_to(FormatOptions& options) const;
+
+  /// Throws a usage Error for a flag that means nothing between these formats.
+  void require_rgbd(bool from_rgbd, const std::string& to) const;
+};
+
+void add_depth_flags(const Command& command, DepthFlags& flags);
+
+/// `convert` of RGB-D pictures to views; prints what share of them was filled.
+int run_depth_views(const DepthFlags& flags, const std::optional<double>& view_angle_deg, const std::optional<double>& ipd_mm,
+                    const std::string& in, const std::string& out, const std::string& to, const FormatOptions& options,
+                    const ResultFlags& result, const Context& context);
+
+}  // namespace lippmann::app

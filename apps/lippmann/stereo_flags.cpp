@@ -1,0 +1,89 @@
+#include "apps/lippmann/stereo_flags.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/print_json.hpp"
+#include "apps/lippmann/result_flags.hpp"
+#include "job/param_text.hpp"
+#include "lippmann/core/error.hpp"
+#include "replay/stereo_frames.hpp"
+
+namespace lippmann::app {
+namespace {
+
+void refuse_flag(bool given, const char* flag, const char* format) {
+  if (given) throw usage_error(flag, "is a flag of stereo pictures", format);
+}
+
+}  // namespace
+
+std::optional<StereoLayout> StereoFlags::layout() const {
+  if (packing.empty() && !right_first) return std::nullopt;
+  StereoLayout layout;
+  if (!packing.empty()) layout.packing = static_cast<StereoPacking>(read_choice(packing, kStereoPackingNames, "--stereo"));
+  layout.right_first = right_first;
+  return layout;
+}
+
+void StereoFlags::require_stereo(const std::string& from, const std::string& to) const {
+  if (to == "stereo") return;
+  refuse_flag(layout() && from != "stereo", packing.empty() ? "--right-first" : "--stereo", "--to stereo or --from stereo");
+  refuse_flag(ipd_mm.has_value(), "--ipd", "--to stereo");
+  refuse_flag(viewing_distance_mm.has_value(), "--viewing-distance", "--to stereo");
+  refuse_flag(screen_width_mm.has_value(), "--screen-width", "--to stereo");
+  refuse_flag(view_angle_deg.has_value(), "--view-angle", "--to stereo");
+}
+
+void add_stereo_flags(const Command& command, StereoFlags& flags) {
+  const Command group = command.add_group("Stereo pictures", "With --to stereo; two views stay as they are");
+  group
+      .add_option("--stereo", flags.packing,
+                  "How the two views lie: sbs (side by side, default), half-sbs, over-under, half-over-under or rows; with "
+                  "--from stereo alone, in IN")
+      .type_name("PACKING");
+  group.add_flag("--right-first", flags.right_first, "The right eye's view is at the left, on top, or in the first row");
+  group.add_option("--ipd", flags.ipd_mm, "Distance between the pupils of the eyes; default 63")
+      .type_name("MM")
+      .range(0.1, 1000.0);
+  group
+      .add_option("--viewing-distance", flags.viewing_distance_mm,
+                  "Distance of the eyes from the screen; default: what the light field was made for")
+      .type_name("MM")
+      .range(1.0, 1e6);
+  group
+      .add_option("--screen-width", flags.screen_width_mm,
+                  "How wide the screen is that the light field fills; default: as wide as the light field says it is")
+      .type_name("MM")
+      .range(1.0, 1e6);
+  group
+      .add_option("--view-angle", flags.view_angle_deg,
+                  "Angle between the outermost views where nothing says where their cameras stood; default 40 (a grid: 10)")
+      .type_name("DEG")
+      .range(0.001, 179.0);
+}
+
+int run_stereo(const StereoFlags& flags, const LightFieldHints& field, const std::string& in, const std::string& out,
+               const ResultFlags& result, const Context& context) {
+  StereoParams params{in, out, field};
+  params.layout = flags.layout().value_or(StereoLayout{});
+  params.ipd_mm = flags.ipd_mm.value_or(kUsualIpdMm);
+  params.distance_mm = flags.viewing_distance_mm, params.screen_width_mm = flags.screen_width_mm;
+  const StereoFrames made = convert_to_stereo(params, context);
+  if (result.json) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const auto& path : made.written) files.push_back(path.string());
+    print_json(nlohmann::ordered_json{{"views", {2, 1}},
+                                      {"view_size", {made.view_size.x, made.view_size.y}},
+                                      {"out_of_zone", made.out_of_zone},
+                                      {"files", files}});
+  } else if (result.wants_text() && !made.written.empty()) {
+    fmt::print("2x1 views of {}x{} pixels: {}{}\n", made.view_size.x, made.view_size.y, made.written.front().string(),
+               made.written.size() > 1 ? " ... " + made.written.back().string() : "");
+  }
+  return 0;
+}
+
+}  // namespace lippmann::app

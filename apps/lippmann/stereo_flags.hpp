@@ -1,0 +1,34 @@
+// Flags of `convert` for stereo pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lippmann/core/context.hpp"
+#include "lippmann/layout/stereo.hpp"
+#include "lippmann/replay/light_field_frames.hpp"
+
+namespace lippmann::app {
+
+class Command;       // command_line.hpp
+struct ResultFlags;  // result_flags.hpp
+
+struct StereoFlags {
+  std::string packing;
+  bool right_first = false;
+  std::optional<double> ipd_mm, viewing_distance_mm, screen_width_mm, view_angle_deg;
+
+  /// None where nothing is said.
+  std::optional<StereoLayout> layout() const;
+
+  /// Throws a usage Error for a flag that means nothing between these formats.
+  void require_stereo(const std::string& from, const std::string& to) const;
+};
+
+void add_stereo_flags(const Command& command, StereoFlags& flags);
+
+/// `convert --to stereo` of whole frames: what two eyes see of a light field; two views stay as they are.
+int run_stereo(const StereoFlags& flags, const LightFieldHints& field, const std::string& in, const std::string& out,
+               const ResultFlags& result, const Context& context);
+
+}  // namespace lippmann::app

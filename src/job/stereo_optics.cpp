@@ -1,0 +1,91 @@
+#include "job/stereo_optics.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "job/panel_size.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr Vec2i kUsualViewPx{960, 540};  ///< of a whole view, where nobody says
+
+void refuse_in_stereo(bool given, const char* parameter) {
+  if (given) throw usage_error(parameter, "has no meaning for the views of two eyes", "`layout` stereo without it");
+}
+
+void refuse_other_optics(const OpticsParams& optics) {
+  refuse_in_stereo(optics.kind.has_value(), "optics");
+  refuse_in_stereo(optics.lenses.x > 0, "lenses");
+  refuse_in_stereo(optics.lens_pixels.x > 0.0f, "lens-pixels");
+  refuse_in_stereo(optics.packing != LensPacking::kSquare, "packing");
+  refuse_in_stereo(optics.slant_deg != 0.0f, "slant");
+  refuse_in_stereo(optics.views.x > 0, "views");
+  refuse_in_stereo(optics.camera_grid, "camera-grid");
+  refuse_in_stereo(optics.view_angle_deg.has_value(), "view-angle");
+}
+
+StereoPacking packing_of(const RenderParams& params) { return params.output.pictures.stereo.packing; }
+
+/// A view as it lies in the picture.
+Vec2i stored_view(const RenderParams& params, const Display* display) {
+  const StereoPacking packing = packing_of(params);
+  const Extent<int> size = params.optics.size;
+  if (size.x > 0) return stored_view_size(packing, {size.x, size.y}, "size");
+  const Vec2i whole = display ? display->pixels : kUsualViewPx;
+  return stored_view_size(packing, stereo_picture_size(packing, whole / stereo_squeeze(packing)), "display");
+}
+
+Vec2d screen_mm(const RenderParams& params, const Display* display, Vec2i stored) {
+  if (display && params.optics.screen_width_mm)
+    throw usage_error("screen-width", fmt::format("{} has its own", display->name), "no `display`, or no `screen-width`");
+  if (display) return display->size_mm();
+  const Vec2d whole(stored * stereo_squeeze(packing_of(params)));
+  const double width = params.optics.screen_width_mm.value_or(kUsualScreenMm);
+  return {width, width * whole.y / whole.x};
+}
+
+double eyes_distance_mm(const RenderParams& params, const FittedArray& array, const Display* display, double height_mm) {
+  const double distance = params.optics.viewing_distance_mm.value_or(
+      display ? static_cast<float>(viewing_distance_mm(*display))
+              : array.viewing_distance / scene_units_per_mm(array, static_cast<float>(height_mm)));
+  if (!params.optics.viewing_distance_mm && !std::isfinite(distance)) return 3.0 * height_mm;  // an orthographic camera
+  if (!std::isfinite(distance))
+    throw usage_error("viewing-distance", "an infinite distance, and two eyes", "millimetres above 0, or auto");
+  return distance;
+}
+
+void require_stereo_size(Vec2i film) {
+  if (std::int64_t{film.x} * film.y > kMaxPixels || std::max(film.x, film.y) > kMaxSide)
+    throw usage_error("size", fmt::format("two views of {}x{} pixels", film.x / 2, film.y),
+                      fmt::format("up to {} pixels, at most {} a side", kMaxPixels, kMaxSide));
+}
+
+}  // namespace
+
+void refuse_stereo_params(const RenderParams& params) {
+  if (wants_stereo(params)) return;
+  if (params.optics.ipd_mm) throw usage_error("ipd", "means nothing without two eyes", "`layout` stereo");
+  if (params.optics.screen_width_mm) throw usage_error("screen-width", "means nothing without two eyes", "`layout` stereo");
+}
+
+Optics stereo_optics(const RenderParams& params, const FittedArray& array, const Display* display) {
+  refuse_other_optics(params.optics);
+  const Vec2i stored = stored_view(params, display);
+  require_stereo_size({2 * stored.x, stored.y});
+  const Vec2d screen = screen_mm(params, display, stored), pixel = screen / Vec2d(stored);
+  MultiView eyes{2, 1};
+  eyes.distance_mm = static_cast<float>(eyes_distance_mm(params, array, display, screen.y));
+  eyes.baseline_mm = static_cast<float>(params.optics.ipd_mm.value_or(kUsualIpdMm));
+  eyes.pixel_height = static_cast<float>(pixel.y / pixel.x);
+  return {{2 * stored.x, stored.y, static_cast<float>(pixel.x)}, eyes};
+}
+
+float stereo_window_aspect(const RenderParams& params, const Display* display) {
+  const Vec2d screen = screen_mm(params, display, stored_view(params, display));
+  return static_cast<float>(screen.x / screen.y);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,170 @@
+// RGB-D: one view's colours, and to the right of them its depth as grey (layout/rgbd_side_file.hpp), as players of glasses-free
+// displays take it.
+//
+// Of several views the one in the middle is written. Where nothing was hit, depth is the farthest of the range.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "layout/rgbd_name.hpp"
+#include "layout/rgbd_side_file.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kAssumedHeightMm = 100.0, kAssumedDistanceMm = 300.0;  ///< as of views whose cameras nobody states
+
+template <class Sample>
+constexpr double kWhiteCode = std::is_floating_point_v<Sample> ? 1.0 : std::numeric_limits<Sample>::max();
+
+template <class T>
+auto& rgbd_samples(T& image) {
+  if constexpr (std::is_same_v<std::remove_const_t<T>, Image>)
+    return image.data;
+  else
+    return image.rgb;
+}
+
+/// The right half's greys, 0 ... 1: means of its channels, which must be alike.
+Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
+  Image greys(view.x, view.y, 1);
+  double colour = 0.0;
+  std::visit(
+      [&](const auto& image) {
+        const auto& samples = rgbd_samples(image);
+        const double white = kWhiteCode<std::remove_cvref_t<decltype(samples[0])>>;
+        for (int y = 0; y < view.y; ++y)
+          for (int x = 0; x < view.x; ++x) {
+            const auto at = samples.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * 2 * view.x + view.x + x);
+            const double r = at[0] / white, g = at[1] / white, b = at[2] / white;
+            colour += std::max({r, g, b}) - std::min({r, g, b});
+            greys.pixel(x, y)[0] = static_cast<float>((r + g + b) / 3.0);
+          }
+      },
+      picture);
+  constexpr double kMostColour = 0.05;  // a lossy picture's greys are not quite grey
+  if (colour > kMostColour * view.x * view.y)
+    throw Error(where, "its right half is no depth: it has colours", "colours at the left, depth as grey at the right");
+  return greys;
+}
+
+void require_depth(const Image& greys, const std::string& where) {
+  if (std::any_of(greys.data.begin(), greys.data.end(), [](float grey) { return grey > 0.0f; })) return;
+  throw Error(where, "its depth is 0 everywhere", "colours at the left, depth as grey at the right");
+}
+
+/// As the side file says, else as assumed; what is said of the coding goes over both.
+RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, Vec2i view) {
+  RgbdSideFile assumed;
+  assumed.distance_mm = kAssumedDistanceMm;
+  assumed.size_mm = {kAssumedHeightMm * view.x / view.y, kAssumedHeightMm};
+  RgbdSideFile side = read_rgbd_side_file(path).value_or(assumed);
+  if (options.depth_range) side.coding.range = *options.depth_range;
+  if (options.even_in_depth) side.coding.even_in_depth = *options.even_in_depth;
+  if (options.near_black) side.coding.near_black = *options.near_black;
+  if (!(side.coding.range.near_mm < side.distance_mm))
+    throw usage_error(
+        "depth-range",
+        fmt::format("{:g} mm is not before the eye, which is at {:g} mm", side.coding.range.near_mm, side.distance_mm),
+        "depths below that");
+  return side;
+}
+
+LightField read_rgbd(const fs::path& path, const FormatOptions& options) {
+  const Picture picture = read_picture(path);
+  const Vec2i size = size_of(picture), view(size.x / 2, size.y);
+  if (size.x % 2 != 0 || size.x < 2)
+    throw Error(path.string(), fmt::format("{} pixels across are not those of a picture and of its depth beside it", size.x),
+                "an even width: colours at the left, depth of the same size at the right");
+  const RgbdSideFile side = described_rgbd(path, options, view);
+  LightField field;
+  field.grid = {1, 1}, field.view_size = view, field.aspect = side.size_mm.x / side.size_mm.y;
+  field.stack = blank(picture, view);
+  std::vector<std::uint32_t> pixels;
+  for (int y = 0; y < view.y; ++y)
+    for (int x = 0; x < view.x; ++x) pixels.push_back(static_cast<std::uint32_t>(y * size.x + x));
+  move_pixels(picture, pixels, field.stack, {});
+  field.depth = read_greys(picture, view, path.string());
+  require_depth(*field.depth, path.string());
+  for (float& z : field.depth->data) z = static_cast<float>(depth_of_grey(side.coding, side.distance_mm, z));
+  const Vec2d pixel = side.size_mm / Vec2d(view);
+  field.cameras = ViewCameras{side.distance_mm, pixel, 0.5 * Vec2d(view), {side.eye_mm}};
+  return field;
+}
+
+/// From the farthest to the nearest of what is there; a little of both around a plane.
+DepthRange range_of(const Image& depth, double distance_mm) {
+  DepthRange range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  for (const float z : depth.data) {
+    if (!std::isfinite(z)) continue;
+    range.near_mm = std::max(range.near_mm, static_cast<double>(z));
+    range.far_mm = std::min(range.far_mm, static_cast<double>(z));
+  }
+  if (!std::isfinite(range.near_mm)) return {};
+  const double least = 1e-3 * distance_mm;
+  if (range.near_mm - range.far_mm < least) range.near_mm += 0.5 * least, range.far_mm -= 0.5 * least;
+  range.near_mm = std::min(range.near_mm, 0.99 * distance_mm);
+  return range;
+}
+
+RgbdSideFile side_of(const LightField& field, int view, const Image& depth, const FormatOptions& options) {
+  const ViewCameras& cameras = *field.cameras;
+  RgbdSideFile side;
+  side.distance_mm = cameras.distance_mm;
+  side.size_mm = cameras.pixel_mm * Vec2d(field.view_size);
+  side.eye_mm = cameras.eyes_mm.at(static_cast<std::size_t>(view));
+  side.coding.range = options.depth_range.value_or(range_of(depth, cameras.distance_mm));
+  side.coding.even_in_depth = options.even_in_depth.value_or(false);
+  side.coding.near_black = options.near_black.value_or(false);
+  return side;
+}
+
+/// Colours at the left, greys at the right.
+Picture beside(const Picture& colours, const Image& depth, const RgbdSideFile& side) {
+  const Vec2i view = size_of(colours);
+  Picture picture = blank(colours, {2 * view.x, view.y});
+  std::vector<std::uint32_t> pixels;
+  for (int y = 0; y < view.y; ++y)
+    for (int x = 0; x < view.x; ++x) pixels.push_back(static_cast<std::uint32_t>(y * 2 * view.x + x));
+  move_pixels(colours, {}, picture, pixels);
+  std::visit(
+      [&](auto& image) {
+        auto& samples = rgbd_samples(image);
+        using Sample = std::remove_cvref_t<decltype(samples[0])>;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+          const double grey = grey_of_depth(side.coding, side.distance_mm, depth.data[i]) * kWhiteCode<Sample>;
+          const auto code = static_cast<Sample>(std::is_floating_point_v<Sample> ? grey : std::floor(grey + 0.5));
+          std::fill_n(samples.begin() + 3 * (static_cast<std::ptrdiff_t>(pixels[i]) + view.x), 3, code);
+        }
+      },
+      picture);
+  return picture;
+}
+
+std::vector<fs::path> write_rgbd(const LightField& field, const fs::path& path, const FormatOptions& options) {
+  if (!field.cameras || !field.depth)
+    throw usage_error(
+        "to", field.cameras ? "nothing says how deep what these views show is" : "nothing says what cameras saw these views",
+        "what `render` has made with `aov` depth, or a format that holds depth");
+  const int view = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;
+  const Image depth = depth_of(field, view);
+  const RgbdSideFile side = side_of(field, view, depth, options);
+  const fs::path named = with_rgbd_name(path);
+  write_picture(named, beside(view_of(field, view), depth, side));
+  write_rgbd_side_file(named, side);
+  return {named, rgbd_side_path(named)};
+}
+
+}  // namespace
+
+LightFieldFormat rgbd_format() {
+  return {"rgbd", "colours of the middle view, and its depth as grey to the right of them", false, true, read_rgbd, write_rgbd};
+}
+
+}  // namespace lippmann

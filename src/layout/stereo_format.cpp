@@ -1,0 +1,88 @@
+// A left and a right eye's view in one picture (layout/stereo.hpp); its name, or `stereo`, says how.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "image/resample.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+StereoLayout described_stereo(const fs::path& path, const FormatOptions& options) {
+  if (options.stereo) return *options.stereo;
+  if (const std::optional<StereoLayout> named = parse_stereo_name(path)) return *named;
+  throw usage_error("stereo", "the name of " + path.string() + " does not say how its two views lie",
+                    fmt::format("{}, {}, {}, {} or {}", kStereoPackingNames[0], kStereoPackingNames[1], kStereoPackingNames[2],
+                                kStereoPackingNames[3], kStereoPackingNames[4]));
+}
+
+/// The views as they lie in the picture: squeezed ones stay so, and of rows those are there that the picture has.
+LightField read_stereo(const fs::path& path, const FormatOptions& options) {
+  const StereoLayout layout = described_stereo(path, options);
+  const Picture picture = read_picture(path);
+  const Vec2i stored = stored_view_size(layout.packing, size_of(picture), path.string());
+  const Vec2i whole = stored * stereo_squeeze(layout.packing);
+  LightField field;
+  field.grid = {2, 1};
+  field.view_size = layout.packing == StereoPacking::kRows ? Vec2i(stored.x, stored.y / 2) : stored;
+  field.aspect = static_cast<double>(whole.x) / whole.y;
+  field.stack = blank(picture, stack_size(field));
+  move_pixels(picture, pixels_of_stereo(layout, stored), field.stack, {});
+  return field;
+}
+
+/// A whole view of square pixels, with all the samples that the field's views have.
+Vec2i whole_view_size(const LightField& field) {
+  const Vec2i size = field.view_size;
+  const double wider = field.aspect * size.y / size.x;
+  if (std::abs(wider - 1.0) < 0.5 / std::max(size.x, size.y)) return size;
+  if (wider > 1.0) return {static_cast<int>(std::lround(size.x * wider)), size.y};
+  return {size.x, static_cast<int>(std::lround(size.y / wider))};
+}
+
+/// That of a whole view, squeezed; sides that have to be halved are rounded up to even ones first.
+Vec2i stored_size_of(const LightField& field, StereoPacking packing) {
+  const Vec2i squeeze = stereo_squeeze(packing), whole = whole_view_size(field);
+  const Vec2i stored = (whole + squeeze - 1) / squeeze;
+  return packing == StereoPacking::kRows ? Vec2i(stored.x, stored.y + stored.y % 2) : stored;
+}
+
+/// The stack of views that large: the field's own where they are, else resampled in linear light.
+Picture stored_views(const LightField& field, Vec2i stored) {
+  if (stored == field.view_size) return field.stack;
+  LightField sized = field;
+  sized.view_size = stored;
+  sized.stack = blank(field.stack, stack_size(sized));
+  for (int eye = 0; eye < 2; ++eye)
+    set_view(sized, eye, with_samples_like(field.stack, resampled(to_linear(view_of(field, eye)), stored)));
+  return sized.stack;
+}
+
+std::vector<fs::path> write_stereo(const LightField& field, const fs::path& path, const FormatOptions& options) {
+  if (field.grid != ViewGrid{2, 1})
+    throw usage_error(
+        "to",
+        fmt::format("a stereo picture has the views of two eyes, this light field {}x{}", field.grid.columns, field.grid.rows),
+        "2 views side by side: `keep` says which of them");
+  const StereoLayout layout = options.stereo.value_or(StereoLayout{});
+  const Vec2i stored = stored_size_of(field, layout.packing);
+  Picture picture = blank(field.stack, stereo_picture_size(layout.packing, stored));
+  move_pixels(stored_views(field, stored), stereo_pixels(layout, stored), picture, {});
+  const fs::path named = with_stereo_name(path, layout);
+  write_picture(named, picture);
+  return {named};
+}
+
+}  // namespace
+
+LightFieldFormat stereo_format() {
+  return {"stereo",    "the views of two eyes in one picture; `stereo`: side by side, over and under, rows",
+          false,       false,
+          read_stereo, write_stereo};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,120 @@
+#include "replay/depth_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/folder.hpp"
+#include "layout/light_field_source.hpp"
+#include "layout/rgbd_name.hpp"
+#include "layout/rgbd_side_file.hpp"
+#include "layout/view_files.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/open_light_field.hpp"
+#include "lippmann/replay/light_field_frames.hpp"
+#include "replay/depth_views.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two eyes before the screen of the picture, or the display's.
+Optics eyes_optics(const LightField& source, const DepthFramesParams& params) {
+  const ViewCameras& camera = *source.cameras;
+  MultiView eyes{2, 1};
+  eyes.baseline_mm = static_cast<float>(params.ipd_mm);
+  const Display* display = params.options.display ? &*params.options.display : nullptr;
+  const Vec2i view = display ? display->pixels : source.view_size;
+  const Vec2d pixel = display ? Vec2d(display->pixel_mm()) : camera.pixel_mm;
+  eyes.distance_mm = static_cast<float>(display ? viewing_distance_mm(*display) : camera.distance_mm);
+  eyes.pixel_height = static_cast<float>(pixel.y / pixel.x);
+  return {{2 * view.x, view.y, static_cast<float>(pixel.x)}, eyes};
+}
+
+/// The display's quilt, with other tiles where `views` says so.
+Optics quilt_for(Display display, const std::optional<ViewGrid>& views) {
+  if (views && display.quilt) display.quilt->columns = views->columns, display.quilt->rows = views->rows;
+  if (const std::optional<Optics> optics = quilt_optics(display)) return *optics;
+  throw usage_error("display", display.name + " knows no quilt", "a display with a quilt, or `views` without one");
+}
+
+/// Views of the picture's own size before its own screen.
+Optics own_views(const LightField& source, const DepthFramesParams& params) {
+  LightField wanted;
+  wanted.grid = params.options.views.value_or(ViewGrid{48, 1});
+  wanted.view_size = source.view_size, wanted.aspect = source.aspect;
+  Optics optics = assumed_optics(wanted, params.view_angle_deg);
+  const ViewCameras& camera = *source.cameras;
+  auto& views = std::get<MultiView>(optics.model);
+  views.baseline_mm *= static_cast<float>(camera.distance_mm) / views.distance_mm;
+  views.distance_mm = static_cast<float>(camera.distance_mm);
+  views.pixel_height = static_cast<float>(camera.pixel_mm.y / camera.pixel_mm.x);
+  optics.panel.pixel_pitch_mm = static_cast<float>(camera.pixel_mm.x);
+  validate(optics);
+  return optics;
+}
+
+Optics wanted_optics(const LightField& source, const DepthFramesParams& params) {
+  if (params.to == "stereo") return eyes_optics(source, params);
+  if (params.options.display) return quilt_for(*params.options.display, params.options.views);
+  return own_views(source, params);
+}
+
+/// Says what nothing says.
+void warn_of_assumptions(const fs::path& first, const DepthFramesParams& params, const Context& context) {
+  if (read_rgbd_side_file(first)) return;
+  const DepthRange range = params.options.depth_range.value_or(DepthRange{});
+  context.warning(
+      fmt::format("No side file says how deep {} is. Taken: from {:g} mm (black) to {:g} mm in front (white) of a picture 100 "
+                  "mm high, seen from "
+                  "300 mm. `depth-range` says another range.",
+                  first.string(), range.far_mm, range.near_mm));
+}
+
+fs::path path_for(const DepthFramesParams& params, const LightFieldFormat& to, const fs::path& in, bool one,
+                  const Picture& stack) {
+  fs::path path = one ? params.out : params.out / without_rgbd_name(in.filename()).stem();
+  if (!to.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(stack);
+  return path;
+}
+
+}  // namespace
+
+bool is_rgbd(const fs::path& in) {
+  std::error_code ignored;
+  fs::path first = in;
+  if (fs::is_directory(in, ignored)) {
+    const std::vector<fs::path> frames = light_field_frames(in, "");
+    if (frames.empty()) return false;
+    first = frames.front();
+  }
+  return has_rgbd_name(first) || read_rgbd_side_file(first);
+}
+
+DepthFrames convert_depth_frames(const DepthFramesParams& params, const Context& context) {
+  const LightFieldFormat& to = find_format(params.to, "to");
+  const std::vector<fs::path> frames = light_fields_in(params.in, "rgbd");
+  const bool one = frames.size() == 1 && frames.front() == params.in;
+  const ThreadPool pool(resolved_threads(context));
+  warn_of_assumptions(frames.front(), params, context);
+  FormatOptions writing = params.options;
+  DepthFrames made;
+  double filled = 0.0;
+  const NewFolder folder(one ? params.out.parent_path() : params.out);
+  for (const fs::path& in : frames) {
+    if (context.cancelled) break;
+    const LightField source = rgbd_format().read(in, params.options);
+    DepthViews views = views_from_depth(source, wanted_optics(source, params), params.depth_scale, pool);
+    views.field.stack = with_samples_like(source.stack, std::get<Image>(std::move(views.field.stack)));
+    const NewFolder of_frame(to.is_folder ? path_for(params, to, in, one, source.stack) : fs::path());
+    for (fs::path& file : to.write(views.field, path_for(params, to, in, one, source.stack), writing))
+      made.written.push_back(std::move(file));
+    made.views = views.field.grid, made.view_size = views.field.view_size;
+    filled += views.filled_share;
+  }
+  made.filled_share = filled / static_cast<double>(std::max<std::size_t>(frames.size(), 1));
+  return made;
+}
+
+}  // namespace lippmann

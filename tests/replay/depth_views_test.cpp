@@ -1,0 +1,135 @@
+// Views of pictures with depth: shifts worked out by hand, what is hidden and what comes into view.
+#include "replay/depth_views.hpp"
+
+#include <gmock/gmock.h>
+
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+/// All four pixels around a place have a weight of at least 1e-6.
+constexpr double kWeights = 1e-5;
+
+/// A screen of 40 x 4 pixels of 1 mm, seen from 100 mm, with a column of light at x = `lit`, all at one depth.
+LightField plane(int lit, float z) {
+  LightField field;
+  field.grid = {1, 1}, field.view_size = {40, 4}, field.aspect = 10.0;
+  Image colours(40, 4, 3);
+  for (int y = 0; y < 4; ++y) colours.pixel(lit, y)[0] = 1.0f;
+  field.stack = colours;
+  field.depth = Image(40, 4, 1);
+  std::fill(field.depth->data.begin(), field.depth->data.end(), z);
+  field.cameras = {100.0, Vec2d(1.0), Vec2d(20, 2), {{0, 0}}};
+  return field;
+}
+
+/// 3 eyes, 20 mm apart: slopes -0.2, 0, 0.2.
+Optics three_eyes() {
+  MultiView eyes{3, 1};
+  eyes.baseline_mm = 20.0f, eyes.distance_mm = 100.0f;
+  return {{120, 4, 1.0f}, eyes};
+}
+
+DepthViews shown(const LightField& source, const Optics& optics = three_eyes(), double scale = 1.0) {
+  const ThreadPool pool(1);
+  return views_from_depth(source, optics, scale, pool);
+}
+
+/// Where a row of a view is lit: the mean, in pixels.
+double lit_at(const DepthViews& made, int view) {
+  const Image image = std::get<Image>(view_of(made.field, view));
+  double sum = 0.0, weight = 0.0;
+  for (int x = 0; x < image.width; ++x) sum += x * image.pixel(x, 1)[0], weight += image.pixel(x, 1)[0];
+  return sum / weight;
+}
+
+TEST(DepthViews, plane_shifts_by_its_disparity) {
+  // q = -25 / (1 + 1/4) = -20 mm: the eye at slope 0.2 sees it 0.2 20 = 4 mm to the right, that at -0.2 to the left.
+  const DepthViews behind = shown(plane(20, -25.0f));
+  EXPECT_NEAR(lit_at(behind, 0), 16.0, kWeights);
+  EXPECT_NEAR(lit_at(behind, 1), 20.0, kWeights);
+  EXPECT_NEAR(lit_at(behind, 2), 24.0, kWeights);
+  // q = 20 / (1 - 1/5) = 25 mm: 5 mm, the other way round.
+  const DepthViews before = shown(plane(20, 20.0f));
+  EXPECT_NEAR(lit_at(before, 0), 25.0, kWeights);
+  EXPECT_NEAR(lit_at(before, 2), 15.0, kWeights);
+}
+
+TEST(DepthViews, plane_of_the_screen_stays_and_nothing_is_filled) {
+  const DepthViews made = shown(plane(20, 0.0f));
+  for (int view = 0; view < 3; ++view) EXPECT_NEAR(lit_at(made, view), 20.0, kWeights);
+  EXPECT_EQ(made.filled_share, 0.0);
+}
+
+TEST(DepthViews, middle_view_is_the_picture) {
+  LightField source = plane(7, -25.0f);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 40; ++x) {
+      std::get<Image>(source.stack).pixel(x, y)[1] = 0.01f * static_cast<float>(x * y);
+      source.depth->pixel(x, y)[0] = static_cast<float>(10 - x);
+    }
+  const Image seen = std::get<Image>(view_of(shown(source).field, 1)), was = std::get<Image>(source.stack);
+  for (std::size_t i = 0; i < was.data.size(); ++i) EXPECT_NEAR(seen.data[i], was.data[i], 1e-5) << i;
+}
+
+TEST(DepthViews, shifts_of_a_fraction_are_interpolated) {
+  // q = -12.5 / 1.125 = -11.1 mm, a shift of 2.22 pixels: the column of light lies between two.
+  EXPECT_NEAR(lit_at(shown(plane(20, -12.5f)), 2), 20.0 + 0.2 * 12.5 / 1.125, 1e-5);
+}
+
+TEST(DepthViews, larger_screen_and_other_distance_keep_the_disparity_per_slope) {
+  Optics large = three_eyes();
+  large.panel.pixel_pitch_mm = 2.0f;
+  auto& eyes = std::get<MultiView>(large.model);
+  eyes.distance_mm = 400.0f, eyes.baseline_mm = 80.0f;
+  EXPECT_NEAR(lit_at(shown(plane(20, -25.0f), large), 2), 24.0, kWeights) << "twice as many mm, as many pixels";
+}
+
+TEST(DepthViews, depth_scale_scales_shifts) {
+  EXPECT_NEAR(lit_at(shown(plane(20, -25.0f), three_eyes(), 0.5), 2), 22.0, kWeights);
+}
+
+/// A wall 25 mm behind the screen (blue), and a board of columns 15 ... 24 in its plane (red).
+LightField board() {
+  LightField field = plane(0, -25.0f);
+  Image& colours = std::get<Image>(field.stack);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const bool front = x >= 15 && x < 25;
+      float* c = colours.pixel(x, y);
+      c[0] = front ? 1.0f : 0.0f, c[1] = 0.0f, c[2] = front ? 0.0f : 1.0f;
+      field.depth->pixel(x, y)[0] = front ? 0.0f : -25.0f;
+    }
+  return field;
+}
+
+TEST(DepthViews, nearer_surfaces_hide_and_what_comes_into_view_is_filled_from_behind) {
+  const DepthViews made = shown(board());
+  const Image right = std::get<Image>(view_of(made.field, 2));
+  for (int x = 0; x < 40; ++x) {
+    const bool front = x >= 15 && x < 25;
+    EXPECT_EQ(right.pixel(x, 2)[0], front ? 1.0f : 0.0f) << x;
+    EXPECT_EQ(right.pixel(x, 2)[2], front ? 0.0f : 1.0f) << x << ": the wall, also where it was hidden";
+  }
+  // To the right of the board 4 columns of the wall come into view in the view on the right... and 4 at the picture's edge are
+  // not in it; likewise on the left: 8 of 40 pixels of two views of three.
+  EXPECT_NEAR(made.filled_share, 16.0 / 120.0, 1e-9);
+}
+
+TEST(DepthViews, depth_goes_with_the_views) {
+  const DepthViews made = shown(board());
+  const Image depth = depth_of(made.field, 2);
+  EXPECT_NEAR(depth.pixel(20, 1)[0], 0.0, 1e-4);
+  EXPECT_NEAR(depth.pixel(35, 1)[0], -25.0, 1e-4);
+}
+
+TEST(DepthViews, threads_do_not_change_them) {
+  const ThreadPool one(1), four(4);
+  const LightField source = board();
+  EXPECT_EQ(std::get<Image>(views_from_depth(source, three_eyes(), 1.0, one).field.stack).data,
+            std::get<Image>(views_from_depth(source, three_eyes(), 1.0, four).field.stack).data);
+}
+
+}  // namespace
+}  // namespace lippmann
