@@ -174,6 +174,21 @@ class AddOn(unittest.TestCase):
         self.assertAlmostEqual(bounds["max"][0], straight[0], places=3)  # it bends about x
         self.assertGreater(abs(bounds["max"][2] + min(v.co.y for v in monkey.data.vertices)), 0.1)  # glTF's z is Blender's -y
 
+    def test_lamps_arrive_with_their_sizes(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        for kind, sizes in (("POINT", {"shadow_soft_size": 0.5}), ("SPOT", {"shadow_soft_size": 0.25, "spot_blend": 0.75}), ("SUN", {"angle": 0.125})):
+            light = bpy.data.lights.new(f"{kind} of mine", kind)
+            for name, value in sizes.items():
+                setattr(light, name, value)
+            scene.collection.objects.link(bpy.data.objects.new(kind, light))
+        bpy.ops.render.render()
+        lights = {light["name"].split()[0]: light for light in gltf(self.folder)["extensions"]["KHR_lights_punctual"]["lights"] if "of mine" in light["name"]}
+        self.assertEqual(lights["POINT"]["extras"], {"radius": 0.5})
+        self.assertEqual(lights["SPOT"]["extras"], {"radius": 0.25, "blend": 0.75})
+        self.assertEqual(lights["SUN"]["extras"], {"angle": 0.125})
+        self.assertFalse(any("size" in warning for warning in engine.last_warnings), engine.last_warnings)
+        self.assertNotIn("radius", bpy.data.lights["POINT of mine"])  # which are the user's own
+
     def test_a_tool_that_is_not_there_is_said(self):
         with self.assertRaisesRegex(tool.ToolError, "not at /nowhere/lippmann"):
             tool.find("/nowhere/lippmann")

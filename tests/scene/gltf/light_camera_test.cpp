@@ -80,6 +80,42 @@ TEST(GltfLight, inner_cone_wider_than_the_outer_is_an_error) {
               HasSubstr("lights[0].spot: the inner cone is wider than the outer one"));
 }
 
+TEST(GltfLight, sizes_are_read_from_extras) {
+  const Light point = light_of({{"type", "point"}, {"extras", {{"radius", 0.25}, {"angle", 1}}}});
+  EXPECT_EQ(point.radius, 0.25f);
+  EXPECT_EQ(point.angular_diameter, 0.0f) << "which suns have";
+  const Light sun = light_of({{"type", "directional"}, {"extras", {{"radius", 0.25}, {"angle", 0.5}}}});
+  EXPECT_EQ(sun.radius, 0.0f);
+  EXPECT_EQ(sun.angular_diameter, 0.5f);
+  EXPECT_EQ(light_of({{"type", "point"}}).radius, 0.0f);
+  EXPECT_FLOAT_EQ(light_of({{"type", "directional"}, {"extras", {{"angle", 3.14159265359}}}}).angular_diameter, kPi);
+}
+
+// Half angle 60 degrees, cosine 0.5; a blend of 0.3 reaches up to the cosine 0.65.
+TEST(GltfLight, blend_is_a_soft_edge_in_place_of_the_inner_cone) {
+  const Json cone{{"innerConeAngle", 0.2}, {"outerConeAngle", kPi / 3}};
+  const Light soft = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"radius", 2}, {"blend", 0.3}}}});
+  EXPECT_EQ(soft.radius, 2.0f);
+  EXPECT_TRUE(soft.smooth_edge);
+  EXPECT_NEAR(std::cos(soft.inner_cone), 0.65f, 1e-6f);
+  const Light sharp = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"blend", 0}}}});
+  EXPECT_FLOAT_EQ(sharp.inner_cone, sharp.outer_cone);
+  EXPECT_FALSE(light_of({{"type", "spot"}, {"spot", cone}}).smooth_edge);
+}
+
+TEST(GltfLight, extras_of_other_programs_are_left_alone_and_sizes_out_of_range_are_errors) {
+  EXPECT_EQ(light_of({{"type", "point"}, {"extras", "a lamp"}}).radius, 0.0f);
+  EXPECT_EQ(light_of({{"type", "point"}, {"extras", {{"radius", "large"}, {"shadow", true}}}}).radius, 0.0f);
+  EXPECT_THAT(error_message([] {
+                light_of({{"type", "point"}, {"extras", {{"radius", -1}}}});
+              }),
+              HasSubstr("lights[0].extras.radius"));
+  EXPECT_THAT(error_message([] {
+                light_of({{"type", "directional"}, {"extras", {{"angle", 7}}}});
+              }),
+              HasSubstr("lights[0].extras.angle"));
+}
+
 TEST(GltfLight, unknown_type_is_an_error) {
   EXPECT_THAT(error_message([] {
                 light_of({{"type", "area"}});
