@@ -194,7 +194,7 @@ TEST(GltfCamera, scene_without_one_has_none) {
   EXPECT_TRUE(parse(b).cameras.empty());
 }
 
-TEST(GltfCamera, orthographic_becomes_a_perspective_that_shows_the_same_height_at_the_centre) {
+TEST(GltfCamera, orthographic_has_its_height_and_an_angle_that_shows_it_at_the_centre) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}, {"translation", {-0.5, -0.5, -8}}});  // its bounds are centred on z = -8
   b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 100}}}});
@@ -203,7 +203,8 @@ TEST(GltfCamera, orthographic_becomes_a_perspective_that_shows_the_same_height_a
   const Scene scene = parse(b, &warnings);
   EXPECT_FLOAT_EQ(std::tan(0.5f * scene.cameras.at(0).vertical_fov), 2.0f / 10.0f);
   EXPECT_EQ(scene.cameras[0].aspect, 2.0f);
-  EXPECT_THAT(warnings, Contains(HasSubstr("orthographic cameras are not supported yet")));
+  EXPECT_EQ(scene.cameras[0].orthographic_height, 4.0f);
+  EXPECT_TRUE(warnings.empty());
 }
 
 TEST(GltfCamera, orthographic_with_nothing_in_front_of_it_still_is_a_camera) {
