@@ -7,6 +7,10 @@ import struct
 import zlib
 
 
+def turned_down(angle):
+    return [-math.sin(0.5 * angle), 0.0, 0.0, math.cos(0.5 * angle)]
+
+
 class Gltf:
     """Grows a glTF document one mesh, material, texture or node at a time; all data in one buffer."""
 
@@ -105,14 +109,18 @@ class Gltf:
             self.quad(material, plus(n, -1), v, u)
 
     def point_light(self, at, candela, color=(1.0, 1.0, 1.0)):
-        lights = self.doc.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
-        lights.append({"type": "point", "intensity": candela, "color": list(color)})
-        self.node(translation=list(at), extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+        self.light(at, type="point", intensity=candela, color=list(color))
 
-    def camera(self, at, aspect=1.0, fov=0.6):
+    def light(self, at, down=0.0, **light):
+        """Any light, which shines along -z, turned down by so many radians."""
+        lights = self.doc.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
+        lights.append(light)
+        self.node(translation=list(at), rotation=turned_down(down), extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+
+    def camera(self, at, aspect=1.0, fov=0.6, down=0.0):
         self.doc["cameras"].append({"type": "perspective",
                                     "perspective": {"yfov": fov, "aspectRatio": aspect, "znear": 0.01, "zfar": 1000.0}})
-        self.node(camera=0, translation=list(at))
+        self.node(camera=0, translation=list(at), rotation=turned_down(down))
 
     def write(self, path):
         doc = {key: value for key, value in self.doc.items() if value not in ([], {})}
@@ -228,6 +236,30 @@ def leaves():
     return g
 
 
+def post(at, down, **light):
+    """A post and a glossy ball on a floor, lit by one lamp that has a size: half shadows, highlights."""
+    g = Gltf()
+    g.quad(g.material((0.6, 0.6, 0.6), **MATTE), (0, 0, 0), (4, 0, 0), (0, 0, -4))
+    g.box(g.material((0.7, 0.4, 0.2), **MATTE), (-0.3, 0.6, 0), (0.12, 0.6, 0.12))
+    g.sphere(g.material((0.9, 0.9, 0.9), metallic=1.0, roughness=0.3), (0.8, 0.3, 0.7), 0.3)
+    g.light(at, down, **light)
+    g.camera((0, 2.4, 5.0), fov=0.7, down=0.42)
+    return g
+
+
+def ball_lamp():
+    return post((-1.4, 1.9, 1.0), 0.0, type="point", intensity=8.0, extras={"radius": 0.5})
+
+
+def spot_lamp():
+    return post((-0.4, 2.6, 2.0), 0.9, type="spot", intensity=20.0, spot={"innerConeAngle": 0.3, "outerConeAngle": 0.45},
+                extras={"radius": 0.3, "blend": 0.5})
+
+
+def sun_disc():
+    return post((0, 3, 0), 0.7, type="directional", intensity=2.0, extras={"angle": math.radians(10.0)})
+
+
 def moving_room():
     """An animation: tiled walls, a plastic and a matte ball under a square lamp; the matte one rolls along, 2 seconds."""
     g = Gltf()
@@ -244,7 +276,8 @@ def moving_room():
 # name: maker, lit by the panorama, the likeness that is asked for
 FIXTURES = {"diffuse-box": (diffuse_box, False, 35.0), "textured": (textured_point_lights, False, 35.0),
             "leaves": (leaves, True, 35.0), "plastic": (dielectrics, True, 30.0), "metal": (metals, True, 30.0),
-            "glass": (glass, True, 30.0), "rough-glass": (rough_glass, True, 30.0)}
+            "glass": (glass, True, 30.0), "rough-glass": (rough_glass, True, 30.0), "ball-lamp": (ball_lamp, False, 38.0),
+            "spot-lamp": (spot_lamp, False, 37.0), "sun-disc": (sun_disc, False, 40.0)}
 
 
 def write_panorama(path, width=256):

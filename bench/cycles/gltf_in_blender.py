@@ -153,10 +153,13 @@ def load(file):
     for lamp, light in zip(sorted((o for o in bpy.data.objects if o.type == "LIGHT"), key=lambda o: o.name), lights):
         lamp.data.energy = light.get("intensity", 1.0) * (1.0 if light["type"] == "directional" else 4.0 * math.pi)
         lamp.data.color = light.get("color", [1, 1, 1])
+        sizes = light.get("extras", {})
         if light["type"] == "directional":
-            lamp.data.angle = 0.0
+            lamp.data.angle = sizes.get("angle", 0.0)
         else:
-            lamp.data.shadow_soft_size = 0.0
+            lamp.data.shadow_soft_size = sizes.get("radius", 0.0)
+        if "blend" in sizes:
+            lamp.data.spot_blend = sizes["blend"]
 
 
 def surround(scene, panorama):

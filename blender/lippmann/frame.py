@@ -40,26 +40,22 @@ def focus_distance(camera):
     return max(focused.focus_distance, 1e-4)
 
 
-def vertical_angle(camera, aspect):
-    """The camera's full vertical angle for pictures of this aspect (width over height). None: it is not a perspective camera."""
+def fitted_side(camera, distance):
+    """How long the side that the camera's sensor is fitted to is in what it frames at a distance. Other cameras than perspective ones: at any."""
     data = camera.data
     if data.type != "PERSP":
-        return None
-    if data.sensor_fit == "VERTICAL":
-        return 2.0 * math.atan(0.5 * data.sensor_height / data.lens)
-    across = 0.5 * data.sensor_width / data.lens
-    if data.sensor_fit == "AUTO" and aspect < 1.0:
-        return 2.0 * math.atan(across)
-    return 2.0 * math.atan(across / aspect)
+        return data.ortho_scale
+    return distance * (data.sensor_height if data.sensor_fit == "VERTICAL" else data.sensor_width) / data.lens
 
 
 def at_focus(camera, aspect):
-    """The transform and the height of what the camera frames at its focus."""
-    distance = focus_distance(camera)
+    """The transform and the height of what the camera frames at its focus, in pictures of this aspect (width over height). A shift moves the
+    frame aside: the display's viewer stands before its middle, not where the camera is."""
+    data, distance = camera.data, focus_distance(camera)
+    side = fitted_side(camera, distance)
+    is_height = data.sensor_fit == "VERTICAL" or (data.sensor_fit == "AUTO" and aspect < 1.0)
     turned, _ = rigid(camera.matrix_world)
-    angle = vertical_angle(camera, aspect)
-    height = 2.0 * distance * math.tan(0.5 * angle) if angle else camera.data.ortho_scale / max(1.0, aspect)
-    return turned @ Matrix.Translation((0.0, 0.0, -distance)), height
+    return turned @ Matrix.Translation((data.shift_x * side, data.shift_y * side, -distance)), side if is_height else side / aspect
 
 
 def zone(scene):

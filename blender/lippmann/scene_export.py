@@ -143,6 +143,18 @@ def shining_area(light, report):
     return mesh
 
 
+def sized(light):
+    """The light with its size as custom properties, which glTF's exporter writes as extras: it has no other place for them (docs/gltf.md)."""
+    light = light.copy()
+    if light.type == "SUN":
+        light["angle"] = light.angle
+    else:
+        light["radius"] = light.shadow_soft_size
+    if light.type == "SPOT":
+        light["blend"] = light.spot_blend
+    return light
+
+
 def shape_of(instance, depsgraph, report):
     """What an object that stands for the instance has as its data: a mesh, a light, or None."""
     shown = instance.object
@@ -150,9 +162,7 @@ def shape_of(instance, depsgraph, report):
         light = shown.data.original
         if light.type == "AREA":
             return shining_area(light, report)
-        if (light.type == "SUN" and light.angle > 0.01) or (light.type != "SUN" and light.shadow_soft_size > 0.0):
-            report.warn("Point, spot and sun lights arrive without their size: their shadows are hard.")
-        return light
+        return sized(light)
     if shown.type in SOLID:
         return mesh_of(instance, depsgraph)
     if LOST.get(shown.type):
@@ -294,7 +304,7 @@ def export_gltf(stage, path, still, has_shape_keys):
     options = {"export_format": "GLB", "export_cameras": True, "export_lights": True, "export_apply": not has_shape_keys, "export_yup": True,
                "export_animations": not still, "export_frame_range": True, "export_force_sampling": True, "export_nla_strips": False,
                "export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_morph": True, "export_skins": True,
-               "export_extras": False, "use_selection": False, "use_active_scene": True, "export_optimize_animation_size": False}
+               "export_extras": True, "use_selection": False, "use_active_scene": True, "export_optimize_animation_size": False}
     known = bpy.ops.export_scene.gltf.get_rna_type().properties.keys()
     bpy.ops.export_scene.gltf(filepath=path, **{name: value for name, value in options.items() if name in known})
 

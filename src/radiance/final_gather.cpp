@@ -25,7 +25,7 @@ FinalGather::FinalGather(const ShadedScene& scene, const CacheCells& cells, cons
       cache_(cache),
       options_(options),
       samples_points_alone_(lights().points() <= kFewLights &&
-                            !(lights().chance({LightGroup::kSun, cells.lights_from}) > 0.0f)),
+                            !(lights().chance({LightGroup::kRound, cells.lights_from}) > 0.0f)),
       paths_(scene, cells.beam, params, {.all = film.all}) {}
 
 void FinalGather::finish() {
@@ -75,8 +75,9 @@ void FinalGather::vertex(const RayHitPacket& packet, int i, const PathRay& ray, 
   const Bsdf gloss = has_gloss ? bsdf.without_diffuse() : bsdf;
   const bool is_rough = has_gloss && !gloss.is_sharp();
   const Vec3f albedo = bsdf.diffuse_albedo();
-  for (const LightGroups groups : {kSun, kLamps, kSkyLight})
-    add_lights(groups, point, bsdf, is_rough ? &gloss : nullptr, albedo, ray);
+  const Asking asking{point, bsdf, is_rough ? &gloss : nullptr, albedo, ray};
+  add_rounds(asking);
+  for (const LightGroups groups : {kSun, kLamps, kSkyLight}) add_lights(groups, asking);
   if (albedo != Vec3f(0.0f)) ask_cache(packet, i, ray, bsdf.normal(), albedo, length);
   if (has_gloss) reflect(point, gloss, ray, length);
 }
@@ -119,23 +120,39 @@ void FinalGather::shine(const ShadingPoint& point, const Bsdf& bsdf, const Light
 
 /// One light of the groups: over rough lobes, and where the cache does not hold it, over the diffuse one, too, which no ray
 /// that meets the light comes from.
-void FinalGather::add_lights(LightGroups groups, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
-                             const PathRay& ray) {
-  const bool is_diffuse = groups.begin < cells_.lights_from && albedo != Vec3f(0.0f);
-  if (!(is_diffuse || gloss) || !(lights().chance(groups) > 0.0f)) return;
-  const std::optional<LightSample> light =
-      lights().sample(groups, point.position, draw(ray, kChoicePair).x, draw(ray, kOnLightPair));
-  if (!light) return;
-  const bool behind = glm::dot(point.facet, light->direction) < 0.0f;
+void FinalGather::add_lights(LightGroups groups, const Asking& asking) {
+  const bool is_diffuse = groups.begin < cells_.lights_from && asking.albedo != Vec3f(0.0f);
+  if (!(is_diffuse || asking.gloss) || !(lights().chance(groups) > 0.0f)) return;
+  const PathRay& ray = asking.ray;
+  if (const std::optional<LightSample> light =
+          lights().sample(groups, asking.point.position, draw(ray, kChoicePair).x, draw(ray, kOnLightPair)))
+    add_light(*light, is_diffuse, asking);
+}
+
+/// Lamps that have a size: the cache never holds them.
+void FinalGather::add_rounds(const Asking& asking) {
+  if (!asks_all_rounds()) return add_lights(kRoundLights, asking);
+  if (lights().rounds() == 0) return;
+  const Vec2f u = draw(asking.ray, kOnLightPair);
+  for (std::size_t k = 0; k < lights().rounds(); ++k)
+    if (const std::optional<LightSample> light = lights().round(k, asking.point.position, u))
+      add_light(*light, asking.albedo != Vec3f(0.0f), asking);
+}
+
+void FinalGather::add_light(const LightSample& light, bool is_diffuse, const Asking& asking) {
+  const ShadingPoint& point = asking.point;
+  const bool behind = glm::dot(point.facet, light.direction) < 0.0f;
   Vec3f weight(0.0f);
-  if (is_diffuse && !behind) weight += albedo * bsdf.evaluate_diffuse(light->direction).cosine_f;
-  if (gloss) {
-    const BsdfValue value = gloss->evaluate(light->direction);
+  if (is_diffuse && !behind) weight += asking.albedo * asking.bsdf.evaluate_diffuse(light.direction).cosine_f;
+  if (light.is_lamp && !behind) weight += asking.bsdf.highlight(light.direction);
+  if (asking.gloss) {
+    const BsdfValue value = asking.gloss->evaluate(light.direction);
     if (value.density > 0.0f && behind == value.transmitted)
-      weight += value.cosine_f * power_heuristic(light->density, value.density);
+      weight += value.cosine_f * power_heuristic(light.density, value.density);
   }
-  const Vec3f radiance = ray.throughput * weight * light->radiance / light->density;
-  if (radiance != Vec3f(0.0f) && is_finite(radiance)) to_others_.push(point, *light, radiance, ray.pixel, ray.depth + 1);
+  const PathRay& ray = asking.ray;
+  const Vec3f radiance = ray.throughput * weight * light.radiance / light.density;
+  if (radiance != Vec3f(0.0f) && is_finite(radiance)) to_others_.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
 
 void FinalGather::reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length) {

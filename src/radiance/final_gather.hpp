@@ -42,13 +42,27 @@ class FinalGather : public PathTracer<FinalGather> {
   static Vec2f numbers(const PathRay& ray, int, std::uint32_t pair) { return draw(ray, pair); }
   /// A vertex asks for one light of every group.
   float chance(LightGroups groups) const { return lights().chance(groups); }
+  /// And for each lamp that has a size, where they are few.
+  float chance_of_round(std::size_t k) const {
+    return asks_all_rounds() ? lights().chance_of_round(k) : lights().chance(kRoundLights);
+  }
+  bool asks_all_rounds() const { return lights().rounds() <= kFewLights; }
   void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
   void end_path(const PathRay& ray, Vec3f radiance) { add_traced(ray.pixel, radiance, ray.depth); }
   void trace_shadow_rays();
 
   void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);
-  void add_lights(LightGroups groups, const ShadingPoint& point, const Bsdf& bsdf, const Bsdf* gloss, Vec3f albedo,
-                  const PathRay& ray);
+  /// A surface that asks for soft light.
+  struct Asking {
+    const ShadingPoint& point;
+    const Bsdf& bsdf;
+    const Bsdf* gloss;  ///< null: it has none, or only a sharp one
+    Vec3f albedo;
+    const PathRay& ray;
+  };
+  void add_rounds(const Asking& asking);
+  void add_lights(LightGroups groups, const Asking& asking);
+  void add_light(const LightSample& light, bool is_diffuse, const Asking& asking);
   void reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length);
   void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
 

@@ -163,8 +163,12 @@ class SceneFingerprint {
   }
 
   void add(const Light& light) {
-    const auto& [name, kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius] = light;
+    const auto& [name, kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius, radius,
+                 angular_diameter, smooth_edge] = light;
     add_all(kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius);
+    if (radius > 0.0f || angular_diameter > 0.0f ||
+        smooth_edge)  // else nothing, so that lights without keep their fingerprints
+      add_all(radius, angular_diameter, smooth_edge);
   }
   void add(const Background& background) {
     const auto& [horizon, zenith, up, horizon_at, zenith_at, map] = background;
@@ -177,8 +181,9 @@ class SceneFingerprint {
     add_packed(radiance.data);
   }
   void add(const Camera& camera) {
-    const auto& [name, node, vertical_fov, aspect, focus_distance, pixel_offset] = camera;
+    const auto& [name, node, vertical_fov, aspect, focus_distance, pixel_offset, orthographic_height] = camera;
     add_all(node, vertical_fov, aspect, focus_distance, pixel_offset);
+    if (orthographic_height > 0.0f) add(orthographic_height);
   }
   void add(const DisplayPlacement& display) {
     const auto& [node, plane_height, viewing_distance] = display;

@@ -290,7 +290,19 @@ class Validator {
             "the attenuation is not three numbers >= 0, one of them above");
     require(0.0f <= light.inner_cone && light.inner_cone <= light.outer_cone && light.outer_cone <= kPi, element,
             "the cone angles are not 0 <= inner <= outer <= pi");
-    require(finite(light.visible_radius) && light.visible_radius >= 0.0f, element, "the radius is not a number >= 0");
+    require(finite(light.visible_radius) && light.visible_radius >= 0.0f, element, "the visible radius is not a number >= 0");
+    check_light_size(light, element);
+  }
+
+  void check_light_size(const Light& light, const std::string& element) const {
+    const bool is_sun = light.kind == LightKind::kDirectional;
+    require(finite(light.radius) && light.radius >= 0.0f, element, "the radius is not a number >= 0");
+    require(light.radius == 0.0f || (!is_sun && light.inverse_square && light.attenuation == Vec3f(1.0f, 0.0f, 0.0f)), element,
+            "has a radius, but only point and spot lights that fall off with the squared distance alone may have one");
+    require(0.0f <= light.angular_diameter && light.angular_diameter <= kPi, element,
+            "the angular diameter is not between 0 and pi");
+    require(light.angular_diameter == 0.0f || is_sun, element,
+            "has an angular diameter, but only directional lights may have one");
   }
 
   void check_camera(const Camera& camera, std::size_t index) const {
@@ -301,6 +313,8 @@ class Validator {
     require(finite(camera.aspect) && camera.aspect >= 0.0f, element, "the aspect ratio is not a number >= 0");
     require(finite(camera.focus_distance) && camera.focus_distance >= 0.0f, element, "the focus distance is not a number >= 0");
     require(finite(camera.pixel_offset), element, "the pixel offset is not finite");
+    require(finite(camera.orthographic_height) && camera.orthographic_height >= 0.0f, element,
+            "the orthographic height is not a number >= 0");
   }
 
   void check_rest() const {

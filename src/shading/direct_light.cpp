@@ -9,6 +9,7 @@ LIPPMANN_INLINE void aim(const WhittedLight& light, const SurfacePacket& s, Shad
   const Vec3f to = light.toward, at = light.position;
   const float at_place = light.at_place, falls_off = light.falls_off, range = light.range, beyond = light.beyond;
   const float has_cone = light.has_cone, cos_outer = light.cos_outer, inverse_ramp = light.inverse_ramp;
+  const float has_smooth_edge = light.has_smooth_edge;
   const float bx = (1.0f - at_place) * to.x, by = (1.0f - at_place) * to.y, bz = (1.0f - at_place) * to.z;
   LIPPMANN_FOR_LANES(i) {
     const float px = s.position.x[i], py = s.position.y[i], pz = s.position.z[i];
@@ -17,8 +18,9 @@ LIPPMANN_INLINE void aim(const WhittedLight& light, const SurfacePacket& s, Shad
     const float ux = lx * inverse, uy = ly * inverse, uz = lz * inverse;
     const float ramp = (ux * to.x + uy * to.y + uz * to.z - cos_outer) * inverse_ramp;
     const float cone = std::min(std::max(ramp, 0.0f), 1.0f);
+    const float fading = cone * cone * (1.0f + has_smooth_edge * (2.0f - 2.0f * cone));
     const float reached = distance <= range ? 1.0f : 0.0f;
-    const float strength = reached * (1.0f + falls_off * (inverse * inverse - 1.0f)) * (1.0f + has_cone * (cone * cone - 1.0f));
+    const float strength = reached * (1.0f + falls_off * (inverse * inverse - 1.0f)) * (1.0f + has_cone * (fading - 1.0f));
     shadow.strength[i] = strength;
     shadow.arriving[i] = strength * (s.normal.x[i] * ux + s.normal.y[i] * uy + s.normal.z[i] * uz);
     shadow.rays.org_x[i] = px, shadow.rays.org_y[i] = py, shadow.rays.org_z[i] = pz;

@@ -1,8 +1,10 @@
 #include "shading/light_table.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "shading/look_up.hpp"
+#include "shading/round_lights.hpp"
 #include "shading/shaded_scene.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/sampling.hpp"
@@ -21,16 +23,7 @@ bool has_phong(const Scene& scene) {
 float strength(const WhittedLight& light, Vec3f direction, float distance) {
   if (distance > light.range) return 0.0f;
   float s = light.falls_off > 0.0f ? 1.0f / std::max(distance * distance, 1e-20f) : 1.0f;
-  const float cosine = glm::dot(direction, light.toward);
-  if (light.has_cone > 0.0f) {
-    const float ramp = std::clamp((cosine - light.cos_outer) * light.inverse_ramp, 0.0f, 1.0f);
-    s *= ramp * ramp;
-  }
-  if (light.linear_cone) {
-    const float angle = std::acos(std::clamp(cosine, -1.0f, 1.0f));
-    if (angle > light.outer_cone) return 0.0f;
-    if (angle > light.inner_cone) s *= 1.0f - (angle - light.inner_cone) / (light.outer_cone - light.inner_cone);
-  }
+  s *= fading(light, direction);
   if (light.attenuates) s /= light.attenuation.x + distance * (light.attenuation.y + distance * light.attenuation.z);
   return s;
 }
@@ -50,6 +43,8 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
       first_triangle_(sources.records.size(), -1) {
   std::vector<float> powers;
   for (const WhittedLight& light : sources_.lights) powers.push_back(power(light, unit_, sources_.size));
+  find_rounds();
+  for (const std::size_t light : rounds_) powers.push_back(std::exchange(powers[light], 0.0f));
   const float of_sky = 4.0f * kPi * kPi * sources_.size * sources_.size * luminance(environment_.mean_radiance());
   powers.push_back(of_sky * environment_.sun_share());
   add_triangles(powers);
@@ -58,8 +53,21 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
     if (!std::isfinite(p)) p = 0.0f;
   chances_ = DiscreteDistribution(powers);
   if (chances_.empty()) return;
-  begins_ = {0.0f, chances_.probability_before(sun()), chances_.probability_before(first_triangle()),
-             chances_.probability_before(powers.size() - 1), 1.0f};
+  begins_ = {0.0f,
+             chances_.probability_before(points()),
+             chances_.probability_before(sun()),
+             chances_.probability_before(first_triangle()),
+             chances_.probability_before(powers.size() - 1),
+             1.0f};
+}
+
+void LightTable::find_rounds() {
+  for (std::size_t l = 0; l < points(); ++l) {
+    if (!is_round(sources_.lights[l], sources_.size)) continue;
+    round_of_.resize(points(), -1);
+    round_of_[l] = static_cast<int>(rounds_.size());
+    rounds_.push_back(l);
+  }
 }
 
 void LightTable::add_triangles(std::vector<float>& powers) {
@@ -100,7 +108,9 @@ std::optional<LightSample> LightTable::sample(Vec3f from, float pick, Vec2f u) c
   const float chance = chances_.probability(chosen);
   std::optional<LightSample> s;
   if (chosen < points())
-    s = sample_point(sources_.lights[chosen], from);
+    s = sample_point(chosen, from);
+  else if (chosen < sun())
+    s = round(chosen - points(), from, u);
   else if (chosen == sun())
     s = sample_sky(environment_.sample_sun(u));
   else if (chosen < first_triangle() + triangles_.size())
@@ -123,14 +133,33 @@ std::optional<LightSample> LightTable::sample(LightGroups groups, Vec3f from, fl
   return s;
 }
 
-std::optional<LightSample> LightTable::sample_point(const WhittedLight& light, Vec3f from) const {
+std::optional<LightSample> LightTable::round(std::size_t k, Vec3f from, Vec2f u) const {
+  return sample_round(sources_.lights[rounds_[k]], unit_, from, u);
+}
+
+std::optional<LightSample> LightTable::see_round(std::size_t k, Vec3f from, Vec3f direction) const {
+  return lippmann::see_round(sources_.lights[rounds_[k]], unit_, from, direction);
+}
+
+bool LightTable::is_pointed_at(std::size_t k, const RayPacket& rays) const {
+  return lippmann::is_pointed_at(sources_.lights[rounds_[k]], rays);
+}
+
+float LightTable::chance_of_lamp(std::size_t light) const {
+  if (chances_.empty()) return 0.0f;
+  return has_size(light) ? chance_of_round(static_cast<std::size_t>(round_of_[light])) : chances_.probability(light);
+}
+
+std::optional<LightSample> LightTable::sample_point(std::size_t index, Vec3f from) const {
+  if (has_size(index)) return std::nullopt;
+  const WhittedLight& light = sources_.lights[index];
   const Vec3f to = light.at_place > 0.0f ? light.position - from : light.toward;
   const float length = glm::length(to), distance = light.at_place > 0.0f ? length : kInfinity;
   if (!(length > 0.0f)) return std::nullopt;
   const Vec3f direction = to / length;
   const float s = strength(light, direction, light.at_place > 0.0f ? distance : 0.0f);
   if (!(s > 0.0f)) return std::nullopt;
-  return LightSample{direction, distance, unit_ * s * light.color, kInfinity};
+  return LightSample{direction, distance, unit_ * s * light.color, kInfinity, true};
 }
 
 std::optional<LightSample> LightTable::sample_sky(const Environment::Sample& sky) const {

@@ -1,5 +1,5 @@
-// The lights of a scene as paths see them: point-like lights, the sky's sun, triangles that shine, the rest of the sky; one of
-// them drawn by its power.
+// The lights of a scene as paths see them: point-like lights, lamps that have a size, the sky's sun, triangles that shine, the
+// rest of the sky; one of them drawn by its power.
 //
 // Based on: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997 (next-event estimation, and the
 // densities that multiple importance sampling asks for).
@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "shading/light_sample.hpp"
 #include "shading/materials.hpp"
 #include "shading/texture.hpp"
 #include "transport/discrete.hpp"
@@ -23,6 +24,7 @@
 namespace lippmann {
 
 struct GeometryRecord;
+struct RayPacket;
 
 /// What lights are made of.
 struct LightSources {
@@ -34,25 +36,18 @@ struct LightSources {
   float size;  ///< of the scene: half its diagonal
 };
 
-/// Groups of lights, in the order that they are chosen from: point-like ones, the surroundings' sun (Environment::has_sun),
-/// triangles that shine, the rest of the surroundings. The later, the softer the shadows.
-enum class LightGroup : std::uint8_t { kPoints, kSun, kLamps, kSky, kEnd };
+/// Groups of lights, in the order that they are chosen from: point-like ones, lamps that have a size (round_lights.hpp), the
+/// surroundings' sun (Environment::has_sun), triangles that shine, the rest of the surroundings. The later, the softer the
+/// shadows.
+enum class LightGroup : std::uint8_t { kPoints, kRound, kSun, kLamps, kSky, kEnd };
 
 /// All groups from one on, up to another that is not of them.
 struct LightGroups {
   LightGroup begin, end;
 };
-inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kSun}, kSun{LightGroup::kSun, LightGroup::kLamps},
+inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kRound},
+    kRoundLights{LightGroup::kRound, LightGroup::kSun}, kSun{LightGroup::kSun, LightGroup::kLamps},
     kLamps{LightGroup::kLamps, LightGroup::kSky}, kSkyLight{LightGroup::kSky, LightGroup::kEnd};
-
-/// One light, seen from a point.
-struct LightSample {
-  Vec3f direction{0.0f};  ///< to the light, unit
-  float distance = 0.0f;  ///< shadow rays end before it
-  Vec3f radiance{0.0f};   ///< of a point-like light: its irradiance across, over its chance
-  float density = 0.0f;   ///< of the direction, the light's chance included, per steradian; kInfinity: a point-like light
-  bool is_point() const { return density == kInfinity; }
-};
 
 class LightTable {
  public:
@@ -62,9 +57,18 @@ class LightTable {
   /// A light for a point: `pick` chooses which, `u` where on it. None where it is turned away or out of reach.
   std::optional<LightSample> sample(Vec3f from, float pick, Vec2f u) const;
 
-  /// Lights that are points, and one of them; none where it is turned away or out of reach.
+  /// Lamps, and one of them as a point; none where it is turned away or out of reach, or no point.
   std::size_t points() const { return sources_.lights.size(); }
-  std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(sources_.lights[light], from); }
+  std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(light, from); }
+
+  /// Lamps that have a size, and a direction to one of them, or the light that a ray sees of it which has scattered at `from`:
+  /// densities are of that lamp alone, without its chance, which chance_of_round() is.
+  std::size_t rounds() const { return rounds_.size(); }
+  std::optional<LightSample> round(std::size_t k, Vec3f from, Vec2f u) const;
+  std::optional<LightSample> see_round(std::size_t k, Vec3f from, Vec3f direction) const;
+  float chance_of_round(std::size_t k) const { return chances_.empty() ? 0.0f : chances_.probability(points() + k); }
+  /// Whether any ray of the packet points at it, lanes that are not active included.
+  bool is_pointed_at(std::size_t k, const RayPacket& rays) const;
 
   /// Irradiance across per colour of such a light.
   float unit() const { return unit_; }
@@ -86,8 +90,8 @@ class LightTable {
   };
   Sky sky(Vec3f direction) const;
 
-  /// Of sample(), to choose a point-like light, and any triangle of a record.
-  float chance_of_point(std::size_t light) const { return chances_.empty() ? 0.0f : chances_.probability(light); }
+  /// Of sample(), to choose a lamp, whether it is a point or has a size, and any triangle of a record.
+  float chance_of_lamp(std::size_t light) const;
   float chance_of_record(std::size_t record) const;
 
   const Environment& environment() const { return environment_; }
@@ -99,11 +103,13 @@ class LightTable {
     std::uint32_t record, prim;
   };
 
-  std::size_t sun() const { return points(); }  ///< its index, also where there is none
+  std::size_t sun() const { return points() + rounds(); }  ///< its index, also where there is none
   std::size_t first_triangle() const { return sun() + 1; }
   float begin_of(LightGroup group) const { return begins_[static_cast<std::size_t>(group)]; }
   void add_triangles(std::vector<float>& powers);
-  std::optional<LightSample> sample_point(const WhittedLight& light, Vec3f from) const;
+  bool has_size(std::size_t light) const { return !round_of_.empty() && round_of_[light] >= 0; }
+  void find_rounds();
+  std::optional<LightSample> sample_point(std::size_t light, Vec3f from) const;
   std::optional<LightSample> sample_sky(const Environment::Sample& sky) const;
   std::optional<LightSample> sample_triangle_light(const Triangle& triangle, Vec3f from, Vec2f u) const;
   Vec3f emission_at(const Triangle& triangle, Vec2f barycentric) const;
@@ -113,8 +119,11 @@ class LightTable {
   float unit_;
   std::vector<Triangle> triangles_;
   std::vector<int> first_triangle_;  ///< per record; -1: does not shine
-  DiscreteDistribution chances_;     ///< point-like lights, the sun, triangles, the rest of the sky
-  std::array<float, 5> begins_{};    ///< by group: the chance of all before it
+  std::vector<std::size_t> rounds_;  ///< lamps that have a size: indices into the sources' lights
+  std::vector<int> round_of_;        ///< per lamp, into rounds_; -1: a point; empty: all are
+  /// Lamps as points (those that have a size with chance 0), as what they are, the sun, triangles, the rest of the sky.
+  DiscreteDistribution chances_;
+  std::array<float, 6> begins_{};  ///< by group: the chance of all before it
 };
 
 }  // namespace lippmann

@@ -141,6 +141,9 @@ std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& r
     w.attenuates = !directional && light.attenuation != Vec3f(1.0f, 0.0f, 0.0f);
     w.attenuation = light.attenuation;
     w.visible_radius = light.visible_radius;
+    w.has_smooth_edge = light.smooth_edge ? 1.0f : 0.0f;
+    w.radius = directional ? 0.0f : light.radius;
+    w.half_angle = directional ? 0.5f * light.angular_diameter : 0.0f;
     lights.push_back(w);
   }
   return lights;

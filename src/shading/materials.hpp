@@ -66,6 +66,9 @@ struct WhittedLight {
   bool attenuates = false;
   Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< divide by x + y d + z d^2 at distance d, if it attenuates
   float visible_radius = 0.0f;
+  float has_smooth_edge = 0.0f;  ///< 1: the cone's fading t^2 becomes 3 t^2 - 2 t^3
+  float radius = 0.0f;           ///< of paths alone, as what follows: 0: a point
+  float half_angle = 0.0f;       ///< of a sun's disc; 0: a point
 };
 
 std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& resolved);

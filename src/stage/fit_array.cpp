@@ -58,11 +58,29 @@ void visit_frames(const Scene& scene, const Visit& visit) {
   }
 }
 
-/// The array square to a camera's view, at a distance, filling it.
-void place_before_camera(FittedArray& array, float distance, float tangent_y) {
+/// Half of what a camera shows: over the distance, or at every distance where it is orthographic.
+struct CameraView {
+  bool is_orthographic;
+  Vec2f half;
+};
+
+CameraView view_of(const Camera& camera) {
+  const bool is_orthographic = camera.orthographic_height > 0.0f;
+  const float own = is_orthographic ? 0.5f * camera.orthographic_height : std::tan(0.5f * camera.vertical_fov);
+  return {is_orthographic, {own * camera.aspect, own}};
+}
+
+ConvexRegion region_of(const CameraView& view) {
+  return view.is_orthographic ? beam_region(view.half) : view_region(Vec3f(0.0f), view.half);
+}
+
+/// The array square to a camera's view, at a distance, filling it. Its viewer stands where the camera is; where that is
+/// orthographic, at least so far away that he sees all of it at the default angle, as its place along its view means nothing.
+void place_before_camera(FittedArray& array, float distance, const CameraView& view) {
   array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
-  array.plane_height = 2.0f * distance * tangent_y;
+  array.plane_height = 2.0f * view.half.y * (view.is_orthographic ? 1.0f : distance);
   array.viewing_distance = distance;
+  if (view.is_orthographic) array.viewing_distance = std::max(distance, view.half.y / std::tan(0.5f * kDefaultFov));
 }
 
 std::string camera_name(const Camera& camera) {
@@ -87,20 +105,29 @@ SeenParts seen_of(const Setting& setting, Part part, const ResolvedScene& resolv
   return seen;
 }
 
-/// Half the view's height over the distance: the camera's own, or more where the picture is too narrow for the part of the
-/// subject that the camera shows. Files that say how many pixels their picture has (Tachyon, NFF) mean the height of the view,
-/// whatever the size; those that say only its shape (glTF) mean the frame that their author saw.
-float tangent_for(const Setting& setting, const Camera& camera) {
-  const float own = std::tan(0.5f * camera.vertical_fov);
-  if (setting.scene.resolution.x > 0 || !(camera.aspect > 1.001f * setting.aspect)) return own;
-  const Vec2f tangent(own * camera.aspect, own);
-  float shown = 0.0f;
+/// Half the width of the subject's part that a camera shows, as CameraView has it.
+float width_of_subject(const Setting& setting, const Camera& camera, const CameraView& view) {
+  float half = 0.0f;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
     const Affine3f camera_from_world = inverse(similarity(resolved.of(camera.node)));
-    const ConvexRegion region = view_region(Vec3f(0.0f), tangent);
-    shown = std::max(shown, seen_of(setting, Part::kSubject, resolved, camera_from_world, region).tangent.x);
+    const SeenParts seen = seen_of(setting, Part::kSubject, resolved, camera_from_world, region_of(view));
+    if (!view.is_orthographic)
+      half = std::max(half, seen.tangent.x);
+    else if (!seen.bounds.empty())
+      half = std::max({half, -seen.bounds.lower.x, seen.bounds.upper.x});
   });
-  return std::max(own, std::min(tangent.x, kMargin * shown) / setting.aspect);
+  return half;
+}
+
+/// What the picture shows: the camera's own height, or more where the picture is too narrow for the part of the
+/// subject that the camera shows. Files that say how many pixels their picture has (Tachyon, NFF) mean the height of the view,
+/// whatever the size; those that say only its shape (glTF) mean the frame that their author saw.
+CameraView view_for(const Setting& setting, const Camera& camera) {
+  const CameraView own = view_of(camera);
+  float height = own.half.y;
+  if (setting.scene.resolution.x <= 0 && camera.aspect > 1.001f * setting.aspect)
+    height = std::max(height, std::min(own.half.x, kMargin * width_of_subject(setting, camera, own)) / setting.aspect);
+  return {own.is_orthographic, {height * setting.aspect, height}};
 }
 
 std::string left_out_sentence(const Setting& setting) {
@@ -108,8 +135,13 @@ std::string left_out_sentence(const Setting& setting) {
   return fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
 }
 
-std::string widened_sentence(const Camera& camera, float tangent_y) {
-  if (tangent_y <= 1.001f * std::tan(0.5f * camera.vertical_fov)) return {};
+std::string widened_sentence(const Camera& camera, const CameraView& view) {
+  const float own = view_of(camera).half.y, tangent_y = view.half.y;
+  if (tangent_y <= 1.001f * own) return {};
+  if (view.is_orthographic)
+    return fmt::format(
+        " The view is {:.4g} units high instead of {:.4g}, so that all of the subject that the camera shows fits.",
+        2.0f * tangent_y, 2.0f * own);
   return fmt::format(
       " The view is {:.3g} degrees high instead of {:.3g}, so that all of the subject that the camera shows fits.",
       degrees(2.0f * std::atan(tangent_y)), degrees(camera.vertical_fov));
@@ -132,10 +164,10 @@ FittedArray at_focus(const Setting& setting, const Camera& camera) {
   FittedArray array;
   array.origin = FittedArray::Origin::kFocus;
   array.node = camera.node;
-  const float tangent = tangent_for(setting, camera);
-  place_before_camera(array, camera.focus_distance, tangent);
+  const CameraView view = view_for(setting, camera);
+  place_before_camera(array, camera.focus_distance, view);
   array.how = fmt::format("The array is at the focus of {}, {:.4g} units away, and fills its view.{}", camera_name(camera),
-                          camera.focus_distance, widened_sentence(camera, tangent));
+                          camera.focus_distance, widened_sentence(camera, view));
   return array;
 }
 
@@ -144,9 +176,9 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   FittedArray array;
   array.origin = FittedArray::Origin::kSceneCenter;
   array.node = camera.node;
-  const float tangent = tangent_for(setting, camera);
+  const CameraView view = view_for(setting, camera);
   const Affine3f camera_from_world = inverse(similarity(setting.resolved.of(camera.node)));
-  const ConvexRegion region = view_region(Vec3f(0.0f), {tangent * setting.aspect, tangent});
+  const ConvexRegion region = region_of(view);
   Bounds3f seen = seen_of(setting, Part::kSubject, setting.resolved, camera_from_world, region).bounds;
   const bool sees_subject = !seen.empty();
   if (!sees_subject) seen = seen_of(setting, Part::kAll, setting.resolved, camera_from_world, region).bounds;
@@ -158,14 +190,14 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
     const float size = diagonal(seen);
     distance = std::max(0.5f * (nearest + farthest), kNearestPlane * (size > 0.0f ? size : 1.0f));
   }
-  place_before_camera(array, distance, tangent);
+  place_before_camera(array, distance, view);
   const bool is_scene = sees_nothing || (sees_subject && !setting.subject.has_surroundings());
   array.how = fmt::format("The array goes through the middle of {}, {:.4g} units in front of {}, and fills its view.{}{}",
                           is_scene       ? "the scene"
                           : sees_subject ? "its subject"
                                          : "what the camera sees",
                           distance, camera_name(camera), sees_subject ? left_out_sentence(setting) : "",
-                          widened_sentence(camera, tangent));
+                          widened_sentence(camera, view));
   return array;
 }
 
@@ -225,7 +257,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   // A rod that is seen along its length, or a point, would be seen from within.
   const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
-  place_before_camera(array, distance, direction.tangent_y);
+  place_before_camera(array, distance, {false, Vec2f(direction.tangent_y)});
   array.node_from_plane = {direction.node_from_view, direction.node_from_view * Vec3f(middle, plane_z)};
   array.depth_front = bounds.straight.upper.z - plane_z;
   array.depth_back = bounds.straight.lower.z - plane_z;
@@ -311,13 +343,21 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
   return array.viewing_distance - numbers[0] / uniform_scale(world_from_plane);
 }
 
+/// Whether the view is a beam, as that of an orthographic camera, whose height is the same at every distance.
+bool shows_a_beam(const FittedArray& array, const Scene& scene) {
+  using Origin = FittedArray::Origin;
+  return (array.origin == Origin::kFocus || array.origin == Origin::kSceneCenter) &&
+         view_of(scene.cameras.front()).is_orthographic;
+}
+
 /// Moves the plane along the view; the viewer stays, and what he sees too.
 void focus_at(FittedArray& array, const Setting& setting, const std::string& focus) {
   if (focus.empty()) return;
   const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
   if (!(distance > 1e-6f * array.viewing_distance) && std::isfinite(array.viewing_distance))
     throw usage_error("focus", shown(focus) + " does not lie in front of the viewer", "something that the view shows");
-  if (std::isfinite(array.viewing_distance)) array.plane_height *= distance / array.viewing_distance;
+  if (std::isfinite(array.viewing_distance) && !shows_a_beam(array, setting.scene))
+    array.plane_height *= distance / array.viewing_distance;
   array.node_from_plane.translation += z * array.node_from_plane.linear[2];
   array.viewing_distance = distance;
   array.depth_front -= z, array.depth_back -= z;

@@ -116,6 +116,15 @@ ConvexRegion view_region(Vec3f eye, Vec2f tangent) {
   return region;
 }
 
+ConvexRegion beam_region(Vec2f half) {
+  ConvexRegion region{{{0.0f, 0.0f, -1.0f}, 0.0f}};
+  for (const float sign : {1.0f, -1.0f}) {
+    region.push_back({{sign, 0.0f, 0.0f}, half.x});
+    region.push_back({{0.0f, sign, 0.0f}, half.y});
+  }
+  return region;
+}
+
 ConvexRegion box_region(const Bounds3f& box) {
   ConvexRegion region;
   for (int axis = 0; axis < 3; ++axis) {

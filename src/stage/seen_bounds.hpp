@@ -24,6 +24,9 @@ using ConvexRegion = std::vector<HalfSpace>;
 /// What a viewer at `eye` who looks along -z sees, in front of him: |x| <= tangent.x * depth and |y| <= tangent.y * depth.
 ConvexRegion view_region(Vec3f eye, Vec2f tangent);
 
+/// What an orthographic camera at the origin shows that looks along -z: |x| <= half.x and |y| <= half.y, in front of it.
+ConvexRegion beam_region(Vec2f half);
+
 /// Everything inside a box.
 ConvexRegion box_region(const Bounds3f& box);
 

@@ -65,6 +65,7 @@ void PathIntegrator::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, c
     radiance = (value.cosine_f + bsdf.highlight(light->direction)) * light->radiance;
   } else {
     radiance = value.cosine_f * light->radiance * (power_heuristic(light->density, value.density) / light->density);
+    if (light->is_lamp) radiance += bsdf.highlight(light->direction) * light->radiance / light->density;
   }
   radiance *= ray.throughput;
   if (radiance == Vec3f(0.0f) || !is_finite(radiance)) return;

@@ -49,6 +49,7 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   void end_packet(const RayHitPacket&, const LaneMask&, const PathRay*) {}
   Vec2f numbers(const PathRay&, int i, std::uint32_t pair) const { return {numbers_[pair].x[i], numbers_[pair].y[i]}; }
   float chance(LightGroups) const { return 1.0f; }
+  float chance_of_round(std::size_t) const { return 1.0f; }
   void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
   void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.depth), ray.depth); }
   void trace_shadow_rays();

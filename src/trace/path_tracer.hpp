@@ -10,6 +10,7 @@
 // Simulation", 1997 (multiple importance sampling, the power heuristic; Russian roulette).
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,9 @@ inline PathParams path_params(const TraceParams& trace) {
 ///   void vertex(packet, lane, ray, point, length)  a surface that scatters, `length` from the path's start
 ///   void end_path(ray, radiance)        light that the ray has met
 ///   float chance(groups)                with which a vertex asks for lights of these groups rather than for others
+///   float chance_of_round(k)            of the lamps that have a size, with which it asks for one drawn by the table's
+///   chances;
+///                                       the table's own for this one where it asks for each of them
 ///   void trace_shadow_rays()            all that wait
 /// All arguments of the constructor outlive the tracer.
 template <class Policy>
@@ -145,6 +149,7 @@ class PathTracer {
     evaluate_surfaces(scene_, packet, active, path_length, beam_, surface_, Policy::kWidensBeams ? &spread : nullptr);
     if constexpr (Policy::kSeesLight)
       if (surface_.any_miss) look_at_sky(packet.ray);
+    if constexpr (Policy::kSeesLight) look_at_round_lights(packet, active, rays);
     const LaneMask lanes = policy().begin_packet(packet, active, rays);
     for (int i = 0; i < kLanes; ++i) {
       if (!lanes.lane[i]) continue;
@@ -154,6 +159,27 @@ class PathTracer {
         shade_sky(packet, i, rays[i]);
     }
     policy().end_packet(packet, active, rays);
+  }
+
+  /// Rays go on through lamps that have a size.
+  void look_at_round_lights(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+    for (std::size_t k = 0; k < lights().rounds(); ++k) {
+      if (!lights().is_pointed_at(k, packet.ray)) continue;
+      for (int i = 0; i < kLanes; ++i)
+        if (active.lane[i]) see_round_light(k, rays[i], packet.ray.tfar[i]);
+    }
+  }
+
+  /// reach: of this part of the ray, from its origin. The eye does not see lamps, rays that have scattered somewhere do.
+  void see_round_light(std::size_t k, const PathRay& ray, float reach) {
+    if (!(ray.scattered_at > 0.0f) || ray.lights_from > static_cast<std::uint16_t>(LightGroup::kRound)) return;
+    const float passed = ray.path_length - ray.scattered_at;
+    const std::optional<LightSample> light = lights().see_round(k, ray.origin - passed * ray.direction, ray.direction);
+    if (!light || !(light->distance > passed) || !(light->distance <= passed + reach)) return;
+    float share = 1.0f;
+    if (ray.density != kInfinity)
+      share = power_heuristic(ray.density * policy().chance_of_round(k), light->density * lights().chance_of_round(k));
+    policy().end_path(ray, ray.throughput * light->radiance * share);
   }
 
   void look_at_sky(const RayPacket& rays) {

@@ -104,6 +104,27 @@ class AddOn(unittest.TestCase):
         self.assertLess(frame.zone(scene).world_from_frame.translation.length, 1e-5)
         self.assertAlmostEqual(scene.lippmann.frame.lippmann.height, 2.4, places=5)
 
+    def test_the_focus_frames_what_the_camera_frames_whatever_its_sensor_and_shift(self):
+        scene = new_scene(self.folder, "single")
+        camera = scene.camera
+        camera.data.dof.focus_distance = 5.0
+        camera.data.shift_x, camera.data.shift_y, camera.data.sensor_height = 0.25, -0.5, 20.0
+        for kind in ("PERSP", "ORTHO"):
+            for fit in ("AUTO", "HORIZONTAL", "VERTICAL"):
+                for width, height in ((60, 80), (160, 90)):
+                    camera.data.type, camera.data.sensor_fit = kind, fit
+                    scene.render.resolution_x, scene.render.resolution_y = width, height
+                    corners = [np.array(corner) for corner in camera.data.view_frame(scene=scene)]
+                    corners = [corner * (-5.0 / corner[2] if kind == "PERSP" else 1.0) for corner in corners]
+                    lower, upper = np.min(corners, axis=0), np.max(corners, axis=0)
+                    matrix, tall = frame.at_focus(camera, width / height)
+                    middle = camera.matrix_world.inverted() @ matrix.translation
+                    case = (kind, fit, width, height)
+                    self.assertAlmostEqual(tall, upper[1] - lower[1], places=4, msg=case)
+                    self.assertAlmostEqual(middle.x, 0.5 * (lower[0] + upper[0]), places=4, msg=case)
+                    self.assertAlmostEqual(middle.y, 0.5 * (lower[1] + upper[1]), places=4, msg=case)
+                    self.assertAlmostEqual(middle.z, -5.0, places=4, msg=case)
+
     def test_a_scene_without_a_camera_or_with_a_frame_of_no_size_is_refused_in_one_sentence(self):
         scene = new_scene(self.folder, "single")
         bpy.ops.lippmann.place_at_focus()
@@ -173,6 +194,21 @@ class AddOn(unittest.TestCase):
         straight = [max(v.co[axis] for v in monkey.data.vertices) for axis in range(3)]
         self.assertAlmostEqual(bounds["max"][0], straight[0], places=3)  # it bends about x
         self.assertGreater(abs(bounds["max"][2] + min(v.co.y for v in monkey.data.vertices)), 0.1)  # glTF's z is Blender's -y
+
+    def test_lamps_arrive_with_their_sizes(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        for kind, sizes in (("POINT", {"shadow_soft_size": 0.5}), ("SPOT", {"shadow_soft_size": 0.25, "spot_blend": 0.75}), ("SUN", {"angle": 0.125})):
+            light = bpy.data.lights.new(f"{kind} of mine", kind)
+            for name, value in sizes.items():
+                setattr(light, name, value)
+            scene.collection.objects.link(bpy.data.objects.new(kind, light))
+        bpy.ops.render.render()
+        lights = {light["name"].split()[0]: light for light in gltf(self.folder)["extensions"]["KHR_lights_punctual"]["lights"] if "of mine" in light["name"]}
+        self.assertEqual(lights["POINT"]["extras"], {"radius": 0.5})
+        self.assertEqual(lights["SPOT"]["extras"], {"radius": 0.25, "blend": 0.75})
+        self.assertEqual(lights["SUN"]["extras"], {"angle": 0.125})
+        self.assertFalse(any("size" in warning for warning in engine.last_warnings), engine.last_warnings)
+        self.assertNotIn("radius", bpy.data.lights["POINT of mine"])  # which are the user's own
 
     def test_a_tool_that_is_not_there_is_said(self):
         with self.assertRaisesRegex(tool.ToolError, "not at /nowhere/lippmann"):

@@ -55,6 +55,10 @@ TEST(SceneFingerprint, any_change_that_a_picture_shows_changes_the_number) {
         s.skins.push_back({"s", {0}, {Affine3f{}}});
       },
       [](Scene& s) { s.instances[0].skin = 0; },
+      [](Scene& s) { s.lights[0].radius = 0.5f; },
+      [](Scene& s) { s.lights[0].angular_diameter = 0.5f; },
+      [](Scene& s) { s.lights[0].smooth_edge = true; },
+      [](Scene& s) { s.cameras[0].orthographic_height = 2.0f; },
       [](Scene& s) { s.nodes[0].morph_weights = {1.0f}; },
       [](Scene& s) {
         s.timeline.animations[0].morph_weights = {{0.0}, {1.0f}};

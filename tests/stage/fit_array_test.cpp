@@ -113,6 +113,53 @@ TEST(FitArray, central_view_is_the_cameras_own_picture) {
   EXPECT_NEAR(std::acos(glm::dot(centre.direction, top.direction)), radians(30.0f), kRounding);
 }
 
+Camera& add_orthographic(Scene& scene, Vec3f position, float height) {
+  Camera& camera = add_camera(scene, at(position));
+  camera.orthographic_height = height;
+  camera.aspect = 1.0f;
+  return camera;
+}
+
+TEST(FitArray, orthographic_camera_s_volume_is_what_the_array_frames) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_box(scene, {4, -1, -90}, {5, 1, -30});  // a pyramid of the same height at the first box would show it, the beam does not
+  add_orthographic(scene, {0.5f, 0, 20}, 3.0f);
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
+  expect_near(plane_in_world(scene, array).translation, {0.5f, 0, 0});
+  EXPECT_NEAR(array.plane_height, 3.0f, kRounding);
+  EXPECT_NEAR(array.viewing_distance, 20.0f, kRounding);
+}
+
+TEST(FitArray, orthographic_camera_shows_the_same_height_wherever_it_stands_and_is_focused) {
+  for (const float away : {2.0f, 20.0f, 200.0f}) {
+    Scene scene;
+    add_box(scene, Vec3f(-1), Vec3f(1));
+    add_orthographic(scene, {0, 0, away}, 3.0f);
+    EXPECT_NEAR(fit_array(scene).plane_height, 3.0f, kRounding) << away;
+    ViewWish wish;
+    wish.focus = "0,0,1";
+    const FittedArray focused = fit_array(scene, 1.0f, wish);
+    expect_near(plane_in_world(scene, focused).translation, {0, 0, 1});
+    EXPECT_NEAR(focused.plane_height, 3.0f, kRounding) << away;
+    scene.cameras[0].focus_distance = 1.5f;
+    EXPECT_NEAR(fit_array(scene).plane_height, 3.0f, kRounding) << away;
+    // The viewer is where the camera is, but sees it at 45 degrees at most.
+    EXPECT_NEAR(fit_array(scene).viewing_distance, 1.5f / std::tan(radians(22.5f)), kRounding) << away;
+  }
+}
+
+// The subject is 2 of the volume's 6 units wide: with a twentieth of margin, 2.1, in a picture that is half as wide as high.
+TEST(FitArray, narrow_picture_of_an_orthographic_camera_keeps_the_subject) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_orthographic(scene, {0, 0, 20}, 3.0f).aspect = 2.0f;
+  const FittedArray array = fit_array(scene, 0.5f);
+  EXPECT_NEAR(array.plane_height, 4.2f, kRounding);
+  EXPECT_THAT(array.how, HasSubstr("4.2 units high instead of 3"));
+}
+
 TEST(FitArray, camera_inside_the_scene_looks_half_way_through_what_it_sees) {
   Scene scene;
   add_box(scene, {-5, -5, -8}, {5, 5, 6});

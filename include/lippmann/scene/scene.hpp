@@ -249,6 +249,11 @@ struct Light {
   float inner_cone = 0.0f;              ///< spot: full strength within this half angle
   float outer_cone = kPi / 4;           ///< spot: none beyond this half angle
   float visible_radius = 0.0f;          ///< > 0: rays see the light as a sphere of its colour (it casts no shadow)
+  /// Sizes, which soften the shadows of traced paths; Whitted's shading takes these lights for points. They change neither the
+  /// power of a lamp nor what it sends to a point in sight of all of it. The eye does not see the lamp, mirrors do.
+  float radius = 0.0f;            ///< point and spot: of the sphere that shines, world units; needs inverse_square
+  float angular_diameter = 0.0f;  ///< directional: of the disc in the sky that shines, at most pi
+  bool smooth_edge = false;       ///< spot: fades by 3 t^2 - 2 t^3 between the cosines of its cones (Blender), not by t^2
 };
 
 /// A panorama around the scene; how it lies: transport/environment.hpp.
@@ -276,6 +281,7 @@ struct Camera {
   float aspect = 1.0f;                  ///< width / height that the file asks for; 0: unknown
   float focus_distance = 0.0f;          ///< > 0: where the author put the plane of interest
   Vec2f pixel_offset{0.0f};             ///< single views shift their sample points by this many pixels (x right, y down)
+  float orthographic_height = 0.0f;     ///< > 0: shows this height, in node units, at every distance; then without an angle
 };
 
 /// Where the author put the lens array: the plane z = 0 of the node, +z towards the viewer, +y up.

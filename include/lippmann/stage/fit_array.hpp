@@ -4,6 +4,8 @@
 // where it has none, half way through the subject as far as the camera sees it; as high as what the camera sees there, and
 // viewed from where the camera is, so that the central directional view is the camera's own picture. A picture that is narrower
 // than the camera's shows more above and below, as far as that is needed to keep the subject that the camera shows.
+// An orthographic camera shows the same height at every distance, and its viewer stands no nearer than where that is 45 degrees
+// high.
 // Without a camera, or where a node is named that the view is to be fitted to: from the camera's direction, or from the front
 // and a little from above and the right, so near that the subject just fits into the picture in every frame, with the plane
 // through its middle. What the subject is: stage/subject.hpp. stage/view_wish.hpp has what people may say instead.

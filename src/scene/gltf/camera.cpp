@@ -24,6 +24,7 @@ float distance_to_centre(const Scene& scene, int node, float otherwise) {
   return distance > 0.0f && std::isfinite(distance) ? distance : otherwise;
 }
 
+/// Its angle is that of a perspective camera that shows the same height at the scene's centre, for whoever wants an angle.
 Camera read_orthographic(const tinygltf::OrthographicCamera& from, int node, const Scene& scene) {
   const float half_height = std::abs(static_cast<float>(from.ymag)), half_width = std::abs(static_cast<float>(from.xmag));
   const float middle = static_cast<float>(0.5 * (from.znear + from.zfar));
@@ -31,6 +32,7 @@ Camera read_orthographic(const tinygltf::OrthographicCamera& from, int node, con
   constexpr float kNarrowest = 1e-3f, kWidest = 3.0f;
   Camera camera;
   camera.vertical_fov = std::clamp(2.0f * std::atan2(half_height, distance), kNarrowest, kWidest);
+  camera.orthographic_height = 2.0f * half_height;
   camera.aspect = half_height > 0.0f && std::isfinite(half_width / half_height) ? half_width / half_height : 0.0f;
   return camera;
 }
@@ -44,10 +46,6 @@ void read_cameras(Document& document, const NodeMap& nodes, Scene& scene) {
     const tinygltf::Camera& from = document.model.cameras[static_cast<std::size_t>(index)];
     const int node = static_cast<int>(i);
     const bool perspective = from.type == "perspective";
-    if (!perspective)
-      document.report.not_supported("orthographic cameras are",
-                                    "a perspective one shows the same height at the distance of the scene's centre",
-                                    element("cameras", static_cast<std::size_t>(index)));
     Camera camera = perspective ? read_perspective(from.perspective) : read_orthographic(from.orthographic, node, scene);
     camera.name = !from.name.empty() ? from.name : scene.nodes[i].name;
     camera.node = node;

@@ -2,8 +2,10 @@
 // the squared distance, directional ones an illuminance in lux; all shine along their node's -z.
 #include "scene/gltf/light.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
 namespace lippmann::gltf {
@@ -40,6 +42,18 @@ float scale_of(std::string_view generator, LightKind kind) {
   return kind == LightKind::kDirectional ? 1.0f : 1.0f / (4.0f * kPi);
 }
 
+/// Sizes have no place in the extension: custom properties of the light in Blender, and what its add-on writes (docs/gltf.md).
+float extra(const tinygltf::Light& from, const char* name) {
+  return from.extras.Has(name) ? static_cast<float>(from.extras.Get(name).GetNumberAsDouble()) : 0.0f;
+}
+
+/// Blender's soft edge in place of the inner cone: a part of the cosines from the outer cone's to 1.
+void blend_edge(float blend, Light& light) {
+  const float cos_outer = std::cos(light.outer_cone);
+  light.inner_cone = std::min(std::acos(cos_outer + (1.0f - cos_outer) * blend), light.outer_cone);
+  light.smooth_edge = true;
+}
+
 Light read_light(const tinygltf::Light& from, const std::string& where, const Report& report) {
   Light light;
   light.name = from.name;
@@ -48,14 +62,17 @@ Light read_light(const tinygltf::Light& from, const std::string& where, const Re
   light.range = from.range > 0.0 ? static_cast<float>(from.range) : kInfinity;
   if (from.type == "directional") {
     light.kind = LightKind::kDirectional;
+    light.angular_diameter = std::min(extra(from, "angle"), kPi);
     return light;
   }
   light.inverse_square = true;
+  light.radius = extra(from, "radius");
   if (from.type == "point") return light;
   light.kind = LightKind::kSpot;
   light.inner_cone = static_cast<float>(from.spot.innerConeAngle);
   light.outer_cone = static_cast<float>(from.spot.outerConeAngle);
   if (light.inner_cone > light.outer_cone) report.fail(where + ".spot", "the inner cone is wider than the outer one");
+  if (from.extras.Has("blend")) blend_edge(extra(from, "blend"), light);
   return light;
 }
 

@@ -41,7 +41,7 @@ class Checker {
     collect_extensions(value, path);
     for (auto it = value.begin(); it != value.end();) {
       const Property* property = find(properties, it.key());
-      if (!property) {
+      if (!property || is_of_another_kind(it.value(), *property)) {
         it = value.erase(it);
         continue;
       }
@@ -55,6 +55,10 @@ class Checker {
     for (const Property& property : properties)
       if (property.name == name) return &property;
     return nullptr;
+  }
+
+  static bool is_of_another_kind(const Json& value, const Property& property) {
+    return property.need == kIfOfThisKind && !(property.kind == Kind::kObject ? value.is_object() : value.is_number());
   }
 
   [[noreturn]] void fail(const Path& path, const std::string& problem, const std::string& accepted = {}) const {

@@ -29,7 +29,11 @@ enum class Kind {
   kObjects,     ///< an array of such objects
 };
 
-enum Need { kOptional, kRequired };
+enum Need {
+  kOptional,
+  kRequired,
+  kIfOfThisKind,  ///< left out where it is of another kind: extras are anybody's
+};
 
 struct Property {
   std::string_view name;
@@ -48,6 +52,7 @@ constexpr double kMaxBytes = 9007199254740992.0;  // 2^53: exact in a JSON numbe
 constexpr double kPositive = 1e-6;                // what the specification calls > 0
 constexpr double kOne = 1.001;                    // a factor's upper end: exporters round
 constexpr double kHalfPi = 1.5707963267948966;
+constexpr double kPi = 3.1415927;  // a float's, rounded up
 
 constexpr Property boolean(std::string_view name) { return {.name = name, .kind = Kind::kBool}; }
 constexpr Property string(std::string_view name, Need need = kOptional, std::string_view choices = {}) {
@@ -301,6 +306,11 @@ constexpr Property kCamera[] = {
     object("orthographic", kOrthographic),
 };
 
+constexpr Property kLightExtras[] = {
+    number("radius", 0.0, 1e12, kIfOfThisKind),
+    number("angle", 0.0, kPi, kIfOfThisKind),
+    number("blend", 0.0, 1.0, kIfOfThisKind),
+};
 constexpr Property kSpot[] = {number("innerConeAngle", 0.0, kHalfPi), number("outerConeAngle", 0.0, kHalfPi + 1e-6)};
 constexpr Property kLight[] = {
     string("name"),
@@ -309,6 +319,7 @@ constexpr Property kLight[] = {
     number("intensity", 0.0, 1e12),
     number("range", kPositive, FLT_MAX),
     object("spot", kSpot),
+    object("extras", kLightExtras, kIfOfThisKind),
 };
 constexpr Property kLights[] = {objects("lights", kLight, kRequired)};
 constexpr Property kVariant[] = {string("name", kRequired)};

@@ -80,6 +80,42 @@ TEST(GltfLight, inner_cone_wider_than_the_outer_is_an_error) {
               HasSubstr("lights[0].spot: the inner cone is wider than the outer one"));
 }
 
+TEST(GltfLight, sizes_are_read_from_extras) {
+  const Light point = light_of({{"type", "point"}, {"extras", {{"radius", 0.25}, {"angle", 1}}}});
+  EXPECT_EQ(point.radius, 0.25f);
+  EXPECT_EQ(point.angular_diameter, 0.0f) << "which suns have";
+  const Light sun = light_of({{"type", "directional"}, {"extras", {{"radius", 0.25}, {"angle", 0.5}}}});
+  EXPECT_EQ(sun.radius, 0.0f);
+  EXPECT_EQ(sun.angular_diameter, 0.5f);
+  EXPECT_EQ(light_of({{"type", "point"}}).radius, 0.0f);
+  EXPECT_FLOAT_EQ(light_of({{"type", "directional"}, {"extras", {{"angle", 3.14159265359}}}}).angular_diameter, kPi);
+}
+
+// Half angle 60 degrees, cosine 0.5; a blend of 0.3 reaches up to the cosine 0.65.
+TEST(GltfLight, blend_is_a_soft_edge_in_place_of_the_inner_cone) {
+  const Json cone{{"innerConeAngle", 0.2}, {"outerConeAngle", kPi / 3}};
+  const Light soft = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"radius", 2}, {"blend", 0.3}}}});
+  EXPECT_EQ(soft.radius, 2.0f);
+  EXPECT_TRUE(soft.smooth_edge);
+  EXPECT_NEAR(std::cos(soft.inner_cone), 0.65f, 1e-6f);
+  const Light sharp = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"blend", 0}}}});
+  EXPECT_FLOAT_EQ(sharp.inner_cone, sharp.outer_cone);
+  EXPECT_FALSE(light_of({{"type", "spot"}, {"spot", cone}}).smooth_edge);
+}
+
+TEST(GltfLight, extras_of_other_programs_are_left_alone_and_sizes_out_of_range_are_errors) {
+  EXPECT_EQ(light_of({{"type", "point"}, {"extras", "a lamp"}}).radius, 0.0f);
+  EXPECT_EQ(light_of({{"type", "point"}, {"extras", {{"radius", "large"}, {"shadow", true}}}}).radius, 0.0f);
+  EXPECT_THAT(error_message([] {
+                light_of({{"type", "point"}, {"extras", {{"radius", -1}}}});
+              }),
+              HasSubstr("lights[0].extras.radius"));
+  EXPECT_THAT(error_message([] {
+                light_of({{"type", "directional"}, {"extras", {{"angle", 7}}}});
+              }),
+              HasSubstr("lights[0].extras.angle"));
+}
+
 TEST(GltfLight, unknown_type_is_an_error) {
   EXPECT_THAT(error_message([] {
                 light_of({{"type", "area"}});
@@ -158,7 +194,7 @@ TEST(GltfCamera, scene_without_one_has_none) {
   EXPECT_TRUE(parse(b).cameras.empty());
 }
 
-TEST(GltfCamera, orthographic_becomes_a_perspective_that_shows_the_same_height_at_the_centre) {
+TEST(GltfCamera, orthographic_has_its_height_and_an_angle_that_shows_it_at_the_centre) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}, {"translation", {-0.5, -0.5, -8}}});  // its bounds are centred on z = -8
   b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 100}}}});
@@ -167,7 +203,8 @@ TEST(GltfCamera, orthographic_becomes_a_perspective_that_shows_the_same_height_a
   const Scene scene = parse(b, &warnings);
   EXPECT_FLOAT_EQ(std::tan(0.5f * scene.cameras.at(0).vertical_fov), 2.0f / 10.0f);
   EXPECT_EQ(scene.cameras[0].aspect, 2.0f);
-  EXPECT_THAT(warnings, Contains(HasSubstr("orthographic cameras are not supported yet")));
+  EXPECT_EQ(scene.cameras[0].orthographic_height, 4.0f);
+  EXPECT_TRUE(warnings.empty());
 }
 
 TEST(GltfCamera, orthographic_with_nothing_in_front_of_it_still_is_a_camera) {

@@ -1,0 +1,274 @@
+// Lamps that have a size, against what geometry says of their light and shadows. The view is from (0, 0, 10) at the square +-2,
+// unless it is shrunk.
+#include "shading/round_lights.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+/// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
+const Affine3f kNearby{Mat3f(0.1f), Vec3f(0.0f)};
+
+MetallicRoughness chalk() {
+  MetallicRoughness m;
+  m.metallic = 0.0f, m.roughness = 1.0f, m.specular = 0.0f;
+  return m;
+}
+
+MetallicRoughness metal(float roughness) {
+  MetallicRoughness m;
+  m.roughness = roughness;
+  return m;
+}
+
+Light& ball(SmallScene& s, Vec3f position, float intensity, float radius) {
+  Light& light = s.point_light(position, Vec3f(intensity));
+  light.inverse_square = true;
+  light.radius = radius;
+  return light;
+}
+
+/// A sun that is seen from the origin towards `toward`.
+Light& sun(SmallScene& s, Vec3f toward, float illuminance, float angular_diameter) {
+  Light& light = s.point_light(Vec3f(0.0f), Vec3f(illuminance));
+  const Vec3f z = glm::normalize(toward), x = glm::normalize(glm::cross(Vec3f(0, 1, 0), z));
+  s.scene.nodes.back().matrix = Affine3f{Mat3f(x, glm::cross(z, x), z), Vec3f(0.0f)};
+  light.kind = LightKind::kDirectional;
+  light.angular_diameter = angular_diameter;
+  return light;
+}
+
+/// Irradiance in the middle of a white floor.
+float irradiance(SmallScene s, int spp = 256) {
+  s.add(square(2, 0), s.material(chalk()));
+  return kPi * trace_paths(s.scene, single_view(5), spp, {}, 1, kNearby).at(2, 2).x;
+}
+
+// A sphere that is wholly above the horizon gives what the point in its middle gives: intensity x cosine / distance^2.
+TEST(RoundLight, a_sphere_gives_the_irradiance_of_a_point_whatever_its_size) {
+  for (const float radius : {0.1f, 1.0f, 3.5f}) {
+    SmallScene s;
+    ball(s, {0, 0, 4}, 8.0f, radius);
+    EXPECT_NEAR(irradiance(s), 8.0f / 16.0f, 0.005f) << radius;
+  }
+  SmallScene s;
+  ball(s, {3, 0, 4}, 50.0f, 1.5f);
+  EXPECT_NEAR(irradiance(s), 50.0f / 25.0f * 0.8f, 0.02f) << "from the side";
+}
+
+TEST(RoundLight, within_a_sphere_the_light_comes_from_all_around) {
+  SmallScene s;
+  ball(s, {0, 0, 4}, 50.0f, 5.0f);
+  EXPECT_NEAR(irradiance(s), 50.0f / 25.0f, 0.01f);
+}
+
+// Half of a sphere whose middle lies on the horizon is seen: a lens of directions. Irradiance, with s = radius / distance:
+// (intensity / (pi radius^2)) x (asin s - s sqrt(1 - s^2)) of a sphere that is cut by the horizon through its middle.
+TEST(RoundLight, of_a_sphere_on_the_horizon_half_is_seen) {
+  SmallScene s;
+  ball(s, {4, 0, 0}, 8.0f, 2.0f);
+  const double sine = 0.5, expected = 8.0 / (M_PI * 4.0) * (std::asin(sine) - sine * std::sqrt(1.0 - sine * sine));
+  EXPECT_NEAR(irradiance(s, 1024), expected, 0.02 * expected);
+}
+
+TEST(RoundLight, a_sun_gives_its_illuminance_times_the_cosine_whatever_its_size) {
+  for (const float degrees : {0.5f, 10.0f, 60.0f}) {
+    SmallScene upright, inclined;
+    sun(upright, {0, 0, 1}, 3.0f, radians(degrees));
+    sun(inclined, {1, 0, 1}, 3.0f, radians(degrees));
+    EXPECT_NEAR(irradiance(upright), 3.0f, 0.02f) << degrees;
+    EXPECT_NEAR(irradiance(inclined, 1024), 3.0f * std::sqrt(0.5f), 0.02f) << degrees;
+  }
+}
+
+/// Along y = 0 of the square -1 ... 3, x = -1 + (i + 0.5) / 16: how much of a lamp's light comes past an edge at x = 0, 2 above
+/// a white floor, over what comes without.
+std::vector<float> past_an_edge(const SmallScene& lit) {
+  constexpr int kPixels = 64;
+  const Affine3f view{Mat3f(1.0f), {1.0f, 0.0f, 0.0f}};
+  std::vector<float> rows[2];
+  for (const bool shaded : {false, true}) {
+    SmallScene s = lit;
+    const int floor = s.material(chalk());
+    s.add(square(8, 0), floor);
+    Mesh edge = square(4, 2);
+    for (Vec3f& p : edge.positions) p.x -= 4.0f;
+    if (shaded) s.add(edge, floor);
+    const Picture p = trace_paths(s.scene, single_view(kPixels), 256, {}, 1, view);
+    for (int x = 0; x < kPixels; ++x) rows[shaded].push_back(p.at(x, kPixels / 2).x);
+  }
+  for (std::size_t x = 0; x < rows[0].size(); ++x) rows[1][x] /= rows[0][x];
+  return rows[1];
+}
+int pixel_at(double x) { return static_cast<int>((x + 1.0) * 16.0); }
+
+// From (-2, 0, 4) the middle of the lamp is seen past the edge at 45 degrees, its sides at 45 degrees +- asin(0.5 / sqrt(8)):
+// the floor 2 below is in half shadow from 2 tan(34.8 deg) = 1.391 to 2 tan(55.2 deg) = 2.876.
+TEST(RoundLight, a_sphere_s_half_shadow_is_as_wide_as_its_tangents_say) {
+  SmallScene s;
+  ball(s, {-2, 0, 4}, 100.0f, 0.5f);
+  const std::vector<float> light = past_an_edge(s);
+  EXPECT_EQ(light[pixel_at(1.391) - 1], 0.0f);
+  EXPECT_GT(light[pixel_at(1.391) + 2], 0.0f);
+  EXPECT_NEAR(0.5f * (light[pixel_at(2.0) - 1] + light[pixel_at(2.0)]), 0.5f, 0.03f);
+  EXPECT_LT(light[pixel_at(2.876) - 3], 0.999f);
+  EXPECT_NEAR(light[pixel_at(2.876) + 1], 1.0f, 1e-5f);
+}
+
+// 45 degrees +- 5: from 2 tan(40 deg) = 1.678 to 2 tan(50 deg) = 2.384.
+TEST(RoundLight, a_sun_s_half_shadow_is_as_wide_as_its_disc_says) {
+  SmallScene s;
+  sun(s, {-1, 0, 1}, 1.0f, radians(10.0f));
+  const std::vector<float> light = past_an_edge(s);
+  EXPECT_EQ(light[pixel_at(1.678) - 1], 0.0f);
+  EXPECT_GT(light[pixel_at(1.678) + 2], 0.0f);
+  EXPECT_NEAR(0.5f * (light[pixel_at(2.0) - 1] + light[pixel_at(2.0)]), 0.5f, 0.03f);
+  EXPECT_LT(light[pixel_at(2.384) - 2], 0.999f);
+  EXPECT_NEAR(light[pixel_at(2.384) + 1], 1.0f, 1e-5f);
+}
+
+// The same sphere as a shape that shines, which paths find by chance alone. It lies above the view.
+TEST(RoundLight, rays_and_shadow_rays_together_count_a_lamp_once) {
+  constexpr float kRadius = 0.8f, kIntensity = 4.0f;
+  const Vec3f at{0.3f, 0.2f, 2.5f};
+  for (const MetallicRoughness& floor : {chalk(), metal(0.5f), metal(0.2f), metal(0.0f)}) {
+    SmallScene lamp, shape;
+    ball(lamp, at, kIntensity, kRadius);
+    PhongSurface shines = matte(Vec3f(0.0f));
+    // Radiance; lamps of scenes with Phong surfaces shine pi times as bright, what shines as a shape does not.
+    shines.emission = Vec3f(kIntensity / (kPi * kRadius * kRadius));
+    shape.add(Spheres{{at, kRadius}}, shape.material(shines));
+    double light[2];
+    for (SmallScene* s : {&lamp, &shape}) {
+      s->add(square(2, 0), s->material(floor));
+      light[s == &shape] = mean(trace_paths(s->scene, single_view(8), 4096, {}, 1, kNearby).film);
+    }
+    EXPECT_NEAR(light[0], light[1], 0.015 * light[1]) << "metallic " << floor.metallic << ", roughness " << floor.roughness;
+    EXPECT_GT(light[1], 0.01);
+  }
+}
+
+TEST(RoundLight, mirrors_show_a_lamp_and_the_eye_does_not) {
+  SmallScene s;
+  s.add(square(2, 0), s.material(metal(0.0f)));
+  Light& light = ball(s, {0, 0, 3}, 2.0f, 0.5f);
+  const float radiance = 2.0f / (kPi * 0.25f);
+  EXPECT_NEAR(trace_paths(s.scene, single_view(5), 4, {}, 1, kNearby).at(2, 2).x, radiance, 0.01f * radiance);
+  light.range = 2.0f;
+  EXPECT_EQ(trace_paths(s.scene, single_view(5), 4, {}, 1, kNearby).at(2, 2).x, 0.0f) << "out of its range";
+  SmallScene black;
+  MetallicRoughness soot = chalk();
+  soot.base_color = Vec4f(0, 0, 0, 1);
+  black.add(square(2, 0), black.material(soot));
+  ball(black, {0, 0, 3}, 2.0f, 0.5f);
+  EXPECT_EQ(mean(trace_paths(black.scene, single_view(5), 4).film), 0.0) << "it lies between the eye and the floor";
+}
+
+TEST(RoundLight, nothing_ends_at_a_lamp) {
+  SmallScene s;
+  s.scene.background.horizon = s.scene.background.zenith = Vec3f(1.0f);
+  ball(s, {0, 0, 2}, 1e-6f, 1.5f);
+  EXPECT_NEAR(irradiance(s, 1024), kPi, 0.01f);
+}
+
+// Between the cosines 0.5 and 1 of the cones, at 0.75: t = 1/2, t^2 = 1/4 and 3 t^2 - 2 t^3 = 1/2.
+TEST(RoundLight, a_spot_s_edge_is_smooth_or_squared) {
+  for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
+    for (const bool smooth : {false, true}) {
+      SmallScene s;
+      s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
+      const float tangent = std::sqrt(1.0f - 0.75f * 0.75f) / 0.75f;
+      Light& light = s.point_light({tangent, 0, 1}, Vec3f(1.0f));
+      light.kind = LightKind::kSpot;
+      light.outer_cone = kPi / 3;
+      light.smooth_edge = smooth;
+      const float expected = 0.75f * (smooth ? 0.5f : 0.25f);
+      const Picture p = trace(s.scene, single_view(33), {}, 1, 0.0, kNearby, integrator);
+      EXPECT_NEAR(p.at(16, 16).x, expected, 0.005f) << static_cast<int>(integrator) << smooth;
+    }
+  }
+}
+
+TEST(RoundLight, sizes_that_no_ray_can_tell_from_points_have_the_bytes_of_points) {
+  const auto film = [](float radius, float angle) {
+    SmallScene s = busy_scene(3);
+    ball(s, {-3, 4, 8}, 50.0f, radius);
+    sun(s, {1, 2, 3}, 0.5f, angle);
+    return trace_paths(s.scene, single_view(32), 4).film.data;
+  };
+  EXPECT_EQ(film(1e-6f, 1e-6f), film(0.0f, 0.0f));
+  EXPECT_NE(film(0.5f, 0.0f), film(0.0f, 0.0f));
+  EXPECT_NE(film(0.0f, 0.1f), film(0.0f, 0.0f));
+}
+
+TEST(RoundLight, smaller_and_smaller_lamps_come_to_the_point) {
+  const auto light = [](float radius) {
+    SmallScene s = busy_scene(5);
+    ball(s, {-3, 4, 8}, 50.0f, radius);
+    return mean(trace_paths(s.scene, single_view(32), 16).film);
+  };
+  EXPECT_NEAR(light(0.01f), light(0.0f), 2e-3 * light(0.0f));
+}
+
+TEST(RoundLight, whitted_s_shading_takes_lamps_for_points) {
+  const auto film = [](float radius, float angle) {
+    SmallScene s = busy_scene(3);
+    ball(s, {-3, 4, 8}, 50.0f, radius);
+    sun(s, {1, 2, 3}, 0.5f, angle);
+    return trace(s.scene, single_view(32)).film.data;
+  };
+  EXPECT_EQ(film(0.5f, 0.2f), film(0.0f, 0.0f));
+}
+
+TEST(RoundLight, phong_s_highlights_answer_to_lamps) {
+  PhongSurface shiny = matte(Vec3f(0.0f));
+  shiny.highlight_kind = Highlight::kPlastic, shiny.highlight = 1.0f, shiny.highlight_size = 4.0f;
+  const auto light = [&](float radius) {
+    SmallScene s;
+    s.add(square(2, 0), s.material(shiny));
+    ball(s, {0, 0, 4}, 8.0f, radius);
+    return mean(trace_paths(s.scene, single_view(5), 64, {}, 1, kNearby).film);
+  };
+  EXPECT_GT(light(0.0f), 0.1);
+  EXPECT_NEAR(light(0.2f), light(0.0f), 0.01 * light(0.0f));
+}
+
+// The density of a direction, summed over those that are drawn, is the part of all directions that see the lamp: the mean of
+// 1 / density is the cone's solid angle, 2 pi (1 - cos).
+TEST(RoundLight, directions_are_drawn_evenly_from_the_cone_and_seen_with_the_density_they_are_drawn_with) {
+  WhittedLight light;
+  light.position = {1, 2, 3};
+  light.falls_off = 1.0f;
+  light.radius = 2.0f;
+  const Vec3f from{1, 2, -1};
+  Vec3f sum(0.0f);
+  constexpr int kSteps = 64;
+  for (int y = 0; y < kSteps; ++y)
+    for (int x = 0; x < kSteps; ++x) {
+      const Vec2f u{(static_cast<float>(x) + 0.5f) / kSteps, (static_cast<float>(y) + 0.5f) / kSteps};
+      const auto drawn = sample_round(light, 1.0f, from, u);
+      ASSERT_TRUE(drawn);
+      EXPECT_NEAR(1.0f / drawn->density, 2.0f * kPi * (1.0f - std::sqrt(0.75f)), 1e-5f);
+      const auto seen = see_round(light, 1.0f, from, drawn->direction);
+      ASSERT_TRUE(seen);
+      EXPECT_EQ(seen->density, drawn->density);
+      EXPECT_EQ(seen->radiance, drawn->radiance);
+      EXPECT_NEAR(glm::length(from + drawn->distance * drawn->direction - light.position), 2.0f, 1e-4f) << "on the sphere";
+      sum += drawn->direction;
+    }
+  // The mean direction of a cap: (1 + cos) / 2 along its axis.
+  EXPECT_NEAR(sum.z / (kSteps * kSteps), 0.5f * (1.0f + std::sqrt(0.75f)), 1e-4f);
+  EXPECT_NEAR(sum.x / (kSteps * kSteps), 0.0f, 1e-4f);
+  EXPECT_FALSE(see_round(light, 1.0f, from, glm::normalize(Vec3f(0.6f, 0.0f, 1.0f))));  // 31 degrees off: beside it
+  EXPECT_FALSE(see_round(light, 1.0f, from, Vec3f(0, 0, -1)));
+}
+
+}  // namespace
+}  // namespace lippmann
