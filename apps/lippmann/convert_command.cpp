@@ -14,6 +14,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
 #include "apps/lippmann/stereo_flags.hpp"
+#include "apps/lippmann/view_filter_flags.hpp"
 #include "folder/claim_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
@@ -24,8 +25,9 @@ namespace lippmann::app {
 namespace {
 
 struct ConvertOptions {
-  std::string in, out, from, to, views, quilt, crop, keep, display, filter;
-  double aspect = 0.0, sigma = 0.0;
+  std::string in, out, from, to, views, quilt, crop, keep, display;
+  double aspect = 0.0;
+  ViewFilterFlags filter;
   int bits = 0;
   ResultFlags result;
   OrthoscopicFlags orthoscopic;
@@ -33,11 +35,6 @@ struct ConvertOptions {
   StereoFlags stereo;
   DepthFlags depth;
 };
-
-ViewFilter read_filter(const std::string& word) {
-  if (word == "linear") return ViewFilter::kLinear;
-  return word == "gaussian" ? ViewFilter::kGaussian : ViewFilter::kNearest;
-}
 
 ConvertParams params_of(const ConvertOptions& options) {
   ConvertParams params;
@@ -47,8 +44,8 @@ ConvertParams params_of(const ConvertOptions& options) {
   if (options.aspect > 0.0) params.options.aspect = options.aspect;
   if (options.bits > 0) params.options.bits = options.bits;
   if (!options.display.empty()) params.options.display = load_display(options.display);
-  if (!options.filter.empty()) params.options.filter = read_filter(options.filter);
-  if (options.sigma > 0.0) params.options.sigma_views = options.sigma;
+  const InterlaceParams interlace = options.filter.read();
+  params.options.filter = interlace.filter, params.options.sigma_views = interlace.sigma_views;
   params.options.stereo = options.stereo.layout();
   options.depth.add_to(params.options);
   if (!options.crop.empty()) params.crop = read_crop(options.crop, "--crop");
@@ -143,9 +140,7 @@ void add_convert_command(const Command& root, Action& chosen) {
   command.add_option("--display", options->display,
                      "The display that a native frame belongs to: a name (see: lippmann displays), a calibration .json, or a "
                      ".toml of your own");
-  command.add_option("--filter", options->filter, "Filter between views for --to native: nearest (default), linear or gaussian")
-      .one_of({"nearest", "linear", "gaussian"});
-  command.add_option("--sigma", options->sigma, "Width of --filter gaussian, in views; default 0.5").range(0.1, 10.0);
+  add_view_filter_flags(command, options->filter, " for --to native");
   add_orthoscopic_flags(command, options->orthoscopic);
   add_crosstalk_flags(command, options->crosstalk);
   add_stereo_flags(command, options->stereo);

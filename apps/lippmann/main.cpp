@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   add_encode_command(root, chosen);
   add_replay_command(root, chosen);
   add_view_command(root, chosen);
+  add_play_command(root, chosen);
   add_info_command(root, chosen);
   add_scenes_command(root, chosen);
   add_displays_command(root, chosen);

@@ -1,30 +1,24 @@
 // `lippmann view IN [OTHER]`: a light field, or two beside each other, in the browser.
 #include <fmt/core.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/light_field_flags.hpp"
-#include "core/printable.hpp"
-#include "lippmann/core/error.hpp"
-#include "view/answers.hpp"
-#include "view/http_server.hpp"
+#include "apps/lippmann/page_server.hpp"
 #include "view/saved_page.hpp"
 
 namespace lippmann::app {
 namespace {
 
 struct ViewOptions {
-  std::string in, other, host = "127.0.0.1", save;
+  std::string in, other, save;
   LightFieldFlags field;
-  std::optional<int> port;
-  bool open = false;
+  PageServerFlags server;
   int threads = 0;
 };
 
@@ -37,12 +31,6 @@ std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, 
   return fields;
 }
 
-/// In the background: the browser may be what is started first, and may run for days.
-void open_in_browser(const std::string& address) {
-  const std::string command = "xdg-open " + shell_word(address) + " >/dev/null 2>&1 &";
-  if (std::system(command.c_str()) != 0) fmt::print(stderr, "no browser could be started; the address is above\n");
-}
-
 int save(const ViewOptions& options, const Context& context) {
   const SavedPage page = save_page(read_fields(options, context), options.save, context);
   if (!page.index.empty())
@@ -53,17 +41,7 @@ int save(const ViewOptions& options, const Context& context) {
 int run(const ViewOptions& options, Context& context) {
   context.threads = options.threads;
   if (!options.save.empty()) return save(options, context);
-  std::vector<std::unique_ptr<PageField>> fields = read_fields(options, context);
-  HttpServer server(options.host, options.port);
-  const std::string token = is_loopback(options.host) ? "" : random_token();
-  PageAnswers answers(std::move(fields), {page_hosts(options.host, server.port()), token});
-  const std::string address = page_address(options.host, server.port(), token);
-  fmt::print("{}\n", address);
-  std::fflush(stdout);
-  fmt::print(stderr, "Open this address in a browser; Ctrl-C ends it.\n");
-  if (options.open) open_in_browser(address);
-  server.run(answers, context.cancelled);
-  return 0;
+  return serve_page(read_fields(options, context), std::nullopt, options.server, context);
 }
 
 }  // namespace
@@ -76,16 +54,7 @@ void add_view_command(const Command& root, Action& chosen) {
       .add_option("IN", options->in, "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads")
       .required();
   command.add_option("OTHER", options->other, "Another one, compared with it: wiped, side by side, or as a difference");
-  command
-      .add_option("--port", options->port, "Port of the server; 0: any that is free; default: 8488, or any where it is taken")
-      .type_name("N")
-      .range(0, 65535);
-  command
-      .add_option("--host", options->host,
-                  "Address to listen at; beyond this machine, the address that is printed has a secret token")
-      .type_name("ADDRESS")
-      .show_default();
-  command.add_flag("--open", options->open, "Open the page in the browser");
+  add_page_server_flags(command, options->server);
   command
       .add_option("--save", options->save,
                   "Instead, write the page with all its data into a folder that any web server serves, or a disk")

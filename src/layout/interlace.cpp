@@ -125,11 +125,15 @@ class Interlacer {
 
 }  // namespace
 
-Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool) {
+void require_own_frame(const Display& display) {
   if (display.kind != DisplayKind::kSlantedPanel)
     throw usage_error("display",
                       fmt::format("{} is a {}, which has no frame of its own", display.name, to_string(display.kind)),
                       "a slanted panel");
+}
+
+Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool) {
+  require_own_frame(display);
   if (field.grid.rows != 1)
     throw usage_error("views", fmt::format("{}x{} views, where eyes are side by side", field.grid.columns, field.grid.rows),
                       "one row of views; `keep` takes one of several");

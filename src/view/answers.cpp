@@ -22,6 +22,7 @@ namespace {
 
 /// While somebody waits for a picture: what making it takes counts, not what it weighs.
 constexpr int kServedEffort = 0;
+constexpr std::string_view kCalibration = "calibration";
 
 PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
   return {status, std::move(type), std::make_shared<const std::string>(std::move(text))};
@@ -66,23 +67,29 @@ std::string text_of(const std::vector<std::byte>& bytes) { return {reinterpret_c
 
 }  // namespace
 
+bool posts_calibration(std::string_view path) { return path.substr(path.rfind('/') + 1) == kCalibration; }
+
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort) {
   const Image8 picture = kind == "views" ? field.quilt(frame) : kind == "depth" ? field.disparities(frame) : field.panel(frame);
   if (std::max(picture.width, picture.height) > kMostWebpSide) return {text_of(encode_png(picture)), "image/png"};
   return {text_of(encode_webp(picture, effort)), "image/webp"};
 }
 
-std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields) {
+std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& field : fields) list.push_back(field_json(field->facts()));
-  return json_to_text({{"lippmann", version()}, {"fields", std::move(list)}}, -1);
+  nlohmann::ordered_json json{{"lippmann", version()}, {"fields", std::move(list)}};
+  if (display) json["display"] = page_display_json(*display);
+  return json_to_text(json, -1);
 }
 
-PageAnswers::PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::size_t cache_bytes)
-    : fields_(std::move(fields)), access_(std::move(access)), cache_(cache_bytes) {}
+PageAnswers::PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display,
+                         std::size_t cache_bytes)
+    : fields_(std::move(fields)), access_(std::move(access)), display_(std::move(display)), cache_(cache_bytes) {}
 
 PageAnswer PageAnswers::answer(const PageRequest& request) {
-  if (request.method != "GET" && request.method != "HEAD")
+  const bool asks = request.method == "GET" || request.method == "HEAD";
+  if (!asks && !(request.method == "POST" && posts_calibration(request.path)))
     return answer_with(405, "Only GET and HEAD are answered: nothing here can be changed.\n");
   const std::vector<std::string>& hosts = access_.hosts;
   if (!hosts.empty() && std::find(hosts.begin(), hosts.end(), request.host) == hosts.end())
@@ -95,15 +102,25 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
     return answer_with(403, "The address lacks the token that `lippmann view` printed with it.\n");
   if (!may_come_from(request.fetch_site, path)) return answer_with(403, "Pages of other origins may read nothing here.\n");
   if (request.wants_range) return answer_with(416, "Files are sent whole only.\n");
-  return answer_path(path);
+  if (asks) return answer_path(path);
+  return path == kCalibration ? calibration(request.body) : unknown_path();
 }
 
 PageAnswer PageAnswers::answer_path(std::string_view path) {
-  if (path == "fields.json") return answer_with(200, fields_text(fields_), "application/json");
+  if (path == "fields.json") return answer_with(200, fields_text(fields_, display_), "application/json");
   for (const PageFile& file : page_files())
     if (file.name == (path.empty() ? "index.html" : path))
       return answer_with(200, std::string(file.text), std::string(file.type));
   return picture(path);
+}
+
+PageAnswer PageAnswers::calibration(const std::string& text) const {
+  try {
+    const PageDisplay dropped = dropped_calibration(text, display_ ? display_->interlace : InterlaceParams{});
+    return answer_with(200, json_to_text(page_display_json(dropped), -1), "application/json");
+  } catch (const Error& error) {
+    return failed(error.what());
+  }
 }
 
 /// FIELD/views/FRAME, FIELD/depth/FRAME, FIELD/panel/FRAME

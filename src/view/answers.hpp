@@ -5,10 +5,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "view/byte_cache.hpp"
+#include "view/page_display.hpp"
 #include "view/page_field.hpp"
 
 namespace lippmann {
@@ -18,6 +21,7 @@ struct PageRequest {
   std::string path = "/";                               ///< decoded, without what follows a question mark
   std::string host = {}, origin = {}, fetch_site = {};  ///< headers: Host, Origin, Sec-Fetch-Site; empty: missing
   bool wants_range = false;
+  std::string body = {};  ///< of a POST
 };
 
 struct PageAnswer {
@@ -31,21 +35,28 @@ struct PageAccess {
   std::string token = {};               ///< the first part of all paths; empty: none is asked for
 };
 
+/// Whether that is where a page sends the text of a calibration, to get its numbers back. Nothing is kept of it.
+bool posts_calibration(std::string_view path);
+
 /// Thread-safe.
 class PageAnswers {
  public:
   static constexpr std::size_t kDefaultCacheBytes = std::size_t{256} << 20;
 
-  PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::size_t cache_bytes = kDefaultCacheBytes);
+  /// `display`: what the first of them is played on, as require_own_frame and require_one_row allow.
+  PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
+              std::size_t cache_bytes = kDefaultCacheBytes);
 
   PageAnswer answer(const PageRequest& request);
 
  private:
   PageAnswer answer_path(std::string_view path);
+  PageAnswer calibration(const std::string& text) const;
   PageAnswer picture(std::string_view path);
 
   std::vector<std::unique_ptr<PageField>> fields_;
   PageAccess access_;
+  std::optional<PageDisplay> display_;
   ByteCache cache_;
 };
 
@@ -56,7 +67,7 @@ struct PagePicture {
 /// effort: 0 (fast) ... 9 (small).
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
 
-/// fields.json: the version and what field_json says of each.
-std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields);
+/// fields.json: the version, what field_json says of each, and the display that they are played on.
+std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display = {});
 
 }  // namespace lippmann

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "view/page_display.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -45,6 +47,13 @@ Json frame_json(const PageFrame& frame) {
   return json;
 }
 
+/// Of a slanted panel also which view each of its sub-pixels is of.
+Json panel_picture_json(const PageFacts& facts) {
+  Json json{{"is", word_for(facts.panel)}, {"size", {facts.panel_size.x, facts.panel_size.y}}};
+  if (facts.slanted) json["panel"] = panel_json(*facts.slanted);
+  return json;
+}
+
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
@@ -61,7 +70,7 @@ Json field_json(const PageFacts& facts) {
           {"window_mm",
            {{"centre", {facts.window.centre.x, facts.window.centre.y}}, {"size", {facts.window.size.x, facts.window.size.y}}}},
           {"lens_samples", {facts.lens_samples_across, facts.lens_samples_up}},
-          {"panel", {{"is", word_for(facts.panel)}, {"size", {facts.panel_size.x, facts.panel_size.y}}}},
+          {"panel", panel_picture_json(facts)},
           {"eye_mm", {facts.eye_mm.x, facts.eye_mm.y, facts.eye_mm.z}},
           {"depth_budget_mm", finite_or_null(facts.depth_budget_mm)},
           {"depth", facts.has_depth},

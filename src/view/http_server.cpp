@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kServingThreads = 32, kMostWaiting = 32;
 constexpr int kReadSeconds = 3, kWriteSeconds = 15, kIdleSeconds = 1;
-constexpr std::size_t kRequestsOfAConnection = 1000;
+constexpr std::size_t kRequestsOfAConnection = 1000, kMostPosted = std::size_t{1} << 20;
 
 /// Threads that serve connections. Where all are busy and enough wait, whoever accepts connections waits too.
 class BoundedQueue : public httplib::TaskQueue {
@@ -87,7 +87,8 @@ PageRequest page_request(const httplib::Request& request) {
           request.get_header_value("Host"),
           request.get_header_value("Origin"),
           request.get_header_value("Sec-Fetch-Site"),
-          request.has_header("Range")};
+          request.has_header("Range"),
+          request.body};
 }
 
 void respond(const PageAnswer& answer, httplib::Response& response) {
@@ -146,7 +147,7 @@ HttpServer::HttpServer(const std::string& host, std::optional<int> port) : impl_
   });
   server.set_read_timeout(kReadSeconds).set_write_timeout(kWriteSeconds);
   server.set_keep_alive_timeout(kIdleSeconds).set_keep_alive_max_count(kRequestsOfAConnection);
-  server.set_payload_max_length(1024);
+  server.set_payload_max_length(kMostPosted);
   server.set_tcp_nodelay(true);
   server.set_default_headers(safe_headers());
   const int wanted = port.value_or(kUsualPort);
@@ -166,11 +167,16 @@ int HttpServer::port() const { return impl_->port; }
 
 void HttpServer::run(PageAnswers& answers, const std::atomic<bool>& stopped) {
   httplib::Server& server = impl_->server;
-  // All requests are answered here: no patterns are matched against what strangers send.
-  server.set_pre_routing_handler([&answers](const httplib::Request& request, httplib::Response& response) {
+  const auto answer = [&answers](const httplib::Request& request, httplib::Response& response) {
     respond(answers.answer(page_request(request)), response);
+  };
+  // Requests are answered here, before anything that they bring is read; but for calibrations, whose text it takes.
+  server.set_pre_routing_handler([answer](const httplib::Request& request, httplib::Response& response) {
+    if (request.method == "POST" && posts_calibration(request.path)) return httplib::Server::HandlerResponse::Unhandled;
+    answer(request, response);
     return httplib::Server::HandlerResponse::Handled;
   });
+  server.Post("/.*", answer);
   std::atomic<bool> ended{false};
   std::thread watch([&] {
     while (!stopped && !ended) std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -72,6 +72,7 @@ PageFacts facts_of(const LightFieldFrames& frames, const std::optional<RenderedV
   facts.axes = view_axes(optics, facts.grid);
   facts.eye_mm = default_eye_mm(optics);
   facts.panel_size = picture_size(optics);
+  if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) facts.slanted = *slanted;
   facts.depth_budget_mm = depth_budget_mm(optics);
   facts.disparity_scale_mm = facts.window.size.y;
   facts.frames_per_second = frames.frames_per_second;

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,9 @@ struct PageFacts {
   ViewAxes axes;
   bool lens_samples_across = false, lens_samples_up = false;  ///< a pixel of a view is what a whole lens shows
   PanelPicture panel = PanelPicture::kOwn;
-  Vec2i panel_size{0, 0};  ///< pixels of the panel's picture
-  Vec3d eye_mm{0.0};       ///< where the display is meant to be seen from
+  Vec2i panel_size{0, 0};               ///< pixels of the panel's picture
+  std::optional<SlantedPanel> slanted;  ///< the panel, where that is its picture
+  Vec3d eye_mm{0.0};                    ///< where the display is meant to be seen from
   double depth_budget_mm = 0.0;
   bool has_depth = false;
   double disparity_scale_mm = 1.0;  ///< of the codes (view/disparity_codes.hpp)

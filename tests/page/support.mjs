@@ -47,8 +47,12 @@ export const lippmann = (...words) => execFileSync(tool, words, { cwd: folder, e
 export const inFolder = (name) => join(folder, name);
 
 /** Serves light fields; its address. */
-export async function view(...words) {
-  const server = spawn(tool, ["view", ...words, "--port", "0"], { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
+export const view = (...words) => serve("view", ...words);
+/** Serves one to be played on a panel. */
+export const play = (...words) => serve("play", ...words);
+
+async function serve(...words) {
+  const server = spawn(tool, [...words, "--port", "0"], { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
   servers.push(server);
   let errors = "";
   server.stderr.on("data", (text) => (errors += text));
@@ -59,12 +63,14 @@ export async function view(...words) {
 }
 
 /** A page whose `complaints` are errors and warnings of its console; `ready` waits until it shows something. */
-export async function open(address, { width = 900, height = 700, ready = true } = {}) {
-  const context = await browser.newContext({ viewport: { width, height } });
+export async function open(address, { width = 900, height = 700, ready = true, onRequest = () => {}, script = "", hasTouch = false } = {}) {
+  const context = await browser.newContext({ viewport: { width, height }, hasTouch });
   contexts.push(context);
   const page = await context.newPage();
+  if (script) await page.addInitScript(script);
   page.complaints = [];
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));
+  page.on("request", (request) => onRequest(request.url()));
   page.on("pageerror", (error) => page.complaints.push(error.message));
   await page.goto(address);
   if (ready) await page.waitForSelector('#stage[data-drawn="true"]', { timeout: 60000 });

@@ -124,6 +124,33 @@ TEST_F(Answers, nothing_can_be_changed_and_no_parts_are_sent) {
   EXPECT_EQ(answers_.answer(request).status, 416);
 }
 
+TEST_F(Answers, text_of_a_calibration_is_answered_with_its_numbers_and_nothing_is_kept) {
+  PageRequest request = request_of("/calibration");
+  request.method = "POST", request.origin = "http://127.0.0.1:8488";
+  request.body = R"({"pitch":50,"slope":-7,"center":0.5,"DPI":324,"screenW":120,"screenH":90})";
+  const PageAnswer answer = answers_.answer(request);
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(nlohmann::json::parse(*answer.body)["pixels"], (nlohmann::json{120, 90}));
+  EXPECT_FALSE(nlohmann::json::parse(*get("/fields.json").body).contains("display"));
+  request.body = "{";
+  EXPECT_EQ(answers_.answer(request).status, 422);
+  EXPECT_THAT(*answers_.answer(request).body, HasSubstr("the calibration"));
+  request.origin = "http://evil.example";
+  EXPECT_EQ(answers_.answer(request).status, 403);
+  request.origin = "http://127.0.0.1:8488", request.path = "/0/calibration";
+  EXPECT_EQ(answers_.answer(request).status, 404);
+  EXPECT_EQ(get("/calibration").status, 404);
+}
+
+TEST_F(Answers, display_that_is_played_on_is_described) {
+  Display display;
+  display.name = "own";
+  PageAnswers playing(test::fields_of(dir_.path()), kLoopback, PageDisplay{display, {}});
+  const auto fields = nlohmann::json::parse(*playing.answer(request_of("/fields.json")).body);
+  EXPECT_EQ(fields["display"]["name"], "own");
+  EXPECT_EQ(fields["display"]["filter"], "nearest");
+}
+
 TEST_F(Answers, damaged_frame_is_said_and_others_are_still_sent) {
   std::ofstream(dir_ / "frame_0001.png") << "no picture";
   const PageAnswer answer = get("/0/views/1");

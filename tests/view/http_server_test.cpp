@@ -77,6 +77,27 @@ TEST_F(Server, foreign_hosts_and_origins_are_refused) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
+/// POST of so many bytes.
+std::string posted(const std::string& target, int port, const std::string& body) {
+  return "POST " + target + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
+         "\r\nConnection: close\r\nContent-Type: text/plain\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" +
+         body;
+}
+
+TEST_F(Server, takes_the_text_of_a_calibration_and_no_other_text) {
+  const auto answer = [&](const std::string& target, const std::string& body) {
+    RawConnection connection(port());
+    connection.send(posted(target, port(), body));
+    return connection.receive();
+  };
+  const std::string calibration = R"({"pitch":50,"slope":-7,"center":0.5,"DPI":324,"screenW":120,"screenH":90})";
+  EXPECT_THAT(answer("/calibration", calibration), HasSubstr("\"pixels\":[120,90]"));
+  EXPECT_EQ(status_of(answer("/calibration", "{")), 422);
+  EXPECT_EQ(status_of(answer("/fields.json", calibration)), 405);
+  EXPECT_THAT(status_of(answer("/calibration", std::string((1 << 20) + 1, ' '))), testing::AnyOf(0, 400, 413));
+  EXPECT_EQ(status("/fields.json"), 200);
+}
+
 TEST_F(Server, huge_and_many_ranges_are_refused_and_it_stays_up) {
   std::string many = "Range: bytes=0-0";
   for (int i = 0; i < 1500; ++i) many += ",0-0";

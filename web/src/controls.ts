@@ -1,6 +1,8 @@
 // The controls beside the picture: native elements, so that keyboards and screen readers know them.
-import { shareOfZone, slopeInZone, type Field } from "./field";
+import { hasCrosstalk, neighbourShare, shareOfZone, slopeInZone, type Field } from "./field";
+import type { Player } from "./player";
 import type { State, Store } from "./state";
+import type { Tilt } from "./tilt";
 
 interface Shown {
   update: () => void;
@@ -87,6 +89,8 @@ export interface Actions {
   save: () => void;
   copy: () => void;
   focusRange: () => [number, number];
+  player: Player;
+  tilt: Tilt;
 }
 
 /** Fills `parent`; what is returned brings all controls up to the state. */
@@ -98,9 +102,10 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   parent.append(
     ...[
       fields.length > 1 ? compareGroup(store, shown) : null,
-      hasViews ? eyeGroup(store, field, shown) : null,
-      hasViews ? focusGroup(store, actions, shown) : null,
+      hasViews ? unlessPlayed(eyeGroup(store, field, actions.tilt, shown), store, shown) : null,
+      hasViews ? unlessPlayed(focusGroup(store, actions, shown), store, shown) : null,
       pictureGroup(store, field, hasViews, shown),
+      playGroup(actions.player, shown),
       element(
         "div",
         { className: "buttons" },
@@ -122,7 +127,20 @@ function button(text: string, action: () => void): HTMLButtonElement {
   return made;
 }
 
-function eyeGroup(store: Store, field: Field, shown: Shown[]): HTMLElement {
+/** A button only where the device has the sensor. */
+function tiltButton(tilt: Tilt, shown: Shown[]): HTMLElement {
+  const made = button("Tilt moves the eye", () => void tilt.toggle());
+  const row = element("div", { className: "row" }, made);
+  shown.push({
+    update: () => {
+      row.hidden = !tilt.isThere;
+      made.setAttribute("aria-pressed", String(tilt.isOn));
+    },
+  });
+  return row;
+}
+
+function eyeGroup(store: Store, field: Field, tilt: Tilt, shown: Shown[]): HTMLElement {
   const { state } = store;
   const showsOne = () => store.fields.length < 2 || state.compare === "first" || state.compare === "second";
   const slope = (axis: 0 | 1) => state.eye[axis] / state.eye[2];
@@ -162,6 +180,7 @@ function eyeGroup(store: Store, field: Field, shown: Shown[]): HTMLElement {
       },
       shown,
     ),
+    tiltButton(tilt, shown),
     choice("Two eyes", "stereo", [["off", "Off"], ["anaglyph", "Anaglyph, red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown, showsOne),
     slider({ label: "Eye separation", unit: "mm", applies: () => showsOne() && state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown),
   );
@@ -180,14 +199,43 @@ function pictureGroup(store: Store, field: Field, hasViews: boolean, shown: Show
   const { state } = store;
   return group(
     "Picture",
-    hasViews ? choice("Show", "show", [["eye", "What the eye sees"], ["panel", "What the panel shows"]], store, shown) : null,
+    showChoice(store, hasViews, shown),
     field.depth ? choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown) : null,
     field.lens_samples.some(Boolean) ? check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown) : null,
+    hasCrosstalk(field) ? slider({ label: "Crosstalk", applies: () => state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk }), reset: () => store.set({ crosstalk: 0 }) }, shown) : null,
     field.across.views > 1 ? check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown) : null,
     slider({ label: "Line, from the top", applies: () => state.line >= 0, range: () => [0, 1], value: () => state.line, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (line) => store.set({ line }) }, shown),
-    slider({ label: "Exposure", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown),
+    slider({ label: "Exposure", applies: () => state.show !== "display", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown),
     check("Light background", () => state.theme === "light", (on) => store.set({ theme: on ? "light" : "dark" }), shown),
   );
+}
+
+/** A panel shows what it is given, wherever eyes are. */
+function unlessPlayed(made: HTMLElement, store: Store, shown: Shown[]): HTMLElement {
+  shown.push({ update: () => (made.hidden = store.state.show === "display") });
+  return made;
+}
+
+/** A panel to play on may be dropped on the page. */
+function showChoice(store: Store, hasViews: boolean, shown: Shown[]): HTMLElement {
+  const row = choice("Show", "show", [["eye", "What the eye sees"], ["panel", "What the panel shows"], ["display", "Played on a calibrated panel"]], store, shown, () => hasViews || store.plays);
+  const played = row.querySelector<HTMLOptionElement>('option[value="display"]') as HTMLOptionElement;
+  shown.push({ update: () => (played.hidden = played.disabled = !store.plays) });
+  return row;
+}
+
+function playGroup(player: Player, shown: Shown[]): HTMLElement {
+  const fill = button("Full screen", () => void player.toggleFullScreen());
+  const value = element("output", { className: "value" });
+  shown.push({
+    update: () => {
+      value.value = player.describe();
+      fill.hidden = !player.isPlaying || !player.canFillScreen;
+    },
+  });
+  const calibration = button("Calibration\u2026", () => player.choose());
+  calibration.title = "visual.json of the panel; it may be dropped on the page, too";
+  return group("Calibrated panel", element("div", { className: "row panel" }, value), element("div", { className: "buttons" }, fill, calibration));
 }
 
 function compareGroup(store: Store, shown: Shown[]): HTMLElement {

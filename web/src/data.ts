@@ -26,12 +26,12 @@ function runScript(path: string): Promise<void> {
   });
 }
 
-async function answerOf(path: string): Promise<Response> {
+async function answerOf(path: string, settings: RequestInit = {}): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(path);
+    response = await fetch(path, settings);
   } catch {
-    throw new Refusal("The server does not answer: has `lippmann view` been ended?");
+    throw new Refusal("The server does not answer: has the program been ended?");
   }
   if (response.ok) return response;
   const text = await response.text();
@@ -42,6 +42,12 @@ async function answerOf(path: string): Promise<Response> {
     // It is plain text.
   }
   throw new Refusal(reason || `${path}: the server answers ${response.status}.`);
+}
+
+/** The program's answer to a text. */
+export async function postText(path: string, body: string): Promise<string> {
+  if (usesScripts()) throw new Refusal("A saved page cannot read calibrations: `lippmann play` does.");
+  return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
 
 export async function loadFields(): Promise<unknown> {

@@ -1,4 +1,5 @@
 // What the page is told of a light field (docs/view.md lists the keys), checked before it is used.
+import type { SlantedPanel } from "./display";
 
 export interface Axis {
   views: number;
@@ -23,7 +24,7 @@ export interface Field {
   vergence_per_mm: number;
   window_mm: { centre: [number, number]; size: [number, number] };
   lens_samples: [boolean, boolean];
-  panel: { is: "integral" | "quilt" | "own"; size: [number, number] };
+  panel: { is: "integral" | "quilt" | "own"; size: [number, number]; panel?: SlantedPanel };
   eye_mm: [number, number, number];
   depth_budget_mm: number | null;
   depth: boolean;
@@ -89,6 +90,34 @@ export const shareOfZone = (axis: Axis, slope: number): number =>
 export const disparityOfDepth = (field: Field, depth: number): number => depth / (1 - depth * field.vergence_per_mm);
 export const depthOfDisparity = (field: Field, disparity: number): number =>
   disparity / (1 + disparity * field.vergence_per_mm);
+
+/** Whether neighbouring views are neighbouring pixels, or the views of a quilt: then lenses mix them as `replay --crosstalk`. */
+export const hasCrosstalk = (field: Field): boolean => field.panel.is !== "own" && field.across.views * field.up.views > 1;
+
+/** Abramowitz and Stegun 7.1.26, to 1.5e-7; x >= 0. */
+function erf(x: number): number {
+  const t = 1 / (1 + 0.3275911 * x);
+  return 1 - t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429)))) * Math.exp(-x * x);
+}
+
+/** The share of what is seen at the middle of a pixel that is each neighbour's. */
+export const neighbourShare = (sigma: number): number =>
+  sigma > 0 ? 0.5 * (erf(1.5 / (Math.SQRT2 * sigma)) - erf(0.5 / (Math.SQRT2 * sigma))) : 0;
+
+/** The share of the display of which an eye sees what is meant for another zone: where it flips. */
+export function shareOutOfZone(field: Field, eye: readonly number[]): number {
+  const steps = 128;
+  const outside = (axis: Axis, i: 0 | 1, step: number): boolean => {
+    if (axis.views < 2 || axis.step === 0) return false;
+    const point = field.window_mm.centre[i] + ((step + 0.5) / steps - 0.5) * field.window_mm.size[i];
+    const slope = eye[i] / eye[2] - point * (1 / eye[2] - field.vergence_per_mm);
+    const share = shareOfZone(axis, slope);
+    return share < 0 || share > 1;
+  };
+  const all = [...Array(steps).keys()];
+  const [across, up] = [0, 1].map((i) => all.filter((step) => outside(i === 0 ? field.across : field.up, i as 0 | 1, step)).length / steps);
+  return 1 - (1 - across) * (1 - up);
+}
 
 /** A picture of square pixels with at least the samples of a view. */
 export function naturalSize(field: Field): [number, number] {

@@ -1,7 +1,12 @@
 // Frames on the GPU: loaded when they are asked for or soon will be, the least recently used given up beyond a bound.
 import { loadPicture } from "./data";
 import { Refusal, type Field } from "./field";
+import { samePanel } from "./display";
 import { pictureTexture, type Gl } from "./gl";
+import type { Interlacer } from "./interlace";
+
+/** What a frame is loaded for: eyes need its views, the panel's picture may be one of its own, a display plays one of codes. */
+export type Use = "eye" | "panel" | "display";
 
 export interface LoadedFrame {
   views: WebGLTexture;
@@ -54,18 +59,19 @@ export class Frames {
   private readonly failures = new Map<string, { error: Error; at: number }>();
   private bytes = 0;
   private pinned: string[] = [];
+  private interlacer: Interlacer | null = null;
 
   constructor(
     private readonly gl: Gl,
     private readonly fields: Field[],
-    private readonly budget: number,
+    private budget: number,
     private readonly changed: () => void,
     private readonly notice: (text: string) => void,
   ) {}
 
   /** The frame, where it is there; else it is on its way, and `changed` is called when it is. Throws what loading it threw. */
-  get(field: number, frame: number, withPanel: boolean): LoadedFrame | null {
-    const key = `${field}/${frame}/${withPanel}`;
+  get(field: number, frame: number, use: Use): LoadedFrame | null {
+    const key = `${field}/${frame}/${use}`;
     const failure = this.failures.get(key);
     if (failure && performance.now() - failure.at < kRetryMs) throw failure.error;
     const found = this.loaded.get(key);
@@ -74,7 +80,7 @@ export class Frames {
       this.loaded.set(key, found);
       return found;
     }
-    void this.load(field, frame, withPanel);
+    void this.load(field, frame, use);
     return null;
   }
 
@@ -88,23 +94,32 @@ export class Frames {
   }
 
   /** The frame where it is there; nothing is loaded. */
-  peek(field: number, frame: number, withPanel: boolean): LoadedFrame | null {
-    return this.loaded.get(`${field}/${frame}/${withPanel}`) ?? null;
+  peek(field: number, frame: number, use: Use): LoadedFrame | null {
+    return this.loaded.get(`${field}/${frame}/${use}`) ?? null;
+  }
+
+  /** What a display plays is made by this from now on. */
+  playOn(interlacer: Interlacer, budget: number): void {
+    this.budget = budget;
+    for (const [key, frame] of [...this.loaded]) if (key.endsWith("/display")) this.giveUp(key, frame);
+    this.failures.clear();
+    this.interlacer?.dispose();
+    this.interlacer = interlacer;
   }
 
   /** How many frames of a field fit. */
-  roomFor(field: number): number {
-    const some = [...this.loaded].find(([key]) => key.startsWith(`${field}/`));
+  roomFor(field: number, use: Use): number {
+    const some = [...this.loaded].find(([key]) => key.startsWith(`${field}/`) && key.endsWith(`/${use}`));
     return some ? Math.max(1, Math.floor(this.budget / some[1].bytes)) : 1;
   }
 
-  load(field: number, frame: number, withPanel: boolean): Promise<LoadedFrame | null> {
-    const key = `${field}/${frame}/${withPanel}`;
+  load(field: number, frame: number, use: Use): Promise<LoadedFrame | null> {
+    const key = `${field}/${frame}/${use}`;
     const found = this.loaded.get(key);
     if (found) return Promise.resolve(found);
     let promise = this.loading.get(key);
     if (!promise) {
-      promise = this.make(field, frame, withPanel);
+      promise = use === "display" ? this.makePlayed(field, frame) : this.make(field, frame, use);
       this.loading.set(key, promise);
       promise
         .then((made) => this.keep(key, made))
@@ -123,17 +138,39 @@ export class Frames {
     for (const [old, frame] of this.loaded) {
       if (this.bytes <= this.budget) break;
       if (old === key || this.pinned.some((start) => old.startsWith(start))) continue;
-      this.loaded.delete(old);
-      this.bytes -= frame.bytes;
-      frame.givenUp = true;
-      for (const texture of [frame.views, frame.depth, frame.panel]) if (texture) this.gl.deleteTexture(texture);
+      this.giveUp(old, frame);
     }
   }
 
-  private async make(field: number, frame: number, withPanel: boolean): Promise<LoadedFrame> {
+  private giveUp(key: string, frame: LoadedFrame): void {
+    this.loaded.delete(key);
+    this.bytes -= frame.bytes;
+    frame.givenUp = true;
+    for (const texture of new Set([frame.views, frame.depth, frame.panel])) if (texture) this.gl.deleteTexture(texture);
+  }
+
+  /** Interlaced as soon as it is there: that takes less memory than its views, and playing it no time. */
+  private async makePlayed(field: number, frame: number): Promise<LoadedFrame> {
     const facts = this.fields[field];
     const label = facts.frames[frame].label;
-    const needsPanel = withPanel && facts.panel.is === "own";
+    const interlacer = this.interlacer as Interlacer;
+    const { display } = interlacer;
+    const isOwn = samePanel(facts.panel.panel, display.panel) && facts.panel.size.join() === display.pixels.join();
+    const picture = isOwn ? await this.bitmap(`${field}/panel/${frame}`, label, facts.panel.size) : await this.bitmap(`${field}/views/${frame}`, label, this.quiltSize(facts));
+    if (interlacer !== this.interlacer) return picture.close(), this.makePlayed(field, frame);
+    const codes = pictureTexture(this.gl, picture, "codes");
+    const viewSize: [number, number] = [picture.width / facts.tiles[0], picture.height / facts.tiles[1]];
+    picture.close();
+    const panel = isOwn ? interlacer.fromOwn(codes) : interlacer.fromViews(facts, codes, viewSize);
+    this.gl.deleteTexture(codes);
+    const [width, height] = display.pixels;
+    return { views: panel, depth: null, panel, viewSize, disparities: [0, 0], bytes: 4 * width * height, whole: Promise.resolve() };
+  }
+
+  private async make(field: number, frame: number, use: Use): Promise<LoadedFrame> {
+    const facts = this.fields[field];
+    const label = facts.frames[frame].label;
+    const needsPanel = use === "panel" && facts.panel.is === "own";
     const [views, panel] = await Promise.all([
       this.bitmap(`${field}/views/${frame}`, label, this.quiltSize(facts)),
       needsPanel ? this.bitmap(`${field}/panel/${frame}`, label, facts.panel.size) : null,

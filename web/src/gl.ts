@@ -93,6 +93,43 @@ export function pictureTexture(gl: Gl, picture: ImageBitmap, holds: "srgb" | "co
   return texture;
 }
 
+/** Two words of 32 bits in every texel. */
+export function wordTexture(gl: Gl, width: number, height: number, words: Uint32Array): WebGLTexture {
+  const texture = gl.createTexture() as WebGLTexture;
+  bind(gl, 0, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RG32UI, width, height, 0, gl.RG_INTEGER, gl.UNSIGNED_INT, words);
+  setFilter(gl, gl.NEAREST);
+  return texture;
+}
+
+/** Codes that are drawn off the screen, and stay as a texture: its first row is the bottom one. */
+export class CodeTarget {
+  private readonly texture: WebGLTexture;
+  private readonly framebuffer: WebGLFramebuffer;
+
+  /** Makes it the target of what is drawn next. */
+  constructor(
+    private readonly gl: Gl,
+    width: number,
+    height: number,
+  ) {
+    this.texture = gl.createTexture() as WebGLTexture;
+    bind(gl, 0, this.texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+    setFilter(gl, gl.NEAREST);
+    this.framebuffer = gl.createFramebuffer() as WebGLFramebuffer;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.texture, 0);
+    gl.viewport(0, 0, width, height);
+  }
+
+  end(): WebGLTexture {
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, null);
+    this.gl.deleteFramebuffer(this.framebuffer);
+    return this.texture;
+  }
+}
+
 /** What is drawn off the screen, in linear light, where the device can: its first row is the bottom one. */
 export class Target {
   readonly texture: WebGLTexture;

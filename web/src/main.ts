@@ -1,12 +1,15 @@
 // The page: loads the description, then draws what the state says whenever it changes.
 import { makeControls } from "./controls";
 import { loadFields } from "./data";
-import { depthOfDisparity, naturalSize, readFields, Refusal, shareOfZone, slopeInZone, type Field } from "./field";
+import { readDisplay, type PanelDisplay } from "./display";
+import { depthOfDisparity, naturalSize, readFields, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
 import { Frames } from "./frames";
 import { codeFromLinear, openGl } from "./gl";
 import { steerFromOutside } from "./outside";
-import { Renderer } from "./renderer";
+import { Player } from "./player";
+import { Renderer, useOf } from "./renderer";
 import { Store } from "./state";
+import { Tilt } from "./tilt";
 import { Timeline } from "./timeline";
 
 const byId = <Kind extends HTMLElement = HTMLElement>(id: string): Kind => document.getElementById(id) as Kind;
@@ -41,25 +44,41 @@ export class App {
   readonly frames: Frames;
   readonly renderer: Renderer;
   readonly timeline: Timeline;
+  readonly player: Player;
+  readonly tilt: Tilt;
   private wanted = true;
   private pointer: { x: number; y: number } | null = null;
   private notices = new Map<string, string>();
   private prefetching = false;
 
-  constructor(readonly fields: Field[]) {
-    this.store = new Store(fields);
+  constructor(
+    readonly fields: Field[],
+    display: PanelDisplay | null,
+  ) {
+    this.store = new Store(fields, display !== null);
     const gl = openGl(this.canvas);
     this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
     this.renderer = new Renderer(gl, fields, this.frames);
     this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
+    this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text));
+    if (display) this.player.playOn(display);
+    this.tilt = new Tilt(
+      () => [0, 1].map((axis) => this.store.state.eye[axis] / this.store.state.eye[2]) as [number, number],
+      ([x, y]) => this.moveEye(shareOfZone(fields[0].across, x), shareOfZone(fields[0].up, y)),
+      () => this.store.touch(),
+      (text) => this.notify("tilt", text),
+    );
     makeControls(byId("controls"), this.store, {
       save: () => this.savePicture(),
       copy: () => void this.copyLink(),
       focusRange: () => this.focusRange(),
+      player: this.player,
+      tilt: this.tilt,
     });
     this.store.listen(() => this.redraw());
     this.listen();
     this.head();
+    if (this.player.isPlaying) this.timeline.toggle();
     requestAnimationFrame((now) => this.tick(now));
   }
 
@@ -96,9 +115,9 @@ export class App {
   }
 
   private isThere(frame: number): boolean {
-    const panel = this.store.state.show === "panel";
+    const use = useOf(this.store.state);
     try {
-      return this.shown().every((field) => this.frames.get(field, this.renderer.frameOf(field, frame), panel) !== null);
+      return this.shown().every((field) => this.frames.get(field, this.renderer.frameOf(field, frame), use) !== null);
     } catch {
       return true;
     }
@@ -114,6 +133,10 @@ export class App {
   }
 
   private fitCanvas(): boolean {
+    document.body.classList.toggle("plays", this.player.isPlaying);
+    if (this.player.isPlaying) return this.player.fit(this.canvas);
+    this.canvas.style.width = this.canvas.style.height = "";
+    this.notify("screen", "");
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
@@ -142,6 +165,7 @@ export class App {
     byId("stage").dataset.frame = drawn ? String(state.frame) : "";
     this.canvas.setAttribute("aria-label", this.spoken());
     if (!drawn) return;
+    this.showZone();
     this.showValues();
     this.showScale();
     this.showLine();
@@ -150,8 +174,14 @@ export class App {
 
   private spoken(): string {
     const { state } = this.store;
+    return `${this.fields[0].title}, frame ${this.fields[0].frames[state.frame].label}: ${this.shownText()}`;
+  }
+
+  private shownText(): string {
+    const { state } = this.store;
+    if (state.show === "display") return `played on ${this.player.describe()}. F fills the screen, space plays.`;
     const eye = state.eye.map((x) => x.toFixed(0)).join(", ");
-    return `${this.fields[0].title}, frame ${this.fields[0].frames[state.frame].label}: ${state.show === "panel" ? "what the panel shows" : `seen from ${eye} millimetres`}. Arrow keys move the eye, space plays.`;
+    return `${state.show === "panel" ? "what the panel shows" : `seen from ${eye} millimetres`}. Arrow keys move the eye, space plays.`;
   }
 
   /** Loads what comes next, one frame at a time, as many as there is room for. */
@@ -159,12 +189,12 @@ export class App {
     if (this.prefetching) return;
     this.prefetching = true;
     const { state } = this.store;
-    const panel = state.show === "panel";
+    const use = useOf(state);
     const count = this.fields[0].frames.length;
-    const room = Math.min(count, this.frames.roomFor(0));
+    const room = Math.min(count, this.frames.roomFor(0, use));
     const from = state.frame;
     for (let i = 1; i < room && state.frame === from; i++)
-      for (const field of this.shown()) await (await this.frames.load(field, this.renderer.frameOf(field, (from + i) % count), panel))?.whole;
+      for (const field of this.shown()) await (await this.frames.load(field, this.renderer.frameOf(field, (from + i) % count), use))?.whole;
     this.prefetching = false;
     if (state.frame !== from) this.redraw();
   }
@@ -173,13 +203,22 @@ export class App {
   private showLine(): void {
     const { state } = this.store;
     const line = byId("line");
-    line.hidden = state.line < 0 || state.show === "panel";
+    line.hidden = state.line < 0 || state.show !== "eye";
     if (line.hidden) return;
     const { left, top, width, height } = this.renderer.place;
     const ratio = this.canvas.clientWidth / this.canvas.width;
     line.style.left = `${this.canvas.offsetLeft + left * ratio}px`;
     line.style.top = `${this.canvas.offsetTop + (top + state.line * height) * ratio}px`;
     line.style.width = `${width * ratio}px`;
+  }
+
+  /** Warns of flips, as `replay` does. */
+  private showZone(): void {
+    const { state } = this.store;
+    const field = this.fields[this.shown()[0]];
+    const share = state.show === "eye" ? shareOutOfZone(field, state.eye) : 0;
+    const beyond = { stays: "the outermost views", repeats: "the views of the next cone", "next lens": "the pictures of neighbouring lenses" }[field.across.beyond];
+    this.notify("zone", share > 0 ? `This eye is out of the viewing zone of ${Math.max(1, Math.round(100 * share))}\u2009% of the display: there it sees ${beyond}.` : "");
   }
 
   private showScale(): void {
@@ -214,7 +253,7 @@ export class App {
     const { state } = this.store;
     const values = byId<HTMLOutputElement>("values");
     const share = this.pointer && this.renderer.shareAt(state, this.pointer.x, this.pointer.y);
-    if (!share) {
+    if (!share || state.show === "display") {
       values.value = "";
       return;
     }
@@ -236,7 +275,7 @@ export class App {
   private focusRange(): [number, number] {
     const field = this.fields[0];
     const { state } = this.store;
-    const known = this.frames.peek(0, state.frame, state.show === "panel");
+    const known = this.frames.peek(0, state.frame, useOf(state));
     if (!known) return [-50, 50];
     const nearest = field.vergence_per_mm > 0 ? 0.8 / field.vergence_per_mm : Infinity;
     const farthest = field.vergence_per_mm > 0 ? -2 / field.vergence_per_mm : -Infinity;
@@ -330,7 +369,7 @@ export class App {
   private clickAt(at: { x: number; y: number }): void {
     const { state } = this.store;
     const share = this.renderer.shareAt(state, at.x, at.y);
-    if (!share || state.show === "panel") return;
+    if (!share || state.show !== "eye") return;
     this.focusAt(share);
   }
 
@@ -364,11 +403,11 @@ export class App {
       " ": () => this.timeline.toggle(),
       ",": () => this.timeline.step(-1),
       ".": () => this.timeline.step(1),
-      f: () => this.focusAt([0.5, 0.5]),
+      f: () => (this.player.isPlaying ? void this.player.toggleFullScreen() : this.focusAt([0.5, 0.5])),
       a: () => this.store.set({ aperture: this.store.state.aperture > 0 ? 0 : 0.5 }),
       p: () => this.store.set({ show: this.store.state.show === "panel" ? "eye" : "panel" }),
     };
-    const action = actions[event.key];
+    const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!action) return;
     event.preventDefault();
     action();
@@ -376,7 +415,9 @@ export class App {
 
   /** Moves the eye, or before the panel's picture the loupe. */
   private arrow(across: number, up: number, x: number, y: number): void {
-    if (this.store.state.show !== "panel") return this.moveEye(across, up);
+    const { show } = this.store.state;
+    if (show === "eye") this.moveEye(across, up);
+    if (show !== "panel") return;
     const { left, top, width, height } = this.renderer.place;
     const at = this.pointer ?? { x: left + width / 2, y: top + height / 2 };
     this.pointer = { x: Math.min(Math.max(at.x + x * 8, left), left + width), y: Math.min(Math.max(at.y + y * 8, top), top + height) };
@@ -388,11 +429,18 @@ export class App {
   /** Codes (RGBA, from the top) of what the eye sees of a light field in a picture of that size. */
   async picture(size: [number, number], field = 0): Promise<Uint8ClampedArray> {
     const { state } = this.store;
-    const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), false);
+    const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), "eye");
     await frame?.whole;
     const codes = this.renderer.picture(state, field, size);
     if (!codes) throw new Refusal("The frame is not there yet.");
     return codes;
+  }
+
+  /** Codes (RGBA, from the top) of what the panel is to show; of the canvas, whose pixels are the panel's. */
+  panelCodes(): Uint8ClampedArray {
+    this.fitCanvas();
+    this.draw();
+    return this.renderer.canvasCodes();
   }
 
   private savePicture(): void {
@@ -422,7 +470,10 @@ export class App {
 
 async function start(): Promise<void> {
   try {
-    const app = new App(readFields(await loadFields()));
+    const json = await loadFields();
+    const fields = readFields(json);
+    const { display } = json as { display?: unknown };
+    const app = new App(fields, display ? readDisplay(display) : null);
     steerFromOutside(app);
   } catch (error) {
     fail(error);

@@ -1,6 +1,7 @@
 // How other programs steer the page: `window.lippmann` in scripts of the page's own origin, messages from a page around it.
 //   parent to page: frame.contentWindow.postMessage({ lippmann: { eye: [20, 0, 500], frame: 12, focus: -10, aperture: 1 } }, "*")
 //   page to parent: { lippmann: { state: {...} } } after every change; no pictures.
+import { shareOutOfZone } from "./field";
 import type { App } from "./main";
 import type { State } from "./state";
 
@@ -10,6 +11,11 @@ interface Handle {
   set(changes: Record<string, unknown>): void;
   focusAt(x: number, y: number): void;
   picture(width: number, height: number, field?: number): Promise<Uint8ClampedArray>;
+  /** The share of the display of which the eye sees what is meant for another zone. */
+  readonly outOfZone: number;
+  readonly isPlaying: boolean;
+  pause(): void;
+  panel(): Uint8ClampedArray;
   valueAt(x: number, y: number): number[];
 }
 
@@ -29,6 +35,14 @@ export function steerFromOutside(app: App): void {
     set: (changes) => store.set(changes),
     focusAt: (x, y) => app.focusAt([x, y]),
     picture: (width, height, field = 0) => app.picture([width, height], field),
+    get outOfZone() {
+      return shareOutOfZone(app.fields[0], store.state.eye);
+    },
+    get isPlaying() {
+      return app.timeline.playing;
+    },
+    pause: () => app.timeline.pause(),
+    panel: () => app.panelCodes(),
     valueAt: (x, y) => app.renderer.valueAt(0, [x, y]),
   };
   window.addEventListener("message", (event) => {

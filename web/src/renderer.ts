@@ -1,8 +1,8 @@
 // Draws the state: each eye's picture off the screen in linear light, then all of it on the canvas.
-import { disparityOfDepth, naturalSize, type Axis, type Field } from "./field";
-import type { Frames, LoadedFrame } from "./frames";
+import { disparityOfDepth, hasCrosstalk, naturalSize, type Axis, type Field } from "./field";
+import type { Frames, LoadedFrame, Use } from "./frames";
 import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
-import { eyeShader, kPanelShader, screenShader, type ScreenMode, type Variant } from "./shaders";
+import { eyeShader, kFrameShader, kPanelShader, screenShader, type ScreenMode, type Variant } from "./shaders";
 import type { State } from "./state";
 
 export interface Rectangle {
@@ -27,6 +27,8 @@ const kLoupeRadius = 92;
 /** Beyond the views' own samples a picture has nothing to show, but edges of lenses and of depth should not look coarse. */
 const kLeastLongSide = 800;
 
+export const useOf = (state: State): Use => state.show;
+
 const axisOf = (axis: Axis): number[] => [axis.first, axis.step, axis.by === "angle" ? 1 : 0, kBeyond[axis.beyond]];
 
 export class Renderer {
@@ -35,6 +37,7 @@ export class Renderer {
   loupe: Loupe | null = null;
   private readonly eyePrograms = new Map<string, Program>();
   private readonly panelProgram: Program;
+  private frameProgram: Program | null = null;
   private readonly screenPrograms = new Map<ScreenMode, Program>();
   /** One picture that needs no second pass goes straight to the canvas, which takes software graphics half the time. */
   private direct = false;
@@ -60,7 +63,7 @@ export class Renderer {
 
   /** Which light fields the state shows. */
   shownFields(state: State): number[] {
-    if (this.fields.length < 2 || state.compare === "first") return [0];
+    if (this.fields.length < 2 || state.compare === "first" || state.show === "display") return [0];
     return state.compare === "second" ? [1] : [0, 1];
   }
 
@@ -69,6 +72,7 @@ export class Renderer {
     const shown = this.shownFields(state);
     const loaded = shown.map((field) => this.loaded(field, state));
     if (loaded.some((one) => !one)) return false;
+    if (state.show === "display") return this.drawFrame(loaded[0] as LoadedFrame);
     const stereo = shown.length === 1 && state.show === "eye" && state.stereo !== "off";
     const field = this.fields[shown[0]];
     this.layOut(field, state, stereo, shown.length > 1);
@@ -93,7 +97,35 @@ export class Renderer {
   }
 
   private loaded(field: number, state: State): LoadedFrame | null {
-    return this.frames.get(field, this.frameOf(field, state.frame), state.show === "panel");
+    return this.frames.get(field, this.frameOf(field, state.frame), useOf(state));
+  }
+
+  /** The display's own frame, pixel for pixel: the canvas has its size. */
+  private drawFrame(frame: LoadedFrame): true {
+    const gl = this.gl;
+    const { width, height } = gl.canvas;
+    this.place = { left: 0, top: 0, width, height };
+    this.last = null;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, width, height);
+    this.frameProgram ??= new Program(gl, kFrameShader);
+    this.frameProgram.draw({ u_frame: bind(gl, 0, frame.panel) });
+    return true;
+  }
+
+  /** Codes (RGBA, from the top) of the canvas. */
+  canvasCodes(): Uint8ClampedArray {
+    const gl = this.gl;
+    const { width, height } = gl.canvas;
+    const codes = new Uint8ClampedArray(4 * width * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(codes.buffer));
+    for (let y = 0; y < height >> 1; y++) {
+      const above = codes.slice(4 * width * y, 4 * width * (y + 1));
+      codes.copyWithin(4 * width * y, 4 * width * (height - 1 - y), 4 * width * (height - y));
+      codes.set(above, 4 * width * (height - 1 - y));
+    }
+    return codes;
   }
 
   private drawPair(field: Field, frame: LoadedFrame, state: State, size: [number, number]): void {
@@ -146,8 +178,9 @@ export class Renderer {
   }
 
   /** Made when it is first needed. */
-  private eyeProgram(field: Field, depth: boolean, task: Variant["task"], screen = false, snap = false): Program {
-    const variant: Variant = { byAngle: field.across.by === "angle" || field.up.by === "angle", rows: field.up.views > 1, depth, task, screen, snap };
+  private eyeProgram(field: Field, depth: boolean, task: Variant["task"], through: Partial<Variant> = {}): Program {
+    const byAngle = field.across.by === "angle" || field.up.by === "angle";
+    const variant: Variant = { byAngle, rows: field.up.views > 1, depth, task, screen: false, snap: false, crosstalk: false, ...through };
     const key = JSON.stringify(variant);
     const made = this.eyePrograms.get(key) ?? new Program(this.gl, eyeShader(variant));
     this.eyePrograms.set(key, made);
@@ -155,7 +188,7 @@ export class Renderer {
   }
 
   private usesDepth(frame: LoadedFrame, state: State): boolean {
-    return state.between === "depth" && frame.depth !== null && !state.lenses;
+    return state.between === "depth" && frame.depth !== null && !state.lenses && state.crosstalk === 0;
   }
 
   private eyeUniforms(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): Record<string, Uniform> {
@@ -171,6 +204,7 @@ export class Renderer {
       u_aperture: state.aperture,
       u_focus: disparityOfDepth(field, state.focus),
       u_line: state.line,
+      u_sigma: state.crosstalk,
     };
   }
 
@@ -189,7 +223,9 @@ export class Renderer {
 
   private eyePass(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number], screen: boolean): [Program, Record<string, Uniform>] {
     const task = state.aperture > 0 ? "refocus" : "eye";
-    return [this.eyeProgram(field, task === "eye" && this.usesDepth(frame, state), task, screen, state.lenses), this.eyeUniforms(field, frame, state, eye, size)];
+    const crosstalk = task === "eye" && state.crosstalk > 0 && hasCrosstalk(field);
+    const program = this.eyeProgram(field, task === "eye" && this.usesDepth(frame, state), task, { screen, snap: state.lenses, crosstalk });
+    return [program, this.eyeUniforms(field, frame, state, eye, size)];
   }
 
   private drawEye(target: Target, field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): void {

@@ -79,6 +79,8 @@ export interface Variant {
   screen: boolean;
   /** To the middles of lenses. */
   snap: boolean;
+  /** Lenses image neighbouring pixels too. */
+  crosstalk: boolean;
 }
 
 const kTasks = ["eye", "refocus", "line", "find"];
@@ -90,6 +92,7 @@ const preamble = (variant: Variant): string => `#version 300 es
 #define TASK ${kTasks.indexOf(variant.task)}
 #define SCREEN ${Number(variant.screen)}
 #define SNAP ${Number(variant.snap)}
+#define CROSSTALK ${Number(variant.crosstalk)}
 `;
 
 const kSrgb = `
@@ -108,6 +111,7 @@ uniform vec2 u_disparities;     // the least and the greatest
 uniform float u_aperture, u_focus;  // share of the zone; disparity
 uniform float u_line;           // 0 ... 1: an epipolar-plane image of the line so far down, eyes from the top
 uniform vec2 u_point;           // of the focus finder, mm
+uniform float u_sigma;          // of crosstalk, views
 out vec4 color;
 
 // Along the line of sight, front to back, the first disparity at which the view has a surface; .y: whether it is seen there.
@@ -167,6 +171,45 @@ float wrapped(float place, float count, float beyond, out float turns) {
   return place - turns * count;
 }
 
+#if CROSSTALK
+// Abramowitz and Stegun 7.1.26, to 1.5e-7.
+float erf(float x) {
+  float t = 1.0 / (1.0 + 0.3275911 * abs(x));
+  float series = t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
+  return sign(x) * (1.0 - series * exp(-x * x));
+}
+// What view i has of a Gaussian at a place: as src/optics/crosstalk.cpp, where pixel i covers i ... i + 1.
+float share_of(float i, float place) {
+  float scale = 0.70710678 / u_sigma;
+  return 0.5 * (erf((i + 1.0 - place) * scale) - erf((i - place) * scale));
+}
+// A lens images the pixels around the one that is meant, beyond the edge of its cell those of its neighbour.
+vec3 through_lens(vec2 s, vec2 place) {
+  vec2 count = vec2(u_grid), pitch = u_window_size / u_view_size, reach = vec2(4.0 * u_sigma);
+#if !ROWS
+  place.y = 0.0, reach.y = 0.0;
+#endif
+  vec2 first = floor(place + 0.5 - reach), last = floor(place + 0.5 + reach);
+  bvec2 next_lens = greaterThan(vec2(u_across.w, u_up.w), vec2(1.5));
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (float j = first.y; j <= last.y; ++j)
+    for (float i = first.x; i <= last.x; ++i) {
+      vec2 turns = floor(vec2(i, j) / count);
+      vec2 pixel = pixel_of(s - pitch * turns);
+      bool there = (turns.x == 0.0 || next_lens.x) && (turns.y == 0.0 || next_lens.y) && inside(pixel);
+      if (!there) continue;
+      float weight = u_grid.x > 1 ? share_of(i, place.x + 0.5) : 1.0;
+#if ROWS
+      weight *= share_of(j, place.y + 0.5);
+#endif
+      sum += weight * in_view(ivec2(vec2(i, j) - turns * count), pixel);
+      weights += weight;
+    }
+  return weights > 0.0 ? sum / weights : vec3(0.0);
+}
+#endif
+
 vec3 seen(vec2 s) {
   vec2 pixel = pixel_of(s);
   if (!inside(pixel)) return vec3(0.0);
@@ -181,6 +224,12 @@ vec3 seen(vec2 s) {
   vec2 pitch = u_window_size / u_view_size;
   s -= pitch * vec2(u_across.w > 1.5 ? turns.x : 0.0, u_up.w > 1.5 ? turns.y : 0.0);
   if (!inside(pixel_of(s))) return vec3(0.0);
+#if CROSSTALK
+  vec2 last = vec2(u_grid - 1);
+  if (u_across.w < 0.5) place.x = clamp(place.x, 0.0, last.x);
+  if (u_up.w < 0.5) place.y = clamp(place.y, 0.0, last.y);
+  return through_lens(s, place);
+#endif
   if (turns != vec2(0.0)) slope = vec2(view_slope(u_across, place.x), view_slope(u_up, place.y));
   return between_views(s, slope, place);
 }
@@ -307,6 +356,15 @@ void main() {
       sum += panel_pixel(ivec2(floor(panel + ((vec2(i, j) + 0.5) / float(n) - 0.5) * size)));
   color = vec4(sum / float(n * n), 1.0);
 }
+`;
+
+/** A display's own frame, codes as they are. */
+export const kFrameShader = `#version 300 es
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D u_frame;
+out vec4 color;
+void main() { color = texelFetch(u_frame, ivec2(gl_FragCoord.xy), 0); }
 `;
 
 /** From linear light to the screen: exposure, two eyes, two light fields, the epipolar-plane image. */

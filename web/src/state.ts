@@ -6,11 +6,12 @@ export interface State {
   eye: [number, number, number];
   aperture: number;
   focus: number;
-  show: "eye" | "panel";
+  show: "eye" | "panel" | "display";
   stereo: "off" | "anaglyph" | "side-by-side" | "top-bottom";
   separation: number;
   between: "depth" | "blend";
   lenses: boolean;
+  crosstalk: number;
   exposure: number;
   line: number;
   compare: "first" | "second" | "wipe" | "side-by-side" | "difference";
@@ -22,7 +23,7 @@ export interface State {
 }
 
 const kWords: { [Key in keyof State]?: readonly string[] } = {
-  show: ["eye", "panel"],
+  show: ["eye", "panel", "display"],
   stereo: ["off", "anaglyph", "side-by-side", "top-bottom"],
   between: ["depth", "blend"],
   compare: ["first", "second", "wipe", "side-by-side", "difference"],
@@ -33,24 +34,26 @@ const kRanges: { [Key in keyof State]?: readonly [number, number] } = {
   aperture: [0, 1],
   separation: [0, 200],
   exposure: [-8, 8],
+  crosstalk: [0, 8],
   line: [-1, 1],
   wipe: [0, 1],
   scale: [1, 255],
   speed: [0.05, 16],
 };
 
-export function defaultState(fields: Field[]): State {
+export function defaultState(fields: Field[], plays: boolean): State {
   const field = fields[0];
   return {
     frame: 0,
     eye: [...field.eye_mm],
     aperture: 0,
     focus: 0,
-    show: "eye",
+    show: plays ? "display" : "eye",
     stereo: "off",
     separation: defaultSeparation(field),
     between: field.depth ? "depth" : "blend",
     lenses: false,
+    crosstalk: 0,
     exposure: 0,
     line: -1,
     compare: fields.length > 1 ? "wipe" : "first",
@@ -91,8 +94,12 @@ export class Store {
   private readonly listeners: (() => void)[] = [];
   private addressTimer = 0;
 
-  constructor(readonly fields: Field[]) {
-    this.defaults = defaultState(fields);
+  /** plays: whether there is a display to play on. */
+  constructor(
+    readonly fields: Field[],
+    public plays = false,
+  ) {
+    this.defaults = defaultState(fields, plays);
     this.state = { ...this.defaults };
     this.readAddress();
   }
@@ -101,11 +108,16 @@ export class Store {
     this.listeners.push(listener);
   }
 
+  /** Tells listeners of what is no part of the state. */
+  touch(): void {
+    this.listeners.forEach((listener) => listener());
+  }
+
   /** What is unknown or no sensible value is left out. */
   set(changes: Record<string, unknown>): void {
     let changed = false;
     for (const [name, value] of Object.entries(changes)) {
-      if (!(name in this.state)) continue;
+      if (!(name in this.state) || (name === "show" && value === "display" && !this.plays)) continue;
       const key = name as keyof State;
       const read = readValue(key, value, this.fields, this.state[key]);
       if (read === undefined || JSON.stringify(read) === JSON.stringify(this.state[key])) continue;
@@ -113,7 +125,7 @@ export class Store {
       changed = true;
     }
     if (!changed) return;
-    this.listeners.forEach((listener) => listener());
+    this.touch();
     window.clearTimeout(this.addressTimer);
     this.addressTimer = window.setTimeout(() => this.writeAddress(), 250);
   }

@@ -95,6 +95,10 @@ export class Timeline {
     this.update();
   }
 
+  pause(): void {
+    if (this.playing) this.toggle();
+  }
+
   step(by: number): void {
     const count = this.store.fields[0].frames.length;
     this.playing = false;

@@ -22,6 +22,9 @@ struct InterlaceParams {
   double sigma_views = 0.5;  ///< 0.1 ... 10
 };
 
+/// Throws a usage Error naming `display` where it is no slanted panel, and so has no frame that is made of views.
+void require_own_frame(const Display& display);
+
 /// W x H pixels, the panel's. Throws a usage Error where the display is no slanted panel or the views are more than one row.
 Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool);
 

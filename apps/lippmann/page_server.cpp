@@ -1,0 +1,50 @@
+#include "apps/lippmann/page_server.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include "apps/lippmann/command_line.hpp"
+#include "core/printable.hpp"
+#include "view/http_server.hpp"
+
+namespace lippmann::app {
+namespace {
+
+/// In the background: the browser may be what is started first, and may run for days.
+void open_in_browser(const std::string& address) {
+  const std::string command = "xdg-open " + shell_word(address) + " >/dev/null 2>&1 &";
+  if (std::system(command.c_str()) != 0) fmt::print(stderr, "no browser could be started; the address is above\n");
+}
+
+}  // namespace
+
+void add_page_server_flags(const Command& command, PageServerFlags& flags) {
+  command.add_option("--port", flags.port, "Port of the server; 0: any that is free; default: 8488, or any where it is taken")
+      .type_name("N")
+      .range(0, 65535);
+  command
+      .add_option("--host", flags.host,
+                  "Address to listen at; beyond this machine, the address that is printed has a secret token")
+      .type_name("ADDRESS")
+      .show_default();
+  command.add_flag("--open", flags.open, "Open the page in the browser");
+}
+
+int serve_page(std::vector<std::unique_ptr<PageField>> fields, std::optional<PageDisplay> display, const PageServerFlags& flags,
+               const Context& context) {
+  HttpServer server(flags.host, flags.port);
+  const std::string token = is_loopback(flags.host) ? "" : random_token();
+  PageAnswers answers(std::move(fields), {page_hosts(flags.host, server.port()), token}, std::move(display));
+  const std::string address = page_address(flags.host, server.port(), token);
+  fmt::print("{}\n", address);
+  std::fflush(stdout);
+  fmt::print(stderr, "Open this address in a browser; Ctrl-C ends it.\n");
+  if (flags.open) open_in_browser(address);
+  server.run(answers, context.cancelled);
+  return 0;
+}
+
+}  // namespace lippmann::app

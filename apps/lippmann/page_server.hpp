@@ -1,0 +1,28 @@
+// Commands that show a page in the browser: the flags of their server, and what runs it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lippmann/core/context.hpp"
+#include "view/answers.hpp"
+
+namespace lippmann::app {
+
+class Command;  // command_line.hpp
+
+struct PageServerFlags {
+  std::string host = "127.0.0.1";
+  std::optional<int> port;
+  bool open = false;
+};
+
+void add_page_server_flags(const Command& command, PageServerFlags& flags);
+
+/// Prints the page's address, and answers until it is interrupted. `display`: what the first light field is played on.
+int serve_page(std::vector<std::unique_ptr<PageField>> fields, std::optional<PageDisplay> display, const PageServerFlags& flags,
+               const Context& context);
+
+}  // namespace lippmann::app

@@ -1,0 +1,58 @@
+// What lenses do to what an eye sees: crosstalk as `lippmann replay --crosstalk` computes it, to 40 dB (beyond the zone to
+// 30), and the warning of flips.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { closeAfterEach, eyeOfView, grid, lenslets, lippmann, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+
+closeAfterEach();
+
+async function compare(name, make, eyes) {
+  make();
+  const page = await open(await view(name));
+  for (const [across, up, sigma] of eyes) {
+    const eye = Array.isArray(across) ? across : await eyeOfView(page, across, up);
+    await set(page, { eye, lenses: true, between: "blend", crosstalk: sigma });
+    const file = replay(name, `${name}-${across}-${up}-${sigma}`, "--eye", eye.join(","), "--crosstalk", String(sigma));
+    const psnr = await psnrBeside(page, file);
+    await set(page, { crosstalk: 0 });
+    const without = await psnrBeside(page, file);
+    console.log(`${name}, ${across}, ${up}, sigma ${sigma}: ${psnr.toFixed(1)} dB, without crosstalk ${without.toFixed(1)} dB`);
+    assert.ok(psnr >= (Array.isArray(across) ? 30 : 40), `${name}, ${across}, ${up}, sigma ${sigma}: ${psnr} dB`);
+    assert.ok(psnr > without + 6, `crosstalk makes no difference: ${psnr} dB with it, ${without} dB without`);
+  }
+  assert.deepEqual(page.complaints, []);
+}
+
+test("a lenticular sheet, at a lens's last pixel too, beside which its neighbour's are", () => compare("sheet", sheet, [[3, 0, 0.4], [0, 0, 0.75], [7, 0, 2], [2.4, 0, 0.6], [[60, 0, 192], 0, 1]]));
+test("an array of lenslets, across and up", () => compare("lenslets", lenslets, [[1, 1, 0.5], [0, 3, 0.75], [2.5, 1.3, 1.5]]));
+test("a quilt, whose outermost views have one neighbour", () => compare("quilt", quilt, [[6, 0, 1], [0, 0, 1.5], [9.7, 0, 3]]));
+test("a grid of cameras", () => compare("grid", grid, [[2, 2, 0.75], [4, 0, 1], [1.5, 2.5, 2]]));
+
+test("an eye that leaves the zone is warned of, with the share that replay says", async () => {
+  sheet();
+  const page = await open(await view("sheet"));
+  const notice = () => page.locator("#notice").textContent();
+  assert.equal(await page.evaluate(() => window.lippmann.outOfZone), 0);
+  assert.equal(await notice(), "");
+  for (const eye of [[60, 0, 192], [-30, 0, 120], [45, 0, 192]]) {
+    await set(page, { eye });
+    const said = JSON.parse(lippmann("replay", "sheet/frame_0000.png", "-o", "zone", "--eye", eye.join(","), "--json")).out_of_zone;
+    const share = await page.evaluate(() => window.lippmann.outOfZone);
+    console.log(`from ${eye}: ${share}, replay says ${said}`);
+    assert.ok(Math.abs(share - said) < 0.03, `from ${eye}: ${share}, replay says ${said}`);
+    if (said > 0) assert.match(await notice(), /out of the viewing zone of \d+.% of the display: there it sees the pictures of neighbouring lenses/);
+  }
+  await set(page, { show: "panel" });
+  assert.equal(await notice(), "");
+});
+
+test("the crosstalk is told as the share of each neighbour, as in docs/displays.md", async () => {
+  const page = await open(await view("sheet"));
+  for (const [sigma, share] of [[0.3, "4.8"], [0.5, "15.7"], [0.75, "23.0"]]) {
+    await set(page, { crosstalk: sigma });
+    const slider = page.getByRole("slider", { name: "Crosstalk" });
+    assert.match(await slider.getAttribute("aria-valuetext"), new RegExp(`px, ${share.replace(".", "\\.")}.%`));
+  }
+  await set(page, { show: "panel" });
+  assert.equal(await page.getByRole("slider", { name: "Crosstalk" }).isVisible(), false);
+});

@@ -1,0 +1,83 @@
+// Tilting a device moves the eye, where the device tells how it is held.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { closeAfterEach, lenslets, open, view } from "./support.mjs";
+
+closeAfterEach();
+
+lenslets();
+const address = await view("lenslets");
+const kDegree = Math.PI / 180;
+
+/** How the device is held now. */
+const hold = (page, alpha, beta, gamma) => page.evaluate(([alpha, beta, gamma]) => window.dispatchEvent(new DeviceOrientationEvent("deviceorientation", { alpha, beta, gamma })), [alpha, beta, gamma]);
+const button = (page) => page.getByRole("button", { name: "Tilt moves the eye" });
+const slopes = async (page) => {
+  const { eye } = await page.evaluate(() => window.lippmann.state);
+  return [eye[0] / eye[2], eye[1] / eye[2]];
+};
+const near = (found, wanted) => found.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < 1e-9, `${found}, not ${wanted}`));
+
+test("without a sensor there is no button", async () => {
+  const page = await open(address);
+  assert.equal(await button(page).isVisible(), false);
+  await page.evaluate(() => window.dispatchEvent(new DeviceOrientationEvent("deviceorientation", { alpha: null, beta: null, gamma: null })));
+  assert.equal(await button(page).isVisible(), false);
+});
+
+test("the eye stays where it was while the device turns below it", async () => {
+  const page = await open(address);
+  await hold(page, 10, 40, 0);
+  await button(page).click();
+  assert.equal(await button(page).getAttribute("aria-pressed"), "true");
+  await hold(page, 10, 40, 0);
+  near(await slopes(page), [0, 0]);
+  // The right edge goes away from the eye, which then is on the left.
+  await hold(page, 10, 40, 5);
+  near(await slopes(page), [-Math.tan(5 * kDegree), 0]);
+  // The upper edge comes towards it.
+  await hold(page, 10, 46, 0);
+  near(await slopes(page), [0, Math.tan(6 * kDegree)]);
+  await hold(page, 10, 40, 0);
+  near(await slopes(page), [0, 0]);
+  await button(page).click();
+  await hold(page, 10, 40, 8);
+  near(await slopes(page), [0, 0]);
+});
+
+// Held upright, a turn about the vertical is one of alpha alone; gamma says nothing of it.
+test("a device that is held upright may be turned to the sides", async () => {
+  const page = await open(address);
+  await hold(page, 0, 90, 0);
+  await button(page).click();
+  await hold(page, 0, 90, 0);
+  await hold(page, 4, 90, 0);
+  near(await slopes(page), [-Math.tan(4 * kDegree), 0]);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("the eye stays within the zone", async () => {
+  const page = await open(address);
+  await hold(page, 0, 40, 0);
+  await button(page).click();
+  await hold(page, 0, 40, 0);
+  await hold(page, 0, 40, -60);
+  const share = await page.evaluate(() => {
+    const { eye } = window.lippmann.state;
+    const { across } = window.lippmann.fields[0];
+    return ((eye[0] / eye[2] - across.first) / across.step + 0.5) / across.views;
+  });
+  assert.ok(Math.abs(share - 1) < 1e-9, `${share}`);
+});
+
+for (const [answer, isOn] of [["granted", "true"], ["denied", "false"]])
+  test(`where the browser asks, ${answer} decides`, async () => {
+    const page = await open(address, { hasTouch: true, script: `DeviceOrientationEvent.requestPermission = async () => "${answer}"` });
+    await button(page).click();
+    if (answer === "denied") await page.waitForFunction(() => /does not let this page read how the device is held/.test(document.querySelector("#notice").textContent));
+    else await page.waitForSelector(`button[aria-pressed="true"]:not(.icon)`);
+    assert.equal(await button(page).getAttribute("aria-pressed"), isOn);
+    // It was granted, and no sensor says anything.
+    if (answer === "granted") await page.waitForFunction(() => /does not tell how it is held/.test(document.querySelector("#notice").textContent));
+    if (answer === "granted") assert.equal(await button(page).isVisible(), false);
+  });

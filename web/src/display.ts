@@ -1,0 +1,50 @@
+// The panel that light fields are played on: the numbers that the program has read from its calibration (docs/view.md lists the
+// keys), checked before they are used. Nothing here reads a calibration: the text of a dropped file is sent to the program.
+import { postText } from "./data";
+import { Refusal } from "./field";
+
+/** Which view each sub-pixel is of; src/view/page_display.hpp. */
+export interface SlantedPanel {
+  periods: number;
+  tilt: number;
+  center: number;
+  inverted: boolean;
+  /** [row from the bottom, modulo 4][column modulo 2][red, green, blue][x, y] in pixels. */
+  sub_pixels: number[][][][];
+}
+
+export interface PanelDisplay {
+  name: string;
+  pixels: [number, number];
+  panel: SlantedPanel;
+  filter: "nearest" | "linear" | "gaussian";
+  sigma_views: number;
+}
+
+function require(holds: boolean, what: string): asserts holds {
+  if (!holds) throw new Refusal(`The description of the panel is damaged: ${what}.`);
+}
+
+const isFinite = (value: unknown): boolean => typeof value === "number" && Number.isFinite(value);
+const isListOf = (value: unknown, count: number, holds: (one: unknown) => boolean): boolean =>
+  Array.isArray(value) && value.length === count && value.every(holds);
+const isOffset = (value: unknown): boolean => isListOf(value, 2, isFinite);
+const isPixel = (value: unknown): boolean => isListOf(value, 3, isOffset);
+const isRow = (value: unknown): boolean => isListOf(value, 2, isPixel);
+
+export function readDisplay(json: unknown): PanelDisplay {
+  const display = json as PanelDisplay;
+  require(typeof display === "object" && display !== null, "it is no object");
+  require(isListOf(display.pixels, 2, (side) => Number.isInteger(side) && (side as number) >= 1 && (side as number) <= 65536), "it has no size");
+  const panel = display.panel;
+  require(isFinite(panel?.periods) && isFinite(panel.tilt) && isFinite(panel.center), "it does not say where its lenses are");
+  require(isListOf(panel.sub_pixels, 4, isRow), "it does not say where its sub-pixels are");
+  require(["nearest", "linear", "gaussian"].includes(display.filter) && isFinite(display.sigma_views), "it does not say how views are mixed");
+  return display;
+}
+
+/** Whether frames that one panel shows are those of the other: then they need no interlacing. */
+export const samePanel = (a: SlantedPanel | undefined, b: SlantedPanel): boolean => JSON.stringify(a) === JSON.stringify(b);
+
+/** Of the text of a visual.json. Throws a Refusal that says what is wrong with it. */
+export const readCalibration = async (text: string): Promise<PanelDisplay> => readDisplay(JSON.parse(await postText("calibration", text)));

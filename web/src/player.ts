@@ -1,0 +1,113 @@
+// Playing on a panel: which one, full screen, and its pixels one by one on the pixels of the screen.
+import { readCalibration, type PanelDisplay } from "./display";
+import { Refusal } from "./field";
+import type { Frames } from "./frames";
+import type { Gl } from "./gl";
+import { Interlacer } from "./interlace";
+import type { Store } from "./state";
+
+/** Frames of a panel: what a device that is made to play them has. */
+function playedBudget(): number {
+  const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
+  return Math.min(Math.max(gigabytes * 256, 512), 2048) * 1024 * 1024;
+}
+
+/** What a saved page or a program knows as the text of a calibration is small. */
+const kMostCalibrationBytes = 1 << 20;
+
+const sizeText = ([width, height]: readonly number[]): string => `${width}\u00d7${height}`;
+
+export class Player {
+  display: PanelDisplay | null = null;
+
+  constructor(
+    private readonly gl: Gl,
+    private readonly store: Store,
+    private readonly frames: Frames,
+    private readonly stage: HTMLElement,
+    private readonly notify: (about: string, text: string) => void,
+  ) {
+    document.addEventListener("fullscreenchange", () => this.store.touch());
+    window.addEventListener("dragover", (event) => event.preventDefault());
+    window.addEventListener("drop", (event) => {
+      event.preventDefault();
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.take(file);
+    });
+  }
+
+  /** Throws a Refusal for a panel that this device cannot draw, or views that no panel's frame is made of. */
+  playOn(display: PanelDisplay): void {
+    const { up, title } = this.store.fields[0];
+    if (up.views > 1) throw new Refusal(`${title} has ${up.views} rows of views, and a panel shows one: \`lippmann convert --keep\` takes one of several.`);
+    this.frames.playOn(new Interlacer(this.gl, display), playedBudget());
+    this.display = display;
+    this.store.plays = true;
+    this.store.set({ show: "display" });
+    this.store.touch();
+  }
+
+  /** A file that was dropped on the page or chosen: a calibration. */
+  async take(file: File): Promise<void> {
+    this.notify("calibration", "");
+    try {
+      if (file.size > kMostCalibrationBytes) throw new Refusal("It is larger than 1 MB, and no calibration.");
+      this.playOn(await readCalibration(await file.text()));
+    } catch (error) {
+      this.notify("calibration", `${file.name} cannot be used: ${error instanceof Refusal ? error.message : String(error)}`);
+    }
+  }
+
+  choose(): void {
+    const input = document.createElement("input");
+    Object.assign(input, { type: "file", accept: ".json,application/json" });
+    input.addEventListener("change", () => input.files?.[0] && void this.take(input.files[0]));
+    input.click();
+  }
+
+  get isPlaying(): boolean {
+    return this.store.state.show === "display" && this.display !== null;
+  }
+
+  get canFillScreen(): boolean {
+    return document.fullscreenEnabled;
+  }
+
+  async toggleFullScreen(): Promise<void> {
+    try {
+      if (document.fullscreenElement) await document.exitFullscreen();
+      else await this.stage.requestFullscreen({ navigationUI: "hide" });
+    } catch {
+      this.notify("screen", "The browser does not let this page fill the screen.");
+    }
+  }
+
+  describe(): string {
+    return this.display ? `${this.display.name}, ${sizeText(this.display.pixels)}` : "none";
+  }
+
+  /** The canvas has the panel's pixels; in full screen each is one of the screen's. Whether that changed its size. */
+  fit(canvas: HTMLCanvasElement): boolean {
+    const [width, height] = (this.display as PanelDisplay).pixels;
+    const changed = canvas.width !== width || canvas.height !== height;
+    if (changed) Object.assign(canvas, { width, height });
+    const ratio = window.devicePixelRatio || 1;
+    const fills = document.fullscreenElement === this.stage;
+    canvas.style.width = fills ? `${width / ratio}px` : "";
+    canvas.style.height = fills ? `${height / ratio}px` : "";
+    this.notify("screen", this.screenNotice(fills, ratio));
+    return changed;
+  }
+
+  /** A screen of another size than the panel's is not the panel. */
+  private screenNotice(fills: boolean, ratio: number): string {
+    const { pixels } = this.display as PanelDisplay;
+    const { gl } = this;
+    if (gl.drawingBufferWidth !== gl.canvas.width || gl.drawingBufferHeight !== gl.canvas.height)
+      return `This device draws ${sizeText([gl.drawingBufferWidth, gl.drawingBufferHeight])} pixels at most, and the panel has ${sizeText(pixels)}.`;
+    if (!fills) return this.canFillScreen ? "Shown as a picture. On the panel's screen, F plays it pixel for pixel." : "Shown as a picture: this browser cannot fill the screen.";
+    const screen = [Math.round(window.innerWidth * ratio), Math.round(window.innerHeight * ratio)];
+    const fits = screen.every((side, i) => Math.abs(side - pixels[i]) <= ratio);
+    return fits ? "" : `This screen has ${sizeText(screen)} pixels, and the panel ${sizeText(pixels)}: move the window to the panel's screen.`;
+  }
+}

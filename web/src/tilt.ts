@@ -1,0 +1,103 @@
+// A device that is tilted shows what an eye sees that stays where it was: the eye moves in the display's own frame.
+//
+// The sensor tells turns about z, then the turned x, then the turned y: R = Rz(alpha) Rx(beta) Ry(gamma), from the device's
+// frame (x right, y up, z out of its screen) into the world's. What stays in the world in a direction e of the frame at the
+// beginning is later in R^T R_0 e.
+
+type Vector = [number, number, number];
+type Matrix = [Vector, Vector, Vector];
+
+export interface Turn {
+  alpha: number;
+  beta: number;
+  gamma: number;
+}
+
+/** For the first word of a sensor. */
+const kWaitMs = 2000;
+const kDegree = Math.PI / 180;
+
+function rotation({ alpha, beta, gamma }: Turn): Matrix {
+  const [ca, cb, cg] = [alpha, beta, gamma].map((angle) => Math.cos(angle * kDegree));
+  const [sa, sb, sg] = [alpha, beta, gamma].map((angle) => Math.sin(angle * kDegree));
+  return [
+    [ca * cg - sa * sb * sg, -sa * cb, ca * sg + sa * sb * cg],
+    [sa * cg + ca * sb * sg, ca * cb, sa * sg - ca * sb * cg],
+    [-cb * sg, sb, cb * cg],
+  ];
+}
+
+const times = (m: Matrix, v: Vector): Vector => m.map((row) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2]) as Vector;
+const timesTransposed = (m: Matrix, v: Vector): Vector => [0, 1, 2].map((i) => m[0][i] * v[0] + m[1][i] * v[1] + m[2][i] * v[2]) as Vector;
+
+/** The screen is turned by so many degrees against the device. Where the device's right is on the screen, and back. */
+function turned([x, y, z]: Vector, degrees: number): Vector {
+  const [c, s] = [Math.cos(degrees * kDegree), Math.sin(degrees * kDegree)];
+  return [x * c - y * s, x * s + y * c, z];
+}
+
+/** Slopes of the eye at the middle of the screen, which were `slopes` at the turn `from`; null: it is behind the screen. */
+export function slopesAfter(from: Turn, to: Turn, slopes: [number, number], screenDegrees = 0): [number, number] | null {
+  const inDevice = turned([slopes[0], slopes[1], 1], -screenDegrees);
+  const [x, y, z] = turned(timesTransposed(rotation(to), times(rotation(from), inDevice)), screenDegrees);
+  return z > 0.05 ? [x / z, y / z] : null;
+}
+
+type WithPermission = { requestPermission?: () => Promise<"granted" | "denied"> };
+
+/** Moves the eye while it is on. `isThere` becomes true where a sensor is known to be, or may be asked for. */
+export class Tilt {
+  isThere = false;
+  isOn = false;
+  private from: { turn: Turn; slopes: [number, number] } | null = null;
+
+  constructor(
+    private readonly slopes: () => [number, number],
+    private readonly move: (slopes: [number, number]) => void,
+    private readonly changed: () => void,
+    private readonly notify: (text: string) => void,
+  ) {
+    // Devices without the sensor send one event that says nothing.
+    window.addEventListener("deviceorientation", (event) => this.take(event));
+    // Where the browser asks first, nothing tells whether there is a sensor; devices that are held have one as a rule.
+    if (typeof DeviceOrientationEvent !== "undefined") this.isThere = "requestPermission" in DeviceOrientationEvent && navigator.maxTouchPoints > 0;
+  }
+
+  async toggle(): Promise<void> {
+    if (!this.isOn && !(await this.mayRead())) return this.notify("The browser does not let this page read how the device is held.");
+    this.notify("");
+    this.isOn = !this.isOn;
+    this.from = null;
+    this.changed();
+    window.setTimeout(() => this.giveUpWithoutSensor(), kWaitMs);
+  }
+
+  private giveUpWithoutSensor(): void {
+    if (!this.isOn || this.from) return;
+    this.isOn = this.isThere = false;
+    this.notify("This device does not tell how it is held.");
+    this.changed();
+  }
+
+  private async mayRead(): Promise<boolean> {
+    const { requestPermission } = DeviceOrientationEvent as unknown as WithPermission;
+    try {
+      return !requestPermission || (await requestPermission.call(DeviceOrientationEvent)) === "granted";
+    } catch {
+      return false;
+    }
+  }
+
+  private take({ alpha, beta, gamma }: DeviceOrientationEvent): void {
+    if (beta === null || gamma === null) return;
+    const turn = { alpha: alpha ?? 0, beta, gamma };
+    if (!this.isThere) {
+      this.isThere = true;
+      this.changed();
+    }
+    if (!this.isOn) return;
+    this.from ??= { turn, slopes: this.slopes() };
+    const slopes = slopesAfter(this.from.turn, turn, this.from.slopes, screen.orientation?.angle ?? 0);
+    if (slopes) this.move(slopes);
+  }
+}
