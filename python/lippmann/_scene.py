@@ -219,12 +219,16 @@ class Scene:
         range: float = math.inf,
         inner_cone_deg: float = 0.0,
         outer_cone_deg: float = 45.0,
+        radius: float = 0.0,
+        angular_diameter_deg: float = 0.0,
         name: str = "",
     ) -> Object:
         """A lamp. kind: "point", "spot" (both fade with the squared distance) or "directional".
 
         Spots and directional lamps shine towards `target` (a point) or along `direction`; by default downwards. color, linear,
         times intensity: what lights a white surface that faces the lamp at distance 1, times pi. Cones: half angles of a spot.
+        Points and spots may be spheres of a radius, directional lamps discs of an angular diameter (the sun: 0.53), as bright
+        in all: their shadows are soft in path-traced pictures.
         """
         if kind not in ("point", "directional", "spot"):
             raise Error("kind", f"is {kind!r}", "point, directional, spot")
@@ -236,8 +240,12 @@ class Scene:
         outer = number(outer_cone_deg, "outer_cone_deg", 0.01, 90.0)
         inner = number(inner_cone_deg, "inner_cone_deg", 0.0, outer)
         reach = number(range, "range", 1e-9, math.inf, finite=False)
+        is_sun = kind == "directional"
+        ball = number(radius, "radius", 0.0, 0.0 if is_sun else 1e9)
+        disc = math.radians(number(angular_diameter_deg, "angular_diameter_deg", 0.0, 180.0 if is_sun else 0.0))
         node = self._core.add_node(text(name, "name") or kind, -1, at, _rotation_towards(along), (1.0, 1.0, 1.0))
-        self._core.add_light(name, kind, node, tuple(tint), reach, math.radians(inner), math.radians(outer))
+        cones = (math.radians(inner), math.radians(outer))
+        self._core.add_light(name, kind, node, tuple(tint), reach, cones, disc if is_sun else ball)
         return Object(self, node, name or kind)
 
     def set_background(self, horizon: Any = (0, 0, 0), zenith: Any = None) -> None:

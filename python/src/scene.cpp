@@ -88,7 +88,7 @@ int add_material(Scene& scene, const Four& base_color, int texture, float metall
 }
 
 int add_light(Scene& scene, std::string name, const std::string& kind, int node, const Three& color, float range,
-              float inner_cone, float outer_cone) {
+              std::array<float, 2> cones, float size) {
   Light light;
   light.name = std::move(name);
   light.kind = kind == "directional" ? LightKind::kDirectional : kind == "spot" ? LightKind::kSpot : LightKind::kPoint;
@@ -96,7 +96,8 @@ int add_light(Scene& scene, std::string name, const std::string& kind, int node,
   light.color = vec(color);
   light.inverse_square = light.kind != LightKind::kDirectional;
   light.range = range;
-  light.inner_cone = inner_cone, light.outer_cone = outer_cone;
+  light.inner_cone = cones[0], light.outer_cone = cones[1];
+  (light.kind == LightKind::kDirectional ? light.angular_diameter : light.radius) = size;
   return add(scene.lights, std::move(light));
 }
 

@@ -53,6 +53,20 @@ class SceneTest(Case):
         self.assertAlmostEqual(brightness(kind="spot", position=(0, 0, 2), target=(0, 0, 0)), towards / 4, delta=0.02 * towards)
         self.assertLess(brightness(kind="spot", position=(0, 0, 2), target=(0, 0, 4)), 1e-6)
 
+    def test_a_lamp_with_a_size_has_soft_shadows(self):
+        # A plate before x < 0 at z = 0.5, a lamp at z = 2: at (x, 0, 0) all of a sphere of radius 0.5 is seen that is right of
+        # -3 x. Beyond x = 1/6 that is the whole of it, at x = 1/32 (the first pixel) 0.62.
+        def row(**size):
+            scene = lippmann.Scene()
+            scene.add_mesh(QUAD, FACES, material=lippmann.Material((1, 1, 1), roughness=1))
+            scene.add_box((-3, -3, 0.5), (0, 3, 0.501))
+            scene.add_light("point", position=(0, 0, 2), intensity=2, **size)
+            return front(scene, integrator="path", max_depth=1, spp=256)[16, :, 1]
+
+        ratio = row(radius=0.5)[16:] / row()[16:]
+        self.assertAlmostEqual(float(ratio[0]), 0.62, delta=0.06)
+        np.testing.assert_allclose(ratio[4:], 1.0, atol=0.03)
+
     def test_an_even_background_lights_a_white_matt_wall_as_brightly_as_itself(self):
         scene = lippmann.Scene()
         scene.set_background((0.5, 0.5, 0.5))
