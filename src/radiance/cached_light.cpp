@@ -85,6 +85,13 @@ int path_samples_for(float goal, int samples, float found, int most) {
   return std::clamp(static_cast<int>(std::min(wanted, static_cast<float>(most))), samples, std::max(samples, most));
 }
 
+/// Whether a frame is worse than it may be by more than means lose beside those of paths: a history's first frame that is not
+/// stays as it is, as tracing it, too, would take as much again as finding the plan did.
+bool is_far_off(const FrameError& found, const FrameError& may) {
+  constexpr float kFarOff = 2.0f;
+  return found.pixels > kFarOff * may.pixels || found.blocks > kFarOff * may.blocks;
+}
+
 /// Null: not wanted.
 Image* alpha_of(const CachedLightPictures& pictures) {
   return pictures.aovs && pictures.aovs->wants(Aov::kAlpha) ? &(*pictures.aovs)[Aov::kAlpha] : nullptr;
@@ -341,7 +348,7 @@ CachedFrame::Mending CachedFrame::mix_paths(const GatherMeasure& measure) {
   const FrameErrors& errors = history_.errors;
   if (!errors.is_too_large()) return Mending::kNone;
   const std::optional<PathMix> mix = mix_wanted(measure, share_before_mixing(measure));
-  if (!mix) return Mending::kFailed;
+  if (!mix) return moved_ || is_far_off(errors.latest(), measure.goal()) ? Mending::kFailed : Mending::kNone;
   history_.plan->mix = *mix;
   return Mending::kGood;
 }
