@@ -7,6 +7,7 @@
 #include "folder/frame_files.hpp"
 #include "image/tiff.hpp"
 #include "layout/film_layout.hpp"
+#include "layout/rgbd_name.hpp"
 #include "layout/sub_pixels.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -141,6 +142,7 @@ void FrameLayout::use_format(const LightFieldFormat& format, const Optics& optic
   const ViewLayout film = is_single_view(optics) ? ViewLayout{LayoutKind::kStack, {1, 1}, {}} : film_layout(optics, "to");
   light_field_ = &format;
   names_.is_folder = format.is_folder;
+  if (layout_named(std::string(format.name)) == PictureLayout::kRgbd) names_.suffix = kRgbdEnding;
   if (format_ == PictureFormat::kTiff) throw usage_error("format", "light fields hold no TIFF pictures", "png, png16 or exr");
   view_size_ = view_size(film, film_, "to");
   if (format.is_folder) pictures_per_frame_ = film.grid.count();

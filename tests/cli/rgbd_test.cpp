@@ -42,6 +42,13 @@ TEST(Rgbd, render_writes_one_view_with_depth_and_its_side_file) {
   EXPECT_EQ(codes_of_file(dir / "a/frame_0000_rgbd.png").width, 128);
 }
 
+TEST(Rgbd, render_says_what_its_pictures_are_called) {
+  const TempDir dir;
+  const RunResult made = run_tool(dir, {"render", "room", "--size", "64x48", "--frames", "0", "--layout", "rgbd", "-o", "a"});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("pictures  a/frame_0000_rgbd.png"));
+}
+
 TEST(Rgbd, picture_is_shown_on_a_display) {
   const TempDir dir;
   rendered(dir, {"render", "room", "--size", "60x80", "--frames", "0", "--layout", "rgbd", "-o", "a"}, "a");

@@ -31,6 +31,13 @@ struct Muxer {
   }
 };
 
+/// Whether a frame may be decoded at `dts` that is shown at `pts`, both in frames. libx265 takes a decoding time from memory
+/// that it has not set where a video has no more frames than it reorders.
+bool is_plausible(std::int64_t dts, std::int64_t pts) {
+  constexpr std::int64_t kMostReordered = 64;
+  return dts <= pts && pts <= dts + kMostReordered;
+}
+
 class FfmpegEncoder : public VideoEncoder {
  public:
   explicit FfmpegEncoder(const EncoderSettings& settings) : settings_(settings) {
@@ -110,6 +117,7 @@ class FfmpegEncoder : public VideoEncoder {
       check(code, "cannot be encoded");
       packet_->stream_index = stream_->index;
       packet_->duration = 1;
+      if (!is_plausible(packet_->dts, packet_->pts)) packet_->dts = AV_NOPTS_VALUE;  // the muxer finds it from pts
       av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
       check(av_interleaved_write_frame(muxer_.context, packet_.get()), "cannot be written");
     }
