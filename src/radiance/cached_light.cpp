@@ -86,8 +86,8 @@ int path_samples_for(float goal, int samples, float found, int most) {
   return std::clamp(static_cast<int>(std::min(wanted, static_cast<float>(most))), samples, std::max(samples, most));
 }
 
-/// Whether a frame has over twice the error that it may have. A history's first frame that has less stays as it is: to trace it,
-/// too, would cost a small still two to three times what paths take.
+/// Whether a frame has over twice the error that it may have. A history's first frame that has less stays as it is: to trace
+/// it, too, would cost a small still two to three times what paths take.
 bool is_far_off(const FrameError& found, const FrameError& may) {
   constexpr float kFarOff = 2.0f;
   return found.pixels > kFarOff * may.pixels || found.blocks > kFarOff * may.blocks;
