@@ -32,6 +32,9 @@ class SkyScene {
     return {{device_, optics_, world_}, params, std::nullopt, places, {}, pool_};
   }
 
+  std::optional<GatherPlan> plan_with(const RadianceCache& cache, GatherMeasure& measure) const {
+    return measure.plan({{device_, optics_, world_}, cells_, cache});
+  }
   /// Of frames of this scene, with light from `cache`.
   FrameError error_with(const RadianceCache& cache, GatherMeasure& measure) const {
     return measure.check({{device_, optics_, world_}, cells_, cache}, {.error = 0.002f}, {});
@@ -94,6 +97,19 @@ TEST(GatherMeasure, noise_beyond_white_does_not_pass_for_light_that_is_wrong) {
     sum += static_cast<double>(scene.error_with(scene.cache(), measure).blocks);
   }
   EXPECT_LT(sum / kFrames * 255.0 * 255.0, 0.7);
+}
+
+// Light that is a fifth too dark stays so however finely pixels are sampled: the second trial shows it.
+TEST(GatherMeasure, pixels_are_not_refined_where_cells_are_wrong) {
+  const SkyScene scene(0.6f), darker(0.48f);
+  GatherMeasure right = scene.measure(), wrong = scene.measure();
+  const std::optional<GatherPlan> good = scene.plan_with(scene.cache(), right), plan = scene.plan_with(darker.cache(), wrong);
+  ASSERT_TRUE(good);
+  EXPECT_LT(good->of_cells, 1.0f);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->of_cells, 1.0f);
+  EXPECT_GT(plan->expected.blocks, 3.0f * wrong.goal().blocks);
+  EXPECT_GE(plan->error, 0.005f);
 }
 
 TEST(GatherMeasure, every_frame_holds_out_other_pixels) {

@@ -1,0 +1,52 @@
+// How the frames of a history are made: found in its first frame, by trying setups of the cache on some patches.
+#pragma once
+
+#include "radiance/cached_light.hpp"
+#include "radiance/frame_cache.hpp"
+#include "radiance/gather_error.hpp"
+
+namespace lippmann {
+
+/// Outlived by what it was made with.
+class PlanSearch {
+ public:
+  /// cache: of a history's first frame, nothing in it yet.
+  PlanSearch(const Shot& shot, const TraceParams& params, const CachedLightGoal& goal, const Workers& workers,
+             FrameCache& cache);
+
+  /// The plan for all frames, and the cache set up for it; none where paths are cheaper.
+  std::optional<GatherPlan> find();
+
+  /// All that was traced, but for updates of the cache.
+  RayCounts counts() const;
+
+  /// Of pixels that are traced by as many paths as were asked for.
+  float error_of_paths() const { return measure_.of_paths(); }
+
+ private:
+  struct Candidate {
+    CacheSetup setup;
+    GatherPlan plan;
+  };
+  SetupOutcome try_setup(const CacheSetup& setup);
+  SetupOutcome try_within(double seconds);
+  void confirm(SetupOutcome& outcome);
+  void keep_mixed(const CacheSetup& setup);
+  bool may_gain(const SetupOutcome& outcome) const;
+  double rays_until_good(const SetupOutcome& outcome) const;
+  double seconds_for_pixels(double seconds) const;
+  std::optional<Candidate> chosen(const SetupSearch& search) const;
+
+  Shot shot_;
+  const TraceParams& params_;
+  CachedLightGoal goal_;
+  const Workers workers_;
+  FrameCache& cache_;
+  GatherMeasure measure_;
+  std::optional<GatherMeasure> fresh_;  ///< on other patches
+  std::optional<GatherPlan> plan_;      ///< of the setup that was tried last
+  std::optional<GatherPlan> good_;      ///< of the good one that was tried last
+  std::optional<Candidate> mixed_;      ///< of those that are good with paths, the one that takes the fewest rays
+};
+
+}  // namespace lippmann
