@@ -53,6 +53,7 @@ function(lippmann_test name)
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE lippmann_test_support ${TEST_DEPENDS} GTest::gmock GTest::gtest_main)
   lippmann_use_precompiled(${name} lippmann_test_headers)
+  lippmann_may_join(${name})
   # A loaded machine may take far longer than the 5 s that CMake gives a program to list its tests.
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 300)
 endfunction()

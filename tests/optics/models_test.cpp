@@ -5,6 +5,7 @@
 
 #include "optics/ray_generator.hpp"
 #include "random_optics.hpp"
+#include "support/near.hpp"
 
 namespace lippmann {
 namespace {
@@ -17,11 +18,7 @@ constexpr float kPositionMm = 1e-4f, kSlope = 2e-6f;
 
 Vec2f slope(const Ray& ray) { return {ray.direction.x / ray.direction.z, ray.direction.y / ray.direction.z}; }
 
-void expect_near(Vec3f a, Vec3f b, float tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
+using test::expect_near;
 
 // ---- Lenticular sheet -------------------------------------------------------------------------------------------------
 

@@ -136,9 +136,7 @@ TEST_P(PixelsSeeing, random_points_none_missing_and_none_extra) {
   EXPECT_GT(compared, 20u);
 }
 
-std::string name_of_kind(const testing::TestParamInfo<int>& kind) { return test::name_of_kind(kind.param); }
-
-INSTANTIATE_TEST_SUITE_P(Models, PixelsSeeing, testing::Range(0, OpticsSampler::kKinds), name_of_kind);
+INSTANTIATE_TEST_SUITE_P(Models, PixelsSeeing, testing::Range(0, OpticsSampler::kKinds), test::name_of_param);
 
 // ---- In the lens plane ------------------------------------------------------------------------------------------------
 
@@ -188,7 +186,7 @@ TEST_P(LensPlane, point_is_seen_by_all_pixels_of_its_lens) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, LensPlane, testing::Range(0, 4), name_of_kind);
+INSTANTIATE_TEST_SUITE_P(Models, LensPlane, testing::Range(0, 4), test::name_of_param);
 
 TEST(PixelsSeeingOrder, lenses_come_in_ascending_order) {
   Optics optics{.panel = {96, 96, 0.125f}, .model = MicrolensArray{}};

@@ -127,6 +127,9 @@ inline const char* name_of_kind(int kind) {
   return kNames[kind];
 }
 
+/// Likewise, as INSTANTIATE_TEST_SUITE_P asks.
+inline std::string name_of_param(const testing::TestParamInfo<int>& kind) { return name_of_kind(kind.param); }
+
 /// The depth that goes with an array's lenses: their gap; of a slanted panel some times the depth at which one of its lenses
 /// shows the same point all over.
 inline float gap_of(const Optics& optics) {

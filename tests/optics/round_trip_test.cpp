@@ -127,9 +127,7 @@ TEST_P(RoundTrip, point_outside_the_rays_range_of_depths_is_seen_by_none) {
   EXPECT_FALSE(seeing.empty());
 }
 
-std::string name_of_kind(const testing::TestParamInfo<int>& kind) { return test::name_of_kind(kind.param); }
-
-INSTANTIATE_TEST_SUITE_P(Models, RoundTrip, testing::Range(0, OpticsSampler::kKinds), name_of_kind);
+INSTANTIATE_TEST_SUITE_P(Models, RoundTrip, testing::Range(0, OpticsSampler::kKinds), test::name_of_param);
 
 }  // namespace
 }  // namespace lippmann

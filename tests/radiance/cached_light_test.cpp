@@ -10,8 +10,6 @@ namespace {
 
 using namespace test;
 
-void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
-
 struct Frames {
   std::vector<Image> films;
   std::vector<CachedLightReport> reports;

@@ -27,14 +27,6 @@ RenderedPanel rotated(const RenderedPanel& panel) {
   return with(panel.optics, rotated_elemental_images(panel.optics, "test"), panel);
 }
 
-RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
-  RenderedPanel panel{optics, Image(optics.panel.width, optics.panel.height, 3)};
-  std::vector<Vec2f> pixels;
-  pixels_seeing(optics, point_mm, pixels);
-  for (const Vec2f pixel : pixels) std::fill_n(panel.picture.pixel(int(pixel.x), int(pixel.y)), 3, 1.0f);
-  return panel;
-}
-
 /// A spot that lenses and pixels sample: conversions take nearest pixels, and of a point smaller than these may take none.
 RenderedPanel record_spot(const Optics& optics, Vec3d point_mm) {
   return record(optics, point_mm.z, [&](Vec2d p) {
@@ -65,7 +57,7 @@ Peak peak_of(const RenderedPanel& panel, double step, int count) {
   return peak;
 }
 
-constexpr double kStep = 2.0;  ///< the gap: see refocus_test.cpp
+constexpr double kDepthStep = 2.0;  ///< the gap: see refocus_test.cpp
 
 TEST(RotateElemental, point_then_peaks_at_the_opposite_depth) {
   Optics lenslets = test::lenslets();
@@ -73,8 +65,8 @@ TEST(RotateElemental, point_then_peaks_at_the_opposite_depth) {
   for (const Optics& optics : {test::sheet(), lenslets})
     for (int i = -9; i <= 9; ++i) {
       if (std::abs(i) < 2) continue;
-      const auto z = static_cast<float>(i * kStep);
-      EXPECT_NEAR(peak_of(rotated(record_point(optics, {0.37f, 0.61f, z})), kStep, 11).depth, -z, kStep) << z;
+      const auto z = static_cast<float>(i * kDepthStep);
+      EXPECT_NEAR(peak_of(rotated(test::record_point(optics, {0.37f, 0.61f, z})), kDepthStep, 11).depth, -z, kDepthStep) << z;
     }
 }
 
@@ -109,10 +101,10 @@ TEST(Spoc, point_recorded_at_z_comes_back_at_distance_minus_z) {
   const Optics recorded = test::sheet();
   for (const double distance : {10.0, 20.0})
     for (const double z : {8.0, 14.0, 20.0, 26.0}) {
-      if (std::abs(distance - z) < 2 * kStep) continue;  // nearer, one lens alone sees it
+      if (std::abs(distance - z) < 2 * kDepthStep) continue;  // nearer, one lens alone sees it
       const PixelMap map = spoc(recorded, recorded, {distance, z});
-      const Peak peak = peak_of(with(recorded, map, record_spot(recorded, {1.37, 0.61, z})), kStep, 11);
-      EXPECT_NEAR(peak.depth, distance - z, kStep) << distance << " " << z;
+      const Peak peak = peak_of(with(recorded, map, record_spot(recorded, {1.37, 0.61, z})), kDepthStep, 11);
+      EXPECT_NEAR(peak.depth, distance - z, kDepthStep) << distance << " " << z;
       EXPECT_NEAR(peak.place.x, 1.37, 1.0) << distance << " " << z;
     }
 }
@@ -123,8 +115,8 @@ TEST(Spoc, display_with_other_lenses_shows_the_point_where_it_should_be) {
   EXPECT_EQ(Vec2i(display.panel.width, display.panel.height), Vec2i(220, 220));  // 30 mm: 20 lenses of 11 pixels
   EXPECT_EQ(whole_pixels_per_lens(display), Vec2i(11));
   const PixelMap map = spoc(recorded, display, {24.0, 14.0});
-  const Peak peak = peak_of(with(display, map, record_spot(recorded, {1.4, -2.2, 14.0})), kStep, 8);
-  EXPECT_NEAR(peak.depth, 24.0 - 14.0, kStep);
+  const Peak peak = peak_of(with(display, map, record_spot(recorded, {1.4, -2.2, 14.0})), kDepthStep, 8);
+  EXPECT_NEAR(peak.depth, 24.0 - 14.0, kDepthStep);
   EXPECT_NEAR(peak.place.x, 1.4, 1.0);
   EXPECT_NEAR(peak.place.y, -2.2, 1.0);
 }

@@ -32,6 +32,15 @@ RenderedPanel record(const Optics& optics, double z, const Color& color) {
   return panel;
 }
 
+/// A point of light, and darkness elsewhere.
+inline RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
+  RenderedPanel panel{optics, Image(optics.panel.width, optics.panel.height, 3)};
+  std::vector<Vec2f> pixels;
+  pixels_seeing(optics, point_mm, pixels);
+  for (const Vec2f pixel : pixels) std::fill_n(panel.picture.pixel(int(pixel.x), int(pixel.y)), 3, 1.0f);
+  return panel;
+}
+
 /// The same plane as an eye sees it through the display's window, without lenses.
 template <class Color>
 Image seen_directly(const Optics& optics, Vec2i size, Vec3d eye_mm, double z, const Color& color) {

@@ -13,15 +13,6 @@ namespace {
 
 using test::linear_psnr, test::record, test::seen_directly, test::waves;
 
-/// Black but for the pixels that see one point.
-RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
-  RenderedPanel panel{optics, Image(optics.panel.width, optics.panel.height, 3)};
-  std::vector<Vec2f> pixels;
-  pixels_seeing(optics, point_mm, pixels);
-  for (const Vec2f pixel : pixels) std::fill_n(panel.picture.pixel(int(pixel.x), int(pixel.y)), 3, 1.0f);
-  return panel;
-}
-
 float brightest(const Image& picture) { return *std::max_element(picture.data.begin(), picture.data.end()); }
 
 /// The depth i step, -count <= i <= count, at which the refocused picture has the highest peak.
@@ -50,20 +41,20 @@ void expect_peaks_at(const std::function<RenderedPanel(Vec3f)>& recorded) {
 
 TEST(Refocus, point_at_each_of_20_depths_peaks_at_its_own_through_lenticules) {
   const Optics optics = test::sheet();
-  expect_peaks_at([&](Vec3f p) { return record_point(optics, p); });
+  expect_peaks_at([&](Vec3f p) { return test::record_point(optics, p); });
 }
 
 TEST(Refocus, point_at_each_of_20_depths_peaks_at_its_own_through_lenslets) {
   Optics optics = test::lenslets();
   optics.panel.height = 70;
-  expect_peaks_at([&](Vec3f p) { return record_point(optics, p); });
+  expect_peaks_at([&](Vec3f p) { return test::record_point(optics, p); });
 }
 
 TEST(Refocus, point_peaks_at_its_depth_for_converging_hexagonal_slanted_and_quilt) {
   for (const Optics& optics :
        {test::sheet(150.0f), test::lenslets(150.0f, LensPacking::kHexagonal), test::sheet(150.0f, 0.25f), test::quilt()})
     for (const float z : {-12.0f, -6.0f, 6.0f, 12.0f})
-      EXPECT_NEAR(depth_of_peak(record_point(optics, {0.37f, 0.61f, z}), kStep, 9), z, kStep) << optics.model.index();
+      EXPECT_NEAR(depth_of_peak(test::record_point(optics, {0.37f, 0.61f, z}), kStep, 9), z, kStep) << optics.model.index();
 }
 
 TEST(Refocus, blob_comes_back_at_its_place_as_the_design_viewer_sees_it) {

@@ -26,10 +26,7 @@ Optics sheet(float viewing_distance) {
 /// A colour that changes by a fifth per lens: enough to be looked at, and linear, so that interpolation is exact.
 float ramp(float x) { return 2.0f + 0.2f * x; }
 
-Vec2f centre_of(const Optics& optics, std::uint32_t pixel) {
-  const auto width = static_cast<std::uint32_t>(optics.panel.width);
-  return {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f};
-}
+using test::centre_of;
 
 PointImage ramp_at_depth(const Optics& optics, float z) {
   PointImage image = test::empty_points(optics.panel);

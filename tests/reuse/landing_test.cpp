@@ -22,10 +22,7 @@ using test::OpticsSampler;
 /// A place on the panel in continuous pixel coordinates; none where the point is not seen.
 using Place = std::optional<glm::dvec2>;
 
-Vec2f centre_of(const Optics& optics, std::uint32_t pixel) {
-  const auto width = static_cast<std::uint32_t>(film_size(optics).x);
-  return {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f};
-}
+using test::centre_of;
 
 bool on_panel(const Optics& optics, glm::dvec2 p) {
   return p.x >= 0 && p.y >= 0 && p.x < film_size(optics).x && p.y < optics.panel.height;

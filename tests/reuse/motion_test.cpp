@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reuse/move_points.hpp"
+#include "support/near.hpp"
 #include "trace/small_scene.hpp"
 
 namespace lippmann {
@@ -10,9 +11,7 @@ namespace {
 
 using test::SmallScene;
 
-void expect_near(Vec3f got, Vec3f expected, float tolerance) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "axis " << c;
-}
+using test::expect_near;
 
 Moment moment_at(const Scene& scene, double time, const Affine3f& world_from_display = {}) {
   return {evaluate(scene, time), world_from_display};

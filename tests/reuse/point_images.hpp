@@ -53,4 +53,10 @@ struct KnownMotion {
 
 inline Affine3f shift(float x, float y, float z) { return {Mat3f(1.0f), Vec3f(x, y, z)}; }
 
+/// Where the middle of a pixel of the film lies.
+inline Vec2f centre_of(const Optics& optics, std::uint32_t pixel) {
+  const auto width = static_cast<std::uint32_t>(film_size(optics).x);
+  return {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f};
+}
+
 }  // namespace lippmann::test

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string error_of(const std::string& name, const LoadOptions& options = {}) {
+std::string error_of_loading(const std::string& name, const LoadOptions& options = {}) {
   try {
     load_scene(name, options, Context{});
   } catch (const Error& error) {
@@ -23,22 +23,22 @@ std::string error_of(const std::string& name, const LoadOptions& options = {}) {
 }
 
 TEST(LoadScene, missing_file_is_named) {
-  EXPECT_THAT(error_of("/nowhere/a.dat"), HasSubstr("/nowhere/a.dat: there is no such file"));
+  EXPECT_THAT(error_of_loading("/nowhere/a.dat"), HasSubstr("/nowhere/a.dat: there is no such file"));
 }
 
 TEST(LoadScene, misspelt_builtin_name_is_suggested) {
-  EXPECT_THAT(error_of("teapott"), HasSubstr("teapott: there is no such file, did you mean 'teapot'?"));
+  EXPECT_THAT(error_of_loading("teapott"), HasSubstr("teapott: there is no such file, did you mean 'teapot'?"));
 }
 
 TEST(LoadScene, folder_is_refused) {
   const test::TempDir dir;
-  EXPECT_THAT(error_of(dir.path().string()), HasSubstr("is a folder"));
+  EXPECT_THAT(error_of_loading(dir.path().string()), HasSubstr("is a folder"));
 }
 
 TEST(LoadScene, unknown_extension_lists_what_is_accepted) {
   const test::TempDir dir;
   std::ofstream(dir / "a.xyz") << "x";
-  const std::string text = error_of((dir / "a.xyz").string());
+  const std::string text = error_of_loading((dir / "a.xyz").string());
   EXPECT_THAT(text, HasSubstr("a.xyz"));
   EXPECT_THAT(text, HasSubstr(".dat"));
 }
@@ -48,7 +48,8 @@ TEST(LoadScene, scene_without_surfaces_is_an_error) {
   std::ofstream(dir / "points.obj") << "v 0 0 0\nv 1 0 0\np 1 2\nl 1 2\n";
   std::ofstream(dir / "empty.gltf") << R"({"asset":{"version":"2.0"},"scenes":[{}],"nodes":[{}]})";
   for (const char* name : {"points.obj", "empty.gltf"})
-    EXPECT_THAT(error_of((dir / name).string()), HasSubstr(std::string(name) + ": has no surfaces to show; accepted: "));
+    EXPECT_THAT(error_of_loading((dir / name).string()),
+                HasSubstr(std::string(name) + ": has no surfaces to show; accepted: "));
 }
 
 TEST(LoadScene, asset_root_must_be_a_folder) {
@@ -56,7 +57,7 @@ TEST(LoadScene, asset_root_must_be_a_folder) {
   std::ofstream(dir / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   LoadOptions options;
   options.asset_root = dir / "none";
-  EXPECT_THAT(error_of((dir / "a.obj").string(), options), HasSubstr("asset-root: "));
+  EXPECT_THAT(error_of_loading((dir / "a.obj").string(), options), HasSubstr("asset-root: "));
 }
 
 }  // namespace

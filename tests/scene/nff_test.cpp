@@ -9,6 +9,7 @@
 #include "lippmann/scene/load.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "scene/nff/cone.hpp"
+#include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {
@@ -16,19 +17,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Scene parse(const std::string& text) {
+Scene nff_scene(const std::string& text) {
   Scene scene = parse_nff("a.nff", text, Context{});
   validate(scene, "a.nff");
   return scene;
 }
 
-std::string error_of(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+std::string nff_error(const std::string& text) {
+  return test::error_message([&] { nff_scene(text); });
 }
 
 template <class S>
@@ -42,7 +38,7 @@ const PhongSurface& surface(const Scene& scene, std::size_t instance) {
 
 TEST(Nff, spheres_of_one_fill_are_one_shape) {
   const Scene scene =
-      parse("f 1 0 0 1 0 1 0 1\ns 0 0 0 1\ns 1 2 3 -4\nf 0 1 0 1 0 1 0 1\ns 5 5 5 1\nf 1 0 0 1 0 1 0 1\ns 9 9 9 1");
+      nff_scene("f 1 0 0 1 0 1 0 1\ns 0 0 0 1\ns 1 2 3 -4\nf 0 1 0 1 0 1 0 1\ns 5 5 5 1\nf 1 0 0 1 0 1 0 1\ns 9 9 9 1");
   ASSERT_EQ(scene.instances.size(), 2u);
   const Spheres& red = shape<Spheres>(scene, 0);
   ASSERT_EQ(red.size(), 3u);  // the third after its fill came again
@@ -52,7 +48,7 @@ TEST(Nff, spheres_of_one_fill_are_one_shape) {
 }
 
 TEST(Nff, fill_is_a_surface_with_highlight_mirror_and_transparency) {
-  const Scene scene = parse("f 0.1 0.2 0.3 0.8 0.25 5 0.75 1.5\ns 0 0 0 1");
+  const Scene scene = nff_scene("f 0.1 0.2 0.3 0.8 0.25 5 0.75 1.5\ns 0 0 0 1");
   const PhongSurface& s = surface(scene, 0);
   EXPECT_EQ(s.color, Vec3f(0.1f, 0.2f, 0.3f));
   EXPECT_EQ(s.ambient, 0.0f);
@@ -66,12 +62,12 @@ TEST(Nff, fill_is_a_surface_with_highlight_mirror_and_transparency) {
 }
 
 TEST(Nff, opaque_fill_needs_no_index_of_refraction) {
-  EXPECT_EQ(surface(parse("f 1 1 1 1 0 1 0 0\ns 0 0 0 1"), 0).ior, 1.0f);
-  EXPECT_THAT(error_of("f 1 1 1 1 0 1 0.5 0\ns 0 0 0 1"), HasSubstr("a.nff:1: the index of refraction"));
+  EXPECT_EQ(surface(nff_scene("f 1 1 1 1 0 1 0 0\ns 0 0 0 1"), 0).ior, 1.0f);
+  EXPECT_THAT(nff_error("f 1 1 1 1 0 1 0.5 0\ns 0 0 0 1"), HasSubstr("a.nff:1: the index of refraction"));
 }
 
 TEST(Nff, cone_of_equal_radii_is_an_exact_cylinder) {
-  const Scene scene = parse("c 0 0 0 0.5\n0 0 2 0.5");
+  const Scene scene = nff_scene("c 0 0 0 0.5\n0 0 2 0.5");
   const Cylinder& c = shape<Cylinders>(scene, 0).at(0);
   EXPECT_EQ(c.base, Vec3f(0, 0, 0));
   EXPECT_EQ(c.apex, Vec3f(0, 0, 2));
@@ -79,7 +75,7 @@ TEST(Nff, cone_of_equal_radii_is_an_exact_cylinder) {
 }
 
 TEST(Nff, cone_of_two_radii_is_a_mesh_that_faces_outwards) {
-  const Scene scene = parse("c 1 0 0 2 1 0 3 1");
+  const Scene scene = nff_scene("c 1 0 0 2 1 0 3 1");
   const Mesh& mesh = shape<Mesh>(scene, 0);
   ASSERT_EQ(mesh.triangles.size(), 2u * nff::kConeSides);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -97,11 +93,11 @@ TEST(Nff, cone_of_two_radii_is_a_mesh_that_faces_outwards) {
 }
 
 TEST(Nff, pointed_cone_has_one_triangle_a_side) {
-  EXPECT_EQ(shape<Mesh>(parse("c 0 0 0 1 0 0 1 0"), 0).triangles.size(), 1u * nff::kConeSides);
+  EXPECT_EQ(shape<Mesh>(nff_scene("c 0 0 0 1 0 0 1 0"), 0).triangles.size(), 1u * nff::kConeSides);
 }
 
 TEST(Nff, polygon_is_faceted_and_patch_has_its_normals) {
-  const Scene scene = parse("p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\npp 3\n0 0 0 0 0 2\n1 0 0 0 3 4\n0 1 0 0 0 0");
+  const Scene scene = nff_scene("p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\npp 3\n0 0 0 0 0 2\n1 0 0 0 3 4\n0 1 0 0 0 0");
   ASSERT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(shape<Mesh>(scene, 0).triangles.size(), 2u);
   EXPECT_TRUE(shape<Mesh>(scene, 0).normals.empty());
@@ -113,12 +109,12 @@ TEST(Nff, polygon_is_faceted_and_patch_has_its_normals) {
 }
 
 TEST(Nff, patch_wound_against_its_normals_is_turned_over) {
-  const Scene scene = parse("pp 3  0 0 0 0 0 -1  1 0 0 0 0 -1  0 1 0 0 0 -1\n");
+  const Scene scene = nff_scene("pp 3  0 0 0 0 0 -1  1 0 0 0 0 -1  0 1 0 0 0 -1\n");
   EXPECT_EQ(shape<Mesh>(scene, 0).triangles.at(0), (std::array<std::uint32_t, 3>{0, 2, 1}));
 }
 
 TEST(Nff, lights_without_a_colour_share_what_they_give) {
-  const Scene scene = parse("l 1 2 3\nl 4 5 6 0.5 0.25 1 # comment\nl 0 0 0\nl 0 0 1\ns 0 0 0 1");
+  const Scene scene = nff_scene("l 1 2 3\nl 4 5 6 0.5 0.25 1 # comment\nl 0 0 0\nl 0 0 1\ns 0 0 0 1");
   ASSERT_EQ(scene.lights.size(), 4u);
   EXPECT_EQ(scene.lights[0].color, Vec3f(0.5f));  // 1 / sqrt(4)
   EXPECT_EQ(scene.lights[1].color, Vec3f(0.5f, 0.25f, 1.0f));
@@ -127,7 +123,7 @@ TEST(Nff, lights_without_a_colour_share_what_they_give) {
 }
 
 TEST(Nff, view_looks_from_one_point_at_another) {
-  const Scene scene = parse("v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 90\nhither 1\nresolution 300 200\nb 0.1 0.2 0.3");
+  const Scene scene = nff_scene("v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 90\nhither 1\nresolution 300 200\nb 0.1 0.2 0.3");
   ASSERT_EQ(scene.cameras.size(), 1u);
   const Affine3f world_from_camera = evaluate(scene, 0.0).of(scene.cameras[0].node);
   EXPECT_EQ(world_from_camera.translation, Vec3f(0, -10, 0));
@@ -144,21 +140,21 @@ TEST(Nff, view_looks_from_one_point_at_another) {
 }
 
 TEST(Nff, errors_name_file_line_and_what_is_accepted) {
-  EXPECT_THAT(error_of("s 0 0 0 1\nt 1 2 3"), AllOf(HasSubstr("a.nff:2: 't'"), HasSubstr("pp (patch)")));
-  EXPECT_THAT(error_of("s 0 0 nan 1"), HasSubstr("a.nff:1: 'nan' is not a number"));
-  EXPECT_THAT(error_of("s 0 0 1e30 1"), HasSubstr("a.nff:1:"));
-  EXPECT_THAT(error_of("s 0 0\n"), HasSubstr("the file ends where"));
-  EXPECT_THAT(error_of("\np 2\n0 0 0\n1 1 1"), HasSubstr("a.nff:2: '2'"));
-  EXPECT_THAT(error_of("p 1000000000\n0 0 0\n1 1 1"), HasSubstr("the file ends where"));
-  EXPECT_THAT(error_of("f 1 1 1 1 0 1 1.5 1"), HasSubstr("f's T is 1.5"));
-  EXPECT_THAT(error_of("c 0 0 0 1 0 0 1 -1"), HasSubstr("differ in sign"));
+  EXPECT_THAT(nff_error("s 0 0 0 1\nt 1 2 3"), AllOf(HasSubstr("a.nff:2: 't'"), HasSubstr("pp (patch)")));
+  EXPECT_THAT(nff_error("s 0 0 nan 1"), HasSubstr("a.nff:1: 'nan' is not a number"));
+  EXPECT_THAT(nff_error("s 0 0 1e30 1"), HasSubstr("a.nff:1:"));
+  EXPECT_THAT(nff_error("s 0 0\n"), HasSubstr("the file ends where"));
+  EXPECT_THAT(nff_error("\np 2\n0 0 0\n1 1 1"), HasSubstr("a.nff:2: '2'"));
+  EXPECT_THAT(nff_error("p 1000000000\n0 0 0\n1 1 1"), HasSubstr("the file ends where"));
+  EXPECT_THAT(nff_error("f 1 1 1 1 0 1 1.5 1"), HasSubstr("f's T is 1.5"));
+  EXPECT_THAT(nff_error("c 0 0 0 1 0 0 1 -1"), HasSubstr("differ in sign"));
 }
 
 TEST(Nff, view_must_be_complete_and_look_somewhere) {
-  EXPECT_THAT(error_of("v from 0 0 0 at 0 0 1 angle 45"), HasSubstr("not complete"));
-  EXPECT_THAT(error_of("v from 0 0 0 at 0 0 0 up 0 1 0 angle 45"), HasSubstr("span"));
-  EXPECT_THAT(error_of("v from 0 0 0 at 0 1 0 up 0 2 0 angle 45"), HasSubstr("span"));
-  EXPECT_THAT(error_of("v from 0 0 0 at 0 0 1 up 0 1 0 angle 180"), HasSubstr("angle is 180"));
+  EXPECT_THAT(nff_error("v from 0 0 0 at 0 0 1 angle 45"), HasSubstr("not complete"));
+  EXPECT_THAT(nff_error("v from 0 0 0 at 0 0 0 up 0 1 0 angle 45"), HasSubstr("span"));
+  EXPECT_THAT(nff_error("v from 0 0 0 at 0 1 0 up 0 2 0 angle 45"), HasSubstr("span"));
+  EXPECT_THAT(nff_error("v from 0 0 0 at 0 0 1 up 0 1 0 angle 180"), HasSubstr("angle is 180"));
 }
 
 TEST(Nff, what_has_no_extent_is_left_out_with_one_warning) {

@@ -8,6 +8,7 @@
 
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
+#include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {
@@ -15,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Scene parse(const std::string& text) {
+Scene ply_scene(const std::string& text) {
   Scene scene = parse_ply("a.ply", text, Context{});
   validate(scene, "a.ply");
   return scene;
@@ -23,13 +24,8 @@ Scene parse(const std::string& text) {
 
 const Mesh& mesh(const Scene& scene) { return std::get<Mesh>(scene.shapes.at(0)); }
 
-std::string error_of(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+std::string ply_error(const std::string& text) {
+  return test::error_message([&] { ply_scene(text); });
 }
 
 std::string header(const std::string& format, const std::string& more = {}) {
@@ -56,7 +52,7 @@ TEST(Ply, text_and_both_binary_formats_give_the_same_mesh) {
   for (const std::string& file :
        {header("ascii") + "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n", header("binary_little_endian") + binary_triangle(false),
         header("binary_big_endian") + binary_triangle(true)}) {
-    const Scene scene = parse(file);
+    const Scene scene = ply_scene(file);
     EXPECT_EQ(mesh(scene).positions, (std::vector<Vec3f>{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}));
     ASSERT_EQ(mesh(scene).triangles.size(), 1u);
     EXPECT_TRUE(mesh(scene).normals.empty());
@@ -65,10 +61,10 @@ TEST(Ply, text_and_both_binary_formats_give_the_same_mesh) {
 
 TEST(Ply, vertices_bring_normals_colours_and_texture_coordinates) {
   const Scene scene =
-      parse(header("ascii",
-                   "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
-                   "property uchar blue\nproperty uchar alpha\nproperty float s\nproperty float t\n") +
-            "0 0 0 0 0 2 255 0 188 51 0.5 0.25\n1 0 0 0 0 2 0 0 0 255 0 0\n0 1 0 0 0 2 0 0 0 255 0 0\n3 0 1 2\n");
+      ply_scene(header("ascii",
+                       "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
+                       "property uchar blue\nproperty uchar alpha\nproperty float s\nproperty float t\n") +
+                "0 0 0 0 0 2 255 0 188 51 0.5 0.25\n1 0 0 0 0 2 0 0 0 255 0 0\n0 1 0 0 0 2 0 0 0 255 0 0\n3 0 1 2\n");
   const Mesh& m = mesh(scene);
   EXPECT_EQ(m.normals.at(0), Vec3f(0, 0, 1));
   EXPECT_EQ(m.colors.at(0).x, 1.0f);
@@ -79,7 +75,7 @@ TEST(Ply, vertices_bring_normals_colours_and_texture_coordinates) {
 }
 
 TEST(Ply, faces_of_many_corners_become_triangles) {
-  const Scene scene = parse(
+  const Scene scene = ply_scene(
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 1\n"
       "property uchar red\nproperty list uchar uint vertex_index\nend_header\n0 0 0 1 0 0 1 1 0 0 1 0\n9 4 0 1 2 3\n");
   EXPECT_EQ(mesh(scene).triangles.size(), 2u);
@@ -87,7 +83,7 @@ TEST(Ply, faces_of_many_corners_become_triangles) {
 
 TEST(Ply, faces_wound_against_their_normals_are_turned_over) {
   const std::string text = header("ascii", "property float nx\nproperty float ny\nproperty float nz\n");
-  const Scene scene = parse(text + "0 0 0 0 0 -1\n2 0 0 0 0 -1\n0 2 0 0 0 -1\n3 0 1 2\n");
+  const Scene scene = ply_scene(text + "0 0 0 0 0 -1\n2 0 0 0 0 -1\n0 2 0 0 0 -1\n3 0 1 2\n");
   EXPECT_EQ(mesh(scene).triangles.at(0), (std::array<std::uint32_t, 3>{0, 2, 1}));
 }
 
@@ -97,21 +93,21 @@ TEST(Ply, strips_are_triangles_that_wind_the_same_way) {
       "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
       "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n";
   using Corners = std::array<std::uint32_t, 3>;
-  EXPECT_THAT(mesh(parse(text + "9 0 1 2 3 -1 1 4 3 3\n")).triangles,
+  EXPECT_THAT(mesh(ply_scene(text + "9 0 1 2 3 -1 1 4 3 3\n")).triangles,
               testing::ElementsAre(Corners{0, 1, 2}, Corners{2, 1, 3}, Corners{1, 4, 3}));
-  EXPECT_THAT(error_of(text + "3 0 1 5\n"), HasSubstr("tristrips 0: a vertex is 5; accepted: 0 to 4"));
+  EXPECT_THAT(ply_error(text + "3 0 1 5\n"), HasSubstr("tristrips 0: a vertex is 5; accepted: 0 to 4"));
 }
 
 TEST(Ply, comments_may_lack_their_word_but_misspelt_statements_are_errors) {
   std::string text = header("ascii") + "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n";
   text.insert(text.find("element"), "Created by a scanner\nVCGLIB generated\n");
-  EXPECT_EQ(mesh(parse(text)).triangles.size(), 1u);
+  EXPECT_EQ(mesh(ply_scene(text)).triangles.size(), 1u);
   text.insert(text.find("element"), "elment face 1\n");
-  EXPECT_THAT(error_of(text), HasSubstr("'elment' is not a statement of the header"));
+  EXPECT_THAT(ply_error(text), HasSubstr("'elment' is not a statement of the header"));
 }
 
 TEST(Ply, other_elements_are_left_out) {
-  const Scene scene = parse(
+  const Scene scene = ply_scene(
       "ply\nformat ascii 1.0\nelement material 1\nproperty int a\nproperty list uchar int b\nelement vertex 3\nproperty float "
       "x\n"
       "property float y\nproperty float z\nelement nothing 2147483647\nelement face 1\nproperty list uchar int vertex_indices\n"
@@ -120,28 +116,28 @@ TEST(Ply, other_elements_are_left_out) {
 }
 
 TEST(Ply, damaged_headers_name_their_line) {
-  EXPECT_THAT(error_of("plu\n"), HasSubstr("a.ply:1: is not a PLY file"));
-  EXPECT_THAT(error_of("ply\nformat ascii 1.0\n"), HasSubstr("the file ends within its header"));
-  EXPECT_THAT(error_of("ply\nformat ebcdic 1.0\n"), HasSubstr("a.ply:2: 'ebcdic'"));
-  EXPECT_THAT(error_of("ply\nelement vertex -1\n"), HasSubstr("a.ply:2: '-1'"));
-  EXPECT_THAT(error_of("ply\nproperty float x\n"), HasSubstr("a.ply:2: a property stands before"));
-  EXPECT_THAT(error_of("ply\nelement f 1\nproperty list float int x\n"), HasSubstr("a.ply:3: the length"));
+  EXPECT_THAT(ply_error("plu\n"), HasSubstr("a.ply:1: is not a PLY file"));
+  EXPECT_THAT(ply_error("ply\nformat ascii 1.0\n"), HasSubstr("the file ends within its header"));
+  EXPECT_THAT(ply_error("ply\nformat ebcdic 1.0\n"), HasSubstr("a.ply:2: 'ebcdic'"));
+  EXPECT_THAT(ply_error("ply\nelement vertex -1\n"), HasSubstr("a.ply:2: '-1'"));
+  EXPECT_THAT(ply_error("ply\nproperty float x\n"), HasSubstr("a.ply:2: a property stands before"));
+  EXPECT_THAT(ply_error("ply\nelement f 1\nproperty list float int x\n"), HasSubstr("a.ply:3: the length"));
 }
 
 TEST(Ply, damaged_bodies_name_the_element) {
   const std::string good = header("ascii");
-  EXPECT_THAT(error_of(good + "0 0 0 1 0 0 0 1 0 3 0 1 3"), HasSubstr("a.ply: face 0: a vertex is 3"));
-  EXPECT_THAT(error_of(good + "0 0 0 1 0 0 0 1 0 3 0 1 -1"), HasSubstr("a.ply: face 0: a vertex is -1"));
-  EXPECT_THAT(error_of(good + "0 0 0 1 0 0 0 1 0 200 0 1 2"), HasSubstr("face 0: the length of a list is 200"));
-  EXPECT_THAT(error_of(good + "0 0 0 1 nan 0 0 1 0 3 0 1 2"), HasSubstr("a.ply: vertex 1:"));
-  EXPECT_THAT(error_of(good + "0 0 0 1 x 0"), HasSubstr("vertex 1: 'x' is not a number"));
-  EXPECT_THAT(error_of(good + "0 0 0 1 0"), HasSubstr("vertex 1: the file ends here"));
-  EXPECT_THAT(error_of(header("binary_little_endian") + "abc"), HasSubstr("vertex 0: the file ends here"));
+  EXPECT_THAT(ply_error(good + "0 0 0 1 0 0 0 1 0 3 0 1 3"), HasSubstr("a.ply: face 0: a vertex is 3"));
+  EXPECT_THAT(ply_error(good + "0 0 0 1 0 0 0 1 0 3 0 1 -1"), HasSubstr("a.ply: face 0: a vertex is -1"));
+  EXPECT_THAT(ply_error(good + "0 0 0 1 0 0 0 1 0 200 0 1 2"), HasSubstr("face 0: the length of a list is 200"));
+  EXPECT_THAT(ply_error(good + "0 0 0 1 nan 0 0 1 0 3 0 1 2"), HasSubstr("a.ply: vertex 1:"));
+  EXPECT_THAT(ply_error(good + "0 0 0 1 x 0"), HasSubstr("vertex 1: 'x' is not a number"));
+  EXPECT_THAT(ply_error(good + "0 0 0 1 0"), HasSubstr("vertex 1: the file ends here"));
+  EXPECT_THAT(ply_error(header("binary_little_endian") + "abc"), HasSubstr("vertex 0: the file ends here"));
 }
 
 TEST(Ply, points_alone_are_refused) {
-  EXPECT_THAT(error_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
-                       "end_header\n1 2 3\n"),
+  EXPECT_THAT(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                        "end_header\n1 2 3\n"),
               HasSubstr("a.ply: has no faces"));
 }
 

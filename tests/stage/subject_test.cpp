@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr float kRounding = 1e-4f;
+constexpr float kSubjectRounding = 1e-4f;
 
 int add_node(Scene& scene, const std::string& name, Vec3f at = Vec3f(0.0f), int parent = -1) {
   Node node;
@@ -227,7 +227,7 @@ TEST(FitToSubject, ball_just_fits) {
   add_shape(scene, "Ball", Spheres{{Vec3f(5, 0, 0), 2.0f}});
   const FittedArray array = fit_array(scene);
   const float sine = 2.0f / array.viewing_distance;  // the plane goes through its centre
-  EXPECT_NEAR(std::tan(std::asin(sine)) / (0.5f * array.plane_height / array.viewing_distance), 1.0f / 1.05f, kRounding);
+  EXPECT_NEAR(std::tan(std::asin(sine)) / (0.5f * array.plane_height / array.viewing_distance), 1.0f / 1.05f, kSubjectRounding);
 }
 
 TEST(FitToSubject, what_travels_is_whole_in_every_frame) {
@@ -259,7 +259,7 @@ TEST(FitToSubject, camera_keeps_its_view_and_the_plane_goes_through_the_subject)
   const FittedArray array = fit_array(scene);
   EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
   EXPECT_NEAR(array.viewing_distance, 3.0f, 0.05f);
-  EXPECT_NEAR(0.5f * array.plane_height / array.viewing_distance, std::tan(radians(22.5f)), kRounding);
+  EXPECT_NEAR(0.5f * array.plane_height / array.viewing_distance, std::tan(radians(22.5f)), kSubjectRounding);
   EXPECT_GT(array.depth_back, -1.0f);
 }
 
@@ -268,7 +268,7 @@ TEST(FitToSubject, only_what_the_camera_sees_of_the_subject_counts) {
   add_box(scene, "Near", {-1, -1, -1}, {1, 1, 1});
   add_box(scene, "Beside", {100, -1, -60}, {101, 1, -59});
   add_camera(scene, {0, 0, 9});
-  EXPECT_NEAR(fit_array(scene).viewing_distance, 9.0f, kRounding);
+  EXPECT_NEAR(fit_array(scene).viewing_distance, 9.0f, kSubjectRounding);
 }
 
 TEST(FitToSubject, picture_narrower_than_the_cameras_keeps_its_subject) {
@@ -281,7 +281,7 @@ TEST(FitToSubject, picture_narrower_than_the_cameras_keeps_its_subject) {
   EXPECT_GE(seen.filled(), 0.85f);
   EXPECT_THAT(array.how, HasSubstr("degrees high instead of 30"));
   EXPECT_NEAR(fit_array(scene, 1.78f).plane_height / fit_array(scene, 1.78f).viewing_distance, 2.0f * std::tan(radians(15.0f)),
-              kRounding);
+              kSubjectRounding);
 }
 
 TEST(FitToSubject, camera_of_a_file_with_a_resolution_keeps_its_height) {
@@ -290,7 +290,7 @@ TEST(FitToSubject, camera_of_a_file_with_a_resolution_keeps_its_height) {
   add_box(scene, "Engine", {-3, -0.5f, -0.5f}, {3, 0.5f, 0.5f});
   add_camera(scene, {0, 0, 8}, 30.0f).aspect = 1.78f;
   const FittedArray array = fit_array(scene, 1.0f);
-  EXPECT_NEAR(array.plane_height / array.viewing_distance, 2.0f * std::tan(radians(15.0f)), kRounding);
+  EXPECT_NEAR(array.plane_height / array.viewing_distance, 2.0f * std::tan(radians(15.0f)), kSubjectRounding);
 }
 
 // ---- Wishes -------------------------------------------------------------------------------------------------------------
@@ -311,9 +311,9 @@ TEST(ViewWish, focus_moves_the_plane_and_keeps_the_view) {
   const std::pair<const char*, float> cases[] = {{"Head", 10.0f}, {"Tree", 20.0f}, {"1,2,-3", 15.0f}, {"4.5", 4.5f}};
   for (const auto& [text, distance] : cases) {
     const FittedArray array = fit_array(scene, 1.0f, focus(text));
-    EXPECT_NEAR(array.viewing_distance, distance, kRounding) << text;
-    EXPECT_NEAR(0.5f * array.plane_height / array.viewing_distance, std::tan(radians(22.5f)), kRounding) << text;
-    EXPECT_NEAR(array.depth_front, distance - 9.0f, kRounding) << text;
+    EXPECT_NEAR(array.viewing_distance, distance, kSubjectRounding) << text;
+    EXPECT_NEAR(0.5f * array.plane_height / array.viewing_distance, std::tan(radians(22.5f)), kSubjectRounding) << text;
+    EXPECT_NEAR(array.depth_front, distance - 9.0f, kSubjectRounding) << text;
     EXPECT_THAT(array.how, HasSubstr("The focus on"));
   }
 }
@@ -326,8 +326,8 @@ TEST(ViewWish, fit_to_shows_the_node_whole_from_the_cameras_direction) {
     expect_whole(scene, {"Tree"}, fit_to(name));
     const FittedArray array = fit_array(scene, 1.0f, fit_to(name));
     const Affine3f plane = world_from_display(array, 1.0f, evaluate(scene, 0.0));
-    EXPECT_NEAR(plane.linear[2].z, 1.0f, kRounding);
-    EXPECT_NEAR(plane.translation.x, 40.0f, kRounding);
+    EXPECT_NEAR(plane.linear[2].z, 1.0f, kSubjectRounding);
+    EXPECT_NEAR(plane.translation.x, 40.0f, kSubjectRounding);
   }
 }
 
@@ -344,7 +344,7 @@ TEST(ViewWish, fit_to_moves_with_the_camera_and_is_whole_in_every_frame) {
 TEST(ViewWish, zoom_narrows_the_view) {
   const Scene scene = two_boxes_before_a_camera();
   const FittedArray plain = fit_array(scene), zoomed = fit_array(scene, 1.0f, {{}, {}, 2.0f, {}});
-  EXPECT_NEAR(zoomed.plane_height, 0.5f * plain.plane_height, kRounding);
+  EXPECT_NEAR(zoomed.plane_height, 0.5f * plain.plane_height, kSubjectRounding);
   EXPECT_EQ(zoomed.viewing_distance, plain.viewing_distance);
 }
 
@@ -354,9 +354,9 @@ TEST(ViewWish, orbit_turns_a_camera_about_the_middle_of_the_plane) {
   const auto turned = [&](float yaw, float pitch) {
     return world_from_display(fit_array(scene, 1.0f, {{}, {}, 1.0f, {yaw, pitch}}), 1.0f, evaluate(scene, 0.0));
   };
-  EXPECT_LT(glm::length(turned(90, 0).translation - before.translation), kRounding);
-  EXPECT_LT(glm::length(turned(90, 0).linear[2] - Vec3f(1, 0, 0)), kRounding) << "the viewer moved to the right";
-  EXPECT_LT(glm::length(turned(0, 90).linear[2] - Vec3f(0, 1, 0)), kRounding) << "and up";
+  EXPECT_LT(glm::length(turned(90, 0).translation - before.translation), kSubjectRounding);
+  EXPECT_LT(glm::length(turned(90, 0).linear[2] - Vec3f(1, 0, 0)), kSubjectRounding) << "the viewer moved to the right";
+  EXPECT_LT(glm::length(turned(0, 90).linear[2] - Vec3f(0, 1, 0)), kSubjectRounding) << "and up";
 }
 
 TEST(ViewWish, orbit_without_a_camera_keeps_the_subject_whole_and_upright) {
@@ -366,7 +366,7 @@ TEST(ViewWish, orbit_without_a_camera_keeps_the_subject_whole_and_upright) {
   for (const Orbit orbit : {Orbit{120, 0}, Orbit{-60, -10}, Orbit{0, 90}}) {
     expect_whole(scene, {"Top", "Leg"}, {{}, {}, 1.0f, orbit});
     const FittedArray array = fit_array(scene, 1.0f, {{}, {}, 1.0f, orbit});
-    EXPECT_GE(array.node_from_plane.linear[1].y, -kRounding);
+    EXPECT_GE(array.node_from_plane.linear[1].y, -kSubjectRounding);
   }
 }
 

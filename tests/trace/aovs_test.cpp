@@ -10,8 +10,8 @@ namespace {
 
 using namespace test;
 
-constexpr int kSize = 32;
-constexpr float kRounding = 1e-4f;  ///< pixels: single precision of places some 10 mm from the middle
+constexpr int kAovSize = 32;
+constexpr float kPlaceRounding = 1e-4f;  ///< pixels: single precision of places some 10 mm from the middle
 
 /// Where everything is at two times, and the layers of the second.
 FrameAovs step(const Scene& scene, const Optics& optics, double before, double now, const Affine3f& display_before = {},
@@ -29,8 +29,8 @@ FrameAovs step(const Scene& scene, const Optics& optics, double before, double n
 
 void expect_motion(const FrameAovs& aovs, int x, int y, Vec2f expected) {
   const float* motion = aovs[Aov::kMotion].pixel(x, y);
-  EXPECT_NEAR(motion[0], expected.x, kRounding) << x << ", " << y;
-  EXPECT_NEAR(motion[1], expected.y, kRounding) << x << ", " << y;
+  EXPECT_NEAR(motion[0], expected.x, kPlaceRounding) << x << ", " << y;
+  EXPECT_NEAR(motion[1], expected.y, kPlaceRounding) << x << ", " << y;
 }
 
 /// A square at depth z that moves by `shift` within a second.
@@ -43,27 +43,27 @@ Scene sliding(float z, Vec3f shift) {
 // ---- Motion ---------------------------------------------------------------------------------------------------------
 
 TEST(Aovs, motion_of_a_square_is_its_way_in_pixels_to_the_right_and_down) {
-  expect_motion(step(sliding(0.0f, {0.375f, -0.25f, 0.0f}), single_view(kSize), 0.0, 1.0), 16, 16, {3, 2});
+  expect_motion(step(sliding(0.0f, {0.375f, -0.25f, 0.0f}), single_view(kAovSize), 0.0, 1.0), 16, 16, {3, 2});
   // Half-way to the eye everything is twice as large.
-  expect_motion(step(sliding(5.0f, {0.375f, -0.25f, 0.0f}), single_view(kSize), 0.0, 1.0), 16, 16, {6, 4});
+  expect_motion(step(sliding(5.0f, {0.375f, -0.25f, 0.0f}), single_view(kAovSize), 0.0, 1.0), 16, 16, {6, 4});
 }
 
 TEST(Aovs, motion_is_zero_in_the_background_and_where_nothing_moves) {
-  const FrameAovs aovs = step(sliding(0.0f, {0.375f, 0.0f, 0.0f}), single_view(kSize), 0.0, 1.0);
+  const FrameAovs aovs = step(sliding(0.0f, {0.375f, 0.0f, 0.0f}), single_view(kAovSize), 0.0, 1.0);
   EXPECT_EQ(aovs[Aov::kMotion].pixel(0, 0)[0], 0.0f);
   EXPECT_EQ(aovs[Aov::kId].pixel(0, 0)[0], -1.0f);
-  const FrameAovs still = step(sliding(0.3f, Vec3f(0.0f)), single_view(kSize), 0.0, 1.0);
-  EXPECT_EQ(still[Aov::kMotion].data, std::vector<float>(2 * kSize * kSize, 0.0f));
+  const FrameAovs still = step(sliding(0.3f, Vec3f(0.0f)), single_view(kAovSize), 0.0, 1.0);
+  EXPECT_EQ(still[Aov::kMotion].data, std::vector<float>(2 * kAovSize * kAovSize, 0.0f));
 }
 
 TEST(Aovs, motion_of_what_stands_is_the_display_s_own_turned_round) {
   const Affine3f moved{Mat3f(1.0f), {0.375f, 0.0f, 0.0f}};
-  expect_motion(step(sliding(0.0f, Vec3f(0.0f)), single_view(kSize), 0.0, 1.0, {}, moved), 16, 16, {-3, 0});
+  expect_motion(step(sliding(0.0f, Vec3f(0.0f)), single_view(kAovSize), 0.0, 1.0, {}, moved), 16, 16, {-3, 0});
 }
 
 // Pixel (8, 16) looks at x = -0.9375, y = -0.0625 in z = 0; what came from z = -1 on to there was seen at 10/11 of that.
 TEST(Aovs, motion_towards_the_viewer_is_away_from_the_middle_of_the_view) {
-  const FrameAovs aovs = step(sliding(-1.0f, {0.0f, 0.0f, 1.0f}), single_view(kSize), 0.0, 1.0);
+  const FrameAovs aovs = step(sliding(-1.0f, {0.0f, 0.0f, 1.0f}), single_view(kAovSize), 0.0, 1.0);
   expect_motion(aovs, 8, 16, {-7.5f / 11.0f, 0.5f / 11.0f});
 }
 
@@ -96,7 +96,7 @@ TEST(Aovs, motion_follows_meshes_that_change_their_shape) {
   s.scene.nodes[static_cast<std::size_t>(node)].morph_weights = {0.0f};
   s.scene.timeline.animations.back().morph_weights = {{0.0, 1.0}, {0.0f, 1.0f}, Interpolation::kLinear};
   s.add(growing, s.material(glowing(Vec3f(1.0f))), node);
-  const FrameAovs aovs = step(s.scene, single_view(kSize), 0.0, 1.0);
+  const FrameAovs aovs = step(s.scene, single_view(kAovSize), 0.0, 1.0);
   expect_motion(aovs, 20, 12, {0.5f * 4.5f, -0.5f * 3.5f});
   expect_motion(aovs, 9, 20, {-0.5f * 6.5f, 0.5f * 4.5f});
 }
@@ -128,7 +128,7 @@ TEST(Aovs, albedo_is_the_base_colour_with_its_texture_whatever_the_light) {
   MetallicRoughness half;
   half.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
-    const Picture p = trace(textured({255, 255, 255, 255}, half), single_view(kSize), {}, 1, 0.0, {}, integrator);
+    const Picture p = trace(textured({255, 255, 255, 255}, half), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
     for (const auto& [x, red] : {std::pair(4, 0.0f), {12, 85 / 510.0f}, {20, 170 / 510.0f}, {28, 0.5f}}) {
       // The middles of texels lie between pixels 3 and 4, 11 and 12, ...: 1/16 of a texel off.
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[0], red, 85 / 510.0f / 15.0f);
@@ -144,17 +144,17 @@ TEST(Aovs, what_alpha_cuts_away_or_covers_by_less_than_half_is_not_there) {
   glass.blend = true, glass.transmission = 1.0f;  // uncovered by transmission alone: there
   for (const auto& [kind, alpha, id] : {std::tuple(mask, 180, 1.0f), {mask, 200, 0.0f}, {blend, 120, 1.0f}, {blend, 140, 0.0f}})
     for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
-      const Picture p = trace(textured({alpha, alpha, alpha, alpha}, kind), single_view(kSize), {}, 1, 0.0, {}, integrator);
+      const Picture p = trace(textured({alpha, alpha, alpha, alpha}, kind), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
       EXPECT_EQ(p.aovs[Aov::kId].pixel(16, 16)[0], id) << alpha;
       EXPECT_NEAR(p.aovs[Aov::kDepth].pixel(16, 16)[0], -id, 1e-5f) << alpha;
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(16, 16)[1], id == 1.0f ? 0.25f : 1.0f, 1e-5f) << alpha;
     }
-  const Picture p = trace(textured({255, 255, 255, 255}, glass), single_view(kSize));
+  const Picture p = trace(textured({255, 255, 255, 255}, glass), single_view(kAovSize));
   EXPECT_EQ(p.aovs[Aov::kId].pixel(16, 16)[0], 0.0f);
 }
 
 TEST(Aovs, ray_depth_is_from_the_eye_along_the_ray_and_infinite_where_nothing_is) {
-  const Picture p = trace(sliding(1.0f, Vec3f(0.0f)), single_view(kSize));
+  const Picture p = trace(sliding(1.0f, Vec3f(0.0f)), single_view(kAovSize));
   const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;  // of pixel (19, 16) in z = 0, 10 before the eye
   EXPECT_NEAR(p.aovs[Aov::kRayDepth].pixel(19, 16)[0], 0.9f * std::sqrt(x * x + y * y + 100.0f), 1e-5f);
   EXPECT_EQ(p.aovs[Aov::kRayDepth].pixel(0, 0)[0], kInfinity);
@@ -166,7 +166,7 @@ TEST(Aovs, direct_and_indirect_light_sum_to_the_film) {
   SmallScene s = busy_scene(3);
   s.scene.max_depth = 5;
   s.scene.background.horizon = Vec3f(0.2f);
-  const Picture p = trace_paths(s.scene, single_view(kSize), 4);
+  const Picture p = trace_paths(s.scene, single_view(kAovSize), 4);
   double indirect = 0.0;
   for (std::size_t i = 0; i < p.film.data.size(); ++i) {
     const float sum = p.aovs[Aov::kDirect].data[i] + p.aovs[Aov::kIndirect].data[i];
@@ -182,7 +182,7 @@ TEST(Aovs, light_that_one_surface_has_scattered_is_direct) {
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.5f);
   s.add(square(1, 0), s.material(matte(Vec3f(0.5f))));
   s.point_light({0, 0, 4});
-  const Picture p = trace_paths(s.scene, single_view(kSize), 4);
+  const Picture p = trace_paths(s.scene, single_view(kAovSize), 4);
   EXPECT_EQ(p.aovs[Aov::kDirect].data, p.film.data);
   EXPECT_EQ(p.aovs[Aov::kIndirect].data, std::vector<float>(p.film.data.size(), 0.0f));
 }
@@ -194,14 +194,14 @@ TEST(Aovs, parts_of_the_light_leave_the_film_as_it_is) {
   TraceParams params;
   params.spp = 2, params.max_depth = s.scene.max_depth;
   Image film;
-  trace_frame({device, single_view(kSize), {}}, params, {pool, Context{}}, {film});
-  EXPECT_EQ(film.data, trace_paths(s.scene, single_view(kSize), 2, {}, 2).film.data);
+  trace_frame({device, single_view(kAovSize), {}}, params, {pool, Context{}}, {film});
+  EXPECT_EQ(film.data, trace_paths(s.scene, single_view(kAovSize), 2, {}, 2).film.data);
 }
 
 TEST(Aovs, layers_are_the_same_on_any_number_of_threads) {
   const SmallScene s = busy_scene(5);
-  const Picture one = trace_paths(s.scene, single_view(kSize), 2, {}, 1),
-                three = trace_paths(s.scene, single_view(kSize), 2, {}, 3);
+  const Picture one = trace_paths(s.scene, single_view(kAovSize), 2, {}, 1),
+                three = trace_paths(s.scene, single_view(kAovSize), 2, {}, 3);
   for (std::size_t i = 0; i < kAovs; ++i) EXPECT_EQ(one.aovs.images[i].data, three.aovs.images[i].data) << i;
 }
 

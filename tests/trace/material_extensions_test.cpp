@@ -11,8 +11,6 @@ namespace {
 
 using namespace test;
 
-void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
-
 /// Smooth, and of air's index unless said otherwise: it bends and mirrors nothing.
 MetallicRoughness clear(const Volume& volume, float ior = 1.0f) {
   MetallicRoughness m;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-constexpr int kSize = 32;
+constexpr int kNoisySize = 32;
 
 NoisyFrame traced(const Scene& scene, int spp, const Affine3f& world_from_display = {}) {
   const ThreadPool pool(2);
@@ -18,7 +18,7 @@ NoisyFrame traced(const Scene& scene, int spp, const Affine3f& world_from_displa
   params.spp = spp, params.max_depth = scene.max_depth;
   NoisyFrame noisy;
   FrameAovs none;
-  trace_noisy_frame({device, single_view(kSize), world_from_display}, params, {pool, Context{}}, noisy, none);
+  trace_noisy_frame({device, single_view(kNoisySize), world_from_display}, params, {pool, Context{}}, noisy, none);
   return noisy;
 }
 
@@ -31,13 +31,13 @@ double mean_square(const Image& a) {
 TEST(NoisyFrame, film_is_that_of_the_frame_whether_or_not_halves_of_its_samples_are_equal) {
   const SmallScene s = busy_scene(3);
   for (const int spp : {3, 4})
-    EXPECT_EQ(traced(s.scene, spp).film.data, trace_paths(s.scene, single_view(kSize), spp).film.data);
+    EXPECT_EQ(traced(s.scene, spp).film.data, trace_paths(s.scene, single_view(kNoisySize), spp).film.data);
 }
 
 // Halves of evenly spread samples differ by more than their mean errs by, as they fill each other's gaps.
 TEST(NoisyFrame, noise_is_of_the_size_of_the_errors_and_has_no_preferred_sign) {
   const SmallScene s = busy_scene(3);
-  const Image truth = trace_paths(s.scene, single_view(kSize), 1024).film;
+  const Image truth = trace_paths(s.scene, single_view(kNoisySize), 1024).film;
   for (const int spp : {3, 8, 16}) {
     const NoisyFrame noisy = traced(s.scene, spp);
     Image error = noisy.film;

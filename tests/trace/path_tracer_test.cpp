@@ -10,8 +10,6 @@ namespace {
 
 using namespace test;
 
-void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
-
 MetallicRoughness rough(Vec3f color, float metallic, float roughness) {
   MetallicRoughness m;
   m.base_color = Vec4f(color, 1.0f);

@@ -12,7 +12,7 @@ using test::SmallScene;
 using test::square;
 using test::trace;
 
-constexpr int kSize = 32;
+constexpr int kPosedSize = 32;
 
 /// A square of half size 1 whose joint goes from (-1, 0, 0) to (1, 0, 0) within a second, and one that grows to twice its size
 /// behind it.
@@ -37,7 +37,7 @@ SmallScene deforming() {
 
 TEST(PosedMesh, is_met_where_its_joints_and_weights_have_it) {
   const Scene scene = deforming().scene;
-  const Picture before = trace(scene, single_view(kSize)), after = trace(scene, single_view(kSize), {}, 1, 1.0);
+  const Picture before = trace(scene, single_view(kPosedSize)), after = trace(scene, single_view(kPosedSize), {}, 1, 1.0);
   // The picture is 4 wide: pixel 8 is at x = -0.94, pixel 23 at 0.94, row 22 at y = -0.81.
   EXPECT_EQ(before.at(8, 16), Vec3f(1, 0, 0));
   EXPECT_EQ(before.at(23, 16), Vec3f(0, 0, 0));
@@ -55,8 +55,8 @@ TEST(PosedMesh, picture_does_not_depend_on_the_frames_before_it) {
   for (const double time : {0.9, 0.2, 0.5}) {
     device.update(evaluate(scene, time), pool);
     Image film;
-    trace_frame({device, single_view(kSize), {}}, {}, {pool, context}, {film});
-    EXPECT_EQ(film.data, trace(scene, single_view(kSize), {}, 1, time).film.data);
+    trace_frame({device, single_view(kPosedSize), {}}, {}, {pool, context}, {film});
+    EXPECT_EQ(film.data, trace(scene, single_view(kPosedSize), {}, 1, time).film.data);
   }
 }
 
@@ -66,7 +66,7 @@ TEST(PosedMesh, that_never_moves_is_posed_all_the_same) {
   mesh.skin = {1, {0, 0, 0, 0}, {1, 1, 1, 1}};
   s.scene.skins = {{"", {s.node({Mat3f(1.0f), {1, 0, 0}})}, {Affine3f{}}}};
   s.scene.instances[static_cast<std::size_t>(s.add(mesh, s.material(test::glowing({1, 0, 0}))))].skin = 0;
-  const Picture p = trace(s.scene, single_view(kSize));
+  const Picture p = trace(s.scene, single_view(kPosedSize));
   EXPECT_EQ(p.at(4, 16), Vec3f(0, 0, 0));
   EXPECT_EQ(p.at(28, 16), Vec3f(1, 0, 0));
 }
@@ -79,8 +79,8 @@ TEST(PosedMesh, mirrored_by_its_node_it_faces_as_before) {
   const int node = s.node({Mat3f(-1, 0, 0, 0, 1, 0, 0, 0, 1), Vec3f(0.0f)});
   s.scene.nodes[0].morph_weights = {0.0f};
   s.add(mesh, s.material(test::matte(Vec3f(1.0f))), node);
-  const Picture p = trace(s.scene, single_view(kSize));
-  EXPECT_EQ(p.aovs[Aov::kNormal].data[3 * (16 * kSize + 16) + 2], 1.0f);
+  const Picture p = trace(s.scene, single_view(kPosedSize));
+  EXPECT_EQ(p.aovs[Aov::kNormal].data[3 * (16 * kPosedSize + 16) + 2], 1.0f);
 }
 
 TEST(PosedMesh, textures_follow_its_coordinates) {
@@ -96,7 +96,7 @@ TEST(PosedMesh, textures_follow_its_coordinates) {
   mesh.skin = {1, {0, 0, 0, 0}, {1, 1, 1, 1}};
   s.scene.skins = {{"", {s.moving_node({0, 0, 0}, {1, 0, 0})}, {Affine3f{}}}};
   s.scene.instances[static_cast<std::size_t>(s.add(mesh, s.material(glow)))].skin = 0;
-  const Picture p = trace(s.scene, single_view(kSize), {}, 1, 1.0);
+  const Picture p = trace(s.scene, single_view(kPosedSize), {}, 1, 1.0);
   EXPECT_EQ(p.at(20, 16), Vec3f(0.0f));  // x = 0.56: the left half of a square from 0 to 2
   EXPECT_EQ(p.at(28, 16), Vec3f(1.0f));  // x = 1.56: its right half
 }

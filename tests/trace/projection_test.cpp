@@ -8,7 +8,7 @@ namespace lippmann {
 namespace {
 
 // What float loses in one arc tangent and a division.
-constexpr float kRounding = 1e-6f;
+constexpr float kProjectionRounding = 1e-6f;
 
 struct ProjectedPoint {
   float u, v, blur;
@@ -45,9 +45,9 @@ TEST(Project, plane_takes_coordinates_along_its_axes) {
   p.rotate = {0.1f, 0.2f, 0.0f};
   // U = 3, V = 1: u = 1.5 + 0.1 -> 0.6; v = -0.25 + 0.2 = -0.05 -> 0.95. Blur 0.05 x 8 x 0.5: scale.z has no part in it.
   const ProjectedPoint at = project(p, {13, 21, 77}, 8.0f);
-  EXPECT_NEAR(at.u, 0.6f, kRounding);
-  EXPECT_NEAR(at.v, 0.95f, kRounding);
-  EXPECT_NEAR(at.blur, 0.2f, kRounding);
+  EXPECT_NEAR(at.u, 0.6f, kProjectionRounding);
+  EXPECT_NEAR(at.v, 0.95f, kProjectionRounding);
+  EXPECT_NEAR(at.blur, 0.2f, kProjectionRounding);
 }
 
 TEST(Project, blur_ends_at_1) { EXPECT_EQ(project(projection(ProjectionKind::kPlane), {0, 0, 0}, 1e6f).blur, 1.0f); }
@@ -55,10 +55,10 @@ TEST(Project, blur_ends_at_1) { EXPECT_EQ(project(projection(ProjectionKind::kPl
 /// Around y from x towards v_axis x u_axis = -z: x at 0, -z at 1/4, -x at 1/2, z at 3/4.
 TEST(Project, cylinder_turns_from_u_axis_about_v_axis) {
   const ImageProjection p = projection(ProjectionKind::kCylinder);
-  EXPECT_NEAR(project(p, {12, 20, 30}, 1.0f).u, 0.0f, kRounding);
-  EXPECT_NEAR(project(p, {10, 20, 28}, 1.0f).u, 0.25f, kRounding);
-  EXPECT_NEAR(project(p, {8, 20, 30}, 1.0f).u, 0.5f, kRounding);
-  EXPECT_NEAR(project(p, {10, 20, 33}, 1.0f).u, 0.75f, kRounding);
+  EXPECT_NEAR(project(p, {12, 20, 30}, 1.0f).u, 0.0f, kProjectionRounding);
+  EXPECT_NEAR(project(p, {10, 20, 28}, 1.0f).u, 0.25f, kProjectionRounding);
+  EXPECT_NEAR(project(p, {8, 20, 30}, 1.0f).u, 0.5f, kProjectionRounding);
+  EXPECT_NEAR(project(p, {10, 20, 33}, 1.0f).u, 0.75f, kProjectionRounding);
 }
 
 TEST(Project, cylinder_takes_height_for_v_and_the_distance_from_its_centre_for_blur) {
@@ -66,16 +66,16 @@ TEST(Project, cylinder_takes_height_for_v_and_the_distance_from_its_centre_for_b
   p.scale = {2.0f, 3.0f, 0.0f};
   const ProjectedPoint at = project(p, {13, 24.1f, 30}, 40.0f);  // |q| = hypot(3, 4.1)
   EXPECT_NEAR(at.v, 0.3f, 1e-5f);                                // 12.3, of which float keeps 6 digits
-  EXPECT_NEAR(at.blur, 0.05f * 40.0f / (8.0f * std::hypot(3.0f, 4.1f)) * 3.0f, kRounding);
+  EXPECT_NEAR(at.blur, 0.05f * 40.0f / (8.0f * std::hypot(3.0f, 4.1f)) * 3.0f, kProjectionRounding);
 }
 
 TEST(Project, sphere_runs_from_pole_to_pole) {
   const ImageProjection p = projection(ProjectionKind::kSphere);
-  EXPECT_NEAR(project(p, {11, 20, 30}, 1.0f).v, 0.5f, kRounding);
-  EXPECT_NEAR(project(p, {11, 21, 30}, 1.0f).v, 0.75f, kRounding);
-  EXPECT_NEAR(project(p, {11, 19, 30}, 1.0f).v, 0.25f, kRounding);
-  EXPECT_NEAR(project(p, {10, 19, 30}, 1.0f).v, 0.0f, kRounding);
-  EXPECT_NEAR(project(p, {10, 20, 29}, 1.0f).u, 0.25f, kRounding);
+  EXPECT_NEAR(project(p, {11, 20, 30}, 1.0f).v, 0.5f, kProjectionRounding);
+  EXPECT_NEAR(project(p, {11, 21, 30}, 1.0f).v, 0.75f, kProjectionRounding);
+  EXPECT_NEAR(project(p, {11, 19, 30}, 1.0f).v, 0.25f, kProjectionRounding);
+  EXPECT_NEAR(project(p, {10, 19, 30}, 1.0f).v, 0.0f, kProjectionRounding);
+  EXPECT_NEAR(project(p, {10, 20, 29}, 1.0f).u, 0.25f, kProjectionRounding);
 }
 
 TEST(Project, centre_itself_has_coordinates) {

@@ -1,6 +1,8 @@
 // Scenes of a few shapes, and pictures of them a few pixels wide, for tests of tracing.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <numeric>
 #include <random>
 
@@ -56,6 +58,14 @@ class SmallScene {
 
   Scene scene;
 };
+
+/// The default: of single-precision shading along one path.
+inline void expect_color(Vec3f got, Vec3f expected, float tolerance = 2e-5f) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "channel " << c;
+}
+
+/// A sky of one colour all around.
+inline void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
 
 /// Glows in its colour, whatever the light.
 inline PhongSurface glowing(Vec3f color) {

@@ -9,13 +9,9 @@ namespace {
 
 using namespace test;
 
-constexpr int kSize = 33, kMiddle = 16;
+constexpr int kShadedSize = 33, kShadedMiddle = 16;
 // Of single-precision shading along one path.
-constexpr float kRounding = 2e-5f;
-
-void expect_color(Vec3f got, Vec3f expected, float tolerance = kRounding) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "channel " << c;
-}
+constexpr float kShadedRounding = 2e-5f;
 
 SmallScene tachyon_scene() {
   SmallScene s;
@@ -23,7 +19,7 @@ SmallScene tachyon_scene() {
   return s;
 }
 
-Vec3f middle(const SmallScene& s) { return trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle); }
+Vec3f middle(const SmallScene& s) { return trace(s.scene, single_view(kShadedSize)).at(kShadedMiddle, kShadedMiddle); }
 
 /// A square that sends nothing but its highlight. Light and view at right angles to each other: N.H = cos 22.5 degrees.
 PhongSurface highlighted(Highlight kind) {
@@ -138,10 +134,10 @@ TEST(VertexColors, are_interpolated_and_multiply_the_material_s) {
   mesh.colors = {{1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}};  // the middle lies on the diagonal of corners 0 and 2
   s.add(mesh, s.material(glowing({0.5f, 0.5f, 1.0f})));
   expect_color(middle(s), {0.5f, 0.0f, 0.0f});
-  const Picture p = trace(s.scene, single_view(kSize));
+  const Picture p = trace(s.scene, single_view(kShadedSize));
   // 8 pixels of 4/33 to the right: u and v of the triangle 0 2 1 move by that over the side, 4.
-  const float moved = 8.0f * (4.0f / kSize) / 4.0f;
-  expect_color(p.at(kMiddle + 8, kMiddle), {0.5f * (1.0f - moved), 0.5f * moved, 0.0f});
+  const float moved = 8.0f * (4.0f / kShadedSize) / 4.0f;
+  expect_color(p.at(kShadedMiddle + 8, kShadedMiddle), {0.5f * (1.0f - moved), 0.5f * moved, 0.0f});
 }
 
 TEST(Background, gradient_runs_between_its_two_heights) {
@@ -155,9 +151,9 @@ TEST(Secondary, surface_far_away_does_not_shade_itself) {
   SmallScene s = tachyon_scene();
   s.add(Spheres{{{0, 0, -20000}, 15000.0f}}, s.material(matte(Vec3f(1.0f))));
   s.point_light({0, 0, 50000});
-  const Picture p = trace(s.scene, single_view(kSize));
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) EXPECT_GT(p.at(x, y).x, 0.5f) << x << " " << y;
+  const Picture p = trace(s.scene, single_view(kShadedSize));
+  for (int y = 0; y < kShadedSize; ++y)
+    for (int x = 0; x < kShadedSize; ++x) EXPECT_GT(p.at(x, y).x, 0.5f) << x << " " << y;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-struct Traced {
+struct TracedBlocks {
   Image film;
   TouchedBlocks touched;
 };
@@ -25,8 +25,8 @@ class TraceBlocks : public testing::TestWithParam<RayOrder> {
     params_.spp = 2;
   }
 
-  Traced frame(const std::vector<HorizonBox>& boxes) {
-    Traced traced;
+  TracedBlocks frame(const std::vector<HorizonBox>& boxes) {
+    TracedBlocks traced;
     traced.touched.boxes = boxes;
     trace_frame({device_, optics_, {}}, params_, {pool_, context_}, {traced.film, nullptr, nullptr, &traced.touched});
     return traced;
@@ -41,7 +41,7 @@ class TraceBlocks : public testing::TestWithParam<RayOrder> {
 };
 
 TEST_P(TraceBlocks, any_of_them_traced_alone_are_as_in_the_frame) {
-  const Traced whole = frame({});
+  const TracedBlocks whole = frame({});
   const std::size_t blocks = whole.touched.lowest_horizon.size();
   ASSERT_GT(blocks, 10u);
   for (const std::size_t every : {2u, 3u}) {
@@ -63,7 +63,7 @@ TEST_P(TraceBlocks, any_of_them_traced_alone_are_as_in_the_frame) {
 }
 
 TEST_P(TraceBlocks, rays_of_all_blocks_are_those_of_the_frame) {
-  const Traced whole = frame({});
+  const TracedBlocks whole = frame({});
   std::uint64_t rays = 0;
   for (const std::uint32_t n : whole.touched.rays) rays += n;
   Image film;
@@ -86,7 +86,7 @@ TEST_P(TraceBlocks, box_around_everything_is_met_by_all_and_box_away_from_all_ra
 }
 
 TEST_P(TraceBlocks, packets_traced_alone_are_as_in_the_frame) {
-  const Traced whole = frame({});
+  const TracedBlocks whole = frame({});
   const StripOrder order = make_strip_order(optics_, GetParam());
   const std::size_t per_strip = (order.pixels.size() + 15) / 16;
   const auto strips = static_cast<std::size_t>((70 + order.strip_height - 1) / order.strip_height);

@@ -18,7 +18,7 @@ SmallScene scene_of_everything() {
   return s;
 }
 
-struct Traced {
+struct TracedPixels {
   Image film;
   FrameAovs aovs;
   PrimaryPoints points;
@@ -31,8 +31,8 @@ class TracePixels : public testing::Test {
     params_.max_depth = s_.scene.max_depth;
   }
 
-  Traced whole() {
-    Traced t;
+  TracedPixels whole() {
+    TracedPixels t;
     t.aovs.want(Aov::kDepth), t.aovs.want(Aov::kId);
     trace_frame({device_, optics_, {}}, params_, {pool_, context_}, {t.film, nullptr, &t.points});
     find_first_hits({device_, optics_, {}}, params_.order, nullptr, pool_, t.aovs);
@@ -60,7 +60,7 @@ TEST_F(TracePixels, given_pixels_get_the_frames_bits_and_all_others_stay) {
   for (const int spp : {1, 3})
     for (const RayOrder order : {RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles}) {
       params_.spp = spp, params_.order = order;
-      const Traced truth = whole();
+      const TracedPixels truth = whole();
       Image film(64, 50, 3);
       std::fill(film.data.begin(), film.data.end(), -5.0f);
       PrimaryPoints points;
@@ -102,7 +102,7 @@ TEST_F(TracePixels, no_pixels_trace_nothing) {
 TEST_F(TracePixels, points_of_a_frame_are_its_depth_and_object_layers) {
   for (const int spp : {1, 3}) {
     params_.spp = spp;
-    const Traced t = whole();
+    const TracedPixels t = whole();
     std::size_t lights = 0, background = 0;
     for (std::size_t p = 0; p < 64 * 50; ++p) {
       // Lights are objects after the instances; the layer of ids knows none.
@@ -124,7 +124,7 @@ TEST_F(TracePixels, points_of_a_frame_are_its_depth_and_object_layers) {
 }
 
 TEST_F(TracePixels, keeping_points_changes_no_colour) {
-  const Traced with = whole();
+  const TracedPixels with = whole();
   Image without;
   trace_frame({device_, optics_, {}}, params_, {pool_, context_}, {without});
   EXPECT_EQ(with.film.data, without.data);

@@ -8,7 +8,7 @@ namespace {
 
 using namespace test;
 
-constexpr int kSize = 32;
+constexpr int kTransparentSize = 32;
 constexpr Integrator kBoth[] = {Integrator::kWhitted, Integrator::kPath};
 
 Picture traced(const Scene& scene, Integrator integrator, int spp, bool transparent = true) {
@@ -18,7 +18,7 @@ Picture traced(const Scene& scene, Integrator integrator, int spp, bool transpar
   params.spp = spp, params.max_depth = scene.max_depth;
   Picture p;
   if (transparent) p.aovs.want(Aov::kAlpha);
-  trace_frame({device, single_view(kSize), {}}, params, {pool, Context{}}, {p.film, &p.aovs});
+  trace_frame({device, single_view(kTransparentSize), {}}, params, {pool, Context{}}, {p.film, &p.aovs});
   return p;
 }
 

@@ -9,10 +9,6 @@ namespace {
 
 using namespace test;
 
-void expect_color(Vec3f got, Vec3f expected, float tolerance) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "channel " << c;
-}
-
 // An odd size puts a pixel's centre on the axis.
 constexpr int kSize = 33, kMiddle = 16;
 // Of single-precision shading along one path.

@@ -4,16 +4,13 @@
 #include "transport/metal_rough_bsdf.hpp"
 #include "transport/phong_bsdf.hpp"
 #include "transport/sampler.hpp"
+#include "transport/tables.hpp"
 
 namespace lippmann {
 namespace {
 
-const GgxAlbedo& albedo() {
-  static const GgxAlbedo tables;
-  return tables;
-}
-
-const Vec3f kNormal = glm::normalize(Vec3f(0.3f, -0.5f, 0.8f));
+using test::albedo;
+using test::kNormal;
 
 /// At an angle from the normal.
 Vec3f view_at(float degrees_from_normal) {

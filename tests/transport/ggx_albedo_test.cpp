@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "transport/microfacet.hpp"
+#include "transport/tables.hpp"
 
 namespace lippmann {
 namespace {
 
-const GgxAlbedo& albedo() {
-  static const GgxAlbedo tables;
-  return tables;
-}
+using test::albedo;
 
 /// The albedo of one scattering by quadrature over outgoing directions, F = 1.
 double brute_force(float cosine, float alpha) {

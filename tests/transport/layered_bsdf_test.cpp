@@ -3,16 +3,13 @@
 #include "chi_squared.hpp"
 #include "transport/layered_bsdf.hpp"
 #include "transport/sampler.hpp"
+#include "transport/tables.hpp"
 
 namespace lippmann {
 namespace {
 
-const GgxAlbedo& albedo() {
-  static const GgxAlbedo tables;
-  return tables;
-}
-
-const Vec3f kNormal = glm::normalize(Vec3f(0.3f, -0.5f, 0.8f));
+using test::albedo;
+using test::kNormal;
 const Frame kFrame(kNormal);
 const Vec3f kTangent = kFrame.to_world({0.6f, 0.8f, 0.0f});
 

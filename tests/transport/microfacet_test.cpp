@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-Vec3f view_at(float degrees_from_normal) {
+Vec3f view_from_z(float degrees_from_normal) {
   return {std::sin(radians(degrees_from_normal)), 0.0f, std::cos(radians(degrees_from_normal))};
 }
 
@@ -26,7 +26,7 @@ TEST(Ggx, visible_facets_project_to_the_view) {
           const double turn = 2.0 * M_PI * (a + 0.5) / kAzimuth;
           const Vec3f h(static_cast<float>(sine * std::cos(turn)), static_cast<float>(sine * std::sin(turn)),
                         static_cast<float>(z));
-          sum += static_cast<double>(ggx.visible_density(view_at(angle), h)) * 3.0 * t * t / kPolar * 2.0 * M_PI / kAzimuth;
+          sum += static_cast<double>(ggx.visible_density(view_from_z(angle), h)) * 3.0 * t * t / kPolar * 2.0 * M_PI / kAzimuth;
         }
       EXPECT_NEAR(sum, 1.0, 2e-3) << "alpha " << alpha << ", " << angle << " degrees";
     }
@@ -36,7 +36,7 @@ TEST(Ggx, facets_are_drawn_as_their_density_says) {
   for (const float alpha : {0.2f, 0.5f, 1.0f})
     for (const float angle : {0.0f, 45.0f, 75.0f}) {
       const Ggx ggx{alpha};
-      const Vec3f view = view_at(angle);
+      const Vec3f view = view_from_z(angle);
       const auto draw = [&](int i) -> std::optional<Vec3f> {
         return ggx.sample_visible(view, scrambled_sobol(0, static_cast<std::uint32_t>(i)));
       };

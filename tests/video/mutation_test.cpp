@@ -11,6 +11,7 @@
 #include "lippmann/core/error.hpp"
 #include "support/command.hpp"
 #include "support/error_message.hpp"
+#include "support/file_bytes.hpp"
 #include "support/pictures.hpp"
 #include "support/temp_dir.hpp"
 #include "video/video_reader.hpp"
@@ -20,12 +21,8 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+using test::file_bytes;
 using test::TempDir;
-
-std::string file_bytes(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 void read_to_the_end(const fs::path& path) {
   try {

@@ -11,6 +11,7 @@
 #include "lippmann/image/metrics.hpp"
 #include "support/command.hpp"
 #include "support/error_message.hpp"
+#include "support/file_bytes.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/pictures.hpp"
 #include "support/temp_dir.hpp"
@@ -22,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::error_message;
+using test::file_bytes;
 using test::noise_codes;
 using test::smooth_codes;
 using test::TempDir;
@@ -52,11 +54,6 @@ std::vector<Image8> smooth_frames(int count, int width, int height) {
   std::vector<Image8> frames;
   for (int i = 0; i < count; ++i) frames.push_back(smooth_codes(width, height, 0.1 * i));
   return frames;
-}
-
-std::string file_bytes(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::string probe(const fs::path& path, const std::string& entries) {

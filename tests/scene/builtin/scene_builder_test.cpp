@@ -5,15 +5,14 @@
 #include <cmath>
 
 #include "lippmann/scene/timeline.hpp"
+#include "support/near.hpp"
 
 namespace lippmann::builtin {
 namespace {
 
 Vec3f moved(const Scene& scene, double time, Vec3f p) { return transform_point(evaluate(scene, time).world_from_node[0], p); }
 
-void expect_near(Vec3f a, Vec3f b, float tolerance) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance) << "component " << c;
-}
+using test::expect_near;
 
 TEST(SceneBuilder, spin_is_uniform_and_comes_back) {
   for (const int turns : {1, 3, -2}) {

@@ -6,13 +6,12 @@
 #include <cmath>
 
 #include "mesh_checks.hpp"
+#include "support/near.hpp"
 
 namespace lippmann::builtin {
 namespace {
 
-void expect_near(Vec3f a, Vec3f b, float tolerance = 1e-5f) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance) << "component " << c;
-}
+using test::expect_near;
 
 Mesh teapot(int steps) {
   Mesh mesh;

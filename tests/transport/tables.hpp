@@ -1,0 +1,17 @@
+// What tests of scattering share.
+#pragma once
+
+#include "lippmann/core/math.hpp"
+#include "transport/ggx_albedo.hpp"
+
+namespace lippmann::test {
+
+inline const GgxAlbedo& albedo() {
+  static const GgxAlbedo tables;
+  return tables;
+}
+
+/// Along no axis.
+inline const Vec3f kNormal = glm::normalize(Vec3f(0.3f, -0.5f, 0.8f));
+
+}  // namespace lippmann::test
