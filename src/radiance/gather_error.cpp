@@ -122,7 +122,7 @@ GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, std::op
       pool_(pool) {
   patches_ = choose_patches(shot.optics, shot.world_from_display, trace.order, places.patches, likely, seed_);
   trace_patches(places.fewer);
-  set_goal(difference_of_paths());
+  set_goal(difference(paths_[0].values, paths_[1].values));
 }
 
 void GatherMeasure::choose_pixels_of(const Image& film, const Scatter& scatter) {
@@ -159,19 +159,22 @@ void GatherMeasure::trace_patches(int fewer) {
     }
     const std::vector<float> first = light_at(film, patches_.pixels);
     trace_with(hash(seed_, 0x68616c66u, set));
-    paths_[set] = codes_of_halves(first, light_at(film, patches_.pixels));
+    const std::vector<float> second = light_at(film, patches_.pixels);
+    paths_[set] = codes_of_halves(first, second);
+    of_halves_ += 0.5f * difference(codes_of(first).values, codes_of(second).values).squared;
   }
+  samples_of_half_ = params.spp;
   rays_of_paths_ = 0.5 * static_cast<double>(counts_.total()) * trace_.spp / fewer_samples(trace_.spp, fewer);
 }
 
-/// Half the squared difference of both sets.
-PixelError GatherMeasure::difference_of_paths() const {
+/// Half the squared difference of codes of the patches' pixels.
+PixelError GatherMeasure::difference(const std::vector<float>& a, const std::vector<float>& b) const {
   MeanOf pixels;
   for (std::size_t p = 0; p < patches_.weights.size(); ++p) {
     double sum = 0.0;
     const std::size_t begin = 3 * patches_.begin[p], end = 3 * patches_.begin[p + 1];
     for (std::size_t i = begin; i < end; ++i) {
-      const auto d = static_cast<double>(paths_[0].values[i] - paths_[1].values[i]);
+      const auto d = static_cast<double>(a[i] - b[i]);
       sum += 0.5 * d * d;
     }
     pixels.add(patches_.weights[p] * sum / static_cast<double>(end - begin));
@@ -294,18 +297,24 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
 std::optional<PathMix> GatherMeasure::mix_for(const FrameError& found, double share_of_rays) const {
   const MixedErrors may{kMixMargin * goal_.pixels, kMixMargin * goal_.blocks};
   const int most = static_cast<int>((kMostMixed - share_of_rays) * trace_.spp);
-  return lippmann::mix_for({found.pixels, found.blocks}, of_one_path(), may, most);
+  return lippmann::mix_for({found.pixels, found.blocks}, path_errors(), may, most);
 }
 
 /// Those of pixels have nothing to do with each other.
-MixedErrors GatherMeasure::of_one_path() const {
-  const float of_pixels = of_paths_.squared * static_cast<float>(trace_.spp);
-  return {of_pixels, of_pixels / kBlockPixels};
+PathErrors GatherMeasure::path_errors() const {
+  return PathErrors::with({of_paths_.squared, of_paths_.squared / kBlockPixels}, trace_.spp, path_exponent());
+}
+
+/// By what halves of the sets err, and a whole picture; 1 where there are no halves.
+float GatherMeasure::path_exponent() const {
+  if (!(of_halves_ > 0.0f && of_paths_.squared > 0.0f)) return 1.0f;
+  const float times = static_cast<float>(trace_.spp) / static_cast<float>(samples_of_half_);
+  return std::clamp(std::log(of_halves_ / of_paths_.squared) / std::log(times), 1.0f, 2.0f);
 }
 
 FrameError GatherMeasure::without(const PathMix& mix, const FrameError& found) const {
   if (mix.samples == 0) return found;
-  const MixedErrors of_paths = errors_of(mix, {}, of_one_path());
+  const MixedErrors of_paths = errors_of(mix, {}, path_errors());
   const float part = (1.0f - mix.weight) * (1.0f - mix.weight);
   FrameError cached = found;
   cached.pixels = (found.pixels - of_paths.pixels) / part, cached.blocks = (found.blocks - of_paths.blocks) / part;

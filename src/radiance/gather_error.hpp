@@ -83,7 +83,7 @@ class GatherMeasure {
   std::optional<PathMix> mix_for(const FrameError& found, double share_of_rays) const;
 
   /// What pixels that err by `squared` without do with the paths that are mixed in.
-  float with(const PathMix& mix, float squared) const { return errors_of(mix, {squared, 0.0f}, of_one_path()).pixels; }
+  float with(const PathMix& mix, float squared) const { return errors_of(mix, {squared, 0.0f}, path_errors()).pixels; }
 
   /// What frames would err by without the paths that are mixed in.
   FrameError without(const PathMix& mix, const FrameError& found) const;
@@ -118,11 +118,12 @@ class GatherMeasure {
   };
   void trace_patches(int fewer);
   void set_goal(const PixelError& of_paths);
-  PixelError difference_of_paths() const;
+  PixelError difference(const std::vector<float>& a, const std::vector<float>& b) const;
   Codes codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const;
   Codes codes_of(const std::vector<float>& light) const;
   FrameError error_of_patches(const Image& film) const;
-  MixedErrors of_one_path() const;
+  PathErrors path_errors() const;
+  float path_exponent() const;
   FrameError at_least_some(FrameError error) const;
   FrameError gather(const GatherSources& sources, const GatherEffort& effort, const GatherHistory& history,
                     std::uint32_t frame = 0);
@@ -138,7 +139,9 @@ class GatherMeasure {
   MeasuredPatches patches_;
   Codes paths_[2];
   std::optional<PixelMeasure> pixels_;
-  PixelError of_paths_;  ///< with trace.spp samples
+  PixelError of_paths_;      ///< with trace.spp samples
+  float of_halves_ = 0.0f;   ///< likewise of patches, with
+  int samples_of_half_ = 0;  ///< so many samples; 0: there are no halves
   FrameError goal_, last_;
   double rays_of_paths_ = 0.0, rays_of_last_ = 0.0;  ///< in the measured patches; the latter, of what was gathered last
   RayCounts counts_;
