@@ -39,10 +39,18 @@ namespace fs = std::filesystem;
 
 struct RenderOptions {
   ParamFlags flags;
-  std::string dump_job, also, progress, unit, program;
+  std::string dump_job, also, progress, unit, only_frames, program;
   bool force = false;
   bool json = false, quiet = false, verbose = false, dry_run = false, page = false;
+
+  /// Whether other runs render the rest of the job.
+  bool is_part() const { return !unit.empty() || !only_frames.empty(); }
 };
+
+/// The flag that says so.
+std::string part_flag(const RenderOptions& options) {
+  return options.unit.empty() ? " --only-frames " + options.only_frames : " --unit " + options.unit;
+}
 
 /// What `planned` says that the summary needs, once the plan is gone.
 struct Planned {
@@ -91,7 +99,8 @@ std::string first_and_last(const std::string& first, const std::string& last) {
 }
 
 /// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
-void print_summary(const RenderReport& report, const Planned& plan, const std::string& program) {
+void print_summary(const RenderReport& report, const Planned& plan, const RenderOptions& options) {
+  const std::string& program = options.program;
   const auto& [folder, names, picture_size, pictures_per_frame, kept] = plan;
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
@@ -127,11 +136,11 @@ void print_summary(const RenderReport& report, const Planned& plan, const std::s
   print_line("figures", (folder / "report.json").string());
   const std::string again = program + " render " + shell_word((folder / "job.toml").string());
   if (report.interrupted)
-    print_line("go on", again + " --resume" + (report.run.unit.empty() ? "" : " --unit " + report.run.unit));
-  else if (report.run.unit.empty())
+    print_line("go on", again + " --resume" + (options.is_part() ? part_flag(options) : ""));
+  else if (!options.is_part())
     print_line("again", again);
   else
-    print_line("then", fmt::format("{} finish {}   (when all units are done)", program, shell_word(folder.string())));
+    print_line("then", fmt::format("{} finish {}   (when all frames are there)", program, shell_word(folder.string())));
 }
 
 /// "3 frames (0 to 8)".
@@ -184,6 +193,7 @@ RunParams run_params(const RenderOptions& options, Ranks* ranks) {
   run.force = options.force;
   run.ranks = ranks;
   if (!options.unit.empty()) run.units = read_units(options.unit, "unit");
+  if (!options.only_frames.empty()) run.only_frames = read_frames(options.only_frames, "only-frames");
   return run;
 }
 
@@ -223,7 +233,7 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Ra
   context.frame_progress = nullptr;
   progress.reset();
   const bool quiet = options.json || options.quiet || !is_first(ranks);
-  if (!quiet) print_summary(report, planned, options.program);
+  if (!quiet) print_summary(report, planned, options);
   if (options.page && !report.interrupted && is_first(ranks)) write_page(planned.folder, quiet, context);
   return report;
 }
@@ -252,8 +262,8 @@ int run(const RenderOptions& options, Context& context) {
   if (options.verbose && !options.progress.empty())
     throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
-  if (options.page && !options.unit.empty())
-    throw usage_error("--page", "needs all frames, and --unit renders a part of them",
+  if (options.page && options.is_part())
+    throw usage_error("--page", fmt::format("needs all frames, and{} renders a part of them", part_flag(options)),
                       "lippmann view DIR --save when all are there");
   if (options.page && params.output.pictures.mirror)
     throw usage_error("--page", "cannot show mirrored pictures, which are printed on the back of a sheet",
@@ -300,6 +310,11 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
           "Render the I-th of N parts of the job (or several: 1-3,5/N) into the common folder; any number of them at a time, "
           "on any machines; then: lippmann finish DIR")
       .type_name("I/N")
+      .group("Running");
+  command
+      .add_option("--only-frames", options->only_frames,
+                  "Of the job's frames, or the unit's, render these alone: 3, 0-9, 1-3,5,7-10:2; then: lippmann finish DIR")
+      .type_name("RANGES")
       .group("Running");
   command
       .add_flag("--force", options->force,

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include <utility>
 
 #include "core/host_name.hpp"
+#include "core/synced.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -55,7 +57,14 @@ class FileDescriptor {
 
 constexpr std::string_view kMark = ".tmp-";
 
-/// Where the mark begins in `.STEM.tmp-PID-HOST.EXT` with this machine's name, and PID; nothing for other names.
+/// Eight letters that no other file has: processes in containers may share a machine's name and their numbers.
+std::string unique_letters() {
+  std::uint32_t number = 0;
+  if (getentropy(&number, sizeof(number)) != 0) number = 0;
+  return fmt::format("{:08x}", number);
+}
+
+/// Where the mark begins in `.STEM.tmp-PID-HOST-LETTERS.EXT` with this machine's name, and PID; nothing for other names.
 struct TemporaryName {
   std::size_t mark;
   pid_t process;
@@ -69,7 +78,10 @@ std::optional<TemporaryName> parse_temporary(std::string_view name) {
   const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), process);
   if (problem != std::errc{} || process <= 0) return std::nullopt;
   const std::string_view after = rest.substr(static_cast<std::size_t>(end - rest.data()));
-  if (after.substr(0, after.find('.')) != fmt::format("-{}", host_name())) return std::nullopt;
+  constexpr std::size_t kLetters = 9;  // with the dash before them
+  const std::string_view name_and_letters = after.substr(0, after.find('.'));
+  if (name_and_letters.size() < kLetters) return std::nullopt;
+  if (name_and_letters.substr(0, name_and_letters.size() - kLetters) != fmt::format("-{}", host_name())) return std::nullopt;
   return TemporaryName{mark, process};
 }
 
@@ -79,9 +91,8 @@ bool is_gone(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   check_destination(path_);
-  temporary_path_ = path_.parent_path() / fmt::format(".{}{}{}-{}{}", path_.stem().string(), kMark, getpid(), host_name(),
-                                                      path_.extension().string());
-  unlink(temporary_path_.c_str());  // left by a crashed process that had this one's number
+  temporary_path_ = path_.parent_path() / fmt::format(".{}{}{}-{}-{}{}", path_.stem().string(), kMark, getpid(), host_name(),
+                                                      unique_letters(), path_.extension().string());
 }
 
 AtomicFile::~AtomicFile() {
@@ -89,6 +100,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::commit() {
+  sync_file(temporary_path_);
   if (rename(temporary_path_.c_str(), path_.c_str()) != 0) throw system_failure(path_, "cannot be put in place", errno);
   committed_ = true;
 }

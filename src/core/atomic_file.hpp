@@ -1,8 +1,9 @@
 // Files that appear under their final name only when they are complete: written beside it, then renamed.
 //
-// A crash of the program leaves at most a hidden file named .<stem>.tmp-<process id>-<host><extension> in the same folder (the
-// extension is kept because libraries choose a format by it); remove_stale_temporaries clears it away. Nothing is synced to
-// disk: a crash of the machine may lose it.
+// A crash of the program leaves at most a hidden file named .<stem>.tmp-<process id>-<host>-<letters><extension> in the same
+// folder (the extension is kept because libraries choose a format by it); remove_stale_temporaries clears it away. A loss of
+// power may leave what was there before, and never half a file; sync_folder (core/synced.hpp) makes sure that it leaves the new
+// one.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@ class AtomicFile {
   const std::filesystem::path& path() const { return path_; }
   const std::filesystem::path& temporary_path() const { return temporary_path_; }
 
-  /// Renames the temporary file, which must exist and be closed, over path(). Throws Error.
+  /// Syncs the temporary file, which must exist and be closed, and renames it over path(). Throws Error.
   void commit();
 
  private:

@@ -8,7 +8,6 @@
 
 #include <cerrno>
 #include <memory>
-#include <vector>
 
 namespace lippmann {
 namespace {
@@ -50,14 +49,14 @@ std::optional<FileChecksum> file_checksum(const std::filesystem::path& path) {
   const OpenFile file(path.c_str());
   const std::unique_ptr<XXH3_state_t, StateDeleter> state(XXH3_createState());
   if (!file.is_regular() || !state || XXH3_64bits_reset(state.get()) != XXH_OK) return std::nullopt;
-  std::vector<char> buffer(kBufferBytes);
+  const auto buffer = std::make_unique_for_overwrite<char[]>(kBufferBytes);
   FileChecksum sum;
   for (;;) {
-    const ssize_t count = read(file.descriptor(), buffer.data(), buffer.size());
+    const ssize_t count = read(file.descriptor(), buffer.get(), kBufferBytes);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return std::nullopt;
     if (count == 0) break;
-    XXH3_64bits_update(state.get(), buffer.data(), static_cast<std::size_t>(count));
+    XXH3_64bits_update(state.get(), buffer.get(), static_cast<std::size_t>(count));
     sum.bytes += static_cast<std::uint64_t>(count);
   }
   sum.xxh3 = digits_of(XXH3_64bits_digest(state.get()));

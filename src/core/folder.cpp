@@ -3,6 +3,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/synced.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -12,9 +13,13 @@ namespace fs = std::filesystem;
 void make_folder(const fs::path& folder) {
   if (folder.empty()) return;
   std::error_code problem;
+  std::vector<fs::path> changed;
+  for (fs::path there = folder; !there.empty() && !fs::exists(there, problem); there = there.parent_path())
+    changed.push_back(there.parent_path());
   fs::create_directories(folder, problem);
   if (problem)
     throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "a folder that can be written into");
+  for (const fs::path& above : changed) sync_folder(above);
 }
 
 NewFolder::NewFolder(fs::path folder) {

@@ -108,7 +108,7 @@ void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) remove_file(folder, name);
   for (const auto& [name, video] : journal.videos)
-    if (lies_in_folder(name) && video.sum && file_checksum(folder / name) == video.sum) remove_file(folder, name);
+    if (lies_in_folder(name) && is_as_written(folder / name, video.sums)) remove_file(folder, name);
   for (const auto& [name, sums] : journal.files)
     if (is_as_written(journal, folder, name)) remove_file(folder, name);
 }

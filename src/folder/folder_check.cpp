@@ -33,22 +33,16 @@ void add_foreign(const fs::path& folder, const fs::path& below, const FolderJour
 
 enum class FileState { kMissing, kDamaged, kSound };
 
-FileState state_of(const fs::path& file, const std::optional<FileChecksum>& sum) {
+FileState state_of(const fs::path& file, const std::vector<FileChecksum>& sums) {
   std::error_code problem;
   if (!fs::exists(fs::symlink_status(file, problem))) return FileState::kMissing;
-  return sum && file_checksum(file) == sum ? FileState::kSound : FileState::kDamaged;
+  return is_as_written(file, sums) ? FileState::kSound : FileState::kDamaged;
 }
 
 void add_file(const std::string& name, FileState state, FolderCheck& check) {
   ++check.files;
   if (state == FileState::kMissing) check.missing.push_back(name);
   if (state == FileState::kDamaged) check.damaged.push_back(name);
-}
-
-/// job.toml and report.json, which several runs write.
-FileState state_of_common(const FolderJournal& journal, const fs::path& folder, const std::string& name) {
-  if (is_as_written(journal, folder, name)) return FileState::kSound;
-  return state_of(folder / name, std::nullopt);
 }
 
 }  // namespace
@@ -70,9 +64,9 @@ FolderCheck check_folder(const fs::path& folder) {
   FolderCheck check;
   check.frames = static_cast<int>(journal->frames.size());
   for (const auto& [frame, record] : journal->frames)
-    for (const auto& [name, sum] : record.files) add_file(name, state_of(folder / name, sum), check);
-  for (const auto& [name, sums] : journal->files) add_file(name, state_of_common(*journal, folder, name), check);
-  for (const auto& [name, video] : journal->videos) add_file(name, state_of(folder / name, video.sum), check);
+    for (const auto& [name, sum] : record.files) add_file(name, state_of(folder / name, {sum}), check);
+  for (const auto& [name, sums] : journal->files) add_file(name, state_of(folder / name, sums), check);
+  for (const auto& [name, video] : journal->videos) add_file(name, state_of(folder / name, video.sums), check);
   std::copy_if(journal->asked.begin(), journal->asked.end(), std::back_inserter(check.unfinished),
                [&](int frame) { return !journal->frames.contains(frame); });
   check.foreign = foreign_files(folder, *journal);

@@ -53,7 +53,12 @@ void join_one(const fs::path& other, RenderFolder& folder, JoinedFolders& joined
     for (const auto& [name, sum] : record.files)
       if (file_checksum(other / name) != sum) joined.not_as_written.push_back((other / name).string());
     if (joined.not_as_written.size() > damaged_before) continue;
-    for (const auto& [name, sum] : record.files) take_over(other / name, folder.path() / name);
+    std::vector<fs::path> files;
+    for (const auto& [name, sum] : record.files) {
+      files.push_back(folder.path() / name);
+      take_over(other / name, files.back());
+    }
+    sync_names(folder.path(), files);
     folder.add(record.report, record.files);
     joined.frames.push_back(frame);
   }

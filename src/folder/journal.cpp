@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 
@@ -14,6 +15,7 @@
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
 #include "core/regular_file.hpp"
+#include "core/synced.hpp"
 #include "folder/frame_report_json.hpp"
 #include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
@@ -77,9 +79,11 @@ void read_written(const Json& json, FolderJournal& journal) {
 void read_video(const Json& json, FolderJournal& journal) {
   const auto name = json.at("video").get<std::string>();
   if (!is_video_name(name) || name.find('\0') != std::string::npos) throw LineProblem("names a video that is none");
-  JournalVideo video{{}, frames_from_json(json.at("frames"))};
-  if (json.contains("bytes")) video.sum = checksum_from_json(json);
-  journal.videos[name] = std::move(video);
+  const bool is_complete = json.contains("bytes");
+  std::vector<int> frames = frames_from_json(json.at("frames"));
+  JournalVideo& video = journal.videos[name];
+  if (is_complete || video.sums.empty()) video.frames = std::move(frames);
+  if (is_complete) video.sums.push_back(checksum_from_json(json));
 }
 
 FrameReport report_from_json(const Json& json) {
@@ -161,12 +165,20 @@ void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& 
     if (!wrong.empty() && journal.problem.empty())
       journal.problem = fmt::format("line {} of {} {}", number, shown(path.filename().string()), wrong);
   }
+  if (in.bad()) throw Error(path.string(), "cannot be read to its end");
 }
 
 }  // namespace
 
+void sync_names(const fs::path& folder, const std::vector<fs::path>& files) {
+  std::set<fs::path> folders{folder};
+  for (const fs::path& file : files) folders.insert(file.parent_path());
+  for (const fs::path& named_in : folders) sync_folder(named_in);
+}
+
 FileRecords records_of(const fs::path& folder, const std::vector<fs::path>& files) {
   FileRecords records;
+  sync_names(folder, files);
   for (const fs::path& file : files) {
     const std::optional<FileChecksum> sum = file_checksum(file);
     if (!sum) throw Error(file.string(), "cannot be read back to take its checksum");
@@ -190,11 +202,14 @@ Json to_json(const RunReport& run) {
 
 fs::path journal_folder(const fs::path& folder) { return folder / ".lippmann"; }
 
+bool is_as_written(const fs::path& file, const std::vector<FileChecksum>& sums) {
+  const std::optional<FileChecksum> sum = sums.empty() ? std::nullopt : file_checksum(file);
+  return sum && std::find(sums.begin(), sums.end(), *sum) != sums.end();
+}
+
 bool is_as_written(const FolderJournal& journal, const fs::path& folder, const std::string& name) {
   const auto found = journal.files.find(name);
-  const std::optional<FileChecksum> sum = file_checksum(folder / name);
-  return sum && found != journal.files.end() &&
-         std::find(found->second.begin(), found->second.end(), *sum) != found->second.end();
+  return found != journal.files.end() && is_as_written(folder / name, found->second);
 }
 
 std::optional<FolderJournal> read_journal(const fs::path& folder) {
@@ -209,6 +224,14 @@ std::optional<FolderJournal> read_journal(const fs::path& folder) {
   for (const fs::directory_entry& entry : entries_of(where))
     if (entry.path().extension() == ".jsonl") read_part(entry.path(), bytes_left, journal);
   return journal.parts.empty() ? std::nullopt : std::optional(std::move(journal));
+}
+
+void sync_render(const fs::path& folder, const FolderJournal& journal) {
+  for (const fs::path& part : journal.parts) sync_file(part);
+  std::vector<fs::path> files;
+  for (const auto& [frame, record] : journal.frames)
+    for (const auto& [name, sum] : record.files) files.push_back(folder / name);
+  sync_names(folder, files);
 }
 
 void require_sound(const fs::path& folder, const FolderJournal& journal) {
@@ -234,9 +257,9 @@ std::string written_line(const std::string& name, const FileChecksum& sum) {
   return line_of(json);
 }
 
-std::string video_line(const std::string& name, const JournalVideo& video) {
-  Json json{{"video", name}, {"frames", write_frames(ranges_of(video.frames))}};
-  if (video.sum) json.update(checksum_json(*video.sum));
+std::string video_line(const std::string& name, const std::vector<int>& frames, const std::optional<FileChecksum>& sum) {
+  Json json{{"video", name}, {"frames", write_frames(ranges_of(frames))}};
+  if (sum) json.update(checksum_json(*sum));
   return line_of(json);
 }
 

@@ -8,8 +8,8 @@
 //   {"asked": "0-3"}                                        the run is to render these frames
 //   {"frame": 2, ..., "files": {"frame_0002.png": {...}}}   a frame is finished: its figures, its files
 //   {"written": "report.json", "bytes": ..., "xxh3": "..."} another file is about to be put in place, with these bytes
-//   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}  the same of a video, by its path from the folder; without
-//                                                           a checksum: is about to appear
+//   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}  a video is in place, by its path from the folder; without
+//                                                           a checksum: is about to be
 //   {"run": {...}}                                          the run has ended: what it took beside its frames
 //
 // A journal may have been written by anybody: its names are those of files that a render writes, below its folder and nowhere
@@ -32,7 +32,11 @@ namespace lippmann {
 /// Files of a folder by their names relative to it, as they were when they were finished.
 using FileRecords = std::map<std::string, FileChecksum>;
 
-/// The records of files that lie in `folder`. Throws Error naming the one that cannot be read.
+/// Makes sure that a loss of power leaves files in `folder`, or in folders in it, under their names.
+void sync_names(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
+
+/// The records of files that lie in `folder`, once their names are safe from a loss of power. Throws Error naming the one that
+/// cannot be read.
 FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 struct JournalFrame {
@@ -41,8 +45,8 @@ struct JournalFrame {
 };
 
 struct JournalVideo {
-  std::optional<FileChecksum> sum;  ///< none: the render was stopped while it put the video in place
-  std::vector<int> frames;          ///< that it shows, ascending
+  std::vector<FileChecksum> sums;  ///< that runs have given it; none: one was stopped while it put the video in place
+  std::vector<int> frames;         ///< that it shows, ascending
 };
 
 /// What a run did and took beside the figures of its frames.
@@ -68,6 +72,9 @@ struct FolderJournal {
   std::string problem;  ///< of the first line that is none of the above, naming its file; empty: all are sound
 };
 
+/// Whether a file has bytes of one of these checksums.
+bool is_as_written(const std::filesystem::path& file, const std::vector<FileChecksum>& sums);
+
 /// Whether a file that several runs write, job.toml or report.json, has bytes that one of them has given it.
 bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
 
@@ -81,6 +88,10 @@ std::filesystem::path journal_folder(const std::filesystem::path& folder);
 /// torn last line is no problem. Throws Error for a journal that is no regular file or cannot be read.
 std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
 
+/// Makes sure that a loss of power leaves the journal as it was read, and the frames under their names: of a run that was
+/// killed, the last line and the last names may not be safe yet.
+void sync_render(const std::filesystem::path& folder, const FolderJournal& journal);
+
 /// Throws Error if the journal has a problem.
 void require_sound(const std::filesystem::path& folder, const FolderJournal& journal);
 
@@ -89,7 +100,7 @@ std::string job_line(const std::string& job);
 std::string asked_line(const std::vector<int>& frames);
 std::string frame_line(const FrameReport& frame, const FileRecords& files);
 std::string written_line(const std::string& name, const FileChecksum& sum);
-std::string video_line(const std::string& name, const JournalVideo& video);
+std::string video_line(const std::string& name, const std::vector<int>& frames, const std::optional<FileChecksum>& sum);
 std::string run_line(const RunReport& run);
 
 /// Whether a file is of a frame that was asked for and is not finished: a render that was stopped may have left it.

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <optional>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "folder/journal.hpp"
+#include "folder/journal_part.hpp"
 
 namespace lippmann {
 
@@ -36,10 +36,10 @@ class RenderFolder {
   std::optional<FrameReport> find(int frame);
 
   /// Records which frames the run is to render.
-  void begin(const std::vector<int>& frames) { record(asked_line(frames)); }
+  void begin(const std::vector<int>& frames) { part_.add(asked_line(frames)); }
 
   /// Records a frame whose files are complete; find() does not see it. May run beside find(), and not beside what else records.
-  void add(const FrameReport& frame, const FileRecords& files) { record(frame_line(frame, files)); }
+  void add(const FrameReport& frame, const FileRecords& files) { part_.add(frame_line(frame, files)); }
 
   /// Writes job.toml or report.json as `text_of` says it of the journal, again if the journal tells it otherwise once it is
   /// written: of several runs that end at the same time, the last one to write has seen what all have recorded.
@@ -52,16 +52,13 @@ class RenderFolder {
   void add_video(const std::filesystem::path& video, const std::vector<int>& frames);
 
   /// Records what the run took.
-  void end(const RunReport& run) { record(run_line(run)); }
+  void end(const RunReport& run) { part_.add(run_line(run)); }
 
  private:
-  /// All that record throw Error if the journal cannot be written.
-  void record(const std::string& line);
-
-  std::filesystem::path folder_, part_;
+  std::filesystem::path folder_;
   FolderJournal before_;
+  JournalPart part_;
   std::map<int, bool> is_as_recorded_;  ///< what find() has read
-  std::ofstream out_;
 };
 
 /// A video's path relative to the folder, as the journal has it.

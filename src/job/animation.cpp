@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -12,8 +13,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/atomic_file.hpp"
-#include "core/folder.hpp"
 #include "core/host_name.hpp"
 #include "core/json_text.hpp"
 #include "folder/claim_folder.hpp"
@@ -23,6 +22,7 @@
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
+#include "job/job_folder.hpp"
 #include "job/job_stage.hpp"
 #include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
@@ -99,6 +99,18 @@ std::vector<ExrAttribute> about_render(const std::string& scene, const Optics& o
   return about;
 }
 
+std::vector<int> frames_of_run(const RunParams& run, const std::vector<int>& of_job, int segment) {
+  const std::vector<int> of_units = run.units ? frames_of(*run.units, of_job, segment) : of_job;
+  if (!run.only_frames) return of_units;
+  const std::vector<int> wanted = frames_of(*run.only_frames);
+  std::vector<int> both;
+  std::set_intersection(of_units.begin(), of_units.end(), wanted.begin(), wanted.end(), std::back_inserter(both));
+  if (both.empty() && !of_units.empty())
+    throw usage_error("only-frames", fmt::format("{} has no frame that is to be rendered", write_frames(*run.only_frames)),
+                      fmt::format("some of {}", write_frames(ranges_of(of_units))));
+  return both;
+}
+
 /// One render_animation, in the order in which its members are called.
 class Animation {
  public:
@@ -112,11 +124,11 @@ class Animation {
         pool_(params_.threads > 0 ? params_.threads : resolved_threads(context)),
         stage_(params_, pool_, context),
         all_frames_(frames_of_job(params_, stage_.scene.timeline)),
-        frames_(run.units ? frames_of(*run.units, all_frames_, frames_per_segment(made_as_)) : all_frames_),
+        frames_(frames_of_run(run, all_frames_, frames_per_segment(made_as_))),
         layout_(params_.output.pictures, optics(), stage_.display.get()) {
     check_layout();
     job_ = job_fingerprint(params_, stage_.scene, stage_.display.get());
-    if (!run.units) plan_videos();
+    if (!is_part()) plan_videos();
     folder_ = chosen_folder(params_, job_, run.force, context);
     if (folder_ != output_folder(params_)) params_.output.folder = folder_.string();
     const auto differing = [this](const fs::path& job_file) { return differences(job_file, params_); };
@@ -162,6 +174,9 @@ class Animation {
 
  private:
   const Optics& optics() const { return stage_.placed.optics; }
+
+  /// Whether others render the rest of the job.
+  bool is_part() const { return run_.units || run_.only_frames; }
 
   bool is_first_rank() const { return !run_.ranks || run_.ranks->rank() == 0; }
 
@@ -243,8 +258,8 @@ class Animation {
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
       throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
-    if (!params_.output.video.empty() && (run_.units || run_.ranks) && layout_.format() != PictureFormat::kPng)
-      throw usage_error("video", "is made of the pictures of all units, which have to hold its codes", "`format` png");
+    if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
+      throw usage_error("video", "is made of the pictures of all parts, which have to hold its codes", "`format` png");
     require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
                    std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
     check(made_as_, optics());
@@ -256,13 +271,7 @@ class Animation {
     if (const std::string sentence = whole_paths_sentence(params_); !sentence.empty()) context_.warning(sentence);
     if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
     for (const VideoFile& video : videos_) make_room_for_video(video, film_size(optics()));
-    make_folder(folder_);
-    remove_stale_temporaries(folder_);
-    clear_folder(folder_, job_, all_frames_, run_.force, context_);
-    RenderFolder folder(folder_, job_);
-    folder.begin(all_frames_);
-    write_job_of_folder(params_, all_frames_, stage_.scene.timeline.frame_count, folder, context_);
-    return folder;
+    return open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
   }
 
   RenderReport report_of_setup() const {
@@ -324,24 +333,26 @@ class Animation {
 
   void make_frames(const std::vector<int>& frames, FrameMaker& maker, FrameSink& sink, RenderFolder& folder,
                    RenderReport& report) {
-    for (const int frame : frames) {
-      if (context_.cancelled) break;
-      if (const auto kept = keeps_frames(params_) ? folder.find(frame) : std::nullopt) {
-        report.frames.push_back(*kept);
-        report.frames.back().kept = true;
-        sink.add_kept(frame);
-        continue;
-      }
-      if (run_.only_finished)
-        throw Error(folder_.string(), fmt::format("frame {} is not finished, or not as it was written", frame),
-                    "a folder in which all frames are");
-      RenderedFrame rendered = maker.make(frame);
-      if (context_.cancelled) break;
-      report.frames.push_back(rendered.report);
-      report.run.frames.push_back(frame);
-      say_traced(report.frames.back());
-      sink.add(std::move(rendered));
-    }
+    FrameSteps steps{keeps_frames(params_), run_.only_finished, {}, {}};
+    steps.keep = [&](const FrameReport& kept) {
+      report.frames.push_back(kept);
+      report.frames.back().kept = true;
+      sink.add_kept(kept.frame);
+    };
+    steps.make = [&](int frame) { return make_frame(frame, maker, sink, report); };
+    take_frames(frames, folder, steps);
+  }
+
+  /// False if it was stopped.
+  bool make_frame(int frame, FrameMaker& maker, FrameSink& sink, RenderReport& report) {
+    if (context_.cancelled) return false;
+    RenderedFrame rendered = maker.make(frame);
+    if (context_.cancelled) return false;
+    report.frames.push_back(rendered.report);
+    report.run.frames.push_back(frame);
+    say_traced(report.frames.back());
+    sink.add(std::move(rendered));
+    return true;
   }
 
   void finish_videos(FrameSink& sink, RenderFolder& folder) const {

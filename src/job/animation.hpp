@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/frame_ranges.hpp"
 #include "distribute/ranks.hpp"
 #include "distribute/units.hpp"
 #include "job/params.hpp"
@@ -48,9 +49,10 @@ struct RenderObserver {
 /// What one run does of a job.
 struct RunParams {
   bool force = false;  ///< another render in the folder is replaced, and videos that are there (folder/claim_folder.hpp)
-  std::optional<Units> units = {};  ///< none: all frames. Videos wait until all are there (finish_animation)
-  Ranks* ranks = nullptr;           ///< that share the frames out among them; null: this process stands alone
-  bool only_finished = false;       ///< no frame is rendered: all have been, or it is an Error
+  std::optional<Units> units = {};              ///< none: all frames. Videos wait until all are there (finish_animation)
+  std::optional<FrameRanges> only_frames = {};  ///< of the job's, or the units': the others are asked for and not rendered
+  Ranks* ranks = nullptr;                       ///< that share the frames out among them; null: this process stands alone
+  bool only_finished = false;                   ///< no frame is rendered: all have been, or it is an Error
 };
 
 /// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte

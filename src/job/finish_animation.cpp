@@ -43,8 +43,7 @@ void write_joint_job(const fs::path& folder, const RenderParams& params) {
 
 }  // namespace
 
-FinishedAnimation finish_animation(const fs::path& folder, const std::vector<fs::path>& join, const Context& context,
-                                   const RenderObserver& observer) {
+FinishedAnimation finish_folder(const fs::path& folder, const std::vector<fs::path>& join, const CompleteFolder& complete) {
   FinishedAnimation finished;
   finished.joined = join_folders(folder, join);
   const RenderParams params = job_of(folder, join);
@@ -52,10 +51,17 @@ FinishedAnimation finish_animation(const fs::path& folder, const std::vector<fs:
   finished.check = check_folder(folder);
   finished.to_render = frames_to_render(finished.check);
   if (!finished.to_render.empty()) return finished;
+  sync_render(folder, read_journal(folder).value_or(FolderJournal{}));
+  finished.report = complete(params);
+  return finished;
+}
+
+FinishedAnimation finish_animation(const fs::path& folder, const std::vector<fs::path>& join, const Context& context,
+                                   const RenderObserver& observer) {
   RunParams run;
   run.only_finished = true;
-  finished.report = render_animation(params, context, observer, run);
-  return finished;
+  return finish_folder(folder, join,
+                       [&](const RenderParams& params) { return render_animation(params, context, observer, run); });
 }
 
 }  // namespace lippmann

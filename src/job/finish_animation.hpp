@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,5 +24,10 @@ struct FinishedAnimation {
 /// that of the first folder to be joined. Throws Error for folders without a render, and for what cannot be written.
 FinishedAnimation finish_animation(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                    const Context& context, const RenderObserver& observer = {});
+
+/// The same with whatever writes the videos and the two files of a folder in which all frames are.
+using CompleteFolder = std::function<RenderReport(const RenderParams&)>;
+FinishedAnimation finish_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
+                                const CompleteFolder& complete);
 
 }  // namespace lippmann

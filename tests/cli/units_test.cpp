@@ -107,10 +107,43 @@ TEST(Units, beyond_the_segments_of_a_job_have_nothing_to_do_and_succeed) {
   EXPECT_THAT(result.err, HasSubstr("unit 3/3 has no frames"));
 }
 
+TEST(Units, only_frames_renders_these_of_the_job_and_finish_knows_what_is_missing) {
+  const TempDir dir;
+  const Words teapot = small_teapot("0-9", "a") + Words{"--video", "a.mkv"};
+  const RunResult some = run_tool(dir, teapot + Words{"--only-frames", "0-1,5-9:2"});
+  EXPECT_EQ(some.exit_code, 0) << some.err;
+  EXPECT_THAT(some.out, HasSubstr("5 frames of"));
+  EXPECT_FALSE(fs::exists(dir / "a.mkv"));
+  EXPECT_THAT(run_tool(dir, {"check", "a"}).out, HasSubstr("not rendered yet: frames 2-4,6,8\n"));
+  EXPECT_THAT(run_tool(dir, {"finish", "a"}).out, HasSubstr("5 of 10 frames are to be rendered: 2-4,6,8"));
+  expect_done(dir, {"render", "a/job.toml", "--resume", "--only-frames", "2-4,6,8"});
+  expect_done(dir, {"finish", "a"});
+  expect_done(dir, small_teapot("0-9", "whole") + Words{"--video", "whole.mkv"});
+  EXPECT_EQ(files_in(dir / "a", ".png"), files_in(dir / "whole", ".png"));
+  EXPECT_EQ(bytes_of(dir / "a.mkv"), bytes_of(dir / "whole.mkv"));
+}
+
+TEST(Units, only_frames_are_those_of_the_unit_too) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0-5", "a") + Words{"--unit", "2/3", "--only-frames", "3-5"});
+  EXPECT_EQ(files_in(dir / "a", ".png").size(), 1u);
+  EXPECT_TRUE(fs::exists(dir / "a/frame_0003.png"));
+}
+
+TEST(Units, only_frames_of_which_the_job_has_none_are_refused) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, small_teapot("0-5", "a") + Words{"--only-frames", "7-9"}), 2,
+                 "--only-frames: 7-9 has no frame that is to be rendered; accepted: some of 0-5");
+  expect_refusal(run_tool(dir, small_teapot("0-5", "a") + Words{"--only-frames", "x"}), 2, "--only-frames: 'x'");
+  expect_refusal(run_tool(dir, small_teapot("0-5", "a") + Words{"--only-frames", "0", "--page"}), 2,
+                 "--page: needs all frames, and --only-frames 0 renders a part of them");
+  EXPECT_FALSE(fs::exists(dir / "a"));
+}
+
 TEST(Units, of_pictures_without_the_codes_of_a_video_are_refused) {
   const TempDir dir;
   const Words command = small_teapot("0-1", "a") + Words{"--video", "a.mp4", "--format", "exr", "--unit", "1/2"};
-  expect_refusal(run_tool(dir, command), 2, "--video: is made of the pictures of all units");
+  expect_refusal(run_tool(dir, command), 2, "--video: is made of the pictures of all parts");
   expect_refusal(run_tool(dir, small_teapot("0-1", "a") + Words{"--unit", "3/2"}), 2, "--unit: '3/2' is no unit");
   expect_refusal(run_tool(dir, {"finish", "missing"}), 1, "missing");
 }

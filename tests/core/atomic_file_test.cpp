@@ -40,6 +40,17 @@ TEST(AtomicFile, temporary_path_is_hidden_in_the_same_folder_with_the_same_exten
   EXPECT_TRUE(file.temporary_path().filename().string().starts_with(".frame_0001.tmp-"));
 }
 
+TEST(AtomicFile, two_of_one_name_do_not_write_one_file) {
+  const TempDir dir;
+  AtomicFile first(dir / "a.txt"), second(dir / "a.txt");
+  std::ofstream(first.temporary_path()) << "first";
+  std::ofstream(second.temporary_path()) << "second";
+  first.commit();
+  EXPECT_EQ(contents(dir / "a.txt"), "first");
+  second.commit();
+  EXPECT_EQ(contents(dir / "a.txt"), "second");
+}
+
 TEST(AtomicFile, destroyed_without_commit_leaves_nothing) {
   const TempDir dir;
   {
@@ -103,8 +114,9 @@ pid_t ended_process() {
 
 TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
   const TempDir dir;
-  const std::string here = "-" + host_name(), ended = std::to_string(ended_process()) + here,
-                    elsewhere = std::to_string(ended_process()) + here + "x", alive = std::to_string(getpid()) + here;
+  const std::string here = "-" + host_name() + "-0123abcd", ended = std::to_string(ended_process()) + here,
+                    elsewhere = std::to_string(ended_process()) + "-" + host_name() + "x-0123abcd",
+                    alive = std::to_string(getpid()) + here;
   const std::vector<std::string> stale{".frame_0003.tmp-" + ended + ".png", "..journal.tmp-" + ended + ".jsonl"},
       others{".frame_0004.tmp-" + alive + ".png",
              "frame_0005.tmp-" + ended + ".png",
@@ -121,7 +133,7 @@ TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
 
 TEST(StaleTemporaries, of_one_file_are_removed_alone) {
   const TempDir dir;
-  const std::string ended = std::to_string(ended_process()) + "-" + host_name();
+  const std::string ended = std::to_string(ended_process()) + "-" + host_name() + "-0123abcd";
   for (const char* stem : {"a", "b"})
     std::ofstream(dir.path() / ("." + std::string(stem) + ".tmp-" + ended + ".mp4")) << "half";
   remove_stale_temporaries(dir.path(), "a.mp4");

@@ -25,7 +25,7 @@ std::string sound_journal() {
   frame.frame = 4;
   frame.rays.primary = 100;
   return job_line("job") + asked_line({3, 4, 5, 9}) + written_line("job.toml", kSum) +
-         frame_line(frame, {{"frame_0004.png", kSum}, {"aov_0004.exr", kSum}}) + video_line("../a.mp4", {kSum, {3, 4}}) +
+         frame_line(frame, {{"frame_0004.png", kSum}, {"aov_0004.exr", kSum}}) + video_line("../a.mp4", {3, 4}, kSum) +
          written_line("report.json", kSum) + written_line("report.json", kOther) +
          run_line({.host = "a", .unit = "1/2", .frames = {4}, .setup_seconds = 0.5, .threads = 2});
 }
@@ -51,7 +51,7 @@ TEST(FolderJournal, what_was_written_is_read_back) {
   EXPECT_EQ(journal.runs[0].threads, 2);
   EXPECT_EQ(journal.runs[0].unit, "1/2");
   EXPECT_THAT(journal.runs[0].frames, ElementsAre(4));
-  EXPECT_EQ(journal.videos.at("../a.mp4").sum.value(), kSum);
+  EXPECT_EQ(journal.videos.at("../a.mp4").sums, std::vector{kSum});
   EXPECT_THAT(journal.videos.at("../a.mp4").frames, ElementsAre(3, 4));
 }
 

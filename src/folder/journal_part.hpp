@@ -1,0 +1,33 @@
+// The file of a journal that one run writes: lines are added, and none is lost once it has been.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lippmann {
+
+class JournalPart {
+ public:
+  /// Begins a file of this run alone in the folder of journals, which exists: its first line says whose render it is. Throws
+  /// Error if it cannot be written.
+  JournalPart(const std::filesystem::path& folder, const std::string& job);
+  ~JournalPart();
+  JournalPart(JournalPart&& other) noexcept;
+  JournalPart(const JournalPart&) = delete;
+  JournalPart& operator=(const JournalPart&) = delete;
+  JournalPart& operator=(JournalPart&&) = delete;
+
+  /// Adds a line and waits until it is on the disk. Throws Error if it cannot be written, and from then on always: what stands
+  /// there of the line stays the end of the file.
+  void add(const std::string& line);
+
+  /// Takes the file away, as nothing has been recorded in it.
+  void remove();
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  int problem_ = 0;  ///< errno of what could not be written
+};
+
+}  // namespace lippmann

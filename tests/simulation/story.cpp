@@ -1,0 +1,372 @@
+#include "simulation/story.hpp"
+
+#include <fmt/core.h>
+
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/atomic_file.hpp"
+#include "core/folder.hpp"
+#include "core/frame_ranges.hpp"
+#include "distribute/units.hpp"
+#include "folder/claim_folder.hpp"
+#include "folder/folder_check.hpp"
+#include "job/finish_animation.hpp"
+#include "job/folder_documents.hpp"
+#include "job/job_folder.hpp"
+#include "lippmann/core/error.hpp"
+#include "simulation/world.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kJob = "0123456789abcdef";
+constexpr const char* kOtherJob = "fedcba9876543210";
+
+enum class Kind { kPicture, kLayers, kViews };
+enum class Before { kNothing, kAnotherRender, kForeignFiles, kRemains };
+
+struct Work {
+  fs::path folder;
+  std::optional<Units> units = {};
+  bool finishes = false, force = false, only_finished = false;
+  int attempts = 0;
+};
+
+using FolderFrame = std::pair<fs::path, int>;
+
+/// Is among those that are being made as long as it lives.
+class Making {
+ public:
+  Making(std::multiset<FolderFrame>& all, FolderFrame own) : all_(all), own_(all.insert(std::move(own))) {}
+  ~Making() { all_.erase(own_); }
+  Making(const Making&) = delete;
+  Making& operator=(const Making&) = delete;
+
+ private:
+  std::multiset<FolderFrame>& all_;
+  std::multiset<FolderFrame>::iterator own_;
+};
+
+/// What stands in for a renderer: different for every file, the same whenever it is asked.
+std::string picture_bytes(const std::string& name) {
+  Random random(std::hash<std::string>()(name));
+  std::string bytes(20 + random.below(200), '\0');
+  for (char& byte : bytes) byte = static_cast<char>(random.next());
+  return bytes;
+}
+
+class Teller {
+ public:
+  explicit Teller(std::uint64_t seed)
+      : shares_a_name_(seed % 5 == 4), world_(seed, kMachines, shares_a_name_), random_(world_.random) {
+    kind_ = static_cast<Kind>(random_.below(3));
+    const int first = static_cast<int>(random_.below(2));
+    frames_ = frames_of({{{first, first + static_cast<int>(random_.below(random_.once_in(8) ? 7 : 4)), 1}}});
+    segment_ = 1 + static_cast<int>(random_.below(3));
+    apart_ = random_.once_in(4);
+    has_video_ = random_.once_in(2);
+    world_.flips = [this](const std::string& path) { return forget(path); };
+  }
+
+  Story tell() {
+    try {
+      prepare();
+      suffer();
+      recover();
+      expect_all("after it was finished");
+      world_.disk.lose_power(random_);
+      expect_all("after power was lost at the end");
+    } catch (const std::exception& error) {
+      complain(error.what());
+    }
+    return {problem_, world_.log, static_cast<int>(frames_.size()), runs_, world_.steps};
+  }
+
+ private:
+  static constexpr int kMachines = 3;
+
+  void complain(const std::string& problem) {
+    if (problem_.empty()) problem_ = fmt::format("step {}: {}", world_.steps, problem);
+  }
+
+  // ---- What a run does ------------------------------------------------------------------------------------------------
+
+  std::vector<std::string> names_of(int frame) const {
+    const std::string picture = fmt::format("frame_{:04}", frame);
+    if (kind_ == Kind::kPicture) return {picture + ".png"};
+    if (kind_ == Kind::kLayers) return {picture + ".png", fmt::format("aov_{:04}.exr", frame)};
+    return {picture + "/view_000.png", picture + "/view_001.png"};
+  }
+
+  std::string video_of(const fs::path& folder) const { return (folder / "film.mkv").string(); }
+
+  RenderParams params_of(const Work& work) const {
+    RenderParams params;
+    params.scene.name = "teapot";
+    params.output.folder = work.folder.string();
+    params.output.frames = ranges_of(frames_);
+    params.resume = true;
+    return params;
+  }
+
+  static void write(const fs::path& path, const std::string& bytes) {
+    write_file_atomically(path, std::as_bytes(std::span(bytes)));
+  }
+
+  FileRecords write_frame(const fs::path& folder, int frame) const {
+    std::vector<fs::path> files;
+    for (const std::string& name : names_of(frame)) {
+      files.push_back(folder / name);
+      if (kind_ == Kind::kViews) make_folder(files.back().parent_path()), remove_stale_temporaries(files.back().parent_path());
+      write(files.back(), picture_bytes(name));
+    }
+    return records_of(folder, files);
+  }
+
+  void write_video(RenderFolder& folder) const {
+    const fs::path video = video_of(folder.path());
+    folder.begin_video(video, frames_);
+    write(video, picture_bytes("film.mkv"));
+    folder.add_video(video, frames_);
+  }
+
+  /// As Animation does it.
+  RenderReport render(const Work& work, const std::string& job = kJob) {
+    const Context context;
+    const RenderParams params = params_of(work);
+    const std::vector<int> own = work.units ? frames_of(*work.units, frames_, segment_) : frames_;
+    const bool makes_video = has_video_ && !work.units;
+    const std::vector<std::string> videos = makes_video ? std::vector{video_of(work.folder)} : std::vector<std::string>();
+    if (!work.force) require_free_folder(work.folder, job, {}, frames_, videos);
+    RenderFolder folder = open_job_folder(work.folder, job, params, frames_, kAllFrames, work.force, context);
+    RenderReport report;
+    report.params = params;
+    FrameSteps steps{true, work.only_finished, {}, {}};
+    steps.keep = [&](const FrameReport& kept) { report.frames.push_back(kept); };
+    steps.make = [&](int frame) { return make(work, frame, folder, report); };
+    take_frames(own, folder, steps);
+    if (makes_video) write_video(folder);
+    folder.end(report.run);
+    return write_report(report, folder);
+  }
+
+  bool make(const Work& work, int frame, RenderFolder& folder, RenderReport& report) {
+    expect_unfinished(work.folder, frame);
+    const Making making(being_made_, {work.folder, frame});
+    FrameReport made;
+    made.frame = frame;
+    folder.add(made, write_frame(work.folder, frame));
+    if (is_alive()) finished_[{work.folder, frame}] = world_.steps;
+    report.frames.push_back(made), report.run.frames.push_back(frame);
+    return true;
+  }
+
+  /// Joined from folders of parts, or where all have rendered.
+  std::optional<RenderReport> finish(const Work& work) {
+    std::vector<fs::path> parts;
+    if (apart_)
+      for (int unit = 1; unit <= units_; ++unit)
+        if (world_.disk.find(part(unit).string()) >= 0) parts.push_back(part(unit));
+    const std::uint64_t began = world_.steps;
+    const auto result = finish_folder(work.folder, parts, [&](const RenderParams& params) {
+      if (!params.output.frames || frames_of(*params.output.frames) != frames_) complain("job.toml asks for other frames");
+      return render({.folder = work.folder, .only_finished = true});
+    });
+    if (result.report && is_alive() && !has_misread() && world_.last_flip < began) expect_frames(work.folder, "as finish says");
+    return result.report;
+  }
+
+  bool is_alive() { return !world_.current() || !world_.current()->is_dead; }
+  bool has_misread() { return world_.current() && world_.current()->has_misread; }
+
+  // ---- What has to hold -----------------------------------------------------------------------------------------------
+
+  /// A run that began after a frame was finished, and could read all, does not make it again.
+  void expect_unfinished(const fs::path& folder, int frame) {
+    const auto found = finished_.find({folder, frame});
+    if (!is_alive() || has_misread() || found == finished_.end() || found->second >= world_.current()->began) return;
+    complain(fmt::format("frame {} was finished at step {} and is rendered again", frame, found->second));
+  }
+
+  /// Whether it was a file of a finished frame, and no process makes that one again: what is damaged before its checksum is
+  /// taken is not told from what was written.
+  bool forget(const std::string& path) {
+    for (const auto& [folder, frame] : being_made_)
+      for (const std::string& name : names_of(frame))
+        if (path == folder / name) return false;
+    return std::erase_if(finished_, [&](const auto& entry) {
+             const std::string name = path.substr(std::min(path.size(), entry.first.first.string().size() + 1));
+             const auto names = names_of(entry.first.second);
+             return path.starts_with(entry.first.first.string() + '/') &&
+                    std::find(names.begin(), names.end(), name) != names.end();
+           }) > 0;
+  }
+
+  std::string bytes_at(const fs::path& path) {
+    const int inode = world_.disk.find(path.string());
+    return inode < 0 ? "" : world_.disk.at(inode).bytes;
+  }
+
+  void expect_frames(const fs::path& folder, const std::string& when) {
+    for (const int frame : frames_)
+      for (const std::string& name : names_of(frame))
+        if (bytes_at(folder / name) != picture_bytes(name)) complain(fmt::format("{} is wrong {}", name, when));
+    if (has_video_ && !apart_ && when != "as finish says" && bytes_at(video_of(folder)) != picture_bytes("film.mkv"))
+      complain("the video is wrong " + when);
+  }
+
+  void expect_all(const std::string& when) {
+    expect_frames(folder_, when);
+    const FolderCheck check = check_folder(folder_);
+    if (check.passed() && check.frames == static_cast<int>(frames_.size())) return;
+    std::string names;
+    for (const auto* some : {&check.damaged, &check.missing, &check.foreign})
+      for (const std::string& name : *some) names += ' ' + name;
+    complain(fmt::format("the check does not pass {}: {} frames, {} unfinished,{}", when, check.frames, check.unfinished.size(),
+                         names));
+  }
+
+  // ---- What happens ---------------------------------------------------------------------------------------------------
+
+  fs::path part(int unit) const { return fmt::format("/sim/part-{}", unit); }
+
+  /// What the folder holds when the job begins.
+  void prepare() {
+    if (!random_.once_in(3)) return;
+    const auto before = static_cast<Before>(1 + random_.below(3));
+    if (before == Before::kAnotherRender) {
+      world_.start(0, [&] { render({.folder = folder_}, kOtherJob); });
+      world_.run();
+      finished_.clear();
+      refuse_or_replace();
+    } else if (before == Before::kForeignFiles) {
+      make_folder(folder_), write(folder_ / names_of(frames_.front()).front().substr(0, 10).append(".png"), "somebody's");
+      refuse_or_replace();
+    } else {
+      make_folder(folder_ / ".lippmann");
+      if (random_.once_in(2)) world_.disk.create_file("/sim/film/.lippmann/01700000000-gone-7.jsonl");
+      world_.disk.create_file("/sim/film/.frame_0001.tmp-7-node0.png");
+    }
+  }
+
+  void refuse_or_replace() {
+    const std::string before = bytes_at(folder_ / "job.toml");
+    bool is_refused = false;
+    try {
+      render({.folder = folder_});
+    } catch (const Error&) {
+      is_refused = true;
+    }
+    if (!is_refused || bytes_at(folder_ / "job.toml") != before) complain("another render's folder is not refused");
+    if (random_.once_in(2))
+      folder_ = "/sim/film-2";
+    else
+      world_.start(0, [&] { attempt({.folder = folder_, .units = Units{{1}, 1}, .force = true}); }), world_.run();
+  }
+
+  void choose_faults() {
+    Faults& faults = world_.faults;
+    const auto rate = [&](std::size_t often, std::size_t seldom) {
+      return random_.once_in(3) ? 0 : often + random_.below(seldom);
+    };
+    faults.kill = rate(100, 2000), faults.machine_loss = rate(500, 4000), faults.power_loss = rate(500, 4000);
+    faults.disk_full = rate(500, 4000), faults.error = rate(100, 2000), faults.interrupted = rate(2, 30);
+    faults.read_error = random_.once_in(3) ? 200 + random_.below(2000) : 0;
+    faults.clock_jump = rate(100, 2000), faults.flipped_byte = random_.once_in(3) ? 300 + random_.below(2000) : 0;
+  }
+
+  void queue_tasks() {
+    units_ = 1 + static_cast<int>(random_.below(4));
+    for (int unit = 1; unit <= units_; ++unit) {
+      const Work work{.folder = apart_ ? part(unit) : folder_, .units = Units{{unit}, units_}};
+      queue_.push_back(work);
+      if (random_.once_in(4)) queue_.push_back(work);
+    }
+    if (random_.once_in(3)) queue_.push_back({.folder = folder_, .finishes = true});
+    if (!apart_ && random_.once_in(3)) queue_.push_back({.folder = folder_});
+    for (std::size_t i = queue_.size(); i > 1; --i) std::swap(queue_[i - 1], queue_[random_.below(i)]);
+  }
+
+  void suffer() {
+    choose_faults();
+    queue_tasks();
+    const std::size_t at_a_time = 1 + random_.below(3);
+    world_.run([&] {
+      while (world_.running() < at_a_time && !queue_.empty()) {
+        const Work work = queue_.front();
+        queue_.pop_front();
+        world_.start(static_cast<int>(random_.below(kMachines)), [this, work] { attempt(work); });
+      }
+    });
+    world_.calm();
+  }
+
+  /// Tasks that fail are often tried again.
+  void attempt(Work work) {
+    const bool is_done = try_to(work);
+    if (++work.attempts < 4 && !is_done && !random_.once_in(4)) queue_.push_back(work);
+  }
+
+  bool try_to(const Work& work) {
+    ++runs_;
+    try {
+      const bool is_done = work.finishes ? finish(work).has_value() : (render(work), true);
+      return is_alive() && is_done;
+    } catch (const Error& error) {
+      if (is_alive()) world_.log += fmt::format("{}: process {}: {}\n", world_.steps, world_.current()->id, error.what());
+    } catch (const std::exception& error) {
+      if (is_alive()) complain(fmt::format("an exception that is no Error: {}", error.what()));
+    }
+    return false;
+  }
+
+  /// What a person does once all machines work again: finish, or else render what it says, and finish.
+  void recover() {
+    for (int round = 0; round < 2; ++round) {
+      if (complete({.folder = folder_, .finishes = true})) return;
+      if (apart_)
+        for (int unit = 1; unit <= units_; ++unit) complete({.folder = part(unit), .units = Units{{unit}, units_}});
+      else
+        complete({.folder = folder_});
+    }
+    if (!complete({.folder = folder_, .finishes = true})) complain("the job cannot be finished");
+  }
+
+  bool complete(const Work& work) {
+    bool is_done = false;
+    world_.start(0, [&] { is_done = try_to(work); });
+    world_.run();
+    return is_done;
+  }
+
+  static constexpr int kAllFrames = 100;  // of the scene
+
+  bool shares_a_name_;
+  World world_;
+  Random& random_;
+  Kind kind_ = Kind::kPicture;
+  std::vector<int> frames_;
+  int segment_ = 1, units_ = 1, runs_ = 0;
+  bool apart_ = false, has_video_ = false;
+  fs::path folder_ = "/sim/film";
+  std::deque<Work> queue_;
+  std::map<FolderFrame, std::uint64_t> finished_;  ///< and recorded; the step of the world
+  std::multiset<FolderFrame> being_made_;
+  std::string problem_;
+};
+
+}  // namespace
+
+Story tell_story(std::uint64_t seed) { return Teller(seed).tell(); }
+
+}  // namespace lippmann::test
