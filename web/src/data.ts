@@ -50,6 +50,9 @@ export async function postText(path: string, body: string): Promise<string> {
   return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
 
+/** What the program says of a scene that is set up. */
+export const readState = async (path: string): Promise<unknown> => (await answerOf(path)).json();
+
 export async function loadFields(): Promise<unknown> {
   if (!usesScripts()) {
     const text = await (await answerOf("fields.json")).text();
