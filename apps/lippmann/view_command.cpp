@@ -36,7 +36,8 @@ bool is_scene(const std::string& in) {
   constexpr std::array<std::string_view, 7> kEndings{".gltf", ".glb", ".dat", ".nff", ".obj", ".ply", ".toml"};
   std::error_code ignored;
   if (fs::is_directory(in, ignored)) return false;
-  return is_builtin_scene(in) || std::find(kEndings.begin(), kEndings.end(), fs::path(in).extension().string()) != kEndings.end();
+  return is_builtin_scene(in) ||
+         std::find(kEndings.begin(), kEndings.end(), fs::path(in).extension().string()) != kEndings.end();
 }
 
 // ---- A light field ------------------------------------------------------------------------------------------------------
@@ -46,8 +47,9 @@ void refuse_scene_flags(const ViewOptions& options) {
   if (!options.job_file.empty()) throw usage_error("--save-job", "is for scenes, and IN is a light field", "a scene");
   for (const auto& [name, values] : options.scene.values)
     if (!values.empty())
-      throw usage_error(fmt::format("--{}", name), fmt::format("is for scenes, and {} is taken for a light field", options.in),
-                        "a built-in name (see: lippmann scenes), a file (.gltf, .glb, .dat, .nff, .obj, .ply) or a job (.toml)");
+      throw usage_error(
+          fmt::format("--{}", name), fmt::format("is for scenes, and {} is taken for a light field", options.in),
+          "a built-in name (see: lippmann scenes), a file (.gltf, .glb, .dat, .nff, .obj, .ply) or a job (.toml)");
 }
 
 std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, const Context& context) {
@@ -117,9 +119,10 @@ void add_view_command(const Command& root, Action& chosen) {
       root.add_command("view", "Show a light field in the browser, or set up a scene there: eyes, time, focus, comparison");
   command.footer("Nothing outside IN and OTHER is readable through the server; see docs/view.md.");
   command
-      .add_option("IN", options->in,
-                  "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads; or a scene or a job, "
-                  "as `lippmann render` takes them")
+      .add_option(
+          "IN", options->in,
+          "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads; or a scene or a job, "
+          "as `lippmann render` takes them")
       .required();
   command.add_option("OTHER", options->other, "Another one, compared with it: wiped, side by side, or as a difference");
   add_page_server_flags(command, options->server);

@@ -19,8 +19,7 @@ void undo_crosstalk(const Development& development, RenderedFrame& rendered) {
 Image develop_frame(const Development& development, RenderedFrame& rendered) {
   const FrameLayout& layout = development.layout;
   FramePictures& pictures = rendered.pictures;
-  if (!development.keeps_light && pictures.aovs.wants(Aov::kAlpha))
-    divide_by_alpha(pictures.aovs[Aov::kAlpha], pictures.film);
+  if (!development.keeps_light && pictures.aovs.wants(Aov::kAlpha)) divide_by_alpha(pictures.aovs[Aov::kAlpha], pictures.film);
   if (!development.keeps_light) apply_tone(development.tone, pictures.film);
   if (!layout.joins_sub_pixels()) undo_crosstalk(development, rendered);
   Image as_traced;

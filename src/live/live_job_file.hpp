@@ -13,8 +13,8 @@ class LiveJobFile {
   /// `wanted`: the file; where it is taken, stem-2.toml, stem-3.toml, ... beside it.
   explicit LiveJobFile(std::filesystem::path wanted) : wanted_(std::move(wanted)) {}
 
-  /// Writes the job whole or not at all, over what it wrote last unless somebody has changed that since. Returns the file. Throws
-  /// Error naming it.
+  /// Writes the job whole or not at all, over what it wrote last unless somebody has changed that since. Returns the file.
+  /// Throws Error naming it.
   std::filesystem::path save(const RenderParams& params);
 
  private:

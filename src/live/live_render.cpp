@@ -12,9 +12,7 @@
 namespace lippmann {
 namespace {
 
-double now_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace
 
@@ -74,8 +72,8 @@ nlohmann::ordered_json LiveRender::json() const {
   const std::lock_guard lock(mutex_);
   if (state_.empty()) return nullptr;
   const double share = frames_ > 0 ? std::min((done_ + share_) / frames_, 1.0) : 0.0;
-  nlohmann::ordered_json json{{"state", state_}, {"frames", frames_}, {"done", done_},     {"share", share},
-                              {"seconds_left", nullptr},              {"folder", folder_}, {"error", error_}};
+  nlohmann::ordered_json json{{"state", state_},         {"frames", frames_}, {"done", done_},  {"share", share},
+                              {"seconds_left", nullptr}, {"folder", folder_}, {"error", error_}};
   if (state_ == "running" && share > 0.02) json["seconds_left"] = (now_seconds() - started_) * (1.0 - share) / share;
   return json;
 }

@@ -29,10 +29,7 @@ Json plane_json(double distance, double nearest, double farthest) {
 }  // namespace
 
 LiveScene::LiveScene(const RenderParams& base, std::filesystem::path job_file, std::function<void(std::string_view)> warn)
-    : context_(std::move(warn)),
-      live_(LiveSettings(base).params(), context_),
-      settings_(base),
-      job_file_(std::move(job_file)) {
+    : context_(std::move(warn)), live_(LiveSettings(base).params(), context_), settings_(base), job_file_(std::move(job_file)) {
   context_.frame_progress = [this](double share) { share_ = share; };
   begin({settings_, version_});
   worker_ = std::thread([this] { work(); });

@@ -37,7 +37,8 @@ class LiveScene {
   LiveScene& operator=(const LiveScene&) = delete;
 
   /// {"settings": {NAME: text or null}, "frame": N, "plane_mm": z}, all of which may be missing; `plane_mm` puts the plane
-  /// where something is shown. All of it or, where it throws a usage Error, nothing is set. Returns the version of the settings.
+  /// where something is shown. All of it or, where it throws a usage Error, nothing is set. Returns the version of the
+  /// settings.
   std::uint64_t change(const nlohmann::ordered_json& changes);
 
   /// What the page is told (docs/view.md lists the keys), as soon as it is not that of `serial`, or after `patience`.
@@ -89,12 +90,12 @@ class LiveScene {
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   WorkerContext context_;  ///< cancelled by changes
-  LiveStage live_;   ///< that thread's
+  LiveStage live_;         ///< that thread's
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  PageFacts facts_;                                  ///< of the version begun last
-  nlohmann::ordered_json facts_json_, placement_;    ///< likewise
+  PageFacts facts_;                                   ///< of the version begun last
+  nlohmann::ordered_json facts_json_, placement_;     ///< likewise
   double distance_ = 0.0, world_per_shown_mm_ = 0.0;  ///< of the viewer, world units; inf: none. Likewise
   std::uint64_t serial_ = 1, version_ = 1, done_version_ = 0, broken_version_ = 0, next_id_ = 1;
   bool is_whole_ = false, ending_ = false;  ///< whether the last version has had all its passes

@@ -16,10 +16,26 @@
 namespace lippmann {
 namespace {
 
-constexpr std::array<std::string_view, 20> kNames{
-    "focus",       "fit-to",      "zoom",           "orbit",      "light-scale",  "display",      "optics",
-    "views",       "view-angle",  "viewing-distance", "fit-depth", "integrator",  "spp",          "denoise",
-    "environment", "environment-strength", "environment-rotation", "exposure", "tone", "clamp-indirect"};
+constexpr std::array<std::string_view, 20> kNames{"focus",
+                                                  "fit-to",
+                                                  "zoom",
+                                                  "orbit",
+                                                  "light-scale",
+                                                  "display",
+                                                  "optics",
+                                                  "views",
+                                                  "view-angle",
+                                                  "viewing-distance",
+                                                  "fit-depth",
+                                                  "integrator",
+                                                  "spp",
+                                                  "denoise",
+                                                  "environment",
+                                                  "environment-strength",
+                                                  "environment-rotation",
+                                                  "exposure",
+                                                  "tone",
+                                                  "clamp-indirect"};
 
 std::string value_of(const ParamInfo& info, const RenderParams& params) {
   const std::vector<std::string> values = info.get(params);
@@ -29,9 +45,11 @@ std::string value_of(const ParamInfo& info, const RenderParams& params) {
 /// Whatever a page says becomes no path.
 void refuse_files(const std::string& name, const std::string& value, const RenderParams& base) {
   if (name == "display" && !value.empty() && value != base.optics.display && !is_display_preset(value))
-    throw usage_error("display", "the page knows presets alone", "a name of `lippmann displays`, or `lippmann view --display FILE`");
+    throw usage_error("display", "the page knows presets alone",
+                      "a name of `lippmann displays`, or `lippmann view --display FILE`");
   if (name == "environment" && value != base.scene.environment && environment_is_file(value))
-    throw usage_error("environment", "the page takes no files", "none, studio, a colour, or `lippmann view --environment FILE`");
+    throw usage_error("environment", "the page takes no files",
+                      "none, studio, a colour, or `lippmann view --environment FILE`");
 }
 
 }  // namespace

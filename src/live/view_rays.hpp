@@ -11,8 +11,8 @@ namespace lippmann {
 /// facts.view_size.
 Vec2i coarse_view_size(const PageFacts& facts, double pixels);
 
-/// A table of rays whose film is a quilt of facts.tiles of `view_size`. Of views of whole pixels each ray is that of the panel's
-/// pixel nearest to its place; of others it is that of the view's eye through the plane.
+/// A table of rays whose film is a quilt of facts.tiles of `view_size`. Of views of whole pixels each ray is that of the
+/// panel's pixel nearest to its place; of others it is that of the view's eye through the plane.
 Optics view_rays(const PlacedOptics& placed, const PageFacts& facts, Vec2i view_size);
 
 }  // namespace lippmann

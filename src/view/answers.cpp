@@ -135,8 +135,8 @@ PageAnswer PageAnswers::answer_path(std::string_view path) {
 
 std::string PageAnswers::description() const {
   if (!live_) return fields_text(fields_, display_);
-  return json_to_text({{"lippmann", version()}, {"fields", nlohmann::ordered_json::array({live_->field()})}, {"live", live_->about()}},
-                      -1);
+  return json_to_text(
+      {{"lippmann", version()}, {"fields", nlohmann::ordered_json::array({live_->field()})}, {"live", live_->about()}}, -1);
 }
 
 PageAnswer PageAnswers::calibration(const std::string& text) const {

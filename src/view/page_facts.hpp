@@ -1,8 +1,8 @@
 // What a page is told of a light field, and its views in one picture (a quilt), made of what the panel shows.
 //
-// Views are the panel's own pixels where it has views of whole pixels; of slanted, hexagonal and fractional lenses they are what
-// `EyeSampler` shows to eyes in as many directions as can be told apart, one sample a pixel and no more pixels than a second or
-// two make.
+// Views are the panel's own pixels where it has views of whole pixels; of slanted, hexagonal and fractional lenses they are
+// what `EyeSampler` shows to eyes in as many directions as can be told apart, one sample a pixel and no more pixels than a
+// second or two make.
 #pragma once
 
 #include <optional>

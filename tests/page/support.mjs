@@ -63,7 +63,7 @@ async function serve(...words) {
 }
 
 /** A page whose `complaints` are errors and warnings of its console; `ready` waits until it shows something. */
-export async function open(address, { width = 900, height = 700, ready = true, onRequest = () => {}, script = "", hasTouch = false } = {}) {
+export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, hasTouch });
   contexts.push(context);
   const page = await context.newPage();
