@@ -74,7 +74,7 @@ PageAnswer LiveAnswers::get(std::string_view path) {
   if (!number) return nothing_there();
   if (kind == "state") return state_after(*number);
   const Bytes bytes = scene_->picture(kind, *number);
-  if (!bytes) return nothing_there();
+  if (!bytes) return scene_->is_outdated(*number) ? PageAnswer{204, "text/plain", nullptr} : nothing_there();
   return {200, bytes->starts_with("RIFF") ? "image/webp" : "image/png", bytes};
 }
 

@@ -1,7 +1,7 @@
 // What a page may ask of a scene that is set up live: paths and bodies in, answers out; no sockets.
 //
 //   GET  live/state/SERIAL   LiveScene::state_after, as JSON; waits up to a second for news
-//   GET  live/views/ID, live/depth/ID, live/panel/ID   a picture; 404 when it is no longer the last
+//   GET  live/views/ID, live/depth/ID, live/panel/ID   a picture; nothing (204) when it is no longer the last
 //   POST live/settings       LiveScene::change; {"version": N}
 //   POST live/save           {"file": NAME}
 //   POST live/render         {"frames": "all" or "this"}; live/cancel ends it

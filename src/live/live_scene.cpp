@@ -231,6 +231,11 @@ Bytes LiveScene::picture(std::string_view kind, std::uint64_t id) const {
   return kind == "depth" ? picture_.depth : kind == "panel" ? picture_.panel : Bytes();
 }
 
+bool LiveScene::is_outdated(std::uint64_t id) const {
+  const std::lock_guard lock(mutex_);
+  return id > 0 && id < picture_.id;
+}
+
 /// Settings that were found to make no picture make no job.
 void LiveScene::require_sound() const {
   if (broken_version_ == version_) throw Error("settings", error_);

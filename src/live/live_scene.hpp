@@ -50,6 +50,9 @@ class LiveScene {
   /// "views", "depth" or "panel" of the picture of that number, while it is the last; null else.
   Bytes picture(std::string_view kind, std::uint64_t id) const;
 
+  /// Whether there was a picture of that number that another has taken the place of.
+  bool is_outdated(std::uint64_t id) const;
+
   /// Returns the file. Throws Error, also for settings that cannot be rendered.
   std::filesystem::path save();
 

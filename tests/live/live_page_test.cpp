@@ -89,6 +89,7 @@ TEST_F(LivePages, pictures_are_served_while_they_are_the_last) {
   EXPECT_EQ(ask("GET", "/secret/live/depth/" + id).status, 200);
   EXPECT_EQ(ask("GET", "/secret/live/panel/" + id).status, 200);
   EXPECT_EQ(ask("GET", "/secret/live/views/999").status, 404);
+  EXPECT_EQ(ask("GET", "/secret/live/views/1").status, 204);  // the coarse one
   EXPECT_EQ(ask("GET", "/secret/live/secrets/" + id).status, 404);
 }
 

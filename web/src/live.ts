@@ -57,7 +57,7 @@ export class Live {
     readonly about: Choices,
     private readonly field: Field,
     private readonly frames: Frames,
-    private readonly changed: () => void,
+    private readonly changed: (picture: boolean) => void,
     private readonly notify: (about: string, text: string) => void,
   ) {
     frames.isLive = true;
@@ -94,9 +94,10 @@ export class Live {
 
   set(settings: Record<string, string | null>): void {
     for (const [name, value] of Object.entries(settings)) if (value !== null) this.wanted[name] = value;
+    this.notify("asked", "");
     this.waiting = { ...this.waiting, settings: { ...this.waiting?.settings, ...settings } };
     void this.send();
-    this.changed();
+    this.changed(false);
   }
 
   setFrame(frame: number): void {
@@ -126,7 +127,7 @@ export class Live {
     }
     this.sending = false;
     void this.send();
-    this.changed();
+    this.changed(false);
   }
 
   private async post(path: string, body: unknown): Promise<unknown> {
@@ -159,10 +160,12 @@ export class Live {
       const asked = performance.now();
       try {
         const state = (await readState(`live/state/${this.state?.serial ?? 0}`)) as LiveState;
-        const isNews = state.serial !== this.state?.serial || state.share !== this.state?.share || state.render !== null;
+        const before = this.state;
+        const shown = this.shownId;
+        const isNews = state.serial !== before?.serial || state.share !== before.share || JSON.stringify(state.render) !== JSON.stringify(before.render);
         this.take(state);
         if (state.picture && state.picture.id !== this.shownId) await this.load(state.picture);
-        if (isNews) this.changed();
+        if (isNews || shown !== this.shownId) this.changed(shown !== this.shownId);
         this.notify("server", "");
         if (!isNews && performance.now() - asked < 100) await pause(250);
       } catch (error) {
@@ -180,18 +183,15 @@ export class Live {
 
   private async load(picture: NonNullable<LiveState["picture"]>): Promise<void> {
     const { id, field } = picture;
-    try {
-      const [views, depth, panel] = await Promise.all([
-        loadPicture(`live/views/${id}`),
-        picture.depth ? loadPicture(`live/depth/${id}`) : null,
-        picture.panel && field.panel.is === "own" ? loadPicture(`live/panel/${id}`) : null,
-      ]);
-      await this.frames.showLive({ ...this.field, ...field }, { views, depth, panel });
-      Object.assign(this.field, field);
-      this.shownId = id;
-    } catch (error) {
-      // A newer one has taken its place meanwhile; it is asked for next.
-      if (!(error instanceof Refusal)) throw error;
-    }
+    const [views, depth, panel] = await Promise.all([
+      loadPicture(`live/views/${id}`),
+      picture.depth ? loadPicture(`live/depth/${id}`) : null,
+      picture.panel && field.panel.is === "own" ? loadPicture(`live/panel/${id}`) : null,
+    ]);
+    // Empty: a newer one has taken its place meanwhile, and is asked for next.
+    if ([views, depth, panel].some((one) => one?.size === 0)) return;
+    await this.frames.showLive({ ...this.field, ...field }, { views, depth, panel });
+    Object.assign(this.field, field);
+    this.shownId = id;
   }
 }

@@ -64,6 +64,7 @@ export class App {
   private notices = new Map<string, string>();
   private prefetching = false;
   private eyeHome = "";
+  private updateControls: () => void = () => {};
 
   constructor(
     readonly fields: Field[],
@@ -75,7 +76,7 @@ export class App {
     this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
     this.renderer = new Renderer(gl, fields, this.frames);
     this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
-    this.live = about && new Live(about, fields[0], this.frames, () => this.hearOfScene(), (topic, text) => this.notify(topic, text));
+    this.live = about && new Live(about, fields[0], this.frames, (picture) => this.hearOfScene(picture), (topic, text) => this.notify(topic, text));
     this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text));
     if (display) this.player.playOn(display);
     this.tilt = new Tilt(
@@ -84,7 +85,7 @@ export class App {
       () => this.store.touch(),
       (text) => this.notify("tilt", text),
     );
-    makeControls(byId("controls"), this.store, {
+    this.updateControls = makeControls(byId("controls"), this.store, {
       save: () => this.savePicture(),
       copy: () => void this.copyLink(),
       focusRange: () => this.focusRange(),
@@ -105,21 +106,24 @@ export class App {
   }
 
   /** Of a scene that is set up: settings, pictures or a render are further than they were. */
-  private hearOfScene(): void {
+  private hearOfScene(picture: boolean): void {
     const [field] = this.fields;
     if (this.eyeHome !== field.eye_mm.join()) {
       this.eyeHome = field.eye_mm.join();
       this.store.set({ eye: field.eye_mm });
     }
-    byId("facts").textContent = `${describe(field)}${this.progress()}`;
+    byId("facts").textContent = `${describe({ ...field, depth: false })}${this.progress()}`;
     byId("facts").title = this.live?.state?.depth.summary ?? "";
-    this.store.touch();
+    byId("stage").dataset.rest = String(this.live?.isAtRest);
+    if (picture) this.redraw();
+    this.updateControls();
   }
 
   private progress(): string {
     const state = this.live?.state;
     if (!state || this.live?.isAtRest) return ", as rendered";
     if (state.error) return "";
+    if (state.render?.state === "running") return ", coarse while the job is rendered";
     const passes = { "": "coarse", coarse: "coarse", draft: "draft", final: "as rendered" };
     return `, ${passes[state.pass]}: ${Math.round(100 * state.share)}\u2009%`;
   }
@@ -202,7 +206,7 @@ export class App {
     byId("bar").hidden = drawn;
     byId("stage").dataset.drawn = String(drawn);
     byId("stage").dataset.frame = drawn ? String(this.live?.shownFrame ?? state.frame) : "";
-    byId("stage").dataset.rest = String(this.live?.isAtRest ?? true);
+
     this.canvas.setAttribute("aria-label", this.spoken());
     if (!drawn) return;
     this.showZone();

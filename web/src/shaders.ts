@@ -140,9 +140,12 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
 }
 
 #if BUDGET
-// Green up to half the budget, yellow at its end, red at twice as much: there a display shows half the detail.
-vec3 tinted(vec3 seen, float disparity) {
-  float share = disparity < -1e29 ? 2.0 : abs(disparity / max(1.0 + disparity * u_vergence, 0.02)) / u_budget;
+// Green up to half the budget, yellow at its end, red at twice as much: there a display shows half the detail. What is nowhere
+// has no depth.
+vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
+  vec3 seen = in_view(view, pixel);
+  if (disparity_in_view(view, pixel) < -1e29) return seen;
+  float share = abs(disparity / max(1.0 + disparity * u_vergence, 0.02)) / u_budget;
   vec3 tint = mix(vec3(0.02, 0.6, 0.08), vec3(0.9, 0.55, 0.02), clamp(2.0 * share - 1.0, 0.0, 1.0));
   tint = mix(tint, vec3(0.8, 0.02, 0.01), clamp(share - 1.0, 0.0, 1.0));
   return mix(seen, tint * (0.12 + 0.88 * dot(seen, vec3(0.2126, 0.7152, 0.0722))), 0.7);
@@ -157,7 +160,7 @@ vec3 in_view_at(ivec2 view, vec2 s, vec2 slope, out float weight) {
   s += apart * met.x;
   weight = met.y > 0.5 ? 1.0 : 0.01;
 #if BUDGET
-  return tinted(in_view(view, pixel_of(s)), met.x);
+  return tinted(view, pixel_of(s), met.x);
 #endif
 #endif
   return in_view(view, pixel_of(s));
