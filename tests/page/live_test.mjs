@@ -87,9 +87,9 @@ test("a render runs from the page, with a bar, and can be cancelled", async () =
   await page.waitForFunction(() => window.lippmann.scene.render?.state === "finished");
   assert.ok(existsSync(inFolder("out/room/frame_0002.png")));
   await atRest();
-  // Settings that take a while.
-  await page.evaluate(() => window.lippmann.setUp({ integrator: "path", spp: "128" }));
-  await page.waitForFunction(() => window.lippmann.scene.settings.spp === "128");
+  // Settings that take a while: a render that has ended cannot be cancelled.
+  await page.evaluate(() => window.lippmann.setUp({ integrator: "path", spp: "512" }));
+  await page.waitForFunction(() => window.lippmann.scene.settings.spp === "512");
   await page.getByRole("button", { name: "Render all frames" }).click();
   await page.getByRole("progressbar", { name: "Render" }).waitFor();
   await page.getByRole("button", { name: "Cancel" }).click();
