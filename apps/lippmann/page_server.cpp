@@ -19,6 +19,17 @@ void open_in_browser(const std::string& address) {
   if (std::system(command.c_str()) != 0) fmt::print(stderr, "no browser could be started; the address is above\n");
 }
 
+int serve(HttpServer& server, PageAnswers& answers, const std::string& token, const PageServerFlags& flags,
+          const Context& context) {
+  const std::string address = page_address(flags.host, server.port(), token);
+  fmt::print("{}\n", address);
+  std::fflush(stdout);
+  fmt::print(stderr, "Open this address in a browser; Ctrl-C ends it.\n");
+  if (flags.open) open_in_browser(address);
+  server.run(answers, context.cancelled);
+  return 0;
+}
+
 }  // namespace
 
 void add_page_server_flags(const Command& command, PageServerFlags& flags) {
@@ -38,13 +49,14 @@ int serve_page(std::vector<std::unique_ptr<PageField>> fields, std::optional<Pag
   HttpServer server(flags.host, flags.port);
   const std::string token = is_loopback(flags.host) ? "" : random_token();
   PageAnswers answers(std::move(fields), {page_hosts(flags.host, server.port()), token}, std::move(display));
-  const std::string address = page_address(flags.host, server.port(), token);
-  fmt::print("{}\n", address);
-  std::fflush(stdout);
-  fmt::print(stderr, "Open this address in a browser; Ctrl-C ends it.\n");
-  if (flags.open) open_in_browser(address);
-  server.run(answers, context.cancelled);
-  return 0;
+  return serve(server, answers, token, flags, context);
+}
+
+int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, const Context& context) {
+  HttpServer server(flags.host, flags.port);
+  const std::string token = random_token();
+  PageAnswers answers(std::move(live), {page_hosts(flags.host, server.port()), token});
+  return serve(server, answers, token, flags, context);
 }
 
 }  // namespace lippmann::app

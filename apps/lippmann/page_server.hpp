@@ -21,7 +21,9 @@ struct PageServerFlags {
 
 void add_page_server_flags(const Command& command, PageServerFlags& flags);
 
-/// Prints the page's address, and answers until it is interrupted. `display`: what the first light field is played on.
+/// Prints the page's address, and answers until it is interrupted. `display`: what the first light field is played on. A live
+/// scene has a token in its address on this machine, too: nobody else who works on it can change anything.
+int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, const Context& context);
 int serve_page(std::vector<std::unique_ptr<PageField>> fields, std::optional<PageDisplay> display, const PageServerFlags& flags,
                const Context& context);
 

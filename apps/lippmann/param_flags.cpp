@@ -58,6 +58,12 @@ RenderParams ParamFlags::read() const {
   return params;
 }
 
+void add_param_flags_beside(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> unwanted) {
+  for (const ParamInfo& info : params_table())
+    if (info.name != "scene" && std::find(unwanted.begin(), unwanted.end(), info.name) == unwanted.end())
+      add_param(command, info, flags.values[info.name]);
+}
+
 void add_param_flags(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted) {
   command.add_option(
       "SCENE", flags.scene,

@@ -23,6 +23,10 @@ struct ParamFlags {
   RenderParams read() const;
 };
 
+/// Declares all parameters but the scene and those that are named: commands whose first argument may be something else than a
+/// scene have flags of their own for these.
+void add_param_flags_beside(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> unwanted);
+
 /// Declares SCENE, --job, and the parameters that are listed by name or by group (all if none is).
 void add_param_flags(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted = {});
 

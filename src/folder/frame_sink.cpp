@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/background.hpp"
+#include "folder/develop_frame.hpp"
 #include "folder/frame_files.hpp"
 #include "image/read_image.hpp"
-#include "layout/precompensate.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "lippmann/image/encode.hpp"
 
@@ -80,21 +80,14 @@ struct FrameSink::Impl {
   /// Light becomes what the pictures hold, in its place. Returns the film's memory where that is another than the pictures'.
   Image develop(RenderedFrame& rendered) const {
     FramePictures& pictures = rendered.pictures;
-    Image as_traced;
     const Tone tone = tone_of(settings.pictures);
-    const bool has_alpha = pictures.aovs.wants(Aov::kAlpha);
-    if (!keeps_light() && has_alpha) divide_by_alpha(pictures.aovs[Aov::kAlpha], pictures.film);
-    if (!keeps_light()) apply_tone(tone, pictures.film);
-    if (!settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
-    if (settings.layout.moves()) {
-      as_traced = std::exchange(pictures.film, settings.layout.arrange(pictures.film));
-      settings.layout.arrange(pictures.aovs);
-    }
-    if (settings.layout.joins_sub_pixels()) undo_crosstalk_of(rendered);
+    Image as_traced = develop_frame(
+        {settings.layout, settings.optics, tone, settings.encoding, settings.crosstalk_to_undo, keeps_light()}, rendered);
     if (needs_codes())
       pictures.codes =
           keeps_light() && !tone.is_identity() ? toned_codes(tone, pictures.film) : to_codes(pictures.film, settings.encoding);
-    if (has_alpha && !pictures.codes.rgb.empty()) pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
+    if (pictures.aovs.wants(Aov::kAlpha) && !pictures.codes.rgb.empty())
+      pictures.codes.alpha = alpha_codes(pictures.aovs[Aov::kAlpha]);
     return as_traced;
   }
 
@@ -115,12 +108,6 @@ struct FrameSink::Impl {
   Image8 toned_codes(const Tone& tone, Image film) const {
     apply_tone(tone, film);
     return to_codes(film, settings.encoding);
-  }
-
-  void undo_crosstalk_of(RenderedFrame& rendered) const {
-    if (!settings.crosstalk_to_undo) return;
-    rendered.report.precompensation = precompensate_encoded(settings.optics, *settings.crosstalk_to_undo, settings.encoding,
-                                                            "precompensate", rendered.pictures.film);
   }
 
   void record(const FrameReport& report, const FileRecords& records) {

@@ -41,4 +41,12 @@ JobStage::JobStage(const RenderParams& params, const ThreadPool& pool, const Con
 JobStage::JobStage(Scene described, const RenderParams& params, const ThreadPool& pool)
     : JobStage(Parts(std::move(described), params), integrator_of(params.sampling), pool) {}
 
+void JobStage::place(const RenderParams& params) {
+  std::unique_ptr<const Display> wanted = wanted_display(params);
+  FittedArray fitted = fit_array(scene, window_aspect(params, scene.resolution, wanted.get()), params.scene.view);
+  placed = make_optics(params, scene, fitted, wanted.get());
+  array = std::move(fitted);
+  display = std::move(wanted);
+}
+
 }  // namespace lippmann

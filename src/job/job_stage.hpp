@@ -20,6 +20,10 @@ struct JobStage : Stage {
   /// parameters name. Throws Error.
   JobStage(Scene scene, const RenderParams& params, const ThreadPool& pool);
 
+  /// Fits the array anew, and makes other optics: of parameters that differ in what is seen of the scene and what shows it, not
+  /// in the scene, its light or its integrator. Throws Error, and then stays as it was.
+  void place(const RenderParams& params);
+
  private:
   struct Parts;
   JobStage(Parts parts, Integrator integrator, const ThreadPool& pool);

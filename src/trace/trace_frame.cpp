@@ -36,17 +36,19 @@ class FrameTracer {
 
   RayCounts trace(const FrameWork& work, const Workers& workers) const {
     return trace_strips(static_cast<std::size_t>(source_.strips()), workers, Progress::kTold,
-                        [&](std::size_t strip) { return trace_strip(work, strip); });
+                        [&](std::size_t strip) { return trace_strip(work, strip, workers.context); });
   }
 
  private:
-  RayCounts trace_strip(const FrameWork& work, std::size_t strip) const {
+  /// What is left of it when the context is cancelled is not traced: a strip of many samples may take minutes.
+  RayCounts trace_strip(const FrameWork& work, std::size_t strip, const Context& context) const {
     return with_integrator({scene_, beam_, params_, film_}, [&](auto& integrator) {
       std::optional<BlockProbe> probe;
       if constexpr (requires { integrator.tell(&*probe); })
         if (probe_) integrator.tell(&probe.emplace(*probe_));
       const StripPackets packets{source_, static_cast<int>(strip)};
       for_each_batch(work, strip, source_.packets_per_strip(), [&](std::span<const int> batch, std::size_t block) {
+        if (context.cancelled) return;
         const std::uint64_t rays_before = integrator.counts().total();
         trace_batch(scene_, packets, {batch, 0, params_.spp}, integrator, sinks_);
         if (!probe) return;

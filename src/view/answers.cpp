@@ -22,7 +22,7 @@ namespace {
 
 /// While somebody waits for a picture: what making it takes counts, not what it weighs.
 constexpr int kServedEffort = 0;
-constexpr std::string_view kCalibration = "calibration";
+constexpr std::string_view kCalibration = "calibration", kLive = "live";
 
 PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
   return {status, std::move(type), std::make_shared<const std::string>(std::move(text))};
@@ -67,12 +67,19 @@ std::string text_of(const std::vector<std::byte>& bytes) { return {reinterpret_c
 
 }  // namespace
 
-bool posts_calibration(std::string_view path) { return path.substr(path.rfind('/') + 1) == kCalibration; }
+bool takes_text(std::string_view path) {
+  const std::size_t last = path.rfind('/');
+  return path.substr(last + 1) == kCalibration || path.substr(0, last).ends_with("/live");
+}
 
-PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort) {
-  const Image8 picture = kind == "views" ? field.quilt(frame) : kind == "depth" ? field.disparities(frame) : field.panel(frame);
+PagePicture encoded_picture(const Image8& picture, int effort) {
   if (std::max(picture.width, picture.height) > kMostWebpSide) return {text_of(encode_png(picture)), "image/png"};
   return {text_of(encode_webp(picture, effort)), "image/webp"};
+}
+
+PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort) {
+  if (kind == "views") return encoded_picture(field.quilt(frame), effort);
+  return encoded_picture(kind == "depth" ? field.disparities(frame) : field.panel(frame), effort);
 }
 
 std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display) {
@@ -87,9 +94,12 @@ PageAnswers::PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAcc
                          std::size_t cache_bytes)
     : fields_(std::move(fields)), access_(std::move(access)), display_(std::move(display)), cache_(cache_bytes) {}
 
+PageAnswers::PageAnswers(std::unique_ptr<LivePage> live, PageAccess access)
+    : live_(std::move(live)), access_(std::move(access)), cache_(0) {}
+
 PageAnswer PageAnswers::answer(const PageRequest& request) {
   const bool asks = request.method == "GET" || request.method == "HEAD";
-  if (!asks && !(request.method == "POST" && posts_calibration(request.path)))
+  if (!asks && !(request.method == "POST" && takes_text(request.path)))
     return answer_with(405, "Only GET and HEAD are answered: nothing here can be changed.\n");
   const std::vector<std::string>& hosts = access_.hosts;
   if (!hosts.empty() && std::find(hosts.begin(), hosts.end(), request.host) == hosts.end())
@@ -103,15 +113,30 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
   if (!may_come_from(request.fetch_site, path)) return answer_with(403, "Pages of other origins may read nothing here.\n");
   if (request.wants_range) return answer_with(416, "Files are sent whole only.\n");
   if (asks) return answer_path(path);
-  return path == kCalibration ? calibration(request.body) : unknown_path();
+  return answer_text(request, path);
+}
+
+PageAnswer PageAnswers::answer_text(const PageRequest& request, std::string_view path) {
+  if (path == kCalibration) return calibration(request.body);
+  if (cut_part(path) != kLive || !live_) return unknown_path();
+  if (request.origin.empty()) return answer_with(403, "Only the page itself may change anything here.\n");
+  return live_->post(path, request.body);
 }
 
 PageAnswer PageAnswers::answer_path(std::string_view path) {
-  if (path == "fields.json") return answer_with(200, fields_text(fields_, display_), "application/json");
+  if (path == "fields.json") return answer_with(200, description(), "application/json");
   for (const PageFile& file : page_files())
     if (file.name == (path.empty() ? "index.html" : path))
       return answer_with(200, std::string(file.text), std::string(file.type));
+  std::string_view rest = path;
+  if (live_ && cut_part(rest) == kLive) return live_->get(rest);
   return picture(path);
+}
+
+std::string PageAnswers::description() const {
+  if (!live_) return fields_text(fields_, display_);
+  return json_to_text(
+      {{"lippmann", version()}, {"fields", nlohmann::ordered_json::array({live_->field()})}, {"live", live_->about()}}, -1);
 }
 
 PageAnswer PageAnswers::calibration(const std::string& text) const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,8 +36,20 @@ struct PageAccess {
   std::string token = {};               ///< the first part of all paths; empty: none is asked for
 };
 
-/// Whether that is where a page sends the text of a calibration, to get its numbers back. Nothing is kept of it.
-bool posts_calibration(std::string_view path);
+/// A scene that is set up from the page (live/live_page.hpp): what lies below "live/". Thread-safe.
+class LivePage {
+ public:
+  virtual ~LivePage() = default;
+
+  virtual nlohmann::ordered_json field() const = 0;  ///< field_json
+  virtual nlohmann::ordered_json about() const = 0;  ///< what the page is told once
+  virtual PageAnswer get(std::string_view path) = 0;
+  virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
+};
+
+/// Whether a page sends a text there: a calibration, to get its numbers back, of which nothing is kept; or what is to be done
+/// with a live scene.
+bool takes_text(std::string_view path);
 
 /// Thread-safe.
 class PageAnswers {
@@ -47,14 +60,20 @@ class PageAnswers {
   PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
               std::size_t cache_bytes = kDefaultCacheBytes);
 
+  /// Shows a live scene. Without the token, and from pages of no or another origin, nothing of it can be changed.
+  PageAnswers(std::unique_ptr<LivePage> live, PageAccess access);
+
   PageAnswer answer(const PageRequest& request);
 
  private:
   PageAnswer answer_path(std::string_view path);
+  PageAnswer answer_text(const PageRequest& request, std::string_view path);
+  std::string description() const;
   PageAnswer calibration(const std::string& text) const;
   PageAnswer picture(std::string_view path);
 
   std::vector<std::unique_ptr<PageField>> fields_;
+  std::unique_ptr<LivePage> live_;
   PageAccess access_;
   std::optional<PageDisplay> display_;
   ByteCache cache_;
@@ -65,6 +84,7 @@ struct PagePicture {
   std::string bytes, type;
 };
 /// effort: 0 (fast) ... 9 (small).
+PagePicture encoded_picture(const Image8& picture, int effort);
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
 
 /// fields.json: the version, what field_json says of each, and the display that they are played on.

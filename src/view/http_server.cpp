@@ -170,9 +170,9 @@ void HttpServer::run(PageAnswers& answers, const std::atomic<bool>& stopped) {
   const auto answer = [&answers](const httplib::Request& request, httplib::Response& response) {
     respond(answers.answer(page_request(request)), response);
   };
-  // Requests are answered here, before anything that they bring is read; but for calibrations, whose text it takes.
+  // Requests are answered here, before anything that they bring is read; but for texts that it takes.
   server.set_pre_routing_handler([answer](const httplib::Request& request, httplib::Response& response) {
-    if (request.method == "POST" && posts_calibration(request.path)) return httplib::Server::HandlerResponse::Unhandled;
+    if (request.method == "POST" && takes_text(request.path)) return httplib::Server::HandlerResponse::Unhandled;
     answer(request, response);
     return httplib::Server::HandlerResponse::Handled;
   });

@@ -22,62 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The most pixels that are made for all eyes of one frame: what takes a second or two.
-constexpr double kMostEyePixels = 6e6;
-constexpr int kMostEyesAcross = 48, kMostEyesUp = 9;
-
-/// Not many more columns than rows, so that textures hold them: of a prime number of views the last tiles stay empty.
-ViewGrid tiles_for(int views) {
-  const ViewGrid full = squarest_tiles(views);
-  if (full.columns <= 3 * full.rows) return full;
-  const int columns = static_cast<int>(std::ceil(std::sqrt(double(views))));
-  return {columns, (views + columns - 1) / columns};
-}
-
 std::string title_of(const fs::path& in) {
   const fs::path whole = fs::absolute(in).lexically_normal();
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-}
-
-/// The views of a panel without views of whole pixels: as many eyes as there are directions, in pictures that memory holds.
-void describe_eyes(const Optics& optics, PageFacts& facts) {
-  const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMostEyesAcross, kMostEyesUp));
-  facts.grid = {counts.x, counts.y};
-  const Vec2i size = natural_view_size(optics);
-  const double share = kMostEyePixels / (double(size.x) * size.y * facts.grid.count());
-  facts.view_size = glm::max(Vec2i(Vec2d(size) * std::sqrt(std::min(share, 1.0))), Vec2i(1));
-  facts.tiles = tiles_for(facts.grid.count());
-  facts.panel = PanelPicture::kOwn;
-}
-
-void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& facts) {
-  facts.grid = film.grid;
-  facts.view_size = view_size(film, picture_size(optics), "panel");
-  const bool is_quilt = film.kind == LayoutKind::kQuilt;
-  facts.tiles = is_quilt ? film.tiles : tiles_for(film.grid.count());
-  facts.panel = film.kind == LayoutKind::kIntegral ? PanelPicture::kIntegral : PanelPicture::kQuilt;
-  const std::optional<LensArray> lenses = lens_array(optics);
-  facts.lens_samples_across = lenses.has_value();
-  facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
-}
-
-PageFacts facts_of(const LightFieldFrames& frames, const std::optional<RenderedViews>& views) {
-  const Optics& optics = frames.optics;
-  PageFacts facts;
-  if (views)
-    describe_views(optics, views->film, facts);
-  else
-    describe_eyes(optics, facts);
-  facts.window = display_window(optics);
-  facts.axes = view_axes(optics, facts.grid);
-  facts.eye_mm = default_eye_mm(optics);
-  facts.panel_size = picture_size(optics);
-  if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) facts.slanted = *slanted;
-  facts.depth_budget_mm = depth_budget_mm(optics);
-  facts.disparity_scale_mm = facts.window.size.y;
-  facts.frames_per_second = frames.frames_per_second;
-  facts.assumption = frames.assumption;
-  return facts;
 }
 
 std::vector<PageFrame> label_frames(const std::vector<fs::path>& files, const std::map<int, FrameFacts>& facts) {
@@ -104,9 +51,11 @@ PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
     : hints_(std::move(hints)),
       frames_(find_light_field_frames(in, hints_)),
       root_(shown_root(in)),
-      facts_(facts_of(frames_, rendered_views(frames_.optics))),
+      facts_(page_facts(frames_.optics)),
       pool_(resolved_threads(context)) {
   facts_.title = title_of(in);
+  facts_.frames_per_second = frames_.frames_per_second;
+  facts_.assumption = frames_.assumption;
   facts_.frames = label_frames(frames_.files, readable_rendering(frames_.folder / "report.json").value_or(Rendering{}).frames);
   try {
     facts_.has_depth = has_depth_beside(0);
@@ -116,15 +65,7 @@ PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
 }
 
 Image8 PageField::quilt(std::size_t frame) const {
-  const RenderedPanel rendered = read(frame);
-  const ViewLayout quilt{LayoutKind::kQuilt, facts_.grid, facts_.tiles};
-  const std::optional<RenderedViews> views = rendered_views(rendered.optics);
-  if (!views) return to_codes(seen_by_eyes(rendered), Encoding::kSrgb);
-  const Vec2i size(rendered.picture.width, rendered.picture.height);
-  if (facts_.panel == PanelPicture::kQuilt && size == picture_size(quilt, facts_.view_size))
-    return to_codes(rendered.picture, Encoding::kSrgb);
-  const Arrangement arrangement(views->film, quilt, size, frames_.files[frame].string());
-  return to_codes(arrangement.apply(rendered.picture), Encoding::kSrgb);
+  return views_quilt(read(frame), facts_, pool_, frames_.files[frame].string());
 }
 
 Image8 PageField::disparities(std::size_t frame) const {
@@ -158,24 +99,6 @@ bool PageField::has_depth_beside(std::size_t frame) const {
   const LightFieldSource source = light_field_source(file, hints_.from, options_with_depth(hints_));
   const LightField field = source.format->read(file, source.options);
   return field.depth.has_value() && field.grid == facts_.grid && field.view_size == facts_.view_size;
-}
-
-Image PageField::seen_by_eyes(const RenderedPanel& rendered) const {
-  const Vec2i size = facts_.view_size;
-  const ViewGrid &grid = facts_.grid, &tiles = facts_.tiles;
-  Image quilt(size.x * tiles.columns, size.y * tiles.rows, 3);
-  const EyeSampler sampler(rendered, SampleFilter::kLinear);
-  pool_.for_each(static_cast<std::size_t>(grid.count() * size.y), [&](std::size_t line) {
-    const int view = static_cast<int>(line) / size.y, y = static_cast<int>(line) % size.y;
-    const Viewer viewer{{facts_.axes.across.slope(view % grid.columns), facts_.axes.up.slope(view / grid.columns)},
-                        facts_.axes.vergence};
-    const Vec2i origin(view % tiles.columns * size.x, (tiles.rows - 1 - view / tiles.columns) * size.y);
-    for (int x = 0; x < size.x; ++x) {
-      const Vec3f color = sampler.color(viewer, facts_.window.point_at({x + 0.5, y + 0.5}, size));
-      for (int c = 0; c < 3; ++c) quilt.pixel(origin.x + x, origin.y + y)[c] = color[c];
-    }
-  });
-  return quilt;
 }
 
 }  // namespace lippmann

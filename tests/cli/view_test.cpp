@@ -34,6 +34,30 @@ TEST(View, what_cannot_be_shown_is_refused_before_anything_is_served) {
   expect_refusal(run_tool(dir, {"view", "empty", "--port", "70000"}), 2, "--port");
 }
 
+TEST(View, a_scene_is_set_up_at_an_address_that_has_a_token) {
+  const TempDir dir;
+  Subprocess server(tool_command({"view", "room", "--size", "64x64", "--lenses", "8", "--port", "0"}),
+                    {.working_folder = dir.path().string()});
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  server.signal(SIGINT);
+  const RunResult result = server.wait();
+  EXPECT_EQ(result.exit_code, 128 + SIGINT);
+  EXPECT_THAT(result.out, testing::MatchesRegex("http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]+/\n"));
+  EXPECT_TRUE(fs::is_empty(dir.path()));
+}
+
+TEST(View, flags_of_scenes_and_of_light_fields_are_told_apart) {
+  const TempDir dir;
+  fs::create_directory(dir / "room");  // a folder is a light field, whatever a built-in scene is called
+  expect_refusal(run_tool(dir, {"view", "room"}), 1, "there are no frames in it");
+  expect_refusal(run_tool(dir, {"view", "room", "--zoom", "2"}), 2, "--zoom");
+  expect_refusal(run_tool(dir, {"view", "room", "--save-job", "x.toml"}), 2, "--save-job");
+  expect_refusal(run_tool(dir, {"view", "teapot", "--from", "hci"}), 2, "--from");
+  expect_refusal(run_tool(dir, {"view", "teapot", "room"}), 2, "OTHER");
+  expect_refusal(run_tool(dir, {"view", "teapot", "--save", "page"}), 2, "--save");
+  expect_refusal(run_tool(dir, {"view", "missing.glb"}), 1, "there is no such file");
+}
+
 TEST(View, render_leaves_a_page_where_it_is_asked_for) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0-1", "r") + Words{"--page"}).exit_code, 0);

@@ -29,7 +29,8 @@ const browser = await playwright.chromium.launch({
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
 });
 const servers = [];
-const contexts = [];
+const opened = [];
+const idle = [];
 
 export async function end() {
   servers.forEach((server) => server.kill());
@@ -39,7 +40,26 @@ export async function end() {
 after(end);
 
 /** Pages that stay open take time from others; those of a whole file are opened outside its tests. */
-export const closeAfterEach = () => afterEach(() => Promise.all(contexts.splice(0).map((context) => context.close())));
+export const closeAfterEach = () => afterEach(() => Promise.all(opened.splice(0).map(release)));
+
+/** A page that has shown something else opens the next in a third of the processor's time that a new one takes. */
+async function release(page) {
+  if (page.isClosed()) return;
+  if (!page.isPlain) return page.context().close();
+  await page.goto("about:blank");
+  idle.push(page);
+}
+
+async function newPage({ width, height, script, hasTouch }) {
+  const context = await browser.newContext({ viewport: { width, height }, hasTouch });
+  const page = await context.newPage();
+  if (script) await page.addInitScript(script);
+  page.isPlain = !script && !hasTouch;
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));
+  page.on("request", (request) => page.onRequest(request.url()));
+  page.on("pageerror", (error) => page.complaints.push(error.message));
+  return page;
+}
 
 /** Runs the tool in the tests' folder. */
 export const lippmann = (...words) => execFileSync(tool, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
@@ -63,15 +83,13 @@ async function serve(...words) {
 }
 
 /** A page whose `complaints` are errors and warnings of its console; `ready` waits until it shows something. */
-export async function open(address, { width = 900, height = 700, ready = true, onRequest = () => {}, script = "", hasTouch = false } = {}) {
-  const context = await browser.newContext({ viewport: { width, height }, hasTouch });
-  contexts.push(context);
-  const page = await context.newPage();
-  if (script) await page.addInitScript(script);
+export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false } = {}) {
+  const used = script || hasTouch ? undefined : idle.pop();
+  const page = used ?? (await newPage({ width, height, script, hasTouch }));
+  await page.setViewportSize({ width, height });
+  opened.push(page);
   page.complaints = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));
-  page.on("request", (request) => onRequest(request.url()));
-  page.on("pageerror", (error) => page.complaints.push(error.message));
+  page.onRequest = onRequest;
   await page.goto(address);
   if (ready) await page.waitForSelector('#stage[data-drawn="true"]', { timeout: 60000 });
   return page;

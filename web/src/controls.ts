@@ -1,20 +1,22 @@
 // The controls beside the picture: native elements, so that keyboards and screen readers know them.
 import { hasCrosstalk, neighbourShare, shareOfZone, slopeInZone, type Field } from "./field";
+import type { Live } from "./live";
+import { setUpGroups } from "./live_controls";
 import type { Player } from "./player";
 import type { State, Store } from "./state";
 import type { Tilt } from "./tilt";
 
-interface Shown {
+export interface Shown {
   update: () => void;
 }
 
-function element<Name extends keyof HTMLElementTagNameMap>(name: Name, properties: Partial<HTMLElementTagNameMap[Name]> = {}, ...children: (Node | string)[]): HTMLElementTagNameMap[Name] {
+export function element<Name extends keyof HTMLElementTagNameMap>(name: Name, properties: Partial<HTMLElementTagNameMap[Name]> = {}, ...children: (Node | string)[]): HTMLElementTagNameMap[Name] {
   const made = Object.assign(document.createElement(name), properties);
   made.append(...children);
   return made;
 }
 
-const rounded = (value: number, digits: number): string => value.toFixed(digits).replace(/^-0(\.0*)?$/, "0$1").replace("-", "\u2212");
+export const rounded = (value: number, digits: number): string => value.toFixed(digits).replace(/^-0(\.0*)?$/, "0$1").replace("-", "\u2212");
 
 let nextId = 0;
 
@@ -30,7 +32,7 @@ interface SliderSettings {
   applies?: () => boolean;
 }
 
-function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
+export function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
   const id = `control-${nextId++}`;
   const input = element("input", { type: "range", id });
   const output = element("output", { className: "value" });
@@ -55,29 +57,46 @@ function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
   return row;
 }
 
-function choice<Key extends keyof State>(label: string, key: Key, options: [string, string][], store: Store, shown: Shown[], applies = () => true): HTMLElement {
+/** One of several words. */
+export function chooser(label: string, options: () => [string, string][], value: () => string, set: (value: string) => void, shown: Shown[], applies = () => true): HTMLElement {
   const id = `control-${nextId++}`;
-  const select = element("select", { id }, ...options.map(([value, text]) => element("option", { value }, text)));
-  select.addEventListener("change", () => store.set({ [key]: select.value }));
+  const select = element("select", { id });
+  select.addEventListener("change", () => set(select.value));
   const row = element("div", { className: "row choice" }, element("label", { htmlFor: id }, label), select);
+  let listed = "";
   shown.push({
     update: () => {
       row.hidden = !applies();
-      select.value = String(store.state[key]);
+      const wanted = options();
+      if (JSON.stringify(wanted) !== listed) select.replaceChildren(...wanted.map(([word, text]) => element("option", { value: word }, text)));
+      listed = JSON.stringify(wanted);
+      select.value = value();
     },
   });
   return row;
 }
 
-function check(label: string, value: () => boolean, set: (on: boolean) => void, shown: Shown[]): HTMLElement {
+function choice<Key extends keyof State>(label: string, key: Key, options: [string, string][], store: Store, shown: Shown[], applies = () => true): HTMLElement {
+  const row = chooser(label, () => options, () => String(store.state[key]), (value) => store.set({ [key]: value }), shown, applies);
+  shown[shown.length - 1].update();
+  return row;
+}
+
+export function check(label: string, value: () => boolean, set: (on: boolean) => void, shown: Shown[], applies = () => true): HTMLElement {
   const id = `control-${nextId++}`;
   const input = element("input", { type: "checkbox", id });
   input.addEventListener("change", () => set(input.checked));
-  shown.push({ update: () => (input.checked = value()) });
-  return element("div", { className: "row check" }, input, element("label", { htmlFor: id }, label));
+  const row = element("div", { className: "row check" }, input, element("label", { htmlFor: id }, label));
+  shown.push({
+    update: () => {
+      row.hidden = !applies();
+      input.checked = value();
+    },
+  });
+  return row;
 }
 
-function group(title: string, ...rows: (HTMLElement | null)[]): HTMLElement {
+export function group(title: string, ...rows: (HTMLElement | null)[]): HTMLElement {
   const kept = rows.filter((row): row is HTMLElement => row !== null);
   const id = `group-${nextId++}`;
   const section = element("section", {}, element("h2", { id }, title), ...kept);
@@ -91,6 +110,7 @@ export interface Actions {
   focusRange: () => [number, number];
   player: Player;
   tilt: Tilt;
+  live: Live | null;
 }
 
 /** Fills `parent`; what is returned brings all controls up to the state. */
@@ -98,14 +118,15 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   const shown: Shown[] = [];
   const { fields } = store;
   const field = fields[0];
-  const hasViews = field.across.views * field.up.views > 1;
+  const hasViews = () => field.across.views * field.up.views > 1;
   parent.append(
     ...[
+      ...(actions.live ? setUpGroups(store, field, actions.live, shown) : []),
       fields.length > 1 ? compareGroup(store, shown) : null,
-      hasViews ? unlessPlayed(eyeGroup(store, field, actions.tilt, shown), store, shown) : null,
-      hasViews ? unlessPlayed(focusGroup(store, actions, shown), store, shown) : null,
+      onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions.tilt, shown), shown),
+      onlyIf(() => hasViews() && store.state.show !== "display", focusGroup(store, actions, shown), shown),
       pictureGroup(store, field, hasViews, shown),
-      playGroup(actions.player, shown),
+      actions.live ? null : playGroup(actions.player, shown),
       element(
         "div",
         { className: "buttons" },
@@ -121,7 +142,7 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   return update;
 }
 
-function button(text: string, action: () => void): HTMLButtonElement {
+export function button(text: string, action: () => void): HTMLButtonElement {
   const made = element("button", { type: "button" }, text);
   made.addEventListener("click", action);
   return made;
@@ -153,6 +174,7 @@ function eyeGroup(store: Store, field: Field, tilt: Tilt, shown: Shown[]): HTMLE
     slider(
       {
         label,
+        applies: () => (axis === 0 ? field.across : field.up).views > 1,
         range: () => [0, 1],
         value: () => shareOfZone(axis === 0 ? field.across : field.up, slope(axis)),
         text: () => `${rounded(state.eye[axis], 1)}\u2009mm`,
@@ -161,20 +183,20 @@ function eyeGroup(store: Store, field: Field, tilt: Tilt, shown: Shown[]): HTMLE
       },
       shown,
     );
-  const home = field.eye_mm[2];
+  const home = () => field.eye_mm[2];
   return group(
     "Eye",
-    field.across.views > 1 ? zone("Left to right", 0) : null,
-    field.up.views > 1 ? zone("Down to up", 1) : null,
+    zone("Left to right", 0),
+    zone("Down to up", 1),
     slider(
       {
         label: "Distance",
         unit: "mm",
         range: () => [-2, 2],
-        value: () => Math.log2(state.eye[2] / home),
+        value: () => Math.log2(state.eye[2] / home()),
         text: () => `${rounded(state.eye[2], 0)}\u2009mm`,
         set: (power) => {
-          const z = home * 2 ** power;
+          const z = home() * 2 ** power;
           store.set({ eye: [slope(0) * z, slope(1) * z, z] });
         },
       },
@@ -195,30 +217,30 @@ function focusGroup(store: Store, actions: Actions, shown: Shown[]): HTMLElement
   );
 }
 
-function pictureGroup(store: Store, field: Field, hasViews: boolean, shown: Shown[]): HTMLElement {
+function pictureGroup(store: Store, field: Field, hasViews: () => boolean, shown: Shown[]): HTMLElement {
   const { state } = store;
   return group(
     "Picture",
     showChoice(store, hasViews, shown),
-    field.depth ? choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown) : null,
-    field.lens_samples.some(Boolean) ? check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown) : null,
-    hasCrosstalk(field) ? slider({ label: "Crosstalk", applies: () => state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk }), reset: () => store.set({ crosstalk: 0 }) }, shown) : null,
-    field.across.views > 1 ? check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown) : null,
+    choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown, () => field.depth),
+    check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown, () => field.lens_samples.some(Boolean)),
+    slider({ label: "Crosstalk", applies: () => hasCrosstalk(field) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk }), reset: () => store.set({ crosstalk: 0 }) }, shown),
+    check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown, () => field.across.views > 1),
     slider({ label: "Line, from the top", applies: () => state.line >= 0, range: () => [0, 1], value: () => state.line, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (line) => store.set({ line }) }, shown),
     slider({ label: "Exposure", applies: () => state.show !== "display", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown),
     check("Light background", () => state.theme === "light", (on) => store.set({ theme: on ? "light" : "dark" }), shown),
   );
 }
 
-/** A panel shows what it is given, wherever eyes are. */
-function unlessPlayed(made: HTMLElement, store: Store, shown: Shown[]): HTMLElement {
-  shown.push({ update: () => (made.hidden = store.state.show === "display") });
+/** Eyes are for light fields, and not for a panel, which shows what it is given wherever they are. */
+function onlyIf(applies: () => boolean, made: HTMLElement, shown: Shown[]): HTMLElement {
+  shown.push({ update: () => (made.hidden = !applies()) });
   return made;
 }
 
 /** A panel to play on may be dropped on the page. */
-function showChoice(store: Store, hasViews: boolean, shown: Shown[]): HTMLElement {
-  const row = choice("Show", "show", [["eye", "What the eye sees"], ["panel", "What the panel shows"], ["display", "Played on a calibrated panel"]], store, shown, () => hasViews || store.plays);
+function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTMLElement {
+  const row = choice("Show", "show", [["eye", "What the eye sees"], ["panel", "What the panel shows"], ["display", "Played on a calibrated panel"]], store, shown, () => hasViews() || store.plays);
   const played = row.querySelector<HTMLOptionElement>('option[value="display"]') as HTMLOptionElement;
   shown.push({ update: () => (played.hidden = played.disabled = !store.plays) });
   return row;

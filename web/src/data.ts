@@ -26,10 +26,20 @@ function runScript(path: string): Promise<void> {
   });
 }
 
+/** A connection that the program has just closed, as nobody spoke, fails: once more, then. But a render is started once. */
+async function fetched(path: string, settings: RequestInit): Promise<Response> {
+  try {
+    return await fetch(path, settings);
+  } catch (error) {
+    if (path === "live/render") throw error;
+    return fetch(path, settings);
+  }
+}
+
 async function answerOf(path: string, settings: RequestInit = {}): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(path, settings);
+    response = await fetched(path, settings);
   } catch {
     throw new Refusal("The server does not answer: has the program been ended?");
   }
@@ -49,6 +59,9 @@ export async function postText(path: string, body: string): Promise<string> {
   if (usesScripts()) throw new Refusal("A saved page cannot read calibrations: `lippmann play` does.");
   return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
+
+/** What the program says of a scene that is set up. */
+export const readState = async (path: string): Promise<unknown> => (await answerOf(path)).json();
 
 export async function loadFields(): Promise<unknown> {
   if (!usesScripts()) {

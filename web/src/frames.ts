@@ -60,6 +60,9 @@ export class Frames {
   private bytes = 0;
   private pinned: string[] = [];
   private interlacer: Interlacer | null = null;
+  /** Of a scene that is set up: the newest picture is shown, whatever frame is asked for. */
+  isLive = false;
+  private live: LoadedFrame | null = null;
 
   constructor(
     private readonly gl: Gl,
@@ -71,6 +74,7 @@ export class Frames {
 
   /** The frame, where it is there; else it is on its way, and `changed` is called when it is. Throws what loading it threw. */
   get(field: number, frame: number, use: Use): LoadedFrame | null {
+    if (this.isLive) return this.live;
     const key = `${field}/${frame}/${use}`;
     const failure = this.failures.get(key);
     if (failure && performance.now() - failure.at < kRetryMs) throw failure.error;
@@ -84,6 +88,27 @@ export class Frames {
     return null;
   }
 
+  /** Shows pictures of a scene that is set up in place of those before. */
+  async showLive(facts: Field, pictures: { views: Blob; depth: Blob | null; panel: Blob | null }): Promise<void> {
+    const options: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
+    const decode = async (blob: Blob | null) => (blob ? this.fitted(await createImageBitmap(blob, options), options) : null);
+    const [views, depth, panel] = await Promise.all([decode(pictures.views), decode(pictures.depth), decode(pictures.panel)]);
+    if (!views) return;
+    const disparities = depth ? await rangeOf(depth, facts.disparity_scale_mm) : this.guessedRange(facts);
+    const before = this.live;
+    this.live = {
+      views: pictureTexture(this.gl, views, "srgb"),
+      depth: depth && pictureTexture(this.gl, depth, "codes"),
+      panel: panel && pictureTexture(this.gl, panel, "srgb"),
+      viewSize: [views.width / facts.tiles[0], views.height / facts.tiles[1]],
+      disparities,
+      bytes: 0,
+      whole: Promise.resolve(),
+    };
+    for (const picture of [views, depth, panel]) picture?.close();
+    for (const texture of before ? [before.views, before.depth, before.panel] : []) if (texture) this.gl.deleteTexture(texture);
+  }
+
   /** These are not given up, whatever the bound says. */
   pin(fields: number[], frame: number): void {
     this.pinned = fields.map((field) => `${field}/${frame}/`);
@@ -95,7 +120,7 @@ export class Frames {
 
   /** The frame where it is there; nothing is loaded. */
   peek(field: number, frame: number, use: Use): LoadedFrame | null {
-    return this.loaded.get(`${field}/${frame}/${use}`) ?? null;
+    return this.isLive ? this.live : (this.loaded.get(`${field}/${frame}/${use}`) ?? null);
   }
 
   /** What a display plays is made by this from now on. */
@@ -114,6 +139,7 @@ export class Frames {
   }
 
   load(field: number, frame: number, use: Use): Promise<LoadedFrame | null> {
+    if (this.isLive) return Promise.resolve(this.live);
     const key = `${field}/${frame}/${use}`;
     const found = this.loaded.get(key);
     if (found) return Promise.resolve(found);

@@ -4,6 +4,8 @@ import { loadFields } from "./data";
 import { readDisplay, type PanelDisplay } from "./display";
 import { depthOfDisparity, naturalSize, readFields, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
 import { Frames } from "./frames";
+import { Live, type Choices } from "./live";
+import { orbitOf, planeDistance, planeRange, setOrbit, setPlaneDistance, setZoom } from "./live_controls";
 import { codeFromLinear, openGl } from "./gl";
 import { steerFromOutside } from "./outside";
 import { Player } from "./player";
@@ -38,6 +40,16 @@ function describe(field: Field): string {
   return `${grid} of ${size[0]}\u00d7${size[1]}${field.depth ? ", with depth" : ""}`;
 }
 
+/** What a pointer has grasped, and how everything was then. */
+interface Drag {
+  x: number;
+  y: number;
+  shares: [number, number];
+  what: "eye" | "wipe" | "line" | "turn" | "plane";
+  orbit: [number, number];
+  plane: number;
+}
+
 export class App {
   readonly store: Store;
   readonly canvas = byId<HTMLCanvasElement>("canvas");
@@ -46,20 +58,25 @@ export class App {
   readonly timeline: Timeline;
   readonly player: Player;
   readonly tilt: Tilt;
+  readonly live: Live | null;
   private wanted = true;
   private pointer: { x: number; y: number } | null = null;
   private notices = new Map<string, string>();
   private prefetching = false;
+  private eyeHome = "";
+  private updateControls: () => void = () => {};
 
   constructor(
     readonly fields: Field[],
     display: PanelDisplay | null,
+    about: Choices | null,
   ) {
     this.store = new Store(fields, display !== null);
     const gl = openGl(this.canvas);
     this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
     this.renderer = new Renderer(gl, fields, this.frames);
     this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
+    this.live = about && new Live(about, fields[0], this.frames, (picture) => this.hearOfScene(picture), (topic, text) => this.notify(topic, text));
     this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text));
     if (display) this.player.playOn(display);
     this.tilt = new Tilt(
@@ -68,14 +85,16 @@ export class App {
       () => this.store.touch(),
       (text) => this.notify("tilt", text),
     );
-    makeControls(byId("controls"), this.store, {
+    this.updateControls = makeControls(byId("controls"), this.store, {
       save: () => this.savePicture(),
       copy: () => void this.copyLink(),
       focusRange: () => this.focusRange(),
       player: this.player,
       tilt: this.tilt,
+      live: this.live,
     });
     this.store.listen(() => this.redraw());
+    this.store.listen(() => this.live?.setFrame(this.store.state.frame));
     this.listen();
     this.head();
     if (this.player.isPlaying) this.timeline.toggle();
@@ -84,6 +103,29 @@ export class App {
 
   redraw(): void {
     this.wanted = true;
+  }
+
+  /** Of a scene that is set up: settings, pictures or a render are further than they were. */
+  private hearOfScene(picture: boolean): void {
+    const [field] = this.fields;
+    if (this.eyeHome !== field.eye_mm.join()) {
+      this.eyeHome = field.eye_mm.join();
+      this.store.set({ eye: field.eye_mm });
+    }
+    byId("facts").textContent = `${describe({ ...field, depth: false })}${this.progress()}`;
+    byId("facts").title = this.live?.state?.depth.summary ?? "";
+    byId("stage").dataset.rest = String(this.live?.isAtRest);
+    if (picture) this.redraw();
+    this.updateControls();
+  }
+
+  private progress(): string {
+    const state = this.live?.state;
+    if (!state || this.live?.isAtRest) return ", as rendered";
+    if (state.error) return "";
+    if (state.render?.state === "running") return ", coarse while the job is rendered";
+    const passes = { "": "coarse", coarse: "coarse", draft: "draft", final: "as rendered" };
+    return `, ${passes[state.pass]}: ${Math.round(100 * state.share)}\u2009%`;
   }
 
   private head(): void {
@@ -115,6 +157,7 @@ export class App {
   }
 
   private isThere(frame: number): boolean {
+    if (this.live) return this.live.shownFrame === this.store.state.frame;
     const use = useOf(this.store.state);
     try {
       return this.shown().every((field) => this.frames.get(field, this.renderer.frameOf(field, frame), use) !== null);
@@ -162,7 +205,8 @@ export class App {
     }
     byId("bar").hidden = drawn;
     byId("stage").dataset.drawn = String(drawn);
-    byId("stage").dataset.frame = drawn ? String(state.frame) : "";
+    byId("stage").dataset.frame = drawn ? String(this.live?.shownFrame ?? state.frame) : "";
+
     this.canvas.setAttribute("aria-label", this.spoken());
     if (!drawn) return;
     this.showZone();
@@ -186,7 +230,7 @@ export class App {
 
   /** Loads what comes next, one frame at a time, as many as there is room for. */
   private async prefetch(): Promise<void> {
-    if (this.prefetching) return;
+    if (this.prefetching || this.live) return;
     this.prefetching = true;
     const { state } = this.store;
     const use = useOf(state);
@@ -295,11 +339,11 @@ export class App {
 
   private listen(): void {
     const { canvas } = this;
-    let drag: { x: number; y: number; shares: [number, number]; moved: boolean; what: "eye" | "wipe" | "line" } | null = null;
+    let drag: (Drag & { moved: boolean }) | null = null;
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
       const at = this.at(event);
-      drag = { ...at, shares: this.shares(), moved: false, what: this.graspedAt(at.x, at.y) };
+      drag = { ...at, shares: this.shares(), moved: false, what: this.graspedAt(at.x, at.y), orbit: this.live ? orbitOf(this.live) : [0, 0], plane: this.live ? planeDistance(this.live) : 1 };
     });
     canvas.addEventListener("pointermove", (event) => {
       const at = this.at(event);
@@ -340,20 +384,29 @@ export class App {
     return [shareOfZone(field.across, eye[0] / eye[2]), shareOfZone(field.up, eye[1] / eye[2])];
   }
 
-  private graspedAt(x: number, y: number): "eye" | "wipe" | "line" {
+  private graspedAt(x: number, y: number): Drag["what"] {
     const { state } = this.store;
     const { left, top, width, height } = this.renderer.place;
     const near = 14 * (this.canvas.width / this.canvas.clientWidth);
     if (this.shown().length > 1 && state.compare === "wipe" && Math.abs(x - left - state.wipe * width) < near) return "wipe";
     if (state.line >= 0 && Math.abs(y - top - state.line * height) < near) return "line";
-    return "eye";
+    return this.live ? state.drag : "eye";
   }
 
-  private dragTo(drag: { x: number; y: number; shares: [number, number]; what: "eye" | "wipe" | "line" }, at: { x: number; y: number }): void {
+  private dragTo(drag: Drag, at: { x: number; y: number }): void {
     const { left, top, width, height } = this.renderer.place;
     if (drag.what === "wipe") this.store.set({ wipe: (at.x - left) / width });
     else if (drag.what === "line") this.store.set({ line: Math.min(Math.max((at.y - top) / height, 0), 1) });
+    else if (this.live && drag.what === "turn") setOrbit(this.live, drag.orbit[0] - (180 * (at.x - drag.x)) / width, drag.orbit[1] + (90 * (at.y - drag.y)) / height);
+    else if (this.live && drag.what === "plane") this.movePlane(drag.plane, (drag.y - at.y) / height);
     else if (this.store.state.show === "eye") this.moveEye(drag.shares[0] + (at.x - drag.x) / width, drag.shares[1] - (at.y - drag.y) / height);
+  }
+
+  /** From a distance, by a share of where it may be moved; upwards is away from the viewer. */
+  private movePlane(from: number, share: number): void {
+    if (!this.live?.state?.plane) return;
+    const [nearest, farthest] = planeRange(this.live);
+    setPlaneDistance(this.live, Math.min(Math.max(from + share * (farthest - nearest), nearest), farthest));
   }
 
   /** Within the zone, to its ends. */
@@ -370,7 +423,15 @@ export class App {
     const { state } = this.store;
     const share = this.renderer.shareAt(state, at.x, at.y);
     if (!share || state.show !== "eye") return;
-    this.focusAt(share);
+    if (this.live && state.drag === "turn") return;
+    if (this.live && state.drag === "plane") this.putPlaneAt(share);
+    else this.focusAt(share);
+  }
+
+  /** What is seen there shall lie in the display's plane. */
+  putPlaneAt(share: [number, number]): void {
+    const depth = this.renderer.depthAt(this.store.state, share);
+    if (depth !== null && Number.isFinite(depth)) this.live?.setPlane(depth);
   }
 
   /** Focuses on what is seen there; a closed aperture opens. */
@@ -383,6 +444,7 @@ export class App {
 
   private wheel(event: WheelEvent): void {
     event.preventDefault();
+    if (this.live && this.store.state.drag === "turn") return setZoom(this.live, this.live.number("zoom", 1) * 2 ** (-Math.sign(event.deltaY) / 8));
     const { eye } = this.store.state;
     const factor = 2 ** (Math.sign(event.deltaY) / 16);
     const home = this.fields[0].eye_mm[2];
@@ -415,7 +477,9 @@ export class App {
 
   /** Moves the eye, or before the panel's picture the loupe. */
   private arrow(across: number, up: number, x: number, y: number): void {
-    const { show } = this.store.state;
+    const { show, drag } = this.store.state;
+    if (show === "eye" && this.live && drag === "turn") return setOrbit(this.live, orbitOf(this.live)[0] + 5 * x, orbitOf(this.live)[1] - 5 * y);
+    if (show === "eye" && this.live && drag === "plane") return this.movePlane(planeDistance(this.live), -0.02 * y);
     if (show === "eye") this.moveEye(across, up);
     if (show !== "panel") return;
     const { left, top, width, height } = this.renderer.place;
@@ -472,8 +536,8 @@ async function start(): Promise<void> {
   try {
     const json = await loadFields();
     const fields = readFields(json);
-    const { display } = json as { display?: unknown };
-    const app = new App(fields, display ? readDisplay(display) : null);
+    const { display, live } = json as { display?: unknown; live?: Choices };
+    const app = new App(fields, display ? readDisplay(display) : null, live ?? null);
     steerFromOutside(app);
   } catch (error) {
     fail(error);

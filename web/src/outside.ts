@@ -3,6 +3,7 @@
 //   page to parent: { lippmann: { state: {...} } } after every change; no pictures.
 import { shareOutOfZone } from "./field";
 import type { App } from "./main";
+import type { LiveState } from "./live";
 import type { State } from "./state";
 
 interface Handle {
@@ -17,6 +18,9 @@ interface Handle {
   pause(): void;
   panel(): Uint8ClampedArray;
   valueAt(x: number, y: number): number[];
+  /** Of a scene that is set up: what the program says of it, and settings by the names of flags. */
+  readonly scene: LiveState | null;
+  setUp(settings: Record<string, string | null>): void;
 }
 
 declare global {
@@ -44,6 +48,10 @@ export function steerFromOutside(app: App): void {
     pause: () => app.timeline.pause(),
     panel: () => app.panelCodes(),
     valueAt: (x, y) => app.renderer.valueAt(0, [x, y]),
+    get scene() {
+      return structuredClone(app.live?.state ?? null);
+    },
+    setUp: (settings) => app.live?.set(settings),
   };
   window.addEventListener("message", (event) => {
     const changes = (event.data as { lippmann?: Record<string, unknown> } | null)?.lippmann;

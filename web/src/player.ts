@@ -39,6 +39,7 @@ export class Player {
   /** Throws a Refusal for a panel that this device cannot draw, or views that no panel's frame is made of. */
   playOn(display: PanelDisplay): void {
     const { up, title } = this.store.fields[0];
+    if (this.frames.isLive) throw new Refusal("A scene that is set up is not played: render it with `--display`, and play that.");
     if (up.views > 1) throw new Refusal(`${title} has ${up.views} rows of views, and a panel shows one: \`lippmann convert --keep\` takes one of several.`);
     this.frames.playOn(new Interlacer(this.gl, display), playedBudget());
     this.display = display;

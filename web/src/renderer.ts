@@ -180,7 +180,7 @@ export class Renderer {
   /** Made when it is first needed. */
   private eyeProgram(field: Field, depth: boolean, task: Variant["task"], through: Partial<Variant> = {}): Program {
     const byAngle = field.across.by === "angle" || field.up.by === "angle";
-    const variant: Variant = { byAngle, rows: field.up.views > 1, depth, task, screen: false, snap: false, crosstalk: false, ...through };
+    const variant: Variant = { byAngle, rows: field.up.views > 1, depth, task, screen: false, snap: false, crosstalk: false, budget: false, ...through };
     const key = JSON.stringify(variant);
     const made = this.eyePrograms.get(key) ?? new Program(this.gl, eyeShader(variant));
     this.eyePrograms.set(key, made);
@@ -188,7 +188,7 @@ export class Renderer {
   }
 
   private usesDepth(frame: LoadedFrame, state: State): boolean {
-    return state.between === "depth" && frame.depth !== null && !state.lenses && state.crosstalk === 0;
+    return (state.between === "depth" || state.budget) && frame.depth !== null && !state.lenses && state.crosstalk === 0;
   }
 
   private eyeUniforms(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number]): Record<string, Uniform> {
@@ -205,6 +205,7 @@ export class Renderer {
       u_focus: disparityOfDepth(field, state.focus),
       u_line: state.line,
       u_sigma: state.crosstalk,
+      u_budget: Math.min(field.depth_budget_mm ?? 1e9, 1e9),
     };
   }
 
@@ -224,7 +225,8 @@ export class Renderer {
   private eyePass(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number], screen: boolean): [Program, Record<string, Uniform>] {
     const task = state.aperture > 0 ? "refocus" : "eye";
     const crosstalk = task === "eye" && state.crosstalk > 0 && hasCrosstalk(field);
-    const program = this.eyeProgram(field, task === "eye" && this.usesDepth(frame, state), task, { screen, snap: state.lenses, crosstalk });
+    const depth = task === "eye" && this.usesDepth(frame, state);
+    const program = this.eyeProgram(field, depth, task, { screen, snap: state.lenses, crosstalk, budget: depth && state.budget });
     return [program, this.eyeUniforms(field, frame, state, eye, size)];
   }
 

@@ -81,6 +81,8 @@ export interface Variant {
   snap: boolean;
   /** Lenses image neighbouring pixels too. */
   crosstalk: boolean;
+  /** What the display shows sharply is tinted green, what it blurs red. */
+  budget: boolean;
 }
 
 const kTasks = ["eye", "refocus", "line", "find"];
@@ -93,6 +95,7 @@ const preamble = (variant: Variant): string => `#version 300 es
 #define SCREEN ${Number(variant.screen)}
 #define SNAP ${Number(variant.snap)}
 #define CROSSTALK ${Number(variant.crosstalk)}
+#define BUDGET ${Number(variant.budget)}
 `;
 
 const kSrgb = `
@@ -112,6 +115,7 @@ uniform float u_aperture, u_focus;  // share of the zone; disparity
 uniform float u_line;           // 0 ... 1: an epipolar-plane image of the line so far down, eyes from the top
 uniform vec2 u_point;           // of the focus finder, mm
 uniform float u_sigma;          // of crosstalk, views
+uniform float u_budget;         // mm on either side of the plane
 out vec4 color;
 
 // Along the line of sight, front to back, the first disparity at which the view has a surface; .y: whether it is seen there.
@@ -135,6 +139,19 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
   return vec2(u_disparities.x, 1.0);
 }
 
+#if BUDGET
+// Green up to half the budget, yellow at its end, red at twice as much: there a display shows half the detail. What is nowhere
+// has no depth.
+vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
+  vec3 seen = in_view(view, pixel);
+  if (disparity_in_view(view, pixel) < -1e29) return seen;
+  float share = abs(disparity / max(1.0 + disparity * u_vergence, 0.02)) / u_budget;
+  vec3 tint = mix(vec3(0.02, 0.6, 0.08), vec3(0.9, 0.55, 0.02), clamp(2.0 * share - 1.0, 0.0, 1.0));
+  tint = mix(tint, vec3(0.8, 0.02, 0.01), clamp(share - 1.0, 0.0, 1.0));
+  return mix(seen, tint * (0.12 + 0.88 * dot(seen, vec3(0.2126, 0.7152, 0.0722))), 0.7);
+}
+#endif
+
 vec3 in_view_at(ivec2 view, vec2 s, vec2 slope, out float weight) {
   weight = 1.0;
 #if DEPTH
@@ -142,6 +159,9 @@ vec3 in_view_at(ivec2 view, vec2 s, vec2 slope, out float weight) {
   vec2 met = meet(view, s, apart);
   s += apart * met.x;
   weight = met.y > 0.5 ? 1.0 : 0.01;
+#if BUDGET
+  return tinted(view, pixel_of(s), met.x);
+#endif
 #endif
   return in_view(view, pixel_of(s));
 }

@@ -19,6 +19,9 @@ export interface State {
   scale: number;
   speed: number;
   loop: boolean;
+  /** Of a scene that is set up: what dragging the picture does, and whether the depth budget is drawn over it. */
+  drag: "eye" | "turn" | "plane";
+  budget: boolean;
   theme: "dark" | "light";
 }
 
@@ -27,6 +30,7 @@ const kWords: { [Key in keyof State]?: readonly string[] } = {
   stereo: ["off", "anaglyph", "side-by-side", "top-bottom"],
   between: ["depth", "blend"],
   compare: ["first", "second", "wipe", "side-by-side", "difference"],
+  drag: ["eye", "turn", "plane"],
   theme: ["dark", "light"],
 };
 
@@ -61,6 +65,8 @@ export function defaultState(fields: Field[], plays: boolean): State {
     scale: 32,
     speed: 1,
     loop: true,
+    drag: "eye",
+    budget: false,
     theme: "dark",
   };
 }

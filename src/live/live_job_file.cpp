@@ -1,0 +1,51 @@
+#include "live/live_job_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include "core/atomic_file.hpp"
+#include "core/folder.hpp"
+#include "job/job_file.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostNames = 1000;
+
+std::string text_in(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// An empty file of a name that nobody had: whoever comes later finds it taken.
+fs::path take_name(const fs::path& wanted) {
+  for (int i = 1; i <= kMostNames; ++i) {
+    const fs::path file =
+        i == 1 ? wanted : wanted.parent_path() / fmt::format("{}-{}{}", wanted.stem().string(), i, wanted.extension().string());
+    if (std::FILE* made = std::fopen(file.c_str(), "wx")) return std::fclose(made), file;
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) throw Error(file.string(), "cannot be written", "a folder in which files may be made");
+  }
+  throw Error(wanted.string(), "is taken, and so are the names after it", "another name");
+}
+
+}  // namespace
+
+fs::path LiveJobFile::save(const RenderParams& params) {
+  make_folder(wanted_.parent_path());
+  const bool is_own = !written_.empty() && text_in(written_) == text_;
+  const fs::path file = is_own ? written_ : take_name(wanted_);
+  const std::string text = job_text(params, file.parent_path());
+  write_file_atomically(file, std::as_bytes(std::span(text)));
+  written_ = file, text_ = text;
+  return file;
+}
+
+}  // namespace lippmann

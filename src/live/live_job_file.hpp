@@ -1,0 +1,25 @@
+// Where the page's Save writes its job: a file that was not there before, or that it has written itself.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "job/params.hpp"
+
+namespace lippmann {
+
+class LiveJobFile {
+ public:
+  /// `wanted`: the file; where it is taken, stem-2.toml, stem-3.toml, ... beside it.
+  explicit LiveJobFile(std::filesystem::path wanted) : wanted_(std::move(wanted)) {}
+
+  /// Writes the job whole or not at all, over what it wrote last unless somebody has changed that since. Returns the file.
+  /// Throws Error naming it.
+  std::filesystem::path save(const RenderParams& params);
+
+ private:
+  std::filesystem::path wanted_, written_;
+  std::string text_;  ///< of written_
+};
+
+}  // namespace lippmann

@@ -1,0 +1,105 @@
+#include "live/live_passes.hpp"
+
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "folder/develop_frame.hpp"
+#include "frames/frame_maker.hpp"
+#include "image/tone.hpp"
+#include "job/reuse_params.hpp"
+#include "job/test_pattern.hpp"
+#include "job/undo_crosstalk.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "live/view_rays.hpp"
+#include "trace/first_hits.hpp"
+#include "trace/trace_frame.hpp"
+#include "view/disparity_codes.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Traced within a fraction of a second on one core, and enough to see what is where.
+constexpr double kCoarsePixels = 48e3;
+/// Of paths: fewer pixels with less noise show more.
+constexpr int kCoarsePaths = 4;
+
+bool uses_paths(const RenderParams& params) { return integrator_of(params.sampling) == Integrator::kPath; }
+
+/// One frame alone: pixels that could be copied from others are traced, to the same bits and without a search for them.
+FrameParams params_of_one_frame(const RenderParams& params) {
+  FrameParams made_as = frame_params(params);
+  if (std::holds_alternative<CopySettled>(resolved_reuse(made_as))) made_as.reuse = TraceAll{};
+  return made_as;
+}
+
+/// What a panel shows of a film that its optics were traced for, in codes.
+Image8 panel_codes(const LiveStage& live, RenderedFrame rendered) {
+  const JobStage& stage = live.stage();
+  const Optics& optics = stage.placed.optics;
+  const FrameLayout as_shown({}, optics, stage.display.get());
+  develop_frame({as_shown, optics, tone_of(live.params().output.pictures), stage.scene.encoding,
+                 crosstalk_to_undo(live.params(), optics, stage.display.get())},
+                rendered);
+  return to_codes(rendered.pictures.film, stage.scene.encoding);
+}
+
+std::optional<LivePictures> pictures_made_as(LiveStage& live, const PageFacts& facts, int frame, const FrameParams& made_as,
+                                             const Context& context) {
+  JobStage& stage = live.stage();
+  check(made_as, stage.placed.optics);
+  const auto maker = live.params().scene.name == kTestPattern ? make_pattern_frames(stage, live.pool())
+                                                              : make_frame_maker(stage, made_as, live.pool(), context);
+  RenderedFrame rendered = maker->make(frame);
+  if (context.cancelled) return std::nullopt;
+  Image8 panel = panel_codes(live, std::move(rendered));
+  Image8 views = views_quilt({stage.placed.optics, to_linear(panel)}, facts, live.pool(), "preview");
+  return LivePictures{facts.view_size, std::move(views), std::move(panel)};
+}
+
+}  // namespace
+
+std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context) {
+  const RenderParams& params = live.params();
+  if (params.scene.name == kTestPattern) return std::nullopt;
+  JobStage& stage = live.stage();
+  const Vec2i size = coarse_view_size(facts, kCoarsePixels);
+  const Optics rays = view_rays(stage.placed, facts, size);
+  const Moment moment = stage.moment_at(frame);
+  stage.device.update(moment.resolved, live.pool());
+  Sampling sampling = params.sampling;
+  sampling.spp = uses_paths(params) ? kCoarsePaths : 1;
+  sampling.angular_filter = AngularFilter::kNone;
+  Image film;
+  trace_frame({stage.device, rays, moment.world_from_display}, trace_params(sampling, stage), {live.pool(), context}, {film});
+  if (context.cancelled) return std::nullopt;
+  apply_tone(tone_of(params.output.pictures), film);
+  return LivePictures{size, to_codes(film, stage.scene.encoding), std::nullopt};
+}
+
+std::optional<LivePictures> draft_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context) {
+  const RenderParams& params = live.params();
+  if (!uses_paths(params) || samples_per_pixel(params.sampling) <= 2 * kDraftSamples) return std::nullopt;
+  FrameParams draft{params.sampling, AutoReuse{}};
+  draft.sampling.spp = kDraftSamples;
+  draft.sampling.denoise = false;
+  return pictures_made_as(live, facts, frame, draft, context);
+}
+
+std::optional<LivePictures> finished_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context) {
+  return pictures_made_as(live, facts, frame, params_of_one_frame(live.params()), context);
+}
+
+Image8 depth_picture(LiveStage& live, const PageFacts& facts, Vec2i view_size, int frame) {
+  JobStage& stage = live.stage();
+  const Optics rays = view_rays(stage.placed, facts, view_size);
+  const Moment moment = stage.moment_at(frame);
+  stage.device.update(moment.resolved, live.pool());
+  FrameAovs layers;
+  layers.want(Aov::kDepth);
+  find_first_hits({stage.device, rays, moment.world_from_display}, live.params().sampling.order, nullptr, live.pool(), layers);
+  return disparity_codes(layers[Aov::kDepth], facts.axes.vergence, stage.placed.depth_scale, facts.disparity_scale_mm);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,104 @@
+#include "live/live_settings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "job/params_table.hpp"
+#include "job/scene_light.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/display/load_display.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr std::array<std::string_view, 20> kNames{"focus",
+                                                  "fit-to",
+                                                  "zoom",
+                                                  "orbit",
+                                                  "light-scale",
+                                                  "display",
+                                                  "optics",
+                                                  "views",
+                                                  "view-angle",
+                                                  "viewing-distance",
+                                                  "fit-depth",
+                                                  "integrator",
+                                                  "spp",
+                                                  "denoise",
+                                                  "environment",
+                                                  "environment-strength",
+                                                  "environment-rotation",
+                                                  "exposure",
+                                                  "tone",
+                                                  "clamp-indirect"};
+
+std::string value_of(const ParamInfo& info, const RenderParams& params) {
+  const std::vector<std::string> values = info.get(params);
+  return values.empty() ? std::string() : fmt::format("{}", fmt::join(values, ","));
+}
+
+/// Whatever a page says becomes no path.
+void refuse_files(const std::string& name, const std::string& value, const RenderParams& base) {
+  if (name == "display" && !value.empty() && value != base.optics.display && !is_display_preset(value))
+    throw usage_error("display", "the page knows presets alone",
+                      "a name of `lippmann displays`, or `lippmann view --display FILE`");
+  if (name == "environment" && value != base.scene.environment && environment_is_file(value))
+    throw usage_error("environment", "the page takes no files",
+                      "none, studio, a colour, or `lippmann view --environment FILE`");
+}
+
+}  // namespace
+
+std::span<const std::string_view> live_setting_names() { return kNames; }
+
+LiveSettings::LiveSettings(RenderParams base) : base_(std::move(base)) {
+  if (base_.output.frames) frame_ = base_.output.frames->front().first;
+}
+
+RenderParams LiveSettings::applied(const std::map<std::string, std::string>& changes) const {
+  RenderParams params = base_;
+  for (const auto& [name, value] : changes) find_param(name)->set(params, {value}, name);
+  return params;
+}
+
+void LiveSettings::set(const std::string& name, const std::string* value) {
+  if (std::find(kNames.begin(), kNames.end(), name) == kNames.end())
+    throw usage_error(name, "cannot be set from the page", fmt::format("{}", fmt::join(kNames, ", ")));
+  std::map<std::string, std::string> changes = changes_;
+  if (!value) {
+    changes.erase(name);
+  } else {
+    refuse_files(name, *value, base_);
+    changes[name] = *value;
+  }
+  applied(changes);
+  changes_ = std::move(changes);
+}
+
+void LiveSettings::set_frame(int frame, int frame_count) {
+  if (frame < 0 || frame >= frame_count)
+    throw usage_error("frame", fmt::format("{} is outside the animation", frame), fmt::format("0 to {}", frame_count - 1));
+  frame_ = frame;
+}
+
+RenderParams LiveSettings::params() const { return with_scene_defaults(applied(changes_)); }
+
+nlohmann::ordered_json LiveSettings::values() const {
+  const RenderParams all = params();
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  for (const std::string_view name : kNames) values[std::string(name)] = value_of(*find_param(name), all);
+  return values;
+}
+
+nlohmann::ordered_json LiveSettings::changed() const {
+  nlohmann::ordered_json names = nlohmann::ordered_json::array();
+  for (const auto& [name, value] : changes_) names.push_back(name);
+  return names;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,39 @@
+// The stage of a scene whose settings change while it is looked at: only what a change concerns is made anew.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "job/job_stage.hpp"
+#include "job/params.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/parallel.hpp"
+#include "view/page_facts.hpp"
+
+namespace lippmann {
+
+class LiveStage {
+ public:
+  /// Loads the scene. `context` outlives it. Throws Error.
+  LiveStage(const RenderParams& params, const Context& context);
+
+  /// The array is fitted anew and optics are made; the scene is loaded again where it, its light or its integrator is another.
+  /// Throws Error, and then stays as it was.
+  void set(const RenderParams& params);
+
+  const RenderParams& params() const { return params_; }
+  JobStage& stage() { return *stage_; }
+  const JobStage& stage() const { return *stage_; }
+  const ThreadPool& pool() const { return pool_; }
+
+  /// Of its optics, with the scene's title, frames and depth.
+  PageFacts facts() const;
+
+ private:
+  const Context& context_;
+  ThreadPool pool_;
+  RenderParams params_;
+  std::unique_ptr<JobStage> stage_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,98 @@
+#include "view/page_facts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "layout/cameras.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/layout/arrangement.hpp"
+#include "lippmann/replay/eye_sampler.hpp"
+
+namespace lippmann {
+namespace {
+
+/// The most pixels that are made for all eyes of one frame: what takes a second or two.
+constexpr double kMostEyePixels = 6e6;
+constexpr int kMostEyesAcross = 48, kMostEyesUp = 9;
+
+/// Not many more columns than rows, so that textures hold them: of a prime number of views the last tiles stay empty.
+ViewGrid tiles_for(int views) {
+  const ViewGrid full = squarest_tiles(views);
+  if (full.columns <= 3 * full.rows) return full;
+  const int columns = static_cast<int>(std::ceil(std::sqrt(double(views))));
+  return {columns, (views + columns - 1) / columns};
+}
+
+/// The views of a panel without views of whole pixels: as many eyes as there are directions, in pictures that memory holds.
+void describe_eyes(const Optics& optics, PageFacts& facts) {
+  const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMostEyesAcross, kMostEyesUp));
+  facts.grid = {counts.x, counts.y};
+  const Vec2i size = natural_view_size(optics);
+  const double share = kMostEyePixels / (double(size.x) * size.y * facts.grid.count());
+  facts.view_size = glm::max(Vec2i(Vec2d(size) * std::sqrt(std::min(share, 1.0))), Vec2i(1));
+  facts.tiles = tiles_for(facts.grid.count());
+  facts.panel = PanelPicture::kOwn;
+}
+
+void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& facts) {
+  facts.grid = film.grid;
+  facts.view_size = view_size(film, picture_size(optics), "panel");
+  const bool is_quilt = film.kind == LayoutKind::kQuilt;
+  facts.tiles = is_quilt ? film.tiles : tiles_for(film.grid.count());
+  facts.panel = film.kind == LayoutKind::kIntegral ? PanelPicture::kIntegral : PanelPicture::kQuilt;
+  const std::optional<LensArray> lenses = lens_array(optics);
+  facts.lens_samples_across = lenses.has_value();
+  facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
+}
+
+Image seen_by_eyes(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool) {
+  const Vec2i size = facts.view_size;
+  const ViewGrid &grid = facts.grid, &tiles = facts.tiles;
+  Image quilt(size.x * tiles.columns, size.y * tiles.rows, 3);
+  const EyeSampler sampler(rendered, SampleFilter::kLinear);
+  pool.for_each(static_cast<std::size_t>(grid.count() * size.y), [&](std::size_t line) {
+    const int view = static_cast<int>(line) / size.y, y = static_cast<int>(line) % size.y;
+    const Viewer viewer = eye_of_view(facts, view);
+    const Vec2i origin(view % tiles.columns * size.x, (tiles.rows - 1 - view / tiles.columns) * size.y);
+    for (int x = 0; x < size.x; ++x) {
+      const Vec3f color = sampler.color(viewer, facts.window.point_at({x + 0.5, y + 0.5}, size));
+      for (int c = 0; c < 3; ++c) quilt.pixel(origin.x + x, origin.y + y)[c] = color[c];
+    }
+  });
+  return quilt;
+}
+
+}  // namespace
+
+PageFacts page_facts(const Optics& optics) {
+  PageFacts facts;
+  if (const std::optional<RenderedViews> views = rendered_views(optics))
+    describe_views(optics, views->film, facts);
+  else
+    describe_eyes(optics, facts);
+  facts.window = display_window(optics);
+  facts.axes = view_axes(optics, facts.grid);
+  facts.eye_mm = default_eye_mm(optics);
+  facts.panel_size = picture_size(optics);
+  if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) facts.slanted = *slanted;
+  facts.depth_budget_mm = depth_budget_mm(optics);
+  facts.disparity_scale_mm = facts.window.size.y;
+  return facts;
+}
+
+Viewer eye_of_view(const PageFacts& facts, int view) {
+  const int columns = facts.grid.columns;
+  return {{facts.axes.across.slope(view % columns), facts.axes.up.slope(view / columns)}, facts.axes.vergence};
+}
+
+Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where) {
+  const ViewLayout quilt{LayoutKind::kQuilt, facts.grid, facts.tiles};
+  const std::optional<RenderedViews> views = rendered_views(rendered.optics);
+  if (!views) return to_codes(seen_by_eyes(rendered, facts, pool), Encoding::kSrgb);
+  const Vec2i size(rendered.picture.width, rendered.picture.height);
+  if (facts.panel == PanelPicture::kQuilt && size == picture_size(quilt, facts.view_size))
+    return to_codes(rendered.picture, Encoding::kSrgb);
+  return to_codes(Arrangement(views->film, quilt, size, where).apply(rendered.picture), Encoding::kSrgb);
+}
+
+}  // namespace lippmann

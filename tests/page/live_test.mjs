@@ -1,0 +1,138 @@
+// A scene that is set up in the page: dragging the plane renders it anew, the saved job renders what was seen, a render runs and
+// is cancelled, and the keyboard reaches all of it.
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { test } from "node:test";
+import { inFolder, lippmann, open, view } from "./support.mjs";
+
+const page = await open(await view("room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--frames", "0-3"), { width: 820, height: 420 });
+page.setDefaultTimeout(90000);
+const atRest = () => page.waitForSelector('#stage[data-rest="true"]');
+const scene = () => page.evaluate(() => window.lippmann.scene);
+const codes = (one) => one.evaluate(async () => [...(await window.lippmann.picture(64, 64))]);
+const notice = (pattern) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#notice").textContent), pattern);
+
+/** Until settings that were just changed are rendered. */
+async function renderedAfter(version) {
+  await page.waitForFunction((version) => window.lippmann.scene.version > version, version);
+  await atRest();
+}
+
+async function dragBy(x, y) {
+  const box = await page.locator("#canvas").boundingBox();
+  const [left, top] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(left, top);
+  await page.mouse.down();
+  await page.mouse.move(left + x, top + y, { steps: 5 });
+  await page.mouse.up();
+}
+
+test("dragging moves the plane and turns the camera, and the scene is rendered again", async () => {
+  await atRest();
+  const before = await scene();
+  // A plane that moves leaves the view from the middle as it is; from the side all moves.
+  await page.evaluate(() => window.lippmann.set({ drag: "plane", eye: [25, 0, window.lippmann.fields[0].eye_mm[2]] }));
+  const seen = await codes(page);
+  await dragBy(0, -90);
+  await renderedAfter(before.version);
+  const after = await scene();
+  assert.ok(after.plane.distance > before.plane.distance + 0.1, `${before.plane.distance}, ${after.plane.distance}`);
+  assert.notDeepEqual(await codes(page), seen);
+  await page.getByLabel("Dragging the picture").selectOption("turn");
+  await dragBy(-60, 30);
+  await renderedAfter(after.version);
+  const [yaw, pitch] = (await scene()).settings.orbit.split(",").map(Number);
+  assert.ok(yaw > 5 && pitch > 2, `${yaw}, ${pitch}`);
+  assert.match(await page.locator("#facts").textContent(), /as rendered/);
+});
+
+test("a click puts the plane where something is seen", async () => {
+  const before = await scene();
+  await page.getByLabel("Dragging the picture").selectOption("plane");
+  await page.locator("#canvas").click({ position: { x: 230, y: 190 } });
+  await renderedAfter(before.version);
+  assert.notEqual((await scene()).plane.distance, before.plane.distance);
+  await page.evaluate(() => window.lippmann.set({ drag: "eye" }));
+});
+
+test("the saved job renders what is seen, code by code", async () => {
+  await page.getByRole("slider", { name: "Frame" }).fill("2");
+  await page.waitForSelector('#stage[data-frame="2"][data-rest="true"]');
+  await page.getByRole("button", { name: "Save job" }).click();
+  await page.waitForFunction(() => window.lippmann.scene.saved === "room.toml");
+  lippmann("render", "room.toml", "--frames", "2", "-o", "again", "-q");
+  const again = await open(await view("again"), { width: 820, height: 420 });
+  const eye = await page.evaluate(() => window.lippmann.state.eye);
+  await again.evaluate((eye) => window.lippmann.set({ eye, between: "blend" }), eye);
+  await page.evaluate(() => window.lippmann.set({ between: "blend" }));
+  assert.deepEqual(await codes(page), await codes(again));
+  await again.context().close();
+});
+
+test("settings that cannot be are said in words, and the page goes on", async () => {
+  await page.evaluate(() => window.lippmann.setUp({ zoom: "-1" }));
+  await notice("zoom");
+  const { version } = await scene();
+  await page.evaluate(() => window.lippmann.setUp({ focus: "nobody" }));
+  await notice("focus");
+  await page.getByRole("button", { name: "Save job" }).click();
+  await notice("settings: .*nobody");
+  await page.evaluate(() => window.lippmann.setUp({ focus: null }));
+  await renderedAfter(version + 1);
+  await page.waitForFunction(() => !/nobody/.test(document.querySelector("#notice").textContent));
+});
+
+test("a render runs from the page, with a bar, and can be cancelled", async () => {
+  await page.getByRole("button", { name: "Render this frame" }).click();
+  await page.waitForFunction(() => window.lippmann.scene.render?.state === "finished");
+  assert.ok(existsSync(inFolder("out/room/frame_0002.png")));
+  await atRest();
+  // Settings that take a while: a render that has ended cannot be cancelled.
+  await page.evaluate(() => window.lippmann.setUp({ integrator: "path", spp: "512" }));
+  await page.waitForFunction(() => window.lippmann.scene.settings.spp === "512");
+  await page.getByRole("button", { name: "Render all frames" }).click();
+  await page.getByRole("progressbar", { name: "Render" }).waitFor();
+  await page.getByRole("button", { name: "Cancel" }).click();
+  await page.waitForFunction(() => window.lippmann.scene.render.state === "stopped");
+  await page.getByText(/Stopped after 0 of 4 frames: out.room-2/).waitFor();
+  await page.evaluate(() => window.lippmann.setUp({ integrator: null, spp: null }));
+  await atRest();
+});
+
+// Within a narrow cone all of the room is sharp, within a wide one hardly anything is.
+test("the depth budget is drawn over the picture: green is sharp, red blurs", async () => {
+  const excess = () => page.evaluate(async () => (await window.lippmann.picture(64, 64)).reduce((sum, code, i) => sum + (i % 4 === 1 ? 2 * code : i % 4 === 3 ? 0 : -code), 0));
+  for (const [angle, sign] of [["2", 1], ["90", -1]]) {
+    const { version } = await scene();
+    await page.evaluate((angle) => window.lippmann.setUp({ "view-angle": angle, "fit-depth": "false" }), angle);
+    await renderedAfter(version);
+    const without = await excess();
+    await page.getByLabel("Show the depth budget").check();
+    const by = (await excess()) - without;
+    assert.ok(sign * by > 64 * 64 * 20, `${angle} degrees: greener by ${by}`);
+    await page.getByLabel("Show the depth budget").uncheck();
+  }
+});
+
+test("the keyboard alone reaches every control and moves the plane", async () => {
+  const wanted = await page.evaluate(() => [...document.querySelectorAll("button, input, select, canvas")].filter((one) => one.checkVisibility()).length);
+  await page.locator("#canvas").focus();
+  const reached = new Set();
+  for (let i = 0; i < wanted + 2; i++) {
+    const [name, index] = await page.evaluate(() => {
+      const one = document.activeElement;
+      return [one === document.body ? "none" : one.labels?.[0]?.textContent || one.getAttribute("aria-label") || one.textContent || "", [...document.querySelectorAll("*")].indexOf(one)];
+    });
+    assert.notEqual(name.trim(), "");
+    if (name !== "none") reached.add(index);
+    await page.keyboard.press("Tab");
+  }
+  assert.equal(reached.size, wanted);
+  const before = await scene();
+  await page.getByRole("slider", { name: "Display plane" }).focus();
+  await page.keyboard.press("ArrowRight");
+  await renderedAfter(before.version);
+  assert.ok((await scene()).plane.distance > before.plane.distance);
+  // Browsers write to their console, too, that settings are refused (422), and that an idle connection was closed.
+  assert.deepEqual(page.complaints.filter((text) => !/422|SOCKET_NOT_CONNECTED/.test(text)), []);
+});

@@ -1,0 +1,197 @@
+// A scene that is set up live: what the program says of it, its newest pictures, and what is asked of it (docs/view.md lists the
+// keys). Settings are texts by the names of `lippmann render`'s flags.
+import { loadPicture, postText, readState } from "./data";
+import { Refusal, type Field } from "./field";
+import type { Frames } from "./frames";
+
+export interface Rendered {
+  state: "running" | "finished" | "stopped" | "failed";
+  frames: number;
+  done: number;
+  share: number;
+  seconds_left: number | null;
+  folder: string;
+  error: string;
+}
+
+export interface LiveState {
+  serial: number;
+  version: number;
+  settings: Record<string, string>;
+  changed: string[];
+  frame: number;
+  error: string;
+  pass: "" | "coarse" | "draft" | "final";
+  share: number;
+  plane: { distance: number; nearest: number; farthest: number } | null;
+  depth: { budget_mm: number | null; summary: string };
+  view: string;
+  light: string;
+  picture: { id: number; version: number; frame: number; pass: string; view_size: [number, number]; depth: boolean; panel: boolean; field: Omit<Field, "frames"> } | null;
+  saved: string;
+  render: Rendered | null;
+}
+
+export interface Choices {
+  choices: Record<string, string[]>;
+}
+
+interface Changes {
+  settings?: Record<string, string | null>;
+  frame?: number;
+  plane_mm?: number;
+}
+
+const pause = (milliseconds: number): Promise<void> => new Promise((resolve) => window.setTimeout(resolve, milliseconds));
+
+export class Live {
+  state: LiveState | null = null;
+  /** What was asked for and is not confirmed yet: controls show it at once. */
+  private wanted: Record<string, string> = {};
+  private waiting: Changes | null = null;
+  private confirmed = 0;
+  private sending = false;
+  private shownId = 0;
+
+  constructor(
+    readonly about: Choices,
+    private readonly field: Field,
+    private readonly frames: Frames,
+    private readonly changed: (picture: boolean) => void,
+    private readonly notify: (about: string, text: string) => void,
+  ) {
+    frames.isLive = true;
+    void this.listen();
+  }
+
+  /** The text of a setting as it is or soon will be. */
+  value(name: string): string {
+    return this.wanted[name] ?? this.state?.settings[name] ?? "";
+  }
+
+  /** Of what is not confirmed yet. */
+  pendingNumber(name: string): number | undefined {
+    return name in this.wanted ? Number(this.wanted[name]) : undefined;
+  }
+
+  number(name: string, otherwise: number): number {
+    const text = this.value(name);
+    const number = Number(text);
+    return text === "" || !Number.isFinite(number) ? otherwise : number;
+  }
+
+  /** The frame of the picture that is shown; -1: none yet. */
+  get shownFrame(): number {
+    return this.shownId > 0 ? (this.state?.picture?.frame ?? -1) : -1;
+  }
+
+  /** Whether what is shown is the render of the settings in force. */
+  get isAtRest(): boolean {
+    const { state } = this;
+    const picture = state?.picture;
+    return !!state && !!picture && !this.sending && picture.id === this.shownId && picture.version === state.version && picture.pass === "final";
+  }
+
+  set(settings: Record<string, string | null>): void {
+    for (const [name, value] of Object.entries(settings)) if (value !== null) this.wanted[name] = value;
+    this.notify("asked", "");
+    this.waiting = { ...this.waiting, settings: { ...this.waiting?.settings, ...settings } };
+    void this.send();
+    this.changed(false);
+  }
+
+  setFrame(frame: number): void {
+    if (frame === this.state?.frame && !this.waiting) return;
+    this.waiting = { ...this.waiting, frame };
+    void this.send();
+  }
+
+  /** The plane goes where something is seen at that depth. */
+  setPlane(plane_mm: number): void {
+    this.waiting = { ...this.waiting, plane_mm };
+    void this.send();
+  }
+
+  /** One request at a time: what is dragged meanwhile goes with the next. */
+  private async send(): Promise<void> {
+    if (this.sending || !this.waiting) return;
+    this.sending = true;
+    const changes = this.waiting;
+    this.waiting = null;
+    try {
+      this.confirmed = (await this.post("settings", changes) as { version: number }).version;
+      this.notify("setting", "");
+    } catch (error) {
+      this.wanted = {};
+      this.notify("setting", error instanceof Error ? error.message : String(error));
+    }
+    this.sending = false;
+    void this.send();
+    this.changed(false);
+  }
+
+  private async post(path: string, body: unknown): Promise<unknown> {
+    return JSON.parse(await postText(`live/${path}`, JSON.stringify(body)));
+  }
+
+  private async ask(path: string, body: unknown): Promise<void> {
+    try {
+      await this.post(path, body);
+      this.notify("asked", "");
+    } catch (error) {
+      this.notify("asked", error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  async save(): Promise<void> {
+    await this.ask("save", {});
+  }
+
+  render(frames: "all" | "this"): void {
+    void this.ask("render", { frames });
+  }
+
+  cancel(): void {
+    void this.ask("cancel", {});
+  }
+
+  private async listen(): Promise<void> {
+    for (;;) {
+      const asked = performance.now();
+      try {
+        const state = (await readState(`live/state/${this.state?.serial ?? 0}`)) as LiveState;
+        const before = this.state;
+        const shown = this.shownId;
+        const isNews = state.serial !== before?.serial || state.share !== before.share || JSON.stringify(state.render) !== JSON.stringify(before.render);
+        this.take(state);
+        if (state.picture && state.picture.id !== this.shownId) await this.load(state.picture);
+        if (isNews || shown !== this.shownId) this.changed(shown !== this.shownId);
+        this.notify("server", "");
+        if (!isNews && performance.now() - asked < 100) await pause(250);
+      } catch (error) {
+        this.notify("server", error instanceof Refusal ? error.message : String(error));
+        await pause(2000);
+      }
+    }
+  }
+
+  private take(state: LiveState): void {
+    this.state = state;
+    if (!this.sending && !this.waiting && state.version >= this.confirmed) this.wanted = {};
+    this.notify("error", state.error);
+  }
+
+  private async load(picture: NonNullable<LiveState["picture"]>): Promise<void> {
+    const { id, field } = picture;
+    const [views, depth, panel] = await Promise.all([
+      loadPicture(`live/views/${id}`),
+      picture.depth ? loadPicture(`live/depth/${id}`) : null,
+      picture.panel && field.panel.is === "own" ? loadPicture(`live/panel/${id}`) : null,
+    ]);
+    // Empty: a newer one has taken its place meanwhile, and is asked for next.
+    if ([views, depth, panel].some((one) => one?.size === 0)) return;
+    await this.frames.showLive({ ...this.field, ...field }, { views, depth, panel });
+    Object.assign(this.field, field);
+    this.shownId = id;
+  }
+}
