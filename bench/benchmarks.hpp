@@ -7,6 +7,7 @@ namespace lippmann::bench {
 
 Report measure_denoise(const Request& request, const Context& context);
 Report measure_estimates(const Request& request, const Context& context);
+Report measure_lamps(const Request& request, const Context& context);
 Report measure_light(const Request& request, const Context& context);
 Report measure_native(const Request& request, const Context& context);
 Report measure_paper(const Request& request, const Context& context);

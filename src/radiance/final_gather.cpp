@@ -79,7 +79,7 @@ void FinalGather::vertex(const RayHitPacket& packet, int i, const PathRay& ray, 
   add_rounds(asking);
   for (const LightGroups groups : {kSun, kLamps, kSkyLight}) add_lights(groups, asking);
   if (albedo != Vec3f(0.0f)) ask_cache(packet, i, ray, bsdf.normal(), albedo, length);
-  if (has_gloss) reflect(point, gloss, ray, length);
+  if (has_gloss) reflect(point, gloss, bsdf.lit_side(), ray, length);
 }
 
 /// For soft light on a diffuse surface: all that ask wait for end_packet().
@@ -101,7 +101,7 @@ void FinalGather::follow_path(const RayHitPacket& packet, int i, const PathRay& 
 void FinalGather::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
   if (lights().points() > kFewLights) {
     if (const std::optional<LightSample> light =
-            lights().sample(kPointLights, point.position, draw(ray, kChoicePair).x, Vec2f(0.0f)))
+            lights().sample(kPointLights, {point.position, bsdf.lit_side()}, draw(ray, kChoicePair).x, Vec2f(0.0f)))
       shine(point, bsdf, *light, ray, to_others_);
     return;
   }
@@ -125,7 +125,7 @@ void FinalGather::add_lights(LightGroups groups, const Asking& asking) {
   if (!(is_diffuse || asking.gloss) || !(lights().chance(groups) > 0.0f)) return;
   const PathRay& ray = asking.ray;
   if (const std::optional<LightSample> light =
-          lights().sample(groups, asking.point.position, draw(ray, kChoicePair).x, draw(ray, kOnLightPair)))
+          lights().sample(groups, asking.receiver(), draw(ray, kChoicePair).x, draw(ray, kOnLightPair)))
     add_light(*light, is_diffuse, asking);
 }
 
@@ -155,13 +155,13 @@ void FinalGather::add_light(const LightSample& light, bool is_diffuse, const Ask
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) to_others_.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
 
-void FinalGather::reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length) {
+void FinalGather::reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f lit_side, const PathRay& ray, float length) {
   const Vec2f choice = draw(ray, kChoicePair);
   const std::optional<BsdfSample> sample = gloss.sample(choice.y, gloss.is_sharp() ? Vec2f(0.0f) : draw(ray, kWayPair));
   if (!sample || !is_possible(point, sample->direction, sample->transmitted)) return;
   Vec3f throughput = ray.throughput * sample->weight;
   if (survives(throughput, std::min(1.0f, kFaint * largest(throughput)), choice.x))
-    go_on(ray, point, *sample, throughput, length, counts_.reflection);
+    go_on(ray, point, lit_side, *sample, throughput, length, counts_.reflection);
 }
 
 void FinalGather::add_cached(const PathRay& ray, Vec3f radiance, const CachePoint& place) {

@@ -44,7 +44,7 @@ class FinalGather : public PathTracer<FinalGather> {
   float chance(LightGroups groups) const { return lights().chance(groups); }
   /// And for each lamp that has a size, where they are few.
   float chance_of_round(std::size_t k) const {
-    return asks_all_rounds() ? lights().chance_of_round(k) : lights().chance(kRoundLights);
+    return asks_all_rounds() ? lights().chance_of_round(k, {}) : lights().chance(kRoundLights);
   }
   bool asks_all_rounds() const { return lights().rounds() <= kFewLights; }
   void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
@@ -59,11 +59,12 @@ class FinalGather : public PathTracer<FinalGather> {
     const Bsdf* gloss;  ///< null: it has none, or only a sharp one
     Vec3f albedo;
     const PathRay& ray;
+    LightReceiver receiver() const { return {point.position, bsdf.lit_side()}; }
   };
   void add_rounds(const Asking& asking);
   void add_lights(LightGroups groups, const Asking& asking);
   void add_light(const LightSample& light, bool is_diffuse, const Asking& asking);
-  void reflect(const ShadingPoint& point, const Bsdf& gloss, const PathRay& ray, float length);
+  void reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f lit_side, const PathRay& ray, float length);
   void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
 
   // Phong's surfaces, side by side where all lights that are sampled are points.

@@ -65,7 +65,7 @@ void FinalGather::reflect_phong(const RayHitPacket& packet, const LaneMask& lane
     if (!glossy.active.lane[i]) continue;
     BsdfSample sample;
     sample.direction = glossy.direction.get(i), sample.density = kInfinity, sample.straight = glossy.straight.lane[i] != 0;
-    go_on(rays[i], shading_point(scene_, surface_, i), sample, glossy.throughput.get(i),
+    go_on(rays[i], shading_point(scene_, surface_, i), Vec3f(0.0f), sample, glossy.throughput.get(i),
           rays[i].path_length + packet.ray.tfar[i], counts_.reflection);
   }
 }

@@ -86,11 +86,11 @@ void SurfacePlaces::update_lights() {
   lights_.resize(scene_.lights.size(), Vec3f(std::nanf("")));
   for (std::size_t l = 0; l < lights_.size(); ++l) {
     const float moved = glm::length(scene_.lights[l].position - lights_[l]);
-    if (scene_.lights[l].at_place > 0.0f && std::isfinite(moved)) lights_moved_ += table.chance_of_lamp(l) * moved;
+    if (scene_.lights[l].at_place > 0.0f && std::isfinite(moved)) lights_moved_ += table.share_of_lamp(l) * moved;
     lights_[l] = scene_.lights[l].position;
   }
   for (std::size_t r = 0; r < scene_.records.size(); ++r) {
-    const float chance = table.chance_of_record(r);
+    const float chance = table.share_of_record(r);
     if (!(chance > 0.0f)) continue;
     const Space& space = spaces_[scene_.records[r].instance];
     if (space.moves)

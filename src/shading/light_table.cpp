@@ -6,6 +6,7 @@
 #include "shading/look_up.hpp"
 #include "shading/round_lights.hpp"
 #include "shading/shaded_scene.hpp"
+#include "shading/tree_lights.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/sampling.hpp"
 
@@ -28,10 +29,24 @@ float strength(const WhittedLight& light, Vec3f direction, float distance) {
   return s;
 }
 
+float finite(float power) { return std::isfinite(power) ? power : 0.0f; }
+
 /// What a light sends into the scene, so that all kinds can be compared: irradiance is taken as falling on its cross-section.
 float power(const WhittedLight& light, float unit, float size) {
   const float color = unit * luminance(light.color);
-  return light.falls_off > 0.0f ? 4.0f * kPi * color : kPi * size * size * color;
+  return finite(light.falls_off > 0.0f ? 4.0f * kPi * color : kPi * size * size * color);
+}
+
+/// What tree_lights knows of them goes into a tree, and their power with it: from `powers` on from `first` into its last.
+LightTree tree_of(std::span<const TreeLight> lights, std::size_t most_by_power, std::vector<float>& powers, std::size_t first) {
+  const auto in_tree = std::count_if(lights.begin(), lights.end(), [](const TreeLight& l) { return l.power > 0.0f; });
+  powers.push_back(0.0f);
+  if (static_cast<std::size_t>(in_tree) <= most_by_power) return {};
+  double sum = 0.0;
+  for (std::size_t l = 0; l < lights.size(); ++l)
+    if (lights[l].power > 0.0f) sum += static_cast<double>(std::exchange(powers[first + l], 0.0f));
+  powers.back() = static_cast<float>(sum);
+  return LightTree(lights);
 }
 
 }  // namespace
@@ -41,20 +56,19 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
       environment_(environment),
       unit_(has_phong(sources.scene) ? kPi : 1.0f),
       first_triangle_(sources.records.size(), -1) {
-  std::vector<float> powers;
-  for (const WhittedLight& light : sources_.lights) powers.push_back(power(light, unit_, sources_.size));
   find_rounds();
-  for (const std::size_t light : rounds_) powers.push_back(std::exchange(powers[light], 0.0f));
+  std::vector<float> powers;
+  add_points(powers);
+  add_rounds(powers);
   const float of_sky = 4.0f * kPi * kPi * sources_.size * sources_.size * luminance(environment_.mean_radiance());
-  powers.push_back(of_sky * environment_.sun_share());
+  powers.push_back(finite(of_sky * environment_.sun_share()));
   add_triangles(powers);
-  powers.push_back(of_sky * (1.0f - environment_.sun_share()));
-  for (float& p : powers)
-    if (!std::isfinite(p)) p = 0.0f;
+  powers.push_back(finite(of_sky * (1.0f - environment_.sun_share())));
   chances_ = DiscreteDistribution(powers);
   if (chances_.empty()) return;
+  for (float& share : record_shares_) share /= static_cast<float>(chances_.total());
   begins_ = {0.0f,
-             chances_.probability_before(points()),
+             chances_.probability_before(first_round()),
              chances_.probability_before(sun()),
              chances_.probability_before(first_triangle()),
              chances_.probability_before(powers.size() - 1),
@@ -66,71 +80,126 @@ void LightTable::find_rounds() {
     if (!is_round(sources_.lights[l], sources_.size)) continue;
     round_of_.resize(points(), -1);
     round_of_[l] = static_cast<int>(rounds_.size());
+    if (!(sources_.lights[l].at_place > 0.0f)) suns_.push_back(static_cast<std::uint32_t>(rounds_.size()));
     rounds_.push_back(l);
   }
 }
 
+void LightTable::add_points(std::vector<float>& powers) {
+  std::vector<TreeLight> lights(points());
+  for (std::size_t l = 0; l < points(); ++l) {
+    powers.push_back(has_size(l) ? 0.0f : power(sources_.lights[l], unit_, sources_.size));
+    if (powers.back() > 0.0f) lights[l] = tree_light(sources_.lights[l]);
+  }
+  point_tree_ = tree_of(lights, kMostLampsByPower, powers, 0);
+}
+
+void LightTable::add_rounds(std::vector<float>& powers) {
+  const std::size_t first = powers.size();
+  std::vector<TreeLight> lights(rounds());
+  for (std::size_t k = 0; k < rounds(); ++k) {
+    powers.push_back(power(sources_.lights[rounds_[k]], unit_, sources_.size));
+    if (powers.back() > 0.0f) lights[k] = tree_light(sources_.lights[rounds_[k]]);
+  }
+  round_tree_ = tree_of(lights, kMostLampsByPower, powers, first);
+}
+
 void LightTable::add_triangles(std::vector<float>& powers) {
-  for (std::size_t r = 0; r < sources_.records.size(); ++r) {
-    const GeometryRecord& record = sources_.records[r];
-    if (record.kind != GeometryKind::kMesh || record.hidden) continue;
-    const Instance& instance = sources_.scene.instances[record.instance];
-    const WhittedMaterial& material = sources_.materials[static_cast<std::size_t>(instance.material)];
-    if (material.emission == Vec3f(0.0f)) continue;
-    float radiance = luminance(material.emission);
-    if (material.emission_map.texture >= 0) {
-      const DeviceTexture::Level& mean =
-          sources_.textures[static_cast<std::size_t>(material.emission_map.texture)].levels.back();
-      // Not 0 for a texture that is nearly dark: its bright texels must have a chance.
-      radiance *= std::max(luminance(Vec3f(mean.rgba[0], mean.rgba[1], mean.rgba[2]) / 65535.0f), 1e-3f);
-    }
-    first_triangle_[r] = static_cast<int>(triangles_.size());
-    const Affine3f place = record.placed ? record.world_from_mesh : Affine3f{};
-    for (std::uint32_t t = 0; t < record.mesh->triangles.size(); ++t) {
-      const auto& [a, b, c] = record.mesh->triangles[t];
-      const Vec3f origin = transform_point(place, record.mesh->positions[a]);
-      const Vec3f edge_b = transform_point(place, record.mesh->positions[b]) - origin;
-      const Vec3f edge_c = transform_point(place, record.mesh->positions[c]) - origin;
-      const Vec3f n = glm::cross(edge_b, edge_c);
-      const float twice_area = glm::length(n);
-      const bool has_area = twice_area > 0.0f && std::isfinite(twice_area);
-      triangles_.push_back({origin, edge_b, edge_c, has_area ? n / twice_area : Vec3f(0.0f), 0.5f * twice_area,
-                            static_cast<std::uint32_t>(r), t});
-      powers.push_back(has_area ? kPi * 2.0f * triangles_.back().area * radiance : 0.0f);  // shines on both sides
-    }
+  const std::size_t first = powers.size();
+  for (std::size_t r = 0; r < sources_.records.size(); ++r) add_triangles_of(r, powers);
+  std::vector<TreeLight> lights(triangles_.size());
+  for (std::size_t t = 0; t < triangles_.size(); ++t)
+    if (powers[first + t] > 0.0f)
+      lights[t] = tree_light(triangles_[t].origin, triangles_[t].edge_b, triangles_[t].edge_c, powers[first + t]);
+  triangle_tree_ = tree_of(lights, kMostTrianglesByPower, powers, first);
+}
+
+void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
+  const GeometryRecord& record = sources_.records[r];
+  if (record.kind != GeometryKind::kMesh || record.hidden) return;
+  const Instance& instance = sources_.scene.instances[record.instance];
+  const WhittedMaterial& material = sources_.materials[static_cast<std::size_t>(instance.material)];
+  if (material.emission == Vec3f(0.0f)) return;
+  float radiance = luminance(material.emission);
+  if (material.emission_map.texture >= 0) {
+    const DeviceTexture::Level& mean = sources_.textures[static_cast<std::size_t>(material.emission_map.texture)].levels.back();
+    // Not 0 for a texture that is nearly dark: its bright texels must have a chance.
+    radiance *= std::max(luminance(Vec3f(mean.rgba[0], mean.rgba[1], mean.rgba[2]) / 65535.0f), 1e-3f);
+  }
+  first_triangle_[r] = static_cast<int>(triangles_.size());
+  record_shares_.resize(sources_.records.size(), 0.0f);
+  const Affine3f place = record.placed ? record.world_from_mesh : Affine3f{};
+  for (std::uint32_t t = 0; t < record.mesh->triangles.size(); ++t) {
+    const auto& [a, b, c] = record.mesh->triangles[t];
+    const Vec3f origin = transform_point(place, record.mesh->positions[a]);
+    const Vec3f edge_b = transform_point(place, record.mesh->positions[b]) - origin;
+    const Vec3f edge_c = transform_point(place, record.mesh->positions[c]) - origin;
+    const Vec3f n = glm::cross(edge_b, edge_c);
+    const float twice_area = glm::length(n);
+    const bool has_area = twice_area > 0.0f && std::isfinite(twice_area);
+    triangles_.push_back(
+        {origin, edge_b, edge_c, has_area ? n / twice_area : Vec3f(0.0f), 0.5f * twice_area, static_cast<std::uint32_t>(r), t});
+    // Both sides shine.
+    powers.push_back(has_area ? finite(kPi * 2.0f * triangles_.back().area * radiance) : 0.0f);
+    record_shares_[r] += powers.back();
   }
 }
 
-std::optional<LightSample> LightTable::sample(Vec3f from, float pick, Vec2f u) const {
-  if (chances_.empty()) return std::nullopt;
+/// A tree draws anew, with what is left of the number that has chosen it.
+std::optional<LightTable::Chosen> LightTable::choose(const LightReceiver& at, float pick) const {
   float rest = 0.0f;
-  const std::size_t chosen = chances_.sample(pick, rest);
-  const float chance = chances_.probability(chosen);
-  std::optional<LightSample> s;
-  if (chosen < points())
-    s = sample_point(chosen, from);
-  else if (chosen < sun())
-    s = round(chosen - points(), from, u);
-  else if (chosen == sun())
-    s = sample_sky(environment_.sample_sun(u));
-  else if (chosen < first_triangle() + triangles_.size())
-    s = sample_triangle_light(triangles_[chosen - first_triangle()], from, u);
-  else
-    s = sample_sky(environment_.sample_rest(u));
+  const std::size_t entry = chances_.sample(pick, rest);
+  const float chance = chances_.probability(entry);
+  const auto of_tree = [&](const LightTree& tree, std::size_t first) -> std::optional<Chosen> {
+    const std::optional<LightTree::Choice> choice = tree.choose(at, rest);
+    if (!choice) return std::nullopt;
+    return Chosen{first + choice->light, chance * choice->probability};
+  };
+  if (entry == point_tree()) return of_tree(point_tree_, 0);
+  if (entry == round_tree()) return of_tree(round_tree_, first_round());
+  if (entry == triangle_tree()) return of_tree(triangle_tree_, first_triangle());
+  return Chosen{entry, chance};
+}
+
+std::optional<LightSample> LightTable::sample_entry(std::size_t entry, Vec3f from, Vec2f u) const {
+  if (entry < points()) return sample_point(entry, from);
+  if (entry < round_tree()) return round(entry - first_round(), from, u);
+  if (entry == sun()) return sample_sky(environment_.sample_sun(u));
+  if (entry < triangle_tree()) return sample_triangle_light(triangles_[entry - first_triangle()], from, u);
+  return sample_sky(environment_.sample_rest(u));
+}
+
+std::optional<LightSample> LightTable::sample(const LightReceiver& at, float pick, Vec2f u) const {
+  if (chances_.empty()) return std::nullopt;
+  const std::optional<Chosen> chosen = choose(at, pick);
+  if (!chosen) return std::nullopt;
+  std::optional<LightSample> s = sample_entry(chosen->entry, at.position, u);
   if (!s) return std::nullopt;
-  if (s->is_point()) s->radiance /= chance;
-  s->density *= chance;
+  if (s->is_point()) s->radiance /= chosen->chance;
+  s->density *= chosen->chance;
   return s;
 }
 
-std::optional<LightSample> LightTable::sample(LightGroups groups, Vec3f from, float pick, Vec2f u) const {
+std::optional<LightSample> LightTable::sample(LightGroups groups, const LightReceiver& at, float pick, Vec2f u) const {
   const float share = chance(groups), begin = begin_of(groups.begin);
   if (!(share > 0.0f)) return std::nullopt;
-  std::optional<LightSample> s = sample(from, std::clamp(begin + share * pick, begin, begin_of(groups.end) * kBelowOne), u);
+  std::optional<LightSample> s = sample(at, std::clamp(begin + share * pick, begin, begin_of(groups.end) * kBelowOne), u);
   if (!s) return std::nullopt;
   s->density /= share;
   if (s->is_point()) s->radiance *= share;
   return s;
+}
+
+float LightTable::chance_of_round(std::size_t k, const LightReceiver& at) const {
+  return chances_.empty() ? 0.0f : chance_within(round_tree_, round_tree(), first_round(), k, at);
+}
+
+/// A light that is in no tree has its own entry, one that is in it has none.
+float LightTable::chance_within(const LightTree& tree, std::size_t of_tree, std::size_t first, std::size_t index,
+                                const LightReceiver& at) const {
+  const float own = chances_.probability(first + index);
+  if (own > 0.0f || tree.empty()) return own;
+  return chances_.probability(of_tree) * tree.probability(static_cast<std::uint32_t>(index), at);
 }
 
 std::optional<LightSample> LightTable::round(std::size_t k, Vec3f from, Vec2f u) const {
@@ -145,9 +214,14 @@ bool LightTable::is_pointed_at(std::size_t k, const RayPacket& rays) const {
   return lippmann::is_pointed_at(sources_.lights[rounds_[k]], rays);
 }
 
-float LightTable::chance_of_lamp(std::size_t light) const {
+float LightTable::share_of_lamp(std::size_t light) const {
   if (chances_.empty()) return 0.0f;
-  return has_size(light) ? chance_of_round(static_cast<std::size_t>(round_of_[light])) : chances_.probability(light);
+  const auto share = [&](const LightTree& tree, std::size_t of_tree, std::size_t first, std::size_t index) {
+    return chances_.probability(first + index) +
+           chances_.probability(of_tree) * tree.share_of_power(static_cast<std::uint32_t>(index));
+  };
+  return has_size(light) ? share(round_tree_, round_tree(), first_round(), static_cast<std::size_t>(round_of_[light]))
+                         : share(point_tree_, point_tree(), 0, light);
 }
 
 std::optional<LightSample> LightTable::sample_point(std::size_t index, Vec3f from) const {
@@ -188,11 +262,8 @@ Vec3f LightTable::emission_at(const Triangle& t, Vec2f barycentric) const {
   return factor * Vec3f(look_up(surface->emissive_map, sources_.textures, *record.mesh, t.prim, barycentric));
 }
 
-float LightTable::chance_of_record(std::size_t record) const {
-  if (first_triangle_[record] < 0 || chances_.empty()) return 0.0f;
-  const std::size_t first = first_triangle() + static_cast<std::size_t>(first_triangle_[record]);
-  return chances_.probability_before(first + sources_.records[record].mesh->triangles.size()) -
-         chances_.probability_before(first);
+float LightTable::share_of_record(std::size_t record) const {
+  return record_shares_.empty() || chances_.empty() ? 0.0f : record_shares_[record];
 }
 
 LightTable::Sky LightTable::sky(Vec3f direction) const {
@@ -201,13 +272,14 @@ LightTable::Sky LightTable::sky(Vec3f direction) const {
   return {group, chance(group) * density.value};
 }
 
-float LightTable::density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const {
+float LightTable::density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction,
+                             const LightReceiver& at) const {
   if (first_triangle_[record] < 0 || chances_.empty()) return 0.0f;
   const std::size_t index = static_cast<std::size_t>(first_triangle_[record]) + prim;
   const Triangle& t = triangles_[index];
   const float cosine = std::abs(glm::dot(direction, t.normal));
   if (!(cosine > 0.0f)) return 0.0f;
-  return chances_.probability(first_triangle() + index) * distance * distance / (cosine * t.area);
+  return chance_within(triangle_tree_, triangle_tree(), first_triangle(), index, at) * distance * distance / (cosine * t.area);
 }
 
 }  // namespace lippmann

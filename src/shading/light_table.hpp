@@ -1,5 +1,7 @@
 // The lights of a scene as paths see them: point-like lights, lamps that have a size, the sky's sun, triangles that shine, the
-// rest of the sky; one of them drawn by its power.
+// rest of the sky. A group of them is drawn by its power, and of the group a light: of few lights by their power, too; of many
+// by a tree, for the point that asks (light_tree.hpp). Lamps that do not fall off by the squared distance, and suns, are always
+// drawn by their power.
 //
 // Based on: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997 (next-event estimation, and the
 // densities that multiple importance sampling asks for).
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "shading/light_sample.hpp"
+#include "shading/light_tree.hpp"
 #include "shading/materials.hpp"
 #include "shading/texture.hpp"
 #include "transport/discrete.hpp"
@@ -49,39 +52,50 @@ inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kRoun
     kRoundLights{LightGroup::kRound, LightGroup::kSun}, kSun{LightGroup::kSun, LightGroup::kLamps},
     kLamps{LightGroup::kLamps, LightGroup::kSky}, kSkyLight{LightGroup::kSky, LightGroup::kEnd};
 
+/// So many lamps of a group, or triangles, are drawn by their power; of more a tree is made.
+inline constexpr std::size_t kMostLampsByPower = 4, kMostTrianglesByPower = 32;
+
 class LightTable {
  public:
   /// Both must outlive it.
   LightTable(const LightSources& sources, const Environment& environment);
 
   /// A light for a point: `pick` chooses which, `u` where on it. None where it is turned away or out of reach.
-  std::optional<LightSample> sample(Vec3f from, float pick, Vec2f u) const;
+  std::optional<LightSample> sample(const LightReceiver& at, float pick, Vec2f u) const;
 
   /// Lamps, and one of them as a point; none where it is turned away or out of reach, or no point.
   std::size_t points() const { return sources_.lights.size(); }
   std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(light, from); }
 
   /// Lamps that have a size, and a direction to one of them, or the light that a ray sees of it which has scattered at `from`:
-  /// densities are of that lamp alone, without its chance, which chance_of_round() is.
+  /// densities are of that lamp alone, without its chance, which chance_of_round() is where sample() is asked by `at`.
   std::size_t rounds() const { return rounds_.size(); }
   std::optional<LightSample> round(std::size_t k, Vec3f from, Vec2f u) const;
   std::optional<LightSample> see_round(std::size_t k, Vec3f from, Vec3f direction) const;
-  float chance_of_round(std::size_t k) const { return chances_.empty() ? 0.0f : chances_.probability(points() + k); }
+  float chance_of_round(std::size_t k, const LightReceiver& at) const;
   /// Whether any ray of the packet points at it, lanes that are not active included.
   bool is_pointed_at(std::size_t k, const RayPacket& rays) const;
+  /// Whether there are so many that each ray had better ask for those that it may meet.
+  bool has_many_rounds() const { return !round_tree_.empty(); }
+  /// Calls visit(k) for all lamps that have a size which a ray of unit direction may meet up to `reach`.
+  template <class Visit>
+  void meet_rounds(Vec3f origin, Vec3f direction, float reach, const Visit& visit) const {
+    for (const std::uint32_t k : suns_) visit(std::size_t{k});
+    round_tree_.meet(origin, direction, reach, [&](std::uint32_t k) { visit(std::size_t{k}); });
+  }
 
   /// Irradiance across per colour of such a light.
   float unit() const { return unit_; }
 
   /// As sample(), of lights of these groups alone. Densities are those of sample() over chance().
-  std::optional<LightSample> sample(LightGroups groups, Vec3f from, float pick, Vec2f u) const;
+  std::optional<LightSample> sample(LightGroups groups, const LightReceiver& at, float pick, Vec2f u) const;
 
   /// The chance of sample() to choose a light of these groups.
   float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
 
-  /// Of sample(), had it chosen triangle `prim` of a record, which a ray of unit `direction` meets at `distance`; 0 where the
-  /// triangle is none of its lights.
-  float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction) const;
+  /// Of sample(), had it chosen triangle `prim` of a record, which a ray of unit `direction` from `at` meets at `distance`; 0
+  /// where the triangle is none of its lights.
+  float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction, const LightReceiver& at) const;
 
   /// Of a direction into the sky.
   struct Sky {
@@ -90,9 +104,9 @@ class LightTable {
   };
   Sky sky(Vec3f direction) const;
 
-  /// Of sample(), to choose a lamp, whether it is a point or has a size, and any triangle of a record.
-  float chance_of_lamp(std::size_t light) const;
-  float chance_of_record(std::size_t record) const;
+  /// The share of all power that a lamp has, whether it is a point or has a size, and that all triangles of a record have.
+  float share_of_lamp(std::size_t light) const;
+  float share_of_record(std::size_t record) const;
 
   const Environment& environment() const { return environment_; }
 
@@ -103,10 +117,26 @@ class LightTable {
     std::uint32_t record, prim;
   };
 
-  std::size_t sun() const { return points() + rounds(); }  ///< its index, also where there is none
+  // Entries of chances_: every group but the surroundings' ends with its tree, whether there is one or not.
+  std::size_t point_tree() const { return points(); }
+  std::size_t first_round() const { return point_tree() + 1; }
+  std::size_t round_tree() const { return first_round() + rounds(); }
+  std::size_t sun() const { return round_tree() + 1; }
   std::size_t first_triangle() const { return sun() + 1; }
+  std::size_t triangle_tree() const { return first_triangle() + triangles_.size(); }
   float begin_of(LightGroup group) const { return begins_[static_cast<std::size_t>(group)]; }
+  void add_points(std::vector<float>& powers);
+  void add_rounds(std::vector<float>& powers);
   void add_triangles(std::vector<float>& powers);
+  void add_triangles_of(std::size_t record, std::vector<float>& powers);
+  struct Chosen {
+    std::size_t entry;  ///< no tree
+    float chance;
+  };
+  std::optional<Chosen> choose(const LightReceiver& at, float pick) const;
+  std::optional<LightSample> sample_entry(std::size_t entry, Vec3f from, Vec2f u) const;
+  float chance_within(const LightTree& tree, std::size_t of_tree, std::size_t first, std::size_t index,
+                      const LightReceiver& at) const;
   bool has_size(std::size_t light) const { return !round_of_.empty() && round_of_[light] >= 0; }
   void find_rounds();
   std::optional<LightSample> sample_point(std::size_t light, Vec3f from) const;
@@ -118,12 +148,16 @@ class LightTable {
   const Environment& environment_;
   float unit_;
   std::vector<Triangle> triangles_;
-  std::vector<int> first_triangle_;  ///< per record; -1: does not shine
-  std::vector<std::size_t> rounds_;  ///< lamps that have a size: indices into the sources' lights
-  std::vector<int> round_of_;        ///< per lamp, into rounds_; -1: a point; empty: all are
-  /// Lamps as points (those that have a size with chance 0), as what they are, the sun, triangles, the rest of the sky.
+  std::vector<int> first_triangle_;                    ///< per record; -1: does not shine
+  std::vector<std::size_t> rounds_;                    ///< lamps that have a size: indices into the sources' lights
+  std::vector<int> round_of_;                          ///< per lamp, into rounds_; -1: a point; empty: all are
+  std::vector<std::uint32_t> suns_;                    ///< those of rounds_ that are discs in the sky
+  LightTree point_tree_, round_tree_, triangle_tree_;  ///< by index of the group; empty: lights are few
+  /// Lamps as points (those that have a size with chance 0), as what they are, the sun, triangles, the rest of the sky. What is
+  /// in a tree has chance 0, and the tree their power.
   DiscreteDistribution chances_;
-  std::array<float, 6> begins_{};  ///< by group: the chance of all before it
+  std::vector<float> record_shares_;  ///< of all power; empty: no triangle shines
+  std::array<float, 6> begins_{};     ///< by group: the chance of all before it
 };
 
 }  // namespace lippmann

@@ -45,6 +45,12 @@ class Bsdf {
   Vec3f normal() const {
     return std::visit([](const auto& b) { return b.normal(); }, bsdf_);
   }
+  /// Whether light that is not mirrored may come from behind, too.
+  bool scatters_through() const {
+    return std::visit([](const auto& b) { return b.scatters_through(); }, bsdf_);
+  }
+  /// The side that light has to come from: normal(), or null where it may come from both.
+  Vec3f lit_side() const { return scatters_through() ? Vec3f(0.0f) : normal(); }
   bool is_sharp() const {
     return std::visit([](const auto& b) { return b.is_sharp(); }, bsdf_);
   }

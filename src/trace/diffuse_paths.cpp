@@ -9,7 +9,7 @@ namespace lippmann {
 void PathIntegrator::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length,
                                     LightGroup from, const Numbers& numbers, const Affine3f* before) {
   if (const std::optional<LightSample> light =
-          lights().sample({from, LightGroup::kEnd}, point.position, numbers.pick, numbers.on_light)) {
+          lights().sample({from, LightGroup::kEnd}, {point.position, bsdf.normal()}, numbers.pick, numbers.on_light)) {
     const BsdfValue value = bsdf.evaluate_diffuse(light->direction);
     if (before) watch_turning(point.position, bsdf.normal(), *light, *before, ray);
     const float share = power_heuristic(light->density, value.density) / light->density;
@@ -30,7 +30,7 @@ void PathIntegrator::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf,
   const float chance = lights().chance({from, LightGroup::kEnd});
   sample.density = chance > 0.0f ? value.density * chance : value.density;
   ++counts_.indirect;
-  next_.push_back(scattered(ray, point, sample, ray.throughput * value.cosine_f / value.density, length));
+  next_.push_back(scattered(ray, point, bsdf.normal(), sample, ray.throughput * value.cosine_f / value.density, length));
   next_.back().lights_from = static_cast<std::uint16_t>(from);
 }
 

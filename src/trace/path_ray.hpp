@@ -2,6 +2,7 @@
 #pragma once
 
 #include "device/ray_scene.hpp"
+#include "shading/light_tree.hpp"
 #include "shading/shading_point.hpp"
 #include "trace/camera_packet.hpp"
 
@@ -9,6 +10,7 @@ namespace lippmann {
 
 struct PathRay {
   Vec3f origin{0.0f}, direction{0.0f}, throughput{1.0f};
+  Vec3f lit_side{0.0f};  ///< LightReceiver::normal at the last scattering
   float t_near = 0.0f, path_length = 0.0f;
   float scattered_at = 0.0f;  ///< path length at the last scattering
   float density = kInfinity;  ///< of `direction` as drawn at the last scattering; kInfinity: by a Dirac lobe, or from the lens
@@ -47,8 +49,10 @@ inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   return ray;
 }
 
-/// Sends `ray` on from a point at `length`, in a direction that was drawn there; throughput as it is then.
-inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
+/// Sends `ray` on from a point at `length`, in a direction that was drawn there; throughput as it is then. lit_side: with which
+/// the point asks for lights.
+inline void scatter(PathRay& ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
+                    float length) {
   ray.origin = point.position, ray.direction = sample.direction;
   ray.throughput = throughput;
   ray.t_near = point.t_near, ray.path_length = length;
@@ -56,13 +60,21 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& s
   ray.spread |= !sample.is_delta();
   if (sample.transmitted && point.behind != kSameMedium) ray.medium = point.behind;
   // What shines straight behind is reached by the last vertex's shadow rays, too.
-  if (!sample.straight) ray.density = sample.density, ray.scattered_at = length, ray.lights_from = 0;
+  if (sample.straight) return;
+  ray.density = sample.density, ray.scattered_at = length, ray.lights_from = 0;
+  ray.lit_side = lit_side;
 }
 
 /// `ray`, sent on so.
-inline PathRay scattered(PathRay ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
-  scatter(ray, point, sample, throughput, length);
+inline PathRay scattered(PathRay ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
+                         float length) {
+  scatter(ray, point, lit_side, sample, throughput, length);
   return ray;
+}
+
+/// The point where `ray` has scattered last, as it asked for lights there.
+inline LightReceiver last_receiver(const PathRay& ray) {
+  return {ray.origin - (ray.path_length - ray.scattered_at) * ray.direction, ray.lit_side};
 }
 
 inline float largest(Vec3f v) { return std::max({v.x, v.y, v.z}); }

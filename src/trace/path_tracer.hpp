@@ -106,11 +106,11 @@ class PathTracer {
   }
 
   /// Sends a path on in a direction that was drawn, and counts it, unless it carries nothing.
-  void go_on(const PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length,
-             std::uint64_t& count) {
+  void go_on(const PathRay& ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
+             float length, std::uint64_t& count) {
     if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return;
     ++count;
-    scatter(next_.emplace_back(ray), point, sample, throughput, length);
+    scatter(next_.emplace_back(ray), point, lit_side, sample, throughput, length);
   }
 
   /// depth: vertices that have scattered it.
@@ -163,6 +163,7 @@ class PathTracer {
 
   /// Rays go on through lamps that have a size.
   void look_at_round_lights(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+    if (lights().has_many_rounds()) return look_at_many_rounds(packet, active, rays);
     for (std::size_t k = 0; k < lights().rounds(); ++k) {
       if (!lights().is_pointed_at(k, packet.ray)) continue;
       for (int i = 0; i < kLanes; ++i)
@@ -170,15 +171,28 @@ class PathTracer {
     }
   }
 
-  /// reach: of this part of the ray, from its origin. The eye does not see lamps, rays that have scattered somewhere do.
+  void look_at_many_rounds(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+    for (int i = 0; i < kLanes; ++i)
+      if (active.lane[i] && sees_round_lights(rays[i]))
+        lights().meet_rounds(rays[i].origin, rays[i].direction, packet.ray.tfar[i],
+                             [&](std::size_t k) { see_round_light(k, rays[i], packet.ray.tfar[i]); });
+  }
+
+  /// The eye does not see lamps, rays that have scattered somewhere do.
+  static bool sees_round_lights(const PathRay& ray) {
+    return ray.scattered_at > 0.0f && ray.lights_from <= static_cast<std::uint16_t>(LightGroup::kRound);
+  }
+
+  /// reach: of this part of the ray, from its origin.
   void see_round_light(std::size_t k, const PathRay& ray, float reach) {
-    if (!(ray.scattered_at > 0.0f) || ray.lights_from > static_cast<std::uint16_t>(LightGroup::kRound)) return;
+    if (!sees_round_lights(ray)) return;
     const float passed = ray.path_length - ray.scattered_at;
-    const std::optional<LightSample> light = lights().see_round(k, ray.origin - passed * ray.direction, ray.direction);
+    const LightReceiver at = last_receiver(ray);
+    const std::optional<LightSample> light = lights().see_round(k, at.position, ray.direction);
     if (!light || !(light->distance > passed) || !(light->distance <= passed + reach)) return;
     float share = 1.0f;
     if (ray.density != kInfinity)
-      share = power_heuristic(ray.density * policy().chance_of_round(k), light->density * lights().chance_of_round(k));
+      share = power_heuristic(ray.density * policy().chance_of_round(k), light->density * lights().chance_of_round(k, at));
     policy().end_path(ray, ray.throughput * light->radiance * share);
   }
 
@@ -247,7 +261,8 @@ class PathTracer {
     float share = 1.0f;
     if (ray.density != kInfinity && surface_.record[i] < kPlaneId) {
       const float distance = ray.path_length + packet.ray.tfar[i] - ray.scattered_at;
-      const float density = lights().density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction);
+      const float density =
+          lights().density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction, last_receiver(ray));
       if (density > 0.0f && ray.lights_from > static_cast<std::uint16_t>(LightGroup::kLamps)) return;
       share = power_heuristic(ray.density * policy().chance(kLamps), density);
     }

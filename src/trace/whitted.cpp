@@ -5,6 +5,9 @@
 namespace lippmann {
 namespace {
 
+/// Of more lights, the shadow packets would not stay in cache, and of a million not in memory.
+constexpr std::size_t kMostLightsAtOnce = 32;
+
 int count_lanes(const LaneMask& mask) {
   int count = 0;
   for (const int lane : mask.lane) count -= lane;
@@ -165,8 +168,8 @@ WhittedTracer::WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam
       max_depth_(params.max_depth),
       weight_(1.0f / static_cast<float>(params.spp)),
       film_(film),
-      shadows_(scene.lights.size()),
-      shadow_rays_(scene.lights.size()) {}
+      shadows_(std::min(scene.lights.size(), kMostLightsAtOnce)),
+      shadow_rays_(shadows_.size()) {}
 
 void WhittedTracer::primary(const CameraPacket& packet) {
   counts_.primary += static_cast<std::uint64_t>(count_lanes(packet.active));
@@ -227,20 +230,26 @@ void WhittedTracer::see_surroundings(const RayHitPacket& packet, const LaneMask&
 }
 
 void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct) {
+  for (std::size_t first = 0; first < scene_.lights.size(); first += shadows_.size())
+    gather_lights(
+        packet, std::span(scene_.lights).subspan(first).first(std::min(shadows_.size(), scene_.lights.size() - first)), direct);
+}
+
+/// As many lights as there are shadow packets, at most.
+void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const WhittedLight> lights, DirectLight& direct) {
   const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's, about 1/512
   // Three rounds, so that the processor works on one light's kernel while the roots and quotients of the one before are on
   // their way.
-  for (std::size_t l = 0; l < scene_.lights.size(); ++l)
-    shadow_rays_[l] = aim_at_light(scene_.lights[l], surface_, least_light, shadows_[l]);
-  for (std::size_t l = 0; l < scene_.lights.size(); ++l) {
+  for (std::size_t l = 0; l < lights.size(); ++l) shadow_rays_[l] = aim_at_light(lights[l], surface_, least_light, shadows_[l]);
+  for (std::size_t l = 0; l < lights.size(); ++l) {
     if (shadow_rays_[l] == 0) continue;
     counts_.shadow += static_cast<std::uint64_t>(shadow_rays_[l]);
     if (log_) log_->push_back({shadows_[l].rays, shadows_[l].active, true, Coherence::kIncoherent});
     if (probe_) probe_->add(shadows_[l].rays, shadows_[l].active);
     scene_.trace_shadows(shadows_[l].active, shadows_[l].rays, shadows_[l].transmittance);
   }
-  for (std::size_t l = 0; l < scene_.lights.size(); ++l)
-    if (shadow_rays_[l] != 0) add_light(scene_.lights[l], surface_, packet.ray, shadows_[l], scene_.tachyon, direct);
+  for (std::size_t l = 0; l < lights.size(); ++l)
+    if (shadow_rays_[l] != 0) add_light(lights[l], surface_, packet.ray, shadows_[l], scene_.tachyon, direct);
 }
 
 /// Queues the rays with which paths go on, or ends the paths here.

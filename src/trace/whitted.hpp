@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "device/ray_log.hpp"
@@ -50,6 +51,7 @@ class WhittedTracer {
  private:
   void shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth);
   void gather_light(const RayHitPacket& packet, DirectLight& direct);
+  void gather_lights(const RayHitPacket& packet, std::span<const WhittedLight> lights, DirectLight& direct);
   void branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance);
   void see_surroundings(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, Lanes3& radiance);
   void refract(const RayHitPacket& packet, Branches& branches) const;
@@ -65,7 +67,7 @@ class WhittedTracer {
   BlockProbe* probe_ = nullptr;
   RayQueue wave_, next_;
   SurfacePacket surface_;
-  std::vector<ShadowPacket> shadows_;  ///< per light
+  std::vector<ShadowPacket> shadows_;  ///< of lights that are asked at once
   std::vector<int> shadow_rays_;       ///< active lanes of each
 };
 

@@ -44,6 +44,7 @@ class LayeredBsdf {
   BsdfValue evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return frame_.z; }
   bool is_sharp() const;
+  bool scatters_through() const { return glass_share_ > 0.0f || through_color_ != Vec3f(0.0f); }
   LayeredBsdf without_diffuse() const;
 
  private:

@@ -46,7 +46,8 @@ class MetalRoughBsdf {
   float diffuse_share() const { return shares_.diffuse; }  ///< chance of sample() to draw it
   BsdfValue evaluate_diffuse(Vec3f light) const;           ///< per albedo; density: of a cosine about normal()
   Vec3f normal() const { return frame_.z; }
-  bool is_sharp() const;  ///< no lobe but the diffuse one has a width
+  bool is_sharp() const;                                         ///< no lobe but the diffuse one has a width
+  bool scatters_through() const { return glass_share_ > 0.0f; }  ///< light from behind, Dirac's lobes included
   /// What is left without it.
   MetalRoughBsdf without_diffuse() const;
 

@@ -37,7 +37,8 @@ class PhongBsdf {
   float diffuse_share() const { return diffuse_share_; }  ///< chance of sample() to draw it
   BsdfValue evaluate_diffuse(Vec3f light) const;          ///< per albedo; density: of a cosine about normal()
   Vec3f normal() const { return normal_; }
-  static constexpr bool is_sharp() { return true; }  ///< no lobe but the diffuse one has a width
+  static constexpr bool is_sharp() { return true; }           ///< no lobe but the diffuse one has a width
+  static constexpr bool scatters_through() { return false; }  ///< light from behind, other than by Dirac's lobes
   /// What is left without it; highlights stay.
   PhongBsdf without_diffuse() const;
 

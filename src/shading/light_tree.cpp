@@ -1,0 +1,195 @@
+#include "shading/light_tree.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Of what a light gives from straight above: what is left below the horizon.
+constexpr float kLeastFacing = 1.0f / 16.0f;
+/// Squared distances are at least so large, as where lamps are asked for their light.
+constexpr float kLeastSquared = 1e-20f;
+/// What shines along its face still counts so much: rounding may not take it away.
+constexpr float kLeastSquaredCosine = 1e-6f;
+/// Ranges and cones give way by so much, so that rounding takes no light away.
+constexpr float kMargin = 1e-4f;
+
+/// The tree's parts, as the kernels read them; null: it has none.
+struct LightNodes {
+  const LightNode* nodes;
+  const LightCones* cones;
+  const LightFaces* faces;
+};
+
+LIPPMANN_INLINE void weigh_places(const LightNode& n, const LightReceiver& at, Lanes& w) {
+  const Vec3f p = at.position, m = at.normal;
+  const float least = m == Vec3f(0.0f) ? 1.0f : kLeastFacing, most = 1.0f - least;
+  LIPPMANN_FOR_LANES(i) {
+    const float dx = n.x[i] - p.x, dy = n.y[i] - p.y, dz = n.z[i] - p.z;
+    const float squared = dx * dx + dy * dy + dz * dz, mean = std::max(squared + n.variance[i], kLeastSquared);
+    const float above = m.x * dx + m.y * dy + m.z * dz;
+    const float height = 0.5f * (above + std::sqrt(above * above + n.variance[i] * (1.0f / 3.0f)));
+    const float reach = (n.range[i] + n.radius[i]) * (1.0f + kMargin);
+    const float facing = least + most * height / std::sqrt(mean);
+    w[i] = squared <= reach * reach ? n.power[i] * facing / mean : 0.0f;
+  }
+}
+
+/// Beyond the cone by more than the angle that the child is seen under, there is no light.
+LIPPMANN_INLINE void weigh_cones(const LightNode& n, const LightCones& c, const LightReceiver& at, Lanes& w) {
+  const Vec3f p = at.position;
+  LIPPMANN_FOR_LANES(i) {
+    const float dx = p.x - n.x[i], dy = p.y - n.y[i], dz = p.z - n.z[i];
+    const float squared = std::max(dx * dx + dy * dy + dz * dz, kLeastSquared);
+    const float sine = n.radius[i] / std::sqrt(squared), cosine = std::sqrt(std::max(1.0f - sine * sine, 0.0f));
+    const float along = (c.x[i] * dx + c.y[i] * dy + c.z[i] * dz) / std::sqrt(squared);
+    const float edge = c.cosine[i] * cosine - c.sine[i] * sine - kMargin;
+    const bool all = (sine >= 1.0f) | (cosine <= -c.cosine[i]);
+    w[i] = all | (along >= edge) ? w[i] : 0.0f;
+  }
+}
+
+LIPPMANN_INLINE void weigh_faces(const LightNode& n, const LightFaces& f, const LightReceiver& at, Lanes& w) {
+  const Vec3f p = at.position;
+  LIPPMANN_FOR_LANES(i) {
+    const float dx = n.x[i] - p.x, dy = n.y[i] - p.y, dz = n.z[i] - p.z;
+    const float mean = std::max(dx * dx + dy * dy + dz * dz + n.variance[i], kLeastSquared);
+    const float along = dx * dx * f.xx[i] + dy * dy * f.yy[i] + dz * dz * f.zz[i] +
+                        2.0f * (dx * dy * f.xy[i] + dx * dz * f.xz[i] + dy * dz * f.yz[i]);
+    w[i] *= std::sqrt((std::max(along, 0.0f) + (1.0f / 16.0f) * n.variance[i]) / mean + kLeastSquaredCosine);
+  }
+}
+
+LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const LightReceiver& at, Lanes& w) {
+  weigh_places(tree.nodes[node], at, w);
+  if (tree.cones) weigh_cones(tree.nodes[node], tree.cones[node], at, w);
+  if (tree.faces) weigh_faces(tree.nodes[node], tree.faces[node], at, w);
+}
+
+/// Sums of weights: lanes i and i + 8, of these i and i + 4, and so on, one after the other; the last is the sum of all.
+struct Sums {
+  float of[kLanes];
+  LIPPMANN_INLINE float all() const { return of[14]; }
+};
+
+LIPPMANN_INLINE void add_up(const Lanes& w, Sums& s) {
+  for (int i = 0; i < 8; ++i) s.of[i] = w[i] + w[i + 8];
+  for (int i = 0; i < 4; ++i) s.of[8 + i] = s.of[i] + s.of[4 + i];
+  for (int i = 0; i < 2; ++i) s.of[12 + i] = s.of[8 + i] + s.of[10 + i];
+  s.of[14] = s.of[12] + s.of[13];
+}
+
+/// One of two, by a number in [0, their sum), never one of weight 0; the number becomes one within its weight.
+LIPPMANN_INLINE int pick_second(float first, float second, float& u) {
+  if (u < first || !(second > 0.0f)) return 0;
+  u = std::max(u - first, 0.0f);
+  return 1;
+}
+
+/// A lane by its weight, for u in [0, 1), of which `u` becomes what is left.
+LIPPMANN_INLINE int pick(const Lanes& w, const Sums& s, float& u) {
+  u *= s.all();
+  int lane = pick_second(s.of[12], s.of[13], u);
+  lane += 2 * pick_second(s.of[8 + lane], s.of[10 + lane], u);
+  lane += 4 * pick_second(s.of[lane], s.of[4 + lane], u);
+  lane += 8 * pick_second(w[lane], w[lane + 8], u);
+  u = std::min(u / w[lane], 0x1.fffffep-1f);
+  return lane;
+}
+
+/// Returns a slot's child, ~light, and its probability; 0 where no light reaches the point.
+LIPPMANN_MULTIVERSION float descend(const LightNodes& tree, const LightReceiver& at, float& u, std::int32_t& child) {
+  float probability = 1.0f;
+  child = 0;
+  do {
+    const auto node = static_cast<std::uint32_t>(child);
+    Lanes w;
+    weigh(tree, node, at, w);
+    Sums sums;
+    add_up(w, sums);
+    if (!(sums.all() > 0.0f)) return 0.0f;
+    const int lane = pick(w, sums, u);
+    probability *= w[lane] / sums.all();
+    child = tree.nodes[node].child[lane];
+  } while (child >= 0);
+  return probability;
+}
+
+LIPPMANN_MULTIVERSION float ascend(const LightNodes& tree, const LightReceiver& at, std::uint32_t slot) {
+  float probability = 1.0f;
+  while (true) {
+    const std::uint32_t node = slot / kLanes;
+    Lanes w;
+    weigh(tree, node, at, w);
+    Sums sums;
+    add_up(w, sums);
+    if (!(sums.all() > 0.0f)) return 0.0f;
+    probability *= w[static_cast<int>(slot % kLanes)] / sums.all();
+    if (node == 0) return probability;
+    slot = tree.nodes[node].parent;
+  }
+}
+
+/// Of a slab of one axis: where a line enters and leaves it. inverse: of the direction's coordinate, finite.
+LIPPMANN_INLINE void cut_slab(float lower, float upper, float origin, float inverse, float& enter, float& leave) {
+  const float a = (lower - origin) * inverse, b = (upper - origin) * inverse;
+  enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
+}
+
+float finite_inverse(float x) { return 1.0f / (std::abs(x) > 1e-18f ? x : std::copysign(1e-18f, x)); }
+
+/// Lanes whose ball and box a ray touches, as bits.
+LIPPMANN_MULTIVERSION std::uint32_t touched_lanes(const LightNode& n, const LightBoxes& box, Vec3f o, Vec3f d, Vec3f inverse,
+                                                  float reach) {
+  alignas(64) std::uint32_t bits[kLanes];
+  LIPPMANN_FOR_LANES(i) {
+    float enter = 0.0f, leave = reach;
+    cut_slab(box.lower.x[i], box.upper.x[i], o.x, inverse.x, enter, leave);
+    cut_slab(box.lower.y[i], box.upper.y[i], o.y, inverse.y, enter, leave);
+    cut_slab(box.lower.z[i], box.upper.z[i], o.z, inverse.z, enter, leave);
+    const float cx = n.x[i] - o.x, cy = n.y[i] - o.y, cz = n.z[i] - o.z;
+    const float along = cx * d.x + cy * d.y + cz * d.z;
+    const float px = cx - along * d.x, py = cy - along * d.y, pz = cz - along * d.z;
+    const bool near_line = px * px + py * py + pz * pz <= n.radius[i] * n.radius[i] * (1.0f + kMargin);
+    bits[i] = (n.power[i] > 0.0f) & near_line & (enter <= leave) ? 1u << i : 0u;
+  }
+  std::uint32_t all = 0;
+  for (const std::uint32_t bit : bits) all |= bit;
+  return all;
+}
+
+template <class Part>
+const Part* or_null(const std::vector<Part>& parts) {
+  return parts.empty() ? nullptr : parts.data();
+}
+
+}  // namespace
+
+std::size_t LightTree::bytes() const {
+  return nodes_.size() * sizeof(LightNode) + boxes_.size() * sizeof(LightBoxes) + cones_.size() * sizeof(LightCones) +
+         faces_.size() * sizeof(LightFaces) + slots_.size() * sizeof(std::uint32_t);
+}
+
+std::optional<LightTree::Choice> LightTree::choose(const LightReceiver& at, float u) const {
+  if (empty()) return std::nullopt;
+  std::int32_t child = 0;
+  const float probability = descend({nodes_.data(), or_null(cones_), or_null(faces_)}, at, u, child);
+  if (!(probability > 0.0f)) return std::nullopt;
+  return Choice{static_cast<std::uint32_t>(~child), probability, u};
+}
+
+float LightTree::probability(std::uint32_t light, const LightReceiver& at) const {
+  if (empty() || slots_[light] == kNowhere) return 0.0f;
+  return ascend({nodes_.data(), or_null(cones_), or_null(faces_)}, at, slots_[light]);
+}
+
+float LightTree::share_of_power(std::uint32_t light) const {
+  if (empty() || slots_[light] == kNowhere) return 0.0f;
+  return nodes_[slots_[light] / kLanes].power[static_cast<int>(slots_[light] % kLanes)];
+}
+
+std::uint32_t LightTree::touched(std::uint32_t node, const Line& line) const {
+  const Vec3f d = line.direction;
+  const Vec3f inverse(finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z));
+  return touched_lanes(nodes_[node], boxes_[node], line.origin, d, inverse, line.reach);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,132 @@
+// A tree of lights, from which one is drawn for a point by about the share that it has in the point's light: near and bright
+// lights often, those that are out of reach or turned away never, at a cost that grows with the tree's depth.
+//
+// Based on: A. Conty Estevez, C. Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018 (clusters
+// with an importance that a point gives them; one descent draws a light, and says with which probability).
+// 1. Building: lights are cut in two again and again, where the least scatter of power is left on both sides; up to sixteen
+//    parts become the children of a node. A child knows its power, where its middle is and how far its power lies from there,
+//    a ball that holds it, how far it reaches, and which way it shines.
+// 2. Drawing: at each node the point gives all children their importance at once, and one number picks a child by it; what is
+//    left of the number picks at the next node.
+// 3. Probability of a light that a ray has met: the product of the same shares on the way up to the root.
+// We deviate: 1. Sixteen children in place of two: the lanes of one kernel, and a quarter of the levels. 2. Squared distances
+// are means over a cluster, |x - middle|^2 + variance, and cosines are smoothed by the same variance, in place of bounds by
+// boxes: what lies within a cluster gets no importance that jumps. 3. Clusters are cut by place alone. 4. One light is drawn,
+// no splitting. 5. A light below a point's horizon keeps a sixteenth of its importance: normals may be bent.
+//
+// Symbols: w importance; p power; d distance of the middle; v variance; n the receiver's normal; M mean of m m^T over the
+// cluster's faces m.   w = p facing shining / (d^2 + v)
+//   facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / 2 sqrt(d^2 + v); 1 where light may come from either side
+//   shining, of what shines by cones: 1, or 0 where the point lies beyond all of them; of faces: sqrt((d.M d + v / 16) / (d^2 +
+//   v)), and a thousandth at least
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "device/lanes.hpp"
+
+namespace lippmann {
+
+/// A point that asks for light.
+struct LightReceiver {
+  Vec3f position{0.0f};
+  Vec3f normal{0.0f};  ///< unit, of the side that light must come from to count; null: it may come from either
+};
+
+/// A light as the tree knows it.
+struct TreeLight {
+  Vec3f middle{0.0f};
+  float power = 0.0f;     ///< irradiance across at distance 1; not above 0 or not finite: it is never drawn
+  float variance = 0.0f;  ///< mean squared distance from the middle of what shines
+  float radius = 0.0f;    ///< of a ball around the middle that holds all of it
+  float range = kInfinity;
+  Vec3f axis{0.0f};  ///< unit; it shines no further from it than
+  float half_angle = kPi;
+  Vec3f face{0.0f};  ///< unit normal of what shines to both sides by the cosine; null: it shines all around alike
+};
+
+/// Sixteen children, side by side.
+struct LightNode {
+  Lanes x, y, z;                           ///< middle of the power
+  Lanes power;                             ///< share of the tree's; 0: no child
+  Lanes variance;                          ///< mean squared distance of the power from the middle
+  Lanes radius;                            ///< of a ball around the middle that holds the child
+  Lanes range;                             ///< the largest
+  alignas(64) std::int32_t child[kLanes];  ///< a node, or ~light
+  std::uint32_t parent = 0;                ///< slot: kLanes x node + lane; of the root: nothing
+};
+/// A cone that holds all ways that a child shines.
+struct LightCones {
+  Lanes x, y, z, cosine, sine;  ///< axis; of the half angle, at most pi: cosine -1, which holds everything
+};
+/// Boxes around the balls of the lights in a child.
+struct LightBoxes {
+  Lanes3 lower, upper;
+};
+/// M of the children.
+struct LightFaces {
+  Lanes xx, yy, zz, xy, xz, yz;
+};
+
+class LightTree {
+ public:
+  LightTree() = default;
+  /// Of the lights that have power and lie somewhere finite; lights are called by their index.
+  explicit LightTree(std::span<const TreeLight> lights);
+
+  bool empty() const { return nodes_.empty(); }
+  std::size_t bytes() const;
+
+  struct Choice {
+    std::uint32_t light;
+    float probability;
+    float rest;  ///< in [0, 1), as good as a new number
+  };
+  /// Draws a light; none where none reaches the point.
+  std::optional<Choice> choose(const LightReceiver& at, float u) const;
+
+  /// That of choose() to draw a light.
+  float probability(std::uint32_t light, const LightReceiver& at) const;
+
+  /// Of the tree's power.
+  float share_of_power(std::uint32_t light) const;
+
+  /// Calls visit(light) for every light whose ball a ray of unit direction may touch up to `reach`. Lights without a radius are
+  /// never touched.
+  template <class Visit>
+  void meet(Vec3f origin, Vec3f direction, float reach, const Visit& visit) const {
+    if (!boxes_.empty()) meet(0, {origin, direction, reach}, visit);
+  }
+
+ private:
+  friend class LightTreeBuilder;
+  static constexpr std::uint32_t kNowhere = 0xffffffffu;
+
+  struct Line {
+    Vec3f origin, direction;
+    float reach;
+  };
+  std::uint32_t touched(std::uint32_t node, const Line& line) const;
+
+  template <class Visit>
+  void meet(std::uint32_t node, const Line& line, const Visit& visit) const {
+    for (std::uint32_t lanes = touched(node, line); lanes != 0; lanes &= lanes - 1) {
+      const std::int32_t child = nodes_[node].child[__builtin_ctz(lanes)];
+      if (child < 0)
+        visit(static_cast<std::uint32_t>(~child));
+      else
+        meet(static_cast<std::uint32_t>(child), line, visit);
+    }
+  }
+
+  std::vector<LightNode> nodes_;      ///< the root first
+  std::vector<LightCones> cones_;     ///< by node; empty: all shine all around
+  std::vector<LightBoxes> boxes_;     ///< by node; empty: no light has a radius
+  std::vector<LightFaces> faces_;     ///< by node; empty: no light is a face
+  std::vector<std::uint32_t> slots_;  ///< by light: kLanes x node + lane; kNowhere: it is never drawn
+};
+
+}  // namespace lippmann

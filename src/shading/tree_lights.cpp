@@ -1,0 +1,38 @@
+#include "shading/tree_lights.hpp"
+
+#include "transport/bsdf.hpp"
+
+namespace lippmann {
+namespace {
+
+float half_angle_of(const WhittedLight& lamp) {
+  if (lamp.has_cone > 0.0f) return std::acos(std::clamp(lamp.cos_outer, -1.0f, 1.0f));
+  return lamp.linear_cone ? lamp.outer_cone : kPi;
+}
+
+}  // namespace
+
+TreeLight tree_light(const WhittedLight& lamp) {
+  TreeLight light;
+  if (!(lamp.at_place > 0.0f) || !(lamp.falls_off > 0.0f) || lamp.attenuates) return light;
+  light.middle = lamp.position;
+  light.power = luminance(lamp.color);
+  light.radius = lamp.radius, light.variance = lamp.radius * lamp.radius;
+  light.range = lamp.range;
+  light.axis = -lamp.toward, light.half_angle = half_angle_of(lamp);
+  return light;
+}
+
+/// The mean squared distance of a triangle's points from its middle is a 36th of the sum of its squared edges.
+TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power) {
+  TreeLight light;
+  const Vec3f middle = (edge_b + edge_c) / 3.0f, across = edge_c - edge_b;
+  light.middle = origin + middle;
+  light.power = power;
+  light.variance = (glm::dot(edge_b, edge_b) + glm::dot(edge_c, edge_c) + glm::dot(across, across)) / 36.0f;
+  light.radius = std::max({glm::length(middle), glm::length(edge_b - middle), glm::length(edge_c - middle)});
+  light.face = glm::normalize(glm::cross(edge_b, edge_c));
+  return light;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,282 @@
+// The tree that draws one of many lights, against sums over all of them.
+#include "shading/light_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace lippmann {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+TreeLight lamp(Vec3f middle, float power = 1.0f) {
+  TreeLight light;
+  light.middle = middle, light.power = power;
+  return light;
+}
+
+class RandomPlaces {
+ public:
+  explicit RandomPlaces(unsigned seed) : random_(seed) {}
+  float number(float from, float to) { return std::uniform_real_distribution<float>(from, to)(random_); }
+  Vec3f place(float half = 5.0f) { return {number(-half, half), number(-half, half), number(-half, half)}; }
+  Vec3f direction() {
+    while (true)
+      if (const Vec3f d = place(1.0f); glm::length(d) <= 1.0f && glm::length(d) > 0.1f) return glm::normalize(d);
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+enum class Kind { kPoints, kSpots, kBalls, kFaces };
+constexpr Kind kKinds[] = {Kind::kPoints, Kind::kSpots, Kind::kBalls, Kind::kFaces};
+
+/// Powers from 0.01 to 1, ranges from 1 to 10 of every third.
+std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed) {
+  RandomPlaces random(seed);
+  std::vector<TreeLight> lights;
+  for (std::size_t l = 0; l < count; ++l) {
+    TreeLight& light = lights.emplace_back(lamp(random.place(), std::pow(10.0f, random.number(-2.0f, 0.0f))));
+    if (l % 3 == 0) light.range = random.number(1.0f, 10.0f);
+    if (kind == Kind::kSpots) light.axis = random.direction(), light.half_angle = random.number(0.1f, 2.5f);
+    if (kind == Kind::kBalls) light.radius = random.number(0.0f, 0.5f), light.variance = squared(light.radius);
+    if (kind == Kind::kFaces) light.face = random.direction();
+  }
+  return lights;
+}
+
+/// The light of one on a surface across, without shadows.
+float light_of(const TreeLight& light, Vec3f at) {
+  const Vec3f from = at - light.middle;
+  const float distance = glm::length(from);
+  if (distance > light.range) return 0.0f;
+  float shining = light.half_angle < kPi && glm::dot(from / distance, light.axis) < std::cos(light.half_angle) ? 0.0f : 1.0f;
+  if (light.face != Vec3f(0.0f)) shining *= std::abs(glm::dot(from / distance, light.face));
+  return light.power * shining / (distance * distance);
+}
+
+TEST(LightTree, of_no_lights_draws_none) {
+  EXPECT_TRUE(LightTree().empty());
+  EXPECT_FALSE(LightTree().choose({}, 0.5f));
+  EXPECT_EQ(LightTree().probability(0, {}), 0.0f);
+}
+
+TEST(LightTree, of_one_light_draws_it_always) {
+  const LightTree tree(std::vector{lamp({1, 2, 3})});
+  for (const float u : {0.0f, 0.5f, 0.9999999f}) {
+    const auto choice = tree.choose({}, u);
+    ASSERT_TRUE(choice);
+    EXPECT_EQ(choice->light, 0u);
+    EXPECT_EQ(choice->probability, 1.0f);
+    EXPECT_NEAR(choice->rest, u, 1e-6f) << "as good as before";
+  }
+  EXPECT_EQ(tree.probability(0, {}), 1.0f);
+  EXPECT_EQ(tree.share_of_power(0), 1.0f);
+}
+
+// Straight above at distances 1 and 2: 1 : 1/4. Of one above and one below, the second keeps 1/16: 16/17.
+TEST(LightTree, draws_by_the_squared_distance_and_the_horizon) {
+  const LightTree far(std::vector{lamp({0, 0, 1}), lamp({0, 0, 2})});
+  EXPECT_NEAR(far.probability(0, {Vec3f(0.0f), {0, 0, 1}}), 0.8f, 1e-6f);
+  EXPECT_NEAR(far.probability(0, {}), 0.8f, 1e-6f);
+  const LightTree below(std::vector{lamp({0, 0, 1}), lamp({0, 0, -1})});
+  EXPECT_NEAR(below.probability(0, {Vec3f(0.0f), {0, 0, 1}}), 16.0f / 17.0f, 1e-6f);
+  EXPECT_NEAR(below.probability(0, {}), 0.5f, 1e-6f) << "light may come from both sides";
+}
+
+// A face that is seen at 60 degrees from its normal shines with half of what it shines with straight on; its variance here is
+// 0.
+TEST(LightTree, draws_faces_by_their_cosine_from_either_side) {
+  std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
+  lights[0].face = {0, 0, 1};
+  lights[1].face = {0, std::sqrt(0.75f), -0.5f};
+  EXPECT_NEAR(LightTree(lights).probability(0, {}), 2.0f / 3.0f, 1e-6f);
+}
+
+TEST(LightTree, probabilities_sum_to_one_wherever_it_is_asked) {
+  for (const Kind kind : kKinds)
+    for (const std::size_t count : {2u, 16u, 17u, 300u}) {
+      const LightTree tree(random_lights(kind, count, 3));
+      RandomPlaces random(9);
+      for (int k = 0; k < 50; ++k) {
+        const LightReceiver at{random.place(8.0f), k % 2 ? random.direction() : Vec3f(0.0f)};
+        double sum = 0.0;
+        for (std::uint32_t l = 0; l < count; ++l) sum += static_cast<double>(tree.probability(l, at));
+        const bool any = tree.choose(at, 0.5f).has_value();
+        if (!any) continue;  // all are out of reach
+        // Where a cluster seems to be in reach and no light in it is, the descent ends without one.
+        EXPECT_LE(sum, 1.0 + 1e-4) << static_cast<int>(kind) << ' ' << count;
+        EXPECT_GT(sum, kind == Kind::kFaces ? 0.999 : 0.0) << static_cast<int>(kind) << ' ' << count;
+      }
+    }
+}
+
+TEST(LightTree, draws_every_light_as_often_as_it_says) {
+  constexpr int kDraws = 1 << 16;
+  for (const Kind kind : kKinds) {
+    const LightTree tree(random_lights(kind, 100, 5));
+    RandomPlaces random(2);
+    for (int k = 0; k < 8; ++k) {
+      const LightReceiver at{random.place(), random.direction()};
+      std::vector<int> drawn(100);
+      for (int i = 0; i < kDraws; ++i)
+        if (const auto choice = tree.choose(at, (static_cast<float>(i) + 0.5f) / kDraws)) {
+          EXPECT_NEAR(choice->probability, tree.probability(choice->light, at), 1e-5f * choice->probability);
+          ++drawn[choice->light];
+        }
+      // Evenly spread numbers: a light's are one interval, which is cut off at both ends.
+      for (std::uint32_t l = 0; l < 100; ++l)
+        EXPECT_NEAR(drawn[l], tree.probability(l, at) * kDraws, 2.0f) << static_cast<int>(kind) << ' ' << l;
+    }
+  }
+}
+
+// The estimator light / probability, for evenly spread numbers, against the sum over all.
+TEST(LightTree, what_is_drawn_over_its_probability_is_the_light_of_all) {
+  constexpr int kDraws = 1 << 18;
+  for (const Kind kind : kKinds) {
+    const std::vector<TreeLight> lights = random_lights(kind, 500, 7);
+    const LightTree tree(lights);
+    RandomPlaces random(4);
+    for (int k = 0; k < 4; ++k) {
+      const LightReceiver at{random.place(), random.direction()};
+      double all = 0.0, drawn = 0.0;
+      for (const TreeLight& light : lights) all += static_cast<double>(light_of(light, at.position));
+      for (int i = 0; i < kDraws; ++i)
+        if (const auto choice = tree.choose(at, (static_cast<float>(i) + 0.5f) / kDraws))
+          drawn += static_cast<double>(light_of(lights[choice->light], at.position) / choice->probability) / kDraws;
+      EXPECT_NEAR(drawn, all, 2e-3 * all) << static_cast<int>(kind);
+    }
+  }
+}
+
+TEST(LightTree, never_leaves_out_a_light_that_shines) {
+  for (const Kind kind : kKinds) {
+    const std::vector<TreeLight> lights = random_lights(kind, 400, 11);
+    const LightTree tree(lights);
+    RandomPlaces random(6);
+    for (int k = 0; k < 100; ++k) {
+      const LightReceiver at{random.place(), random.direction()};
+      for (std::uint32_t l = 0; l < lights.size(); ++l)
+        if (light_of(lights[l], at.position) > 0.0f)
+          EXPECT_GT(tree.probability(l, at), 0.0f) << static_cast<int>(kind) << ' ' << l;
+    }
+  }
+}
+
+// Half the variance of what powers alone would give, and far less close to a lamp.
+TEST(LightTree, makes_less_noise_than_powers_alone) {
+  const std::vector<TreeLight> lights = random_lights(Kind::kPoints, 1000, 1);
+  const LightTree tree(lights);
+  double power = 0.0;
+  for (const TreeLight& light : lights) power += static_cast<double>(light.power);
+  RandomPlaces random(8);
+  for (int k = 0; k < 10; ++k) {
+    const LightReceiver at{random.place(), Vec3f(0.0f)};
+    double by_tree = 0.0, by_power = 0.0;  // second moments
+    for (std::uint32_t l = 0; l < lights.size(); ++l) {
+      const double light = static_cast<double>(light_of(lights[l], at.position));
+      if (!(light > 0.0)) continue;
+      by_tree += light * light / static_cast<double>(tree.probability(l, at));
+      by_power += light * light * power / static_cast<double>(lights[l].power);
+    }
+    EXPECT_LT(by_tree, 0.5 * by_power) << k;
+  }
+}
+
+TEST(LightTree, lights_without_power_or_place_are_never_drawn) {
+  std::vector<TreeLight> lights{
+      lamp(Vec3f(1.0f), 0.0f), lamp(Vec3f(1.0f), -1.0f), lamp(Vec3f(1.0f), kNan), lamp(Vec3f(1.0f), kInfinity),
+      lamp({kNan, 0, 0}),      lamp({kInfinity, 0, 0}),  lamp({1, 0, 0})};
+  const LightTree tree(lights);
+  for (std::uint32_t l = 0; l < 6; ++l) EXPECT_EQ(tree.probability(l, {}), 0.0f) << l;
+  EXPECT_EQ(tree.probability(6, {}), 1.0f);
+  for (const float u : {0.0f, 0.3f, 0.999f}) EXPECT_EQ(tree.choose({}, u)->light, 6u);
+  lights.pop_back();
+  EXPECT_TRUE(LightTree(lights).empty());
+}
+
+TEST(LightTree, lamps_in_one_place_are_drawn_by_their_power) {
+  std::vector<TreeLight> lights;
+  for (int l = 0; l < 1000; ++l) lights.push_back(lamp({1, 2, 3}, static_cast<float>(l % 4)));
+  const LightTree tree(lights);
+  for (std::uint32_t l = 0; l < lights.size(); ++l) EXPECT_NEAR(tree.probability(l, {}), lights[l].power / 1500.0f, 1e-6f);
+  const LightReceiver there{{1, 2, 3}, {0, 0, 1}};
+  ASSERT_TRUE(tree.choose(there, 0.4f));
+  EXPECT_GT(tree.choose(there, 0.4f)->probability, 0.0f);
+}
+
+TEST(LightTree, spots_that_face_away_are_not_drawn) {
+  std::vector<TreeLight> lights;
+  for (int l = 0; l < 200; ++l) {
+    lights.push_back(lamp({0.01f * static_cast<float>(l), 0, 1}));
+    lights.back().axis = {0, 0, 1}, lights.back().half_angle = radians(80.0f);
+  }
+  EXPECT_FALSE(LightTree(lights).choose({}, 0.5f));
+  lights[7].axis = {0, 0, -1};
+  EXPECT_EQ(LightTree(lights).choose({}, 0.5f)->light, 7u);
+  EXPECT_NEAR(LightTree(lights).choose({}, 0.5f)->probability, 1.0f, 1e-6f);
+}
+
+TEST(LightTree, asked_from_nowhere_draws_nothing) {
+  const LightTree tree(random_lights(Kind::kSpots, 100, 2));
+  EXPECT_FALSE(tree.choose({Vec3f(kNan), {0, 0, 1}}, 0.5f));
+  EXPECT_FALSE(tree.choose({Vec3f(kInfinity), {0, 0, 1}}, 0.5f));
+  EXPECT_EQ(tree.probability(3, {Vec3f(kNan), {0, 0, 1}}), 0.0f);
+}
+
+TEST(LightTree, units_change_nothing) {
+  const std::vector<TreeLight> lights = random_lights(Kind::kBalls, 100, 12);
+  const LightTree tree(lights);
+  for (const float scale : {1e-6f, 1e6f}) {
+    std::vector<TreeLight> scaled = lights;
+    for (TreeLight& l : scaled)
+      l.middle *= scale, l.radius *= scale, l.range *= scale, l.variance *= squared(scale), l.power *= squared(scale);
+    const LightTree other(scaled);
+    for (std::uint32_t l = 0; l < lights.size(); ++l) {
+      const float there = tree.probability(l, {{1, 2, 3}, {0, 0, 1}});
+      EXPECT_NEAR(other.probability(l, {scale * Vec3f(1, 2, 3), {0, 0, 1}}), there, 1e-3f * there) << scale;
+    }
+  }
+}
+
+// Whose ball the ray's line comes near, in front and within reach.
+TEST(LightTree, a_ray_meets_all_balls_that_it_passes) {
+  const std::vector<TreeLight> lights = random_lights(Kind::kBalls, 2000, 13);
+  const LightTree tree(lights);
+  RandomPlaces random(14);
+  std::size_t met_at_all = 0, visits = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Vec3f origin = random.place(), direction = random.direction();
+    const float reach = random.number(1.0f, 10.0f);
+    std::set<std::uint32_t> met;
+    tree.meet(origin, direction, reach, [&](std::uint32_t l) {
+      EXPECT_TRUE(met.insert(l).second) << "met twice";
+      ++visits;
+    });
+    for (std::uint32_t l = 0; l < lights.size(); ++l) {
+      const Vec3f to = lights[l].middle - origin;
+      const float along = std::clamp(glm::dot(to, direction), 0.0f, reach);
+      if (glm::length(to - along * direction) < lights[l].radius) {
+        EXPECT_TRUE(met.contains(l));
+        ++met_at_all;
+      }
+    }
+  }
+  EXPECT_GT(met_at_all, 100u);
+  EXPECT_LT(visits, 2 * met_at_all) << "others are not asked";
+}
+
+// 640 bytes for at most sixteen lights, 4 for the slot of each.
+TEST(LightTree, a_hundred_thousand_lamps_take_less_than_a_hundred_bytes_each) {
+  const std::vector<TreeLight> lights = random_lights(Kind::kPoints, 100000, 15);
+  const LightTree tree(lights);
+  EXPECT_LT(tree.bytes(), 100 * lights.size());
+  EXPECT_GT(tree.choose({{1, 1, 1}, {0, 0, 1}}, 0.5f)->probability, 1e-5f) << "a light nearby";
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,152 @@
+// Pictures below so many lamps that a tree draws one of them, against sums of pictures below each alone, which no tree serves.
+#include <gtest/gtest.h>
+
+#include "shading/shaded_scene.hpp"
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+/// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
+const Affine3f kNearEye{Mat3f(0.1f), Vec3f(0.0f)};
+constexpr int kCount = 40;
+
+MetallicRoughness floor_of(float metallic, float roughness) {
+  MetallicRoughness m;
+  m.metallic = metallic, m.roughness = roughness, m.specular = metallic;
+  return m;
+}
+
+enum class LampKind { kPoint, kSpot, kBall, kSquare };
+constexpr LampKind kLampKinds[] = {LampKind::kPoint, LampKind::kSpot, LampKind::kBall, LampKind::kSquare};
+
+/// Above the eye, in a spiral that goes up from 1.3 to 3.2, squares all in one plane, so that none hides another; every third
+/// is far stronger. Spots look to all sides.
+void add_lamp(SmallScene& s, LampKind kind, int l) {
+  const float angle = 2.4f * static_cast<float>(l), share = static_cast<float>(l) / kCount, strength = l % 3 == 0 ? 2.0f : 0.2f;
+  const Vec3f at{1.8f * std::sqrt(share) * std::cos(angle), 1.8f * std::sqrt(share) * std::sin(angle), 1.3f + 1.9f * share};
+  if (kind == LampKind::kSquare) {
+    MetallicRoughness shines = floor_of(0.0f, 1.0f);
+    shines.base_color = Vec4f(0, 0, 0, 1), shines.emissive = Vec3f(10.0f * strength);
+    Mesh mesh = square(0.1f, 2.0f);
+    for (Vec3f& p : mesh.positions) p.x += at.x, p.y += at.y;
+    s.add(mesh, s.material(shines));
+    return;
+  }
+  Light& light = s.point_light(at, Vec3f(strength));
+  light.inverse_square = true;
+  if (kind == LampKind::kBall) light.radius = 0.15f;
+  if (kind != LampKind::kSpot) return;
+  light.kind = LightKind::kSpot;
+  light.inner_cone = 0.3f, light.outer_cone = 0.8f;
+  s.scene.nodes[static_cast<std::size_t>(light.node)].matrix->linear =
+      glm::mat3_cast(glm::angleAxis(0.05f * static_cast<float>(l), glm::normalize(Vec3f(at.y, -at.x, 0.1f))));
+}
+
+SmallScene below(LampKind kind, const MetallicRoughness& floor, int first, int end) {
+  SmallScene s;
+  s.add(square(2, 0), s.material(floor));
+  for (int l = first; l < end; ++l) add_lamp(s, kind, l);
+  return s;
+}
+
+double light_below(LampKind kind, const MetallicRoughness& floor, int first, int end, int spp) {
+  return mean(trace_paths(below(kind, floor, first, end).scene, single_view(8), spp, {}, 1, kNearEye).film);
+}
+
+// Onto a floor that sees them all; nothing is between.
+TEST(ManyLamps, light_is_the_sum_of_that_of_each) {
+  for (const LampKind kind : kLampKinds)
+    for (const MetallicRoughness& floor : {floor_of(0.0f, 1.0f), floor_of(1.0f, 0.4f)}) {
+      double sum = 0.0;
+      for (int l = 0; l < kCount; ++l) sum += light_below(kind, floor, l, l + 1, 64);
+      EXPECT_GT(sum, 0.01);
+      EXPECT_NEAR(light_below(kind, floor, 0, kCount, 2048), sum, 0.015 * sum)
+          << static_cast<int>(kind) << ", metallic " << floor.metallic;
+    }
+}
+
+// Mirrors find lamps that have a size by rays alone: each ray asks the tree for those that it meets.
+TEST(ManyLamps, a_mirror_shows_each_ball_once) {
+  const MetallicRoughness mirror = floor_of(1.0f, 0.0f);
+  Image sum;
+  for (int l = 0; l < kCount; ++l) {
+    const Image one = trace_paths(below(LampKind::kBall, mirror, l, l + 1).scene, single_view(48), 1, {}, 1, kNearEye).film;
+    if (sum.data.empty())
+      sum = one;
+    else
+      for (std::size_t i = 0; i < sum.data.size(); ++i) sum.data[i] += one.data[i];
+  }
+  const Image all = trace_paths(below(LampKind::kBall, mirror, 0, kCount).scene, single_view(48), 1, {}, 1, kNearEye).film;
+  EXPECT_GT(mean(sum), 0.1);
+  for (std::size_t i = 0; i < sum.data.size(); ++i) ASSERT_NEAR(all.data[i], sum.data[i], 1e-4f * (1.0f + sum.data[i])) << i;
+}
+
+TEST(ManyLamps, pictures_have_the_same_bytes_for_any_number_of_threads) {
+  for (const LampKind kind : kLampKinds) {
+    SmallScene s = busy_scene(3);
+    for (int l = 0; l < kCount; ++l) add_lamp(s, kind, l);
+    const Image one = trace_paths(s.scene, single_view(48), 4, {}, 1).film;
+    EXPECT_EQ(trace_paths(s.scene, single_view(48), 4, {}, 3).film.data, one.data) << static_cast<int>(kind);
+  }
+}
+
+TEST(ManyLamps, lamps_without_light_and_far_away_change_nothing_but_the_numbers) {
+  SmallScene s = below(LampKind::kPoint, floor_of(0.0f, 1.0f), 0, kCount);
+  const double before = mean(trace_paths(s.scene, single_view(8), 1024, {}, 1, kNearEye).film);
+  for (int l = 0; l < 200; ++l) s.point_light({1.0f, 1.0f, 1.5f}, Vec3f(0.0f)).inverse_square = true;
+  s.point_light({1e30f, 0.0f, 1.0f}, Vec3f(1.0f)).inverse_square = true;
+  EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 4096, {}, 1, kNearEye).film), before, 0.03 * before);
+}
+
+/// What the table of a scene says, at a point before the floor.
+template <class Ask>
+auto ask(const Scene& scene, const Ask& question) {
+  const ThreadPool pool(1);
+  DeviceScene device(scene, pool, Integrator::kPath);
+  return question(*device.shaded().path->lights);
+}
+
+// Four are drawn by their power wherever they are asked, five by a tree.
+TEST(ManyLamps, few_lamps_are_drawn_by_their_power) {
+  for (const int lamps : {4, 5}) {
+    const SmallScene s = below(LampKind::kBall, floor_of(0.0f, 1.0f), 0, lamps);
+    ask(s.scene, [&](const LightTable& table) {
+      const float here = table.chance_of_round(0, {Vec3f(0.0f), {0, 0, 1}}),
+                  there = table.chance_of_round(0, {Vec3f(0.0f, 0.0f, 1.0f), {0, 0, 1}});
+      EXPECT_EQ(here == there, lamps == 4);
+      EXPECT_EQ(table.has_many_rounds(), lamps == 5);
+      return 0;
+    });
+  }
+}
+
+// Balls, a sun, squares and a sky together: groups keep the chances that their powers give them.
+TEST(ManyLamps, chances_of_balls_and_suns_sum_to_that_of_their_group) {
+  SmallScene s = below(LampKind::kBall, floor_of(0.0f, 1.0f), 0, kCount);
+  for (int l = 0; l < kCount; ++l) add_lamp(s, LampKind::kSquare, l);
+  Light& sun = s.point_light(Vec3f(0.0f));
+  sun.kind = LightKind::kDirectional, sun.angular_diameter = 0.1f;
+  s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.1f);
+  ask(s.scene, [&](const LightTable& table) {
+    EXPECT_EQ(table.rounds(), static_cast<std::size_t>(kCount) + 1);
+    double chances = 0.0, shares = 0.0;
+    for (std::size_t k = 0; k < table.rounds(); ++k) {
+      chances += static_cast<double>(table.chance_of_round(k, {Vec3f(0.1f), {0, 0, 1}}));
+      shares += static_cast<double>(table.share_of_lamp(k));
+    }
+    const auto of_group = static_cast<double>(table.chance(kRoundLights));
+    EXPECT_NEAR(chances, of_group, 1e-4 * of_group);
+    EXPECT_NEAR(shares, of_group, 1e-4 * of_group);
+    double of_records = 0.0;
+    for (std::size_t r = 0; r < static_cast<std::size_t>(kCount) + 1; ++r)
+      of_records += static_cast<double>(table.share_of_record(r));
+    EXPECT_NEAR(of_records, static_cast<double>(table.chance(kLamps)), 1e-4);
+    return 0;
+  });
+}
+
+}  // namespace
+}  // namespace lippmann
