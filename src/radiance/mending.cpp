@@ -5,7 +5,7 @@ namespace {
 
 /// Where pixels err by less than this part of what they may, they need not be sampled more finely: what is wrong then is the
 /// light. Where means do, the light is right.
-constexpr float kSpare = 0.6f;
+constexpr float kWellWithin = 0.6f;
 /// An error so many times as large as it may be is more than mending makes up for.
 constexpr float kHopeless = 6.0f;
 /// An attempt that leaves more than this share of the error has not helped.
@@ -18,11 +18,11 @@ bool is_beyond(float factor, const FrameError& found, const FrameError& may) {
 }  // namespace
 
 bool is_of_pixels(const FrameErrors& errors, const FrameError& left, const FrameError& may) {
-  return errors.blocks() == Excess::kNone && left.blocks < kSpare * may.blocks;
+  return errors.blocks() == Excess::kNone && left.blocks < kWellWithin * may.blocks;
 }
 
 Remedy remedy_for(const FrameErrors& errors, const FrameError& left, const FrameError& may, EdgesToPaths edges) {
-  Remedy remedy{.finer_pixels = left.pixels > kSpare * may.pixels};
+  Remedy remedy{.finer_pixels = left.pixels > kWellWithin * may.pixels};
   if (is_of_pixels(errors, left, may)) return remedy;
   remedy.more_edges = errors.blocks() != Excess::kNone && edges != EdgesToPaths::kFaint;
   remedy.more_updates = !remedy.more_edges;

@@ -6,17 +6,17 @@
 namespace lippmann {
 namespace {
 
-constexpr FrameError kMay{1.0f, 1.0f, 0.0f, 0.0f};
+constexpr FrameError kAllowed{1.0f, 1.0f, 0.0f, 0.0f};
 
 FrameErrors errors_of(float pixels, float blocks) {
   FrameErrors errors;
-  errors.add({pixels, blocks, 0.01f, 0.01f}, kMay);
+  errors.add({pixels, blocks, 0.01f, 0.01f}, kAllowed);
   return errors;
 }
 
 Remedy remedy_of(float pixels, float blocks, EdgesToPaths edges = EdgesToPaths::kNone) {
   const FrameErrors errors = errors_of(pixels, blocks);
-  return remedy_for(errors, errors.latest(), kMay, edges);
+  return remedy_for(errors, errors.latest(), kAllowed, edges);
 }
 
 TEST(Mending, noise_where_the_light_is_right_takes_samples_alone) {
@@ -52,11 +52,11 @@ TEST(Mending, helps_where_a_tenth_of_what_is_too_much_is_gone) {
 }
 
 TEST(Mending, six_times_the_error_is_hopeless_and_twice_is_far_off) {
-  EXPECT_FALSE(is_hopeless({5.9f, 5.9f}, kMay));
-  EXPECT_TRUE(is_hopeless({6.1f, 0.0f}, kMay));
-  EXPECT_TRUE(is_hopeless({0.0f, 6.1f}, kMay));
-  EXPECT_FALSE(is_far_off({1.9f, 1.9f}, kMay));
-  EXPECT_TRUE(is_far_off({0.0f, 2.1f}, kMay));
+  EXPECT_FALSE(is_hopeless({5.9f, 5.9f}, kAllowed));
+  EXPECT_TRUE(is_hopeless({6.1f, 0.0f}, kAllowed));
+  EXPECT_TRUE(is_hopeless({0.0f, 6.1f}, kAllowed));
+  EXPECT_FALSE(is_far_off({1.9f, 1.9f}, kAllowed));
+  EXPECT_TRUE(is_far_off({0.0f, 2.1f}, kAllowed));
 }
 
 }  // namespace
