@@ -37,7 +37,7 @@ struct OpenFile {
 };
 
 constexpr int kFirstDescriptor = 1 << 20;  // beyond all real ones
-std::array<OpenFile, 1024> files;
+std::array<OpenFile, 1024> open_files;
 
 struct OpenFolder {
   bool is_used = false;
@@ -52,12 +52,13 @@ std::array<OpenFolder, 64> folders;
 /// A file or a stream that was opened below /sim/; else null.
 OpenFile* file_of(int descriptor) {
   const int index = descriptor - kFirstDescriptor;
-  return index >= 0 && index < static_cast<int>(files.size()) ? &files[static_cast<std::size_t>(index)] : nullptr;
+  return index >= 0 && index < static_cast<int>(open_files.size()) ? &open_files[static_cast<std::size_t>(index)] : nullptr;
 }
 
 OpenFile* file_of(FILE* stream) {
   auto* file = reinterpret_cast<OpenFile*>(stream);
-  return std::less_equal<>()(files.data(), file) && std::less<>()(file, files.data() + files.size()) ? file : nullptr;
+  return std::less_equal<>()(open_files.data(), file) && std::less<>()(file, open_files.data() + open_files.size()) ? file
+                                                                                                                    : nullptr;
 }
 
 OpenFolder* folder_of(DIR* stream) {
@@ -66,7 +67,7 @@ OpenFolder* folder_of(DIR* stream) {
                                                                                                                : nullptr;
 }
 
-int descriptor_of(const OpenFile* file) { return kFirstDescriptor + static_cast<int>(file - files.data()); }
+int descriptor_of(const OpenFile* file) { return kFirstDescriptor + static_cast<int>(file - open_files.data()); }
 
 bool is_simulated(const char* path) { return world() && path && std::string_view(path).starts_with("/sim"); }
 
@@ -94,8 +95,8 @@ int open_simulated(const char* path, int flags) {
   if (disk.at(inode).is_folder && (flags & O_ACCMODE) != O_RDONLY) return fail(EISDIR);
   if (!disk.at(inode).is_folder && (flags & O_DIRECTORY)) return fail(ENOTDIR);
   if (flags & O_TRUNC) disk.at(inode).bytes.clear();
-  const auto free = std::find_if(files.begin(), files.end(), [](const OpenFile& file) { return !file.is_used; });
-  if (free == files.end()) std::abort();
+  const auto free = std::find_if(open_files.begin(), open_files.end(), [](const OpenFile& file) { return !file.is_used; });
+  if (free == open_files.end()) std::abort();
   *free = {true, (flags & O_APPEND) != 0, inode, 0};
   return descriptor_of(&*free);
 }

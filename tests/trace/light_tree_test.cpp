@@ -161,8 +161,9 @@ TEST(LightTree, never_leaves_out_a_light_that_shines) {
     for (int k = 0; k < 100; ++k) {
       const LightReceiver at{random.place(), random.direction()};
       for (std::uint32_t l = 0; l < lights.size(); ++l)
-        if (light_of(lights[l], at.position) > 0.0f)
+        if (light_of(lights[l], at.position) > 0.0f) {
           EXPECT_GT(tree.probability(l, at), 0.0f) << static_cast<int>(kind) << ' ' << l;
+        }
     }
   }
 }

@@ -44,8 +44,8 @@ TEST(PathWave, rays_come_back_once_each_with_what_they_have_hit) {
       EXPECT_TRUE(seen.insert(of[i].pixel).second) << of[i].pixel;
       EXPECT_EQ(packet.ray.org_x[i], of[i].origin.x);
       EXPECT_EQ(packet.ray.tnear[i], of[i].t_near);
-      constexpr float kDistance[] = {5.0f, 4.0f, kInfinity};
-      EXPECT_FLOAT_EQ(packet.ray.tfar[i], kDistance[of[i].pixel % 3]);
+      constexpr float kDistances[] = {5.0f, 4.0f, kInfinity};
+      EXPECT_FLOAT_EQ(packet.ray.tfar[i], kDistances[of[i].pixel % 3]);
       EXPECT_EQ(packet.hit.geomID[i] == kNoId, of[i].pixel % 3 == 2);
     }
   });
