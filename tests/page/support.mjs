@@ -82,6 +82,14 @@ async function serve(...words) {
   });
 }
 
+/** On a busy machine a connection that the browser has opened ahead is closed by the server before it asks anything. */
+async function load(page, address) {
+  await page.goto(address).catch((error) => {
+    if (!error.message.includes("ERR_SOCKET_NOT_CONNECTED")) throw error;
+    return page.goto(address);
+  });
+}
+
 /** A page whose `complaints` are errors and warnings of its console; `ready` waits until it shows something. */
 export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false } = {}) {
   const used = script || hasTouch ? undefined : idle.pop();
@@ -90,8 +98,8 @@ export async function open(address, { width = 820, height = 420, ready = true, o
   opened.push(page);
   page.complaints = [];
   page.onRequest = onRequest;
-  await page.goto(address);
-  if (ready) await page.waitForSelector('#stage[data-drawn="true"]', { timeout: 60000 });
+  await load(page, address);
+  if (ready) await page.waitForSelector('#stage[data-drawn="true"]', { timeout: 120000 });
   return page;
 }
 
