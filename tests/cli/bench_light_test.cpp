@@ -51,7 +51,7 @@ TEST(BenchLight, rows_are_measured_in_other_views) {
 // Of the same paths at the same frame: without their noise, both are nearer to the same reference.
 TEST(BenchLight, both_sides_are_denoised_where_that_is_asked_for) {
   const TempDir dir;
-  const Words scene{"--scene", "fast-lamp", "--frames", "2"};
+  const Words scene{"--scene", "flash", "--frames", "2"};
   const Json noisy = light_rows(dir, scene)[0], denoised = light_rows(dir, scene + Words{"--denoise"})[0];
   EXPECT_EQ(denoised["references_kept"], noisy["references_rendered"]);
   EXPECT_GT(denoised["full_psnr_db"], noisy["full_psnr_db"]);
