@@ -1,7 +1,7 @@
 // A library for LD_PRELOAD: the LIPPMANN_FAIL_NUMBER-th call of a kind fails, as on a disk that is full for a moment; with
 // LIPPMANN_FAIL_ALL all that follow fail too. LIPPMANN_FAIL_CALL says which kind: write (to a regular file), open (for
-// writing), rename, mkdir. When one has failed, a file LIPPMANN_FAILED is there. What the program prints goes to pipes and is
-// left alone.
+// writing), rename, mkdir, fsync. When one has failed, a file LIPPMANN_FAILED is there. What the program prints goes to pipes
+// and is left alone.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -115,5 +115,10 @@ int rename(const char* from, const char* to) {
 int mkdir(const char* path, mode_t mode) {
   static const auto real = next<int(const char*, mode_t)>("mkdir");
   return fails("mkdir") ? -1 : real(path, mode);
+}
+
+int fsync(int descriptor) {
+  static const auto real = next<int(int)>("fsync");
+  return fails("fsync") ? -1 : real(descriptor);
 }
 }
