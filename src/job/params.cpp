@@ -54,6 +54,7 @@ Scene wanted_scene(const RenderParams& params, const Context& context, SceneNote
   options.animation = params.scene.animation;
   options.variant = params.scene.variant;
   options.asset_root = params.scene.asset_root;
+  options.texture_bytes = static_cast<std::uint64_t>(params.scene.texture_memory) << 20;
   Scene scene = load_scene(params.scene.name, options, context);
   SceneNotes known{camera_names(scene), {}};
   choose_camera(scene, params.scene.camera);

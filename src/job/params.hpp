@@ -31,6 +31,7 @@ struct SceneParams {
   std::string animation;              ///< name or index of the one to show, of scenes that hold several; empty: the first
   std::string variant;                ///< name or index of the set of materials, of scenes that hold several; empty: the file's
   std::string asset_root;             ///< files that the scene names may lie below it; empty: in its own folder only
+  int texture_memory = 1024;          ///< MB for the decoded textures of a file; larger ones are halved until they fit
   std::string camera;                 ///< name or index of the one that decides the view; empty: the first
   UpAxis up = UpAxis::kY;             ///< the axis of the scene's file that points upwards
   double fps = 0.0;                   ///< frames per second of the animation and of videos; 0: the scene's own

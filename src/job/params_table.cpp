@@ -287,6 +287,10 @@ std::vector<ParamInfo> scene_rows() {
       path(runs_only(row(ParamKind::kText, &P::scene, &SceneParams::asset_root, text(),
                          {"asset-root", "Scene", "DIR",
                           "Textures and other files that the scene names may lie below this folder; default: in its own"}))),
+      runs_only(row(ParamKind::kNumber, &P::scene, &SceneParams::texture_memory, integer<int>(1, 1 << 20),
+                    {"texture-memory", "Scene", "MB",
+                     "Memory for the decoded textures of glTF and OBJ files, 4 bytes a texel; the largest are halved until "
+                     "they fit"})),
       runs_only(row(ParamKind::kText, &P::scene, &SceneParams::camera, text(),
                     {"camera", "Scene", "NAME|INDEX",
                      "The camera that decides the view; default: the file's first ('info' lists them)"})),

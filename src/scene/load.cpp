@@ -35,7 +35,9 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
 }
 
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return load_gltf(path, options.frames_per_second, context, {}, options.animation, options.asset_root, options.variant);
+  GltfLimits limits;
+  limits.texture_bytes = options.texture_bytes;
+  return load_gltf(path, options.frames_per_second, context, limits, options.animation, options.asset_root, options.variant);
 }
 
 Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context) {
@@ -43,7 +45,7 @@ Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Cont
 }
 
 Scene load_obj_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return at_rate(load_obj(path, context, options.asset_root), options);
+  return at_rate(load_obj(path, context, options.asset_root, options.texture_bytes), options);
 }
 
 Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Context& context) {

@@ -2,14 +2,11 @@
 // colour profiles and orientation tags in the image are to be ignored. The other formats say nothing else.
 #include "scene/texture_image.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "image/decode.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -37,17 +34,6 @@ std::vector<std::uint8_t> expanded_to_rgba(std::vector<std::uint8_t> codes, std:
   return rgba;
 }
 
-/// Counts the picture's texels.
-void spend(const PictureHeader& picture, const std::string& where, TextureBudget& budget) {
-  if (picture.width < 1 || picture.height < 1 || std::max(picture.width, picture.height) > budget.longest_side)
-    throw Error(where, fmt::format("has {} x {} pixels", picture.width, picture.height),
-                fmt::format("1 to {} a side", budget.longest_side));
-  const std::uint64_t bytes = 4ull * static_cast<std::uint64_t>(picture.width) * static_cast<std::uint64_t>(picture.height);
-  if (bytes > budget.left)
-    throw Error(where, "the textures decode to too much memory", fmt::format("at most {} bytes together", budget.bytes));
-  budget.left -= bytes;
-}
-
 struct Reader {
   bool (*recognises)(FileBytes);
   PictureHeader (*header)(FileBytes, const std::string&);
@@ -65,12 +51,15 @@ const Reader& reader_of(FileBytes encoded, const std::string& where) {
 
 }  // namespace
 
-bool is_texture_image(std::span<const std::byte> encoded) { return is_png(encoded) || is_jpeg(encoded); }
+bool is_texture_image(FileBytes encoded) { return is_png(encoded) || is_jpeg(encoded); }
 
-void decode_texture(std::span<const std::byte> encoded, const std::string& where, TextureBudget& budget, Texture& into) {
-  const Reader& reader = reader_of(encoded, where);
-  spend(reader.header(encoded, where), where, budget);
-  DecodedPicture picture = reader.decode(encoded, where);
+Vec2i texture_size(FileBytes encoded, const std::string& where) {
+  const PictureHeader header = reader_of(encoded, where).header(encoded, where);
+  return {header.width, header.height};
+}
+
+void decode_texture(FileBytes encoded, const std::string& where, Texture& into) {
+  DecodedPicture picture = reader_of(encoded, where).decode(encoded, where);
   into.width = picture.header.width, into.height = picture.header.height;
   into.rgba = expanded_to_rgba(to_bytes(std::move(picture.samples)), picture.header.channels.size());
 }

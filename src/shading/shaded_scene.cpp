@@ -39,7 +39,7 @@ class MeshShadow final : public ShadowCaster {
 
 }  // namespace
 
-ShadingTables::ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use)
+ShadingTables::ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use, const ThreadPool& pool)
     : lights(make_lights(scene, resolved)), environment(std::make_unique<Environment>(scene.background)) {
   materials = make_material_table(scene, surroundings(scene, *environment), use);
   if (use == MaterialUse::kPaths) {
@@ -50,7 +50,8 @@ ShadingTables::ShadingTables(const Scene& scene, const ResolvedScene& resolved, 
   for (const Instance& instance : scene.instances)
     material_of_instance.push_back(static_cast<std::uint32_t>(instance.material));
   const bool tachyon = scene.encoding == Encoding::kTachyonTruncate;
-  for (const Texture& texture : scene.textures) textures.push_back(make_device_texture(texture, tachyon));
+  textures.resize(scene.textures.size());
+  pool.for_each(textures.size(), [&](std::size_t t) { textures[t] = make_device_texture(scene.textures[t], tachyon); });
 }
 
 float ShadingTables::transmittance(std::uint32_t instance) const {
@@ -68,7 +69,8 @@ ShadedScene::ShadedScene(const Scene& described, const ThreadPool& pool, Materia
     : ShadedScene(described, evaluate(described, described.timeline.time(0)), pool, use) {}
 
 ShadedScene::ShadedScene(const Scene& described, const ResolvedScene& resolved, const ThreadPool& pool, MaterialUse use)
-    : ShadingTables(described, resolved, use), RayScene(described, resolved, static_cast<const ShadowMaterials&>(*this), pool) {
+    : ShadingTables(described, resolved, use, pool),
+      RayScene(described, resolved, static_cast<const ShadowMaterials&>(*this), pool) {
   tabulate_lights();
 }
 

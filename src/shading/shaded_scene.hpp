@@ -23,7 +23,7 @@ struct PathTables {
 
 /// Materials, textures and lights, in a form that loops over lanes read.
 struct ShadingTables : ShadowMaterials {
-  ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use);
+  ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use, const ThreadPool& pool);
 
   float transmittance(std::uint32_t instance) const override;
   std::unique_ptr<ShadowCaster> caster(std::uint32_t instance, const Mesh& mesh) const override;

@@ -21,6 +21,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"animation", {"Walk"}},
     {"variant", {"Beach"}},
     {"asset-root", {"models"}},
+    {"texture-memory", {"4096"}},
     {"camera", {"Front"}},
     {"up", {"-z"}},
     {"focus", {"Head"}},

@@ -51,6 +51,8 @@ class MaterialReader {
  public:
   MaterialReader(Document& document, Scene& scene) : document_(document), textures_(document, scene) {}
 
+  void decode_textures() { textures_.decode(); }
+
   Material read(std::size_t index, MaterialNeeds& needs) {
     const tinygltf::Material& from = document_.model.materials[index];
     MetallicRoughness surface;
@@ -228,6 +230,7 @@ MaterialTable read_materials(Document& document, Scene& scene) {
     table.needs.emplace_back();
     scene.materials.push_back(reader.read(i, table.needs.back()));
   }
+  reader.decode_textures();
   return table;
 }
 

@@ -19,6 +19,8 @@ class Report {
  public:
   Report(std::string file, const Context& context) : file_(std::move(file)), context_(context) {}
 
+  const Context& context() const { return context_; }
+
   /// "file: element", or the file alone.
   std::string where(std::string_view element) const;
 

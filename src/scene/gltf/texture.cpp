@@ -21,6 +21,15 @@ Wrap wrap_mode(int mode, const std::string& where, const Report& report) {
   }
 }
 
+/// The G of metallic-roughness textures, of glossiness in A.
+void make_roughness(float glossiness, Texture& texture) {
+  for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
+    const float rough = 255.0f - glossiness * static_cast<float>(texture.rgba[i + 3]);
+    texture.rgba[i + 1] = static_cast<std::uint8_t>(std::lround(rough));
+    texture.rgba[i + 3] = 255;
+  }
+}
+
 }  // namespace
 
 int TextureReader::read(int index, bool srgb) {
@@ -51,9 +60,8 @@ int TextureReader::read(int index, bool srgb) {
   result.name = !document_.images[image].name.empty() ? document_.images[image].name : texture.name;
   result.wrap_u = wrap_u, result.wrap_v = wrap_v;
   result.srgb = srgb;
-  decode(image, result);
-  scene_.textures.push_back(std::move(result));
-  return known->second;
+  const auto picture = [this, image](std::vector<std::byte>& storage) { return image_bytes(document_, image, storage); };
+  return pending_.add(std::move(result), document_.report.where(element("images", image)), picture, scene_.textures);
 }
 
 int TextureReader::read_roughness(int index, float glossiness) {
@@ -61,30 +69,19 @@ int TextureReader::read_roughness(int index, float glossiness) {
   if (from < 0) return -1;
   const auto [known, is_new] = roughness_.try_emplace({from, glossiness}, static_cast<int>(scene_.textures.size()));
   if (!is_new) return known->second;
-  Texture roughness = scene_.textures[static_cast<std::size_t>(from)];
-  if (roughness.rgba.size() > budget_.left)
-    document_.report.fail(element("textures", static_cast<std::size_t>(index)), "the textures decode to too much memory",
-                          fmt::format("at most {} bytes together", budget_.bytes));
-  budget_.left -= roughness.rgba.size();
-  for (std::size_t i = 0; i < roughness.rgba.size(); i += 4) {
-    const float rough = 255.0f - glossiness * static_cast<float>(roughness.rgba[i + 3]);
-    roughness.rgba[i + 1] = static_cast<std::uint8_t>(std::lround(rough));
-    roughness.rgba[i + 3] = 255;
-  }
-  scene_.textures.push_back(std::move(roughness));
-  return known->second;
+  return pending_.add_changed(
+      from, [glossiness](Texture& t) { make_roughness(glossiness, t); }, scene_.textures);
+}
+
+void TextureReader::decode() {
+  pending_.decode(scene_.textures, document_.report.context(),
+                  [this](const std::string& text) { document_.report.warn(text); });
 }
 
 /// WebP first: the other is for readers that do not know it.
 int TextureReader::image_of(const tinygltf::Texture& texture) {
   const auto webp = texture.extensions.find("EXT_texture_webp");
   return webp == texture.extensions.end() ? texture.source : webp->second.Get("source").GetNumberAsInt();
-}
-
-void TextureReader::decode(std::size_t image, Texture& into) {
-  std::vector<std::byte> storage;
-  const Bytes encoded = image_bytes(document_, image, storage);
-  decode_texture(encoded, document_.report.where(element("images", image)), budget_, into);
 }
 
 }  // namespace lippmann::gltf

@@ -15,12 +15,12 @@
 #include "scene/lexer.hpp"
 #include "scene/side_file.hpp"
 #include "scene/text_file.hpp"
+#include "scene/texture_image.hpp"
 
 namespace lippmann::obj {
 namespace {
 
 constexpr std::size_t kLargestText = std::size_t{64} << 20, kLargestPicture = std::size_t{256} << 20;
-constexpr TextureBudget kTextures{16384, std::uint64_t{512} << 20, std::uint64_t{512} << 20};
 constexpr float kLargestMaterialNumber = 1e6f;
 
 MetallicRoughness matt_grey() {
@@ -29,6 +29,13 @@ MetallicRoughness matt_grey() {
   surface.metallic = 0.0f;
   surface.double_sided = true;
   return surface;
+}
+
+FileBytes picture_bytes(const std::filesystem::path& file, const std::string& where, std::vector<std::byte>& storage) {
+  const std::string text = read_text_file(file, where, kLargestPicture, "at most 256 MiB for a picture");
+  const FileBytes bytes = std::as_bytes(std::span(text));
+  storage.assign(bytes.begin(), bytes.end());
+  return storage;
 }
 
 float roughness_of(float phong_exponent) { return std::pow(2.0f / (phong_exponent + 2.0f), 0.25f); }
@@ -118,8 +125,12 @@ void parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
 
 }  // namespace
 
-Materials::Materials(SideFolders folders, Scene& scene, const Context& context)
-    : folders_(std::move(folders)), scene_(scene), context_(context), budget_(kTextures), text_left_(kLargestText) {}
+Materials::Materials(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context)
+    : folders_(std::move(folders)),
+      scene_(scene),
+      context_(context),
+      pending_({.bytes = texture_bytes}),
+      text_left_(kLargestText) {}
 
 bool Materials::exists(std::string_view name, const std::string& where) const {
   return find_side_file(folders_, name, where).problem.empty();
@@ -173,18 +184,20 @@ int Materials::texture(std::string_view statement, const std::string& where) {
     context_.warning(fmt::format("{}: {}; the surface is shown without it.", where, file.problem));
     return -1;
   }
-  const std::string picture = read_text_file(file.path, where, kLargestPicture, "at most 256 MiB for a picture");
-  const std::span<const std::byte> encoded = std::as_bytes(std::span(picture));
-  if (!is_texture_image(encoded)) {
+  const auto read = [file, where](std::vector<std::byte>& storage) { return picture_bytes(file.path, where, storage); };
+  std::vector<std::byte> storage;
+  if (!is_texture_image(read(storage))) {
     context_.warning(fmt::format("{}: {} is neither PNG nor JPEG; the surface is shown without it.", where, shown(name)));
     return -1;
   }
-  Texture result;
-  result.name = name;
-  decode_texture(encoded, where, budget_, result);
-  known->second = static_cast<int>(scene_.textures.size());
-  scene_.textures.push_back(std::move(result));
+  Texture described;
+  described.name = name;
+  known->second = pending_.add(std::move(described), where, read, scene_.textures);
   return known->second;
+}
+
+void Materials::decode_textures() {
+  pending_.decode(scene_.textures, context_, [this](const std::string& text) { context_.warning(text + "."); });
 }
 
 int Materials::find(std::string_view name, const std::string& where) {

@@ -55,8 +55,8 @@ Vec3f linear(Vec3f srgb) {
 
 class Reader {
  public:
-  Reader(Lexer& lexer, const SideFolders& folders, Scene& scene, const Context& context)
-      : lexer_(lexer), scene_(scene), context_(context), materials_(folders, scene, context) {}
+  Reader(Lexer& lexer, const SideFolders& folders, std::uint64_t texture_bytes, Scene& scene, const Context& context)
+      : lexer_(lexer), scene_(scene), context_(context), materials_(folders, texture_bytes, scene, context) {}
 
   void read() {
     while (!lexer_.at_end()) {
@@ -66,6 +66,7 @@ class Reader {
         lexer_.rest_of_line();
       }
     }
+    materials_.decode_textures();
     finish();
   }
 
@@ -226,13 +227,14 @@ void join_lines(std::string& text) {
 }  // namespace
 }  // namespace obj
 
-Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root) {
+Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root,
+               std::uint64_t texture_bytes) {
   std::string text = utf8_text(read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text"));
   obj::join_lines(text);
   Lexer lexer(path.string(), std::move(text));
   Scene scene;
   scene.name = path.stem().string();
-  obj::Reader(lexer, {path.parent_path(), asset_root}, scene, context).read();
+  obj::Reader(lexer, {path.parent_path(), asset_root}, texture_bytes, scene, context).read();
   return scene;
 }
 

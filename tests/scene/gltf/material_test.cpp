@@ -354,15 +354,27 @@ TEST(GltfTexture, image_larger_than_the_limit_is_refused_before_it_is_decoded) {
             "a.glb: images[0]: has 2 x 2 pixels; accepted: 1 to 1 a side");
 }
 
-TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_refused) {
+TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_halved) {
   GltfBuilder b = textured(four_colours());
   b.add("images", b.root["images"][0]);
   b.add("textures", {{"source", 1}});
   b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
   GltfLimits limits;
   limits.texture_bytes = 31;  // one takes 16
-  EXPECT_EQ(error_message([&] { parse(b, nullptr, limits); }),
-            "a.glb: images[1]: the textures decode to too much memory; accepted: at most 31 bytes together");
+  std::vector<std::string> warnings;
+  const Scene scene = parse(b, &warnings, limits);
+  ASSERT_EQ(scene.textures.size(), 2u);
+  EXPECT_EQ(scene.textures[0].rgba.size(), 16u);
+  EXPECT_EQ(scene.textures[1].rgba.size(), 4u);
+  EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("1 of 2 textures are shown at half of their resolution")));
+}
+
+TEST(GltfTexture, image_that_alone_is_beyond_the_limit_is_refused_before_it_is_decoded) {
+  GltfLimits limits;
+  limits.texture_bytes = 15;
+  EXPECT_EQ(error_message([&] { parse(textured(four_colours()), nullptr, limits); }),
+            "a.glb: images[0]: has 2 x 2 pixels, which take too much memory; accepted: at most 0 MB at 4 bytes a pixel "
+            "(texture-memory)");
 }
 
 TEST(GltfTexture, image_file_that_is_missing_or_elsewhere_is_left_out_with_a_warning) {
