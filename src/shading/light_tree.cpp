@@ -9,6 +9,9 @@ constexpr float kLeastFacing = 1.0f / 16.0f;
 constexpr float kLeastSquared = 1e-20f;
 /// What shines along its face still counts so much: rounding may not take it away.
 constexpr float kLeastSquaredCosine = 1e-6f;
+/// Of what a cluster's cones give on average to all directions: what it has at least where any of them shines. And of what
+/// a single lamp gives in full: rounding may not take away what it shines at its cone's rim.
+constexpr float kLeastShining = 1.0f / 16.0f, kLeastFading = 1e-3f;
 /// Ranges and cones give way by so much, so that rounding takes no light away.
 constexpr float kMargin = 1e-4f;
 
@@ -16,6 +19,7 @@ constexpr float kMargin = 1e-4f;
 struct LightNodes {
   const LightNode* nodes;
   const LightCones* cones;
+  const LightBeams* beams;
   const LightFaces* faces;
 };
 
@@ -34,7 +38,8 @@ LIPPMANN_INLINE void weigh_places(const LightNode& n, const LightReceiver& at, L
 }
 
 /// Beyond the cone by more than the angle that the child is seen under, there is no light.
-LIPPMANN_INLINE void weigh_cones(const LightNode& n, const LightCones& c, const LightReceiver& at, Lanes& w) {
+LIPPMANN_INLINE void weigh_cones(const LightNode& n, const LightCones& c, const LightBeams& b, const LightReceiver& at,
+                                 Lanes& w) {
   const Vec3f p = at.position;
   LIPPMANN_FOR_LANES(i) {
     const float dx = p.x - n.x[i], dy = p.y - n.y[i], dz = p.z - n.z[i];
@@ -43,7 +48,14 @@ LIPPMANN_INLINE void weigh_cones(const LightNode& n, const LightCones& c, const 
     const float along = (c.x[i] * dx + c.y[i] * dy + c.z[i] * dz) / std::sqrt(squared);
     const float edge = c.cosine[i] * cosine - c.sine[i] * sine - kMargin;
     const bool all = (sine >= 1.0f) | (cosine <= -c.cosine[i]);
-    w[i] = all | (along >= edge) ? w[i] : 0.0f;
+    const float ramp = std::min(std::max((along - c.cosine[i]) * b.inverse_ramp[i], 0.0f), 1.0f);
+    const float fading = std::max(ramp * ramp, kLeastFading);
+    const float unit = 1.0f / std::sqrt(squared + n.variance[i]), x = dx * unit, y = dy * unit, z = dz * unit;
+    const float square =
+        b.xx[i] * (x * x - z * z) + b.yy[i] * (y * y - z * z) + 2.0f * (b.xy[i] * x * y + b.xz[i] * x * z + b.yz[i] * y * z);
+    const float mean = b.mean[i] + b.linear.x[i] * x + b.linear.y[i] * y + b.linear.z[i] * z + square;
+    const float shining = b.inverse_ramp[i] > 0.0f ? fading : std::max(mean, kLeastShining * b.mean[i]);
+    w[i] = all | (along >= edge) ? w[i] * shining : 0.0f;
   }
 }
 
@@ -60,7 +72,7 @@ LIPPMANN_INLINE void weigh_faces(const LightNode& n, const LightFaces& f, const 
 
 LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const LightReceiver& at, Lanes& w) {
   weigh_places(tree.nodes[node], at, w);
-  if (tree.cones) weigh_cones(tree.nodes[node], tree.cones[node], at, w);
+  if (tree.cones) weigh_cones(tree.nodes[node], tree.cones[node], tree.beams[node], at, w);
   if (tree.faces) weigh_faces(tree.nodes[node], tree.faces[node], at, w);
 }
 
@@ -165,20 +177,20 @@ const Part* or_null(const std::vector<Part>& parts) {
 
 std::size_t LightTree::bytes() const {
   return nodes_.size() * sizeof(LightNode) + boxes_.size() * sizeof(LightBoxes) + cones_.size() * sizeof(LightCones) +
-         faces_.size() * sizeof(LightFaces) + slots_.size() * sizeof(std::uint32_t);
+         beams_.size() * sizeof(LightBeams) + faces_.size() * sizeof(LightFaces) + slots_.size() * sizeof(std::uint32_t);
 }
 
 std::optional<LightTree::Choice> LightTree::choose(const LightReceiver& at, float u) const {
   if (empty()) return std::nullopt;
   std::int32_t child = 0;
-  const float probability = descend({nodes_.data(), or_null(cones_), or_null(faces_)}, at, u, child);
+  const float probability = descend({nodes_.data(), or_null(cones_), or_null(beams_), or_null(faces_)}, at, u, child);
   if (!(probability > 0.0f)) return std::nullopt;
   return Choice{static_cast<std::uint32_t>(~child), probability, u};
 }
 
 float LightTree::probability(std::uint32_t light, const LightReceiver& at) const {
   if (empty() || slots_[light] == kNowhere) return 0.0f;
-  return ascend({nodes_.data(), or_null(cones_), or_null(faces_)}, at, slots_[light]);
+  return ascend({nodes_.data(), or_null(cones_), or_null(beams_), or_null(faces_)}, at, slots_[light]);
 }
 
 float LightTree::share_of_power(std::uint32_t light) const {

@@ -17,8 +17,9 @@
 // Symbols: w importance; p power; d distance of the middle; v variance; n the receiver's normal; M mean of m m^T over the
 // cluster's faces m.   w = p facing shining / (d^2 + v)
 //   facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / 2 sqrt(d^2 + v); 1 where light may come from either side
-//   shining, of what shines by cones: 1, or 0 where the point lies beyond all of them; of faces: sqrt((d.M d + v / 16) / (d^2 +
-//   v)), and a thousandth at least
+//   shining, of what shines by cones: 0 where the point lies beyond all of them; else of a single lamp what its cone fades to,
+//   and of a cluster the mean of that over its lamps, as polynomial of second degree in -d / sqrt(d^2 + v), fitted over all
+//   directions; of faces: sqrt((d.M d + v / 16) / (d^2 + v)), and a thousandth at least
 #pragma once
 
 #include <cstdint>
@@ -45,7 +46,8 @@ struct TreeLight {
   float range = kInfinity;
   Vec3f axis{0.0f};  ///< unit; it shines no further from it than
   float half_angle = kPi;
-  Vec3f face{0.0f};  ///< unit normal of what shines to both sides by the cosine; null: it shines all around alike
+  float inner_angle = kPi;  ///< and in full up to here: in between it fades with the squared cosine
+  Vec3f face{0.0f};         ///< unit normal of what shines to both sides by the cosine; null: it shines all around alike
 };
 
 /// Sixteen children, side by side.
@@ -61,6 +63,13 @@ struct LightNode {
 /// A cone that holds all ways that a child shines.
 struct LightCones {
   Lanes x, y, z, cosine, sine;  ///< axis; of the half angle, at most pi: cosine -1, which holds everything
+};
+/// How a child shines, on average over its power, by the direction m from it: mean + linear.m + m.Q m, where Q has no trace.
+struct LightBeams {
+  Lanes mean;
+  Lanes3 linear;
+  Lanes xx, yy, xy, xz, yz;  ///< of Q
+  Lanes inverse_ramp;        ///< of a single lamp, whose cone (LightCones) it fades in: 1 / (inner - outer cosine); else 0
 };
 /// Boxes around the balls of the lights in a child.
 struct LightBoxes {
@@ -124,6 +133,7 @@ class LightTree {
 
   std::vector<LightNode> nodes_;      ///< the root first
   std::vector<LightCones> cones_;     ///< by node; empty: all shine all around
+  std::vector<LightBeams> beams_;     ///< likewise
   std::vector<LightBoxes> boxes_;     ///< by node; empty: no light has a radius
   std::vector<LightFaces> faces_;     ///< by node; empty: no light is a face
   std::vector<std::uint32_t> slots_;  ///< by light: kLanes x node + lane; kNowhere: it is never drawn

@@ -37,6 +37,28 @@ struct PowerMoments {
   double scatter() const { return power > 0.0 ? std::max(0.0, squares - glm::dot(first, first) / power) : 0.0; }
 };
 
+/// How a lamp shines by the angle to its axis: coefficients of the first three Legendre polynomials.
+struct Profile {
+  double mean = 1.0, linear = 0.0, square = 0.0;
+};
+
+Profile profile_of(const TreeLight& light) {
+  if (!(light.half_angle < kPi)) return {};
+  constexpr int kSteps = 64;
+  const double outer = std::cos(static_cast<double>(light.half_angle)),
+               inner = std::cos(static_cast<double>(light.inner_angle));
+  const double width = (1.0 - outer) / kSteps, inverse_ramp = 1.0 / std::max(inner - outer, 1e-6);
+  Profile profile{0.0, 0.0, 0.0};
+  for (int i = 0; i < kSteps; ++i) {
+    const double cosine = outer + (i + 0.5) * width, ramp = std::min(1.0, (cosine - outer) * inverse_ramp);
+    const double shines = ramp * ramp * width;
+    profile.mean += 0.5 * shines;
+    profile.linear += 1.5 * shines * cosine;
+    profile.square += 2.5 * shines * 0.5 * (3.0 * cosine * cosine - 1.0);
+  }
+  return profile;
+}
+
 float angle_between(Vec3f a, Vec3f b) { return std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f)); }
 
 }  // namespace
@@ -63,7 +85,7 @@ class LightTreeBuilder {
   std::uint32_t add_node(Members members, std::uint32_t parent) {
     const auto node = static_cast<std::uint32_t>(tree_.nodes_.size());
     tree_.nodes_.emplace_back().parent = parent;
-    if (has_cones_) tree_.cones_.emplace_back();
+    if (has_cones_) tree_.cones_.emplace_back(), tree_.beams_.emplace_back();
     if (has_balls_) tree_.boxes_.emplace_back();
     if (has_faces_) tree_.faces_.emplace_back();
     const std::vector<Members> parts = cut(members);
@@ -172,7 +194,7 @@ class LightTreeBuilder {
       n.radius[lane] = std::max(n.radius[lane], glm::length(light.middle - middle) + light.radius);
       n.range[lane] = std::max(n.range[lane], light.range);
     }
-    if (has_cones_) describe_cone(part, tree_.cones_[node], lane);
+    if (has_cones_) describe_cone(part, tree_.cones_[node], lane), describe_beam(part, sum.power, tree_.beams_[node], lane);
     if (has_balls_) describe_box(part, tree_.boxes_[node], lane);
     if (has_faces_) describe_faces(part, sum.power, tree_.faces_[node], lane);
   }
@@ -188,6 +210,28 @@ class LightTreeBuilder {
     const bool is_all = angle >= kPi;
     cones.x[lane] = axis.x, cones.y[lane] = axis.y, cones.z[lane] = axis.z;
     cones.cosine[lane] = is_all ? -1.0f : std::cos(angle), cones.sine[lane] = is_all ? 0.0f : std::sin(angle);
+  }
+
+  void describe_beam(Members part, double power, LightBeams& beams, int lane) const {
+    double mean = 0.0;
+    Vec3d linear(0.0);
+    glm::dmat3 square(0.0);
+    for (const std::uint32_t l : part) {
+      const Profile profile = profile_of(lights_[l]);
+      const Vec3d axis(lights_[l].axis);
+      const double share = static_cast<double>(lights_[l].power) / power;
+      mean += share * profile.mean;
+      linear += share * profile.linear * axis;
+      square += share * profile.square * (1.5 * glm::outerProduct(axis, axis) - glm::dmat3(0.5 * glm::dot(axis, axis)));
+    }
+    const glm::mat3 q(square);
+    beams.mean[lane] = static_cast<float>(mean);
+    beams.linear.set(lane, Vec3f(linear));
+    beams.xx[lane] = q[0][0], beams.yy[lane] = q[1][1];
+    beams.xy[lane] = q[0][1], beams.xz[lane] = q[0][2], beams.yz[lane] = q[1][2];
+    const TreeLight& first = lights_[part[0]];
+    if (part.size() == 1 && first.half_angle < kPi)
+      beams.inverse_ramp[lane] = 1.0f / std::max(std::cos(first.inner_angle) - std::cos(first.half_angle), 1e-6f);
   }
 
   void describe_box(Members part, LightBoxes& boxes, int lane) const {

@@ -10,6 +10,11 @@ float half_angle_of(const WhittedLight& lamp) {
   return lamp.linear_cone ? lamp.outer_cone : kPi;
 }
 
+float inner_angle_of(const WhittedLight& lamp) {
+  if (lamp.has_cone > 0.0f) return std::acos(std::clamp(lamp.cos_outer + 1.0f / lamp.inverse_ramp, -1.0f, 1.0f));
+  return half_angle_of(lamp);
+}
+
 }  // namespace
 
 TreeLight tree_light(const WhittedLight& lamp) {
@@ -20,6 +25,7 @@ TreeLight tree_light(const WhittedLight& lamp) {
   light.radius = lamp.radius, light.variance = lamp.radius * lamp.radius;
   light.range = lamp.range;
   light.axis = -lamp.toward, light.half_angle = half_angle_of(lamp);
+  light.inner_angle = inner_angle_of(lamp);
   return light;
 }
 

@@ -31,8 +31,8 @@ class RandomPlaces {
   std::mt19937 random_;
 };
 
-enum class Kind { kPoints, kSpots, kBalls, kFaces };
-constexpr Kind kKinds[] = {Kind::kPoints, Kind::kSpots, Kind::kBalls, Kind::kFaces};
+enum class Kind { kPoints, kSpots, kFadingSpots, kBalls, kFaces };
+constexpr Kind kKinds[] = {Kind::kPoints, Kind::kSpots, Kind::kFadingSpots, Kind::kBalls, Kind::kFaces};
 
 /// Powers from 0.01 to 1, ranges from 1 to 10 of every third.
 std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed) {
@@ -42,6 +42,10 @@ std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed
     TreeLight& light = lights.emplace_back(lamp(random.place(), std::pow(10.0f, random.number(-2.0f, 0.0f))));
     if (l % 3 == 0) light.range = random.number(1.0f, 10.0f);
     if (kind == Kind::kSpots) light.axis = random.direction(), light.half_angle = random.number(0.1f, 2.5f);
+    if (kind == Kind::kFadingSpots) {
+      light.axis = random.direction(), light.half_angle = random.number(0.1f, 2.5f);
+      light.inner_angle = light.half_angle * random.number(0.0f, 1.0f);
+    }
     if (kind == Kind::kBalls) light.radius = random.number(0.0f, 0.5f), light.variance = squared(light.radius);
     if (kind == Kind::kFaces) light.face = random.direction();
   }
@@ -53,7 +57,9 @@ float light_of(const TreeLight& light, Vec3f at) {
   const Vec3f from = at - light.middle;
   const float distance = glm::length(from);
   if (distance > light.range) return 0.0f;
-  float shining = light.half_angle < kPi && glm::dot(from / distance, light.axis) < std::cos(light.half_angle) ? 0.0f : 1.0f;
+  const float outer = std::cos(light.half_angle), inner = std::max(std::cos(light.inner_angle), outer + 1e-6f);
+  const float ramp = std::clamp((glm::dot(from / distance, light.axis) - outer) / (inner - outer), 0.0f, 1.0f);
+  float shining = light.half_angle < kPi ? ramp * ramp : 1.0f;
   if (light.face != Vec3f(0.0f)) shining *= std::abs(glm::dot(from / distance, light.face));
   return light.power * shining / (distance * distance);
 }
@@ -94,6 +100,53 @@ TEST(LightTree, draws_faces_by_their_cosine_from_either_side) {
   lights[0].face = {0, 0, 1};
   lights[1].face = {0, std::sqrt(0.75f), -0.5f};
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 2.0f / 3.0f, 1e-6f);
+}
+
+// Half way between the cosines of its outer and inner cone a lamp gives a quarter of what it gives along its axis.
+TEST(LightTree, draws_spots_by_what_their_cones_fade_to) {
+  std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({1, 0, 0})};
+  for (TreeLight& light : lights) light.half_angle = 0.5f * kPi, light.inner_angle = 0.0f;
+  lights[0].axis = {0, 0, -1};
+  lights[1].axis = {-0.5f, std::sqrt(0.75f), 0};
+  EXPECT_NEAR(LightTree(lights).probability(0, {}), 0.8f, 1e-5f);
+}
+
+// Sixteen lamps that light a half space each, all towards the point, are 1/2 + 3/4 x by Legendre's polynomials, x = 1 along
+// their axis; where every other one looks away they are 1/2 in all directions.
+TEST(LightTree, draws_clusters_of_spots_by_how_they_shine_on_average) {
+  std::vector<TreeLight> lights;
+  for (int l = 0; l < 32; ++l) {
+    const bool left = l < 16;
+    lights.push_back(lamp({left ? -1 : 1, 0, 0}));
+    lights.back().half_angle = lights.back().inner_angle = 0.5f * kPi;
+    lights.back().axis = {left || l % 2 == 1 ? 1 : -1, 0, 0};
+  }
+  const LightTree tree(lights);
+  EXPECT_NEAR(tree.probability(0, {}), 1.25f / 1.75f / 16.0f, 1e-4f);
+  EXPECT_NEAR(tree.probability(16, {}), 0.5f / 1.75f / 8.0f, 1e-4f);
+  EXPECT_EQ(tree.probability(17, {}), 0.0f);
+}
+
+TEST(LightTree, makes_less_noise_of_spots_than_their_cones_alone_would) {
+  const std::vector<TreeLight> lights = random_lights(Kind::kFadingSpots, 1000, 1);
+  std::vector<TreeLight> hard = lights;
+  for (TreeLight& light : hard) light.inner_angle = light.half_angle;
+  const LightTree tree(lights), of_hard(hard);
+  RandomPlaces random(8);
+  double by_tree = 0.0, by_cones = 0.0;  // variances over the squared light of all
+  for (int k = 0; k < 50; ++k) {
+    const LightReceiver at{random.place(), Vec3f(0.0f)};
+    double all = 0.0, of_tree = 0.0, of_cones = 0.0;
+    for (std::uint32_t l = 0; l < lights.size(); ++l) {
+      const double light = static_cast<double>(light_of(lights[l], at.position));
+      if (!(light > 0.0)) continue;
+      all += light;
+      of_tree += light * light / static_cast<double>(tree.probability(l, at));
+      of_cones += light * light / static_cast<double>(of_hard.probability(l, at));
+    }
+    by_tree += of_tree / (all * all) - 1.0, by_cones += of_cones / (all * all) - 1.0;
+  }
+  EXPECT_LT(by_tree, 0.9 * by_cones);
 }
 
 TEST(LightTree, probabilities_sum_to_one_wherever_it_is_asked) {
