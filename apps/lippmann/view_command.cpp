@@ -68,6 +68,20 @@ int save(const ViewOptions& options, const Context& context) {
   return 0;
 }
 
+/// A folder alone, with the report that a render begins with: whatever else is said of it is said of a finished light field.
+bool is_render_to_watch(const ViewOptions& options) {
+  const LightFieldFlags& field = options.field;
+  const bool is_alone = options.other.empty() && field.from.empty() && field.report.empty() && field.views.empty() &&
+                        field.quilt.empty() && !field.view_angle_deg;
+  return is_alone && fs::exists(fs::path(options.in) / "report.json") && is_unfinished_render(options.in);
+}
+
+int watch(const ViewOptions& options, const Context& context) {
+  auto render = std::make_shared<RunningRender>(options.in, fs::canonical("/proc/self/exe"));
+  auto field = std::make_unique<PageField>(options.in, render, context);
+  return serve_page(std::move(field), std::move(render), options.server, context);
+}
+
 // ---- A scene ------------------------------------------------------------------------------------------------------------
 
 void refuse_light_field_flags(const ViewOptions& options) {
@@ -108,6 +122,7 @@ int run(const ViewOptions& options, Context& context) {
   if (is_scene(options.in)) return set_up(options, context);
   refuse_scene_flags(options);
   if (!options.save.empty()) return save(options, context);
+  if (is_render_to_watch(options)) return watch(options, context);
   return serve_page(read_fields(options, context), std::nullopt, options.server, context);
 }
 

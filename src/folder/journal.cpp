@@ -226,6 +226,13 @@ std::optional<FolderJournal> read_journal(const fs::path& folder) {
   return journal.parts.empty() ? std::nullopt : std::optional(std::move(journal));
 }
 
+FolderJournal read_journal_part(const fs::path& part) {
+  FolderJournal journal;
+  std::uintmax_t bytes_left = kMaxJournalBytes;
+  read_part(part, bytes_left, journal);
+  return journal;
+}
+
 void sync_render(const fs::path& folder, const FolderJournal& journal) {
   for (const fs::path& part : journal.parts) sync_file(part);
   std::vector<fs::path> files;

@@ -88,6 +88,10 @@ std::filesystem::path journal_folder(const std::filesystem::path& folder);
 /// torn last line is no problem. Throws Error for a journal that is no regular file or cannot be read.
 std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
 
+/// What one run has written: its frames, what it was asked for, and its end once it has ended. A file that is gone says
+/// nothing.
+FolderJournal read_journal_part(const std::filesystem::path& part);
+
 /// Makes sure that a loss of power leaves the journal as it was read, and the frames under their names: of a run that was
 /// killed, the last line and the last names may not be safe yet.
 void sync_render(const std::filesystem::path& folder, const FolderJournal& journal);

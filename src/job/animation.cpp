@@ -153,6 +153,7 @@ class Animation {
     if (run_.ranks && !is_first_rank()) run_.ranks->begin();  // once the first rank has made room
     RenderFolder folder = open_folder();
     RenderReport report = report_of_setup();
+    if (is_first_rank()) begin_report(report, folder);
     const auto maker = params_.scene.name == kTestPattern ? make_pattern_frames(stage_, pool_)
                                                           : make_frame_maker(stage_, made_as_, pool_, context_);
     {

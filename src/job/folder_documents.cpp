@@ -75,6 +75,10 @@ void write_job_of_folder(const RenderParams& params, const std::vector<int>& fra
   });
 }
 
+void begin_report(const RenderReport& run, RenderFolder& folder) {
+  if (!is_as_written(folder.now(), folder.path(), kReportFile)) write_report(run, folder);
+}
+
 RenderReport write_report(const RenderReport& run, RenderFolder& folder) {
   RenderReport all;
   folder.write(kReportFile, [&](const FolderJournal& journal) {

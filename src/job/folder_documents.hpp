@@ -16,6 +16,10 @@ namespace lippmann {
 void write_job_of_folder(const RenderParams& params, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
                          const Context& context);
 
+/// Writes a report as soon as a run has begun, unless one of this render is there: whoever looks at the folder meanwhile, or
+/// after a crash, learns from it which optics the frames are of.
+void begin_report(const RenderReport& run, RenderFolder& folder);
+
 /// Writes what `run` reports with all frames that the folder's journal knows, and what all runs that have ended took. The run's
 /// own end is recorded. Returns what it wrote.
 RenderReport write_report(const RenderReport& run, RenderFolder& folder);

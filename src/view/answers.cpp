@@ -22,7 +22,7 @@ namespace {
 
 /// While somebody waits for a picture: what making it takes counts, not what it weighs.
 constexpr int kServedEffort = 0;
-constexpr std::string_view kCalibration = "calibration", kLive = "live";
+constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run";
 
 PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
   return {status, std::move(type), std::make_shared<const std::string>(std::move(text))};
@@ -69,7 +69,8 @@ std::string text_of(const std::vector<std::byte>& bytes) { return {reinterpret_c
 
 bool takes_text(std::string_view path) {
   const std::size_t last = path.rfind('/');
-  return path.substr(last + 1) == kCalibration || path.substr(0, last).ends_with("/live");
+  return path.substr(last + 1) == kCalibration || path.substr(0, last).ends_with("/live") ||
+         path.substr(0, last).ends_with("/run");
 }
 
 PagePicture encoded_picture(const Image8& picture, int effort) {
@@ -97,6 +98,11 @@ PageAnswers::PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAcc
 PageAnswers::PageAnswers(std::unique_ptr<LivePage> live, PageAccess access)
     : live_(std::move(live)), access_(std::move(access)), cache_(0) {}
 
+PageAnswers::PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, PageAccess access)
+    : render_(std::move(render)), access_(std::move(access)), cache_(kDefaultCacheBytes) {
+  fields_.push_back(std::move(field));
+}
+
 PageAnswer PageAnswers::answer(const PageRequest& request) {
   const bool asks = request.method == "GET" || request.method == "HEAD";
   if (!asks && !(request.method == "POST" && takes_text(request.path)))
@@ -118,9 +124,10 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
 
 PageAnswer PageAnswers::answer_text(const PageRequest& request, std::string_view path) {
   if (path == kCalibration) return calibration(request.body);
-  if (cut_part(path) != kLive || !live_) return unknown_path();
+  const std::string_view part = cut_part(path);
+  if (!(part == kLive && live_) && !(part == kRun && render_)) return unknown_path();
   if (request.origin.empty()) return answer_with(403, "Only the page itself may change anything here.\n");
-  return live_->post(path, request.body);
+  return live_ ? live_->post(path, request.body) : run_order(path);
 }
 
 PageAnswer PageAnswers::answer_path(std::string_view path) {
@@ -129,11 +136,18 @@ PageAnswer PageAnswers::answer_path(std::string_view path) {
     if (file.name == (path.empty() ? "index.html" : path))
       return answer_with(200, std::string(file.text), std::string(file.type));
   std::string_view rest = path;
-  if (live_ && cut_part(rest) == kLive) return live_->get(rest);
+  const std::string_view part = cut_part(rest);
+  if (live_ && part == kLive) return live_->get(rest);
+  if (render_ && part == kRun) return run_state(rest);
   return picture(path);
 }
 
 std::string PageAnswers::description() const {
+  if (render_)
+    return json_to_text({{"lippmann", version()},
+                         {"fields", nlohmann::ordered_json::array({field_json(fields_.front()->facts())})},
+                         {"run", render_->state_after(0)}},
+                        -1);
   if (!live_) return fields_text(fields_, display_);
   return json_to_text(
       {{"lippmann", version()}, {"fields", nlohmann::ordered_json::array({live_->field()})}, {"live", live_->about()}}, -1);
@@ -143,6 +157,28 @@ PageAnswer PageAnswers::calibration(const std::string& text) const {
   try {
     const PageDisplay dropped = dropped_calibration(text, display_ ? display_->interlace : InterlaceParams{});
     return answer_with(200, json_to_text(page_display_json(dropped), -1), "application/json");
+  } catch (const Error& error) {
+    return failed(error.what());
+  }
+}
+
+/// state/KNOWN
+PageAnswer PageAnswers::run_state(std::string_view path) {
+  const std::string_view kind = cut_part(path);
+  const std::optional<std::size_t> known = number_in(path);
+  if (kind != "state" || !known) return unknown_path();
+  return answer_with(200, json_to_text(render_->state_after(*known), -1), "application/json");
+}
+
+PageAnswer PageAnswers::run_order(std::string_view order) {
+  try {
+    if (order == "stop")
+      render_->stop();
+    else if (order == "resume")
+      render_->resume();
+    else
+      return unknown_path();
+    return answer_with(200, json_to_text(render_->state_after(0), -1), "application/json");
   } catch (const Error& error) {
     return failed(error.what());
   }

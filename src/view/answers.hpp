@@ -14,6 +14,7 @@
 #include "view/byte_cache.hpp"
 #include "view/page_display.hpp"
 #include "view/page_field.hpp"
+#include "view/running_render.hpp"
 
 namespace lippmann {
 
@@ -48,7 +49,7 @@ class LivePage {
 };
 
 /// Whether a page sends a text there: a calibration, to get its numbers back, of which nothing is kept; or what is to be done
-/// with a live scene.
+/// with a live scene or with a render that runs.
 bool takes_text(std::string_view path);
 
 /// Thread-safe.
@@ -63,6 +64,11 @@ class PageAnswers {
   /// Shows a live scene. Without the token, and from pages of no or another origin, nothing of it can be changed.
   PageAnswers(std::unique_ptr<LivePage> live, PageAccess access);
 
+  /// Shows a render that runs or was stopped, which pages may stop and resume under the same conditions: below "run/",
+  ///   GET  run/state/KNOWN   RunningRender::state_after
+  ///   POST run/stop, run/resume
+  PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, PageAccess access);
+
   PageAnswer answer(const PageRequest& request);
 
  private:
@@ -71,9 +77,12 @@ class PageAnswers {
   std::string description() const;
   PageAnswer calibration(const std::string& text) const;
   PageAnswer picture(std::string_view path);
+  PageAnswer run_state(std::string_view path);
+  PageAnswer run_order(std::string_view order);
 
   std::vector<std::unique_ptr<PageField>> fields_;
   std::unique_ptr<LivePage> live_;
+  std::shared_ptr<RunningRender> render_;
   PageAccess access_;
   std::optional<PageDisplay> display_;
   ByteCache cache_;

@@ -64,12 +64,23 @@ PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
   }
 }
 
-Image8 PageField::quilt(std::size_t frame) const {
-  return views_quilt(read(frame), facts_, pool_, frames_.files[frame].string());
+PageField::PageField(const fs::path& folder, std::shared_ptr<const ComingFrames> coming, const Context& context)
+    : root_(shown_root(folder)), pool_(resolved_threads(context)), coming_(std::move(coming)) {
+  const Rendering rendering = read_rendering(folder / "report.json");
+  if (rendering.mirrored)
+    throw Error(folder.string(), "its pictures are mirrored, to be printed on the back of a sheet",
+                "a render without `mirror`");
+  facts_ = page_facts(rendering.optics);
+  facts_.title = title_of(folder);
+  facts_.frames_per_second = rendering.frames_per_second.value_or(facts_.frames_per_second);
+  facts_.has_depth = rendering.has_depth_layer && facts_.panel != PanelPicture::kOwn && facts_.grid.count() > 1;
+  for (const int frame : coming_->frames()) facts_.frames.push_back({fmt::format("{:04}", frame), {}});
 }
 
+Image8 PageField::quilt(std::size_t frame) const { return views_quilt(read(frame), facts_, pool_, file_of(frame).string()); }
+
 Image8 PageField::disparities(std::size_t frame) const {
-  const fs::path& file = frames_.files[frame];
+  const fs::path file = file_of(frame);
   require_within(root_, file);
   const LightFieldSource source = light_field_source(file, hints_.from, options_with_depth(hints_));
   const LightField field = source.format->read(file, source.options);
@@ -87,9 +98,16 @@ Image8 PageField::disparities(std::size_t frame) const {
 
 Image8 PageField::panel(std::size_t frame) const { return to_codes(read(frame).picture, Encoding::kSrgb); }
 
+fs::path PageField::file_of(std::size_t frame) const {
+  if (!coming_) return frames_.files[frame];
+  if (const std::optional<fs::path> file = coming_->file(frame)) return *file;
+  throw Error(fmt::format("Frame {}", facts_.frames[frame].label), "is not rendered yet");
+}
+
 RenderedPanel PageField::read(std::size_t frame) const {
-  require_within(root_, frames_.files[frame]);
-  return frames_.read(frame);
+  const fs::path file = file_of(frame);
+  require_within(root_, file);
+  return coming_ ? find_light_field_frames(file, hints_).read(0) : frames_.read(frame);
 }
 
 bool PageField::has_depth_beside(std::size_t frame) const {

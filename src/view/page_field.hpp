@@ -5,7 +5,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
@@ -13,12 +16,25 @@
 
 namespace lippmann {
 
+/// The frames of a render that is not finished: all are known by number, their files come one by one.
+class ComingFrames {
+ public:
+  virtual ~ComingFrames() = default;
+  virtual const std::vector<int>& frames() const = 0;  ///< ascending, at least one
+  /// Of the frame of that index, once it is finished. Thread-safe.
+  virtual std::optional<std::filesystem::path> file(std::size_t index) const = 0;
+};
+
 class PageField {
  public:
   /// Throws Error naming the file, or the flag that has to say what nothing else says; depth that cannot be read is left out
   /// with a warning. Files that lead out of the folder that
   /// is shown are refused when they are read.
   PageField(std::filesystem::path in, LightFieldHints hints, const Context& context);
+
+  /// What a render's folder will hold: its report says the optics, and whether there is depth. Throws Error naming it. A frame
+  /// that has not come yet is an Error when it is asked for.
+  PageField(const std::filesystem::path& folder, std::shared_ptr<const ComingFrames> coming, const Context& context);
 
   const PageFacts& facts() const { return facts_; }
 
@@ -33,6 +49,7 @@ class PageField {
 
  private:
   RenderedPanel read(std::size_t frame) const;
+  std::filesystem::path file_of(std::size_t frame) const;
   bool has_depth_beside(std::size_t frame) const;
 
   LightFieldHints hints_;
@@ -40,6 +57,7 @@ class PageField {
   std::filesystem::path root_;
   PageFacts facts_;
   ThreadPool pool_;
+  std::shared_ptr<const ComingFrames> coming_;  ///< null: all files are there
 };
 
 }  // namespace lippmann

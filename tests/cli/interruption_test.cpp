@@ -33,6 +33,8 @@ TEST(Interruption, killed_render_resumes_to_the_same_pictures_and_video) {
   killed.signal(SIGKILL);
   EXPECT_EQ(killed.wait().exit_code, 128 + SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(dir / "parts.mkv"));
+  EXPECT_EQ(json_of(bytes_of(dir / "parts/report.json"))["interrupted"], true);
+  EXPECT_EQ(run_tool(dir, {"replay", "parts", "-o", "eye"}).exit_code, 0) << "the report that it began with says the optics";
 
   const RunResult resumed = run_tool(dir, parts + Words{"--resume", "--json", "--verbose"});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;

@@ -46,6 +46,19 @@ TEST(View, a_scene_is_set_up_at_an_address_that_has_a_token) {
   EXPECT_TRUE(fs::is_empty(dir.path()));
 }
 
+// From there it can be resumed.
+TEST(View, an_unfinished_render_is_shown_at_an_address_that_has_a_token) {
+  const TempDir dir;
+  Subprocess render(tool_command(small_teapot("0-99", "r")), {dir.path().string(), 0});
+  ASSERT_TRUE(appears(dir / "r/frame_0001.png"));
+  render.signal(SIGKILL);
+  render.wait();
+  Subprocess server(tool_command({"view", "r", "--port", "0"}), {.working_folder = dir.path().string()});
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  server.signal(SIGINT);
+  EXPECT_THAT(server.wait().out, testing::MatchesRegex("http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]+/\n"));
+}
+
 TEST(View, flags_of_scenes_and_of_light_fields_are_told_apart) {
   const TempDir dir;
   fs::create_directory(dir / "room");  // a folder is a light field, whatever a built-in scene is called

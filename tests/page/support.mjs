@@ -64,6 +64,13 @@ async function newPage({ width, height, script, hasTouch }) {
 /** Runs the tool in the tests' folder. */
 export const lippmann = (...words) => execFileSync(tool, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
+/** The tool beside the tests: a render, say. */
+export function begin(...words) {
+  const process = spawn(tool, words, { cwd: folder, stdio: "ignore" });
+  servers.push(process);
+  return process;
+}
+
 export const inFolder = (name) => join(folder, name);
 
 /** Serves light fields; its address. */

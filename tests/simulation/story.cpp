@@ -151,6 +151,7 @@ class Teller {
     RenderFolder folder = open_job_folder(work.folder, job, params, frames_, kAllFrames, work.force, context);
     RenderReport report;
     report.params = params;
+    begin_report(report, folder);
     FrameSteps steps{true, work.only_finished, {}, {}};
     steps.keep = [&](const FrameReport& kept) { report.frames.push_back(kept); };
     steps.make = [&](int frame) { return make(work, frame, folder, report); };

@@ -114,7 +114,7 @@ TEST(PageField, depth_that_cannot_be_read_is_left_out_with_a_warning) {
   Context context;
   std::string warning;
   context.warn = [&](std::string_view text) { warning = text; };
-  const PageField field(dir.path(), {}, context);
+  const PageField field(dir.path(), LightFieldHints{}, context);
   EXPECT_FALSE(field.facts().has_depth);
   EXPECT_THAT(warning, testing::AllOf(HasSubstr("Depth is left out"), HasSubstr("aov_0000.exr")));
 }

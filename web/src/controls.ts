@@ -3,6 +3,8 @@ import { hasCrosstalk, neighbourShare, shareOfZone, slopeInZone, type Field } fr
 import type { Live } from "./live";
 import { setUpGroups } from "./live_controls";
 import type { Player } from "./player";
+import { runGroup } from "./run_controls";
+import type { Run } from "./run";
 import type { State, Store } from "./state";
 import type { Tilt } from "./tilt";
 
@@ -111,6 +113,7 @@ export interface Actions {
   player: Player;
   tilt: Tilt;
   live: Live | null;
+  run: Run | null;
 }
 
 /** Fills `parent`; what is returned brings all controls up to the state. */
@@ -122,6 +125,7 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   parent.append(
     ...[
       ...(actions.live ? setUpGroups(store, field, actions.live, shown) : []),
+      actions.run ? runGroup(actions.run, shown) : null,
       fields.length > 1 ? compareGroup(store, shown) : null,
       onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions.tilt, shown), shown),
       onlyIf(() => hasViews() && store.state.show !== "display", focusGroup(store, actions, shown), shown),

@@ -13,6 +13,8 @@ export interface Frame {
   label: string;
   kind?: string;
   psnr_db?: number;
+  /** Of a render that runs: it is not finished. */
+  pending?: boolean;
 }
 
 export interface Field {

@@ -75,6 +75,8 @@ export class Frames {
   /** The frame, where it is there; else it is on its way, and `changed` is called when it is. Throws what loading it threw. */
   get(field: number, frame: number, use: Use): LoadedFrame | null {
     if (this.isLive) return this.live;
+    const { label, pending } = this.fields[field].frames[frame];
+    if (pending) throw new Refusal(`Frame ${label} is not rendered yet.`);
     const key = `${field}/${frame}/${use}`;
     const failure = this.failures.get(key);
     if (failure && performance.now() - failure.at < kRetryMs) throw failure.error;
@@ -141,6 +143,7 @@ export class Frames {
   load(field: number, frame: number, use: Use): Promise<LoadedFrame | null> {
     if (this.isLive) return Promise.resolve(this.live);
     const key = `${field}/${frame}/${use}`;
+    if (this.fields[field].frames[frame].pending) return Promise.resolve(null);
     const found = this.loaded.get(key);
     if (found) return Promise.resolve(found);
     let promise = this.loading.get(key);

@@ -3,6 +3,7 @@
 import { loadPicture, postText, readState } from "./data";
 import { Refusal, type Field } from "./field";
 import type { Frames } from "./frames";
+import { pause } from "./pause";
 
 export interface Rendered {
   state: "running" | "finished" | "stopped" | "failed";
@@ -41,8 +42,6 @@ interface Changes {
   frame?: number;
   plane_mm?: number;
 }
-
-const pause = (milliseconds: number): Promise<void> => new Promise((resolve) => window.setTimeout(resolve, milliseconds));
 
 export class Live {
   state: LiveState | null = null;

@@ -2,6 +2,7 @@
 import { button, check, chooser, element, group, rounded, slider, type Shown } from "./controls";
 import type { Field } from "./field";
 import type { Live, Rendered } from "./live";
+import { minutes } from "./run";
 import type { Store } from "./state";
 
 const kNames: Record<string, string> = {
@@ -121,8 +122,6 @@ function samplesOf(live: Live): number {
   const given = live.number("spp", 0);
   return given > 0 ? given : live.value("integrator") === "path" ? 64 : 1;
 }
-
-const minutes = (seconds: number): string => (seconds < 90 ? `${Math.ceil(seconds)} s` : `${Math.ceil(seconds / 60)} min`);
 
 export function renderText(render: Rendered | null): string {
   if (!render) return "";

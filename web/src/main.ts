@@ -9,6 +9,7 @@ import { orbitOf, planeDistance, planeRange, setOrbit, setPlaneDistance, setZoom
 import { codeFromLinear, openGl } from "./gl";
 import { steerFromOutside } from "./outside";
 import { Player } from "./player";
+import { Run, type RunState } from "./run";
 import { Renderer, useOf } from "./renderer";
 import { Store } from "./state";
 import { Tilt } from "./tilt";
@@ -59,6 +60,7 @@ export class App {
   readonly player: Player;
   readonly tilt: Tilt;
   readonly live: Live | null;
+  readonly run: Run | null;
   private wanted = true;
   private pointer: { x: number; y: number } | null = null;
   private notices = new Map<string, string>();
@@ -70,7 +72,9 @@ export class App {
     readonly fields: Field[],
     display: PanelDisplay | null,
     about: Choices | null,
+    run: RunState | null,
   ) {
+    this.run = run && new Run(run, fields[0], () => this.hearOfRun(), (topic, text) => this.notify(topic, text));
     this.store = new Store(fields, display !== null);
     const gl = openGl(this.canvas);
     this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
@@ -92,11 +96,13 @@ export class App {
       player: this.player,
       tilt: this.tilt,
       live: this.live,
+      run: this.run,
     });
     this.store.listen(() => this.redraw());
     this.store.listen(() => this.live?.setFrame(this.store.state.frame));
     this.listen();
     this.head();
+    if (this.run) this.beginRun();
     if (this.player.isPlaying) this.timeline.toggle();
     requestAnimationFrame((now) => this.tick(now));
   }
@@ -117,6 +123,23 @@ export class App {
     byId("stage").dataset.rest = String(this.live?.isAtRest);
     if (picture) this.redraw();
     this.updateControls();
+  }
+
+  /** The first picture is one that is there. */
+  private beginRun(): void {
+    const { frames } = this.fields[0];
+    if (frames[this.store.state.frame].pending) this.store.set({ frame: Math.max(frames.findIndex((frame) => !frame.pending), 0) });
+    this.hearOfRun();
+  }
+
+  /** Of a render that runs: frames are finished, or it has been stopped or resumed. */
+  private hearOfRun(): void {
+    const isOver = this.run?.state.state === "finished";
+    byId("facts").textContent = isOver ? describe(this.fields[0]) : (this.run?.describe() ?? "");
+    this.notify("run", this.run?.state.error ?? "");
+    this.timeline.takeFrames();
+    this.updateControls();
+    this.redraw();
   }
 
   private progress(): string {
@@ -536,8 +559,8 @@ async function start(): Promise<void> {
   try {
     const json = await loadFields();
     const fields = readFields(json);
-    const { display, live } = json as { display?: unknown; live?: Choices };
-    const app = new App(fields, display ? readDisplay(display) : null, live ?? null);
+    const { display, live, run } = json as { display?: unknown; live?: Choices; run?: RunState };
+    const app = new App(fields, display ? readDisplay(display) : null, live ?? null, run ?? null);
     steerFromOutside(app);
   } catch (error) {
     fail(error);

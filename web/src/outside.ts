@@ -4,6 +4,7 @@
 import { shareOutOfZone } from "./field";
 import type { App } from "./main";
 import type { LiveState } from "./live";
+import type { RunState } from "./run";
 import type { State } from "./state";
 
 interface Handle {
@@ -21,6 +22,8 @@ interface Handle {
   /** Of a scene that is set up: what the program says of it, and settings by the names of flags. */
   readonly scene: LiveState | null;
   setUp(settings: Record<string, string | null>): void;
+  /** Of a render that runs or was stopped: what the program says of it. */
+  readonly run: RunState | null;
 }
 
 declare global {
@@ -50,6 +53,9 @@ export function steerFromOutside(app: App): void {
     valueAt: (x, y) => app.renderer.valueAt(0, [x, y]),
     get scene() {
       return structuredClone(app.live?.state ?? null);
+    },
+    get run() {
+      return structuredClone(app.run?.state ?? null);
     },
     setUp: (settings) => app.live?.set(settings),
   };

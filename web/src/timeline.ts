@@ -1,4 +1,5 @@
 // Time: play, pause, step, scrub; where key frames are, and how near each frame came (PSNR), as a curve to click.
+import type { Frame } from "./field";
 import type { Store } from "./state";
 
 const kSvg = "http://www.w3.org/2000/svg";
@@ -33,6 +34,17 @@ function setIcon(button: HTMLButtonElement, label: string, icon: keyof typeof kI
   const picture = svg("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" });
   picture.append(svg("path", { d: kIcons[icon] }));
   button.replaceChildren(picture);
+}
+
+/** The first and the last of each row of frames that are not finished. */
+function pendingRanges(frames: Frame[]): [number, number][] {
+  const ranges: [number, number][] = [];
+  frames.forEach((frame, i) => {
+    if (!frame.pending) return;
+    if (i > 0 && frames[i - 1].pending) ranges[ranges.length - 1][1] = i;
+    else ranges.push([i, i]);
+  });
+  return ranges;
 }
 
 export class Timeline {
@@ -102,8 +114,22 @@ export class Timeline {
   step(by: number): void {
     const count = this.store.fields[0].frames.length;
     this.playing = false;
-    this.store.set({ frame: (this.store.state.frame + by + count) % count });
+    this.store.set({ frame: this.finishedFrom((this.store.state.frame + by + count) % count, by) });
     this.update();
+  }
+
+  /** That frame or, where it is not finished, the next one in a direction that is; itself where none is. */
+  private finishedFrom(frame: number, by: number): number {
+    const { frames } = this.store.fields[0];
+    const at = (steps: number) => (((frame + steps * by) % frames.length) + frames.length) % frames.length;
+    const found = frames.findIndex((_, steps) => !frames[at(steps)].pending);
+    return found < 0 ? frame : at(found);
+  }
+
+  /** Frames have been finished, or others are known to be missing. */
+  takeFrames(): void {
+    this.store.fields[0].frames.forEach((frame, i) => (this.psnr[i] = frame.psnr_db));
+    if (this.psnr.length > 1) this.update();
   }
 
   goTo(frame: number): void {
@@ -131,6 +157,12 @@ export class Timeline {
       return;
     }
     frame %= count;
+    if (fields[0].frames[frame].pending) {
+      const next = this.finishedFrom(frame, 1);
+      if (next !== state.frame) this.store.set({ frame: next });
+      this.start();
+      return;
+    }
     if (!this.isReady(frame)) {
       const next = (state.frame + 1) % count;
       if (this.isReady(next)) this.store.set({ frame: next });
@@ -171,6 +203,7 @@ export class Timeline {
     frames.forEach((frame, i) => {
       if (frame.kind === "key") parts.push(svg("line", { x1: i, x2: i, y1: height - 6, y2: height, class: "key" }));
     });
+    const pending = frames.filter((frame) => frame.pending).length;
     let text = parts.length > 0 ? `${parts.length} key frames are marked.` : "Frames.";
     if (curve) {
       const least = Math.min(...known);
@@ -179,6 +212,10 @@ export class Timeline {
       const points = this.psnr.map((psnr, i) => (psnr === undefined || !Number.isFinite(psnr) ? null : `${i},${y(psnr).toFixed(2)}`));
       parts.push(svg("polyline", { points: points.filter(Boolean).join(" "), class: "curve" }));
       text += ` PSNR from ${least.toFixed(1)} to ${Math.max(...known).toFixed(1)} dB.`;
+    }
+    if (pending > 0) {
+      parts.unshift(...pendingRanges(frames).map(([from, to]) => svg("rect", { x: Math.max(from - 0.5, 0), y: 0, width: Math.min(to + 0.5, last) - Math.max(from - 0.5, 0), height, class: "pending" })));
+      text += ` ${frames.length - pending} of ${frames.length} frames are rendered.`;
     }
     const now = this.store.state.frame;
     if (curve) parts.push(svg("line", { x1: now, x2: now, y1: 0, y2: height, class: "now" }));

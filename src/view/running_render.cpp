@@ -1,0 +1,126 @@
+#include "view/running_render.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "folder/journal_writer.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Any number of pages may ask: the folder is looked at so often.
+constexpr std::chrono::milliseconds kBetweenLooks{200};
+
+RenderState state_in(RenderStateReader& reader, const fs::path& folder) {
+  if (std::optional<RenderState> state = reader.read()) return std::move(*state);
+  throw Error(folder.string(), "holds no journal of a render", "a folder that `lippmann render` writes to");
+}
+
+Json frame_news(std::size_t index, const FrameFacts& facts) {
+  Json json{{"index", index}};
+  if (!facts.kind.empty()) json["kind"] = facts.kind;
+  if (facts.psnr_db) json["psnr_db"] = *facts.psnr_db;
+  return json;
+}
+
+}  // namespace
+
+bool is_unfinished_render(const fs::path& folder) try {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) return false;
+  const std::optional<RenderState> state = RenderStateReader(folder).read();
+  return state && state->activity != RenderActivity::kFinished;
+} catch (const Error&) {
+  return false;
+}
+
+RunningRender::RunningRender(fs::path folder, fs::path program)
+    : folder_(std::move(folder)), program_(std::move(program)), reader_(folder_), state_(state_in(reader_, folder_)) {
+  frames_ = state_.journal.asked;
+  if (frames_.empty()) throw Error(folder_.string(), "no frames were asked for", "a render that has begun");
+  take(state_.journal);
+}
+
+std::optional<fs::path> RunningRender::file(std::size_t index) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = files_.find(index);
+  return found == files_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void RunningRender::take(const FolderJournal& journal) {
+  for (std::size_t index = 0; index < frames_.size(); ++index) {
+    const auto found = journal.frames.find(frames_[index]);
+    if (found == journal.frames.end() || files_.contains(index)) continue;
+    files_[index] = folder_ / picture_of(found->second);
+    finished_.push_back({index, {found->second.report.kind, found->second.report.estimated_psnr_db}});
+  }
+}
+
+/// Under the lock, as what follows.
+void RunningRender::look() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - looked_ < kBetweenLooks) return;
+  looked_ = now;
+  try {
+    state_ = state_in(reader_, folder_);
+    take(state_.journal);
+    std::erase_if(interrupted_, [&](const fs::path& part) {
+      return std::find(state_.running.begin(), state_.running.end(), part) == state_.running.end();
+    });
+  } catch (const Error& error) {
+    error_ = error.what();
+  }
+  if (!resumed_ || resumed_->is_running()) return;
+  error_ = resumed_->failure();
+  resumed_.reset();
+}
+
+std::string RunningRender::word() const {
+  if (state_.activity == RenderActivity::kRunning && state_.running.size() == interrupted_.size()) return "stopping";
+  if (state_.activity == RenderActivity::kRunning) return "running";
+  if (resumed_) return "starting";
+  if (state_.activity == RenderActivity::kElsewhere) return "elsewhere";
+  return state_.activity == RenderActivity::kFinished ? "finished" : "stopped";
+}
+
+Json RunningRender::state_after(std::size_t known) {
+  const std::lock_guard lock(mutex_);
+  look();
+  Json news = Json::array();
+  for (std::size_t i = known; i < finished_.size(); ++i) news.push_back(frame_news(finished_[i].index, finished_[i].facts));
+  return {{"state", word()},          {"frames", frames_.size()},
+          {"done", finished_.size()}, {"seconds_left", state_.seconds_left ? Json(*state_.seconds_left) : Json()},
+          {"host", state_.elsewhere}, {"folder", folder_.string()},
+          {"error", error_},          {"finished", std::move(news)}};
+}
+
+void RunningRender::stop() {
+  const std::lock_guard lock(mutex_);
+  looked_ = {};
+  look();
+  bool told = false;
+  for (const fs::path& part : state_.running)
+    if (interrupted_.contains(part) || interrupt_writer(part)) interrupted_.insert(part), told = true;
+  if (!told && !resumed_) throw Error(folder_.string(), "no process of this machine renders into it", "a render that runs");
+  if (!told) resumed_->interrupt();  // it has not come to its journal yet
+}
+
+void RunningRender::resume() {
+  const std::lock_guard lock(mutex_);
+  looked_ = {};
+  look();
+  if (resumed_ || !state_.running.empty()) throw Error(folder_.string(), "a render is under way", "to stop it first");
+  const fs::path job = folder_ / "job.toml";
+  if (!is_as_written(state_.journal, folder_, "job.toml"))
+    throw Error(job.string(), "is not as a render has written it", "`lippmann render` with `resume` and a job that you know");
+  error_.clear();
+  resumed_ = std::make_unique<ToolProcess>(
+      program_, std::vector<std::string>{"render", job.string(), "--resume", "-o", folder_.string(), "--quiet"});
+}
+
+}  // namespace lippmann

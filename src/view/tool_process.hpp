@@ -1,0 +1,40 @@
+// Another process of the tool itself, with its messages; what it prints is dropped.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lippmann {
+
+/// Not thread-safe.
+class ToolProcess {
+ public:
+  /// Throws Error if it cannot be started.
+  ToolProcess(const std::filesystem::path& program, const std::vector<std::string>& words);
+  /// Does what Ctrl-C does, and waits until it has ended.
+  ~ToolProcess();
+  ToolProcess(const ToolProcess&) = delete;
+  ToolProcess& operator=(const ToolProcess&) = delete;
+
+  /// Looks whether it has ended.
+  bool is_running();
+
+  /// Does what Ctrl-C does, once.
+  void interrupt();
+
+  /// Empty while it runs and where it has done its work or was interrupted; else the end of what it said on stderr.
+  std::string failure();
+
+ private:
+  void end(int status);
+
+  pid_t process_ = 0;  ///< 0: it has ended
+  bool is_interrupted_ = false;
+  std::filesystem::path messages_;  ///< the file that stderr goes to
+  std::string failure_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,98 @@
+// A render that runs: its frames appear in the page as they are finished, it is stopped and resumed from there with the same bytes
+// as one that nobody disturbed, and one that was killed is not taken for running.
+import assert from "node:assert/strict";
+import { once } from "node:events";
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { test } from "node:test";
+import { begin, inFolder, lippmann, open, view } from "./support.mjs";
+
+const kFrames = 8;
+const job = (folder) => ["render", "room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--layout", "quilt", "--aov", "depth", "--integrator", "path", "--spp", "160", "--reuse", "none", "--frames", `0-${kFrames - 1}`, "-o", folder, "-q"];
+const frames = (folder) => readdirSync(inFolder(folder)).filter((name) => /^(frame|aov)_/.test(name)).sort();
+const pictures = (folder) => frames(folder).filter((name) => name.endsWith(".png"));
+const isStopped = (page) => page.waitForFunction(() => window.lippmann?.run.state === "stopped", null, { timeout: 60000 });
+
+async function until(holds) {
+  while (!holds()) await new Promise((resolve) => setTimeout(resolve, 50));
+}
+
+const render = begin(...job("run"));
+await until(() => existsSync(inFolder("run/report.json")));
+const address = await view("run");
+const page = await open(address, { ready: false });
+page.setDefaultTimeout(90000);
+await page.waitForFunction(() => window.lippmann);
+
+test("frames appear as they are finished, and the others are said to be missing", async () => {
+  await page.evaluate(() => (window.isTheSamePage = true));
+  await page.waitForFunction(() => window.lippmann?.run.done >= 2 && window.lippmann.run.seconds_left !== null);
+  assert.match(await page.locator("#facts").textContent(), /Rendering: \d+ of 8 frames, about \d+ (s|min) left/);
+  const { done, frames } = await page.evaluate(() => window.lippmann.run);
+  assert.equal(frames, kFrames);
+  await page.evaluate(() => window.lippmann.set({ frame: 1 }));
+  await page.waitForSelector('#stage[data-drawn="true"][data-frame="1"]');
+  await page.waitForFunction(() => document.querySelector("#notice").textContent === "");
+  await page.evaluate(() => window.lippmann.set({ frame: 7 }));
+  await page.waitForFunction(() => /Frame 0007 is not rendered yet/.test(document.querySelector("#notice").textContent));
+  await page.getByRole("button", { name: "Next frame" }).click();
+  assert.equal(await page.evaluate(() => window.lippmann.state.frame), 0);
+  await page.getByRole("button", { name: "Previous frame" }).click();
+  const last = await page.evaluate(() => window.lippmann.state.frame);
+  assert.ok(last >= done - 1 && last < kFrames - 1, `${last} of ${done}`);
+  assert.match(await page.locator(".marks").getAttribute("aria-label"), /of 8 frames are rendered/);
+});
+
+test("orders without the token, or from elsewhere, change nothing", async () => {
+  const order = (address, headers) => fetch(`${address}run/stop`, { method: "POST", body: "{}", headers }).then(({ status }) => status);
+  const origin = new URL(address).origin;
+  assert.notEqual(new URL(address).pathname, "/");
+  assert.equal(await order(`${origin}/`, { Origin: origin }), 403);
+  assert.equal(await order(address, {}), 403);
+  assert.equal(await order(address, { Origin: "http://evil.example" }), 403);
+  assert.equal(await page.evaluate(() => window.lippmann.run.state), "running");
+});
+
+test("the keyboard stops it, and it leaves what Ctrl-C leaves", async () => {
+  await page.getByRole("button", { name: "Stop" }).focus();
+  const ended = once(render, "exit");
+  await page.keyboard.press("Enter");
+  assert.deepEqual(await ended, [130, null]);
+  await isStopped(page);
+  const done = pictures("run").length;
+  assert.ok(done >= 2 && done < kFrames, `${done} frames`);
+  assert.equal(JSON.parse(readFileSync(inFolder("run/report.json"), "utf8")).interrupted, true);
+  assert.match(await page.locator("#facts").textContent(), new RegExp(`Stopped: ${done} of 8 frames`));
+  await page.waitForFunction(() => document.activeElement.textContent === "Resume");
+});
+
+test("a resumed render has the bytes of one that nobody has stopped, and the page shows it without being loaded again", async () => {
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => window.lippmann?.run.state === "finished");
+  assert.equal(await page.evaluate(() => window.isTheSamePage), true);
+  lippmann(...job("undisturbed"));
+  assert.deepEqual(frames("run"), frames("undisturbed"));
+  for (const name of frames("run")) assert.ok(readFileSync(inFolder(`run/${name}`)).equals(readFileSync(inFolder(`undisturbed/${name}`))), name);
+  lippmann("check", "run");
+  await page.evaluate(() => window.lippmann.set({ frame: 7 }));
+  await page.waitForSelector('#stage[data-drawn="true"][data-frame="7"]');
+  await page.waitForFunction(() => document.querySelector("#notice").textContent === "");
+  const other = await open(await view("undisturbed"));
+  const codes = (one) => one.evaluate(async () => [...(await window.lippmann.picture(64, 64))]);
+  await other.evaluate(() => window.lippmann.set({ frame: 7 }));
+  assert.deepEqual(await codes(page), await codes(other));
+  assert.deepEqual(page.complaints.filter((text) => !/SOCKET_NOT_CONNECTED/.test(text)), []);
+});
+
+test("a render that was killed is shown as stopped, and what resuming lacks is said", async () => {
+  const killed = begin(...job("killed"));
+  await until(() => existsSync(inFolder("killed")) && pictures("killed").length > 0);
+  await page.goto(await view("killed"));
+  await page.waitForFunction(() => window.lippmann?.run.state === "running");
+  killed.kill("SIGKILL");
+  await isStopped(page);
+  await page.waitForFunction(() => /Stopped: \d of 8 frames/.test(document.querySelector("#facts").textContent));
+  writeFileSync(inFolder("killed/job.toml"), 'scene = "teapot"\n');
+  await page.getByRole("button", { name: "Resume" }).click();
+  await page.waitForFunction(() => /job.toml: is not as a render has written it/.test(document.querySelector("#notice").textContent));
+  assert.equal(await page.evaluate(() => window.lippmann.run.state), "stopped");
+});

@@ -1,0 +1,145 @@
+// A render whose folder is shown while it runs: what the page is told, and what it may do.
+#include "view/running_render.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "folder/render_folder.hpp"
+#include "lippmann/core/error.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+#include "view/answers.hpp"
+#include "view/light_fields.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A folder of three frames that this process renders, as far as journals tell; pictures of two are there.
+class RunningRenderTest : public testing::Test {
+ protected:
+  RunningRenderTest() : pictures_(test::write_sheet_frames(dir_.path(), 2)), folder_(std::in_place, dir_.path(), "job") {
+    folder_->begin({0, 1, 2});
+    folder_->write("job.toml", [](const FolderJournal&) { return std::string("scene = \"room\"\n"); });
+    add(0);
+  }
+
+  void add(int frame) {
+    FrameReport report;
+    report.frame = frame, report.kind = "key";
+    folder_->add(report, {{"frame_000" + std::to_string(frame) + ".png", {1, "0123456789abcdef"}}});
+  }
+  /// A script in place of the tool: what it is called with goes to `words`.
+  fs::path tool_that(const std::string& does) {
+    const fs::path path = dir_ / "tool.sh";
+    std::ofstream(path) << "#!/bin/sh\necho \"$@\" > '" << (dir_ / "words").string() << "'\n" << does << "\n";
+    fs::permissions(path, fs::perms::owner_all);
+    return path;
+  }
+  static nlohmann::ordered_json state_once(RunningRender& render, const std::string& word) {
+    for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+      if (auto state = render.state_after(0); state["state"] == word) return state;
+    return {};
+  }
+
+  test::TempDir dir_;
+  std::vector<Image8> pictures_;
+  std::optional<RenderFolder> folder_;
+};
+
+TEST_F(RunningRenderTest, frames_that_are_finished_are_told_once) {
+  RunningRender render(dir_.path(), "/bin/false");
+  nlohmann::ordered_json state = render.state_after(0);
+  EXPECT_EQ(state["state"], "running");
+  EXPECT_EQ(state["frames"], 3);
+  ASSERT_EQ(state["finished"].size(), 1u);
+  EXPECT_EQ(state["finished"][0]["kind"], "key");
+  add(1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  state = render.state_after(1);
+  ASSERT_EQ(state["finished"].size(), 1u);
+  EXPECT_EQ(state["finished"][0]["index"], 1);
+  EXPECT_EQ(state["done"], 2);
+}
+
+TEST_F(RunningRenderTest, picture_of_a_frame_is_there_when_the_frame_is) {
+  auto render = std::make_shared<RunningRender>(dir_.path(), "/bin/false");
+  const PageField field(dir_.path(), render, Context());
+  ASSERT_EQ(field.facts().frames.size(), 3u);
+  EXPECT_EQ(field.facts().frames[2].label, "0002");
+  EXPECT_EQ(field.panel(0).rgb, pictures_[0].rgb);
+  EXPECT_THAT(test::error_message([&] { field.panel(1); }), HasSubstr("Frame 0001: is not rendered yet"));
+  add(1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  render->state_after(0);
+  EXPECT_EQ(field.panel(1).rgb, pictures_[1].rgb);
+}
+
+TEST_F(RunningRenderTest, render_that_was_stopped_is_resumed_as_its_user_would) {
+  folder_.reset();
+  RunningRender render(dir_.path(), tool_that("echo 'no such scene' >&2; exit 1"));
+  EXPECT_EQ(render.state_after(0)["state"], "stopped");
+  EXPECT_THROW(render.stop(), Error);
+  render.resume();
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  EXPECT_EQ(state_once(render, "stopped")["error"], "no such scene");
+  std::ifstream words(dir_ / "words");
+  std::string line;
+  std::getline(words, line);
+  EXPECT_EQ(line, "render " + (dir_ / "job.toml").string() + " --resume -o " + dir_.path().string() + " --quiet");
+}
+
+TEST_F(RunningRenderTest, resumed_render_is_stopped_while_it_is_set_up) {
+  folder_.reset();
+  RunningRender render(dir_.path(), tool_that("exec sleep 60"));
+  render.resume();
+  EXPECT_EQ(render.state_after(0)["state"], "starting");
+  EXPECT_THROW(render.resume(), Error);
+  render.stop();
+  EXPECT_EQ(state_once(render, "stopped")["error"], "");
+}
+
+TEST_F(RunningRenderTest, one_that_runs_is_not_started_again_and_a_changed_job_is_not_started) {
+  RunningRender render(dir_.path(), "/bin/false");
+  EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("a render is under way"));
+  folder_.reset();
+  std::ofstream(dir_ / "job.toml") << "scene = \"teapot\"\n";
+  EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("job.toml: is not as a render has written it"));
+}
+
+TEST_F(RunningRenderTest, folders_of_finished_renders_and_others_are_none) {
+  EXPECT_TRUE(is_unfinished_render(dir_.path()));
+  for (const int frame : {1, 2}) add(frame);
+  EXPECT_TRUE(is_unfinished_render(dir_.path()));  // its process goes on
+  folder_.reset();
+  EXPECT_FALSE(is_unfinished_render(dir_.path()));
+  EXPECT_FALSE(is_unfinished_render(dir_ / "missing"));
+}
+
+TEST_F(RunningRenderTest, only_the_page_itself_with_its_token_gives_orders) {
+  auto render = std::make_shared<RunningRender>(dir_.path(), "/bin/false");
+  folder_.reset();
+  PageAnswers answers(std::make_unique<PageField>(dir_.path(), render, Context()), render, {{"127.0.0.1:1"}, "secret"});
+  PageRequest request{.method = "POST", .path = "/secret/run/stop", .host = "127.0.0.1:1", .origin = "http://127.0.0.1:1"};
+  EXPECT_EQ(answers.answer(request).status, 422);  // there is nothing to be stopped
+  request.origin = "";
+  EXPECT_EQ(answers.answer(request).status, 403);
+  request.origin = "http://evil.example";
+  EXPECT_EQ(answers.answer(request).status, 403);
+  request.origin = "http://127.0.0.1:1", request.path = "/run/stop";
+  EXPECT_EQ(answers.answer(request).status, 403);
+  request.path = "/secret/run/remove";
+  EXPECT_EQ(answers.answer(request).status, 404);
+  request.method = "GET", request.path = "/secret/run/state/0";
+  EXPECT_EQ(answers.answer(request).status, 200);
+  request.path = "/secret/run/state/x";
+  EXPECT_EQ(answers.answer(request).status, 404);
+}
+
+}  // namespace
+}  // namespace lippmann
