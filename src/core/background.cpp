@@ -21,16 +21,34 @@ struct BackgroundQueue::Impl {
   std::mutex mutex;
   std::condition_variable changed;
   std::deque<Piece> waiting;
-  int capacity = 1, existing = 0;
+  int capacity, existing = 0;
   std::uint64_t submitted = 0, next_turn = 0;
   bool stopping = false, failed = false;
   std::exception_ptr failure;
   std::vector<std::thread> threads;
 
+  explicit Impl(int most_pieces) : capacity(most_pieces) {}
+  ~Impl();  // also where a later thread cannot start, and the constructor of the queue throws
+
+  void start(int number);
   void serve();
   void run(const std::function<void()>& half);
   void rethrow_failure();
 };
+
+BackgroundQueue::Impl::~Impl() {
+  {
+    const std::lock_guard lock(mutex);
+    stopping = true;
+    waiting.clear();  // the newest pieces: no turn before theirs waits for them
+  }
+  changed.notify_all();
+  for (std::thread& thread : threads) thread.join();
+}
+
+void BackgroundQueue::Impl::start(int number) {
+  for (int i = 0; i < number; ++i) threads.emplace_back([this] { serve(); });
+}
 
 /// One half of a piece, outside the lock; skipped once a piece has failed.
 void BackgroundQueue::Impl::run(const std::function<void()>& half) {
@@ -78,21 +96,12 @@ void BackgroundQueue::Impl::rethrow_failure() {
   if (thrown) std::rethrow_exception(thrown);
 }
 
-BackgroundQueue::BackgroundQueue(int threads, int capacity) : impl_(std::make_unique<Impl>()) {
+BackgroundQueue::BackgroundQueue(int threads, int capacity) : impl_(std::make_unique<Impl>(capacity)) {
   assert(threads >= 1 && capacity >= 1);
-  impl_->capacity = capacity;
-  for (int i = 0; i < threads; ++i) impl_->threads.emplace_back([impl = impl_.get()] { impl->serve(); });
+  impl_->start(threads);
 }
 
-BackgroundQueue::~BackgroundQueue() {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->stopping = true;
-    impl_->waiting.clear();  // the newest pieces: no turn before theirs waits for them
-  }
-  impl_->changed.notify_all();
-  for (std::thread& thread : impl_->threads) thread.join();
-}
+BackgroundQueue::~BackgroundQueue() = default;
 
 void BackgroundQueue::submit(std::function<void()> work, std::function<void()> in_order) {
   std::unique_lock lock(impl_->mutex);

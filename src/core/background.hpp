@@ -19,7 +19,7 @@ namespace lippmann {
 class BackgroundQueue {
  public:
   /// threads >= 1; capacity >= 1: how many pieces may exist at a time, those being worked on included. What pieces hold
-  /// (pictures) is thereby bounded.
+  /// (pictures) is thereby bounded. Throws std::system_error where the system has no more threads.
   BackgroundQueue(int threads, int capacity);
   /// Drops the pieces not yet begun and waits for the others.
   ~BackgroundQueue();

@@ -1,7 +1,8 @@
-// Renders of which one call of the system fails, the first write (or open, rename, mkdir, fsync), the second and so on, or all
-// from there on: the tool says so, and no half file has a final name.
+// Renders of which one call of the system fails, the first write (or open, rename, mkdir, fsync, allocation), the second and so
+// on, or all from there on: the tool says so, and no half file has a final name.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <sstream>
 #include <string_view>
 
@@ -121,6 +122,47 @@ TEST(FailingWrites, files_that_cannot_be_opened_or_put_in_place_are_said_and_lea
 
 TEST(FailingWrites, folders_that_cannot_be_made_are_said) {
   expect_an_error_and_whole_files_or_none({"--layout", "views"}, Fails::kOneWrite, "mkdir");
+}
+
+/// Tens of thousands of allocations are tried in these steps, so that the test takes seconds: in larger ones until the run has
+/// a folder to leave behind. LIPPMANN_ALLOCATION_STEP=1 tries every one.
+int allocation_step(bool has_folder) {
+  const char* said = std::getenv("LIPPMANN_ALLOCATION_STEP");
+  return said ? std::stoi(said) : has_folder ? 457 : 1999;
+}
+
+/// A library may do without what it could not allocate: then the render is as if nothing had failed.
+void expect_out_of_memory_or_whole(const RunResult& result, const Files& files, const Files& whole, int number) {
+  const int failures = result.exit_code == 0 ? 0 : 1;
+  EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << number << ": " << result.exit_code << " " << result.err;
+  EXPECT_EQ(failures_said(result.err), failures) << number << ": " << result.err;
+  expect_whole_files(files, whole, number);
+  if (failures == 0) EXPECT_EQ(files.size(), whole.size()) << number;
+}
+
+/// Returns how many runs failed that had begun a folder.
+int expect_memory_that_runs_out_is_said(const TempDir& dir, const Words& flags, const Files& whole) {
+  const Words command = render_of_two_frames(flags, "cut");
+  int failing = 0;
+  bool has_folder = false;
+  for (int number = 1;; number += allocation_step(has_folder)) {
+    const RunResult result = run_failing(dir, command, "allocate", number, false);
+    const bool failed = fs::remove(dir / "failed");
+    expect_out_of_memory_or_whole(result, files_below(dir / "cut"), whole, number);
+    has_folder = fs::exists(dir / "cut/.lippmann");
+    failing += has_folder && result.exit_code != 0;
+    if (has_folder) expect_resumes(dir, command, number);
+    fs::remove_all(dir / "cut");
+    if (!failed) return failing;
+  }
+}
+
+TEST(FailingAllocations, are_said_in_a_line_and_leave_a_folder_that_resumes) {
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time brings an allocator of its own";
+  const TempDir dir;
+  const Words flags{"--video", "VIDEO"};
+  ASSERT_EQ(run_tool(dir, render_of_two_frames(flags, "whole")).exit_code, 0);
+  EXPECT_GT(expect_memory_that_runs_out_is_said(dir, flags, files_below(dir / "whole")), 8);
 }
 
 TEST(FailingWrites, files_and_folders_that_cannot_be_synced_are_said_and_leave_whole_files_or_none) {

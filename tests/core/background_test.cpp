@@ -1,12 +1,18 @@
 #include "core/background.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <future>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -85,6 +91,34 @@ TEST(BackgroundQueue, destroyed_with_pieces_waiting_drops_them_without_hanging) 
   }
   releaser.join();
   EXPECT_EQ(ran, 1);
+}
+
+/// Leaves this process the address space that `bytes` more take.
+void limit_address_space(rlim_t bytes) {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const rlim_t limit = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + bytes;
+  const rlimit both{limit, limit};
+  setrlimit(RLIMIT_AS, &both);
+}
+
+/// Exits with 3 if some of the threads could start and the others could not, and the queue said so.
+void start_more_threads_than_fit() {
+  constexpr rlim_t kStack = 8 << 20;  // of a thread, in most systems
+  limit_address_space(6 * kStack);
+  { BackgroundQueue fits(1, 1); }
+  try {
+    BackgroundQueue queue(64, 1);
+  } catch (const std::system_error&) {
+    std::exit(3);
+  }
+  std::exit(0);
+}
+
+TEST(BackgroundQueue, later_thread_cannot_start_throws_once_the_others_have_ended) {
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer takes address space of its own";
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(start_more_threads_than_fit(), testing::ExitedWithCode(3), "");
 }
 
 }  // namespace

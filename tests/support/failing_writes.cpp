@@ -1,7 +1,10 @@
 // A library for LD_PRELOAD: the LIPPMANN_FAIL_NUMBER-th call of a kind fails, as on a disk that is full for a moment; with
 // LIPPMANN_FAIL_ALL all that follow fail too. LIPPMANN_FAIL_CALL says which kind: write (to a regular file), open (for
-// writing), rename, mkdir, fsync. When one has failed, a file LIPPMANN_FAILED is there. What the program prints goes to pipes
-// and is left alone.
+// writing), rename, mkdir, fsync, allocate. When one has failed, a file LIPPMANN_FAILED is there. What the program prints goes
+// to pipes and is left alone.
+//
+// Allocations count from main() on, and not within dlopen(): before and there, constructors of libraries run, which have nobody
+// to tell of a failure (libhwy's, which comes with the encoders of videos, aborts).
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -50,6 +53,25 @@ bool open_fails(const char* path, const char* mode) {
   return std::strpbrk(mode, "wa+") && !is_file_of_system(path) && fails("open");
 }
 
+std::atomic<bool> is_in_main{false};
+thread_local int loading = 0;
+
+bool allocation_fails() {
+  if (!is_in_main || loading > 0 || !fails("allocate")) return false;
+  errno = ENOMEM;
+  return true;
+}
+
+using Main = int(int, char**, char**);
+Main* real_main = nullptr;
+
+int counted_main(int argc, char** argv, char** environment) {
+  is_in_main = true;
+  const int code = real_main(argc, argv, environment);
+  is_in_main = false;
+  return code;
+}
+
 template <class Function>
 Function* next(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
@@ -58,6 +80,12 @@ Function* next(const char* name) {
 }  // namespace
 
 extern "C" {
+
+// The allocator of the C library by the names that it keeps for those who replace the usual ones.
+void* __libc_malloc(size_t bytes);
+void* __libc_calloc(size_t count, size_t bytes);
+void* __libc_realloc(void* old, size_t bytes);
+void* __libc_memalign(size_t alignment, size_t bytes);
 
 ssize_t write(int descriptor, const void* bytes, size_t count) {
   static const auto real = next<ssize_t(int, const void*, size_t)>("write");
@@ -120,5 +148,30 @@ int mkdir(const char* path, mode_t mode) {
 int fsync(int descriptor) {
   static const auto real = next<int(int)>("fsync");
   return fails("fsync") ? -1 : real(descriptor);
+}
+
+void* malloc(size_t bytes) { return allocation_fails() ? nullptr : __libc_malloc(bytes); }
+void* calloc(size_t count, size_t bytes) { return allocation_fails() ? nullptr : __libc_calloc(count, bytes); }
+void* realloc(void* old, size_t bytes) { return allocation_fails() ? nullptr : __libc_realloc(old, bytes); }
+void* memalign(size_t alignment, size_t bytes) { return allocation_fails() ? nullptr : __libc_memalign(alignment, bytes); }
+void* aligned_alloc(size_t alignment, size_t bytes) { return memalign(alignment, bytes); }
+int posix_memalign(void** result, size_t alignment, size_t bytes) {
+  void* memory = memalign(alignment, bytes);
+  if (memory) *result = memory;
+  return memory ? 0 : ENOMEM;
+}
+
+void* dlopen(const char* file, int mode) {
+  static const auto real = next<void*(const char*, int)>("dlopen");
+  ++loading;
+  void* library = real(file, mode);
+  --loading;
+  return library;
+}
+
+int __libc_start_main(Main* main, int argc, char** argv, void (*init)(), void (*fini)(), void (*rtld_fini)(), void* stack) {
+  using Start = int(Main*, int, char**, void (*)(), void (*)(), void (*)(), void*);
+  real_main = main;
+  return next<Start>("__libc_start_main")(counted_main, argc, argv, init, fini, rtld_fini, stack);
 }
 }
