@@ -44,30 +44,30 @@ struct SceneParams {
 
 /// What it is rendered for.
 struct OpticsParams {
-  std::string display;                         ///< a preset, a file of one's own or a calibration; empty: none
-  std::optional<OpticsKind> kind;              ///< none: the display's, or lenticular
+  std::string display{};                       ///< a preset, a file of one's own or a calibration; empty: none
+  std::optional<OpticsKind> kind{};            ///< none: the display's, or lenticular
   LensPacking packing = LensPacking::kSquare;  ///< microlens arrays
-  Extent<int> lenses;                          ///< 0: 64 across, and as many down as fill the panel
-  Extent<float> lens_pixels;                   ///< pixels below a lens, not necessarily whole; 0: 8
-  Extent<int> size;                            ///< the whole panel in pixels; 0: lenses x lens-pixels
-  Extent<int> views;                           ///< multi-view: columns and rows of the quilt; 0: 8x6
+  Extent<int> lenses{};                        ///< 0: 64 across, and as many down as fill the panel
+  Extent<float> lens_pixels{};                 ///< pixels below a lens, not necessarily whole; 0: 8
+  Extent<int> size{};                          ///< the whole panel in pixels; 0: lenses x lens-pixels
+  Extent<int> views{};                         ///< multi-view: columns and rows of the quilt; 0: 8x6
   bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
-  std::optional<float> view_angle_deg;         ///< viewing zone, full angle; sets the gap; none: the display's, or 28
-  std::optional<float> viewing_distance_mm;    ///< none: where the scene's camera stands; inf: parallel cells
-  std::optional<bool> fit_depth;               ///< depth is compressed to what the display can resolve; none: fits_depth()
+  std::optional<float> view_angle_deg{};       ///< viewing zone, full angle; sets the gap; none: the display's, or 28
+  std::optional<float> viewing_distance_mm{};  ///< none: where the scene's camera stands; inf: parallel cells
+  std::optional<bool> fit_depth{};             ///< depth is compressed to what the display can resolve; none: fits_depth()
   float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
-  std::optional<double> ipd_mm;                ///< stereo: between the eyes; none: kUsualIpdMm
-  std::optional<double> screen_width_mm;       ///< stereo: of the screen; none: the display's, or kUsualScreenMm
-  std::optional<double> crosstalk_px;          ///< sigma (optics/crosstalk.hpp); none: the display's
+  std::optional<double> ipd_mm{};              ///< stereo: between the eyes; none: kUsualIpdMm
+  std::optional<double> screen_width_mm{};     ///< stereo: of the screen; none: the display's, or kUsualScreenMm
+  std::optional<double> crosstalk_px{};        ///< sigma (optics/crosstalk.hpp); none: the display's
   bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
 };
 
 /// What frames take from each other, as requested: parameters of other kinds must not be given (job/reuse_params.hpp).
 struct ReuseParams {
   ReuseChoice choice = ReuseChoice::kAuto;
-  std::optional<int> keyframes;         ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
-  std::optional<double> min_psnr_db;    ///< of every frame, 8-bit codes
-  std::optional<double> time_budget_s;  ///< of a path-traced frame, about, on this machine
+  std::optional<int> keyframes{};         ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
+  std::optional<double> min_psnr_db{};    ///< of every frame, 8-bit codes
+  std::optional<double> time_budget_s{};  ///< of a path-traced frame, about, on this machine
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;

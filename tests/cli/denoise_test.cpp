@@ -11,17 +11,6 @@ Words small_frames(const std::string& frames, const std::string& folder) {
           "4",      "--frames", frames,     "--output", folder,         "--denoise"};
 }
 
-TEST(Denoise, frames_are_the_same_wherever_a_render_begins_and_on_any_number_of_threads) {
-  const TempDir dir;
-  const Files all = rendered(dir, small_frames("0-3", "all") + Words{"--threads", "1"}, "all");
-  ASSERT_EQ(all.size(), 4u);
-  const Files part = rendered(dir, small_frames("1-2", "part") + Words{"--threads", "3"}, "part");
-  ASSERT_EQ(part.size(), 2u);
-  for (const auto& [name, bytes] : part) EXPECT_EQ(bytes, all.at(name)) << name;
-  std::filesystem::remove(dir / "all/frame_0002.png");
-  EXPECT_EQ(all, rendered(dir, {"render", "all/job.toml", "--resume"}, "all"));
-}
-
 TEST(Denoise, report_says_so_and_counts_the_frames_beside) {
   const TempDir dir;
   const nlohmann::json report = report_of(dir, small_frames("1-2", "out"));

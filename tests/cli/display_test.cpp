@@ -70,14 +70,6 @@ TEST(Display, native_frame_has_the_panel_s_pixels) {
   EXPECT_TRUE(json_of(compared.out)["identical"]);
 }
 
-TEST(Display, native_frames_are_reused_exactly) {
-  const TempDir dir;
-  write_displays(dir);
-  const Words frames{"render", "tree", "--frames", "3-6", "--display", "panel.toml", "--layout", "native", "-o"};
-  EXPECT_EQ(rendered(dir, frames + Words{"a", "--reuse", "exact"}, "a"),
-            rendered(dir, frames + Words{"b", "--reuse", "none"}, "b"));
-}
-
 TEST(Display, print_is_a_tiff_at_the_sheet_s_resolution_and_may_be_mirrored) {
   const TempDir dir;
   write_displays(dir);
@@ -222,55 +214,6 @@ TEST(Display, crosstalk_that_nobody_says_or_wants_is_refused) {
   expect_refusal(run_tool(dir, render + Words{"--precompensate", "--crosstalk", "0.3", "--optics", "single"}), 2,
                  "single view");
   expect_refusal(run_tool(dir, {"convert", "out", "x", "--crosstalk", "0.3"}), 2, "--precompensate");
-}
-
-Words filtered_views(const std::string& folder, const Words& more) {
-  return Words{"render", "small-balls", "--frames", "0-5",   "--optics", "multiview", "--views",
-               "4x1",    "--size",      "256x48",   "--spp", "3",        "-o",        folder} +
-         more;
-}
-
-TEST(Display, angular_filter_changes_views_and_exact_reuse_gives_the_same_bits) {
-  const TempDir dir;
-  const Files traced = rendered(dir, filtered_views("a", {"--angular-filter", "box", "--reuse", "none"}), "a");
-  const Files reused = rendered(dir, filtered_views("b", {"--angular-filter", "box", "--reuse", "exact"}), "b");
-  ASSERT_EQ(traced.size(), 6u);
-  EXPECT_EQ(traced, reused);
-  EXPECT_NE(traced, rendered(dir, filtered_views("c", {}), "c"));
-}
-
-TEST(Display, quilts_for_displays_are_filtered_unless_one_says_otherwise) {
-  const TempDir dir;
-  write_displays(dir);
-  const auto quilt = [&](const std::string& folder, const Words& more) {
-    return rendered(dir, teapot_on("panel.toml", Words{"--spp", "4"} + more, folder), folder);
-  };
-  const Files plain = quilt("a", {});
-  EXPECT_EQ(plain, quilt("b", {"--angular-filter", "box"}));
-  EXPECT_NE(plain, quilt("c", {"--angular-filter", "none"}));
-}
-
-TEST(Display, angular_filter_that_cannot_be_is_refused) {
-  const TempDir dir;
-  const Words render{"render", "small-balls", "-o", "out", "--angular-filter", "box"};
-  expect_refusal(run_tool(dir, render + Words{"--spp", "4"}), 2, "below lenses");
-  expect_refusal(run_tool(dir, render + Words{"--optics", "multiview"}), 2, "--spp");
-  expect_refusal(run_tool(dir, render + Words{"--optics", "multiview", "--spp", "4", "--reuse", "forward"}), 2, "one eye");
-}
-
-TEST(Display, forward_reuse_makes_native_frames_near_to_traced_ones) {
-  const TempDir dir;
-  write_displays(dir);
-  const auto frames = [&](const std::string& folder, const Words& more) {
-    return report_of(
-        dir,
-        Words{"render", "teapot", "--display", "panel.toml", "--layout", "native", "--frames", "0-4", "-o", folder} + more);
-  };
-  frames("traced", {"--reuse", "none"});
-  const auto made = frames("made", {"--reuse", "forward", "--keyframes", "4"});
-  EXPECT_EQ(made["frames"][2]["kind"], "in-between");
-  // 30.9 dB; the key frame repeated in place of what is made gives 27.9.
-  EXPECT_GE(report_of(dir, {"compare", "traced", "made"})["mean"]["psnr_db"].get<double>(), 30.0);
 }
 
 }  // namespace

@@ -76,26 +76,6 @@ TEST(Render, json_is_the_report_and_nothing_else) {
     EXPECT_TRUE(totals[key].is_number()) << key;
 }
 
-TEST(Render, any_thread_count_and_any_ray_order_give_the_same_bytes) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0-2", "a") + Words{"--threads", "1"}).exit_code, 0);
-  const auto expected = files_in(dir / "a", ".png");
-  ASSERT_EQ(expected.size(), 3u);
-  for (const Words& how : {Words{"--threads", "1"}, Words{"--threads", "2"}, Words{"--threads", "4"}, Words{"--order", "rows"},
-                           Words{"--order", "columns"}}) {
-    ASSERT_EQ(run_tool(dir, small_teapot("0-2", "b") + how).exit_code, 0);
-    EXPECT_EQ(files_in(dir / "b", ".png"), expected) << how[0] << " " << how[1];
-    std::filesystem::remove_all(dir / "b");
-  }
-}
-
-TEST(Render, several_samples_give_the_same_bytes_for_any_thread_count) {
-  const TempDir dir;
-  for (const char* threads : {"1", "4"})
-    ASSERT_EQ(run_tool(dir, small_teapot("5", threads) + Words{"--spp", "4", "--threads", threads}).exit_code, 0);
-  EXPECT_EQ(files_in(dir / "1", ".png"), files_in(dir / "4", ".png"));
-}
-
 TEST(Render, job_file_of_a_render_makes_the_same_pictures_again) {
   const TempDir dir;
   const Words unusual{"--optics", "microlens", "--lens-pixels", "6", "--view-angle", "35", "--spp", "2", "--seed", "9"};
@@ -156,23 +136,6 @@ TEST(Render, standard_output_is_no_folder) {
   const TempDir dir;
   expect_refusal(run_tool(dir, {"render", "teapot", "--frames", "0", "-o", "-"}), 2, "--output");
   EXPECT_FALSE(std::filesystem::exists(dir / "-"));
-}
-
-TEST(Render, every_kind_of_optics_makes_a_picture_of_its_size) {
-  const TempDir dir;
-  const std::vector<std::pair<Words, Words>> kinds{
-      {{"--optics", "lenticular", "--size", "90x50", "--lens-pixels", "13.776", "--slant", "-9.46"}, {"90", "50"}},
-      {{"--optics", "microlens", "--lenses", "10x6", "--lens-pixels", "5"}, {"50", "30"}},
-      {{"--optics", "microlens", "--packing", "hexagonal", "--lenses", "10", "--viewing-distance", "inf"}, {"80", "69"}},
-      {{"--optics", "multiview", "--views", "3x2", "--size", "60x40"}, {"60", "40"}},
-      {{"--optics", "single", "--size", "33x21"}, {"33", "21"}}};
-  for (const auto& [flags, size] : kinds) {
-    const RunResult result = run_tool(dir, Words{"render", "teapot", "--frames", "0", "--json"} + flags);
-    ASSERT_EQ(result.exit_code, 0) << result.err;
-    const Json optics = json_of(result.out)["optics"];
-    EXPECT_EQ(optics["width"].dump(), size[0]);
-    EXPECT_EQ(optics["height"].dump(), size[1]);
-  }
 }
 
 }  // namespace

@@ -164,6 +164,17 @@ TEST(JobFile, written_paths_of_a_job_in_the_working_folder_stay_as_they_are) {
   EXPECT_THAT(job_text(params, ""), HasSubstr("scene = \"scenes/a.dat\"\n"));
 }
 
+TEST(JobFile, words_and_colours_for_the_environment_are_no_paths) {
+  const test::TempDir dir;
+  for (const std::string value : {"studio", "none", "#204060", "0.5,0.25,1"}) {
+    RenderParams params;
+    params.scene.environment = value;
+    const std::string text = job_text(params, "out/a");
+    EXPECT_THAT(text, HasSubstr("environment = \"" + value + "\"\n"));
+    EXPECT_EQ(read(write(dir / "job.toml", "environment = '" + value + "'\n")).scene.environment, value);
+  }
+}
+
 TEST(JobFile, built_in_scene_name_stays_a_name) {
   const test::TempDir dir;
   EXPECT_EQ(read(write(dir / "job.toml", "scene = 'teapot'\n")).scene.name, "teapot");

@@ -164,6 +164,9 @@ TEST(ParamsTable, numbers_outside_their_range_name_the_flag_and_the_range) {
   EXPECT_THAT(message_of_setting("view-angle", "nan"), HasSubstr("from 0.1 to 170"));
   EXPECT_THAT(message_of_setting("view-angle", "180"), HasSubstr("from 0.1 to 170"));
   EXPECT_THAT(message_of_setting("seed", "-1"), HasSubstr("from 0 to 4294967295"));
+  EXPECT_THAT(message_of_setting("min-psnr", "5"), testing::StartsWith("--min-psnr: "));
+  EXPECT_THAT(message_of_setting("min-psnr", "nan"), testing::StartsWith("--min-psnr: "));
+  EXPECT_THAT(message_of_setting("keyframes", "1"), testing::StartsWith("--keyframes: "));
 }
 
 TEST(ParamsTable, extents_of_zero_or_beyond_reason_are_refused) {

@@ -30,6 +30,12 @@ std::string refused(const RenderParams& params) {
   return {};
 }
 
+RenderParams with_reuse(const ReuseParams& reuse) {
+  RenderParams params = said(ReuseChoice::kAuto);
+  params.reuse = reuse;
+  return params;
+}
+
 TEST(ReuseParams, auto_takes_goals_and_key_frames_to_the_kind_that_serves) {
   RenderParams paths = said(ReuseChoice::kAuto, Integrator::kPath);
   paths.reuse.min_psnr_db = 42.0;
@@ -70,6 +76,24 @@ TEST(ReuseParams, what_the_kind_that_serves_does_not_know_is_refused) {
   EXPECT_EQ(with(said(ReuseChoice::kInterpolate), provenance), "--debug");
   EXPECT_EQ(with(said(ReuseChoice::kLight, Integrator::kPath), keyframes), "--keyframes");
   EXPECT_EQ(with(said(ReuseChoice::kLight, Integrator::kPath), splat), "--splat");
+  EXPECT_EQ(with(said(ReuseChoice::kNone, Integrator::kPath), budget), "--time-budget");
+}
+
+TEST(ReuseParams, what_looks_at_shared_light_is_refused_where_none_is_shared) {
+  RenderParams few = said(ReuseChoice::kAuto, Integrator::kPath), many = few, whitted = said(ReuseChoice::kAuto);
+  few.sampling.spp = 2;
+  for (RenderParams* params : {&few, &many, &whitted}) params->reuse.debug = DebugPicture::kProvenance;
+  EXPECT_EQ(refused(few), "--debug");
+  EXPECT_EQ(refused(whitted), "--debug");
+  EXPECT_TRUE(std::get<ShareLight>(frame_params(many).reuse).show_provenance);
+}
+
+TEST(ReuseParams, what_interpolates_is_refused_where_pixels_are_copied) {
+  EXPECT_EQ(refused(with_reuse({.splat = SplatMode::kLens})), "--splat");
+  EXPECT_EQ(refused(with_reuse({.fill = MissedFill::kRetrace})), "--fill");
+  EXPECT_EQ(refused(with_reuse({.halving = true})), "--halving");
+  EXPECT_EQ(refused(with_reuse({.no_z_buffer = true})), "--no-z-buffer");
+  EXPECT_EQ(refused(with_reuse({.debug = DebugPicture::kMissed})), "--debug");
 }
 
 TEST(ReuseParams, copied_pixels_keep_to_any_floor) {
@@ -84,6 +108,17 @@ TEST(ReuseParams, layers_of_whole_paths_keep_light_from_being_shared_and_that_is
   params.sampling.aov = {Aov::kDirect};
   EXPECT_STREQ(name_of(frame_params(params).reuse), "none");
   EXPECT_THAT(whole_paths_sentence(params), HasSubstr("no light is shared"));
+  params.reuse.choice = ReuseChoice::kNone;
+  EXPECT_EQ(whole_paths_sentence(params), "") << "nobody wants to share any";
+}
+
+TEST(ReuseParams, other_layers_alpha_and_denoising_leave_light_shared) {
+  for (const Sampling& more : {Sampling{.aov = {Aov::kDepth}}, Sampling{.transparent = true}, Sampling{.denoise = true}}) {
+    RenderParams params = said(ReuseChoice::kAuto, Integrator::kPath);
+    params.sampling.aov = more.aov, params.sampling.transparent = more.transparent, params.sampling.denoise = more.denoise;
+    EXPECT_EQ(whole_paths_sentence(params), "");
+    EXPECT_STREQ(name_of(frame_params(params).reuse), "light");
+  }
 }
 
 TEST(ReuseSentence, begins_with_the_kind_that_served_and_tells_what_it_did) {

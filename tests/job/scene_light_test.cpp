@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
+#include "image/exr.hpp"
+#include "image/png.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/studio_light.hpp"
 #include "support/temp_dir.hpp"
@@ -116,6 +119,33 @@ TEST_F(SceneLight, is_what_environment_asks_for) {
   EXPECT_NEAR(scene.background.zenith.x, 2.0f, 1e-6f);
   EXPECT_EQ(scene.background.zenith.y, 0.0f);
   EXPECT_NEAR(scene.background.zenith.z, 2.0f * 0.50289f, 1e-4f) << "code 188 of sRGB";
+}
+
+TEST_F(SceneLight, of_a_panorama_is_as_strong_as_its_file_times_the_factor) {
+  Image panorama(8, 4, 3);
+  std::fill(panorama.data.begin(), panorama.data.end(), 0.5f);
+  write_exr(dir_ / "sky.exr", std::vector{film_layer(panorama)});
+  RenderParams params = plain_file();
+  params.scene.environment = (dir_ / "sky.exr").string();
+  params.scene.environment_strength = 4.0f;
+  const Scene scene = wanted_scene(params, {});
+  ASSERT_TRUE(scene.background.map);
+  EXPECT_EQ(scene.background.map->strength, 4.0f);
+}
+
+TEST_F(SceneLight, of_codes_and_of_missing_files_is_refused_by_their_name) {
+  write_png(dir_ / "codes.png", Image8{4, 2, std::vector<unsigned char>(24)});
+  for (const char* file : {"codes.png", "missing.hdr"}) {
+    RenderParams params = plain_file();
+    params.scene.environment = (dir_ / file).string();
+    try {
+      wanted_scene(params, {});
+      FAIL() << file;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr(file));
+      EXPECT_EQ(error.exit_code(), 1);
+    }
+  }
 }
 
 TEST(EnvironmentChoice, that_looks_like_a_colour_and_is_none_is_refused) {

@@ -1,0 +1,75 @@
+// Frames of a slanted panel's own pixels, and of the quilt that it is shown.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "frames/made_frames.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann::test {
+namespace {
+
+class DisplayFrames : public testing::Test {
+ protected:
+  DisplayFrames() {
+    std::ofstream(dir_ / "panel.toml") << R"(kind = "slanted-panel"
+pixels = [48, 64]
+dpi = 324
+view_cone_deg = 40
+[calibration]
+pitch = 52.0
+slope = -7.0
+center = 0.5
+[quilt]
+tiles = [4, 2]
+size = [129, 128]
+aspect = 0.75
+)";
+  }
+
+  RenderParams on_panel(const char* scene, std::optional<PictureLayout> layout, const ReuseParams& reuse) const {
+    RenderParams params;
+    params.scene.name = scene;
+    params.optics.display = (dir_ / "panel.toml").string();
+    params.output.pictures.layout = layout;
+    return with_reuse(params, reuse);
+  }
+
+  TempDir dir_;
+};
+
+TEST_F(DisplayFrames, of_the_panel_s_own_pixels_are_copied_exactly) {
+  const auto made = [&](ReuseChoice choice) {
+    return make_frames(on_panel("tree", PictureLayout::kNative, {.choice = choice}), frames_from(3, 6));
+  };
+  const MadeFrames traced = made(ReuseChoice::kNone), copied = made(ReuseChoice::kCopy);
+  EXPECT_EQ(traced.film(3).size(), 3u * 3 * 48 * 64) << "three colours of three sub-pixels each";
+  EXPECT_EQ(copied.films(), traced.films());
+}
+
+// 30.9 dB; the key frame repeated in place of what is made gives 27.9.
+TEST_F(DisplayFrames, of_the_panel_s_own_pixels_that_are_interpolated_are_near_to_traced_ones) {
+  const MadeFrames traced = make_frames(on_panel("teapot", PictureLayout::kNative, {.choice = ReuseChoice::kNone}), {1, 2, 3});
+  const MadeFrames made =
+      make_frames(on_panel("teapot", PictureLayout::kNative, {.choice = ReuseChoice::kInterpolate, .keyframes = 4}), {1, 2, 3});
+  double sum = 0.0;
+  for (const int between : {1, 2, 3}) {
+    EXPECT_EQ(made.report(between).kind, "in-between");
+    sum += psnr_between(traced, made, between);
+  }
+  EXPECT_GE(sum / 3.0, 30.0);
+}
+
+TEST_F(DisplayFrames, of_quilts_see_beams_unless_one_says_otherwise) {
+  const auto film = [&](std::optional<AngularFilter> filter) {
+    RenderParams params = on_panel("teapot", {}, {.choice = ReuseChoice::kNone});
+    params.sampling.spp = 4;
+    params.sampling.angular_filter = filter;
+    return make_frames(params, {3}).film(3);
+  };
+  EXPECT_EQ(film({}), film(AngularFilter::kBox));
+  EXPECT_NE(film({}), film(AngularFilter::kNone));
+}
+
+}  // namespace
+}  // namespace lippmann::test
