@@ -137,7 +137,9 @@ void expect_out_of_memory_or_whole(const RunResult& result, const Files& files, 
   EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << number << ": " << result.exit_code << " " << result.err;
   EXPECT_EQ(failures_said(result.err), failures) << number << ": " << result.err;
   expect_whole_files(files, whole, number);
-  if (failures == 0) EXPECT_EQ(files.size(), whole.size()) << number;
+  if (failures == 0) {
+    EXPECT_EQ(files.size(), whole.size()) << number;
+  }
 }
 
 /// Returns how many runs failed that had begun a folder.

@@ -17,11 +17,6 @@ using testing::Not;
 
 const Words kOther{"--view-angle", "40"};
 
-void expect_done(const TempDir& dir, const Words& arguments) {
-  const RunResult result = run_tool(dir, arguments);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-}
-
 /// Of everything below the folder.
 Files all_files(const fs::path& folder) {
   Files files;

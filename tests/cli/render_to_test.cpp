@@ -23,11 +23,6 @@ Files files_below(const fs::path& folder) {
   return files;
 }
 
-void expect_done(const TempDir& dir, const Words& arguments) {
-  const RunResult result = run_tool(dir, arguments);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-}
-
 TEST(RenderTo, writes_the_files_that_convert_makes_of_the_same_render_and_check_knows_them) {
   const TempDir dir;
   expect_done(dir, kGrid + Words{"--aov", "depth", "-o", "film"});

@@ -67,6 +67,11 @@ bool appears(const std::filesystem::path& path) {
   return std::filesystem::exists(path);
 }
 
+void expect_done(const TempDir& dir, const Words& arguments) {
+  const RunResult result = run_tool(dir, arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 void expect_refusal(const RunResult& result, int exit_code, const std::string& part_of_message) {
   EXPECT_EQ(result.exit_code, exit_code) << result.err;
   EXPECT_EQ(result.out, "");

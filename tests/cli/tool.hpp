@@ -49,6 +49,9 @@ std::size_t frames_said(const std::string& err);
 /// Waits for a file that a running program is to make; false after a minute.
 bool appears(const std::filesystem::path& path);
 
+/// Runs the tool, which must not fail.
+void expect_done(const TempDir& dir, const Words& arguments);
+
 /// One message of one line on stderr, nothing on stdout, and that exit code.
 void expect_refusal(const RunResult& result, int exit_code, const std::string& part_of_message);
 

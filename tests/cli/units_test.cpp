@@ -32,11 +32,6 @@ Words job(const Kind& kind, const std::string& folder) {
   return Words{"render", "teapot", "--size", "64x16", "--lenses", "8x2", "--frames", "8-31", "-o", folder} + kind.flags;
 }
 
-void expect_done(const TempDir& dir, const Words& arguments) {
-  const RunResult result = run_tool(dir, arguments);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-}
-
 TEST(Units, rendered_beside_each_other_in_any_number_give_the_bytes_of_one_run_and_finish_its_video) {
   for (const Kind& kind : kinds()) {
     const TempDir dir;

@@ -57,7 +57,7 @@ Image8 views_of_render(RenderParams params, const std::filesystem::path& folder,
   params.output.folder = folder.string();
   params.output.frames = FrameRanges{{frame, frame}};
   render_animation(params, context);
-  return PageField(folder, {}, context).quilt(0);
+  return PageField(folder, LightFieldHints{}, context).quilt(0);
 }
 
 }  // namespace lippmann::test
