@@ -131,40 +131,55 @@ int allocation_step(bool has_folder) {
   return said ? std::stoi(said) : has_folder ? 457 : 1999;
 }
 
-/// A library may do without what it could not allocate: then the render is as if nothing had failed.
-void expect_out_of_memory_or_whole(const RunResult& result, const Files& files, const Files& whole, int number) {
+/// What became of runs in which an allocation failed.
+struct Ends {
+  int with_folder = 0;  ///< failed, and had begun a folder
+  int said = 0;         ///< failed with one line, exit code 1
+  int ended = 0;        ///< by a signal
+};
+
+/// A library may do without what it could not allocate: then the render is as if nothing had failed. Others end the program:
+/// destructors of JSON values and listings of folders allocate and may not throw, Embree's threads use what they did not get.
+void expect_out_of_memory_or_whole(const RunResult& result, const Files& files, const Files& whole, int number, Ends& ends) {
+  constexpr int kSignals = 128;
+  expect_whole_files(files, whole, number);
+  if (result.exit_code > kSignals) {
+    ++ends.ended;
+    return;
+  }
   const int failures = result.exit_code == 0 ? 0 : 1;
   EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << number << ": " << result.exit_code << " " << result.err;
   EXPECT_EQ(failures_said(result.err), failures) << number << ": " << result.err;
-  expect_whole_files(files, whole, number);
+  ends.said += failures;
   if (failures == 0) {
     EXPECT_EQ(files.size(), whole.size()) << number;
   }
 }
 
-/// Returns how many runs failed that had begun a folder.
-int expect_memory_that_runs_out_is_said(const TempDir& dir, const Words& flags, const Files& whole) {
+Ends ends_of_runs_out_of_memory(const TempDir& dir, const Words& flags, const Files& whole) {
   const Words command = render_of_two_frames(flags, "cut");
-  int failing = 0;
+  Ends ends;
   bool has_folder = false;
   for (int number = 1;; number += allocation_step(has_folder)) {
     const RunResult result = run_failing(dir, command, "allocate", number, false);
     const bool failed = fs::remove(dir / "failed");
-    expect_out_of_memory_or_whole(result, files_below(dir / "cut"), whole, number);
+    expect_out_of_memory_or_whole(result, files_below(dir / "cut"), whole, number, ends);
     has_folder = fs::exists(dir / "cut/.lippmann");
-    failing += has_folder && result.exit_code != 0;
+    ends.with_folder += has_folder && result.exit_code != 0;
     if (has_folder) expect_resumes(dir, command, number);
     fs::remove_all(dir / "cut");
-    if (!failed) return failing;
+    if (!failed) return ends;
   }
 }
 
-TEST(FailingAllocations, are_said_in_a_line_and_leave_a_folder_that_resumes) {
+TEST(FailingAllocations, are_mostly_said_in_a_line_and_always_leave_a_folder_that_resumes) {
   if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time brings an allocator of its own";
   const TempDir dir;
   const Words flags{"--video", "VIDEO"};
   ASSERT_EQ(run_tool(dir, render_of_two_frames(flags, "whole")).exit_code, 0);
-  EXPECT_GT(expect_memory_that_runs_out_is_said(dir, flags, files_below(dir / "whole")), 8);
+  const Ends ends = ends_of_runs_out_of_memory(dir, flags, files_below(dir / "whole"));
+  EXPECT_GT(ends.with_folder, 8);
+  EXPECT_LE(4 * ends.ended, ends.said) << "by a library, now and then";
 }
 
 TEST(FailingWrites, files_and_folders_that_cannot_be_synced_are_said_and_leave_whole_files_or_none) {

@@ -16,8 +16,15 @@ async function until(holds) {
   while (!holds()) await new Promise((resolve) => setTimeout(resolve, 50));
 }
 
+/** Until a render has made so many frames; it is halted then, so that what the page shows of it stays as it is. */
+async function haltedAfter(count, process, folder) {
+  process.kill("SIGCONT");
+  await until(() => existsSync(inFolder(folder)) && pictures(folder).length >= count);
+  process.kill("SIGSTOP");
+}
+
 const render = begin(...job("run"));
-await until(() => existsSync(inFolder("run/report.json")));
+await haltedAfter(1, render, "run");
 const address = await view("run");
 const page = await open(address, { ready: false });
 page.setDefaultTimeout(90000);
@@ -25,7 +32,9 @@ await page.waitForFunction(() => window.lippmann);
 
 test("frames appear as they are finished, and the others are said to be missing", async () => {
   await page.evaluate(() => (window.isTheSamePage = true));
-  await page.waitForFunction(() => window.lippmann?.run.done >= 2 && window.lippmann.run.seconds_left !== null);
+  assert.ok((await page.evaluate(() => window.lippmann.run.done)) <= 1);
+  await haltedAfter(4, render, "run");
+  await page.waitForFunction(() => window.lippmann.run.done >= 3 && window.lippmann.run.seconds_left !== null);
   assert.match(await page.locator("#facts").textContent(), /Rendering: \d+ of 8 frames, about \d+ (s|min) left/);
   const { done, frames } = await page.evaluate(() => window.lippmann.run);
   assert.equal(frames, kFrames);
@@ -56,6 +65,7 @@ test("the keyboard stops it, and it leaves what Ctrl-C leaves", async () => {
   await page.getByRole("button", { name: "Stop" }).focus();
   const ended = once(render, "exit");
   await page.keyboard.press("Enter");
+  render.kill("SIGCONT");
   assert.deepEqual(await ended, [130, null]);
   await isStopped(page);
   const done = pictures("run").length;
@@ -85,7 +95,7 @@ test("a resumed render has the bytes of one that nobody has stopped, and the pag
 
 test("a render that was killed is shown as stopped, and what resuming lacks is said", async () => {
   const killed = begin(...job("killed"));
-  await until(() => existsSync(inFolder("killed")) && pictures("killed").length > 0);
+  await haltedAfter(1, killed, "killed");
   await page.goto(await view("killed"));
   await page.waitForFunction(() => window.lippmann?.run.state === "running");
   killed.kill("SIGKILL");

@@ -89,11 +89,14 @@ async function serve(...words) {
   });
 }
 
-/** On a busy machine a connection that the browser has opened ahead is closed by the server before it asks anything. */
-async function load(page, address) {
-  await page.goto(address).catch((error) => {
-    if (!error.message.includes("ERR_SOCKET_NOT_CONNECTED")) throw error;
-    return page.goto(address);
+/** On a busy machine a connection that the browser has opened ahead is closed by the server before it asks anything; the page
+ *  that says so may come while the next attempt is under way, and end it. */
+async function load(page, address, attempts = 4) {
+  await page.goto(address).catch(async (error) => {
+    const isLate = error.message.includes("ERR_SOCKET_NOT_CONNECTED") || error.message.includes("chrome-error:");
+    if (!isLate || attempts <= 1) throw error;
+    await page.waitForTimeout(300);
+    await load(page, address, attempts - 1);
   });
 }
 
