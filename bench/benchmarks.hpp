@@ -15,6 +15,7 @@ Report measure_png(const Request& request, const Context& context);
 Report measure_rays(const Request& request, const Context& context);
 Report measure_replay(const Request& request, const Context& context);
 Report measure_reuse(const Request& request, const Context& context);
+Report measure_samples(const Request& request, const Context& context);
 Report measure_spheres(const Request& request, const Context& context);
 Report measure_tachyon(const Request& request, const Context& context);
 
