@@ -108,8 +108,8 @@ void BackgroundQueue::submit(std::function<void()> work, std::function<void()> i
   impl_->changed.wait(lock, [&] { return impl_->failed || impl_->existing < impl_->capacity; });
   const bool accepted = !impl_->failed;
   if (accepted) {
-    ++impl_->existing;
-    impl_->waiting.push_back({impl_->submitted++, std::move(work), std::move(in_order)});
+    impl_->waiting.push_back({impl_->submitted, std::move(work), std::move(in_order)});
+    ++impl_->submitted, ++impl_->existing;  // not before: a turn that nothing takes would be waited for
   }
   lock.unlock();
   impl_->changed.notify_all();
