@@ -199,18 +199,19 @@ class Teller {
     complain(fmt::format("frame {} was finished at step {} and is rendered again", frame, found->second));
   }
 
+  bool has_file(const FolderFrame& of, int inode) const {
+    const auto names = names_of(of.second);
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return world_.disk.find((of.first / name).string()) == inode; });
+  }
+
   /// Whether it was a file of a finished frame, and no process makes that one again: what is damaged before its checksum is
-  /// taken is not told from what was written.
+  /// taken is not told from what was written. Folders that were joined have one file under two names.
   bool forget(const std::string& path) {
-    for (const auto& [folder, frame] : being_made_)
-      for (const std::string& name : names_of(frame))
-        if (path == folder / name) return false;
-    return std::erase_if(finished_, [&](const auto& entry) {
-             const std::string name = path.substr(std::min(path.size(), entry.first.first.string().size() + 1));
-             const auto names = names_of(entry.first.second);
-             return path.starts_with(entry.first.first.string() + '/') &&
-                    std::find(names.begin(), names.end(), name) != names.end();
-           }) > 0;
+    const int inode = world_.disk.find(path);
+    for (const FolderFrame& made : being_made_)
+      if (has_file(made, inode)) return false;
+    return std::erase_if(finished_, [&](const auto& entry) { return has_file(entry.first, inode); }) > 0;
   }
 
   std::string bytes_at(const fs::path& path) {
