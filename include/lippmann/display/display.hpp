@@ -59,7 +59,7 @@ struct Calibration {
 /// The lenses of sheets and arrays.
 struct DisplayLenses {
   double pitch_mm = 1.0;
-  double slant_deg = 0.0;  ///< of a sheet, from the vertical
+  double slant_deg = 0.0;  ///< angle of a sheet's lenses from the vertical
   LensPacking packing = LensPacking::kSquare;
 };
 
@@ -71,15 +71,15 @@ struct DisplayVideo {
 };
 
 struct Display {
-  std::string name;         ///< of the preset, or the file's without its ending
+  std::string name;         ///< the preset's, or the file's without its ending
   std::string description;  ///< one line
   DisplayKind kind = DisplayKind::kSlantedPanel;
   std::vector<std::string> serials;           ///< prefixes of the serial numbers of such devices; of a calibration, its own
-  Vec2i pixels{1536, 2048};                   ///< of the panel, or of a print
+  Vec2i pixels{1536, 2048};                   ///< width and height of the panel or print
   double dpi = 324.0;                         ///< pixels per inch
   double view_cone_deg = 40.0;                ///< full angle
   std::optional<double> viewing_distance_mm;  ///< none: from where the panel's height spans 14 degrees
-  std::optional<double> crosstalk_px;         ///< of its lenses, a sigma in its pixels (optics/crosstalk.hpp)
+  std::optional<double> crosstalk_px;         ///< sigma of its lenses' blur, in its pixels (optics/crosstalk.hpp)
   Calibration calibration;                    ///< slanted panels
   DisplayLenses lenses;                       ///< the other kinds
   std::optional<DisplayQuilt> quilt;

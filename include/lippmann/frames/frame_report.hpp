@@ -16,7 +16,7 @@ struct FrameReport {
   /// from the cache.
   std::string kind = "full";
   double seconds = 0.0;      ///< wall time of rendering, without writing files
-  double cpu_seconds = 0.0;  ///< of all threads, without writing files
+  double cpu_seconds = 0.0;  ///< all threads' time together, without writing files
   RayCounts rays;
   std::uint64_t missed_pixels = 0;  ///< onto which no point of another frame projected; for one of two causes:
   std::uint64_t newly_visible_pixels = 0, not_covered_pixels = 0;
@@ -24,8 +24,8 @@ struct FrameReport {
   std::uint64_t reused_pixels = 0;
   std::optional<double> estimated_psnr_db;         ///< from held-out pixels; none: exact, or not estimated
   std::optional<double> psnr_at_least_db;          ///< lower bound of it at 95 % confidence; none where there is no estimate
-  std::optional<double> estimated_block_psnr_db;   ///< of means over 64 neighbouring pixels; shared frames only
-  std::optional<Precompensation> precompensation;  ///< of crosstalk; none: not asked for
+  std::optional<double> estimated_block_psnr_db;   ///< the PSNR of means over 64 neighbouring pixels; shared frames only
+  std::optional<Precompensation> precompensation;  ///< what undoing crosstalk cost; none: it was not undone
   bool kept = false;                               ///< finished by an earlier run, which its figures are of
 };
 

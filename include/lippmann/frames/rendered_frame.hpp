@@ -10,7 +10,7 @@ namespace lippmann {
 struct FramePictures {
   Image film;
   FrameAovs aovs;
-  Image8 codes;  ///< of the film: what 8-bit files and videos hold; empty where nothing asked for them
+  Image8 codes;  ///< the film's 8-bit codes, for files and videos; empty where nothing needs them
 };
 
 /// A frame as traced, and what that took. The codes are not made yet.

@@ -22,10 +22,9 @@ struct CopySettled {
 /// Paths: soft light is shared by pixels, views and frames; every frame's error is measured, and frames are as good as those of
 /// all paths (Sampling::spp), or as is asked for here.
 struct ShareLight {
-  std::optional<double> min_psnr_db{};  ///< of every frame, 8-bit codes, in place of spp
-  std::optional<double>
-      time_budget_s{};           ///< of a frame, about, on this machine, in place of spp; not together with min_psnr_db
-  bool show_provenance = false;  ///< pictures show where light came from instead of the light
+  std::optional<double> min_psnr_db{};    ///< a floor for every frame, 8-bit codes, in place of spp
+  std::optional<double> time_budget_s{};  ///< about what a frame takes on this machine, in place of spp; not with min_psnr_db
+  bool show_provenance = false;           ///< pictures show where light came from instead of the light
 };
 
 /// The paper's: frames between key frames are made from the points of these, and what no point lands on is filled. Whitted's

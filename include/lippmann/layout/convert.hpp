@@ -15,8 +15,8 @@ namespace lippmann {
 struct ConvertParams {
   std::string from, to = "views";  ///< names of formats; `from` empty: as the name of a quilt or the report beside it says
   FormatOptions options;
-  std::optional<Crop> crop;       ///< of every view
-  std::optional<KeptViews> keep;  ///< of the views; before they are cropped
+  std::optional<Crop> crop;       ///< the part of every view that is kept; none: all of it
+  std::optional<KeptViews> keep;  ///< the views that are kept, chosen before they are cropped; none: all
 };
 
 struct Converted {

@@ -20,15 +20,15 @@ namespace lippmann {
 /// What a format may need beside its name; each uses what concerns it.
 struct FormatOptions {
   std::optional<ViewGrid> views = {};     ///< how many views across and up: needed where neither names nor side files say it
-  std::optional<ViewGrid> tiles = {};     ///< of a quilt; none: as its name says, or as square as can be
-  std::optional<double> aspect = {};      ///< of the display, for a quilt's name; none: as the source's, or the picture's
+  std::optional<ViewGrid> tiles = {};     ///< a quilt's; none: as its name says, or as square as can be
+  std::optional<double> aspect = {};      ///< the display's, for a quilt's name; none: as the source's, or the picture's
   bool with_depth = false;                ///< read it from beside a rendered picture too, where it is (layout/rendered.hpp)
-  std::optional<int> bits = {};           ///< of the codes of PPM files, 1 ... 16; none: as the source's
+  std::optional<int> bits = {};           ///< how many a code of PPM files has, 1 ... 16; none: as many as the source's
   std::optional<Display> display = {};    ///< whose own frame a native picture is
-  std::optional<ViewFilter> filter = {};  ///< of views when native frames are made; none: the nearest
+  std::optional<ViewFilter> filter = {};  ///< how native frames take colours from views; none: from the nearest
   std::optional<double> sigma_views = {};
   std::optional<StereoLayout> stereo = {};     ///< how two views lie in one picture; none: as its name says, or side by side
-  std::optional<DepthRange> depth_range = {};  ///< of an RGB-D picture's greys; none: as its side file says, or all there is
+  std::optional<DepthRange> depth_range = {};  ///< greys cover it; none: as the RGB-D picture's side file says, or all there is
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< how they are coded; none: as the side file says (DepthCoding)
 };
 
@@ -36,7 +36,7 @@ struct FormatOptions {
 struct LightFieldFormat {
   std::string_view name;
   std::string_view is;        ///< in one line
-  bool is_folder = false;     ///< of one or more files for each view; else one picture
+  bool is_folder = false;     ///< a folder with one or more files for each view; else one picture
   bool uses_cameras = false;  ///< its writer wants cameras and depth, where they are known
   /// Throws Error naming the file or the flag of an option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;

@@ -13,8 +13,8 @@ namespace lippmann {
 
 enum class ViewFilter {
   kNearest,   ///< the pixel of the view floor(v N) that the middle of the panel's pixel lies in: no sample is changed
-  kLinear,    ///< of the two views beside v, and in them bilinear. (Tools that weigh by fract(v N) are half a view off)
-  kGaussian,  ///< of the views around v, with a standard deviation of `sigma_views`, and in them bilinear
+  kLinear,    ///< mixes the two views beside v, bilinear in each. (Tools that weigh by fract(v N) are half a view off)
+  kGaussian,  ///< mixes the views around v with a standard deviation of `sigma_views`, bilinear in each
 };
 
 struct InterlaceParams {

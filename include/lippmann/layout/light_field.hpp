@@ -18,10 +18,10 @@ struct LightField {
   Picture stack;  ///< the views one below the other, view 0 on top
   ViewGrid grid;
   Vec2i view_size{0, 0};
-  double aspect = 1.0;                      ///< of the display they are made for; else of the picture they came from
-  std::optional<ViewGrid> tiles = {};       ///< of the quilt that they came from
-  int bits = 0;                             ///< of the codes of the file they came from, where fewer than the stack's
-  std::optional<Image> depth = {};          ///< a stack likewise: z in mm, above 0 in front of z = 0; -inf: nothing there
+  double aspect = 1.0;                 ///< width / height of the display they are made for, else of the picture they came from
+  std::optional<ViewGrid> tiles = {};  ///< how the quilt that they came from lays them out
+  int bits = 0;                        ///< how many a code has in the file they came from; 0: as many as in the stack
+  std::optional<Image> depth = {};     ///< a stack likewise: z in mm, above 0 in front of z = 0; -inf: nothing there
   std::optional<ViewCameras> cameras = {};  ///< where they are known
 };
 

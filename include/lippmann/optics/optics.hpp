@@ -60,8 +60,8 @@ struct MultiView {
   int columns = 8, rows = 6;         ///< tiles; the panel holds columns x rows of them, each of the same size
   float view_cone = radians(40.0f);  ///< full angle that the N views spread over
   bool cone_ends_included = false;   ///< v / (N - 1) instead of (v + 1/2) / N, as some tools do
-  float distance_mm = 500.0f;        ///< of the viewer
-  float baseline_mm = 0.0f;          ///< above 0: of a camera grid; the cone has no meaning then
+  float distance_mm = 500.0f;        ///< from the viewer to the plane z = 0
+  float baseline_mm = 0.0f;          ///< above 0: a camera grid, whose eyes are so far apart; the cone has no meaning then
   float pixel_height = 1.0f;         ///< in pixel widths: tiles whose pixels, stretched to a display, are not square there
   float parallax = 1.0f;             ///< see with_parallax
   Vec2f eye_shift{0.0f};             ///< all eyes, to the right and up, in steps from view to view (optics/angular_filter.hpp)
@@ -89,7 +89,7 @@ struct SlantedPanel {
   double center = 0.447;     ///< phase where a sub-pixel itself lies: of a striped panel, the calibration's less P / 3 W
   bool inverted = true;      ///< v = 1 - fract(phase), else fract(phase)
   float view_cone = radians(40.0f);  ///< full angle that v from 0 to 1 spreads over
-  float distance_mm = 500.0f;        ///< of the viewer
+  float distance_mm = 500.0f;        ///< from the viewer to the plane z = 0
   SubPixelOffsets sub_pixels = striped_sub_pixels();
   float parallax = 1.0f;  ///< see with_parallax
 };
@@ -182,8 +182,8 @@ struct LensArray {
   double gap_mm = 0.0;
   double viewing_distance_mm = 0.0;  ///< to which the cells converge; may be inf
   double eye_height_mm = 0.0;
-  double cell_mm = 0.0;        ///< of the panel, below one lens
-  double slant_cosine = 1.0;   ///< of a sheet: pitch_mm times this is the pitch across its lenses
+  double cell_mm = 0.0;        ///< width of the panel's part below one lens
+  double slant_cosine = 1.0;   ///< cosine of a sheet's slant: pitch_mm times this is the pitch across its lenses
   float lens_pitch_mm = 0.0f;  ///< across the lenses
 };
 

@@ -19,7 +19,7 @@ namespace lippmann {
 /// sets of vision research. Lengths in mm of the display frame (optics/optics.hpp).
 struct ViewCameras {
   double distance_mm = 0.0;         ///< from every eye to the plane z = 0, where views coincide
-  Vec2d pixel_mm{0.0};              ///< of a view in that plane: width and height
+  Vec2d pixel_mm{0.0};              ///< width and height that a view's pixel covers in that plane
   Vec2d centre_px{0.0};             ///< where the middle of the plane, x = y = 0, lies in every view, from its top left corner
   std::vector<Vec2d> eyes_mm = {};  ///< x to the right and y up, by view
 };

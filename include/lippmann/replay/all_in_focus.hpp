@@ -19,14 +19,15 @@ class AllInFocus {
   /// For pictures of `size` over the display's window.
   AllInFocus(const Optics& optics, Vec2i size);
 
-  /// The next of the pictures, with the disagreement of its rays, focused at z. Of equals the first counts.
+  /// The next of the pictures, with the disagreement of its rays, focused at z. Where several agree equally well, the first
+  /// counts.
   void add(const Image& refocused, const Image& disagreement, double z_mm);
 
   const Image& picture() const { return picture_; }
   const Image& depth() const { return depth_; }  ///< 1 channel, mm of the display frame
 
  private:
-  Vec2i radius_;  ///< of the window, pixels
+  Vec2i radius_;  ///< how far the window reaches to each side, pixels
   Image picture_, depth_, least_;
 };
 

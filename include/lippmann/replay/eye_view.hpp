@@ -18,7 +18,7 @@ struct EyeView {
                               ///< it takes the place of `filter` across the lenses. 0 ... kMaxBlurPx
   double pupil_mm = 0.0;      ///< diameter. 0: a pinhole
   double focus_mm = 0.0;      ///< the depth that the pupil is focused on, below the eye's; 0: the display
-  int pupil_points = 64;      ///< of which views are averaged, spread evenly over the pupil (a sunflower's spiral)
+  int pupil_points = 64;      ///< their views are averaged; spread evenly over the pupil (a sunflower's spiral)
 };
 
 /// Throws Error (usage) for an eye that is not in front of the display, is not finite, or sees nothing of it.

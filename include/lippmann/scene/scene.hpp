@@ -158,13 +158,13 @@ struct Sheen {
 /// Gloss that is rougher along one direction of the surface (KHR_materials_anisotropy).
 struct Anisotropy {
   float strength = 0.0f;  ///< 0 to 1: how much rougher along the direction than across
-  float rotation = 0.0f;  ///< of the direction, from the tangent towards the bitangent
+  float rotation = 0.0f;  ///< angle by which the direction is turned from the tangent towards the bitangent
   TextureMap map;         ///< RG = (direction + 1) / 2 before the rotation, B: strength
 };
 
 /// A film on the surface, as thin as light waves are long (KHR_materials_iridescence).
 struct Iridescence {
-  float share = 0.0f;  ///< of the surface that has the film
+  float share = 0.0f;  ///< how much of the surface has the film, 0 to 1
   TextureMap map;      ///< R
   float ior = 1.3f;
   float least_thickness_nm = 100.0f, most_thickness_nm = 400.0f;
@@ -173,7 +173,7 @@ struct Iridescence {
 
 /// Light that enters on one side and leaves on the other in all directions (KHR_materials_diffuse_transmission).
 struct DiffuseTransmission {
-  float share = 0.0f;  ///< of the diffuse light
+  float share = 0.0f;  ///< how much of the diffuse light passes through, 0 to 1
   TextureMap map;      ///< A
   Vec3f color{1.0f};
   TextureMap color_map;
@@ -214,7 +214,7 @@ struct MetallicRoughness {
   TextureMap transmission_map;  ///< R
   float specular = 1.0f;        ///< strength of the dielectric reflection
   TextureMap specular_map;      ///< A
-  Vec3f specular_color{1.0f};   ///< of the dielectric reflection at normal incidence; may exceed 1
+  Vec3f specular_color{1.0f};   ///< colour of the dielectric reflection at normal incidence; may exceed 1
   TextureMap specular_color_map;
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
   TextureMap clearcoat_map;            ///< R
@@ -305,7 +305,7 @@ struct Node {
   int parent = -1;  ///< < own index: parents come first
   Transform local;
   std::optional<Affine3f> matrix;      ///< replaces `local` (glTF matrix nodes); such a node is not animated
-  std::vector<float> morph_weights{};  ///< of the targets of the meshes shown here, where not animated; one per target
+  std::vector<float> morph_weights{};  ///< one for each morph target of the meshes shown here, where not animated
 };
 
 /// A skeleton. A skinned mesh stands where its joints are, whatever node shows it: a vertex v of it is at
@@ -364,9 +364,9 @@ struct Scene {
   std::optional<DisplayPlacement> display;  ///< none: fitted to the first camera (stage/fit_array.hpp)
   Background background;
   Timeline timeline;
-  std::vector<std::string> animation_names;  ///< of all that the file has
+  std::vector<std::string> animation_names;  ///< all animations that the file has
   int animation = -1;                        ///< which of them the timeline shows
-  std::vector<std::string> variant_names{};  ///< of sets of materials that the file has to choose from
+  std::vector<std::string> variant_names{};  ///< the file's sets of materials to choose from
   Encoding encoding = Encoding::kSrgb;
   int max_depth = 6;       ///< path vertices; the file's own limit where it has one
   Vec2i resolution{0, 0};  ///< that the file asks for; 0: none

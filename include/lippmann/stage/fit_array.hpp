@@ -32,10 +32,10 @@ struct FittedArray {
   int node = -1;                    ///< that the array moves with; -1: none
   Affine3f node_from_plane;         ///< rigid; the plane z = 0, +z towards the viewer, +y up, origin at its centre
   float plane_height = 1.0f;
-  float viewing_distance = kInfinity;  ///< of the viewer in front of the plane
+  float viewing_distance = kInfinity;  ///< how far the viewer is in front of the plane
   /// Nearest and farthest z of what the display should show sharply, in front of the viewer; 0 and 0 where there is nothing.
-  /// Placed by the author: of all finite shapes, at frame 0. Else of the subject as far as it is seen, and of walls within one
-  /// of its diagonals, at frame 0; of a subject that was fitted, over the animation.
+  /// An array placed by the author takes them from all finite shapes at frame 0. Others take them from the subject as far as it
+  /// is seen, and from walls within one of its diagonals, at frame 0; a fitted subject counts over the animation.
   float depth_front = 0.0f, depth_back = 0.0f;
   bool leaves_out_surroundings = false;  ///< ground, walls or sky decide neither the plane nor, but for near walls, the depth
   std::string how;                       ///< one sentence for people

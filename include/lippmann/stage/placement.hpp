@@ -13,7 +13,7 @@ namespace lippmann {
 struct PlacedOptics {
   Optics optics;
   float units_per_mm = 1.0f;  ///< scene units per millimetre: what world_from_display (stage/fit_array.hpp) takes
-  bool for_display = false;   ///< of a display by name or file, which shows views as beams
+  bool for_display = false;   ///< they are a display's, given by name or file, which shows views as beams
   float depth_scale = 1.0f;  ///< the parallax of the optics, see with_parallax: below 1 the scene is shown less deep than it is
 };
 

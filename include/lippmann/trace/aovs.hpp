@@ -23,8 +23,8 @@ enum class Aov : std::uint8_t {
   kRayDepth,  ///< mm along the ray from where it starts (resolved_z_front_mm): from the eye
   kAlbedo,    ///< base colour, textures and vertex colours included
   kMotion,    ///< see place_in_view; pixels to the right and down since the frame before
-  kDirect,    ///< of paths: what shines by itself and light that one surface has scattered
-  kIndirect,  ///< of paths: all other light; with kDirect the film, but for rounding
+  kDirect,    ///< path tracing only: what shines by itself and light that one surface has scattered
+  kIndirect,  ///< path tracing only: all other light; with kDirect it adds up to the film, but for rounding
   kAlpha,     ///< share of the pixel's samples that hit something, what alpha covers by its share; of the surroundings, that
               ///< the others would see, the film is then free
 };
@@ -73,7 +73,7 @@ inline constexpr std::array<std::string_view, kAovs> kAovNames = [] {
 
 struct FrameAovs {
   std::array<bool, kAovs> wanted{};
-  std::array<Image, kAovs> images;  ///< of the film's size where wanted, else empty
+  std::array<Image, kAovs> images;  ///< one for each Aov: as large as the film where wanted, else empty
 
   bool wants(Aov aov) const { return wanted[static_cast<std::size_t>(aov)]; }
   bool wants_any(bool light) const;  ///< for which is_light is so
