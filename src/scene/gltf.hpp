@@ -27,14 +27,14 @@ inline constexpr double kGltfFramesPerSecond = 30.0;  ///< glTF has seconds, not
 
 /// What one scene may ask for; beyond it reading stops with an Error.
 struct GltfLimits {
-  std::uint64_t file_bytes = 0xffff'ffff;            ///< of each file: what a .glb's 32-bit length can say
+  std::uint64_t file_bytes = 0xffff'ffff;            ///< size of each file: what a .glb's 32-bit length can say
   std::uint64_t json_values = 20'000'000;            ///< about 2 GB of parsed JSON at worst
   std::uint64_t json_objects = 2'000'000;            ///< nodes, meshes, accessors, ...
   int json_depth = 64;                               ///< glTF itself needs 9
   std::uint64_t unpacked_bytes = 8'000'000'000;      ///< meshes, instances and key frames together
   std::uint64_t texture_bytes = 1024 * 1024 * 1024;  ///< decoded, all textures together: beyond it they are halved
   int texture_side = 16384;                          ///< pixels
-  int frames = 1'000'000;                            ///< of the animation
+  int frames = 1'000'000;                            ///< how many the animation may have
 };
 
 /// Throws Error naming the file and the element ("Box.glb: accessors[3]: ..."). The timeline shows frame f

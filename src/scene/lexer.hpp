@@ -68,8 +68,8 @@ class Lexer {
 
   std::string name_, text_;
   std::size_t position_ = 0;
-  int line_ = 1;       ///< of position_
-  int word_line_ = 1;  ///< of the last word
+  int line_ = 1;       ///< the line that position_ is in
+  int word_line_ = 1;  ///< the line of the word that was read last
 };
 
 /// Whether `word` is `keyword` (upper case) in any case.

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of files in which nothing moves.
+/// Sets the frame rate of a scene in which nothing moves.
 Scene at_rate(Scene scene, const LoadOptions& options) {
   if (options.frames_per_second > 0.0) scene.timeline.frames_per_second = options.frames_per_second;
   return scene;

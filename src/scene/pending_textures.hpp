@@ -16,7 +16,7 @@ namespace lippmann {
 /// What textures may be.
 struct TextureLimits {
   int longest_side = 16384;                           ///< texels of a picture
-  std::uint64_t bytes = LoadOptions{}.texture_bytes;  ///< of all textures together, and of one picture before it is halved
+  std::uint64_t bytes = LoadOptions{}.texture_bytes;  ///< limit for all textures together, and for one unhalved picture
 };
 
 class PendingTextures {

@@ -11,7 +11,7 @@
 namespace lippmann {
 
 struct SideFolders {
-  std::filesystem::path folder{};      ///< of the scene's file; empty: the current one
+  std::filesystem::path folder{};      ///< the folder of the scene's file; empty: the current one
   std::filesystem::path asset_root{};  ///< files may lie below it as well; empty: none
 };
 

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Of a picture with 8 or 16 bits, 8.
+/// Rounds samples of 16 bits to 8; samples of 8 bits stay as they are.
 std::vector<std::uint8_t> to_bytes(Samples samples) {
   if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&samples)) return std::move(*bytes);
   const auto& words = std::get<std::vector<std::uint16_t>>(samples);

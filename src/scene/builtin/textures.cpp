@@ -28,7 +28,7 @@ LIPPMANN_INLINE int wrapped(int i, int period) { return i >= 0 && i < period ? i
 struct LatticePlace {
   int before, after;  // modulo the period
   float offset;       // from the line before
-  float weight;       // of the line after
+  float weight;       // what the line after counts for; the line before counts 1 - weight
 };
 
 LIPPMANN_INLINE LatticePlace lattice_place(float p, int period) {
@@ -88,7 +88,7 @@ std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_
   return sums;
 }
 
-/// Of the values at all texels, that at the texel in whose middle uv lies.
+/// The value at the texel that uv lies in.
 float value_at(const std::vector<float>& values, Vec2f uv) {
   return values[static_cast<std::size_t>(uv.y * kTexels) * kTexels + static_cast<std::size_t>(uv.x * kTexels)];
 }

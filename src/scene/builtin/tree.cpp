@@ -13,7 +13,7 @@ namespace lippmann::builtin {
 namespace {
 
 constexpr int kLimbs = 9, kBoughsPerLimb = 6, kSpraysPerBough = 4;
-constexpr int kVariants = 3;  // of every shared mesh
+constexpr int kVariants = 3;  // how many variants of every shared mesh there are
 constexpr int kLeavesPerSpray = 1750;
 constexpr float kLeafLength = 0.055f;
 
@@ -21,7 +21,7 @@ constexpr float kLeafLength = 0.055f;
 struct Pose {
   int node = -1;
   Quatf rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< world from node
-  Vec3f position{0.0f};                    ///< of the node in the world
+  Vec3f position{0.0f};                    ///< the node's, in the world
 };
 
 class TreeGrower {

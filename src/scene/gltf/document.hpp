@@ -38,7 +38,7 @@ struct ImageSource {
 struct PackedView {
   int buffer = 0;
   std::size_t byte_offset = 0, byte_length = 0;
-  std::size_t byte_stride = 0, count = 0;  ///< of the elements that come out
+  std::size_t byte_stride = 0, count = 0;  ///< size of an element that comes out, and how many come out
   std::string mode, filter;
 };
 
@@ -60,7 +60,7 @@ struct Document {
   std::vector<ImageSource> images;
   std::vector<std::optional<PackedView>> packed_views;  ///< by buffer view of the file
 
-  std::vector<std::byte> contents;             ///< of the scene's file
+  std::vector<std::byte> contents;             ///< the bytes of the scene's file
   std::vector<std::vector<std::byte>> loaded;  ///< what `buffers` views outside of `contents`
 };
 

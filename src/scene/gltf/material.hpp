@@ -17,7 +17,7 @@ struct MaterialNeeds {
 
 struct MaterialTable {
   std::vector<MaterialNeeds> needs;  ///< by material
-  int default_material = -1;         ///< of primitives that name none; added to the Scene on first use
+  int default_material = -1;         ///< what primitives that name none get; added to the Scene on first use
 };
 
 /// Fills scene.materials, with the file's indices, and scene.textures.

@@ -39,11 +39,11 @@ struct Property {
   std::string_view name;
   Kind kind = Kind::kObject;
   Need need = kOptional;
-  double lower = -FLT_MAX, upper = FLT_MAX;  ///< of numbers and integers, both inclusive
-  int multiple_of = 1;                       ///< of integers
+  double lower = -FLT_MAX, upper = FLT_MAX;  ///< the range of numbers and integers, both ends included
+  int multiple_of = 1;                       ///< integers have to be multiples of it
   std::size_t length = 0;                    ///< exact length of an array of numbers; 0: any
   std::string_view refers_to{};
-  std::string_view choices{};  ///< of a string: "|A|B|"; empty: any
+  std::string_view choices{};  ///< what a string may be: "|A|B|"; empty: anything
   std::span<const Property> object{};
 };
 

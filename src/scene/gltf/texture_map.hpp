@@ -15,14 +15,14 @@ struct MapSource {
   const tinygltf::Value* transform = nullptr;  ///< KHR_texture_transform
 };
 
-/// Of the core's textureInfos: TextureInfo, NormalTextureInfo, OcclusionTextureInfo.
+/// The source that a textureInfo of the core names: TextureInfo, NormalTextureInfo or OcclusionTextureInfo.
 template <class Info>
 MapSource map_source(const Info& info) {
   const auto found = info.extensions.find("KHR_texture_transform");
   return {info.index, info.texCoord, found == info.extensions.end() ? nullptr : &found->second};
 }
 
-/// Of a textureInfo within an extension; null: there is none.
+/// The source that a textureInfo within an extension names; null: there is no textureInfo.
 MapSource map_source(const tinygltf::Value* info);
 
 /// Decodes the texture. The map's uv_set is still the file's n of TEXCOORD_n. srgb: its colours are encoded; false for data.

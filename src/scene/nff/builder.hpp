@@ -21,7 +21,7 @@ struct Fill {
 
 class Builder {
  public:
-  /// Of the shapes to come. Before the first call: white.
+  /// Shapes that are added from now on have this fill. Before the first call: white.
   void set_fill(const Fill& fill);
 
   void add_sphere(Vec3f center, float radius);                                            // radius >= 0

@@ -176,7 +176,7 @@ class Reader {
     if (has_uv) part.mesh.uvs.push_back(uvs_[static_cast<std::size_t>(corner.uv)]);
     if (has_normal) part.mesh.normals.push_back(direction_of(normals_[static_cast<std::size_t>(corner.normal)]));
     if (!colors_.empty()) {
-      part.mesh.colors.resize(part.mesh.positions.size() - 1, Vec3f(1.0f));  // of vertices before the file's first colour
+      part.mesh.colors.resize(part.mesh.positions.size() - 1, Vec3f(1.0f));  // earlier vertices without a colour are white
       part.mesh.colors.push_back(position < colors_.size() ? colors_[position] : Vec3f(1.0f));
     }
     return known->second;
@@ -204,11 +204,11 @@ class Reader {
   Materials materials_;
   std::vector<Vec3f> positions_, normals_, colors_;  ///< colours of the first positions; white beyond
   std::vector<Vec2f> uvs_;
-  std::vector<Corner> corners_;  ///< of the face that is read
+  std::vector<Corner> corners_;  ///< the corners of the face that is being read
   std::vector<Vec3f> outline_;
   std::string object_, material_;
   std::map<std::tuple<std::string, int, bool, bool>, Part> parts_;  ///< by object, material, and what attributes there are
-  Part* part_ = nullptr;                                            ///< of the face before; null: to be found
+  Part* part_ = nullptr;  ///< the part that the last face belongs to; null: to be found
   bool part_uv_ = false, part_normal_ = false;
   int skipped_ = 0;
   std::string first_skipped_;

@@ -18,7 +18,7 @@ int bytes_of(Type type);
 struct Property {
   std::string name;
   Type type = Type::kFloat;
-  std::optional<Type> count_type;  ///< of the number of values before them: the property is a list
+  std::optional<Type> count_type;  ///< the type of a list's length, which stands before its values; none: a single value
 };
 
 struct Element {

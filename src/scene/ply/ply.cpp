@@ -290,7 +290,7 @@ class Reader {
   const Context& context_;
   Mesh mesh_;
   std::vector<double> row_;
-  std::vector<std::uint32_t> corners_;  ///< of the face that is read
+  std::vector<std::uint32_t> corners_;  ///< the corners of the face that is being read
   std::vector<Vec3f> outline_;
 };
 

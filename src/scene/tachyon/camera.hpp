@@ -26,7 +26,7 @@ struct CameraRecord {
   float zoom = 1.0f;                 ///< the picture is 1 / zoom high at distance 1
   float aspect_ratio = 1.0f;         ///< pixels are this much narrower than high
   int ray_depth = 6;                 ///< path vertices
-  std::optional<Vec2f> half_extent;  ///< of the picture at distance 1, instead of zoom and aspect_ratio (FRUSTUM)
+  std::optional<Vec2f> half_extent;  ///< half the picture's size at distance 1, instead of zoom and aspect_ratio (FRUSTUM)
   CameraPose pose;
 };
 

@@ -60,7 +60,7 @@ void add_landscape(SceneBuilder& builder, int material, const LandscapeSize& siz
 void parse_scape(Lexer& lexer, ParserState& state) {
   constexpr int kLargestSide = 2048;
   constexpr std::int64_t kMostSteps =
-      std::int64_t{2} * kLargestSide * kLargestSide;  // of a whole scene: keeps tiny files from taking ages
+      std::int64_t{2} * kLargestSide * kLargestSide;  // in a whole scene: keeps tiny files from taking ages
   LandscapeSize size;
   lexer.expect("RES");
   size.columns = lexer.integer("RES", 2, kLargestSide);

@@ -45,7 +45,7 @@ class SceneBuilder {
   class IndexedTriangles {
    public:
     IndexedTriangles(SceneBuilder& builder, const std::vector<Vertex>& vertices);
-    /// Of the triangles to come; colored: the vertices' colours count.
+    /// Triangles that are added from now on have this material; colored: the vertices' colours count.
     void set_material(int material, bool colored);
     bool add(int i0, int i1, int i2);
 
