@@ -23,7 +23,7 @@ struct ShadowPacket {
 
   alignas(64) RayPacket rays;
   LaneMask active;      ///< lanes whose surface faces the light within its range and cone
-  Lanes strength;       ///< of the light at the point (distance, cone), for active lanes
+  Lanes strength;       ///< what distance and cone leave of the light at the point, for active lanes
   Lanes arriving;       ///< strength x N.L, for active lanes
   Lanes transmittance;  ///< 1; once traced, how much of the light passes in lanes that it does not end
 };

@@ -36,7 +36,7 @@ struct LightSources {
   std::span<const GeometryRecord> records;
   std::span<const WhittedMaterial> materials;
   std::span<const DeviceTexture> textures;
-  float size;  ///< of the scene: half its diagonal
+  float size;  ///< half the scene's diagonal
 };
 
 /// Groups of lights, in the order that they are chosen from: point-like ones, lamps that have a size (round_lights.hpp), the
@@ -68,7 +68,7 @@ class LightTable {
   std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(light, from); }
 
   /// Lamps that have a size, and a direction to one of them, or the light that a ray sees of it which has scattered at `from`:
-  /// densities are of that lamp alone, without its chance, which chance_of_round() is where sample() is asked by `at`.
+  /// densities are that lamp's alone, without its chance: for sample() at `at`, that is chance_of_round().
   std::size_t rounds() const { return rounds_.size(); }
   std::optional<LightSample> round(std::size_t k, Vec3f from, Vec2f u) const;
   std::optional<LightSample> see_round(std::size_t k, Vec3f from, Vec3f direction) const;
@@ -93,14 +93,14 @@ class LightTable {
   /// The chance of sample() to choose a light of these groups.
   float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
 
-  /// Of sample(), had it chosen triangle `prim` of a record, which a ray of unit `direction` from `at` meets at `distance`; 0
-  /// where the triangle is none of its lights.
+  /// The density with which sample() draws the point where a ray of unit `direction` from `at` meets triangle `prim` of a
+  /// record at `distance`; 0 where the triangle is none of its lights.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction, const LightReceiver& at) const;
 
-  /// Of a direction into the sky.
+  /// What sample() knows of a direction into the sky.
   struct Sky {
     LightGroups group;     ///< kSun or kSkyLight
-    float density = 0.0f;  ///< of sample(), had it chosen this direction
+    float density = 0.0f;  ///< the one that sample() gives this direction
   };
   Sky sky(Vec3f direction) const;
 
@@ -156,7 +156,7 @@ class LightTable {
   /// Lamps as points (those that have a size with chance 0), as what they are, the sun, triangles, the rest of the sky. What is
   /// in a tree has chance 0, and the tree their power.
   DiscreteDistribution chances_;
-  std::vector<float> record_shares_;  ///< of all power; empty: no triangle shines
+  std::vector<float> record_shares_;  ///< by record: its share of all power; empty: no triangle shines
   std::array<float, 6> begins_{};     ///< by group: the chance of all before it
 };
 

@@ -3,14 +3,14 @@
 namespace lippmann {
 namespace {
 
-/// Of what a light gives from straight above: what is left below the horizon.
+/// Below the horizon a light keeps this share of its weight straight above.
 constexpr float kLeastFacing = 1.0f / 16.0f;
 /// Squared distances are at least so large, as where lamps are asked for their light.
 constexpr float kLeastSquared = 1e-20f;
 /// What shines along its face still counts so much: rounding may not take it away.
 constexpr float kLeastSquaredCosine = 1e-6f;
-/// Of what a cluster's cones give on average to all directions: what it has at least where any of them shines. And of what
-/// a single lamp gives in full: rounding may not take away what it shines at its cone's rim.
+/// Where any of a cluster's cones shines, the cluster keeps at least this share of its mean over all directions. A single
+/// lamp keeps at least that share of its full light, so that rounding does not take away what it shines at its cone's rim.
 constexpr float kLeastShining = 1.0f / 16.0f, kLeastFading = 1e-3f;
 /// Ranges and cones give way by so much, so that rounding takes no light away.
 constexpr float kMargin = 1e-4f;
@@ -140,7 +140,7 @@ LIPPMANN_MULTIVERSION float ascend(const LightNodes& tree, const LightReceiver& 
   }
 }
 
-/// Of a slab of one axis: where a line enters and leaves it. inverse: of the direction's coordinate, finite.
+/// Narrows [enter, leave] to where a line is within a slab of one axis. inverse: 1 / the direction's coordinate, finite.
 LIPPMANN_INLINE void cut_slab(float lower, float upper, float origin, float inverse, float& enter, float& leave) {
   const float a = (lower - origin) * inverse, b = (upper - origin) * inverse;
   enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));

@@ -42,7 +42,7 @@ struct TreeLight {
   Vec3f middle{0.0f};
   float power = 0.0f;     ///< irradiance across at distance 1; not above 0 or not finite: it is never drawn
   float variance = 0.0f;  ///< mean squared distance from the middle of what shines
-  float radius = 0.0f;    ///< of a ball around the middle that holds all of it
+  float radius = 0.0f;    ///< a ball of this radius around the middle holds all that shines
   float range = kInfinity;
   Vec3f axis{0.0f};  ///< unit; it shines no further from it than
   float half_angle = kPi;
@@ -55,27 +55,27 @@ struct LightNode {
   Lanes x, y, z;                           ///< middle of the power
   Lanes power;                             ///< share of the tree's; 0: no child
   Lanes variance;                          ///< mean squared distance of the power from the middle
-  Lanes radius;                            ///< of a ball around the middle that holds the child
+  Lanes radius;                            ///< a ball of this radius around the middle holds the child
   Lanes range;                             ///< the largest
   alignas(64) std::int32_t child[kLanes];  ///< a node, or ~light
-  std::uint32_t parent = 0;                ///< slot: kLanes x node + lane; of the root: nothing
+  std::uint32_t parent = 0;                ///< slot: kLanes x node + lane; means nothing in the root
 };
 /// A cone that holds all ways that a child shines.
 struct LightCones {
-  Lanes x, y, z, cosine, sine;  ///< axis; of the half angle, at most pi: cosine -1, which holds everything
+  Lanes x, y, z, cosine, sine;  ///< axis; cosine and sine of the half angle; cosine -1: pi, which holds everything
 };
 /// How a child shines, on average over its power, by the direction m from it: mean + linear.m + m.Q m, where Q has no trace.
 struct LightBeams {
   Lanes mean;
   Lanes3 linear;
-  Lanes xx, yy, xy, xz, yz;  ///< of Q
-  Lanes inverse_ramp;        ///< of a single lamp, whose cone (LightCones) it fades in: 1 / (inner - outer cosine); else 0
+  Lanes xx, yy, xy, xz, yz;  ///< elements of Q
+  Lanes inverse_ramp;        ///< a single lamp that fades in its cone (LightCones): 1 / (inner - outer cosine); else 0
 };
 /// Boxes around the balls of the lights in a child.
 struct LightBoxes {
   Lanes3 lower, upper;
 };
-/// M of the children.
+/// The children's matrices M.
 struct LightFaces {
   Lanes xx, yy, zz, xy, xz, yz;
 };
@@ -83,7 +83,7 @@ struct LightFaces {
 class LightTree {
  public:
   LightTree() = default;
-  /// Of the lights that have power and lie somewhere finite; lights are called by their index.
+  /// Holds the lights that have power and lie somewhere finite; a light's name is its index.
   explicit LightTree(std::span<const TreeLight> lights);
 
   bool empty() const { return nodes_.empty(); }
@@ -97,10 +97,10 @@ class LightTree {
   /// Draws a light; none where none reaches the point.
   std::optional<Choice> choose(const LightReceiver& at, float u) const;
 
-  /// That of choose() to draw a light.
+  /// The probability that choose() draws a light.
   float probability(std::uint32_t light, const LightReceiver& at) const;
 
-  /// Of the tree's power.
+  /// A light's share of the tree's power.
   float share_of_power(std::uint32_t light) const;
 
   /// Calls visit(light) for every light whose ball a ray of unit direction may touch up to `reach`. Lights without a radius are

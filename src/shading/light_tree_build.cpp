@@ -169,7 +169,7 @@ class LightTreeBuilder {
     return best;
   }
 
-  /// Of each bin and all that follow.
+  /// By bin: the scatter of it and all that follow together.
   static std::array<double, kBins> scatters_from(const std::array<PowerMoments, kBins>& bins) {
     std::array<double, kBins> scatters{};
     PowerMoments sum;

@@ -29,7 +29,7 @@ struct WhittedMaterial {
   bool is_whole = false;      ///< for paths: these terms say how the surface scatters; else its BSDF alone does
   Vec3f emission{0.0f};
   TextureMap color_map, emission_map;
-  int projection = -1;        ///< of the color map: index into the table's projections, or -1: by uv
+  int projection = -1;        ///< how the color map is projected: index into the table's projections, or -1: by uv
   bool has_alpha = false;     ///< opacity *= alpha of texture and vertices (mask or blend)
   float alpha_cutoff = 0.0f;  ///< > 0: that product, times base_alpha, is made 0 below it and 1 from it on
   float base_alpha = 1.0f;
@@ -67,8 +67,8 @@ struct WhittedLight {
   Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< divide by x + y d + z d^2 at distance d, if it attenuates
   float visible_radius = 0.0f;
   float has_smooth_edge = 0.0f;  ///< 1: the cone's fading t^2 becomes 3 t^2 - 2 t^3
-  float radius = 0.0f;           ///< of paths alone, as what follows: 0: a point
-  float half_angle = 0.0f;       ///< of a sun's disc; 0: a point
+  float radius = 0.0f;           ///< 0: a point. Only path tracing knows lamps that have a size
+  float half_angle = 0.0f;       ///< half the angle that a sun's disc is seen under; 0: a point
 };
 
 std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& resolved);

@@ -16,7 +16,7 @@ inline constexpr std::uint16_t kNoMedium = 0, kSameMedium = 0xffff;
 class Media {
  public:
   Media() = default;
-  /// Of all materials that fill what they bound. Throws Error where there are more than numbers for them.
+  /// Numbers all materials that fill what they bound. Throws Error where there are more of them than numbers.
   explicit Media(const Scene& scene);
 
   /// kNoMedium for a material that fills nothing.

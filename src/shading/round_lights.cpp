@@ -11,10 +11,10 @@ namespace lippmann {
 namespace {
 
 /// Below these a lamp is taken for a point: its shadows are sharper than the distance at which shadow rays start.
-constexpr float kLeastRadius = 1e-5f;  // of the scene's size
+constexpr float kLeastRadius = 1e-5f;  // as a share of the scene's size
 constexpr float kLeastHalfAngle = 2e-5f;
 
-/// Where a lamp shines from. one_minus_cos: of the cone's half angle, at most 1 but for points within a sphere, where it is 2.
+/// Where a lamp shines from. one_minus_cos is the half angle's, at most 1 but for points within a sphere, where it is 2.
 struct Cone {
   Vec3f axis;
   float one_minus_cos;
@@ -37,7 +37,7 @@ Cone cone_of(const WhittedLight& light, Vec3f from) {
 }
 
 Vec3f direction_in(const Cone& cone, Vec2f u) {
-  const Vec2f d = sample_disc(u);  // of equal areas, as caps are: its squared radius is the share of the cone within
+  const Vec2f d = sample_disc(u);  // uniform over the disc: its squared radius is the share of disc and cone within it
   const float share = std::min(glm::dot(d, d), 1.0f), height = cone.one_minus_cos * share;  // 1 - cosine
   // sine = sqrt(height (2 - height)) along d / |d| = d / sqrt(share)
   const float scale = std::sqrt(std::max(0.0f, cone.one_minus_cos * (2.0f - height)));

@@ -18,7 +18,7 @@ namespace lippmann {
 struct PathTables {
   GgxAlbedo albedo;
   Media media;
-  std::unique_ptr<LightTable> lights;  ///< of the frame
+  std::unique_ptr<LightTable> lights;  ///< the frame's lights
 };
 
 /// Materials, textures and lights, in a form that loops over lanes read.
@@ -38,7 +38,7 @@ struct ShadingTables : ShadowMaterials {
 
 /// Kernels of shading read both parts of it. Rays know nothing of how they are shaded, but for what lets shadow rays pass.
 struct ShadedScene : ShadingTables, RayScene {
-  /// Of the timeline's first moment; `scene` outlives it.
+  /// Shows the timeline's first moment; `scene` outlives it.
   ShadedScene(const Scene& scene, const ThreadPool& pool, MaterialUse use);
 
   /// Moves everything to where `resolved` has it.

@@ -17,7 +17,7 @@ class Bsdf {
   Bsdf(const PhongBsdf& bsdf) : bsdf_(bsdf) {}
   Bsdf(const MetalRoughBsdf& bsdf) : bsdf_(bsdf) {}
   Bsdf(const LayeredBsdf& bsdf) : bsdf_(bsdf) {}
-  /// Of `kind`, made in place: they are large.
+  /// Makes the BSDF of `kind` in place: they are large.
   template <class Kind, class... Arguments>
   explicit Bsdf(std::in_place_type_t<Kind> kind, Arguments&&... arguments)
       : bsdf_(kind, std::forward<Arguments>(arguments)...) {}

@@ -48,8 +48,8 @@ LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, L
   return first;
 }
 
-/// Of normals: the least that is not rounded to fewer digits. Facets' normals are as long as twice their area, and areas of
-/// small triangles in large units have squares far below 1.
+/// The least squared length of a normal: less would be rounded to fewer digits. Facets' normals are as long as twice their
+/// area, and areas of small triangles in large units have squares far below 1.
 constexpr float kLeastSquare = std::numeric_limits<float>::min();
 
 /// Makes a normal unit length and turns it, and the facet's own, to the side of the facet that the ray came from.

@@ -11,7 +11,7 @@ class BeamFootprint;
 
 struct SurfacePacket {
   LaneMask hit;                            ///< -1 where something was hit; the other arrays are defined there only
-  bool any_hit = false, any_miss = false;  ///< of the active lanes
+  bool any_hit = false, any_miss = false;  ///< whether any active lane has hit something, and whether any has not
   Lanes3 position;
   Lanes3 normal;      ///< shading normal, unit length, on the ray's side of the geometric one
   Lanes3 facet;       ///< normal of the facet on the ray's side, of any length
@@ -23,7 +23,7 @@ struct SurfacePacket {
   Lanes3 color, ambient, emission;  ///< ambient: radiance per colour
   Lanes diffuse, highlight, highlight_size, highlight_cutoff, highlight_tint;
   Lanes mirror, mirror_tint, opacity, ior;
-  std::uint8_t color_channel[kLanes];  ///< of R, G, B the one that the path is of; set where the surface disperses
+  std::uint8_t color_channel[kLanes];  ///< the one of R, G, B that the path carries; set where the surface disperses
   bool any_highlight = false, any_mirror = false, any_see_through = false;
 };
 

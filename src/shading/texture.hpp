@@ -43,7 +43,7 @@ void sample_uv(const DeviceTexture& texture, const UvLanes& uv, const LaneMask& 
 Vec4f sample_point(const DeviceTexture& texture, Vec2f uv);
 
 /// Tachyon's image maps (trace/projection.hpp): bilinear over (resolution - 1) texels without wrapping, between the two levels
-/// of n that blur (n - 0.9999) falls between, the last level from n - 2 on. path_length: of the whole path from the eye.
+/// of n that blur (n - 0.9999) falls between, the last level from n - 2 on. path_length: the whole path's, from the eye.
 /// `color` changes in the wanted lanes only.
 void sample_projected(const DeviceTexture& texture, const ImageProjection& projection, const Lanes3& point,
                       const Lanes& path_length, const LaneMask& wanted, Lanes3& color);
