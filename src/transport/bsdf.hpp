@@ -8,14 +8,14 @@ namespace lippmann {
 
 struct BsdfValue {
   Vec3f cosine_f{0.0f};      ///< BSDF times |cosine| to the shading normal, per steradian
-  float density = 0.0f;      ///< of sample() in that direction, per steradian
+  float density = 0.0f;      ///< the density with which sample() draws that direction, per steradian
   bool transmitted = false;  ///< the direction lies behind the surface
 };
 
 struct BsdfSample {
   Vec3f direction{0.0f};
-  Vec3f weight{0.0f};        ///< cosine_f / density; of Dirac's lobes their share over their probability
-  float density = 0.0f;      ///< kInfinity: of a Dirac lobe
+  Vec3f weight{0.0f};        ///< cosine_f / density; for Dirac's lobes, their share over their probability
+  float density = 0.0f;      ///< per steradian; kInfinity: drawn from a Dirac lobe
   bool transmitted = false;  ///< goes on behind the surface
   bool straight = false;     ///< goes on as if nothing were there
   bool is_delta() const { return density == kInfinity; }

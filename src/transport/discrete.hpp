@@ -36,7 +36,7 @@ class DiscreteDistribution {
   /// The probability of an index.
   float probability(std::size_t index) const { return cumulative_[index] - probability_before(index); }
 
-  /// Of all indices before it.
+  /// The probability of all indices before it together.
   float probability_before(std::size_t index) const { return index > 0 ? cumulative_[index - 1] : 0.0f; }
 
  private:

@@ -59,7 +59,7 @@ class Environment {
   Sample sample(const PatchChoice& patches, Vec2f u) const;
 
   const Background& background_;
-  SkyPatches patches_;  ///< of the panorama, or of a grid that follows the gradient
+  SkyPatches patches_;  ///< the panorama's, or a grid's that follows the gradient
   PatchChoice sun_, rest_;
   Vec3f mean_radiance_{0.0f};
 };

@@ -22,7 +22,7 @@ LIPPMANN_INLINE float fast_atan2(float y, float x) {
       z * (0.199903966f +
            z * (-0.141859753f +
                 z * (0.105739321f + z * (-0.073667062f + z * (0.041121861f + z * (-0.0151325369f + z * 0.00262224472f))))));
-  const float first = t + t * z * p;  // of the first half quadrant
+  const float first = t + t * z * p;  // the angle from the nearer axis, up to pi / 4
   const float quadrant = flat ? first : 0.5f * kPi - first;
   const float half = x < 0.0f ? kPi - quadrant : quadrant;
   return y < 0.0f ? -half : half;

@@ -44,9 +44,9 @@ class GgxAlbedo {
   const SheenAlbedo& sheen() const { return sheen_; }
 
  private:
-  static constexpr int kSize = 32;  ///< of each table's side; cosines from 0 to 1, roughness = sqrt(alpha) from 0 to 1
+  static constexpr int kSize = 32;  ///< entries along each side; cosines from 0 to 1, roughness = sqrt(alpha) from 0 to 1
   std::array<std::array<Vec2f, kSize>, kSize> single_;  ///< [roughness][cosine]
-  std::array<Vec4f, kSize> mean_;                       ///< by roughness: of single_.x, single_.y and of both times (1 - E) / E
+  std::array<Vec4f, kSize> mean_;  ///< by roughness: means of single_.x, single_.y, and of both times (1 - E) / E
   GlassAlbedo glass_;
   BrushedAlbedo brushed_;
   SheenAlbedo sheen_;

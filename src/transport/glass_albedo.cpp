@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kLargestContrast = 0.5f;  // of (n - 1) / (n + 1): n = 3
+constexpr float kLargestContrast = 0.5f;  // (n - 1) / (n + 1) for n = 3
 
 /// Mean over the facets that the view sees of what their light passes on its way out.
 float integrate(float cosine, float alpha, float eta) {
@@ -30,7 +30,7 @@ float integrate(float cosine, float alpha, float eta) {
   return sum / kPoints;
 }
 
-/// Of glass that is entered, or left: [contrast][roughness][cosine].
+/// The albedos of glass that is entered, or left: [contrast][roughness][cosine].
 class Table {
  public:
   Table(int contrasts, int cosines, bool entering) : contrasts_(contrasts), cosines_(cosines) {

@@ -22,7 +22,7 @@ struct LayeredSurface {
   Vec3f sheen_color{0.0f};
   float sheen_roughness = 0.0f;
   float anisotropy = 0.0f;  ///< roughness along the tangent: alpha -> 1 with the square of it
-  float film_share = 0.0f;  ///< of the surface
+  float film_share = 0.0f;  ///< how much of the surface has the film
   ThinFilm film;
   float diffuse_transmission = 0.0f;  ///< share of the diffuse light
   Vec3f diffuse_transmission_color{1.0f};
@@ -64,7 +64,7 @@ class LayeredBsdf {
   void scale_shares();
 
   Vec2f single_albedo(Vec3f direction) const;
-  /// Of film or bare surface, directional albedo with compensation, and without it.
+  /// Film and bare surface mixed: the directional albedo with compensation, and the reflectance of one facet.
   Vec3f albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const;
   Vec3f fresnel_of(Vec3f f0, Vec3f f90, float cosine) const;
   Vec3f passes_gloss(Vec3f direction) const;
@@ -90,8 +90,8 @@ class LayeredBsdf {
   bool is_smooth_;
   AnisotropicGgx ggx_;
   float coat_alpha_, eta_;
-  float matt_, glass_share_;                         ///< of dielectric that scatters in its inside, and that transmits
-  Vec3f dielectric_f0_, dielectric_f90_;             ///< of the gloss above the diffuse part
+  float matt_, glass_share_;                         ///< shares: dielectric that scatters inside, dielectric that transmits
+  Vec3f dielectric_f0_, dielectric_f90_;             ///< reflectance of the gloss above the diffuse part
   Vec3f diffuse_color_, through_color_;              ///< without anything above
   Vec3f gloss_passes_{1.0f}, diffuse_passes_{1.0f};  ///< what gets through the gloss to the viewer; on average
   Vec3f gloss_albedo_{0.0f}, gloss_compensation_{1.0f};

@@ -17,8 +17,8 @@ Vec3f lift(Vec3f local) {  // grazing views have no digits left for masking
   return glm::normalize(local);
 }
 
-/// Of a rough lobe, weight and density left open; of a smooth one, of Dirac's lobe with its weight. view: local to `frame`.
-/// False where the surface takes all.
+/// Draws a mirrored direction: from a rough lobe, whose weight and density are left open, or Dirac's lobe with its weight where
+/// it is smooth. view: local to `frame`. False where the direction is below the surface, which absorbs it.
 bool sample_mirror(const Frame& frame, Vec3f view, float alpha, Vec3f smooth_weight, Vec2f u, BsdfSample& s) {
   const Vec3f light = mirrored(view, smooth(alpha) ? kUp : Ggx{alpha}.sample_visible(view, u));
   if (!(light.z > 0.0f)) return false;
@@ -146,7 +146,7 @@ float MetalRoughBsdf::gloss_density(Vec3f light) const {
 void MetalRoughBsdf::add_glass(Vec3f light, BsdfValue& value) const {
   const Ggx ggx{alpha_};
   const bool reflected = light.z > 0.0f;
-  // Of the facet: towards the viewer. Refraction's half vector is along -(view + eta light).
+  // The facet's normal, towards the viewer. Refraction's half vector is along -(view + eta light).
   Vec3f h = glm::normalize(reflected ? view_ + light : view_ + eta_ * light);
   if (h.z < 0.0f) h = -h;
   const float cosine = glm::dot(view_, h), beyond = glm::dot(light, h);

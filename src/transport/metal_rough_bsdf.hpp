@@ -78,8 +78,8 @@ class MetalRoughBsdf {
   float eta_;
   Vec3f diffuse_color_{0.0f};                         ///< albedo, the gloss's share taken out
   Vec3f diffuse_passes_{1.0f};                        ///< share of diffuse light that the gloss lets in
-  Vec3f dielectric_f0_{0.0f}, dielectric_f90_{0.0f};  ///< of the gloss above the diffuse part
-  Vec3f gloss_f0_{0.0f}, gloss_f90_{0.0f};            ///< of dielectric and metal together, weighted
+  Vec3f dielectric_f0_{0.0f}, dielectric_f90_{0.0f};  ///< reflectance of the gloss above the diffuse part
+  Vec3f gloss_f0_{0.0f}, gloss_f90_{0.0f};            ///< dielectric and metal together, weighted
   Vec3f gloss_compensation_{1.0f}, gloss_albedo_{0.0f}, dielectric_albedo_{0.0f};
   Vec3f glass_{0.0f};  ///< tint; 0: none
   float glass_share_ = 0.0f;

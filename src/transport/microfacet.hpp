@@ -57,7 +57,7 @@ struct AnisotropicGgx {
   float lambda(Vec3f v) const {
     return 0.5f * (std::sqrt(1.0f + (squared(alpha.x * v.x) + squared(alpha.y * v.y)) / squared(v.z)) - 1.0f);
   }
-  /// Of the isotropic surface whose albedo comes closest from v (unit): what v sees of both alphas.
+  /// The alpha of the isotropic surface whose albedo comes closest from v (unit): what v sees of both alphas.
   float alpha_towards(Vec3f v) const {
     return std::sqrt(squared(alpha.x * v.x) + squared(alpha.y * v.y) + alpha.x * alpha.y * squared(v.z));
   }

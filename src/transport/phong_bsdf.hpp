@@ -23,7 +23,7 @@ class PhongBsdf {
   /// normal: on the viewer's side; view: unit, towards the viewer; entering: the viewer is outside.
   PhongBsdf(const PhongPoint& point, Vec3f normal, Vec3f view, bool entering);
 
-  /// Of the diffuse part.
+  /// Knows the diffuse part alone: the others are Dirac lobes, or highlight().
   BsdfValue evaluate(Vec3f light) const;
 
   /// Blinn's highlight of a point-like light, as cosine_f: pi times the light's strength is its irradiance (see LightTable).

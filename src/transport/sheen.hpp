@@ -25,12 +25,12 @@ class SheenAlbedo {
   SheenAlbedo(const SheenAlbedo&) = delete;
   SheenAlbedo& operator=(const SheenAlbedo&) = delete;
 
-  /// Directional albedo of white sheen, in [0, 1]. cosine: of the view, in [0, 1]. The first call, from whichever thread,
+  /// Directional albedo of white sheen, in [0, 1]. cosine: the view's, in [0, 1]. The first call, from whichever thread,
   /// integrates the table: some 0.1 s, which scenes without sheen need not wait for.
   float operator()(float cosine, float roughness) const;
 
  private:
-  static constexpr int kSize = 32;                            ///< of the table's sides
+  static constexpr int kSize = 32;                            ///< entries along each side of the table
   using Table = std::array<std::array<float, kSize>, kSize>;  ///< [roughness][cosine]
   static Table integrated();
 

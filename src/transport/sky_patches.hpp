@@ -28,10 +28,10 @@ class SkyPatches {
 
   /// Somewhere on the sphere.
   struct Place {
-    int x = 0, y = 0;    ///< of the patch
+    int x = 0, y = 0;    ///< the patch's column and row
     Vec2f within{0.0f};  ///< in [0, 1]: across in azimuth, down in the cosine of the polar angle, which is even in solid angle
   };
-  /// across, down: shares of the turn and of the polar angle, in [0, 1); `cosine`: of the polar angle.
+  /// across, down: shares of the turn and of the polar angle, in [0, 1); `cosine`: the polar angle's.
   Place at(Vec2f across_down, float cosine) const;
 
   int rows() const { return height_ + 1; }
@@ -65,7 +65,7 @@ PatchMask find_sun(const SkyPatches& sky);
 /// Draws places of some of a sky's patches by their luminance.
 class PatchChoice {
  public:
-  PatchChoice() = default;  ///< of no patches
+  PatchChoice() = default;  ///< has no patches
   PatchChoice(const SkyPatches& sky, const std::function<bool(std::size_t patch)>& is_of);
 
   bool is_dark() const { return rows_.empty(); }
@@ -73,12 +73,12 @@ class PatchChoice {
   double total() const { return rows_.total(); }
 
   struct Chosen {
-    float across, cosine;  ///< share of the turn; of the polar angle
+    float across, cosine;  ///< share of the turn; the polar angle's cosine
     float density;         ///< per steradian
   };
   /// Not where is_dark(). `sky` is that which it was made for.
   Chosen sample(const SkyPatches& sky, Vec2f u) const;
-  /// Of sample(), per steradian; 0 in patches that are not its own.
+  /// The density of sample() there, per steradian; 0 in patches that are not its own.
   float density(const SkyPatches& sky, const SkyPatches::Place& place) const;
 
  private:
