@@ -19,14 +19,15 @@ class FormerPlaces {
   /// The device scene is as it is `now`. All arguments must outlive this.
   FormerPlaces(const ShadedScene& scene, const Affine3f& world_from_display, const FrameStep& step);
 
-  /// Display mm of the frame before, of lane i, whose surface is evaluated. None: the point has not moved before the display.
+  /// Where the point of lane i, whose surface is evaluated, was in the frame before, in mm of its display. None: the point has
+  /// not moved before the display.
   std::optional<Vec3f> of(const RayHitPacket& packet, const SurfacePacket& surface, int i) const;
 
  private:
   struct OfInstance {
     bool still = true;
-    Affine3d display_from_world;     ///< of then, from world space of now
-    std::optional<MeshPose> pose{};  ///< of then, where the mesh changes its shape
+    Affine3d display_from_world;     ///< to the frame before, from world space now
+    std::optional<MeshPose> pose{};  ///< in the frame before, where the mesh changes its shape
   };
 
   Vec3f posed_point(const MeshPose& pose, const RayHitPacket& packet, const SurfacePacket& surface, int i) const;

@@ -11,7 +11,7 @@ struct Integration {
   const ShadedScene& scene;
   const BeamFootprint& beam;
   const TraceParams& params;
-  PathFilm film;  ///< of Whitted's light only `all` and `open` are filled
+  PathFilm film;  ///< Whitted's light fills only `all` and `open`
 };
 
 /// Calls use(integrator), and returns how many rays it has traced.

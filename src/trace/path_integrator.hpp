@@ -62,12 +62,12 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
 
   const TouchProbe* probe_ = nullptr;  ///< null: nothing is watched
   std::vector<PossibleChange>* changes_ = nullptr;
-  std::array<float, 2> noise_weights_{};  ///< of a sample of either half: see weights_of_halves()
+  std::array<float, 2> noise_weights_{};  ///< what a sample of the first and of the second half counts: see weights_of_halves()
   ShadowQueue shadow_rays_;
   struct LanePairs {
     Lanes x, y;
   };
-  std::array<LanePairs, kPairsPerEvent> numbers_;  ///< of the surfaces' lanes
+  std::array<LanePairs, kPairsPerEvent> numbers_;  ///< random numbers for the surfaces' lanes
 };
 
 }  // namespace lippmann

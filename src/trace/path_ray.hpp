@@ -13,15 +13,15 @@ struct PathRay {
   Vec3f lit_side{0.0f};  ///< LightReceiver::normal at the last scattering
   float t_near = 0.0f, path_length = 0.0f;
   float scattered_at = 0.0f;  ///< path length at the last scattering
-  float density = kInfinity;  ///< of `direction` as drawn at the last scattering; kInfinity: by a Dirac lobe, or from the lens
+  float density = kInfinity;  ///< density of `direction` at the last scattering; kInfinity: a Dirac lobe's, or from the lens
   std::uint32_t pixel = 0;    ///< where its light goes
-  std::uint32_t seed = 0, index = 0;  ///< of its random numbers (transport/sampler.hpp)
+  std::uint32_t seed = 0, index = 0;  ///< decide its random numbers (transport/sampler.hpp)
   std::uint16_t depth = 0;            ///< vertices on surfaces so far
   bool spread = false;                ///< scattered by other than Dirac lobes: textures need not be sharp
-  bool one_color = false;             ///< of one colour alone, as a surface has dispersed it
+  bool one_color = false;             ///< it carries one colour alone, as a surface has dispersed it
   std::uint16_t events : 13 = 0;      ///< vertices, passed surfaces included: what the random numbers go by
   std::uint16_t lights_from : 3 = 0;  ///< LightGroups before this one have been sampled already: to meet them adds nothing
-  std::uint16_t medium = kNoMedium;   ///< that it is in
+  std::uint16_t medium = kNoMedium;   ///< the medium that it is in
 };
 
 /// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.

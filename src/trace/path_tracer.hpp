@@ -26,7 +26,7 @@ namespace lippmann {
 /// What decides the random numbers of a frame's paths, and what becomes of them.
 struct PathParams {
   int max_depth = 6;            ///< path vertices on surfaces
-  std::uint32_t seed = 0;       ///< of the frame: other frames have other noise
+  std::uint32_t seed = 0;       ///< the frame's: other frames have other noise
   float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
   int spp = 1;                  ///< samples of a pixel: each counts 1 / spp
 };
@@ -129,16 +129,16 @@ class PathTracer {
   const BeamFootprint& beam_;
   PathParams params_;
   PathFilm film_;
-  float weight_;               ///< of a sample's light
-  float noise_weight_ = 0.0f;  ///< and in film.noise
+  float weight_;               ///< what a sample's light counts
+  float noise_weight_ = 0.0f;  ///< and what it counts in film.noise, times weight_
   RayCounts counts_;
   std::vector<PathRay> next_;  ///< rays of the next wave
-  SurfacePacket surface_;      ///< of the packet that is being shaded
+  SurfacePacket surface_;      ///< surfaces of the packet that is being shaded
 
  private:
   Policy& policy() { return static_cast<Policy&>(*this); }
 
-  /// rays: of the active lanes.
+  /// rays: by lane; only the active lanes' count.
   void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
     Lanes path_length;
     LaneMask spread;
@@ -273,7 +273,7 @@ class PathTracer {
   static constexpr std::uint32_t kColorStream = 0x636f6c6fu;
 
   std::vector<PathRay> wave_;
-  SkyRays sky_;  ///< of the packet's lanes
+  SkyRays sky_;  ///< by lane of the packet
 };
 
 }  // namespace lippmann

@@ -23,7 +23,7 @@ class PathWave {
   /// Valid until the next load().
   const RayHitPacket& packet() const { return packet_; }
   const LaneMask& active() const { return active_; }
-  /// Of the packet's active lanes, with what the media on their way have left of their throughput.
+  /// By lane; those of active lanes have the throughput that the media on their way have left.
   const PathRay* rays() const { return lanes_; }
 
  private:

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Of one wave: some 200 MB. Depths at which pictures still change stay far below.
+/// The limit for one wave: some 200 MB. Depths at which pictures still change stay far below.
 constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
 /// The arrays of the queue from some ray on.

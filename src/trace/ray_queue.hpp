@@ -21,8 +21,8 @@ struct Bundle {
 struct Branches {
   static constexpr int kCount = 2 * kLanes;
   alignas(64) float dir_x[kCount], dir_y[kCount], dir_z[kCount];
-  alignas(64) float share_x[kCount], share_y[kCount], share_z[kCount];  ///< of the radiance from there, that is sent on
-  alignas(64) float open[kCount];                                       ///< of Bundle::open, that stays
+  alignas(64) float share_x[kCount], share_y[kCount], share_z[kCount];  ///< how much of the radiance from there is sent on
+  alignas(64) float open[kCount];                                       ///< how much of Bundle::open stays
 };
 
 /// One array per quantity, so that a packet is filled by plain copies.

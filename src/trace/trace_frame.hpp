@@ -23,16 +23,15 @@ struct TraceParams {
   RayOrder order = RayOrder::kViewTiles;
   int spp = 1;                                          ///< samples per pixel; above 1 stratified over the pixel's area
   int max_depth = 6;                                    ///< path vertices: 1 = no mirrors
-  AngularFilter angular_filter = AngularFilter::kNone;  ///< of views; above 1 sample per pixel
-  std::uint32_t seed =
-      0;  ///< of the sub-pixel positions, which are the same in every frame: what stands still must not flicker
-  std::uint32_t frame = 0;      ///< paths: other frames have other noise
+  AngularFilter angular_filter = AngularFilter::kNone;  ///< how views are filtered; has an effect above 1 sample per pixel
+  std::uint32_t seed = 0;   ///< decides where in pixels samples lie, in every frame alike: what stands still must not flicker
+  std::uint32_t frame = 0;  ///< paths: other frames have other noise
   float clamp_indirect = 0.0f;  ///< paths: > 0: no indirect contribution to a sample is brighter; loses light
 };
 
 /// What a traced frame goes into.
 struct FrameTargets {
-  Image& film;                       ///< becomes 3 channels, linear, of the panel's size
+  Image& film;                       ///< becomes 3 channels, linear, as large as film_size() says
   FrameAovs* aovs = nullptr;         ///< layers of light (paths only; find_first_hits, trace/first_hits.hpp, finds others)
   PrimaryPoints* points = nullptr;   ///< first hits behind the pixels' centres: free at one sample per pixel, else a pass
   TouchedBlocks* touched = nullptr;  ///< the blocks whose rays meet its boxes

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Of more lights, the shadow packets would not stay in cache, and of a million not in memory.
+/// Shadow packets for more lights would not stay in cache, and those for a million would not fit into memory.
 constexpr std::size_t kMostLightsAtOnce = 32;
 
 int count_lanes(const LaneMask& mask) {

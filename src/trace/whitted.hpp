@@ -30,7 +30,7 @@ struct WhittedParams {
 /// Tracing state of one thread at a time. Adds radiance to pixels of the film; const inputs must outlive it.
 class WhittedTracer {
  public:
-  /// Of the film, `all` is not null, and `open` receives what camera rays would see of the surroundings, in samples, which they
+  /// film.all is not null. Where film.open is not null, it receives how many samples would see the surroundings, which they
   /// then do not see.
   WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params, const PathFilm& film);
 
@@ -60,14 +60,14 @@ class WhittedTracer {
   const ShadedScene& scene_;
   const BeamFootprint& beam_;
   int max_depth_;
-  float weight_;  ///< of a sample
+  float weight_;  ///< what a sample counts
   PathFilm film_;
   RayCounts counts_;
   RayLog* log_ = nullptr;
   BlockProbe* probe_ = nullptr;
   RayQueue wave_, next_;
   SurfacePacket surface_;
-  std::vector<ShadowPacket> shadows_;  ///< of lights that are asked at once
+  std::vector<ShadowPacket> shadows_;  ///< one for each light of those that are sampled at once
   std::vector<int> shadow_rays_;       ///< active lanes of each
 };
 
