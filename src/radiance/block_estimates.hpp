@@ -13,12 +13,12 @@ inline constexpr float kMostScatter = 0.25f;
 struct BlockEstimates {
   static constexpr std::size_t kMost = kPacketsPerBlock * kLanes;
   using Values = float[kMost];
-  /// With room for the packets that neighbours of the outermost pixels would lie in: of pixel e at kLanes + e.
+  /// With room for the packets that neighbours of the outermost pixels would lie in: pixel e's value is at kLanes + e.
   using PaddedValues = float[kLanes + kMost + kLanes];
 
   std::size_t size = 0;
-  float alpha_weight = 1.0f;  ///< of squared errors of alpha beside those of light
-  float path_scatter = 0.0f;  ///< of a sample that was left to paths, as scatter; 0: not known
+  float alpha_weight = 1.0f;  ///< what squared errors of alpha count beside those of light
+  float path_scatter = 0.0f;  ///< how much a sample that is left to paths scatters, as `scatter`; 0: not known
   alignas(64) std::uint32_t pixel[kMost];
   alignas(64) Values samples;                              ///< how many
   alignas(64) Values red, green, blue, luminance, square;  ///< their sums

@@ -38,7 +38,7 @@ class BlockGuides {
   };
 
   Guides slots_, sums_;
-  FirstSurfaces surfaces_;  ///< of slots_
+  FirstSurfaces surfaces_;  ///< points into slots_
   Colors noise_{};
 };
 

@@ -53,7 +53,7 @@ RadianceCache::Bend RadianceCache::bend(const Cell& cell, const Cell& before, co
 
 /// The strongest of the 13 directions in which there are neighbours on both sides.
 RadianceCache::Bend RadianceCache::bend(const Cell& cell) const {
-  constexpr int kCube = 27;  // of the cells around one, and itself in the middle
+  constexpr int kCube = 27;  // one cell, in the middle, and those around it
   if (cell.samples < kLeastSamples) return {};
   const glm::i64vec3 at = cell_at(cell.center, cell.exponent);
   const std::uint64_t base = base_key(cell.thing, cell.part, cell.exponent);

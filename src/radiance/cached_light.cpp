@@ -16,12 +16,12 @@ struct History {
   CacheHistory cells;
   std::optional<GatherPlan> plan;  ///< since the first frame; none: frames are traced, with
   int path_samples = 1;            ///< so many paths a pixel
-  GatherEffort least{};            ///< of the plan, as it was made
+  GatherEffort least{};            ///< the plan's effort as it was made: frames get no less
   bool has_to_mix = false;         ///< the frame before was good with paths alone
-  FrameErrors errors;              ///< of frames that were gathered
-  FrameErrors path_errors;         ///< and of those that were traced
+  FrameErrors errors;              ///< the errors of gathered frames
+  FrameErrors path_errors;         ///< and those of traced ones
   int failures = 0;                ///< frames in a row that shared no light, or in vain (kMostFailures)
-  Scatter scatter;                 ///< of the frame before, where it was gathered
+  Scatter scatter;                 ///< how the samples of the frame before scattered, where it was gathered
 };
 
 /// Where a frame errs by too much, a sample may have so much of the error that it might have before.
@@ -104,11 +104,11 @@ class CachedFrame {
   const Context& context_;
   History& history_;
   FrameCache cache_;
-  Scatter before_;                    ///< of the frame before
+  Scatter before_;                    ///< how the samples of the frame before scattered, smoothed
   RayCounts counts_;                  ///< but for those of cache_
   std::uint64_t rays_of_search_ = 0;  ///< in a history's first frame, for a plan that is for all frames: none is charged for it
   std::uint64_t rays_of_gather_ = 0;
-  double expected_ = 0.0;  ///< of GatherHistory, of what was gathered last
+  double expected_ = 0.0;  ///< GatherHistory::expected of what was gathered last
   bool was_worth_it_ = true;
 };
 

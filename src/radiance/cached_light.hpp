@@ -14,23 +14,23 @@ namespace lippmann {
 struct CachedLightReport {
   RayCounts rays;
   bool traced = false;               ///< whole paths, as they were cheaper
-  double squared_error = 0.0;        ///< of pixels, as measured: mean, of sRGB's codes (0 ... 1)
+  double squared_error = 0.0;        ///< the pixels' mean, as measured, in sRGB's codes (0 ... 1)
   double uncertainty = 0.0;          ///< its standard deviation
-  double block_squared_error = 0.0;  ///< of means over 64 pixels
+  double block_squared_error = 0.0;  ///< the same for means over 64 pixels
 };
 
 /// What pictures should be like.
 struct CachedLightGoal {
-  std::optional<float> squared_error{};  ///< mean, of sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
+  std::optional<float> squared_error{};  ///< mean, in sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
   int frames = 1;                        ///< that a history will have
   bool provenance = false;               ///< pictures show where light came from: see trace/final_gather.hpp
-  std::optional<double> seconds{};  ///< of a frame on this machine, in place of an error: frames are as good as these allow
+  std::optional<double> seconds{};       ///< a frame's on this machine, in place of an error: frames are as good as that allows
 };
 
 /// Where a frame goes.
 struct CachedLightPictures {
   Image& film;
-  FrameAovs* aovs = nullptr;    ///< of them, alpha is filled where it is wanted, which must be so for all frames of a history
+  FrameAovs* aovs = nullptr;    ///< alpha alone is filled, where it is wanted, which must be so for all frames of a history
   NoisyFrame* noisy = nullptr;  ///< receives what a denoiser wants to know beside the film, which stays without; else null
 };
 

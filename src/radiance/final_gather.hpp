@@ -89,7 +89,7 @@ class FinalGather : public PathTracer<FinalGather> {
   std::array<ShadowQueue, kFewLights> to_point_;  ///< by light, where they are few: packets to one light stay together
   ShadowQueue to_others_;
   // What follows belongs to the packet that is being shaded.
-  PathLanes lanes_{};  ///< of Phong's surfaces
+  PathLanes lanes_{};  ///< paths that have met Phong's surfaces
   PhongLanes phong_;
   ShadowPacket shadow_;
   CacheQueries queries_;  ///< what it asks the cache for,

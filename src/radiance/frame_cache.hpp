@@ -15,9 +15,9 @@ inline constexpr double kCellsPerPixel = 1.0;
 /// What frames of a history know of its cells.
 struct CacheHistory {
   std::optional<RadianceCache> cache;  ///< none: no frame yet
-  float samples_per_cell = 0.0f;       ///< of CacheCells, since the first frame
+  float samples_per_cell = 0.0f;       ///< CacheCells::samples_per_cell, since the first frame
   LightGroup lights_from{};            ///< likewise
-  int rounds = 0;                      ///< of updates in the first frame
+  int rounds = 0;                      ///< rounds of updates in the first frame
   float mean = 0.0f;                   ///< samples of a cell that it gave
   float enough = 0.0f;                 ///< samples of a cell that every frame sees to
 };
@@ -67,7 +67,7 @@ class FrameCache {
   BeamFootprint beam_;
   CacheCells cells_;
   CacheUpdater updater_;
-  int round_ = 0;        ///< of updates, the next
+  int round_ = 0;        ///< the next round of updates
   float enough_ = 0.0f;  ///< samples of a cell, in this frame
   double update_seconds_ = 0.0;
   std::size_t records_ = 0;  ///< added since start()

@@ -35,7 +35,7 @@ class FrameErrors {
 
   FrameError found_, allowed_;  ///< weighted means
   FrameError latest_;
-  PixelError ratio_;  ///< of errors to what was expected, weighted mean
+  PixelError ratio_;  ///< errors over what was expected, weighted mean
   PixelError of_latest_;
   float ratio_weight_ = 0.0f;
   float weight_ = 0.0f;

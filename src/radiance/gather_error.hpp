@@ -19,19 +19,19 @@ inline constexpr float kBlockPixels = 64.0f;
 /// Mean squared errors of sRGB's codes (0 ... 1).
 struct FrameError {
   float pixels = 0.0f;
-  float blocks = 0.0f;       ///< of means over a patch
+  float blocks = 0.0f;       ///< the errors of means over a patch
   float uncertainty = 0.0f;  ///< standard deviation of `pixels`
   float block_uncertainty = 0.0f;
 };
 
 struct GatherPlan {
-  float error = 0.01f;        ///< of GatherEffort, where the frame before is known
+  float error = 0.01f;        ///< GatherEffort::error where the frame before is known
   float error_alone = 0.01f;  ///< and where not
   EdgesToPaths edges = EdgesToPaths::kNone;
   PathMix mix{};
   float of_cells = 0.0f;       ///< share of the error that frames may have, which no number of samples would take away
-  FrameError expected;         ///< of the frame
-  double share_of_rays = 1.0;  ///< of those that paths take
+  FrameError expected;         ///< the frame's errors
+  double share_of_rays = 1.0;  ///< its rays over those that paths take
   GatherEffort effort() const { return {error, edges, mix}; }
   GatherEffort effort_alone() const { return {error_alone, edges, mix}; }
 };
@@ -113,7 +113,7 @@ class GatherMeasure {
 
  private:
   struct Codes {
-    std::vector<float> values;  ///< of the patches' pixels
+    std::vector<float> values;  ///< the codes of the patches' pixels
     std::vector<float> shown;   ///< their light, as far as it is shown: 0 ... 1
   };
   void trace_patches(int fewer);

@@ -329,7 +329,7 @@ RayCounts mix_paths_into(const GatherSources& sources, const GatherParams& param
   RayCounts rays;
   if (pictures.noisy) {
     rays = trace_noisy_frame(sources.shot, trace, {pool, quiet}, paths, layers);
-    if (trace.spp == 1) paths.noise = difference(paths.film, pictures.film);  // of one sample there are no halves
+    if (trace.spp == 1) paths.noise = difference(paths.film, pictures.film);  // one sample has no halves
   } else if (wanted.empty()) {
     rays = trace_frame(sources.shot, trace, {pool, quiet}, {paths.film, &layers});
   } else {

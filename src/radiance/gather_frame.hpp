@@ -43,7 +43,7 @@ struct GatherSources {
 
 /// What is known of the pixels that are to be gathered.
 struct GatherHistory {
-  const Scatter* before = nullptr;  ///< of the frame before, smoothed: pixels scatter as much again; null: not known
+  const Scatter* before = nullptr;  ///< the frame before's, smoothed: pixels scatter as much again; null: not known
   Scatter* now = nullptr;           ///< receives what this frame finds, of the gathered pixels; null: nobody asks
   /// Receives the squared error that the scatter of samples, and their number, lead to expect of pixels, on average. It is in
   /// no absolute terms: what light that is wrong adds is not in it, nor all that even spreading takes away. Null: nobody asks.
@@ -54,7 +54,7 @@ struct GatherHistory {
 struct GatheredPictures {
   Image& film;
   Image* alpha = nullptr;       ///< receives Aov::kAlpha, and the film is free of the surroundings; else null
-  NoisyFrame* noisy = nullptr;  ///< of whole frames, receives what a denoiser wants to know beside the film; else null
+  NoisyFrame* noisy = nullptr;  ///< whole frames only: receives what a denoiser wants to know beside the film; else null
 };
 
 /// Fills pictures.film (3 channels, linear, the panel's size), or of it only the packets that are not 0 in `wanted` (by packet,

@@ -11,8 +11,8 @@ namespace lippmann {
 /// How many of a frame's places are measured.
 struct MeasuredShare {
   std::size_t some = 0;        ///< enough to know the frame's error; but
-  std::size_t small_part = 1;  ///< of a small frame no more than one of so many,
-  std::size_t large_part = 1;  ///< of a large one no fewer than one of so many
+  std::size_t small_part = 1;  ///< in a small frame no more than one of so many,
+  std::size_t large_part = 1;  ///< in a large one no fewer than one of so many
   bool operator==(const MeasuredShare&) const = default;
 };
 

@@ -7,8 +7,8 @@ namespace lippmann {
 
 struct Remedy {
   bool finer_pixels = false;  ///< more samples where these scatter
-  bool more_edges = false;    ///< of light, left to paths
-  bool more_updates = false;  ///< of the cache
+  bool more_edges = false;    ///< more edges of light are left to paths
+  bool more_updates = false;  ///< more updates of the cache
 };
 
 /// Pixels that are noisy where the light is right need more samples, and no better cells. Where means err, edges are the

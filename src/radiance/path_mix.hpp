@@ -9,7 +9,7 @@ namespace lippmann {
 
 struct PathMix {
   int samples = 0;      ///< paths of a pixel; 0: none are mixed in
-  float weight = 0.0f;  ///< of their mean, 0 ... 1
+  float weight = 0.0f;  ///< what their mean counts, 0 ... 1
 };
 
 /// Mean squared errors, of pixels and of means over blocks.
@@ -21,7 +21,7 @@ struct MixedErrors {
 /// error falls as their number to the power `exponent`, which is 1 where it is all noise of light, and up to 2 where edges and
 /// textures within pixels make it. Other numbers are those of the powers of two that they consist of, independently.
 struct PathErrors {
-  MixedErrors one;  ///< of a picture with one path a pixel
+  MixedErrors one;  ///< errors of a picture with one path a pixel
   float exponent = 1.0f;
   MixedErrors of(int samples) const;
   /// With what `samples` paths a pixel err by.

@@ -11,7 +11,7 @@ namespace lippmann {
 struct PhongLanes {
   Lanes3 diffuse, highlight, mirror, emission;
   Lanes through;
-  bool any_highlight = false, any_emission = false, any_gloss = false;  ///< of the lanes asked for
+  bool any_highlight = false, any_emission = false, any_gloss = false;  ///< whether any lane in `lanes` has it
 };
 
 /// tachyon: as DeviceScene has it. Sets the terms of all lanes, of use in `lanes` only.

@@ -20,7 +20,7 @@ class PlanSearch {
   /// All that was traced, but for updates of the cache.
   RayCounts counts() const;
 
-  /// Of pixels that are traced by as many paths as were asked for.
+  /// The squared error of pixels that are traced by TraceParams::spp paths.
   float error_of_paths() const { return measure_.of_paths(); }
 
  private:
@@ -44,9 +44,9 @@ class PlanSearch {
   FrameCache& cache_;
   GatherMeasure measure_;
   std::optional<GatherMeasure> fresh_;  ///< on other patches
-  std::optional<GatherPlan> plan_;      ///< of the setup that was tried last
-  std::optional<GatherPlan> good_;      ///< of the good one that was tried last
-  std::optional<Candidate> mixed_;      ///< of those that are good with paths, the one that takes the fewest rays
+  std::optional<GatherPlan> plan_;      ///< the plan for the setup that was tried last
+  std::optional<GatherPlan> good_;      ///< the plan for the good setup that was tried last
+  std::optional<Candidate> mixed_;      ///< the one that takes the fewest rays among those that are good with paths
 };
 
 }  // namespace lippmann

@@ -48,7 +48,7 @@ struct CacheQueries {
   Lanes3 position{};
   alignas(64) std::uint32_t thing[kLanes]{}, part[kLanes]{};
   Lanes size{};     ///< these four: CachePoint's
-  Lanes3 normal{};  ///< of the surface, in the place's space, unit length
+  Lanes3 normal{};  ///< the surface's, in the place's space, unit length
   Lanes u{}, v{};   ///< random numbers in [0, 1)
 
   void set(int i, const CachePoint& place, Vec3f of_surface, Vec2f random) {
@@ -127,8 +127,8 @@ class RadianceCache {
     float count = 0.0f;
     void add(Vec3f light);
     void add(const Moments& more);
-    float variance() const;       ///< of one sample's luminance
-    float root_variance() const;  ///< of its fourth root
+    float variance() const;       ///< how one sample's luminance varies
+    float root_variance() const;  ///< how its fourth root varies
   };
   /// As RadianceRecord has it.
   struct PossibleChange {
@@ -154,18 +154,18 @@ class RadianceCache {
     PossibleChange possible_change;      ///< the same, with what larger cells say of it
     float samples = 0.0f;
     float root = 0.0f;      ///< mean fourth root of the luminance
-    Scatter scatter;        ///< of one sample
+    Scatter scatter;        ///< one sample's
     Scatter relative;       ///< the same over the cell's level
-    Scatter within;         ///< and of one sample about the mean of its cell, in the cells within this one
-    float variance = 0.0f;  ///< of the resolved value's luminance
-    float keep = 1.0f;      ///< of the past
+    Scatter within;         ///< and one sample's about the mean of its cell, in the cells within this one
+    float variance = 0.0f;  ///< the variance of the resolved value's luminance
+    float keep = 1.0f;      ///< the share of the past that is kept
     Vec3f own{0.0f};        ///< mean of its own samples
     Vec3f wider{0.0f};      ///< what larger cells say of it
     bool has_wider = false;
     float drawn = 0.0f;      ///< towards that, 0 ... 1
     Vec3f shift{0.0f};       ///< what it was resolved to, less its own
     Vec3f balance{0.0f};     ///< what cells within it are given back, as far as they are drawn
-    float luminance = 0.0f;  ///< of the mean of its own samples
+    float luminance = 0.0f;  ///< the luminance of `own`
     float spread = 0.0f;     ///< squared luminance by which cells within this one differ from what it says of them
     float relief = 0.0f;     ///< and from its mean
     Bend bend;
@@ -223,7 +223,7 @@ class RadianceCache {
   void balance(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
 
   std::vector<Shard> shards_;
-  std::size_t most_cells_;  ///< of a shard
+  std::size_t most_cells_;  ///< how many a shard may have
 };
 
 /// fn(cell, slot) for every cell of a size, side by side.

@@ -9,7 +9,7 @@ namespace lippmann {
 
 struct CacheSetup {
   float cell = 1.0f;                            ///< samples across the smallest cells, in parts of what fits
-  int rounds = 4;                               ///< of updates in the first frame (update_frame.hpp)
+  int rounds = 4;                               ///< rounds of updates in the first frame (update_frame.hpp)
   LightGroup lights_from = LightGroup::kLamps;  ///< the lights that the cache holds (CacheCells), of which a sun is never one
 };
 

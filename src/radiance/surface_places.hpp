@@ -57,7 +57,7 @@ class SurfacePlaces {
   std::unordered_map<std::uint32_t, std::uint32_t> instance_of_;    ///< by thing: those that move
   std::map<const Mesh*, std::vector<std::uint32_t>> parts_;         ///< by mesh
   std::vector<const std::vector<std::uint32_t>*> parts_of_record_;  ///< null: no mesh
-  std::vector<const Mesh*> rest_of_record_;                         ///< of posed meshes: unbent; else null
+  std::vector<const Mesh*> rest_of_record_;                         ///< a posed mesh as it is unbent; else null
 };
 
 }  // namespace lippmann
