@@ -22,7 +22,7 @@ struct SplatSource {
   const PointImage& image;
   const Motion& motion;
   const SplatBuffer& landed;
-  float weight = 0.5f;  ///< of its colour beside the other's; both add up to 1
+  float weight = 0.5f;  ///< what its colour counts beside the other's; both add up to 1
 };
 
 /// Fills `film` (of the panel's size; missed pixels black) and `missed` (ascending pixel indices). With a sampler, whose

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kContrast = 0.15f;  // of a picture's range; smaller steps are not worth the search
+constexpr float kContrast = 0.15f;  // as a share of a picture's range; smaller steps are not worth the search
 constexpr int kViews = 3;           // to either side
 constexpr float kViewCost = 0.03f;  // lenses that a view further away counts as
 constexpr float kExact = 1e-3f;     // lenses; a landing so near to the centre is taken as it is
@@ -60,14 +60,14 @@ LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
 /// The state of a search for kPointLanes colours; each step fills what the next one needs.
 struct Search {
   Ints source, row_begin;  ///< pixels: the sample, its row's first
-  Floats row, column;      ///< of the sample
+  Floats row, column;      ///< the sample's
   Floats beside, behind;   ///< columns of its neighbour, and of that of the two which is behind
   Ids object, object_beside, layer;
-  Floats view, place, off;  ///< place: sought, in samples of the view; off: of the landing from the sample's centre
-  Floats slope;             ///< of the view
-  Floats depth;             ///< of the layer, mm
+  Floats view, place, off;  ///< place: sought, in samples of the view; off: where the landing is from the sample's centre
+  Floats slope;             ///< the view's
+  Floats depth;             ///< the layer's, mm
   Floats per_view;          ///< how far its points shift from view to view, samples
-  Side left, right;         ///< of the own view, later of all
+  Side left, right;         ///< the best in the own view, later in all views
   Candidate other_left, other_right;
 };
 
@@ -130,8 +130,8 @@ namespace {
 /// The lines of a GridLanding in closed form, lens by lens and view by view.
 struct SampleAxis {
   float per_lens, per_pixel;  ///< pixels per lens; its inverse
-  float place, pitch;         ///< of lens 0 and from lens to lens, mm
-  float slope, slope_per_px;  ///< of view 0 and from view to view
+  float place, pitch;         ///< where lens 0 is, and the distance from lens to lens, mm
+  float slope, slope_per_px;  ///< view 0's, and the step from view to view
 };
 
 struct Sample {

@@ -38,12 +38,12 @@ inline constexpr std::array<std::uint8_t, kUncertaintyLevels> kLevelEnd{0,  1,  
 
 int level_of(std::uint8_t uncertainty);
 
-inline constexpr double kUnseenError = 12.0;  ///< root mean square over a patch, codes: of one pixel's error a quarter
+inline constexpr double kUnseenError = 12.0;  ///< root mean square over a patch, codes: one pixel's error counts a quarter
 
 /// The sample of one frame.
 struct HeldOut {
   std::vector<std::uint32_t> patches;                        ///< ascending
-  std::vector<std::uint8_t> levels;                          ///< of those patches
+  std::vector<std::uint8_t> levels;                          ///< by entry of `patches`: its level
   std::array<std::uint64_t, kUncertaintyLevels> population;  ///< patches of the frame by level
   std::array<std::uint64_t, kUncertaintyLevels> drawn;       ///< how many of them are in the sample
 };
@@ -51,7 +51,7 @@ struct HeldOut {
 /// R for frames of that many patches: such that there are about 400 samples, within 4 ... 64.
 std::uint32_t patches_per_sample(std::size_t patches);
 
-/// `uncertainty` of patches.
+/// uncertainty: by patch.
 HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame);
 
 /// What a patch of the frame that was learned from counts as, in samples: its patches have their errors in common, with their

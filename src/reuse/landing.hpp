@@ -84,13 +84,13 @@ struct GridLanding {
   struct Row {
     Constants c;
     const float *place, *slope, *first, *low, *high;  ///< by column
-    GridLine line;                                    ///< of the row
+    GridLine line;                                    ///< the row's own line
   };
 
   Constants c;
   int width;
-  std::vector<float> place, slope, first, low, high;  ///< of columns; one set of `width` after another
-  std::vector<GridLine> lines;                        ///< of rows
+  std::vector<float> place, slope, first, low, high;  ///< by column; one set of `width` after another
+  std::vector<GridLine> lines;                        ///< by row
   std::vector<int> set_of_row;
 
   Row row(int j, int i) const {
@@ -186,9 +186,9 @@ struct SheetLanding {
   struct Row {
     LenticularConstants<float> c;
     GridScale down;
-    float eye_slope;  ///< of rows, which count along -y: e/V
+    float eye_slope;  ///< slope down the rows, which count along -y: e/V
     float width, height;
-    float px, py;  ///< of entry 0's centre
+    float px, py;  ///< where entry 0's centre is
   };
 
   Row constants;
@@ -221,7 +221,7 @@ LIPPMANN_INLINE PointLanding land_on_sheet(const typename SheetLanding<mode>::Ro
 struct MicrolensRow {
   MicrolensConstants<float> c;
   float width, height;
-  float px, py;  ///< of entry 0's centre
+  float px, py;  ///< where entry 0's centre is
 };
 
 template <SplatMode mode>

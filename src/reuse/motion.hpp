@@ -25,9 +25,8 @@ struct MotionGroups {
 MotionGroups make_motion_groups(const Scene& scene);
 
 struct GroupMotion {
-  std::array<float, 12>
-      rows;            ///< of p' = linear p + translation: x from entries 0 ... 2 and 3, y from 4 ... 7, z from 8 ... 11
-  bool still = false;  ///< p' = p: points stay in their pixels, whatever rounding would make of them
+  std::array<float, 12> rows;  ///< p' = linear p + translation: x from entries 0 ... 2 and 3, y from 4 ... 7, z from 8 ... 11
+  bool still = false;          ///< p' = p: points stay in their pixels, whatever rounding would make of them
 };
 
 struct Motion {

@@ -39,7 +39,7 @@ class Patches {
  private:
   std::size_t per_strip_ = 0;          ///< patches
   std::vector<std::uint32_t> pixels_;  ///< patch by patch
-  std::vector<std::size_t> begin_;     ///< of each patch in pixels_, and the end of the last
+  std::vector<std::size_t> begin_;     ///< where each patch begins in pixels_, and where the last ends
 };
 
 }  // namespace lippmann

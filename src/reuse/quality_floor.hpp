@@ -20,8 +20,8 @@
 namespace lippmann {
 
 struct FloorParams {
-  double min_psnr_db = 0.0;  ///< of a frame in 8-bit display codes; finite
-  std::uint32_t seed = 0;    ///< of the choice of held-out patches
+  double min_psnr_db = 0.0;  ///< every frame's, in 8-bit display codes; finite
+  std::uint32_t seed = 0;    ///< decides which patches are held out
 };
 
 /// Frames whose other patches would cost more than this, in traced frames (tracing_costs.hpp), are not made from others.
@@ -30,14 +30,14 @@ inline constexpr double kMostCost = 0.9;
 /// What is known of a predicted frame.
 struct PredictedFrame {
   int number = 0;                             ///< in the animation
-  std::span<const std::uint8_t> uncertainty;  ///< of pixels
-  std::span<const float> costs;               ///< of patches (Patches::costs)
+  std::span<const std::uint8_t> uncertainty;  ///< by pixel
+  std::span<const float> costs;               ///< by patch (Patches::costs)
 };
 
 /// What a frame that was predicted and traced as a whole tells about others.
 struct FloorLesson {
   Evidence evidence;
-  double cost = 1.0;  ///< of what would have to be traced of frames like it, held-out patches among them; in traced frames
+  double cost = 1.0;  ///< what tracing part of a frame like it would cost, held-out patches included; in traced frames
 };
 
 FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Patches& patches, Encoding encoding,
@@ -46,7 +46,7 @@ FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, 
 struct FloorOutcome {
   bool holds = false;          ///< false: the frame is to be traced as a whole
   std::uint64_t retraced = 0;  ///< pixels traced here, held-out ones among them
-  ErrorEstimate error;         ///< of the finished frame; where it holds
+  ErrorEstimate error;         ///< the finished frame's; where it holds
 };
 
 /// `film` is the prediction, then the finished frame. `learned` is of a frame predicted over no shorter a time.

@@ -37,7 +37,7 @@ int SettledBlocks::choose_span(const TouchedBlocks& blocks, int key, int last_fr
   }
 
   int best = 1;
-  double least = 1.0, sum = kKeyCost;  // of frames so far, in full frames
+  double least = 1.0, sum = kKeyCost;  // costs of frames so far, in full frames: the least mean, and the sum
   for (int frames = 2; frames <= farthest; ++frames) {
     sum += kCopyCost + unsettled[static_cast<std::size_t>(horizon_of(frames - 1))] / all;
     if (sum / frames < least) best = frames, least = sum / frames;

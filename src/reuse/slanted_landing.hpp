@@ -19,10 +19,10 @@ struct SlantedLanding {
   struct Row {
     SlantedPanelRays c;  ///< at z = 0
     float lenses_per_sub_pixel, sub_pixels_per_lens;
-    float lenses_per_row;  ///< of phase, per row down
+    float lenses_per_row;  ///< how the phase changes per row down
     float sub_pixels_per_mm, width, height, middle_x, middle_y;
     float turned;  ///< -1: blue comes first, so that places in a pixel count from the right; else 1
-    float px, py;  ///< of entry 0's centre
+    float px, py;  ///< where entry 0's centre is
   };
 
   Row constants;

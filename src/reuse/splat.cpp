@@ -11,10 +11,10 @@
 namespace lippmann {
 namespace {
 
-constexpr int kSplatBlock = 64;      // pixels projected at a time
-constexpr int kRowsPerStrip = 64;    // of the panel; a strip of sources, and the strip of targets that a thread writes
+constexpr int kSplatBlock = 64;    // pixels projected at a time
+constexpr int kRowsPerStrip = 64;  // rows of the panel in a strip of sources, and in the strip of targets that a thread writes
 constexpr float kNearEnough = 0.1f;  // steps from a sample's centre within which its colour is good enough
-constexpr int kLeftBit = 1;          // of PointImage::contrast
+constexpr int kLeftBit = 1;          // which bit of PointImage::contrast is kLeftDiffers
 static_assert(kRightDiffers == 1 && kLeftDiffers == 1 << kLeftBit);
 constexpr std::uint32_t kBackgroundOrder = SplatBuffer::kBackgroundOrder;
 constexpr float kBackgroundBelow = std::numeric_limits<float>::lowest();

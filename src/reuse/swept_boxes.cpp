@@ -9,8 +9,8 @@ namespace lippmann {
 namespace {
 
 constexpr std::size_t kMaxBoxes = 100000;
-constexpr int kPartsPerAxis = 12;               // of meshes with
-constexpr std::size_t kTrianglesToPart = 2000;  // or more triangles; smaller ones are halved along each axis
+constexpr int kPartsPerAxis = 12;               // along each axis of a large mesh; smaller ones have 4
+constexpr std::size_t kTrianglesToPart = 2000;  // a mesh with so many, or more, is large
 
 const Bounds3f kEverything{Vec3f(-kInfinity), Vec3f(kInfinity)};
 

@@ -42,7 +42,7 @@ class SweptBoxes {
   bool all_changes(const ResolvedScene& from, const ResolvedScene& to) const;
 
   const Scene& scene_;
-  std::vector<int> decisive_nodes_;  ///< of the display, lights and infinite planes
+  std::vector<int> decisive_nodes_;  ///< nodes that carry the display, lights or infinite planes, and move
   std::vector<MovingInstance> instances_;
   std::vector<PosedInstance> posed_;
 };

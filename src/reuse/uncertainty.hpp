@@ -53,7 +53,7 @@ class UncertaintyEstimator {
   void make_planes(const Prediction& previous, const Prediction& following, const Image& film, int row);
 
   int width_, height_, across_, down_;  ///< the last two: pixels from neighbour to neighbour of a view
-  std::size_t stride_;                  ///< of planes
+  std::size_t stride_;                  ///< length of a plane's row, margins included
   bool linear_film_;
   Plane disagreement_, codes_[3];
 };
