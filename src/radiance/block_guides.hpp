@@ -11,7 +11,7 @@ namespace lippmann {
 
 class BlockGuides {
  public:
-  /// display_z: of FirstSurfaces.
+  /// display_z: as FirstSurfaces has it.
   explicit BlockGuides(Vec4f display_z);
   BlockGuides(const BlockGuides&) = delete;
   BlockGuides& operator=(const BlockGuides&) = delete;

@@ -145,7 +145,7 @@ class GatherMeasure {
   FrameError goal_, last_;
   double rays_of_paths_ = 0.0, rays_of_last_ = 0.0;  ///< in the measured patches; the latter, of what was gathered last
   RayCounts counts_;
-  int next_trial_ = 1;  ///< where to look first: of the errors that are tried
+  int next_trial_ = 1;  ///< the error that is tried next is kCoarsest / 2^this
 };
 
 }  // namespace lippmann

@@ -219,7 +219,7 @@ Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool&
 
 namespace {
 
-/// The pixels of a block, or of its wanted packets alone. before: of the frame; empty: not known.
+/// The pixels of a block, or of its wanted packets alone. before: by pixel of the frame; empty: not known.
 void list_pixels(const PacketSource& source, std::size_t strip, std::size_t block, std::span<const std::uint8_t> wanted,
                  const Scatter& before, BlockEstimates& estimates) {
   estimates.size = 0;
@@ -237,7 +237,7 @@ class ExpectedError {
   explicit ExpectedError(std::size_t strips) : sums_(strips, 0.0), counts_(strips, 0.0) {}
 
   void add(std::size_t strip, const BlockEstimates& block) {
-    constexpr float kEven = 1.2f;  // 1: of independent samples; measured where frames were gathered again: 1 to 1.5
+    constexpr float kEven = 1.2f;  // 1: independent samples; measured where frames were gathered again: 1 to 1.5
     for (std::size_t e = 0; e < block.size; ++e)
       sums_[strip] +=
           static_cast<double>(std::min(block.scatter[kLanes + e], kMostScatter) / std::pow(block.samples[e], kEven));

@@ -24,7 +24,7 @@ struct GatherParams {
 };
 
 /// By how much the samples of each pixel scatter, as sRGB's codes have it, squared; by pixel index, < 0: not known of this one.
-/// Empty: of none.
+/// Empty: not known of any pixel.
 using Scatter = std::vector<float>;
 
 /// For each pixel half itself, as what stands still scatters again, and half the mean of those near by, in its own view and in
@@ -43,7 +43,7 @@ struct GatherSources {
 
 /// What is known of the pixels that are to be gathered.
 struct GatherHistory {
-  const Scatter* before = nullptr;  ///< the frame before's, smoothed: pixels scatter as much again; null: not known
+  const Scatter* before = nullptr;  ///< scatter in the frame before, smoothed: pixels scatter as much again; null: not known
   Scatter* now = nullptr;           ///< receives what this frame finds, of the gathered pixels; null: nobody asks
   /// Receives the squared error that the scatter of samples, and their number, lead to expect of pixels, on average. It is in
   /// no absolute terms: what light that is wrong adds is not in it, nor all that even spreading takes away. Null: nobody asks.

@@ -10,7 +10,7 @@ namespace lippmann {
 /// Outlived by what it was made with.
 class PlanSearch {
  public:
-  /// cache: of a history's first frame, nothing in it yet.
+  /// cache: that of a history's first frame; nothing is in it yet.
   PlanSearch(const Shot& shot, const TraceParams& params, const CachedLightGoal& goal, const Workers& workers,
              FrameCache& cache);
 

@@ -48,7 +48,7 @@ struct CacheQueries {
   Lanes3 position{};
   alignas(64) std::uint32_t thing[kLanes]{}, part[kLanes]{};
   Lanes size{};     ///< these four: CachePoint's
-  Lanes3 normal{};  ///< the surface's, in the place's space, unit length
+  Lanes3 normal{};  ///< normal of the surface, in the place's space, unit length
   Lanes u{}, v{};   ///< random numbers in [0, 1)
 
   void set(int i, const CachePoint& place, Vec3f of_surface, Vec2f random) {
@@ -154,9 +154,9 @@ class RadianceCache {
     PossibleChange possible_change;      ///< the same, with what larger cells say of it
     float samples = 0.0f;
     float root = 0.0f;      ///< mean fourth root of the luminance
-    Scatter scatter;        ///< one sample's
+    Scatter scatter;        ///< scatter of one sample
     Scatter relative;       ///< the same over the cell's level
-    Scatter within;         ///< and one sample's about the mean of its cell, in the cells within this one
+    Scatter within;         ///< and the scatter of one sample about the mean of its cell, in the cells within this one
     float variance = 0.0f;  ///< the variance of the resolved value's luminance
     float keep = 1.0f;      ///< the share of the past that is kept
     Vec3f own{0.0f};        ///< mean of its own samples

@@ -35,7 +35,7 @@ class SurfacePlaces {
     return space.world_from_own_before * inverse(space.world_from_own);
   }
 
-  /// Sets lane i. normal: where light is asked for, world space, on the viewer's side; size: of the smallest cell, world units.
+  /// Sets lane i. normal: where light is asked for, world space, on the viewer's side; size: the smallest cell's, world units.
   /// `normal` goes over to the place's space, unit length.
   CachePoint operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal, float size) const;
 

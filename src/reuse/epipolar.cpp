@@ -60,12 +60,12 @@ LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
 /// The state of a search for kPointLanes colours; each step fills what the next one needs.
 struct Search {
   Ints source, row_begin;  ///< pixels: the sample, its row's first
-  Floats row, column;      ///< the sample's
+  Floats row, column;      ///< where the sample is
   Floats beside, behind;   ///< columns of its neighbour, and of that of the two which is behind
   Ids object, object_beside, layer;
   Floats view, place, off;  ///< place: sought, in samples of the view; off: where the landing is from the sample's centre
-  Floats slope;             ///< the view's
-  Floats depth;             ///< the layer's, mm
+  Floats slope;             ///< slope of the view's rays
+  Floats depth;             ///< depth of the layer, mm
   Floats per_view;          ///< how far its points shift from view to view, samples
   Side left, right;         ///< the best in the own view, later in all views
   Candidate other_left, other_right;
@@ -131,7 +131,7 @@ namespace {
 struct SampleAxis {
   float per_lens, per_pixel;  ///< pixels per lens; its inverse
   float place, pitch;         ///< where lens 0 is, and the distance from lens to lens, mm
-  float slope, slope_per_px;  ///< view 0's, and the step from view to view
+  float slope, slope_per_px;  ///< slope of view 0, and the step from view to view
 };
 
 struct Sample {

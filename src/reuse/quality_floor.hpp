@@ -20,7 +20,7 @@
 namespace lippmann {
 
 struct FloorParams {
-  double min_psnr_db = 0.0;  ///< every frame's, in 8-bit display codes; finite
+  double min_psnr_db = 0.0;  ///< a floor for every frame, in 8-bit display codes; finite
   std::uint32_t seed = 0;    ///< decides which patches are held out
 };
 
@@ -46,7 +46,7 @@ FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, 
 struct FloorOutcome {
   bool holds = false;          ///< false: the frame is to be traced as a whole
   std::uint64_t retraced = 0;  ///< pixels traced here, held-out ones among them
-  ErrorEstimate error;         ///< the finished frame's; where it holds
+  ErrorEstimate error;         ///< what the finished frame errs by, where the floor holds
 };
 
 /// `film` is the prediction, then the finished frame. `learned` is of a frame predicted over no shorter a time.

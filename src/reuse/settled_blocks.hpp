@@ -20,7 +20,7 @@ class SettledBlocks {
   /// every: how many frames a key serves, itself among them, from 2; none: chosen by choose_span.
   SettledBlocks(const Scene& scene, int display_node, std::optional<int> every);
 
-  /// What to have trace_frame look for in a key frame. last_frame: of the animation. None at all: nothing moves.
+  /// What to have trace_frame look for in a key frame. last_frame: where the animation ends. None at all: nothing moves.
   std::vector<HorizonBox> boxes(int key, int last_frame) const { return swept_.around(key, horizons_, last_frame); }
 
   /// Whether any block can be settled in the frame after the key.

@@ -20,7 +20,7 @@ double seconds_per_ray(const Scene& scene);
 /// Seconds that projection, colours and uncertainty of a predicted frame take per pixel, whatever is traced of it.
 inline constexpr double kPredictionSecondsPerPixel = 50e-9;
 
-/// What making the prediction costs, in traced frames. `rays`: of a traced frame.
+/// What making the prediction costs, in traced frames. `rays`: those that a traced frame takes.
 double prediction_cost(const Scene& scene, const RayCounts& rays, std::uint64_t pixels);
 
 /// What tracing part of a frame's packets costs, in traced frames, where they have that share of its rays. What is uncertain is

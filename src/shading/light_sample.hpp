@@ -10,7 +10,7 @@ struct LightSample {
   Vec3f direction{0.0f};  ///< to the light, unit
   float distance = 0.0f;  ///< shadow rays end before it
   Vec3f radiance{0.0f};   ///< arriving from there; from a point-like light, its irradiance across over its chance
-  float density = 0.0f;   ///< the direction's, times the light's chance, per steradian; kInfinity: a point-like light
+  float density = 0.0f;   ///< chance of the light times density of the direction, per steradian; kInfinity: a point-like light
   bool is_lamp = false;   ///< Phong's highlights answer to it
   bool is_point() const { return density == kInfinity; }
 };

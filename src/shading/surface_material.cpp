@@ -34,7 +34,7 @@ struct UvFootprint {
   Vec2f uv, a, b;
 };
 
-/// set: of the mesh's uvs. widths: of the beam at the hit.
+/// set: which of the mesh's uvs. widths: how wide the beam is at the hit.
 UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, int set, const BeamFootprint& beam,
                          Vec2f widths) {
   const Vec2f uv = at_hit(uvs_of(*record.mesh, set), record, packet, i);

@@ -74,7 +74,7 @@ PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_disp
   order_.pixels.resize(static_cast<std::size_t>(packets_) * kLanes, order_.pixels.back());
 }
 
-/// rows: of the strip.
+/// rows: how many the strip has.
 bool PacketSource::is_inside(int rows, int packet, int lane) const {
   const int at = packet * kLanes + lane;
   return at < width_ * order_.strip_height && order_.pixels[static_cast<std::size_t>(at)].y < rows;

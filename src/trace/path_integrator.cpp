@@ -26,7 +26,7 @@ LaneMask PathIntegrator::begin_packet(const RayHitPacket& packet, const LaneMask
   return active;
 }
 
-/// rays: of the lanes that have hit a surface.
+/// rays: by lane; only those that have hit a surface count.
 void PathIntegrator::draw_numbers(const PathRay* rays) {
   PathPairs paths;
   bool last = surface_.any_see_through;

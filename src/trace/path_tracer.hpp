@@ -26,7 +26,7 @@ namespace lippmann {
 /// What decides the random numbers of a frame's paths, and what becomes of them.
 struct PathParams {
   int max_depth = 6;            ///< path vertices on surfaces
-  std::uint32_t seed = 0;       ///< the frame's: other frames have other noise
+  std::uint32_t seed = 0;       ///< one for each frame: other frames have other noise
   float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
   int spp = 1;                  ///< samples of a pixel: each counts 1 / spp
 };
@@ -183,7 +183,7 @@ class PathTracer {
     return ray.scattered_at > 0.0f && ray.lights_from <= static_cast<std::uint16_t>(LightGroup::kRound);
   }
 
-  /// reach: of this part of the ray, from its origin.
+  /// reach: how far this part of the ray goes from its origin.
   void see_round_light(std::size_t k, const PathRay& ray, float reach) {
     if (!sees_round_lights(ray)) return;
     const float passed = ray.path_length - ray.scattered_at;

@@ -44,7 +44,7 @@ class Environment {
 
   struct Density {
     float value = 0.0f;   ///< per steradian
-    bool of_sun = false;  ///< where the direction lies: of sample_sun(), else of sample_rest()
+    bool of_sun = false;  ///< whether sample_sun() draws the direction; else sample_rest() does
   };
   /// Along a unit vector.
   Density density(Vec3f direction) const;
@@ -59,7 +59,7 @@ class Environment {
   Sample sample(const PatchChoice& patches, Vec2f u) const;
 
   const Background& background_;
-  SkyPatches patches_;  ///< the panorama's, or a grid's that follows the gradient
+  SkyPatches patches_;  ///< patches of the panorama, or of a grid that follows the gradient
   PatchChoice sun_, rest_;
   Vec3f mean_radiance_{0.0f};
 };

@@ -20,7 +20,8 @@ class GgxAlbedo {
   /// Integrates them: some 40 ms.
   GgxAlbedo();
 
-  /// Directional albedo of one scattering: F0 = 1, F90 = 0 in x; F0 = 0, F90 = 1 in y. cosine: of the view, in [0, 1].
+  /// Directional albedo of one scattering: F0 = 1, F90 = 0 in x; F0 = 0, F90 = 1 in y. cosine: between the view and the normal,
+  /// in [0, 1].
   Vec2f single(float cosine, float alpha) const;
 
   /// By how much reflected light is multiplied, so that F0 = F90 = 1 loses none.

@@ -18,9 +18,9 @@ class GlassAlbedo {
   GlassAlbedo(const GlassAlbedo&) = delete;
   GlassAlbedo& operator=(const GlassAlbedo&) = delete;
 
-  /// cosine: of the view, in [0, 1]; eta = n_beyond / n_here, as if 1/3 or 3 beyond these. Within 1 % for glass of 1.3 and
-  /// more. The first call, from whichever thread, integrates the tables: some 0.2 s, which scenes without rough glass need not
-  /// wait for.
+  /// cosine: between the view and the normal, in [0, 1]; eta = n_beyond / n_here, as if 1/3 or 3 beyond these. Within 1 % for
+  /// glass of 1.3 and more. The first call, from whichever thread, integrates the tables: some 0.2 s, which scenes without
+  /// rough glass need not wait for.
   float single(float cosine, float alpha, float eta) const;
 
  private:

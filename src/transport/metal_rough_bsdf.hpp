@@ -44,7 +44,7 @@ class MetalRoughBsdf {
   /// hemisphere of radiance x evaluate_diffuse().cosine_f.
   Vec3f diffuse_albedo() const { return below_coat_ * diffuse_color_ * diffuse_passes_; }
   float diffuse_share() const { return shares_.diffuse; }  ///< chance of sample() to draw it
-  BsdfValue evaluate_diffuse(Vec3f light) const;           ///< per albedo; density: of a cosine about normal()
+  BsdfValue evaluate_diffuse(Vec3f light) const;           ///< per albedo; density: cosine to normal() / pi
   Vec3f normal() const { return frame_.z; }
   bool is_sharp() const;                                         ///< no lobe but the diffuse one has a width
   bool scatters_through() const { return glass_share_ > 0.0f; }  ///< light from behind, Dirac's lobes included

@@ -35,7 +35,7 @@ class PhongBsdf {
   /// hemisphere of radiance x evaluate_diffuse().cosine_f.
   Vec3f diffuse_albedo() const { return point_.diffuse; }
   float diffuse_share() const { return diffuse_share_; }  ///< chance of sample() to draw it
-  BsdfValue evaluate_diffuse(Vec3f light) const;          ///< per albedo; density: of a cosine about normal()
+  BsdfValue evaluate_diffuse(Vec3f light) const;          ///< per albedo; density: cosine to normal() / pi
   Vec3f normal() const { return normal_; }
   static constexpr bool is_sharp() { return true; }           ///< no lobe but the diffuse one has a width
   static constexpr bool scatters_through() { return false; }  ///< light from behind, other than by Dirac's lobes

@@ -25,8 +25,8 @@ class SheenAlbedo {
   SheenAlbedo(const SheenAlbedo&) = delete;
   SheenAlbedo& operator=(const SheenAlbedo&) = delete;
 
-  /// Directional albedo of white sheen, in [0, 1]. cosine: the view's, in [0, 1]. The first call, from whichever thread,
-  /// integrates the table: some 0.1 s, which scenes without sheen need not wait for.
+  /// Directional albedo of white sheen, in [0, 1]. cosine: between the view and the normal, in [0, 1]. The first call, from
+  /// whichever thread, integrates the table: some 0.1 s, which scenes without sheen need not wait for.
   float operator()(float cosine, float roughness) const;
 
  private:

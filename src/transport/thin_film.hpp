@@ -15,7 +15,7 @@ struct ThinFilm {
 };
 
 /// The share of red, green and blue light from air that film and surface mirror together, in [0, 1]. f0: the surface's
-/// own reflectance at normal incidence, without the film; cosine: of the light to the normal.
+/// own reflectance at normal incidence, without the film; cosine: between the light and the normal.
 Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine);
 
 }  // namespace lippmann

@@ -71,7 +71,7 @@ struct DisplayVideo {
 };
 
 struct Display {
-  std::string name;         ///< the preset's, or the file's without its ending
+  std::string name;         ///< the preset's name, or the file's name without its ending
   std::string description;  ///< one line
   DisplayKind kind = DisplayKind::kSlantedPanel;
   std::vector<std::string> serials;           ///< prefixes of the serial numbers of such devices; of a calibration, its own

@@ -19,11 +19,11 @@ namespace lippmann {
 
 /// What a format may need beside its name; each uses what concerns it.
 struct FormatOptions {
-  std::optional<ViewGrid> views = {};     ///< how many views across and up: needed where neither names nor side files say it
-  std::optional<ViewGrid> tiles = {};     ///< a quilt's; none: as its name says, or as square as can be
-  std::optional<double> aspect = {};      ///< the display's, for a quilt's name; none: as the source's, or the picture's
-  bool with_depth = false;                ///< read it from beside a rendered picture too, where it is (layout/rendered.hpp)
-  std::optional<int> bits = {};           ///< how many a code of PPM files has, 1 ... 16; none: as many as the source's
+  std::optional<ViewGrid> views = {};  ///< how many views across and up: needed where neither names nor side files say it
+  std::optional<ViewGrid> tiles = {};  ///< a quilt's tiles across and up; none: as its name says, or as square as can be
+  std::optional<double> aspect = {};  ///< the display's width / height, for a quilt's name; none: the source's or the picture's
+  bool with_depth = false;            ///< read it from beside a rendered picture too, where it is (layout/rendered.hpp)
+  std::optional<int> bits = {};       ///< how many a code of PPM files has, 1 ... 16; none: as many as the source's
   std::optional<Display> display = {};    ///< whose own frame a native picture is
   std::optional<ViewFilter> filter = {};  ///< how native frames take colours from views; none: from the nearest
   std::optional<double> sigma_views = {};

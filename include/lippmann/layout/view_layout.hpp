@@ -34,7 +34,7 @@ enum class LayoutKind { kIntegral, kQuilt, kStack, kEslf };
 struct ViewLayout {
   LayoutKind kind = LayoutKind::kStack;
   ViewGrid grid;   ///< how many views across and up
-  ViewGrid tiles;  ///< a quilt's: how many side by side and above each other; as many as there are views
+  ViewGrid tiles;  ///< a quilt's tiles side by side and above each other; as many as there are views
 };
 
 /// The size of the whole picture. view_size: that of one view.

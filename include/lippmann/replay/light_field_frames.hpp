@@ -22,7 +22,7 @@ struct LightFieldHints {
   std::filesystem::path report = {};          ///< empty: report.json beside the pictures
   std::string from = {};                      ///< a format of `convert`; empty: as names and the report say
   std::optional<ViewGrid> views = {};         ///< how many across and up
-  std::optional<ViewGrid> tiles = {};         ///< a quilt's: how many across and up
+  std::optional<ViewGrid> tiles = {};         ///< how many tiles of a quilt across and up
   std::optional<double> view_angle_deg = {};  ///< between the outermost views, where nothing states the cameras
 };
 

@@ -8,7 +8,7 @@ namespace lippmann {
 
 struct RenderedPanel {
   Optics optics;
-  Image picture;  ///< 3 channels, linear; of picture_size(optics)
+  Image picture;  ///< 3 channels, linear; as large as picture_size(optics) says
 };
 
 }  // namespace lippmann

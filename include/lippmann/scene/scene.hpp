@@ -251,8 +251,8 @@ struct Light {
   float visible_radius = 0.0f;          ///< > 0: rays see the light as a sphere of its colour (it casts no shadow)
   /// Sizes, which soften the shadows of traced paths; Whitted's shading takes these lights for points. They change neither the
   /// power of a lamp nor what it sends to a point in sight of all of it. The eye does not see the lamp, mirrors do.
-  float radius = 0.0f;            ///< point and spot: of the sphere that shines, world units; needs inverse_square
-  float angular_diameter = 0.0f;  ///< directional: of the disc in the sky that shines, at most pi
+  float radius = 0.0f;            ///< point and spot: the sphere that shines has this radius, world units; needs inverse_square
+  float angular_diameter = 0.0f;  ///< directional: the disc in the sky that shines is so wide, at most pi
   bool smooth_edge = false;       ///< spot: fades by 3 t^2 - 2 t^3 between the cosines of its cones (Blender), not by t^2
 };
 

@@ -25,8 +25,8 @@ enum class Aov : std::uint8_t {
   kMotion,    ///< see place_in_view; pixels to the right and down since the frame before
   kDirect,    ///< path tracing only: what shines by itself and light that one surface has scattered
   kIndirect,  ///< path tracing only: all other light; with kDirect it adds up to the film, but for rounding
-  kAlpha,     ///< share of the pixel's samples that hit something, what alpha covers by its share; of the surroundings, that
-              ///< the others would see, the film is then free
+  kAlpha,     ///< share of the pixel's samples that hit something, what alpha covers by its share; the film is then free of
+              ///< the surroundings that the others would see
 };
 
 /// All that is known of a layer anywhere: a new one is a value of Aov, a row below and what computes it.

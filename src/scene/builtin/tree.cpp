@@ -21,7 +21,7 @@ constexpr float kLeafLength = 0.055f;
 struct Pose {
   int node = -1;
   Quatf rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< world from node
-  Vec3f position{0.0f};                    ///< the node's, in the world
+  Vec3f position{0.0f};                    ///< where the node is in the world
 };
 
 class TreeGrower {

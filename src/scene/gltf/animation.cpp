@@ -68,7 +68,7 @@ class AnimationReader {
     return all[found->second];
   }
 
-  /// count: of values side by side in the place of one.
+  /// count: how many values lie side by side in the place of one.
   template <class V, class T>
   void read_values(const tinygltf::AnimationSampler& sampler, const std::string& where, Channel<T>& channel,
                    std::size_t count = 1) {
