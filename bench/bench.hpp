@@ -17,12 +17,12 @@ struct Report {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();  ///< one object per line of the table, all with the same keys
   nlohmann::ordered_json details;                                 ///< what rows are made of, an object; null: nothing more
   std::string text;       ///< for people, instead of the table of rows; empty: that table
-  int passed_checks = 0;  ///< of results, made before measuring; a failed one throws Error
+  int passed_checks = 0;  ///< how many checks results have passed before measuring; a failed one throws Error
 };
 
 /// What a person can choose.
 struct Request {
-  int frames = 0;                             ///< of each animation; 0: the benchmark's own choice
+  int frames = 0;                             ///< for each animation; 0: the benchmark's own choice
   std::string views;                          ///< CxR views in place of a row's own optics; empty: these
   int view_pixels = 0;                        ///< sides of a view, where there are views; 0: the row's own, else 120
   bool large = false;                         ///< pictures of 3840 x 2160 pixels too

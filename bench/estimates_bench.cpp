@@ -15,9 +15,9 @@
 namespace lippmann::bench {
 namespace {
 
-/// Of references, in two halves whose errors have nothing to do with each other.
+/// References are rendered in two halves whose errors have nothing to do with each other.
 constexpr int kReferenceSamples = 256;
-/// A history; of fewer frames the first, which is known worst, would count for more.
+/// A history; among fewer frames the first, which is known worst, would count for more.
 constexpr int kHistory = 16;
 
 struct Shape {
@@ -48,7 +48,7 @@ std::vector<LightCase> cases_of(Request request, const Shape& shape, const Conte
   return cases;
 }
 
-/// Of frames: by how many decibels what they are told is above what is true.
+/// By how many decibels the PSNR that frames are told is above their true one.
 struct Excesses {
   std::vector<double> db;
 

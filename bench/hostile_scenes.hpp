@@ -17,7 +17,7 @@ struct HostileScene {
   std::string name;
   std::string difficulty;        ///< what is hard about it, one line
   std::function<Scene()> build;  ///< passes validate()
-  RenderParams params;           ///< of paths: optics, size and samples
+  RenderParams params;           ///< optics, size and samples of path tracing
   int frames = 16;
   int row_share = 1;       ///< one panel row of so many is compared, as LightCase has it
   int reference_step = 3;  ///< one frame of so many is compared, likewise

@@ -221,7 +221,7 @@ EstimateFigures judge_estimates(const std::vector<std::optional<double>>& estima
     if (std::abs(error) <= kCloseDb) ++figures.close;
     figures.largest_error_db = std::max(figures.largest_error_db, std::abs(error));
   }
-  figures.mean_db = sum / figures.frames, figures.mean_excess_db = excess / figures.frames;  // of none: not a number
+  figures.mean_db = sum / figures.frames, figures.mean_excess_db = excess / figures.frames;  // not numbers without frames
   if (figures.frames == 0) figures.largest_error_db = std::nan("");
   return figures;
 }

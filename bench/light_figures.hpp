@@ -20,7 +20,7 @@ namespace lippmann::bench {
 inline constexpr int kBlockSide = 8;
 
 /// One panel row of every `share`, in bands as high as a block, drawn evenly and always the same, ascending; at least one band.
-/// Of quilts the same rows of every tile, so that neighbouring views can be compared.
+/// A quilt's are the same rows of every tile, so that neighbouring views can be compared.
 std::vector<int> rows_to_compare(const Optics& optics, int share);
 
 /// Those rows, one below the other.
@@ -69,19 +69,19 @@ double frame_flicker(const Frames& frames);
 /// What a program estimates the PSNR of its frames to be beside what it is, in dB, over the frames that have an estimate and
 /// differ from their references. Not numbers where there is no such frame.
 struct EstimateFigures {
-  double mean_db = 0.0;         ///< of the estimates
+  double mean_db = 0.0;         ///< the estimates' mean
   double mean_excess_db = 0.0;  ///< estimate less truth: above 0 it promises too much
   double largest_error_db = 0.0;
   int frames = 0;  ///< that were judged
-  int close = 0;   ///< of them, frames whose estimate is within kCloseDb of the truth
+  int close = 0;   ///< how many frames have an estimate within kCloseDb of the truth
 };
 inline constexpr double kCloseDb = 0.5;
 
 /// As many of both.
 EstimateFigures judge_estimates(const std::vector<std::optional<double>>& estimates_db, const std::vector<double>& true_db);
 
-/// Full renders at several numbers of samples: what their PSNR would be at a time between them, in proportion to the logarithm
-/// of time. Beyond the ends: that of the nearest.
+/// Full renders at several numbers of samples: what their PSNR would be at a time between them, in proportion to the
+/// logarithm of time. Beyond the ends: that of the nearest.
 struct TimedQuality {
   int spp = 1;
   double seconds = 0.0, psnr_db = 0.0;

@@ -15,7 +15,7 @@ namespace lippmann::bench {
 
 /// What is asked of a row.
 struct LightBar {
-  double saving = 0.0;                       ///< of CPU time, at least
+  double saving = 0.0;                       ///< the share of CPU time saved, at least
   std::optional<double> gain_db;             ///< PSNR over the full render's, at least
   std::optional<double> equal_time_gain_db;  ///< PSNR over that of a full render of the same time, at least
   std::optional<double> block_gain_db;       ///< as gain_db, of block means

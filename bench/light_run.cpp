@@ -47,7 +47,7 @@ RenderParams reference_params(RenderParams params, int spp) {
 struct Made {
   LightFigures figures;
   Frames frames;                                    ///< compared ones
-  std::vector<std::optional<double>> estimates_db;  ///< of their PSNR, by the program itself
+  std::vector<std::optional<double>> estimates_db;  ///< what the program estimates their PSNR to be
 };
 
 Scene scene_of(const LightCase& wanted, const Context& context) {

@@ -21,10 +21,10 @@
 namespace lippmann::bench {
 
 struct LightCase {
-  std::string name;                ///< of the row
+  std::string name;                ///< the row's
   std::string scene;               ///< as people call it
   bool still = false;              ///< one frame: all that can be reused lies in other directions
-  RenderParams params;             ///< of paths, at the samples of the full render
+  RenderParams params;             ///< for paths, at the samples of the full render
   int first = 0, count = 1;        ///< frames
   std::function<Scene()> build{};  ///< makes the scene; empty: the parameters name it
   int reference_spp = 2048;
@@ -42,15 +42,15 @@ struct LightSettings {
   std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
 };
 
-/// Of one way to render the frames. Errors are those of the compared frames.
+/// What one way to render the frames takes and gives. Errors are those of the compared frames.
 struct LightFigures {
   double seconds = 0.0;        ///< CPU, all frames; of frames that were not rendered this way, the mean of those that were
-  double first_seconds = 0.0;  ///< of the first one
-  double psnr_db = 0.0;        ///< of the mean squared error of all frames
-  double block_psnr_db = 0.0;  ///< of block means
+  double first_seconds = 0.0;  ///< what the first one takes
+  double psnr_db = 0.0;        ///< from the mean squared error over all frames
+  double block_psnr_db = 0.0;  ///< from the errors of block means
   double mean_light = 1.0;     ///< over the reference's, linear
-  double worst_psnr_db = 0.0, worst_block_psnr_db = 0.0;  ///< of the frame where it is lowest
-  std::vector<double> seconds_by_frame;                   ///< of frames rendered this way
+  double worst_psnr_db = 0.0, worst_block_psnr_db = 0.0;  ///< in the frame where each is lowest
+  std::vector<double> seconds_by_frame;                   ///< for frames rendered this way
   std::vector<double> psnr_db_by_frame, block_psnr_db_by_frame, mean_light_by_frame;
   double view_flicker = 0.0, frame_flicker = 0.0;  ///< beyond the reference's, codes; not a number where there is none
   double rays = 0.0;                               ///< as seconds
@@ -59,13 +59,13 @@ struct LightFigures {
 struct LightRun {
   int width = 0, height = 0;
   int compared_frames = 0;
-  std::size_t compared_pixels = 0;  ///< of a frame
+  std::size_t compared_pixels = 0;  ///< in a frame
   int references_rendered = 0, references_kept = 0;
   LightFigures full, reuse;
   EstimateFigures estimate;
-  std::vector<std::optional<double>> estimates_db;  ///< of compared frames, by the reuse itself
+  std::vector<std::optional<double>> estimates_db;  ///< for compared frames, by the reuse itself
   std::vector<TimedQuality> full_by_spp;            ///< ascending; the full render's own samples last
-  double equal_time_psnr_db = 0.0;  ///< of a full render that takes as long as the reuse, of at least 1 sample; not a
+  double equal_time_psnr_db = 0.0;  ///< a full render's that takes as long as the reuse, with at least 1 sample; not a
                                     ///< number where that is not measured
   double stated_bytes = 0.0;        ///< that the reuse keeps from frame to frame, as it says itself
   double grown_bytes = 0.0;         ///< resident memory, from before its first frame to the most after one of its frames

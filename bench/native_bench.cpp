@@ -1,5 +1,6 @@
-// The own frame of a calibrated slanted panel, every sub-pixel with its ray, beside the frame that is interlaced from a quilt
-// of 48 views, as such displays are fed: both against one interlaced from 512 views with as many pixels as the panel.
+// The own frame of a calibrated slanted panel, every sub-pixel with its ray, beside the frame that is interlaced from a
+// quilt of 48 views, as such displays usually get it: both against one interlaced from 512 views with as many pixels as the
+// panel.
 //
 // The panel is an eighth of a Looking Glass Portrait each way, with its pixels, lenses and the share of pixels that its quilt's
 // tiles have. PSNR of 8-bit codes; CPU time of rendering alone, interlacing comes on top of the quilt's.

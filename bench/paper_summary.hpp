@@ -14,7 +14,7 @@ namespace lippmann::bench {
 struct Reproduced {
   std::string scene;
   int keyframes = 0;
-  double saving = 0.0;                       ///< of the CPU seconds of full tracing, key frames included
+  double saving = 0.0;                       ///< the share of full tracing's CPU seconds that is saved, key frames included
   std::optional<double> psnr_db = {};        ///< mean of the frames in between
   std::optional<double> paper_saving = {};   ///< none: the paper has no such animation
   std::optional<double> paper_psnr_db = {};  ///< none: the paper states none for it
@@ -23,7 +23,7 @@ struct Reproduced {
   std::string verdict() const;
 };
 
-/// Of the runs without halving; one per scene, in their order.
+/// The figures of the best run without halving for each scene, in the order of the runs.
 std::vector<Reproduced> reproduced_figures(const std::vector<ReuseRun>& runs);
 
 /// One sentence, and one line per animation.

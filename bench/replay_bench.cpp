@@ -31,7 +31,7 @@ namespace lippmann::bench {
 namespace {
 
 constexpr int kEyes = 5;               ///< in each direction, or squared in one
-constexpr double kBaseline = 1.0 / 5;  ///< of the zone
+constexpr double kBaseline = 1.0 / 5;  ///< how far apart two eyes are, as a share of the zone
 
 using Layers = std::array<double, 4>;  ///< up to 1/4, 1/2, 1 of the depth budget; beyond
 constexpr Layers kLayerEnds{0.25, 0.5, 1.0, kInfinity};

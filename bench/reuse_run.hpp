@@ -28,7 +28,7 @@ struct ReuseFrame {
 struct ReuseRun {
   std::string scene, method;
   int keyframes = 0;
-  std::size_t pixels = 0;  ///< of a frame
+  std::size_t pixels = 0;  ///< in a frame
   std::vector<ReuseFrame> frames;
 
   double traced_seconds() const;

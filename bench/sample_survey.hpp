@@ -44,7 +44,7 @@ struct SurveyParams {
   std::uint32_t frame = 0;  ///< decides the random numbers
 };
 
-/// Of the whole frame, on the calling thread. The device was made for Integrator::kPath.
+/// Surveys the whole frame, on the calling thread. The device was made for Integrator::kPath.
 SampleSurvey survey_samples(const Shot& shot, const std::vector<HorizonBox>& boxes, const SurveyParams& params);
 
 }  // namespace lippmann::bench

@@ -9,7 +9,7 @@ namespace lippmann::bench {
 /// CPU seconds that this thread spends in `work`: what other processes take does not count.
 double seconds(const std::function<void()>& work);
 
-/// Of the second of two runs: caches and branch predictors have seen the work before.
+/// The CPU seconds of the second of two runs: caches and branch predictors have seen the work before.
 double second_run(const std::function<void()>& work);
 
 double median(std::vector<double> values);

@@ -1,8 +1,8 @@
 // The commands of the tool, one file each: it declares the command's flags, and what runs once they are parsed. No logic here.
 //
-// To add a command: write `add_NAME_command` in NAME_command.cpp, declare it below, call it in main.cpp. Inside, make a struct
-// of options on the heap (the command line keeps references to it), declare flags that write to it, and hand what is to run to
-// `chosen`:
+// To add a command: write `add_NAME_command` in NAME_command.cpp, declare it below, call it in main.cpp. Inside, make a
+// struct of options on the heap (the command line keeps references to it), declare flags that write to it, and hand what is
+// to run to `chosen`:
 //
 //   struct Options { std::string scene; bool json = false; };
 //   auto options = std::make_shared<Options>();

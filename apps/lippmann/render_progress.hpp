@@ -43,14 +43,14 @@ class RenderProgress {
 
   RenderProgressKind kind_;
   bool interpolates_;
-  int frames_ = 0, wanted_ = 0, written_ = 0;  ///< of the animation; of these to be rendered now; on disk of those
-  double bytes_ = 0.0;                         ///< of those on disk
+  int frames_ = 0, wanted_ = 0, written_ = 0;  ///< in the plan; to be rendered now; on disk of those
+  double bytes_ = 0.0;                         ///< what written_ frames take
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
   Clock::time_point start_ = Clock::now();
-  LineSchedule schedule_;             ///< of objects within frames
-  double within_ = 0.0;               ///< of the frame under way, for objects
+  LineSchedule schedule_;             ///< when objects within frames are due
+  double within_ = 0.0;               ///< how much of the frame under way is traced, for objects
   std::mutex mutex_;                  ///< all that changes
-  std::map<int, std::string> lines_;  ///< of frames that are traced and not yet written
+  std::map<int, std::string> lines_;  ///< for frames that are traced and not yet written
   std::unique_ptr<Progress> progress_;
   std::optional<Heartbeat> heartbeat_;  ///< last: beats while the others are there
 };

@@ -79,7 +79,7 @@ class VideoFrames : public FrameSource {
   fs::path path_;
   VideoReader reader_;
   std::optional<std::vector<int>> wanted_;
-  std::size_t taken_ = 0;  ///< of the wanted ones
+  std::size_t taken_ = 0;  ///< how many of wanted_ have been returned
   int count_ = 0;          ///< read
 };
 

@@ -27,7 +27,7 @@ namespace lippmann {
 struct DenoiserInput {
   const Image &film, &noise, &seen, &albedo, &normal, &z, &met;
   const Image &motion, &motion_after;  ///< 2 channels, pixels of a view: place now - place in the frame before, after
-  Mat3f display_from_world{1.0f};      ///< of directions, any scale
+  Mat3f display_from_world{1.0f};      ///< turns directions, at any scale
 };
 
 class Denoiser {
@@ -41,8 +41,8 @@ class Denoiser {
 
   std::shared_ptr<const Frame> prepare(const DenoiserInput& input, const ThreadPool& pool) const;
 
-  /// The frame's film without noise. before, after: its neighbours; null at an animation's ends. The same bits for any number
-  /// of threads.
+  /// The frame's film without noise. before, after: its neighbours; null at an animation's ends. The same bits for any
+  /// number of threads.
   Image denoise(const Frame* before, const Frame& now, const Frame* after, const ThreadPool& pool) const;
 
   /// Memory of a frame made ready, and of denoising beside it.

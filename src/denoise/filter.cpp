@@ -8,13 +8,13 @@ namespace lippmann {
 namespace {
 
 // What counts as the same surface, in standard deviations of a Gaussian.
-constexpr float kNormalSpread = 0.15f;  ///< of the difference of unit normals
+constexpr float kNormalSpread = 0.15f;  ///< the length of the difference of unit normals
 constexpr float kAlbedoSpread = 0.15f;
 constexpr float kMetSpread = 0.2f;
 constexpr float kPlaneSpread = 1.0f;  ///< distances between samples, off the plane of the surface
 // What counts as the same light: in standard deviations of the difference of two guides.
 constexpr float kLightSpread = 1.0f;
-constexpr float kRelativeSpread = 0.02f;  ///< of the light itself: differences that nobody sees
+constexpr float kRelativeSpread = 0.02f;  ///< as a share of the light itself: differences that nobody sees
 constexpr float kLeastWeight = 1e-4f;
 
 constexpr int kViewReach = 3;
@@ -205,7 +205,7 @@ void take_back_blur(const ViewGeometry& views, const std::vector<Texel>& texels,
                     const ThreadPool& pool) {
   constexpr int kReach = 3;
   const Vec2i size = views.view_size();
-  std::vector<float> share(texels.size());  // of the change that stays
+  std::vector<float> share(texels.size());  // how much of the change stays
   for_each_pixel(views, pool, [&](int, int x, int y, std::size_t index) {
     float change = 0.0f, variance = 0.0f;
     for (int j = std::max(0, y - kReach); j <= std::min(size.y - 1, y + kReach); ++j)

@@ -11,7 +11,7 @@ namespace lippmann {
 /// A pixel of the stack: its light over its albedo, what is known of its noise, its surface. A cache line.
 struct alignas(64) Texel {
   Vec3f light{0.0f};
-  float variance = 0.0f;  ///< of the mean over the samples, summed over the channels
+  float variance = 0.0f;  ///< the variance of the light as a mean over samples, summed over the channels
   Vec3f guide{0.0f};      ///< light, averaged over neighbours of the same surface: what is compared
   float guide_variance = 0.0f;
   Vec3f normal{0.0f};  ///< display frame, y down

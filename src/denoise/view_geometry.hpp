@@ -1,7 +1,7 @@
 // Where the points behind the pixels of a light field's views are, and where its other views show them.
 //
 // Views are stacked one below the other (layout/view_layout.hpp). Each is a picture in the plane z = 0 (optics/view_place.hpp):
-// of a view with the line x(z) = l + s z, k = l / V + s is the same for all its rays, and it sees a point (X, z) at the place
+// with x(z) = l + s z for one of its rays, k = l / V + s is the same for all of them, and it sees a point (X, z) at the place
 //   (X - k z) / (1 - z / V),
 // so that from view a to view b a point moves by (k_a - k_b) z / (1 - z / V). Here x points right and y down.
 #pragma once

@@ -30,10 +30,10 @@ struct RayScene::Embree {
   bool has_fixed = false, has_moving = false;
   std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< by shape and material index
   PrimitiveGeometries fixed_primitives, moving_primitives;
-  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< of meshes that are not opaque
+  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< one for each mesh that is not opaque
   std::vector<EmbreeGeometry> placed;                         ///< by record id; the Embree instances that may move
   std::vector<int> moving_records;                            ///< ids of records in `moving` that are placed meshes
-  std::vector<EmbreeGeometry> posed;  ///< of SceneGeometry::posed; with vertices of their own: Embree reads beyond the last one
+  std::vector<EmbreeGeometry> posed;  ///< as SceneGeometry::posed; vertices are copies: Embree reads beyond the last one
 };
 
 /// What building and moving a scene have to do with: its geometry and what Embree holds of it.

@@ -12,8 +12,8 @@ namespace lippmann {
 inline constexpr int kLanes = 16;
 /// Packets that so many rays fill.
 constexpr std::size_t packets_of(std::size_t rays) { return (rays + kLanes - 1) / kLanes; }
-/// A loop over the lanes of a packet, each iteration on its own: without the promise the compiler has to assume that the arrays
-/// of one packet overlap those of another, and gives up vectorising.
+/// A loop over the lanes of a packet, each iteration on its own: without the promise the compiler has to assume that the
+/// arrays of one packet overlap those of another, and gives up vectorising.
 #define LIPPMANN_FOR_LANES(i) _Pragma("GCC ivdep") for (int i = 0; i < kLanes; ++i)
 
 /// Per-lane activity: -1 traced, 0 left alone.

@@ -38,7 +38,7 @@ struct GeometryRecord {
   const void* primitives = nullptr;                              ///< PrimitiveTable of the kind
   const std::vector<std::uint32_t>* instance_of_primitive = nullptr;
   bool one_material = true;     ///< shared by all that has this record
-  float reach = kLargestReach;  ///< of rays that stay within kLargestReach when they are taken into mesh space, where placed
+  float reach = kLargestReach;  ///< up to where coordinates of rays stay within kLargestReach in mesh space, too, where placed
   Affine3f world_from_mesh;
   Mat3f normal_from_mesh{1.0f};  ///< inverse transpose of the linear part
 };
@@ -48,7 +48,7 @@ template <class Primitive>
 struct PrimitiveTable {
   std::vector<Primitive> primitives;
   std::vector<std::uint32_t> instance;  ///< index in Scene::instances, per primitive
-  std::vector<float> transmittance;     ///< of shadow rays, per primitive; 0: opaque
+  std::vector<float> transmittance;     ///< the share of a shadow ray's light that passes, per primitive; 0: opaque
   bool see_through = false;             ///< any transmittance > 0
 };
 
@@ -70,12 +70,12 @@ struct PosedMesh {
 struct WorldPlaneRecord {
   WorldPlane plane;
   std::uint32_t instance;
-  float transmittance;  ///< of shadow rays; 0: opaque
+  float transmittance;  ///< the share of a shadow ray's light that passes; 0: opaque
 };
 
 struct SceneGeometry {
   const Scene* scene = nullptr;
-  float reach = kLargestReach;     ///< of rays: the least of all records
+  float reach = kLargestReach;     ///< the largest coordinate of rays: the least of all records
   float size = 1.0f;               ///< the largest coordinate of what is there at the first frame, planes left out
   float radius = 1.0f;             ///< half the diagonal of the same
   bool tachyon = false;            ///< Tachyon's conventions (scene.encoding): box normals, mirror end, visible lights

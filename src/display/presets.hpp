@@ -7,7 +7,7 @@
 namespace lippmann {
 
 struct PresetFile {
-  std::string_view name;  ///< of the file, without its ending
+  std::string_view name;  ///< the file's, without its ending
   std::string_view text;
 };
 

@@ -16,7 +16,7 @@ struct WorkDone {
   int frame = 0;
   double seconds = 0.0;  ///< that it took to render
   std::uint64_t rays = 0;
-  std::uint64_t bytes = 0;  ///< of its files, which are complete
+  std::uint64_t bytes = 0;  ///< what its files take, which are complete
 };
 
 /// All ranks construct one, call begin(), next() until there is no more, and end(), in this order. A process that exits without

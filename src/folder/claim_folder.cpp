@@ -39,7 +39,7 @@ void require_regular_files(const fs::path& folder) {
 
 /// What lies in a folder, seen from a job.
 struct Contents {
-  std::optional<FolderJournal> journal;  ///< of whomever
+  std::optional<FolderJournal> journal;  ///< whichever job it is for
   bool is_this_job = false;              ///< and sound
   std::vector<std::string> foreign;      ///< without what a stopped run of this job may have left
 };

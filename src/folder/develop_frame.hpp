@@ -13,9 +13,9 @@ namespace lippmann {
 
 struct Development {
   const FrameLayout& layout;
-  const Optics& optics;  ///< of the film
+  const Optics& optics;  ///< the film's
   Tone tone = {};
-  Encoding encoding = Encoding::kSrgb;           ///< of the scene's values
+  Encoding encoding = Encoding::kSrgb;           ///< how the scene's values become codes
   std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
   bool keeps_light = false;                      ///< light stays as it is, without tone, and multiplied by alpha
 };

@@ -9,14 +9,14 @@
 
 namespace lippmann {
 
-/// Files in `folder` that are named as those of frames are and that the journal does not name; sorted, relative to it. Folders
-/// of views are looked into, unless they are symbolic links. A folder that is not there has none.
+/// Files in `folder` that are named as those of frames are and that the journal does not name; sorted, relative to it.
+/// Folders of views are looked into, unless they are symbolic links. A folder that is not there has none.
 std::vector<std::string> foreign_files(const std::filesystem::path& folder, const FolderJournal& journal = {});
 
 /// What a folder's journal says was finished, and what of it is still so.
 struct FolderCheck {
   int frames = 0;                    ///< finished
-  std::size_t files = 0;             ///< of them, and job.toml, report.json and videos
+  std::size_t files = 0;             ///< how many these frames have, with job.toml, report.json and videos
   std::vector<int> unfinished;       ///< frames that were asked for and have not been rendered
   std::vector<std::string> missing;  ///< there is no such file
   std::vector<std::string> damaged;  ///< other bytes, or no regular file

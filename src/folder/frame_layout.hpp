@@ -81,10 +81,10 @@ class FrameLayout {
   PictureFormat format_ = PictureFormat::kPng;
   const LightFieldFormat* light_field_ = nullptr;
   int pictures_per_frame_ = 1;
-  Vec2i view_size_{0, 0};  ///< of a light field
+  Vec2i view_size_{0, 0};  ///< a light field's
   std::optional<Arrangement> arrangement_;
   std::optional<StereoLayout> stereo_;
-  std::vector<std::uint32_t> stereo_pixels_;  ///< of the film, by pixel of the picture
+  std::vector<std::uint32_t> stereo_pixels_;  ///< for each pixel of the picture, the film's pixel that it shows
   Vec2i stereo_size_{0, 0};
   bool sub_pixels_ = false, mirrors_ = false;
   double pixels_per_mm_ = 0.0;

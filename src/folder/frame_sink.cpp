@@ -73,7 +73,7 @@ struct FrameSink::Impl {
 
   /// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
   bool needs_codes() const {
-    if (settings.layout.light_field()) return false;  // of the views, which are not where they are in the film
+    if (settings.layout.light_field()) return false;  // views have codes of their own: they are not where they are in the film
     return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
   }
 

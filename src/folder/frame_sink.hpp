@@ -32,8 +32,8 @@ class FrameSink {
   struct Settings {
     PictureParams pictures;
     const FrameLayout& layout;
-    const Optics& optics;                          ///< of the films
-    Encoding encoding = Encoding::kSrgb;           ///< of the scene's values
+    const Optics& optics;                          ///< the films'
+    Encoding encoding = Encoding::kSrgb;           ///< how the scene's values become codes
     std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
     std::vector<VideoFile> videos = {};
     std::vector<ExrAttribute> about = {};       ///< attributes of EXR files

@@ -133,7 +133,7 @@ void read_line(const Json& json, bool is_first, FolderJournal& journal) {
     read_frame(json, journal);
 }
 
-constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;  // of a frame of 48 views about 5000
+constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;  // a frame of 48 views takes about 5000
 
 /// What is wrong with it, or nothing.
 std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {

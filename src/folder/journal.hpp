@@ -69,7 +69,7 @@ struct FolderJournal {
   std::map<std::string, JournalVideo> videos;              ///< by path relative to the folder
   std::vector<RunReport> runs;                             ///< that have ended
   std::vector<std::filesystem::path> parts;                ///< the files that it was read from, one for each run
-  std::string problem;  ///< of the first line that is none of the above, naming its file; empty: all are sound
+  std::string problem;  ///< what is wrong with the first line that is none of the above, and which it is; empty: all are sound
 };
 
 /// Whether a file has bytes of one of these checksums.

@@ -16,14 +16,14 @@ enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 enum class ExrPixels { kHalf, kFloat };
 
 struct PictureParams {
-  float exposure_ev = 0.0f;             ///< of pictures in codes and of videos; EXR stays as the light is
-  ToneCurve tone = ToneCurve::kNone;    ///< of the same
+  float exposure_ev = 0.0f;             ///< for pictures in codes and for videos; EXR stays as the light is
+  ToneCurve tone = ToneCurve::kNone;    ///< for the same
   std::optional<PictureLayout> layout;  ///< none: as the optics lie, lens by lens or tile by tile
   std::string to;                       ///< a format of light fields (layout/formats.hpp), in place of a layout; empty: none
   bool pseudoscopic = false;            ///< kIntegral: as a lens array records, depth turned round
   bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
   Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
-  StereoLayout stereo;                  ///< of kStereo
+  StereoLayout stereo;                  ///< for kStereo
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
 };

@@ -56,7 +56,7 @@ class RenderStateReader {
 
   std::filesystem::path folder_;
   std::map<std::filesystem::path, Part> parts_;
-  std::uintmax_t bytes_ = 0;  ///< of all parts when they were read last
+  std::uintmax_t bytes_ = 0;  ///< how large all parts together were when they were read last
   std::optional<FolderJournal> journal_;
 };
 

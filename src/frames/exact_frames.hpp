@@ -29,8 +29,8 @@ class ExactFrames final : public FrameMaker {
   SettledBlocks settled_;
 
   int key_ = 0, span_ = 0;  ///< the key serves frames key_ ... key_ + span_ - 1
-  Image film_;              ///< of the key
-  TouchedBlocks blocks_;    ///< of the key
+  Image film_;              ///< the key's
+  TouchedBlocks blocks_;    ///< the key's
 
   // Whether all this pays is measured; the pictures do not depend on it.
   double full_seconds_ = 0.0, key_seconds_ = 0.0;  ///< CPU time of the last full frame and key; 0: none yet

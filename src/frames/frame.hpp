@@ -21,7 +21,7 @@ struct Stage {
   Scene scene;
   FittedArray array;
   PlacedOptics placed;
-  DeviceScene device;  ///< of `scene`: a Stage stays where it was made
+  DeviceScene device;  ///< refers to `scene`: a Stage stays where it was made
 
   /// Builds what rays are traced against. The scene passes validate().
   Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);

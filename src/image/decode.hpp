@@ -31,7 +31,7 @@ using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_
 
 struct DecodedPicture {
   PictureHeader header;
-  Samples samples;  ///< of the header's kind; width x height x channels
+  Samples samples;  ///< as the header's kind says; width x height x channels
 };
 
 /// Decodes whichever format the bytes begin as; an error that lists the formats if they begin as none.

@@ -50,7 +50,7 @@ std::vector<Sample> samples_of(const Image& image) {
 struct Contents {
   Imf::Header header;
   Imf::FrameBuffer buffer;
-  std::deque<std::vector<Imath::half>> halves;  // of the layers that store them
+  std::deque<std::vector<Imath::half>> halves;  // the samples of layers that are stored as halves
 
   Contents(const std::string& where, std::span<const ExrLayer> layers, ExrCompression compression,
            std::span<const ExrAttribute> attributes)

@@ -93,7 +93,7 @@ class PngDecoder {
   const std::string& where_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  std::uint64_t packed_bytes_ = 0;  // of all rows, as the file has them
+  std::uint64_t packed_bytes_ = 0;  // what all rows take, as the file has them
   char reason_[200] = {};
   std::jmp_buf back_;
 };

@@ -31,7 +31,7 @@ struct OptionsDeleter {
 struct Layout {
   std::uint16_t channels = 1, bits = 8, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG, photometric = 0;
   std::uint32_t width = 0, height = 0;
-  std::uint32_t block_width = 0, block_height = 0;  // of a strip or a tile
+  std::uint32_t block_width = 0, block_height = 0;  // the size of a strip or a tile
   bool direct = false, tiled = false;
 
   std::size_t sample_bytes() const { return bits / 8u; }
@@ -215,7 +215,7 @@ class TiffDecoder {
   std::uint64_t at_ = 0;
   bool cut_off_ = false;  // more was asked for than there is
   const std::string& where_;
-  std::array<char, 256> reason_{};  // of the first error
+  std::array<char, 256> reason_{};  // what the first error said
   std::unique_ptr<TIFF, TiffDeleter> tiff_;
   Layout layout_;
 };

@@ -1,7 +1,7 @@
 // From the light of a scene to the light of a display: exposure, and a curve that brings what is brighter than white into it.
 //
-// Based on: Khronos Group, "Khronos PBR Neutral Tone Mapper", 2024 (specification); AgX by T. Sobotka, in the polynomial form
-// of B. Wrensch, "Minimal AgX Implementation", 2023.
+// Based on: Khronos Group, "Khronos PBR Neutral Tone Mapper", 2024 (specification); AgX by T. Sobotka, in the polynomial
+// form of B. Wrensch, "Minimal AgX Implementation", 2023.
 #pragma once
 
 #include "lippmann/core/math.hpp"

@@ -370,8 +370,8 @@ class Animation {
   const FrameParams made_as_;
   const ThreadPool pool_;
   JobStage stage_;
-  const std::vector<int> all_frames_;  ///< of the job
-  const std::vector<int> frames_;      ///< of the unit
+  const std::vector<int> all_frames_;  ///< the whole job's
+  const std::vector<int> frames_;      ///< this run's
   const FrameLayout layout_;
   std::optional<double> crosstalk_;  ///< to be undone
   std::string job_;

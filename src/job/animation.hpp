@@ -28,7 +28,7 @@ struct RenderPlan {
   PictureFormat format = PictureFormat::kPng;
   std::vector<int> frames;               ///< ascending: those of the unit that is rendered, or all
   std::vector<std::string> videos = {};  ///< files
-  int kept = 0;                          ///< of these frames, finished before by the same job
+  int kept = 0;                          ///< how many of `frames` the same job has finished before
   Vec2i picture_size{0, 0};
   int pictures_per_frame = 1;
 };
@@ -50,7 +50,7 @@ struct RenderObserver {
 struct RunParams {
   bool force = false;  ///< another render in the folder is replaced, and videos that are there (folder/claim_folder.hpp)
   std::optional<Units> units = {};              ///< none: all frames. Videos wait until all are there (finish_animation)
-  std::optional<FrameRanges> only_frames = {};  ///< of the job's, or the units': the others are asked for and not rendered
+  std::optional<FrameRanges> only_frames = {};  ///< renders these alone; the job's or units' others are asked for all the same
   Ranks* ranks = nullptr;                       ///< that share the frames out among them; null: this process stands alone
   bool only_finished = false;                   ///< no frame is rendered: all have been, or it is an Error
 };

@@ -14,9 +14,9 @@ namespace lippmann {
 
 struct FinishedAnimation {
   JoinedFolders joined;
-  FolderCheck check;                   ///< of the folder before it was finished
+  FolderCheck check;                   ///< the folder as it was before it was finished
   std::vector<int> to_render;          ///< frames that are not finished, or not as they were written
-  std::optional<RenderReport> report;  ///< of the folder; none where frames are to be rendered
+  std::optional<RenderReport> report;  ///< the whole folder's; none where frames are to be rendered
 };
 
 /// Takes over the frames of the folders `join` (join_folders), reads all files of the folder, and if every frame that the job

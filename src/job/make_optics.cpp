@@ -15,8 +15,8 @@
 namespace lippmann {
 namespace {
 
-constexpr float kLensWidthMm = 1.0f;     ///< of a cell on the panel
-constexpr float kSingleWidthMm = 64.0f;  ///< of views without lenses: as wide as 64 lenses
+constexpr float kLensWidthMm = 1.0f;     ///< how wide a cell is on the panel
+constexpr float kSingleWidthMm = 64.0f;  ///< how wide a view without lenses is: as wide as 64 lenses
 constexpr float kViewAngleDeg = 28.0f;   ///< where nobody says
 constexpr float kViewerHeights = 3.0f;   ///< where nobody says how far the viewer stands: as one does before a picture
 

@@ -55,7 +55,7 @@ struct OpticsParams {
   std::optional<float> view_angle_deg{};       ///< viewing zone, full angle; sets the gap; none: the display's, or 28
   std::optional<float> viewing_distance_mm{};  ///< none: where the scene's camera stands; inf: parallel cells
   std::optional<bool> fit_depth{};             ///< depth is compressed to what the display can resolve; none: fits_depth()
-  float slant_deg = 0.0f;                      ///< of a lenticular sheet, from the vertical
+  float slant_deg = 0.0f;                      ///< how far a lenticular sheet's lenses lean from the vertical
   std::optional<double> ipd_mm{};              ///< stereo: between the eyes; none: kUsualIpdMm
   std::optional<double> screen_width_mm{};     ///< stereo: of the screen; none: the display's, or kUsualScreenMm
   std::optional<double> crosstalk_px{};        ///< sigma (optics/crosstalk.hpp); none: the display's
@@ -66,8 +66,8 @@ struct OpticsParams {
 struct ReuseParams {
   ReuseChoice choice = ReuseChoice::kAuto;
   std::optional<int> keyframes{};         ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
-  std::optional<double> min_psnr_db{};    ///< of every frame, 8-bit codes
-  std::optional<double> time_budget_s{};  ///< of a path-traced frame, about, on this machine
+  std::optional<double> min_psnr_db{};    ///< what every frame's PSNR is to reach, in 8-bit codes
+  std::optional<double> time_budget_s{};  ///< how long a path-traced frame may take, about, on this machine
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;
@@ -81,8 +81,8 @@ struct OutputParams {
   std::optional<FrameRanges> frames;  ///< none: the whole animation
   PictureParams pictures;
   std::vector<std::string> video;         ///< files; the ending says which kind
-  std::optional<VideoCodec> video_codec;  ///< of all of them; none: by ending and size
-  std::optional<int> crf;                 ///< of all that lose anything; none: the codec's own
+  std::optional<VideoCodec> video_codec;  ///< for all videos; none: by ending and size
+  std::optional<int> crf;                 ///< for all videos that lose anything; none: the codec's own
 };
 
 /// All of it, and how it is run.

@@ -23,7 +23,7 @@ struct ParamInfo {
   std::string_view type;   ///< what to write after the flag, e.g. "DEG"
   std::string_view doc;    ///< one line
   ParamKind kind = ParamKind::kText;
-  bool changes_pictures = true;  ///< of the same loaded scene: two jobs that differ in it may make different ones
+  bool changes_pictures = true;  ///< two jobs that differ in it may make different pictures of the same loaded scene
   bool is_path = false;          ///< relative to the working folder as a flag, to the job file's folder as a key
 
   /// `where` is how to call the place in a message: "--spp", "job.toml:3: spp".
@@ -32,7 +32,7 @@ struct ParamInfo {
   std::function<std::vector<std::string>(const RenderParams&)> get;
 
   std::vector<std::string_view> choices = {};  ///< all that it may be, where those are words; empty: anything else
-  std::string_view opposite = {};              ///< of a kFlag: the name of the flag and key that says false; empty: none
+  std::string_view opposite = {};              ///< for a kFlag, the name of the flag and key that says false; empty: none
   std::string_view opposite_doc = {};          ///< one line
 };
 

@@ -29,7 +29,7 @@ struct RenderReport {
   double frames_per_second = 25.0;
   std::vector<FrameReport> frames;  ///< in ascending order; frames kept from before with the figures of then
   RunReport run;                    ///< what it took beside its frames, or what all runs took
-  std::vector<RunReport> runs;      ///< of a folder: each of them
+  std::vector<RunReport> runs;      ///< every run that has rendered into the folder; empty: `run` alone
   std::vector<std::string> videos;  ///< files, as they are named on disk
   bool interrupted = false;         ///< stopped before the last frame; what is listed is whole
 };

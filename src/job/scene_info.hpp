@@ -33,7 +33,7 @@ struct SceneInfo {
 
   FittedArray array;
   Optics optics;
-  float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< of PlacedOptics
+  float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< as PlacedOptics has them
   Vec3f array_center{0.0f};                       ///< world, at the first frame
   std::vector<std::string> warnings;              ///< complete sentences: what the importer did not take over
 };

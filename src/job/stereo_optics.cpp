@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr Vec2i kUsualViewPx{960, 540};  ///< of a whole view, where nobody says
+constexpr Vec2i kUsualViewPx{960, 540};  ///< a whole view's size, where nobody says
 
 void refuse_in_stereo(bool given, const char* parameter) {
   if (given) throw usage_error(parameter, "has no meaning for the views of two eyes", "`layout` stereo without it");

@@ -12,13 +12,13 @@ struct Submission {
   std::filesystem::path program;  ///< the tool, absolute or to be found by name
   std::filesystem::path job;      ///< a job file, absolute
   std::filesystem::path folder;   ///< that the job renders into, absolute
-  std::string name;               ///< of the job, for lists
+  std::string name;               ///< the job's, for lists
   int units = 1;
   int chunk = 1;                    ///< units that a task renders one after the other, where the scheduler may choose
-  int threads = 1;                  ///< of a task
+  int threads = 1;                  ///< each task's
   std::optional<int> minutes = {};  ///< a task's limit; none: the scheduler's
   std::optional<std::uint64_t> memory_bytes = {};  ///< the same
-  std::string partition = {};                      ///< of Slurm; empty: its default
+  std::string partition = {};                      ///< where Slurm is to run it; empty: its default
 };
 
 /// A limit of time that units of so many CPU seconds keep on busy and slower machines: three times as long, and five minutes.

@@ -13,7 +13,7 @@ constexpr float kLine = 0.006f;  ///< half heights: half the width of a line
 constexpr float kGrid = 0.25f;   ///< from line to line
 
 struct Band {
-  float end;  ///< of the zone
+  float end;  ///< where it ends in the zone, from 0 at the left to 1
   Vec3f color;
   int arrow;  ///< -1: to the left, 1: to the right, 0: none
 };

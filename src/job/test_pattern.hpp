@@ -2,8 +2,8 @@
 // pixel shows depends on where its ray crosses the plane of the display, and on where in the viewing zone it arrives.
 //
 // In the plane of the display: a white frame, a grid, a circle. By direction, from the left of the zone to its right: red,
-// orange, grey, cyan, blue, red and orange with an arrow to the left, cyan and blue with one to the right. An eye in the middle
-// of the zone then sees one grey display. What it sees instead tells the error:
+// orange, grey, cyan, blue, red and orange with an arrow to the left, cyan and blue with one to the right. An eye in the
+// middle of the zone then sees one grey display. What it sees instead tells the error:
 //   stripes of colours across the display     the pitch is wrong (upright stripes), or the slope (leaning ones)
 //   one colour, but not grey                  the centre is wrong
 //   arrows that point away from the eye       the order of views is reversed

@@ -13,10 +13,10 @@ namespace lippmann {
 /// What frames take, measured at the beginning, in the middle and at the end of the animation.
 struct FrameCosts {
   double setup_seconds = 0.0;           ///< wall time of loading and building, which every unit pays
-  double first_cpu_seconds = 0.0;       ///< of the first frame of a segment, all threads together
-  double other_cpu_seconds = 0.0;       ///< of the others
-  double source_cpu_seconds = 0.0;      ///< of frames that a unit renders beside its own
-  std::uint64_t peak_memory_bytes = 0;  ///< of the process that measured
+  double first_cpu_seconds = 0.0;       ///< for the first frame of a segment, all threads together
+  double other_cpu_seconds = 0.0;       ///< for any other frame
+  double source_cpu_seconds = 0.0;      ///< for all frames that a unit renders beside its own
+  std::uint64_t peak_memory_bytes = 0;  ///< the most that the measuring process has held
   std::vector<int> frames;              ///< that were measured
 };
 

@@ -54,7 +54,7 @@ fs::path layers_path(const fs::path& folder, int frame, int view) {
 }
 
 std::optional<int> frame_of_file(const std::string& name) {
-  constexpr std::size_t kMaxLetters = 255;  // of a file's name
+  constexpr std::size_t kMaxLetters = 255;  // no file's name is longer
   if (name.size() > kMaxLetters) return std::nullopt;
   static const TextPattern pattern(kFrameFiles);
   const std::optional<PatternMatch> found = pattern.match(name);

@@ -9,7 +9,7 @@
 namespace lippmann {
 
 struct FrameNames {
-  std::string ending = "png";  ///< of pictures, without the dot
+  std::string ending = "png";  ///< what pictures end with, without the dot
   std::string suffix = {};     ///< what names of quilts and stereo pictures end with: _qs8x6a0.75, _2x1; else empty
   int views = 0;               ///< above 0: every frame is a folder of so many pictures
   bool is_folder = false;      ///< every frame is a folder whose files a format names (layout/formats.hpp)

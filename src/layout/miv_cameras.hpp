@@ -12,7 +12,7 @@
 namespace lippmann {
 
 struct MivCamera {
-  std::string name;  ///< of the view's picture, without its ending
+  std::string name;  ///< the name of the view's picture, without its ending
   double position_m[3] = {0.0, 0.0, 0.0}, rotation_deg[3] = {0.0, 0.0, 0.0};
   double near_m = 0.1, far_m = 100.0;
   Vec2i resolution{0, 0};

@@ -23,7 +23,7 @@
 namespace lippmann {
 namespace {
 
-constexpr double kExact = 1e-7;  ///< of linear light: far below a step of 16-bit codes
+constexpr double kExact = 1e-7;  ///< in linear light: far below a step of 16-bit codes
 constexpr int kMaxSweeps = 2000;
 
 /// Samples that are neighbours of one another, as offsets from where a line begins, and where lines begin: at every one of

@@ -1,7 +1,7 @@
 // RGB-D: one view's colours, and to the right of them its depth as grey (layout/rgbd_side_file.hpp), as players of glasses-free
 // displays take it.
 //
-// Of several views the one in the middle is written. Where nothing was hit, depth is the farthest of the range.
+// Where there are several views, the one in the middle is written. Where nothing was hit, depth is the farthest of the range.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -16,8 +16,8 @@ namespace lippmann {
 
 struct RgbdSideFile {
   DepthCoding coding;
-  double distance_mm = 300.0;   ///< of the eye from the screen
-  Vec2d size_mm{100.0, 100.0};  ///< of the screen that the picture fills
+  double distance_mm = 300.0;   ///< from the eye to the screen
+  Vec2d size_mm{100.0, 100.0};  ///< how large the screen is that the picture fills
   Vec2d eye_mm{0.0};            ///< beside the screen's axis, right and up
 };
 

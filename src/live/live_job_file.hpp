@@ -19,7 +19,7 @@ class LiveJobFile {
 
  private:
   std::filesystem::path wanted_, written_;
-  std::string text_;  ///< of written_
+  std::string text_;  ///< what has been written to written_
 };
 
 }  // namespace lippmann

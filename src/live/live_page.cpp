@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the server's threads: pages beyond these are answered at once.
+/// So many of the server's threads may wait for changes: pages beyond these are answered at once.
 constexpr int kMostWaiting = 8;
 constexpr std::chrono::milliseconds kPatience{250};
 

@@ -22,7 +22,7 @@ namespace {
 
 /// Traced within a fraction of a second on one core, and enough to see what is where.
 constexpr double kCoarsePixels = 48e3;
-/// Of paths: fewer pixels with less noise show more.
+/// Samples of a pixel where paths are traced: fewer pixels with less noise show more.
 constexpr int kCoarsePaths = 4;
 
 bool uses_paths(const RenderParams& params) { return integrator_of(params.sampling) == Integrator::kPath; }

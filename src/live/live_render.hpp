@@ -41,7 +41,7 @@ class LiveRender {
   Context context_;
   std::string state_, folder_, error_;
   int frames_ = 0, done_ = 0;
-  double share_ = 0.0;  ///< of the frame under way
+  double share_ = 0.0;  ///< how much of the frame under way is traced
   double started_ = 0.0;
 };
 

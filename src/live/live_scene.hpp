@@ -69,7 +69,7 @@ class LiveScene {
     Bytes views, depth, panel;
     nlohmann::ordered_json facts;  ///< field_json
   };
-  /// Of the thread that renders.
+  /// The context of the thread that renders.
   struct WorkerContext : Context {
     explicit WorkerContext(std::function<void(std::string_view)> warner) { warn = std::move(warner); }
   };
@@ -97,9 +97,10 @@ class LiveScene {
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  PageFacts facts_;                                   ///< of the version begun last
-  nlohmann::ordered_json facts_json_, placement_;     ///< likewise
-  double distance_ = 0.0, world_per_shown_mm_ = 0.0;  ///< of the viewer, world units; inf: none. Likewise
+  // Facts, placement and distance are those of the version begun last.
+  PageFacts facts_;
+  nlohmann::ordered_json facts_json_, placement_;
+  double distance_ = 0.0, world_per_shown_mm_ = 0.0;  ///< world units; distance_: from the viewer to the plane, inf: none
   std::uint64_t serial_ = 1, version_ = 1, done_version_ = 0, broken_version_ = 0, next_id_ = 1;
   bool is_whole_ = false, ending_ = false;  ///< whether the last version has had all its passes
   std::string pass_, error_, saved_;

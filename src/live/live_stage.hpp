@@ -26,7 +26,7 @@ class LiveStage {
   const JobStage& stage() const { return *stage_; }
   const ThreadPool& pool() const { return pool_; }
 
-  /// Of its optics, with the scene's title, frames and depth.
+  /// What a page needs to know of a light field behind its optics, with the scene's title, frames and depth.
   PageFacts facts() const;
 
  private:

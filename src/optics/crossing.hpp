@@ -22,7 +22,7 @@ struct RayFrame {
   Vec3f origin{0.0f};                                   ///< world position of (0, 0, z_front)
   Vec3f right{1.0f, 0.0f, 0.0f}, up{0.0f, 1.0f, 0.0f};  ///< world vectors of 1 mm along x and y
   Vec3f unit_right{1.0f, 0.0f, 0.0f}, unit_up{0.0f, 1.0f, 0.0f}, unit_forward{0.0f, 0.0f, -1.0f};  ///< forward: display -z
-  Vec3f forward{0.0f, 0.0f, -1.0f};                                                                ///< of 1 mm
+  Vec3f forward{0.0f, 0.0f, -1.0f};                                                                ///< 1 mm along -z
 };
 
 /// The frame for lines that are given at z = z_front.
@@ -48,8 +48,8 @@ LIPPMANN_INLINE void write_ray_of(const Rays& constants, const RayFrame& frame, 
 }
 
 /// Loops over pixels work in blocks of this many: one AVX-512 vector or two AVX2 vectors, loop-free and with every constant
-/// read from memory where it is used. (A loop over all pixels keeps dozens of broadcast constants ready, which costs a packet
-/// of 16 pixels as much as its rays do.)
+/// read from memory where it is used. (A loop over all pixels keeps dozens of broadcast constants ready, which costs a
+/// packet of 16 pixels as much as its rays do.)
 inline constexpr int kRayBlock = 16;
 
 /// The rays of one block. line_of(px, py) is the model's inlined function; called from a LIPPMANN_MULTIVERSION function.

@@ -36,7 +36,7 @@ struct LensAxis {
 struct LensAxisSpec {
   double pitch_mm, offset_mm, gap_mm, viewing_distance_mm, eye_mm, pixel_pitch_mm;
   double centre_px;  ///< panel coordinate of the panel's centre
-  int size_px;       ///< of the panel along the axis; 0 where the axis is not one of the panel's
+  int size_px;       ///< the panel's extent along the axis; 0 where the axis is not one of the panel's
   double parallax = 1.0;
 };
 

@@ -20,7 +20,7 @@ struct LenticularConstants {
   LensAxis<T> axis;  ///< along xi
   T half_height_px;
   T pixel_pitch_mm, gap_mm;
-  T cosine, sine, inverse_cosine;         ///< of the slant
+  T cosine, sine, inverse_cosine;         ///< the slant's; inverse_cosine: 1 / cosine
   T eye_y_mm, row_vergence;               ///< 1 / (V + g)
   T z_front_mm, row_scale, row_shift_mm;  ///< y at z_front = row_scale y + row_shift
 

@@ -31,21 +31,21 @@ struct OpticsFacts {
   std::optional<LensArray> lenses = {};
   std::optional<ViewTiles> tiles = {};
   Vec2i whole_pixels_per_lens{0};  ///< see whole_pixels_per_lens()
-  Vec2f window_size_mm{0.0f};      ///< of the panel, or of one view
+  Vec2f window_size_mm{0.0f};      ///< the panel's, or one view's
   Window window = {};              ///< the same as it is seen by the viewer
   float viewing_distance_mm = kInfinity;
-  float eye_height_mm = 0.0f;  ///< of the viewer
+  float eye_height_mm = 0.0f;  ///< how far the viewer's eyes are above the middle of the array
   float viewing_zone = 0.0f;
   float depth_budget_mm = kInfinity;
   Parallax parallax = {false, false};
   Vec2i view_counts{1, 1};
-  SampleGrid samples = {};        ///< of a view; of a slanted panel its whole pixels
+  SampleGrid samples = {};        ///< a view's; on a slanted panel, its whole pixels
   double lens_step_mm = 0.0;      ///< from one sample of a view to the next along a row, where that is a lens; else 0
   bool single_view = false;       ///< see is_single_view()
   bool views_by_angle = false;    ///< the eyes of its views are equally far apart in angle, not in the plane that they stand in
   bool next_lens_beyond = false;  ///< beyond the zone, an eye sees what belongs to the neighbouring lens
-  std::optional<double> lens_columns_per_row = {};  ///< of slanted lenses without whole pixels on a film of sub-pixels: film
-                                                    ///< columns by which a lens moves to the right from row to row
+  std::optional<double> lens_columns_per_row = {};  ///< film columns by which a lens moves to the right from row to row; none
+                                                    ///< but for slanted lenses without whole pixels on a film of sub-pixels
   Vec2d crosstalk_pitch{0.0};  ///< pixels (views) of the panel along x and y that are one across the lenses; 0: no power
 };
 
@@ -86,9 +86,9 @@ struct StepRule {
 
   Vec2f across{1.0f, 0.0f}, down{0.0f, 1.0f};  ///< film pixels
   Bounds bounds = Bounds::kPanel;
-  LensAxis<float> columns{}, rows{};                        ///< of the cells; of sheets only `columns`, along xi
-  float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< of a sheet's slant
-  Vec2i tile{1, 1}, last_tile{0, 0};                        ///< of a quilt: its size, and column and row of the last one
+  LensAxis<float> columns{}, rows{};                        ///< the cells' axes; a sheet has only `columns`, along xi
+  float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< a sheet's slant
+  Vec2i tile{1, 1}, last_tile{0, 0};                        ///< a quilt's tiles: their size, and column and row of the last one
   int padding_top = 0;
 };
 

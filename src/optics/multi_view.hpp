@@ -19,9 +19,9 @@ struct MultiViewRays {
   float tile_width_px, tile_height_px, tiles_per_px_x, tiles_per_px_y;
   float padding_top_px;
   float pixel_pitch_mm, pixel_height_mm;
-  float first_half_angle, half_angle_step;  ///< of the eyes: half the angle of view 0, and from view to view
-  Vec2f first_eye_mm;                       ///< of a camera grid, which has no angles: of the lower left eye, and
-  float baseline_mm;                        ///< from eye to eye; else both are 0
+  float first_half_angle, half_angle_step;  ///< eyes' angles, halved: view 0's, and from view to view
+  Vec2f first_eye_mm;                       ///< where a camera grid, which has no angles, has its lower left eye, and
+  float baseline_mm;                        ///< how far it is from eye to eye; else both are 0
   float eye_reach_mm;                       ///< eyes are at this times the tangent of their angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0

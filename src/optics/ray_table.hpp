@@ -13,7 +13,7 @@ namespace lippmann {
 struct RayTableRays {
   std::shared_ptr<const std::vector<Ray>> rays;
   float samples_per_px;
-  int columns, rows;  ///< of samples
+  int columns, rows;  ///< how many samples the table has across and down
   float z_front_mm;
 
   /// The ray of a point of the panel; beyond its edge, the nearest one.

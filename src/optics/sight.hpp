@@ -64,10 +64,10 @@ class QuiltSight {
   Vec2i tile_origin(Vec2i view) const;  ///< its top left pixel
 
  private:
-  int columns_ = 1, panel_height_;  ///< of tiles
+  int columns_ = 1, panel_height_;  ///< columns of tiles; the panel's height in pixels
   Vec2i views_{1, 1};
   Vec2i tile_;
-  Vec2d centre_px_;  ///< of the plane z = 0, within a tile
+  Vec2d centre_px_;  ///< where the origin of the plane z = 0 lies within a tile
   Vec2d pixel_mm_;
   double distance_, first_angle_ = 0.0, angle_step_ = 0.0, baseline_ = 0.0;
 };

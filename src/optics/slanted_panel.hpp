@@ -3,8 +3,8 @@
 //
 // A sub-pixel at position (x, y), from 0 to 1 across the panel and up it, lies at the phase z = (x + y T) P - center below the
 // lenses: v = 1 - fract(z) (or fract(z)) of the view cone. Its ray crosses the plane z = 0 at that same position and comes from
-// the eye at (parallax distance tan(cone (v - 1/2)), 0, distance). Phases are worked out in double: there are up to thousands
-// of lenses.
+// the eye at (parallax distance tan(cone (v - 1/2)), 0, distance). Phases are worked out in double: there are up to
+// thousands of lenses.
 #pragma once
 
 #include <cmath>

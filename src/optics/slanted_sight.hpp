@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct SlantedPoint {
   double lens = 0.0;      ///< whole part of the phase
-  double fraction = 0.5;  ///< of the phase, of what the eye sees
+  double fraction = 0.5;  ///< the rest of the phase, at the place below the lens that the eye sees
   bool in_zone = true;
 };
 
@@ -21,7 +21,7 @@ class SlantedSight {
  public:
   SlantedSight(const Panel& panel, const SlantedPanel& slanted);
 
-  Vec2i size() const { return size_; }  ///< of the panel
+  Vec2i size() const { return size_; }  ///< the panel's
 
   /// A point of the plane z = 0 in continuous pixel coordinates.
   Vec2d pixel_at(Vec2d point_mm) const;
@@ -36,7 +36,7 @@ class SlantedSight {
   double lens_of(int column, int row, int color) const;
 
  private:
-  Vec2f offset(double column, int row, int color) const;  ///< of the sub-pixel from its pixel's centre, y up
+  Vec2f offset(double column, int row, int color) const;  ///< from a pixel's centre to its sub-pixel, pixels, y up
   double phase(double column, double up) const { return column * per_column_ + up * per_row_ - center_; }
 
   Vec2i size_;

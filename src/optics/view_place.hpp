@@ -1,11 +1,11 @@
 // Where a directional view sees a point: the place on that view's own grid of samples.
 //
-// The rays of one directional view (of all pixels at one offset below their lenses, of one tile of a quilt) meet in one point
-// of the plane z = V of the viewer, or are parallel where V is infinite. A view is thus a picture in the plane z = 0, with one
+// The rays of one directional view (of all pixels at one offset below their lenses, of one tile of a quilt) meet in one
+// point of the viewer's plane z = V, or are parallel where V is infinite. A view is thus a picture in the plane z = 0, with one
 // sample per lens and row (of lens arrays) or per pixel (of views). With the line x(z) = l + s z of any of its rays, it sees a
 // point P at
 //   ((P - (l / V + s) P_z) / (1 - P_z / V)
-// of that plane, across and up alike; divided by the distance of its samples, right and down, that is a place in its pixels.
+// in that plane, across and up alike; divided by the distance of its samples, right and down, that is a place in its pixels.
 #pragma once
 
 #include <optional>

@@ -13,7 +13,7 @@ namespace lippmann {
 
 struct FrameConversion {
   std::filesystem::path in, out;  ///< out: a folder, pictures of the same names
-  Optics optics;                  ///< of what is made
+  Optics optics;                  ///< those that the converted pictures are for
   std::function<Picture(const Picture&)> convert;
   std::function<nlohmann::ordered_json()> made;  ///< for the report, after all frames: what was done
 };

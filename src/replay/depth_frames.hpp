@@ -25,7 +25,7 @@ struct DepthFrames {
   std::vector<std::filesystem::path> written;
   ViewGrid views;
   Vec2i view_size{0, 0};
-  double filled_share = 0.0;  ///< of all pixels: nothing of the picture is seen there, and they are filled
+  double filled_share = 0.0;  ///< the share of all pixels that show nothing of the picture and are filled
 };
 
 /// Whether a picture, or the first of a folder's frames, is RGB-D by its name or side file.

@@ -22,7 +22,7 @@ constexpr double kSameSurfacePx = 1.5;  ///< neighbours that land so near to one
 struct DepthPicture {
   Image colours;
   Image disparity;     ///< q, mm of the screen
-  Vec2d slope{0.0};    ///< of its eye
+  Vec2d slope{0.0};    ///< how far its eye is right of and above the axis, per mm before the screen
   Vec2d size_mm{0.0};  ///< what it fills
 
   Vec2d place_mm(Vec2d pixel) const {
@@ -162,7 +162,7 @@ class ViewMaker {
     for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(colour[c]);
   }
 
-  /// Of the nearest pixels with points on either side the farther ones from the viewer, by distance.
+  /// The nearest pixel with a point to one side of a hole, `steps` pixels away. Those farthest from the viewer fill the hole.
   struct Neighbour {
     int x, y, steps;
   };

@@ -22,7 +22,7 @@ namespace lippmann {
 
 struct DepthViews {
   LightField field;           ///< the views of the optics, linear light, with cameras and depth
-  double filled_share = 0.0;  ///< of all pixels: those that no point has fallen on
+  double filled_share = 0.0;  ///< the share of all pixels that no point has fallen on
 };
 
 /// `source`: one view with depth and camera. `optics`: those of views (a quilt, a camera grid); the picture fills their window,

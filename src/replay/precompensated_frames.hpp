@@ -14,7 +14,7 @@ struct PrecompensateParams {
   std::filesystem::path in;           ///< a picture, or a folder of frames, beside its report.json (replay/rendered_frames.hpp)
   std::filesystem::path out;          ///< a folder: pictures of the same names, and a report.json
   double sigma_px = 0.0;              ///< optics/crosstalk.hpp
-  std::optional<Optics> optics = {};  ///< of the pictures; none: as the report.json beside them says
+  std::optional<Optics> optics = {};  ///< those that the pictures are for; none: as the report.json beside them says
 };
 
 struct PrecompensatedFrames {

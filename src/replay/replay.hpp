@@ -25,7 +25,7 @@ struct ReplayParams {
   bool exr = false;                   ///< linear floats instead of PNG
 
   std::optional<Vec3d> eye_mm = {};  ///< none: where the display is meant to be seen from
-  EyeView view = {};                 ///< of which the eye is set from eye_mm
+  EyeView view = {};                 ///< its eye is set from eye_mm
   bool one_per_lens = false;         ///< a sample for each lens (row, view's pixel), whatever shape that gives the picture
 
   // What to make; where nothing of this is asked for, the eye's view of every frame: eye_0000.png.
@@ -33,7 +33,7 @@ struct ReplayParams {
   int sweep = 0;                               ///< so many eyes from left to right through the zone: sweep_0000.png
   std::optional<double> refocus_mm = {};       ///< focused at that depth: refocus_0000.png
   std::optional<FocalStack> focal_stack = {};  ///< at these: stack_0000_00.png
-  bool all_in_focus = false;                   ///< of a stack: all_in_focus_0000.png, depth_0000.exr and (for looking) .png
+  bool all_in_focus = false;                   ///< from a stack: all_in_focus_0000.png, depth_0000.exr and (for looking) .png
   std::optional<int> epi_row = {}, epi_column = {};  ///< epi_row_0000.png, epi_column_0000.png
   std::filesystem::path video = {};                  ///< .mp4 or .mkv of the views, pairs or sweep
   std::optional<double> frames_per_second = {};      ///< none: as the report says

@@ -27,7 +27,7 @@ struct StereoParams {
 
 struct StereoFrames {
   std::vector<std::filesystem::path> written;
-  Vec2i view_size{0, 0};     ///< of a whole view
+  Vec2i view_size{0, 0};     ///< a whole view's
   double out_of_zone = 0.0;  ///< the larger share of the display through which an eye sees another zone (eye_sampler.hpp)
 };
 

@@ -29,8 +29,8 @@ float fitting_depth(const ShownDepth& true_depth);
 /// "front_mm", "back_mm", "budget_mm" (null: none), "fits", "scale" (the depth scale), "summary".
 nlohmann::ordered_json depth_json(const ShownDepth& shown, float depth_scale, const Optics& optics);
 
-/// One sentence: the reach, whether it fits, and if not, by how much it is beyond and what becomes of it. Below a depth scale
-/// of 1: how much of the depth is shown.
+/// One sentence: the reach, whether it fits, and if not, by how much it is beyond and what becomes of it. Below a depth
+/// scale of 1: how much of the depth is shown.
 std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics, float depth_scale = 1.0f);
 
 }  // namespace lippmann

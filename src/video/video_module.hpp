@@ -23,7 +23,7 @@ struct EncoderSettings {
   VideoCodec codec = VideoCodec::kH264;
   const char* muxer = nullptr;          ///< FFmpeg's names
   const char* encoder = nullptr;        ///< one that has_encoder() knows
-  int width = 0, height = 0;            ///< of every frame, pixels
+  int width = 0, height = 0;            ///< every frame's, pixels
   int crf = 0;                          ///< ignored by codecs that lose nothing
   int numerator = 25, denominator = 1;  ///< frames per second
   int threads = 1;

@@ -31,7 +31,7 @@ struct VideoOptions {
   std::optional<VideoCodec> codec = {};     ///< none: by the file's ending and the size of frames (video_codec.hpp)
   std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; none: the codec's own
   std::optional<StereoLayout> stereo = {};  ///< frames hold two eyes' views; players are told (video/ffmpeg/stereo_tags.hpp)
-  int threads = 1;                          ///< of the encoder. H.264's bytes depend on it: never derive it from the machine
+  int threads = 1;                          ///< the encoder's. H.264's bytes depend on it: never derive it from the machine
 };
 
 /// Throws Error naming the file: for what choose_codec() refuses, a folder that cannot be written, frames that differ in size,

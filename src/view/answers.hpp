@@ -23,7 +23,7 @@ struct PageRequest {
   std::string path = "/";                               ///< decoded, without what follows a question mark
   std::string host = {}, origin = {}, fetch_site = {};  ///< headers: Host, Origin, Sec-Fetch-Site; empty: missing
   bool wants_range = false;
-  std::string body = {};  ///< of a POST
+  std::string body = {};  ///< what a POST sends
 };
 
 struct PageAnswer {

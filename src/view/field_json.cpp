@@ -47,7 +47,7 @@ Json frame_json(const PageFrame& frame) {
   return json;
 }
 
-/// Of a slanted panel also which view each of its sub-pixels is of.
+/// A slanted panel's also says which view each of its sub-pixels belongs to.
 Json panel_picture_json(const PageFacts& facts) {
   Json json{{"is", word_for(facts.panel)}, {"size", {facts.panel_size.x, facts.panel_size.y}}};
   if (facts.slanted) json["panel"] = panel_json(*facts.slanted);

@@ -31,8 +31,8 @@ struct PageFrame {
 
 struct PageFacts {
   std::string title;
-  ViewGrid grid;          ///< of the views
-  ViewGrid tiles;         ///< of the quilt, view 0 at the bottom left
+  ViewGrid grid;          ///< how many views there are across and up
+  ViewGrid tiles;         ///< how the quilt holds them, view 0 at the bottom left
   Vec2i view_size{0, 0};  ///< pixels
   Window window;          ///< that every view shows, in z = 0
   ViewAxes axes;
@@ -43,13 +43,13 @@ struct PageFacts {
   Vec3d eye_mm{0.0};                    ///< where the display is meant to be seen from
   double depth_budget_mm = 0.0;
   bool has_depth = false;
-  double disparity_scale_mm = 1.0;  ///< of the codes (view/disparity_codes.hpp)
+  double disparity_scale_mm = 1.0;  ///< the scale of codes (view/disparity_codes.hpp)
   double frames_per_second = 25.0;
   std::vector<PageFrame> frames;
   std::string assumption;  ///< what is not known of the cameras; empty: nothing
 };
 
-/// Of a light field behind these optics; what is not theirs (title, frames, depth, frame rate) is as by default.
+/// The facts of a light field behind these optics; what is not theirs (title, frames, depth, frame rate) is as by default.
 PageFacts page_facts(const Optics& optics);
 
 /// The eye that a view of the page stands for.

@@ -21,7 +21,7 @@ class ComingFrames {
  public:
   virtual ~ComingFrames() = default;
   virtual const std::vector<int>& frames() const = 0;  ///< ascending, at least one
-  /// Of the frame of that index, once it is finished. Thread-safe.
+  /// The file of the frame at that index; none until it is finished. Thread-safe.
   virtual std::optional<std::filesystem::path> file(std::size_t index) const = 0;
 };
 

@@ -29,7 +29,7 @@ struct ViewAxis {
 
 struct ViewAxes {
   ViewAxis across, up;
-  double vergence = 0.0;  ///< of all of these eyes: 1 / distance, per mm
+  double vergence = 0.0;  ///< 1 / distance, per mm, the same for all of these eyes
 };
 
 /// The axes of the views of whole pixels that these optics have, or of eyes in as many directions as can be told apart.

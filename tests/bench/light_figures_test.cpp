@@ -195,7 +195,7 @@ TEST(LightFigures, block_error_picture_fills_blocks_with_the_difference_of_their
   const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
   const Image8 reference = picture(9, 9, std::vector<unsigned char>(81, 100));
   Image8 test = reference;
-  for (std::size_t c = 0; c < 3; ++c) test.rgb[c] = 132;  // of one pixel of 64: half a code of the mean
+  for (std::size_t c = 0; c < 3; ++c) test.rgb[c] = 132;  // one pixel of 64 differs by 32: half a code of the mean
   const Image8 error = block_error_picture(reference, test, blocks);
   EXPECT_EQ(error.rgb[0], 128 + 4);
   EXPECT_EQ(error.rgb[3 * 7], 128 + 4);

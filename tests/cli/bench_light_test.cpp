@@ -48,7 +48,7 @@ TEST(BenchLight, rows_are_measured_in_other_views) {
   EXPECT_NE(wrong.err.find("--views"), std::string::npos) << wrong.err;
 }
 
-// Of the same paths at the same frame: without their noise, both are nearer to the same reference.
+// Both sides trace the same paths as in the noisy row: without noise, they are nearer to the same reference.
 TEST(BenchLight, both_sides_are_denoised_where_that_is_asked_for) {
   const TempDir dir;
   const Words scene{"--scene", "flash", "--frames", "2"};

@@ -17,7 +17,7 @@ using testing::Not;
 
 const Words kOther{"--view-angle", "40"};
 
-/// Of everything below the folder.
+/// Every file below the folder, by its path in it.
 Files all_files(const fs::path& folder) {
   Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -186,7 +186,7 @@ TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
   expect_done(dir, quilt);
   for (const auto& entry : std::vector<fs::directory_entry>(fs::directory_iterator(dir / "a"), {})) {
     const fs::path file = entry.path(), name = file.filename();
-    if (entry.is_directory()) continue;  // of the journal, of which journal_test knows
+    if (entry.is_directory()) continue;  // the journal's, which journal_test knows
     fs::rename(file, dir / "kept");
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
     EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 1) << name;

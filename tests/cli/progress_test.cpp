@@ -77,7 +77,7 @@ std::string said_of_a_long_frame(app::ProgressStyle style, bool knows_share) {
   return testing::internal::GetCapturedStderr();
 }
 
-// Of two frames, which take 240 s: after 30 s, 210 s are left.
+// Two frames take 240 s: after 30 s, 210 s are left.
 TEST(Progress, without_a_terminal_a_long_frame_gets_lines_while_it_is_traced) {
   for (const auto style : {app::ProgressStyle::kLines, app::ProgressStyle::kEveryLine})
     EXPECT_EQ(said_of_a_long_frame(style, true),

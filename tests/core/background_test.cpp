@@ -104,7 +104,7 @@ void limit_address_space(rlim_t bytes) {
 
 /// Exits with 3 if some of the threads could start and the others could not, and the queue said so.
 void start_more_threads_than_fit() {
-  constexpr rlim_t kStack = 8 << 20;  // of a thread, in most systems
+  constexpr rlim_t kStack = 8 << 20;  // what a thread's stack takes in most systems
   limit_address_space(6 * kStack);
   { BackgroundQueue fits(1, 1); }
   try {

@@ -68,7 +68,7 @@ double mean_squared_error(const Image& film, float truth) {
   return sum / static_cast<double>(film.data.size());
 }
 
-// Of a mean of n pixels the error is 1/n of theirs, 0.125; the widest step alone reaches over 33 x 16 pixels.
+// A mean of n pixels has 1/n of their squared error, 0.125; the widest step alone reaches over 33 x 16 pixels.
 TEST(Denoiser, even_light_loses_its_noise_and_keeps_its_mean) {
   const Made made = noisy(1);
   EXPECT_NEAR(mean_squared_error(made.film, 1.0f), 0.125, 0.02);
@@ -88,7 +88,7 @@ TEST(Denoiser, light_without_noise_stays_as_it_is_shadows_and_all) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-3f) << i;
 }
 
-// Of differences so slight the filter makes nothing; without noise they stay all the same.
+// The filter takes differences so slight for the same light; without noise they stay all the same.
 TEST(Denoiser, what_no_noise_explains_is_not_blurred) {
   Made made;
   for (int y = 0; y < kHeight; ++y)

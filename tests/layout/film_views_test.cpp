@@ -86,7 +86,7 @@ TEST(FilmViews, a_slanted_panel_shows_pixels_of_three_sub_pixels) {
   EXPECT_EQ(picture.pixel(1, 1)[0], film.pixel(3, 1)[0]);
   EXPECT_EQ(picture.pixel(1, 1)[2], film.pixel(5, 1)[2]);
   EXPECT_EQ(picture_of_layer(depth, panel).pixel(1, 1)[0], depth.pixel(4, 1)[0]);
-  EXPECT_EQ(picture_of_film(numbered(6, 4, 3), quilt()).width, 6);  // of others the film itself
+  EXPECT_EQ(picture_of_film(numbered(6, 4, 3), quilt()).width, 6);  // other optics show the film itself
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Of which 10 % of each neighbour are seen. Neighbours' neighbours have 6e-5 of a Gaussian that narrow: the tolerance below.
+/// 10 % of each neighbour are seen. Neighbours' neighbours have 6e-5 of a Gaussian that narrow: the tolerance below.
 const double kTenPercent = read_crosstalk("10%", "test");
 constexpr float kNextButOne = 2e-4f;
 
@@ -23,7 +23,8 @@ Image views(float a, float b, float c) {
   return image;
 }
 
-// Of v' = (0.2, 0.7, 0.4) an eye sees ((0.8 0.2 + 0.1 0.7) / 0.9, 0.1 0.2 + 0.8 0.7 + 0.1 0.4, (0.1 0.7 + 0.8 0.4) / 0.9).
+// Shown v' = (0.2, 0.7, 0.4), an eye sees
+// ((0.8 0.2 + 0.1 0.7) / 0.9, 0.1 0.2 + 0.8 0.7 + 0.1 0.4, (0.1 0.7 + 0.8 0.4) / 0.9).
 TEST(Precompensate, three_views_are_solved_for) {
   Image image = views(0.23f / 0.9f, 0.62f, 0.39f / 0.9f);
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);

@@ -62,7 +62,7 @@ class OpticsSampler {
     return o;
   }
 
-  /// Of 2 to 20 sub-pixels below a lens, in stripes or anyhow within their pixel.
+  /// It has 2 to 20 sub-pixels below a lens, in stripes or anyhow within their pixel.
   Optics slanted_panel() {
     Optics o{.panel = panel(), .model = {}};
     o.panel.width /= 3, o.panel.pixel_pitch_mm *= 3.0f;

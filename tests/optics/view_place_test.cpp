@@ -60,8 +60,8 @@ TEST(ViewPlace, neighbours_in_a_view_are_one_sample_apart) {
   }
 }
 
-// Rows of a panel 100 mm before whose lenses the viewer stands, 2 mm behind them: seen through the lens plane they are 100/102
-// of their distance apart, and so are the samples.
+// The viewer stands 100 mm before the lenses, and the panel lies 2 mm behind them: seen through the lens plane, its rows are
+// 100/102 of their distance apart, and so are the samples.
 TEST(ViewPlace, rows_of_a_sheet_meet_at_the_viewer) {
   const Optics sheet{{64, 50, 0.0625f}, LenticularSheet{.gap_mm = 2.0f, .viewing_distance_mm = 100.0f}};
   const Vec2f a = own_place(sheet, {20.5f, 10.5f}), b = own_place(sheet, {20.5f, 40.5f});

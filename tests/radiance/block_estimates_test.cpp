@@ -29,7 +29,7 @@ void look(BlockEstimates& block, float have) {
   find_wanted(have, kError, block);
 }
 
-/// Of sRGB's curve above its toe.
+/// The code of sRGB's curve above its toe.
 double code(double luminance) { return 1.055 * std::pow(luminance, 1.0 / 2.4) - 0.055; }
 
 TEST(BlockEstimates, even_light_wants_nothing) {
@@ -72,7 +72,7 @@ TEST(BlockEstimates, pixels_that_are_left_to_paths_want_what_all_of_these_scatte
   EXPECT_LT(block->wanted[25], 0.01f);
 }
 
-// Of four samples one is open: alpha scatters by 3/4 x 1/4 x 4/3. The light of all is the same.
+// One of four samples is open: alpha scatters by 3/4 x 1/4 x 4/3. The light of all is the same.
 TEST(BlockEstimates, alpha_scatters_as_a_channel_of_its_own) {
   auto block = even(4);
   block->push_back(200, 0.0f);
@@ -103,8 +103,8 @@ TEST(BlockEstimates, samples_grow_with_scatter) {
 /// What its neighbours scatter counts beside what a pixel scatters itself.
 double share_of_neighbours(int samples) { return samples < 8 ? 1.0 : 64.0 / (samples + 64.0); }
 
-// Of few samples a pixel's own have no say: its neighbours, along and across rays, have, each a quarter. And still when there
-// are more.
+// What a pixel's own samples scatter does not count while they are few; it counts for its neighbours along and across rays,
+// a quarter for each, and still does when there are more.
 TEST(BlockEstimates, neighbours_decide_until_a_pixel_has_eight_samples) {
   for (const int samples : {2, 8}) {
     auto block = even(samples);
@@ -154,7 +154,7 @@ TEST(BlockEstimates, pixels_beside_overexposed_ones_may_have_missed_an_edge) {
 }
 
 struct Sampled {
-  double mean = 0.0, most = 0.0;  ///< of the light; samples of a pixel
+  double mean = 0.0, most = 0.0;  ///< the mean of the light; the most samples that a pixel gets
 };
 
 /// 400 blocks of 40 pixels that get as many samples as is found, from draw().

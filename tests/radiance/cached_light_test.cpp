@@ -143,7 +143,7 @@ TEST(CachedLight, textures_stay_as_sharp_as_they_are) {
   int off = 0;
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) off += std::abs(frames.films[0].pixel(x, y)[1] - paths.at(x, y).y) > 0.06f;
-  EXPECT_LE(off, 8);  // of 4096
+  EXPECT_LE(off, 8);  // there are 4096 pixels
 }
 
 // The mirror at z = 0 shows the glowing square behind the viewer, 12 from the eye, at half its light; a matte frame around it.

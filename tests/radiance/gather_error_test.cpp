@@ -35,7 +35,7 @@ class SkyScene {
   std::optional<GatherPlan> plan_with(const RadianceCache& cache, GatherMeasure& measure) const {
     return measure.plan({{device_, optics_, world_}, cells_, cache});
   }
-  /// Of frames of this scene, with light from `cache`.
+  /// The error of frames of this scene, with light from `cache`.
   FrameError error_with(const RadianceCache& cache, GatherMeasure& measure) const {
     return measure.check({{device_, optics_, world_}, cells_, cache}, {.error = 0.002f}, {});
   }

@@ -81,9 +81,9 @@ Image gathered(const Scene& scene, const Optics& optics, LightGroup lights_from,
   return film;
 }
 
-// Of metallic-roughness surfaces without gloss and of Phong's: both are shaded in lanes. Lamps shine pi times as bright on the
-// latter. Rounding aside they have the same paths, so that pixels differ by no more than two of the errors (0.01) that they
-// may have, where it tips a decision; of paths a frame's mean differs by one error at most.
+// Metallic-roughness surfaces without gloss and Phong's are both shaded in lanes. Lamps shine pi times as bright on the latter.
+// Rounding aside they have the same paths, so that pixels differ by no more than two of the errors (0.01) that they may have,
+// where it tips a decision; a frame's mean differs from that of paths by one error at most.
 TEST(GatherFrame, matt_surfaces_of_either_kind_are_alike) {
   const auto ball_of = [](int material, SmallScene& s, float light) {
     s.scene.max_depth = 4;

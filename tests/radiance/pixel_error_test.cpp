@@ -65,7 +65,7 @@ TEST(MeasuredPixels, are_more_where_samples_scattered) {
   std::fill_n(scatter.begin(), 64 * 8, 0.04f);
   const MeasuredPixels chosen = choose_pixels(Image(64, 64, 3), {1000, 16, 100}, scatter, 7);
   const auto above = std::count_if(chosen.pixels.begin(), chosen.pixels.end(), [](std::uint32_t p) { return p < 64 * 8; });
-  EXPECT_GT(above, 160);  // of 256, and 32 were their share
+  EXPECT_GT(above, 160);  // 256 are chosen, and 32 would be their share
 }
 
 /// A matt floor below a sky, by paths.

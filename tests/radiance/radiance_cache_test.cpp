@@ -94,7 +94,7 @@ TEST(RadianceCache, noise_on_even_light_is_averaged_over_more_than_a_cell) {
     const double d = static_cast<double>(cache.look_up(place(x, 4.0f)).x) - 5.0;
     squares += d * d;
   }
-  EXPECT_LT(std::sqrt(squares / count), 0.1);  // of 64 cells of the largest size it would be 0.03
+  EXPECT_LT(std::sqrt(squares / count), 0.1);  // means over 64 cells, as in the largest, would scatter by 0.03
 }
 
 TEST(RadianceCache, an_edge_of_light_stays_where_it_is) {
@@ -105,7 +105,7 @@ TEST(RadianceCache, an_edge_of_light_stays_where_it_is) {
   EXPECT_NEAR(cache.look_up(place(17.6f, 4.0f)).x, 1.0f, 0.06f);
 }
 
-/// Of places one apart, all over the strip that spread() feeds: those that are left to paths, by x.
+/// How many places are left to paths, by x, among those one apart all over the strip that spread() covers.
 std::vector<int> left_to_paths(const RadianceCache& cache, EdgesToPaths edges = EdgesToPaths::kFaint) {
   std::vector<int> count(32);
   for (int x = 0; x < 32; ++x)
@@ -172,7 +172,7 @@ TEST(RadianceCache, noise_makes_no_edges) {
   update(cache, spread(4096, 0.0f, 5, [&](float) { return random() % 10 == 0 ? 2.0f : 0.2f; }));
   int all = 0;
   for (const int left : left_to_paths(cache)) all += left;
-  EXPECT_LE(all, 5);  // of 256
+  EXPECT_LE(all, 5);  // there are 256 places
 }
 
 TEST(RadianceCache, picking_gives_the_interpolated_light_on_average) {

@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// Of a point of the instance's first side, between the moments 0 and 0.5 s.
+/// How far a point on the instance's first side moves between the moments 0 and 0.5 s.
 float moved(const Scene& scene, int instance) {
   const ThreadPool pool(1);
   DeviceScene device(scene, pool, Integrator::kPath);

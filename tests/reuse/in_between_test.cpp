@@ -183,7 +183,7 @@ TEST(InBetween, made_frame_is_a_source_with_points_where_the_objects_are) {
     if (frame.points.object[p] != truth.points.object[p]) continue;
     EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // the wall is as far behind as that
   }
-  EXPECT_GT(on_square, 60u);  // of 64
+  EXPECT_GT(on_square, 60u);  // it has 64 pixels
 }
 
 /// Spheres and boxes that move each their own way before a checkered wall and under a fixed light.

@@ -71,7 +71,7 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
 
 struct Lattice {
   double pitch, row_pitch;  ///< mm; row_pitch 0: a sheet
-  glm::dvec2 offset;        ///< of lens 0
+  glm::dvec2 offset;        ///< where lens 0 is
   double spread;            ///< 1 + g/V: cells are that much wider than lenses
   glm::dvec2 eye;           ///< that cells converge to
   bool hexagonal = false;
@@ -238,7 +238,7 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
         << what.str();
     EXPECT_TRUE(is_own_neighbour(optics, *place, lens, landed)) << what.str();
   }
-  EXPECT_GT(compared, 100) << test::model_name(optics);  // of 200
+  EXPECT_GT(compared, 100) << test::model_name(optics);  // 250 are drawn
 }
 
 TEST(Landing, same_view_agrees_with_its_definition_for_every_model) {
@@ -280,7 +280,7 @@ TEST(Landing, on_a_slanted_panel_the_same_direction_below_the_nearest_lens) {
     const Optics optics = slanted_panel(random);
     const auto& slanted = std::get<SlantedPanel>(optics.model);
     const Splatter splatter(optics, {SplatMode::kView, true});
-    // Of the eyes, as angles in views: 1 / sub-pixels below a lens from one to the next.
+    // An eye's angle as a share of the view cone: from eye to eye it grows by 1 / sub-pixels below a lens.
     const auto view_of = [&](Vec2f pixel) {
       const Vec3f eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm);
       return std::atan(eye.x / (slanted.parallax * slanted.distance_mm)) / slanted.view_cone;

@@ -75,7 +75,7 @@ TEST(Uncertainty, pixels_onto_which_less_than_two_points_landed_are_uncertain_by
 
 TEST(Uncertainty, linear_film_is_compared_by_square_roots) {
   Case c;
-  Case::paint(c.following, pixel(5, 3), 0.25f);  // of 1: half the codes
+  Case::paint(c.following, pixel(5, 3), 0.25f);  // a quarter of the light: half the codes
   UncertaintyEstimator estimator(small_view(), Encoding::kSrgb);
   std::vector<std::uint8_t> uncertainty;
   estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);

@@ -43,7 +43,7 @@ class Disk {
   void lose_machine(int machine, Random& random);
 
  private:
-  struct Change {  ///< of a folder's entries; not safe yet
+  struct Change {  ///< to a folder's entries, not safe yet
     int folder;
     std::string removed, added;
     int inode;

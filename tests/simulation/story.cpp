@@ -351,7 +351,7 @@ class Teller {
     return is_done;
   }
 
-  static constexpr int kAllFrames = 100;  // of the scene
+  static constexpr int kAllFrames = 100;  // the scene's
 
   bool shares_a_name_;
   World world_;

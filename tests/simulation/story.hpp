@@ -11,7 +11,7 @@ struct Story {
   std::string problem;  ///< a wrong or lost frame, a folder that cannot be finished ...; empty: all went well
   std::string log;      ///< what happened, for people
   int frames = 0, runs = 0;
-  std::uint64_t calls = 0;  ///< of the system
+  std::uint64_t calls = 0;  ///< how often the system has been called
 };
 
 Story tell_story(std::uint64_t seed);

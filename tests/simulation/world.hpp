@@ -29,7 +29,7 @@ struct Faults {
   std::size_t read_error = 0;
   std::size_t interrupted = 0;  ///< EINTR, and reads and writes of fewer bytes
   std::size_t clock_jump = 0;
-  std::size_t flipped_byte = 0;  ///< of a picture
+  std::size_t flipped_byte = 0;  ///< in a picture
 };
 
 struct Process {
@@ -41,7 +41,7 @@ struct Process {
   bool has_begun = false;
   ucontext_t context{};                    ///< its beginning
   std::jmp_buf place{};                    ///< where it goes on
-  std::array<std::byte, 16> exceptions{};  ///< of the C++ run-time: what is being caught
+  std::array<std::byte, 16> exceptions{};  ///< the C++ run-time's: what is being caught
   std::unique_ptr<std::byte[]> stack;
 };
 

@@ -18,7 +18,7 @@ namespace lippmann::test {
 
 struct ImageTolerance {
   int per_pixel = 0;     ///< codes by which the largest of a pixel's channels may differ
-  double share = 0.0;    ///< of the pixels that may differ by more
+  double share = 0.0;    ///< the share of pixels that may differ by more
   int hard_limit = 255;  ///< codes by which no pixel may differ
 };
 

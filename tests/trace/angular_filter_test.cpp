@@ -49,7 +49,7 @@ struct Edge {
   double place_px, variance_px2;
 };
 
-/// Of how it falls from light to dark in the second row of a view.
+/// Where light falls to dark in the second row of a view, and how the steps of that fall spread.
 Edge edge_in_view(const Picture& picture, int view) {
   std::vector<double> steps;
   for (int x = 1; x < kWidth; ++x) steps.push_back(picture.at(view * kWidth + x - 1, 1).x - picture.at(view * kWidth + x, 1).x);
@@ -73,7 +73,7 @@ TEST(AngularFilter, far_edges_become_ramps_from_one_view_s_edge_to_the_next) {
     // middle as they lie for the variance (2 x (2.5 + 1.5 + 0.5) x 2/256). Here less than half of that.
     EXPECT_NEAR(edge_in_view(sharp, view).place_px, place, 0.01) << view;
     EXPECT_NEAR(edge_in_view(ramp, view).place_px, place, 0.02) << view;
-    EXPECT_LE(edge_in_view(sharp, view).variance_px2, 0.25 + 0.01) << view;  // of any place within a pixel
+    EXPECT_LE(edge_in_view(sharp, view).variance_px2, 0.25 + 0.01) << view;  // at most 1/4, wherever within a pixel it lies
     EXPECT_NEAR(edge_in_view(ramp, view).variance_px2, 16.0 / 12 + 1.0 / 6, 0.04) << view;
   }
 }

@@ -155,7 +155,7 @@ TEST(Aovs, what_alpha_cuts_away_or_covers_by_less_than_half_is_not_there) {
 
 TEST(Aovs, ray_depth_is_from_the_eye_along_the_ray_and_infinite_where_nothing_is) {
   const Picture p = trace(sliding(1.0f, Vec3f(0.0f)), single_view(kAovSize));
-  const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;  // of pixel (19, 16) in z = 0, 10 before the eye
+  const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;  // where pixel (19, 16) is in z = 0, 10 before the eye
   EXPECT_NEAR(p.aovs[Aov::kRayDepth].pixel(19, 16)[0], 0.9f * std::sqrt(x * x + y * y + 100.0f), 1e-5f);
   EXPECT_EQ(p.aovs[Aov::kRayDepth].pixel(0, 0)[0], kInfinity);
 }

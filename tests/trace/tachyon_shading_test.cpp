@@ -10,7 +10,7 @@ namespace {
 using namespace test;
 
 constexpr int kShadedSize = 33, kShadedMiddle = 16;
-// Of single-precision shading along one path.
+// How far single-precision shading may be off along one path.
 constexpr float kShadedRounding = 2e-5f;
 
 SmallScene tachyon_scene() {

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kStep = 1.0f / 65535.0f;  // of the 16-bit texels
+constexpr float kStep = 1.0f / 65535.0f;  // from one 16-bit texel value to the next
 
 Texture gray(int width, int height, const std::vector<int>& bytes) {
   Texture t;

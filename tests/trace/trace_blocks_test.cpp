@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, TraceBlocks, testing::Values(RayOrder::kRows, R
                            return std::string(order.param == RayOrder::kViewTiles ? "view_tiles" : to_string(order.param));
                          });
 
-/// Of a view of 64 x 64 pixels, in blocks of 4 rows: which have to do with one box (1, else kNever).
+/// Which blocks of 4 rows of a view of 64 x 64 pixels have to do with the box (1, else kNever).
 std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
   const ThreadPool pool(1);
   const Context context;

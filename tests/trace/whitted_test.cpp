@@ -11,7 +11,7 @@ using namespace test;
 
 // An odd size puts a pixel's centre on the axis.
 constexpr int kSize = 33, kMiddle = 16;
-// Of single-precision shading along one path.
+// How far single-precision shading may be off along one path.
 constexpr float kRounding = 2e-5f;
 
 TEST(Whitted, empty_scene_shows_the_background) {

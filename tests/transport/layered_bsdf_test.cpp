@@ -243,7 +243,7 @@ TEST(LayeredBsdf, brushed_metal_is_wider_along_the_tangent) {
   EXPECT_FLOAT_EQ(leaning(kTangent), leaning(-kTangent));
 }
 
-// Of two boundaries the first has no step left. 0.02: what the Gaussian fit makes of white.
+// The first of two boundaries has no step left. 0.02: what the Gaussian fit makes of white.
 TEST(ThinFilm, that_vanishes_leaves_the_surface_as_it_is) {
   for (const float cosine : {1.0f, 0.7f, 0.5f, 0.2f}) {
     const float bare = 0.04f + 0.96f * schlick_weight(cosine);

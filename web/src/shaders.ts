@@ -2,7 +2,7 @@
 //
 // Eyes are slopes at the middle of the display. An eye E sees a point s of the display's plane under the slope
 //   S(s) = E.xy / E.z - s (1 / E.z - vergence)
-// of the views' own frame, in which view v has one slope S_v for all points. What lies at disparity w (a length; see
+// in the views' own frame, in which view v has one slope S_v for all points. What lies at disparity w (a length; see
 // src/view/disparity_codes.hpp) on that line is seen by view v at s + (S - S_v) w. That holds for eyes at any distance.
 
 const kCommon = `
@@ -107,14 +107,14 @@ vec3 srgb(vec3 linear) {
 
 /** What an eye sees. */
 export const eyeShader = (variant: Variant): string => `${preamble(variant)}${kCommon}${kSrgb}
-uniform vec2 u_output_size, u_offset;  // of the picture on what is drawn to, pixels
+uniform vec2 u_output_size, u_offset;  // the picture's size, and its place on what is drawn to, pixels
 uniform float u_exposure;
 uniform bvec2 u_snap;           // to the middles of lenses
 uniform vec2 u_disparities;     // the least and the greatest
 uniform float u_aperture, u_focus;  // share of the zone; disparity
 uniform float u_line;           // 0 ... 1: an epipolar-plane image of the line so far down, eyes from the top
-uniform vec2 u_point;           // of the focus finder, mm
-uniform float u_sigma;          // of crosstalk, views
+uniform vec2 u_point;           // where the focus finder looks, mm
+uniform float u_sigma;          // how far crosstalk spreads, views
 uniform float u_budget;         // mm on either side of the plane
 out vec4 color;
 
@@ -328,7 +328,7 @@ ${kCommon}
 uniform sampler2D u_panel;  // a picture of its own
 uniform vec2 u_output_size, u_panel_size;
 uniform int u_kind;         // 0 integral, 1 quilt, 2 own
-uniform vec4 u_part;        // of the panel: left, top, width, height, in pixels
+uniform vec4 u_part;        // what is shown of the panel: left, top, width, height, in pixels
 uniform vec4 u_loupe;       // x, y, radius in pixels of the output from its top left; pixels of the output per panel pixel
 uniform vec2 u_loupe_at;    // the panel pixel in its middle
 out vec4 color;
@@ -397,7 +397,7 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 uniform sampler2D u_first, u_second;
-uniform vec4 u_place;    // of the picture on the canvas: left, bottom, width, height, pixels
+uniform vec4 u_place;    // where the picture lies on the canvas: left, bottom, width, height, pixels
 uniform float u_wipe, u_exposure, u_scale;
 uniform vec3 u_ground;
 out vec4 color;

@@ -148,9 +148,9 @@ class FfmpegDecoder : public VideoDecoder {
   FfmpegPtr<AVFrame> frame_ = own(av_frame_alloc());
   FfmpegPtr<AVPacket> packet_ = own(av_packet_alloc());
   const AVStream* stream_ = nullptr;
-  Vec2i size_{0, 0};                                      // of the first frame
-  std::int64_t frames_ = 0, packets_ = 0, end_time_ = 0;  // of the packets read; time in the stream's units
-  bool ended_ = false;                                    // of the packets; the decoder may still hold frames
+  Vec2i size_{0, 0};                                      // the first frame's
+  std::int64_t frames_ = 0, packets_ = 0, end_time_ = 0;  // decoded; read; where the last packet ends, in the stream's units
+  bool ended_ = false;                                    // there are no more packets; the decoder may still hold frames
 };
 
 }  // namespace

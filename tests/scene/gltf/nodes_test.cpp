@@ -443,7 +443,7 @@ int frames_of(const GltfBuilder& b, const std::string& animation) {
   return parse_gltf(b.glb(), "a.glb", 25.0, Context{}, {}, animation).timeline.frame_count;
 }
 
-/// Of a file with keys at these times, without a rate that is said.
+/// The timeline of a file with keys at these times, where no rate is given.
 Timeline timeline_of_keys(const std::vector<float>& times) {
   const GltfBuilder b = animated<Vec3f>("translation", "LINEAR", times, std::vector<Vec3f>(times.size(), Vec3f(0.0f)));
   return parse_gltf(b.glb(), "a.glb", 0.0, Context{}).timeline;
