@@ -48,6 +48,7 @@ struct Made {
   LightFigures figures;
   Frames frames;                                    ///< compared ones
   std::vector<std::optional<double>> estimates_db;  ///< what the program estimates their PSNR to be
+  std::vector<std::optional<double>> at_least_db;   ///< and the bounds below it
 };
 
 Scene scene_of(const LightCase& wanted, const Context& context) {
@@ -112,6 +113,7 @@ class LightBench {
     if (is_compared(frame.report.frame)) {
       made.frames.push_back(take_rows(codes, rows_));
       made.estimates_db.push_back(frame.report.estimated_psnr_db);
+      made.at_least_db.push_back(frame.report.psnr_at_least_db);
     }
     LightFigures& figures = made.figures;
     if (figures.seconds_by_frame.empty()) figures.first_seconds = frame.report.cpu_seconds;
@@ -168,7 +170,7 @@ class LightBench {
     if (context_.cancelled) return;
     judge(reuse);
     run_.reuse = reuse.figures;
-    run_.estimates_db = reuse.estimates_db;
+    run_.estimates_db = reuse.estimates_db, run_.at_least_db = reuse.at_least_db;
     run_.estimate = judge_estimates(reuse.estimates_db, reuse.figures.psnr_db_by_frame);
     run_.stated_bytes = bytes_kept_per_pixel(frame_params(reuse_params_)) * run_.width * run_.height;
     if (settings_.without_full) return;

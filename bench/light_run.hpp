@@ -64,6 +64,7 @@ struct LightRun {
   LightFigures full, reuse;
   EstimateFigures estimate;
   std::vector<std::optional<double>> estimates_db;  ///< for compared frames, by the reuse itself
+  std::vector<std::optional<double>> at_least_db;   ///< and the lower bounds of their PSNR that it tells, at 95 % confidence
   std::vector<TimedQuality> full_by_spp;            ///< ascending; the full render's own samples last
   double equal_time_psnr_db = 0.0;  ///< a full render's that takes as long as the reuse, with at least 1 sample; not a
                                     ///< number where that is not measured

@@ -12,8 +12,12 @@ namespace {
 /// resume, gives the same pictures.
 constexpr int kSegment = 16;
 
-/// Standard deviations above its estimate that an error exceeds in one of twenty cases.
-constexpr double kOneSided = 1.645;
+/// What a measured error exceeds in one of twenty cases: 1.645 standard deviations above it. They are the logarithm's: an error
+/// that few pixels make is measured too small more often than too large.
+double upper_bound(double squared_error, double deviation) {
+  constexpr double kOneSided = 1.645;
+  return squared_error > 0.0 ? squared_error * std::exp(kOneSided * deviation / squared_error) : kOneSided * deviation;
+}
 
 /// The PSNR of a mean squared error of codes from 0 to 1.
 double psnr_of(double squared_error) { return psnr_db(255.0 * 255.0 * squared_error); }
@@ -22,7 +26,7 @@ double psnr_of(double squared_error) { return psnr_db(255.0 * 255.0 * squared_er
 void tell_errors(const CachedLightReport& light, FrameReport& report) {
   if (!light.traced) report.kind = "shared";
   report.estimated_psnr_db = psnr_of(light.squared_error);
-  report.psnr_at_least_db = psnr_of(light.squared_error + kOneSided * light.uncertainty);
+  report.psnr_at_least_db = psnr_of(upper_bound(light.squared_error, light.uncertainty));
   report.estimated_block_psnr_db = psnr_of(light.block_squared_error);
 }
 

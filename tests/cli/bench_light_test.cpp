@@ -128,6 +128,8 @@ TEST(BenchEstimates, tells_of_every_frame_how_far_its_psnr_is_from_what_is_told)
   EXPECT_NEAR(row["largest_error_db"].get<double>(), most, 1e-3);
   EXPECT_NEAR(row["mean_excess_db"].get<double>(), sum / 3.0, 1e-3);
   EXPECT_EQ(row["close_frames"], close);
+  EXPECT_GE(row["bounds_held"], 0);
+  EXPECT_LE(row["bounds_held"], 3);
   EXPECT_LT(most, 10.0);
 }
 

@@ -59,8 +59,8 @@ TEST(FrameErrors, frames_have_in_common_what_errors_are_in_parts_of_what_is_expe
   EXPECT_FLOAT_EQ(errors.of_latest().uncertainty, 0.3f);
   errors.add(error(6.0f, 1.2f), error(9.0f), 4.0f);
   EXPECT_FLOAT_EQ(errors.of_latest().squared, 6.0f);
-  // In parts of what is expected both have a deviation of 0.3; the past weighs 0.6.
-  EXPECT_NEAR(errors.of_latest().uncertainty, 4.0f * std::hypot(0.6f * 0.3f, 0.3f) / 1.6f, 1e-5f);
+  // In parts of what is expected both have a deviation of 0.3, and the past one of 0.15 of its 1.5 more; it weighs 0.6.
+  EXPECT_NEAR(errors.of_latest().uncertainty, 4.0f * std::hypot(0.6f * std::hypot(0.3f, 0.15f * 1.5f), 0.3f) / 1.6f, 1e-5f);
   EXPECT_FLOAT_EQ(errors.found().pixels, 6.0f);  // as an error by itself it is another, for sure
 }
 
