@@ -37,6 +37,12 @@ float power(const WhittedLight& light, float unit, float size) {
   return finite(light.falls_off > 0.0f ? 4.0f * kPi * color : kPi * size * size * color);
 }
 
+/// Which way the triangles of a closed mesh face once it is placed: a mirror turns them.
+Facing mirrored(Facing facing, const Affine3f& place) {
+  if (facing == Facing::kNone || glm::determinant(place.linear) > 0.0f) return facing;
+  return facing == Facing::kOutward ? Facing::kInward : Facing::kOutward;
+}
+
 /// What tree_lights knows of them goes into a tree, and their power with it: from `powers` on from `first` into its last.
 LightTree tree_of(std::span<const TreeLight> lights, std::size_t most_by_power, std::vector<float>& powers, std::size_t first) {
   const auto in_tree = std::count_if(lights.begin(), lights.end(), [](const TreeLight& l) { return l.power > 0.0f; });
@@ -110,7 +116,8 @@ void LightTable::add_triangles(std::vector<float>& powers) {
   std::vector<TreeLight> lights(triangles_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t)
     if (powers[first + t] > 0.0f)
-      lights[t] = tree_light(triangles_[t].origin, triangles_[t].edge_b, triangles_[t].edge_c, powers[first + t]);
+      lights[t] =
+          tree_light(triangles_[t].origin, triangles_[t].edge_b, triangles_[t].edge_c, powers[first + t], triangles_[t].closed);
   triangle_tree_ = tree_of(lights, kMostTrianglesByPower, powers, first);
 }
 
@@ -129,6 +136,7 @@ void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
   first_triangle_[r] = static_cast<int>(triangles_.size());
   record_shares_.resize(sources_.records.size(), 0.0f);
   const Affine3f place = record.placed ? record.world_from_mesh : Affine3f{};
+  const Facing closed = mirrored(facing_of_closed(*record.mesh), place);
   for (std::uint32_t t = 0; t < record.mesh->triangles.size(); ++t) {
     const auto& [a, b, c] = record.mesh->triangles[t];
     const Vec3f origin = transform_point(place, record.mesh->positions[a]);
@@ -137,8 +145,8 @@ void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
     const Vec3f n = glm::cross(edge_b, edge_c);
     const float twice_area = glm::length(n);
     const bool has_area = twice_area > 0.0f && std::isfinite(twice_area);
-    triangles_.push_back(
-        {origin, edge_b, edge_c, has_area ? n / twice_area : Vec3f(0.0f), 0.5f * twice_area, static_cast<std::uint32_t>(r), t});
+    triangles_.push_back({origin, edge_b, edge_c, has_area ? n / twice_area : Vec3f(0.0f), 0.5f * twice_area,
+                          static_cast<std::uint32_t>(r), t, closed});
     // Both sides shine.
     powers.push_back(has_area ? finite(kPi * 2.0f * triangles_.back().area * radiance) : 0.0f);
     record_shares_[r] += powers.back();

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "shading/closed_mesh.hpp"
 #include "shading/light_sample.hpp"
 #include "shading/light_tree.hpp"
 #include "shading/materials.hpp"
@@ -53,7 +54,7 @@ inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kRoun
     kLamps{LightGroup::kLamps, LightGroup::kSky}, kSkyLight{LightGroup::kSky, LightGroup::kEnd};
 
 /// So many lamps of a group, or triangles, are drawn by their power; of more a tree is made.
-inline constexpr std::size_t kMostLampsByPower = 4, kMostTrianglesByPower = 32;
+inline constexpr std::size_t kMostLampsByPower = 4, kMostTrianglesByPower = 4;
 
 class LightTable {
  public:
@@ -115,6 +116,7 @@ class LightTable {
     Vec3f origin, edge_b, edge_c, normal;  ///< world space; normal unit
     float area;
     std::uint32_t record, prim;
+    Facing closed;  ///< in world space
   };
 
   // Entries of chances_: every group but the surroundings' ends with its tree, whether there is one or not.

@@ -9,6 +9,8 @@ constexpr float kLeastFacing = 1.0f / 16.0f;
 constexpr float kLeastSquared = 1e-20f;
 /// What shines along its face still counts so much: rounding may not take it away.
 constexpr float kLeastSquaredCosine = 1e-6f;
+/// Rounding may not make it negative either.
+constexpr float kLeastFaceShining = 1e-4f;
 /// Where any of a cluster's cones shines, the cluster keeps at least this share of its mean over all directions. A single
 /// lamp keeps at least that share of its full light, so that rounding does not take away what it shines at its cone's rim.
 constexpr float kLeastShining = 1.0f / 16.0f, kLeastFading = 1e-3f;
@@ -66,7 +68,9 @@ LIPPMANN_INLINE void weigh_faces(const LightNode& n, const LightFaces& f, const 
     const float mean = std::max(dx * dx + dy * dy + dz * dz + n.variance[i], kLeastSquared);
     const float along = dx * dx * f.xx[i] + dy * dy * f.yy[i] + dz * dz * f.zz[i] +
                         2.0f * (dx * dy * f.xy[i] + dx * dz * f.xz[i] + dy * dz * f.yz[i]);
-    w[i] *= std::sqrt((std::max(along, 0.0f) + (1.0f / 16.0f) * n.variance[i]) / mean + kLeastSquaredCosine);
+    const float even = std::sqrt((std::max(along, 0.0f) + (1.0f / 16.0f) * n.variance[i]) / mean + kLeastSquaredCosine);
+    const float front = (f.front.x[i] * dx + f.front.y[i] * dy + f.front.z[i] * dz) / std::sqrt(mean);
+    w[i] *= std::max(even - front, kLeastFaceShining);
   }
 }
 

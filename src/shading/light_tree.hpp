@@ -13,13 +13,17 @@
 // are means over a cluster, |x - middle|^2 + variance, and cosines are smoothed by the same variance, in place of bounds by
 // boxes: what lies within a cluster gets no importance that jumps. 3. Clusters are cut by place alone. 4. One light is drawn,
 // no splitting. 5. A light below a point's horizon keeps a sixteenth of its importance: normals may be bent.
+//    6. So does what shines inward in a closed body: the point may be inside, or the body may let light through.
 //
 // Symbols: w importance; p power; d distance of the middle; v variance; n the receiver's normal; M mean of m m^T over the
 // cluster's faces m.   w = p facing shining / (d^2 + v)
 //   facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / 2 sqrt(d^2 + v); 1 where light may come from either side
 //   shining, of what shines by cones: 0 where the point lies beyond all of them; else of a single lamp what its cone fades to,
 //   and of a cluster the mean of that over its lamps, as polynomial of second degree in -d / sqrt(d^2 + v), fitted over all
-//   directions; of faces: sqrt((d.M d + v / 16) / (d^2 + v)), and a thousandth at least
+//   directions; of faces: sqrt((d.M d + v / 16) / (d^2 + v) + 1e-6) - F.d / sqrt(d^2 + v)
+// Faces of closed bodies, which hide what shines inward, keep a sixteenth of their cosine there: they count ((1 + 1/16) / 2)^2
+// in M, and F is the mean of (1 - 1/16) / 2 of their outward m; of others F is 0. Of one such face, shining is its cosine
+// before it, and a sixteenth of that behind it.
 #pragma once
 
 #include <cstdint>
@@ -48,6 +52,7 @@ struct TreeLight {
   float half_angle = kPi;
   float inner_angle = kPi;  ///< and in full up to here: in between it fades with the squared cosine
   Vec3f face{0.0f};         ///< unit normal of what shines to both sides by the cosine; null: it shines all around alike
+  bool is_closed = false;   ///< behind the face is the inside of a body, which hides it from there
 };
 
 /// Sixteen children, side by side.
@@ -75,9 +80,10 @@ struct LightBeams {
 struct LightBoxes {
   Lanes3 lower, upper;
 };
-/// The children's matrices M.
+/// The children's matrices M and vectors F.
 struct LightFaces {
   Lanes xx, yy, zz, xy, xz, yz;
+  Lanes3 front;
 };
 
 class LightTree {
@@ -112,6 +118,8 @@ class LightTree {
 
  private:
   friend class LightTreeBuilder;
+  /// What a closed body's face keeps of its cosine on its inner side.
+  static constexpr float kLeastInward = 1.0f / 16.0f;
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
 
   struct Line {

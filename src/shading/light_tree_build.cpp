@@ -246,14 +246,19 @@ class LightTreeBuilder {
 
   void describe_faces(Members part, double power, LightFaces& faces, int lane) const {
     glm::dmat3 sum(0.0);
+    Vec3d front(0.0);
     for (const std::uint32_t l : part) {
       const Vec3d m(lights_[l].face);
+      const double inward = lights_[l].is_closed ? static_cast<double>(LightTree::kLeastInward) : 1.0;
+      const double even = 0.5 * (1.0 + inward), odd = 0.5 * (1.0 - inward);
       const double share = static_cast<double>(lights_[l].power) / power;
-      sum += share * (lights_[l].face == Vec3f(0.0f) ? glm::dmat3(1.0) : glm::outerProduct(m, m));
+      sum += share * (lights_[l].face == Vec3f(0.0f) ? glm::dmat3(1.0) : even * even * glm::outerProduct(m, m));
+      front += share * odd * m;
     }
     const glm::mat3 mean(sum);
     faces.xx[lane] = mean[0][0], faces.yy[lane] = mean[1][1], faces.zz[lane] = mean[2][2];
     faces.xy[lane] = mean[0][1], faces.xz[lane] = mean[0][2], faces.yz[lane] = mean[1][2];
+    faces.front.set(lane, Vec3f(front));
   }
 
   LightTree& tree_;

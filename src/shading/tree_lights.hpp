@@ -1,6 +1,7 @@
 // What lamps and triangles that shine are to a tree of lights.
 #pragma once
 
+#include "shading/closed_mesh.hpp"
 #include "shading/light_tree.hpp"
 #include "shading/materials.hpp"
 
@@ -9,7 +10,8 @@ namespace lippmann {
 /// A lamp; without power where no tree serves it: it is at no place, or falls off by something else than the squared distance.
 TreeLight tree_light(const WhittedLight& lamp);
 
-/// A triangle with area. power: by area and radiance, in any unit that all triangles share.
-TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power);
+/// A triangle with area. power: by area and radiance, in any unit that all triangles share. closed: which way it faces, as one
+/// of a closed mesh.
+TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, Facing closed = Facing::kNone);
 
 }  // namespace lippmann

@@ -31,8 +31,8 @@ class RandomPlaces {
   std::mt19937 random_;
 };
 
-enum class Kind { kPoints, kSpots, kFadingSpots, kBalls, kFaces };
-constexpr Kind kKinds[] = {Kind::kPoints, Kind::kSpots, Kind::kFadingSpots, Kind::kBalls, Kind::kFaces};
+enum class Kind { kPoints, kSpots, kFadingSpots, kBalls, kFaces, kClosedFaces };
+constexpr Kind kKinds[] = {Kind::kPoints, Kind::kSpots, Kind::kFadingSpots, Kind::kBalls, Kind::kFaces, Kind::kClosedFaces};
 
 /// Powers from 0.01 to 1, ranges from 1 to 10 of every third.
 std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed) {
@@ -47,7 +47,8 @@ std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed
       light.inner_angle = light.half_angle * random.number(0.0f, 1.0f);
     }
     if (kind == Kind::kBalls) light.radius = random.number(0.0f, 0.5f), light.variance = squared(light.radius);
-    if (kind == Kind::kFaces) light.face = random.direction();
+    if (kind == Kind::kFaces || kind == Kind::kClosedFaces) light.face = random.direction();
+    light.is_closed = kind == Kind::kClosedFaces;
   }
   return lights;
 }
@@ -100,6 +101,15 @@ TEST(LightTree, draws_faces_by_their_cosine_from_either_side) {
   lights[0].face = {0, 0, 1};
   lights[1].face = {0, std::sqrt(0.75f), -0.5f};
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 2.0f / 3.0f, 1e-6f);
+}
+
+// A closed body's face shines before it in full, and keeps a sixteenth behind it.
+TEST(LightTree, draws_faces_of_closed_bodies_where_they_face_the_point) {
+  std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
+  for (TreeLight& light : lights) light.face = {0, 0, -1}, light.is_closed = true;
+  const LightTree tree(lights);
+  EXPECT_NEAR(tree.probability(0, {}), 16.0f / 17.0f, 1e-3f);
+  EXPECT_NEAR(tree.probability(0, {}) + tree.probability(1, {}), 1.0f, 1e-6f);
 }
 
 // Half way between the cosines of its outer and inner cone a lamp gives a quarter of what it gives along its axis.
@@ -162,7 +172,8 @@ TEST(LightTree, probabilities_sum_to_one_wherever_it_is_asked) {
         if (!any) continue;  // all are out of reach
         // Where a cluster seems to be in reach and no light in it is, the descent ends without one.
         EXPECT_LE(sum, 1.0 + 1e-4) << static_cast<int>(kind) << ' ' << count;
-        EXPECT_GT(sum, kind == Kind::kFaces ? 0.999 : 0.0) << static_cast<int>(kind) << ' ' << count;
+        EXPECT_GT(sum, kind == Kind::kFaces || kind == Kind::kClosedFaces ? 0.999 : 0.0)
+            << static_cast<int>(kind) << ' ' << count;
       }
     }
 }

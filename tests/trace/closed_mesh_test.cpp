@@ -1,0 +1,147 @@
+// Which meshes enclose a body, and what it gives to know it of lamps.
+#include "shading/closed_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+/// The face of a cube of side 2 * half around the origin whose outward normal is `axis` times `sign`; counter-clockwise from
+/// outside.
+void add_face(Mesh& mesh, int axis, float sign, float half) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const auto& [u, v] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
+    Vec3f at(0.0f);
+    at[axis] = sign * half, at[(axis + 1) % 3] = sign * u * half, at[(axis + 2) % 3] = v * half;
+    mesh.positions.push_back(at);
+  }
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+/// With four vertices of its own for each face.
+Mesh cube(float half) {
+  Mesh mesh;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {-1.0f, 1.0f}) add_face(mesh, axis, sign, half);
+  return mesh;
+}
+
+Mesh turned_inside_out(Mesh mesh) {
+  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  return mesh;
+}
+
+TEST(ClosedMesh, a_cube_faces_outward_and_inside_out_inward) {
+  EXPECT_EQ(facing_of_closed(cube(1.0f)), Facing::kOutward);
+  EXPECT_EQ(facing_of_closed(turned_inside_out(cube(1.0f))), Facing::kInward);
+  EXPECT_EQ(facing_of_closed(cube(1e-4f)), Facing::kOutward);
+  EXPECT_EQ(facing_of_closed(cube(1e6f)), Facing::kOutward);
+}
+
+TEST(ClosedMesh, vertices_at_a_seam_count_as_one) {
+  Mesh mesh = cube(1.0f);
+  for (std::size_t v = 0; v < 4; ++v) mesh.positions[v] *= 1.0f + 2e-7f;
+  EXPECT_EQ(facing_of_closed(mesh), Facing::kOutward);
+  for (std::size_t v = 0; v < 4; ++v) mesh.positions[v] *= 1.01f;
+  EXPECT_EQ(facing_of_closed(mesh), Facing::kNone);
+}
+
+TEST(ClosedMesh, a_triangle_without_area_changes_nothing) {
+  Mesh mesh = cube(1.0f);
+  mesh.triangles.push_back({0, 0, 1});
+  EXPECT_EQ(facing_of_closed(mesh), Facing::kOutward);
+}
+
+TEST(ClosedMesh, holes_turned_faces_sheets_and_nonsense_are_none) {
+  Mesh hole = cube(1.0f);
+  hole.triangles.pop_back();
+  EXPECT_EQ(facing_of_closed(hole), Facing::kNone);
+  Mesh turned = cube(1.0f);
+  std::swap(turned.triangles[3][0], turned.triangles[3][1]);
+  EXPECT_EQ(facing_of_closed(turned), Facing::kNone);
+  Mesh twice = cube(1.0f);
+  twice.triangles.insert(twice.triangles.end(), twice.triangles.begin(), twice.triangles.begin() + 12);
+  EXPECT_EQ(facing_of_closed(twice), Facing::kNone);
+  EXPECT_EQ(facing_of_closed(square(1.0f, 0.0f)), Facing::kNone);
+  Mesh sheet = square(1.0f, 0.0f);
+  for (const auto& t : square(1.0f, 0.0f).triangles) sheet.triangles.push_back({t[0], t[2], t[1]});
+  EXPECT_EQ(facing_of_closed(sheet), Facing::kNone) << "without a volume";
+  EXPECT_EQ(facing_of_closed(Mesh{}), Facing::kNone);
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    Mesh mesh = cube(1.0f);
+    mesh.positions[5].y = bad;
+    EXPECT_EQ(facing_of_closed(mesh), Facing::kNone);
+  }
+}
+
+/// A floor below a glowing cube, of one mesh or of six squares, which have the same picture.
+SmallScene below_cube(bool is_closed, bool is_mirrored = false) {
+  SmallScene s;
+  MetallicRoughness floor, shines;
+  floor.metallic = 0.0f, floor.roughness = 1.0f, floor.specular = 0.0f;
+  shines = floor;
+  shines.base_color = Vec4f(0, 0, 0, 1), shines.emissive = Vec3f(40.0f);
+  s.add(square(2, 0), s.material(floor));
+  const int material = s.material(shines);
+  const auto lift = [&](Mesh mesh) {
+    if (is_mirrored) mesh = turned_inside_out(mesh);
+    for (Vec3f& p : mesh.positions) p += Vec3f(0.7f, 0.3f, 1.5f);
+    s.add(mesh, material);
+  };
+  if (is_closed) lift(cube(0.2f));
+  for (int axis = 0; !is_closed && axis < 3; ++axis)
+    for (const float sign : {-1.0f, 1.0f}) {
+      Mesh face;
+      add_face(face, axis, sign, 0.2f);
+      lift(face);
+    }
+  return s;
+}
+
+const Affine3f kEye{Mat3f(0.1f), Vec3f(0.0f)};  // at (0, 0, 1), looking at the square +-0.2 around the origin
+
+Image floor_below(const SmallScene& s, int spp) { return trace_paths(s.scene, single_view(16), spp, {}, 1, kEye).film; }
+
+double squared_error(const Image& film, const Image& truth) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < film.data.size(); ++i) {
+    const auto d = static_cast<double>(film.data[i] - truth.data[i]);
+    sum += d * d;
+  }
+  return sum;
+}
+
+// Half of what shines is turned away from any point; a closed lamp is hardly ever asked for it.
+TEST(ClosedMesh, closed_lamps_give_the_same_light_with_less_noise) {
+  const Image truth = floor_below(below_cube(false), 4096);
+  for (const bool is_mirrored : {false, true}) {
+    const SmallScene closed = below_cube(true, is_mirrored);
+    EXPECT_NEAR(mean(floor_below(closed, 1024)), mean(truth), 0.003 * mean(truth));
+    EXPECT_LT(squared_error(floor_below(closed, 8), truth), 0.6 * squared_error(floor_below(below_cube(false), 8), truth));
+  }
+}
+
+// From within all faces show their inner side, which none keeps out.
+TEST(ClosedMesh, a_room_that_shines_inward_gives_its_light) {
+  SmallScene s;
+  MetallicRoughness grey, shines;
+  grey.metallic = 0.0f, grey.roughness = 1.0f, grey.specular = 0.0f;
+  shines = grey;
+  shines.base_color = Vec4f(0, 0, 0, 1), shines.emissive = Vec3f(1.0f);
+  s.add(square(0.5f, 0), s.material(grey));
+  s.add(cube(3.0f), s.material(shines));
+  // A furnace: a matte floor shows its albedo times the radiance all around; the floor hides nothing from its own side.
+  const auto albedo = static_cast<double>(grey.base_color.x);
+  EXPECT_NEAR(mean(floor_below(s, 256)), albedo, 0.01 * albedo);
+}
+
+}  // namespace
+}  // namespace lippmann
