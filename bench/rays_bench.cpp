@@ -78,9 +78,11 @@ class StoredHits {
 };
 
 /// Traces ready packets; returns a sum over the results so that nothing is optimised away.
-double trace_bare(const RayScene::Embree& scene, const RayLog& log) {
+double trace_bare(const RayScene& rays, const RayLog& log) {
+  const RayScene::Embree& scene = rays.embree();
   RayHitPacket packet;
   ShadowContext context;
+  context.geometry = &rays;
   for (float& t : context.transmittance) t = 1.0f;
   double sum = 0.0;
   for (const LoggedPacket& logged : log) {
@@ -174,12 +176,12 @@ class RayBench {
     // Each side runs twice and the second run counts: both find caches and branch predictors alike.
     WhittedTracer timed(scene_, beam_, {max_depth_}, {.all = film_.data.data()});
     times.whitted += second_run([&] { trace_strip(scene_, packets, timed); });
-    times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_.embree(), log_); });
+    times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_, log_); });
     times.primary += second_run([&] {
       hits_.clear();
       trace_strip(scene_, packets, hits_);
     });
-    times.bare_primary += second_run([&] { sink_ = sink_ + trace_bare(scene_.embree(), primaries_); });
+    times.bare_primary += second_run([&] { sink_ = sink_ + trace_bare(scene_, primaries_); });
   }
 
   const ShadedScene& scene_;

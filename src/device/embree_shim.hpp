@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "device/ray_packet.hpp"
+#include "device/scene_geometry.hpp"
 
 namespace lippmann {
 
@@ -55,6 +56,9 @@ struct ShadowContext {
 #endif
   // `embree` comes first: Embree hands its address to filters, which take it for the whole. A ray's id is its lane.
   alignas(64) float transmittance[kLanes];
+  Lanes3 tint;  ///< multiplies it where is_tinted
+  bool is_tinted = false;
+  const SceneGeometry* geometry = nullptr;  ///< what filters of meshes look hits up in
 };
 
 /// The active lanes whose rays are numbers, and whose coordinates lie within `reach`: less than kLargestReach where instances

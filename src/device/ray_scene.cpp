@@ -145,16 +145,21 @@ void RayScene::trace(const LaneMask& active, RayHitPacket& packet, Coherence coh
   if (any_visible_light) meet_lights(visible_lights.data(), visible_lights.size(), active, packet);
 }
 
-void RayScene::trace_shadows(LaneMask& active, RayPacket& rays, Lanes& transmittance) const {
+void RayScene::trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const {
+  transmittance.is_tinted = false;
   active = sound_lanes(rays, reach, active);
   LaneMask lit = active;
-  if (!planes.empty() && !cross_planes(planes.data(), planes.size(), active, rays, transmittance, lit)) return;
+  if (!planes.empty() && !cross_planes(planes.data(), planes.size(), active, rays, transmittance.white, lit)) return;
   ShadowContext context;
-  std::copy_n(transmittance.lane, kLanes, context.transmittance);
+  context.geometry = this;
+  std::copy_n(transmittance.white.lane, kLanes, context.transmittance);
   if (embree_->has_fixed) occluded(embree_->fixed.get(), embree_->native_width, lit, rays, context);
-  if (embree_->has_moving && (!embree_->has_fixed || cross_planes(nullptr, 0, active, rays, transmittance, lit)))
+  if (embree_->has_moving && (!embree_->has_fixed || cross_planes(nullptr, 0, active, rays, transmittance.white, lit)))
     occluded(embree_->moving.get(), embree_->native_width, lit, rays, context);
-  std::copy_n(context.transmittance, kLanes, transmittance.lane);
+  std::copy_n(context.transmittance, kLanes, transmittance.white.lane);
+  if (!context.is_tinted) return;
+  transmittance.tint = context.tint;
+  transmittance.is_tinted = true;
 }
 
 }  // namespace lippmann

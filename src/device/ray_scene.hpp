@@ -10,6 +10,7 @@
 #include "device/ray_packet.hpp"
 #include "device/scene_geometry.hpp"
 #include "device/shadow_materials.hpp"
+#include "device/transmittance.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/scene/timeline.hpp"
 
@@ -32,8 +33,9 @@ class RayScene : public SceneGeometry {
   void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence) const;
 
   /// Sets tfar of active lanes to -inf where something opaque lies between tnear and tfar, and multiplies their transmittance
-  /// by what see-through surfaces let pass. Takes lanes whose rays are no numbers out of `active`: they get no light.
-  void trace_shadows(LaneMask& active, RayPacket& rays, Lanes& transmittance) const;
+  /// by what see-through surfaces let pass: `white` is read and written, the tint begins anew. Takes lanes whose rays are no
+  /// numbers out of `active`: they get no light.
+  void trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const;
 
   struct Embree;
   const Embree& embree() const { return *embree_; }  ///< for this part and benchmarks of it

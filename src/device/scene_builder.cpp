@@ -196,7 +196,7 @@ class SceneBuilder {
     if (!vertices || !indices) check_embree(embree_.device.get(), "storing a mesh");
     std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3f*>(vertices));
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(indices));
-    if (std::unique_ptr<ShadowCaster> caster = materials_.caster(instance, mesh)) {
+    if (std::unique_ptr<ShadowCaster> caster = materials_.caster(instance)) {
       filter_shadows(geometry.get(), *caster);
       embree_.shadow_casters.push_back(std::move(caster));
     }

@@ -3,16 +3,40 @@
 namespace lippmann {
 namespace {
 
+/// Ids of what is attached to a scene are records. Of placed meshes, Embree shows the ray as the mesh sees it.
+ShadowHit shadow_hit(const RTCFilterFunctionNArguments* args, const SceneGeometry& geometry, unsigned i) {
+  const unsigned placed = RTCHitN_instID(args->hit, args->N, i, 0);
+  const GeometryRecord& record = geometry.records[placed != kNoId ? placed : RTCHitN_geomID(args->hit, args->N, i)];
+  const Vec3f direction(RTCRayN_dir_x(args->ray, args->N, i), RTCRayN_dir_y(args->ray, args->N, i),
+                        RTCRayN_dir_z(args->ray, args->N, i));
+  return {record,
+          RTCHitN_primID(args->hit, args->N, i),
+          {RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i)},
+          {RTCHitN_Ng_x(args->hit, args->N, i), RTCHitN_Ng_y(args->hit, args->N, i), RTCHitN_Ng_z(args->hit, args->N, i)},
+          record.placed ? record.world_from_mesh.linear * direction : direction};
+}
+
 /// Ray ids are lanes.
+void weaken(ShadowContext& context, unsigned lane, Vec3f passes) {
+  if (passes.x == passes.y && passes.y == passes.z) {
+    context.transmittance[lane] *= passes.x;
+    return;
+  }
+  if (!context.is_tinted)
+    for (int i = 0; i < kLanes; ++i) context.tint.set(i, Vec3f(1.0f));
+  context.is_tinted = true;
+  const int i = static_cast<int>(lane);
+  context.tint.set(i, context.tint.get(i) * passes);
+}
+
 void weaken_shadow(const RTCFilterFunctionNArguments* args) {
   const auto& caster = *static_cast<const ShadowCaster*>(args->geometryUserPtr);
   auto* context = reinterpret_cast<ShadowContext*>(args->context);
   for (unsigned i = 0; i < args->N; ++i) {
     if (!args->valid[i]) continue;
-    const Vec2f at(RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i));
-    const float passes = caster.transmittance(RTCHitN_primID(args->hit, args->N, i), at);
-    if (!(passes > 0.0f)) continue;  // opaque: the ray ends here
-    context->transmittance[RTCRayN_id(args->ray, args->N, i)] *= passes;
+    const Vec3f passes = caster.transmittance(shadow_hit(args, *context->geometry, i));
+    if (!(passes.x + passes.y + passes.z > 0.0f)) continue;  // opaque: the ray ends here
+    weaken(*context, RTCRayN_id(args->ray, args->N, i), passes);
     args->valid[i] = 0;
   }
 }

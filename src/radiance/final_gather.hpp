@@ -48,7 +48,7 @@ class FinalGather : public PathTracer<FinalGather> {
   }
   bool asks_all_rounds() const { return lights().rounds() <= kFewLights; }
   void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
-  void end_path(const PathRay& ray, Vec3f radiance) { add_traced(ray.pixel, radiance, ray.depth); }
+  void end_path(const PathRay& ray, Vec3f radiance) { add_traced(ray.pixel, radiance, ray.surfaces()); }
   void trace_shadow_rays();
 
   void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);

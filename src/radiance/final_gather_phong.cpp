@@ -53,7 +53,7 @@ void FinalGather::light_phong(const RayPacket& view, const LaneMask& lanes, std:
   scene_.trace_shadows(shadow_.active, shadow_.rays, shadow_.transmittance);
   for (int i = 0; i < kLanes; ++i)
     if (shadow_.active.lane[i] && shadow_.rays.tfar[i] >= 0.0f)
-      add_traced(lanes_.pixel[i], radiance.get(i) * shadow_.transmittance[i], lanes_.depth[i] + 1);
+      add_traced(lanes_.pixel[i], radiance.get(i) * shadow_.transmittance.at(i), lanes_.depth[i] + 1);
 }
 
 void FinalGather::reflect_phong(const RayHitPacket& packet, const LaneMask& lanes, const PathRay* rays) {

@@ -27,7 +27,7 @@ LIPPMANN_INLINE void aim(const WhittedLight& light, const SurfacePacket& s, Shad
     shadow.rays.dir_x[i] = ux, shadow.rays.dir_y[i] = uy, shadow.rays.dir_z[i] = uz;
     shadow.rays.tnear[i] = s.t_near[i];
     shadow.rays.tfar[i] = distance + beyond;
-    shadow.transmittance[i] = 1.0f;
+    shadow.transmittance.white[i] = 1.0f;
   }
 }
 
@@ -99,6 +99,29 @@ LIPPMANN_INLINE void add_highlight(const Vec3f color, const SurfacePacket& s, co
   }
 }
 
+LIPPMANN_MULTIVERSION void add_untinted_light(const WhittedLight& light, const SurfacePacket& surface, const RayPacket& view,
+                                              const ShadowPacket& shadow, bool tachyon, DirectLight& direct) {
+  const Vec3f color = light.color;
+  Lanes visibility;
+  LIPPMANN_FOR_LANES(i) {
+    const bool lit = (shadow.active.lane[i] != 0) & (shadow.rays.tfar[i] >= 0.0f);
+    const float visible = lit ? shadow.transmittance.white[i] : 0.0f;
+    const float arriving = visible > 0.0f ? shadow.arriving[i] * visible : 0.0f;
+    visibility[i] = visible;
+    direct.diffuse.x[i] += color.x * arriving;
+    direct.diffuse.y[i] += color.y * arriving;
+    direct.diffuse.z[i] += color.z * arriving;
+  }
+  if (surface.any_highlight && highlight_shows(surface, view, shadow, visibility))
+    add_highlight(color, surface, view, shadow, visibility, tachyon ? 1.0f : 0.0f, direct);
+}
+
+/// Adds what has passed tinted surfaces, in lanes that are lit.
+void add_tinted(const Lanes3& tint, const LaneMask& active, const Lanes3& light, Lanes3& to) {
+  for (int i = 0; i < kLanes; ++i)
+    if (active.lane[i]) to.set(i, to.get(i) + tint.get(i) * light.get(i));
+}
+
 }  // namespace
 
 LIPPMANN_MULTIVERSION int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float least_light,
@@ -109,21 +132,13 @@ LIPPMANN_MULTIVERSION int aim_at_light(const WhittedLight& light, const SurfaceP
   return choose_active(surface, least_light, shadow);
 }
 
-LIPPMANN_MULTIVERSION void add_light(const WhittedLight& light, const SurfacePacket& surface, const RayPacket& view,
-                                     const ShadowPacket& shadow, bool tachyon, DirectLight& direct) {
-  const Vec3f color = light.color;
-  Lanes visibility;
-  LIPPMANN_FOR_LANES(i) {
-    const bool lit = (shadow.active.lane[i] != 0) & (shadow.rays.tfar[i] >= 0.0f);
-    const float visible = lit ? shadow.transmittance[i] : 0.0f;
-    const float arriving = visible > 0.0f ? shadow.arriving[i] * visible : 0.0f;
-    visibility[i] = visible;
-    direct.diffuse.x[i] += color.x * arriving;
-    direct.diffuse.y[i] += color.y * arriving;
-    direct.diffuse.z[i] += color.z * arriving;
-  }
-  if (surface.any_highlight && highlight_shows(surface, view, shadow, visibility))
-    add_highlight(color, surface, view, shadow, visibility, tachyon ? 1.0f : 0.0f, direct);
+void add_light(const WhittedLight& light, const SurfacePacket& surface, const RayPacket& view, const ShadowPacket& shadow,
+               bool tachyon, DirectLight& direct) {
+  if (!shadow.transmittance.is_tinted) return add_untinted_light(light, surface, view, shadow, tachyon, direct);
+  DirectLight untinted{};
+  add_untinted_light(light, surface, view, shadow, tachyon, untinted);
+  add_tinted(shadow.transmittance.tint, shadow.active, untinted.diffuse, direct.diffuse);
+  add_tinted(shadow.transmittance.tint, shadow.active, untinted.highlight, direct.highlight);
 }
 
 }  // namespace lippmann

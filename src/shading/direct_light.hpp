@@ -5,6 +5,7 @@
 // has it).
 #pragma once
 
+#include "device/transmittance.hpp"
 #include "shading/surface.hpp"
 
 namespace lippmann {
@@ -22,10 +23,10 @@ struct ShadowPacket {
   ShadowPacket() { make_ready(rays); }
 
   alignas(64) RayPacket rays;
-  LaneMask active;      ///< lanes whose surface faces the light within its range and cone
-  Lanes strength;       ///< what distance and cone leave of the light at the point, for active lanes
-  Lanes arriving;       ///< strength x N.L, for active lanes
-  Lanes transmittance;  ///< 1; once traced, how much of the light passes in lanes that it does not end
+  LaneMask active;              ///< lanes whose surface faces the light within its range and cone
+  Lanes strength;               ///< what distance and cone leave of the light at the point, for active lanes
+  Lanes arriving;               ///< strength x N.L, for active lanes
+  Transmittance transmittance;  ///< 1; once traced, how much of the light passes in lanes that it does not end
 };
 
 /// Fills rays, active, strength and arriving. Light of strength x N.L <= least_light is none. Returns how many lanes are

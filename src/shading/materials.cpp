@@ -1,5 +1,7 @@
 #include "shading/materials.hpp"
 
+#include "shading/surface_bsdf.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -36,10 +38,6 @@ constexpr float kMirrorRoughness = 0.4f;
 // KHR_materials_ior: stands for "reflects everything".
 constexpr float kMirrorLikeIor = 1000.0f;
 
-bool is_thin_wall(const MetallicRoughness& s) {
-  return s.extensions && s.extensions->volume && !s.extensions->volume->is_solid;
-}
-
 WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   WhittedMaterial m;
   m.color = Vec3f(s.base_color);
@@ -74,6 +72,7 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   if (s.transmission > 0.0f) {
     m.opacity = 1.0f - s.transmission;
     m.ior = is_thin_wall(s) ? 1.0f : s.ior;
+    m.wall_ior = is_thin_wall(s) ? s.ior : 0.0f;
   }
   return m;
 }

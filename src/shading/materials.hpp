@@ -33,6 +33,7 @@ struct WhittedMaterial {
   bool has_alpha = false;     ///< opacity *= alpha of texture and vertices (mask or blend)
   float alpha_cutoff = 0.0f;  ///< > 0: that product, times base_alpha, is made 0 below it and 1 from it on
   float base_alpha = 1.0f;
+  float wall_ior = 0.0f;  ///< > 0: what is not opaque is a thin wall of this index, in the surface's colour
 };
 
 /// By whom surfaces are shaded.

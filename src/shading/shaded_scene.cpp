@@ -1,6 +1,6 @@
 #include "shading/shaded_scene.hpp"
 
-#include "shading/look_up.hpp"
+#include "shading/mesh_shadow.hpp"
 
 namespace lippmann {
 namespace {
@@ -11,36 +11,12 @@ Vec3f surroundings(const Scene& scene, const Environment& environment) {
   return b.map ? environment.mean_radiance() : 0.5f * (b.horizon + b.zenith);
 }
 
-/// A mesh with alpha, or whose material lets light pass.
-class MeshShadow final : public ShadowCaster {
- public:
-  /// color: whose alpha counts; null: none.
-  MeshShadow(const WhittedMaterial& material, const Mesh& mesh, const DeviceTexture* color)
-      : material_(material), mesh_(mesh), color_(color) {}
-
-  float transmittance(std::uint32_t triangle, Vec2f barycentric) const override {
-    if (!material_.has_alpha) return shadow_transmittance(material_);
-    float alpha = material_.opacity;
-    const std::vector<Vec2f>& uvs = uvs_of(mesh_, material_.color_map.uv_set);
-    if (color_ && !uvs.empty()) {
-      const Vec2f uv = interpolate(uvs, mesh_.triangles[triangle], barycentric);
-      alpha *= sample_point(*color_, material_.color_map.offset + material_.color_map.matrix * uv).a;
-    }
-    if (!mesh_.alphas.empty()) alpha *= interpolate(mesh_.alphas, mesh_.triangles[triangle], barycentric);
-    if (material_.alpha_cutoff > 0.0f) return material_.base_alpha * alpha >= material_.alpha_cutoff ? 0.0f : 1.0f;
-    return std::clamp(1.0f - alpha, 0.0f, 1.0f);
-  }
-
- private:
-  const WhittedMaterial& material_;
-  const Mesh& mesh_;
-  const DeviceTexture* color_;
-};
-
 }  // namespace
 
 ShadingTables::ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use, const ThreadPool& pool)
-    : lights(make_lights(scene, resolved)), environment(std::make_unique<Environment>(scene.background)) {
+    : lights(make_lights(scene, resolved)),
+      environment(std::make_unique<Environment>(scene.background)),
+      described_materials_(scene.materials) {
   materials = make_material_table(scene, surroundings(scene, *environment), use);
   if (use == MaterialUse::kPaths) {
     path = std::make_unique<PathTables>();
@@ -58,11 +34,9 @@ float ShadingTables::transmittance(std::uint32_t instance) const {
   return shadow_transmittance(materials.materials[material_of_instance[instance]]);
 }
 
-std::unique_ptr<ShadowCaster> ShadingTables::caster(std::uint32_t instance, const Mesh& mesh) const {
-  const WhittedMaterial& material = materials.materials[material_of_instance[instance]];
-  if (!material.has_alpha && !(shadow_transmittance(material) > 0.0f)) return nullptr;
-  const int color = material.color_map.texture;
-  return std::make_unique<MeshShadow>(material, mesh, color >= 0 ? &textures[static_cast<std::size_t>(color)] : nullptr);
+std::unique_ptr<ShadowCaster> ShadingTables::caster(std::uint32_t instance) const {
+  const std::uint32_t material = material_of_instance[instance];
+  return make_mesh_shadow(*this, materials.materials[material], described_materials_[material]);
 }
 
 ShadedScene::ShadedScene(const Scene& described, const ThreadPool& pool, MaterialUse use)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "device/ray_scene.hpp"
@@ -26,7 +27,7 @@ struct ShadingTables : ShadowMaterials {
   ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use, const ThreadPool& pool);
 
   float transmittance(std::uint32_t instance) const override;
-  std::unique_ptr<ShadowCaster> caster(std::uint32_t instance, const Mesh& mesh) const override;
+  std::unique_ptr<ShadowCaster> caster(std::uint32_t instance) const override;
 
   MaterialTable materials;
   std::vector<std::uint32_t> material_of_instance;
@@ -34,6 +35,9 @@ struct ShadingTables : ShadowMaterials {
   std::unique_ptr<Environment> environment;
   std::unique_ptr<PathTables> path;  ///< null: made for Whitted's shading
   std::vector<DeviceTexture> textures;
+
+ private:
+  std::span<const Material> described_materials_;
 };
 
 /// Kernels of shading read both parts of it. Rays know nothing of how they are shaded, but for what lets shadow rays pass.

@@ -1,7 +1,4 @@
-// Normal maps after: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9.3.
 #include "shading/shading_point.hpp"
-
-#include "shading/look_up.hpp"
 
 namespace lippmann {
 namespace {
@@ -20,142 +17,12 @@ const GeometryRecord* mesh_record(const ShadedScene& scene, const SurfacePacket&
   return record.kind == GeometryKind::kMesh ? &record : nullptr;
 }
 
-/// Maps at a point of a mesh; where there is no mesh, all are white.
-struct Maps {
-  const ShadedScene& scene;
-  const GeometryRecord* record;
-  std::uint32_t triangle;
-  Vec2f at;
-
-  Vec4f operator()(const TextureMap& map) const {
-    return record && map.texture >= 0 ? look_up(map, scene.textures, *record->mesh, triangle, at) : Vec4f(1.0f);
-  }
-};
-
-/// Tangent and bitangent for a map: from the file's tangents, else along the map's own coordinates.
-bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f& tangent, Vec3f& bitangent) {
-  const Mesh& mesh = *maps.record->mesh;
-  const auto& corners = mesh.triangles[maps.triangle];
-  const Mat3f linear = maps.record->placed ? maps.record->world_from_mesh.linear : Mat3f(1.0f);
-  if (!mesh.tangents.empty() && map.uv_set == 0) {
-    const Vec4f t = interpolate(mesh.tangents, corners, maps.at);
-    tangent = linear * Vec3f(t);
-    tangent -= normal * glm::dot(normal, tangent);
-    bitangent = (t.w < 0.0f ? -1.0f : 1.0f) * (glm::determinant(linear) < 0.0f ? -1.0f : 1.0f) * glm::cross(normal, tangent);
-  } else {
-    const std::vector<Vec2f>& uvs = uvs_of(mesh, map.uv_set);
-    if (uvs.empty()) return false;
-    const Vec3f edge_b = linear * (mesh.positions[corners[1]] - mesh.positions[corners[0]]);
-    const Vec3f edge_c = linear * (mesh.positions[corners[2]] - mesh.positions[corners[0]]);
-    const Vec2f b = uvs[corners[1]] - uvs[corners[0]], c = uvs[corners[2]] - uvs[corners[0]];
-    const float turned = b.x * c.y - c.x * b.y < 0.0f ? -1.0f : 1.0f;
-    tangent = turned * (edge_b * c.y - edge_c * b.y);     // along growing u
-    bitangent = -turned * (edge_c * b.x - edge_b * c.x);  // against growing v: upwards in the picture
-    tangent -= normal * glm::dot(normal, tangent);
-    bitangent -= normal * glm::dot(normal, bitangent);
-  }
-  const float t = glm::length(tangent), b = glm::length(bitangent);
-  if (!(t > 0.0f && b > 0.0f)) return false;
-  tangent /= t, bitangent /= b;
-  return true;
-}
-
-/// `normal` of a mesh bent as the map says. outer: 1 where the viewer is on the outer side, -1 where he is behind the surface.
-Vec3f mapped_normal(const Maps& maps, const TextureMap& map, float scale, Vec3f normal, float outer) {
-  Vec3f tangent, bitangent;
-  if (!tangent_frame(maps, map, outer * normal, tangent, bitangent)) return normal;
-  const Vec3f n = 2.0f * Vec3f(maps(map)) - Vec3f(1.0f);
-  const Vec3f bent = scale * (n.x * tangent + n.y * bitangent) + std::max(n.z, 1e-3f) * outer * normal;
-  return outer * glm::normalize(bent);
-}
-
-MetalRoughSurface surface_at(const MetallicRoughness& m, Vec3f base_color, const Maps& maps) {
-  const Vec4f metallic_roughness = maps(m.metallic_roughness_map);
-  MetalRoughSurface s;
-  s.base_color = glm::clamp(base_color, Vec3f(0.0f), Vec3f(1.0f));
-  s.metallic = m.metallic * metallic_roughness.b;
-  s.roughness = m.roughness * metallic_roughness.g;
-  s.ior = m.ior;
-  s.specular = m.specular * maps(m.specular_map).a;
-  s.specular_color = m.specular_color * Vec3f(maps(m.specular_color_map));
-  s.transmission = m.transmission * maps(m.transmission_map).r;
-  s.clearcoat = m.clearcoat * maps(m.clearcoat_map).r;
-  s.clearcoat_roughness = m.clearcoat_roughness * maps(m.clearcoat_roughness_map).g;
-  return s;
-}
-
-/// The tangent, turned as an anisotropy's map and rotation say; strength: in, its factor, out, with the map. The null vector
-/// where the mesh has none.
-Vec3f anisotropy_direction(const Anisotropy& anisotropy, const Maps& maps, Vec3f normal, float outer, float& strength) {
-  Vec3f tangent, bitangent;
-  if (!maps.record || !tangent_frame(maps, anisotropy.map, outer * normal, tangent, bitangent)) return Vec3f(0.0f);
-  Vec2f along(1.0f, 0.0f);
-  if (anisotropy.map.texture >= 0) {
-    const Vec4f texel = maps(anisotropy.map);
-    along = {2.0f * texel.r - 1.0f, 2.0f * texel.g - 1.0f};
-    strength *= texel.b;
-  }
-  const float c = std::cos(anisotropy.rotation), s = std::sin(anisotropy.rotation);
-  return (c * along.x - s * along.y) * tangent + (s * along.x + c * along.y) * bitangent;
-}
-
-void set_film(const Iridescence& from, const Maps& maps, LayeredSurface& s) {
-  s.film_share = from.share * maps(from.map).r;
-  s.film.ior = from.ior;
-  s.film.thickness_nm = glm::mix(from.least_thickness_nm, from.most_thickness_nm, maps(from.thickness_map).g);
-  if (!(s.film.thickness_nm > 0.0f)) s.film_share = 0.0f;
-}
-
-/// What only LayeredBsdf knows.
-bool is_layered(const SurfaceExtensions& e) {
-  return e.sheen.color != Vec3f(0.0f) || e.anisotropy.strength > 0.0f || e.iridescence.share > 0.0f ||
-         e.diffuse_transmission.share > 0.0f || (e.volume && !e.volume->is_solid);
-}
-
-LayeredSurface layered_surface(const MetalRoughSurface& base, const SurfaceExtensions& e, const Maps& maps) {
-  LayeredSurface s;
-  s.base = base;
-  s.sheen_color = glm::clamp(e.sheen.color * Vec3f(maps(e.sheen.color_map)), Vec3f(0.0f), Vec3f(1.0f));
-  s.sheen_roughness = e.sheen.roughness * maps(e.sheen.roughness_map).a;
-  if (e.iridescence.share > 0.0f) set_film(e.iridescence, maps, s);
-  s.diffuse_transmission = e.diffuse_transmission.share * maps(e.diffuse_transmission.map).a;
-  s.diffuse_transmission_color = e.diffuse_transmission.color * Vec3f(maps(e.diffuse_transmission.color_map));
-  s.is_thin = e.volume && !e.volume->is_solid;
-  return s;
-}
-
-/// Khronos Group, KHR_materials_dispersion: green is refracted as the material's index says, red less, blue more.
-float ior_of_channel(float ior, float dispersion, int channel) {
-  const float half_spread = (ior - 1.0f) * 0.025f * dispersion;
-  return std::max(1.0f, ior + static_cast<float>(channel - 1) * half_spread);
-}
-
 /// Where the light is that has gone through the surface.
 std::uint16_t medium_behind(const SurfaceExtensions& extensions, const ShadedScene& scene, const SurfacePacket& surface,
                             int i) {
   if (!extensions.volume || !extensions.volume->is_solid) return kSameMedium;
   if (!surface.entering.lane[i]) return kNoMedium;
   return scene.path->media.of_material(scene.material_of_instance[surface.instance[i]]);
-}
-
-/// The directions that a surface looks into.
-struct Facing {
-  Vec3f normal, coat, view;
-  bool entering;
-};
-
-[[gnu::noinline]] Bsdf extended_bsdf(MetalRoughSurface base, const SurfaceExtensions& e, const Maps& maps,
-                                     const GgxAlbedo& albedo, const Facing& facing, int channel) {
-  if (e.dispersion > 0.0f && base.transmission > 0.0f) base.ior = ior_of_channel(base.ior, e.dispersion, channel);
-  if (!is_layered(e))
-    return Bsdf(std::in_place_type<MetalRoughBsdf>, base, albedo, facing.normal, facing.coat, facing.view, facing.entering);
-  LayeredSurface s = layered_surface(base, e, maps);
-  Vec3f along(0.0f);
-  float strength = e.anisotropy.strength;
-  if (strength > 0.0f)
-    along = anisotropy_direction(e.anisotropy, maps, facing.normal, facing.entering ? 1.0f : -1.0f, strength);
-  if (along != Vec3f(0.0f)) s.anisotropy = strength;
-  return Bsdf(std::in_place_type<LayeredBsdf>, s, albedo, facing.normal, along, facing.coat, facing.view, facing.entering);
 }
 
 }  // namespace
@@ -173,7 +40,9 @@ ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surfac
     if (m->unlit) p.emission += p.base_color;
     if (m->extensions) {
       p.behind = medium_behind(*m->extensions, scene, surface, i);
-      p.disperses = m->extensions->dispersion > 0.0f && m->transmission > 0.0f;
+      const bool thin = is_thin_wall(*m);
+      p.disperses = !thin && m->extensions->dispersion > 0.0f && m->transmission > 0.0f;
+      p.is_wall = thin && m->transmission > 0.0f && mesh_record(scene, surface, i);
     }
   } else {
     // Ambient light stands for what paths bring, but where no other light is answered it is the shape's own: a backdrop's.
@@ -199,16 +68,8 @@ Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const Surface
     p.ior = surface.ior[i];
     return Bsdf(std::in_place_type<PhongBsdf>, p, normal, view, entering);
   }
-  const Maps maps{scene, mesh_record(scene, surface, i), packet.hit.primID[i], {packet.hit.u[i], packet.hit.v[i]}};
-  const float outer = entering ? 1.0f : -1.0f;
-  const auto mapped = [&](const TextureMap& map, float scale) {
-    return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, normal, outer) : normal;
-  };
-  const Vec3f bent = mapped(m->normal_map, m->normal_scale), coat = mapped(m->clearcoat_normal_map, m->clearcoat_normal_scale);
-  if (m->extensions)
-    return extended_bsdf(surface_at(*m, color, maps), *m->extensions, maps, scene.path->albedo, {bent, coat, view, entering},
-                         surface.color_channel[i]);
-  return Bsdf(std::in_place_type<MetalRoughBsdf>, surface_at(*m, color, maps), scene.path->albedo, bent, coat, view, entering);
+  const Maps maps{scene.textures, mesh_record(scene, surface, i), packet.hit.primID[i], {packet.hit.u[i], packet.hit.v[i]}};
+  return metal_rough_bsdf(*m, color, maps, scene.path->albedo, {normal, view, entering}, surface.color_channel[i]);
 }
 
 }  // namespace lippmann

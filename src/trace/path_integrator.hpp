@@ -51,7 +51,7 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   float chance(LightGroups) const { return 1.0f; }
   float chance_of_round(std::size_t) const { return 1.0f; }
   void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
-  void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.depth), ray.depth); }
+  void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.surfaces()), ray.surfaces()); }
   void trace_shadow_rays();
 
   void watch_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);

@@ -17,11 +17,16 @@ struct PathRay {
   std::uint32_t pixel = 0;    ///< where its light goes
   std::uint32_t seed = 0, index = 0;  ///< decide its random numbers (transport/sampler.hpp)
   std::uint16_t depth = 0;            ///< vertices on surfaces so far
-  bool spread = false;                ///< scattered by other than Dirac lobes: textures need not be sharp
-  bool one_color = false;             ///< it carries one colour alone, as a surface has dispersed it
+  bool spread : 1 = false;            ///< scattered by other than Dirac lobes: textures need not be sharp
+  bool one_color : 1 = false;         ///< it carries one colour alone, as a surface has dispersed it
+  bool through_wall : 1 = false;      ///< has gone straight through a wall, which is no vertex
   std::uint16_t events : 13 = 0;      ///< vertices, passed surfaces included: what the random numbers go by
   std::uint16_t lights_from : 3 = 0;  ///< LightGroups before this one have been sampled already: to meet them adds nothing
   std::uint16_t medium = kNoMedium;   ///< the medium that it is in
+
+  bool has_met_nothing() const { return depth == 0 && !through_wall; }
+  /// Surfaces that have shaped its light; a wall before the first vertex makes it no light that is seen as it is.
+  int surfaces() const { return depth > 0 || !through_wall ? depth : 1; }
 };
 
 /// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.
@@ -53,14 +58,19 @@ inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
 /// the point asks for lights.
 inline void scatter(PathRay& ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
                     float length) {
-  ray.origin = point.position, ray.direction = sample.direction;
+  ray.origin = point.position;
   ray.throughput = throughput;
   ray.t_near = point.t_near, ray.path_length = length;
-  ++ray.depth, ++ray.events;
+  ++ray.events;
+  if (sample.is_vertex)
+    ++ray.depth;
+  else
+    ray.through_wall = true;
   ray.spread |= !sample.is_delta();
   if (sample.transmitted && point.behind != kSameMedium) ray.medium = point.behind;
   // What shines straight behind is reached by the last vertex's shadow rays, too.
   if (sample.straight) return;
+  ray.direction = sample.direction;
   ray.density = sample.density, ray.scattered_at = length, ray.lights_from = 0;
   ray.lit_side = lit_side;
 }

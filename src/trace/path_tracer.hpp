@@ -109,6 +109,7 @@ class PathTracer {
   void go_on(const PathRay& ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
              float length, std::uint64_t& count) {
     if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return;
+    if (!sample.is_vertex && ray.events >= kMostEvents) return;
     ++count;
     scatter(next_.emplace_back(ray), point, lit_side, sample, throughput, length);
   }
@@ -207,7 +208,7 @@ class PathTracer {
       if (ray.density == kInfinity) policy().end_path(ray, ray.throughput * scene_.lights[id - kLightId].color);
       return;
     }
-    if (film_.open && ray.depth == 0) {
+    if (film_.open && ray.has_met_nothing()) {
       film_.open[ray.pixel] += 1.0f;
       return;
     }
@@ -231,11 +232,22 @@ class PathTracer {
     describe_first(point, i, ray);
     if constexpr (Policy::kSeesLight)
       if (point.emission != Vec3f(0.0f)) add_emission(packet, i, ray, point.emission);
-    if (!point.scatters || ray.depth + 1 > params_.max_depth) return;
+    if (!point.scatters) return;
+    if (ray.depth + 1 > params_.max_depth) return pass_wall(packet, i, ray, point, length);
     if (point.disperses)
       policy().vertex(packet, i, of_one_color(ray, i), point, length);
     else
       policy().vertex(packet, i, ray, point, length);
+  }
+
+  /// Paths that may have no more vertices: the last one's shadow rays pass walls, so what it has drawn does, too.
+  void pass_wall(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
+    if (!Policy::kSeesLight || !point.is_wall) return;
+    BsdfSample on;
+    on.direction = ray.direction, on.density = kInfinity;
+    on.transmitted = on.straight = true, on.is_vertex = false;
+    const Vec3f straight = bsdf_at(scene_, packet, surface_, i).straight();
+    go_on(ray, point, Vec3f(0.0f), on, ray.throughput * straight, length, counts_.reflection);
   }
 
   /// From the first surface on that disperses light, a path is one of red, green or blue light, which stands for three: else
@@ -253,7 +265,7 @@ class PathTracer {
 
  protected:
   void describe_first(const ShadingPoint& point, int i, const PathRay& ray) {
-    if (film_.surfaces && ray.depth == 0 && point.scatters)
+    if (film_.surfaces && ray.has_met_nothing() && point.scatters)
       film_.surfaces->add(point, surface_.normal.get(i), ray.pixel, weight_);
   }
 

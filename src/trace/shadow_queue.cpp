@@ -10,7 +10,7 @@ std::size_t ShadowQueue::fill_packet(std::size_t first) {
     packet_.rays.dir_x[i] = ray.direction.x, packet_.rays.dir_y[i] = ray.direction.y, packet_.rays.dir_z[i] = ray.direction.z;
     packet_.rays.tnear[i] = ray.t_near, packet_.rays.tfar[i] = ray.t_far;
     packet_.active.lane[i] = i < count ? -1 : 0;
-    packet_.transmittance[i] = 1.0f;
+    packet_.transmittance.white[i] = 1.0f;
   }
   return count;
 }

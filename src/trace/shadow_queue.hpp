@@ -57,7 +57,8 @@ class ShadowQueue {
     for (std::size_t first = 0; first < rays_.size(); first += kLanes) {
       const std::size_t count = trace_packet(scene, first);
       for (std::size_t i = 0; i < count; ++i)
-        if (arrives(static_cast<int>(i))) add(rays_[first + i], rays_[first + i].radiance * transmittance(static_cast<int>(i)));
+        if (arrives(static_cast<int>(i)))
+          add(rays_[first + i], rays_[first + i].radiance * packet_.transmittance.at(static_cast<int>(i)));
     }
     const std::size_t all = rays_.size();
     rays_.clear();
@@ -68,7 +69,6 @@ class ShadowQueue {
   std::size_t fill_packet(std::size_t first);
   std::size_t trace_packet(const ShadedScene& scene, std::size_t first);
   bool arrives(int i) const { return packet_.active.lane[i] && packet_.rays.tfar[i] >= 0.0f; }
-  float transmittance(int i) const { return packet_.transmittance[i]; }
 
   std::vector<ShadowRay> rays_;
   ShadowPacket packet_;

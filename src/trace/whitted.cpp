@@ -1,6 +1,7 @@
 #include "trace/whitted.hpp"
 
 #include "device/ray_scene.hpp"
+#include "trace/see_through.hpp"
 
 namespace lippmann {
 namespace {
@@ -150,15 +151,6 @@ void end_in_panorama(const Environment& environment, const LaneMask& hit, const 
   }
 }
 
-/// What alpha does not cover is as if nothing were there; what glass lets through has met the glass.
-void keep_holes_open(const ShadedScene& scene, const SurfacePacket& s, Branches& branches) {
-  for (int i = 0; i < kLanes; ++i) {
-    if (!s.hit.lane[i] || !(s.opacity[i] < 1.0f)) continue;
-    const WhittedMaterial& material = scene.materials.materials[scene.material_of_instance[s.instance[i]]];
-    if (material.has_alpha && material.ior == 1.0f) branches.open[kLanes + i] = 1.0f - s.opacity[i];
-  }
-}
-
 }  // namespace
 
 WhittedTracer::WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params,
@@ -256,6 +248,7 @@ void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const Wh
 void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance) {
   Branches branches;
   branch_off(packet.ray, surface_, branches);
+  if (surface_.any_see_through) tint_walls(scene_, surface_, packet.ray, branches);
   if (last) {
     const Background& background = scene_.scene->background;
     for (const int first : {0, kLanes}) {

@@ -18,6 +18,7 @@ struct BsdfSample {
   float density = 0.0f;      ///< per steradian; kInfinity: drawn from a Dirac lobe
   bool transmitted = false;  ///< goes on behind the surface
   bool straight = false;     ///< goes on as if nothing were there
+  bool is_vertex = true;     ///< false: what goes straight on does not count among a path's vertices
   bool is_delta() const { return density == kInfinity; }
 };
 

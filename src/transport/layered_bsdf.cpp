@@ -43,6 +43,7 @@ LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, Vec3f
                          Vec3f view, bool entering)
     : surface_(s),
       albedo_(albedo),
+      ahead_(-view),
       frame_(s.anisotropy > 0.0f ? frame_along(normal, tangent) : Frame(normal)),
       view_(lifted(frame_.to_local(view))),
       is_smooth_(s.anisotropy == 0.0f && is_mirror(squared(s.base.roughness))),
@@ -274,11 +275,17 @@ bool LayeredBsdf::draw_gloss(Vec2f u, BsdfSample& s) const {
   return true;
 }
 
+Vec3f LayeredBsdf::straight() const {
+  if (!surface_.is_thin || !is_smooth_ || !(glass_share_ > 0.0f)) return Vec3f(0.0f);
+  return below_coat_ * sheen_passes_ * glass_share_ * glass_facet(view_.z).transmitted;
+}
+
 /// Reflects or transmits at the surface or at a facet. decision in [0, 1).
 bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   const Vec3f normal = is_smooth_ ? kAbove : ggx_.sample_visible(view_, u);
   const GlassFacet facet = glass_facet(glm::dot(view_, normal));
   s.transmitted = !(decision < facet.chance);
+  if (s.transmitted && surface_.is_thin && is_smooth_) return pass_straight(shares_.glass * (1.0f - facet.chance), s);
   Vec3f light = mirrored(view_, normal);
   if (s.transmitted) light = surface_.is_thin ? flipped(light) : refracted_away(view_, normal, eta_);
   if (light.z == 0.0f || (light.z < 0.0f) != s.transmitted) return false;
@@ -287,6 +294,16 @@ bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   const float chance = shares_.glass * (s.transmitted ? 1.0f - facet.chance : facet.chance);
   s.density = kInfinity;
   s.weight = below_coat_ * below_sheen(light) * glass_share_ / chance * (s.transmitted ? facet.transmitted : facet.reflected);
+  return true;
+}
+
+/// chance: of doing so.
+bool LayeredBsdf::pass_straight(float chance, BsdfSample& s) const {
+  s.direction = ahead_;  // as it is: views are lifted, and what is seen through panes of many walls must not drift
+  s.density = kInfinity;
+  s.weight = straight() / chance;
+  s.straight = surface_.shadow_rays_pass;
+  s.is_vertex = !surface_.shadow_rays_pass;
   return true;
 }
 

@@ -26,7 +26,8 @@ struct LayeredSurface {
   ThinFilm film;
   float diffuse_transmission = 0.0f;  ///< share of the diffuse light
   Vec3f diffuse_transmission_color{1.0f};
-  bool is_thin = false;  ///< what transmits is a wall so thin that it bends nothing
+  bool is_thin = false;           ///< what transmits is a wall so thin that it bends nothing
+  bool shadow_rays_pass = false;  ///< such a wall: what goes straight() on is known to light that is sampled beyond it
 };
 
 class LayeredBsdf {
@@ -44,6 +45,8 @@ class LayeredBsdf {
   BsdfValue evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return frame_.z; }
   bool is_sharp() const;
+  /// What passes a smooth thin wall straight on, a Dirac lobe of sample(); 0 of all else.
+  Vec3f straight() const;
   bool scatters_through() const { return glass_share_ > 0.0f || through_color_ != Vec3f(0.0f); }
   LayeredBsdf without_diffuse() const;
 
@@ -81,10 +84,12 @@ class LayeredBsdf {
   bool draw(float lobe, Vec2f u, BsdfSample& s) const;
   bool draw_gloss(Vec2f u, BsdfSample& s) const;
   bool draw_glass(float decision, Vec2f u, BsdfSample& s) const;
+  bool pass_straight(float chance, BsdfSample& s) const;
   bool draw_coat(Vec2f u, BsdfSample& s) const;
 
   LayeredSurface surface_;
   const GgxAlbedo& albedo_;
+  Vec3f ahead_;               ///< from the viewer to the point and on
   Frame frame_, coat_frame_;  ///< x along the tangent
   Vec3f view_, coat_view_;    ///< local
   bool is_smooth_;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "lippmann/image/encode.hpp"
 #include "radiance/update_frame.hpp"
 #include "trace/small_scene.hpp"
@@ -39,6 +41,26 @@ SmallScene lit_by_all() {
 SmallScene lit_by_a_sun_and_all() {
   SmallScene s = lit_by_all();
   s.scene.background.map = sunny_sky({0.1f, 0.15f, 0.2f}, {-2.0f, 3.0f, 3.0f}, Vec3f(2.0f));
+  return s;
+}
+
+/// All of these, and a ball of light, below a tinted ceiling of glass; half of it is seen through a window.
+SmallScene lit_through_panes() {
+  SmallScene s = lit_by_a_sun_and_all();
+  s.point_light({0.0f, 1.8f, 2.0f}, Vec3f(2.0f)).inverse_square = true;
+  s.scene.lights.back().radius = 0.3f;
+  MetallicRoughness pane;
+  pane.base_color = {0.9f, 0.7f, 0.4f, 1.0f}, pane.metallic = pane.roughness = 0.0f, pane.transmission = 1.0f;
+  pane.extensions.emplace().volume = Volume{};
+  const int glass = s.material(pane);
+  for (const auto& corners :
+       {std::array{Vec3f(-4.0f, 1.2f, -4.0f), Vec3f(4.0f, 1.2f, 4.0f), Vec3f(4, 1.2f, -4.0f), Vec3f(-4.0f, 1.2f, 4.0f)},
+        std::array{Vec3f(-2.0f, -2.0f, 2.5f), Vec3f(0.0f, 2.0f, 2.5f), Vec3f(0.0f, -2.0f, 2.5f), Vec3f(-2.0f, 2.0f, 2.5f)}}) {
+    Mesh wall;
+    wall.positions.assign(corners.begin(), corners.end());
+    wall.triangles = {{0, 1, 2}, {0, 3, 1}};
+    s.add(wall, glass);
+  }
   return s;
 }
 
@@ -375,6 +397,10 @@ INSTANTIATE_TEST_SUITE_P(GatherFrame, GatheredLights,
                                           testing::Values(LightGroup::kLamps, LightGroup::kSky, LightGroup::kEnd)));
 INSTANTIATE_TEST_SUITE_P(GatherFrameBelowASun, GatheredLights,
                          testing::Combine(testing::Values(lit_by_a_sun_and_all),
+                                          testing::Values(LightGroup::kLamps, LightGroup::kSky, LightGroup::kEnd)));
+
+INSTANTIATE_TEST_SUITE_P(GatherFrameThroughPanes, GatheredLights,
+                         testing::Combine(testing::Values(lit_through_panes),
                                           testing::Values(LightGroup::kLamps, LightGroup::kSky, LightGroup::kEnd)));
 
 // A floor below a sun of irradiance 2 at an angle, and a sky of 0.25: radiance 2 cos / pi + 0.25. The squares' shares of the

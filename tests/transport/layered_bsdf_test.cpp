@@ -269,5 +269,44 @@ TEST(ThinFilm, coating_of_a_quarter_wave_mirrors_less_than_bare_glass) {
   EXPECT_LT(coated.y, 0.02f);
 }
 
+// At 60 degrees glass of 1.5 mirrors 0.08919 (thin_walls_test.cpp); the coat of index 1.5 by Schlick's 0.04 + 0.96 x 0.5^5.
+TEST(LayeredBsdf, what_passes_a_thin_wall_straight_on_is_what_no_layer_keeps) {
+  const Vec3f view = direction(60.0f);
+  LayeredSurface wall = pane(0.0f);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(bsdf_of(wall, view).straight()[c], 0.91081f * wall.base.base_color[c], 1e-4f);
+  wall.base.transmission = 0.5f, wall.base.clearcoat = 1.0f;
+  const float below = 1.0f - (0.04f + 0.96f / 32.0f);
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(bsdf_of(wall, view).straight()[c], 0.5f * below * 0.91081f * wall.base.base_color[c], 1e-3f);
+  EXPECT_EQ(bsdf_of(pane(0.04f), view).straight(), Vec3f(0.0f));
+  EXPECT_EQ(bsdf_of(dielectric(0.0f), view).straight(), Vec3f(0.0f));
+  EXPECT_EQ(bsdf_of(leaf(), view).straight(), Vec3f(0.0f));
+}
+
+// The mean of what sample() sends straight on, of 65,536 even numbers (4e-4: what two at a lobe's ends weigh); it goes on just
+// as it came.
+TEST(LayeredBsdf, samples_of_a_thin_wall_go_straight_on_with_that_mean) {
+  LayeredSurface wall = pane(0.0f);
+  wall.base.transmission = 0.7f, wall.base.clearcoat = 0.5f, wall.sheen_color = Vec3f(0.3f), wall.sheen_roughness = 0.5f;
+  wall.film_share = 0.5f, wall.film = {1.5f, 480.0f};
+  for (const bool known : {false, true}) {
+    wall.shadow_rays_pass = known;
+    const Vec3f view = direction(35.0f);
+    const LayeredBsdf bsdf = bsdf_of(wall, view);
+    Vec3f sum(0.0f);
+    constexpr int kNumbers = 65536;
+    for (int k = 0; k < kNumbers; ++k) {
+      const std::optional<BsdfSample> s = bsdf.sample((static_cast<float>(k) + 0.5f) / kNumbers, Vec2f(0.5f));
+      if (!s || !s->transmitted) continue;
+      sum += s->weight;
+      EXPECT_TRUE(s->is_delta());
+      EXPECT_EQ(s->direction, -view);
+      EXPECT_EQ(s->straight, known);
+      EXPECT_EQ(s->is_vertex, !known);
+    }
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / kNumbers, bsdf.straight()[c], 4e-4f);
+  }
+}
+
 }  // namespace
 }  // namespace lippmann

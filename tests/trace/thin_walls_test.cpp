@@ -1,0 +1,331 @@
+// Light that goes straight through thin walls of glass onto what is behind, against what Fresnel's equations say of it and
+// against paths that find lamps by chance. The eye at (0, 0, 1) looks at the middle of a floor in z = 0; walls stand above it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "trace/small_scene.hpp"
+#include "transport/thin_film.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+constexpr Integrator kIntegrators[] = {Integrator::kWhitted, Integrator::kPath};
+const Affine3f kCloseUp{Mat3f(0.1f), Vec3f(0.0f)};
+// Index 1.5. At normal incidence ((n - 1) / (n + 1))^2 is mirrored. At 60 degrees the cosine inside is sqrt(1 - 0.75 / 2.25) =
+// 0.81650; s: ((0.5 - 1.22474) / 1.72474)^2 = 0.17657, p: ((0.75 - 0.81650) / 1.56650)^2 = 0.00180; half their sum is mirrored.
+constexpr float kAtNormal = 0.96f, kAtSixty = 1.0f - 0.0891866f;
+const Vec3f kGreenish(0.5f, 0.9f, 0.25f);
+
+MetallicRoughness plaster() {
+  MetallicRoughness m;
+  m.metallic = 0.0f, m.roughness = 1.0f, m.specular = 0.0f;
+  return m;
+}
+
+MetallicRoughness brushed_steel() {
+  MetallicRoughness m;
+  m.roughness = 0.35f;
+  return m;
+}
+
+MetallicRoughness pane(Vec3f color = Vec3f(1.0f), float roughness = 0.0f) {
+  MetallicRoughness m;
+  m.base_color = Vec4f(color, 1.0f);
+  m.metallic = 0.0f, m.roughness = roughness, m.transmission = 1.0f;
+  m.extensions.emplace().volume = Volume{};
+  return m;
+}
+
+/// Tints all light alike, at whatever angle.
+MetallicRoughness tinted_foil(Vec3f color) {
+  MetallicRoughness m = pane(color);
+  m.ior = 1.0f, m.specular = 0.0f;
+  return m;
+}
+
+SmallScene floor_scene(const MetallicRoughness& surface = plaster()) {
+  SmallScene s;
+  s.add(square(30, 0), s.material(surface));
+  return s;
+}
+
+void point_lamp(SmallScene& s, Vec3f position) { s.point_light(position, Vec3f(20.0f)).inverse_square = true; }
+const Vec3f kAbove(0.0f, 0.0f, 3.0f), kSlanted(3.0f * std::sqrt(3.0f), 0.0f, 3.0f);
+
+Vec3f middle_of(const Scene& scene, Integrator integrator, int spp) {
+  TraceParams params;
+  params.spp = spp;
+  return trace(scene, single_view(5), params, 1, 0.0, kCloseUp, integrator).at(2, 2);
+}
+
+/// What walls leave of a point-like lamp's light.
+Vec3f share_left(SmallScene s, Vec3f lamp, Integrator integrator, const std::vector<MetallicRoughness>& walls, int spp = 4) {
+  point_lamp(s, lamp);
+  const Vec3f free = middle_of(s.scene, integrator, spp);
+  float z = 1.5f;
+  for (const MetallicRoughness& wall : walls) s.add(square(20, z += 0.1f), s.material(wall));
+  return middle_of(s.scene, integrator, spp) / free;
+}
+
+TEST(ThinWalls, dim_a_lamp_behind_them_as_fresnel_says_and_tint_it) {
+  for (const Integrator integrator : kIntegrators) {
+    expect_color(share_left(floor_scene(), kAbove, integrator, {pane(kGreenish)}), kAtNormal * kGreenish, 1e-4f);
+    expect_color(share_left(floor_scene(), kSlanted, integrator, {pane(kGreenish)}), kAtSixty * kGreenish, 1e-4f);
+  }
+}
+
+TEST(ThinWalls, two_of_them_dim_twice) {
+  for (const Integrator integrator : kIntegrators)
+    expect_color(share_left(floor_scene(), kSlanted, integrator, {pane(kGreenish), pane()}), kAtSixty * kAtSixty * kGreenish,
+                 1e-4f);
+}
+
+TEST(ThinWalls, let_pass_only_the_share_that_is_glass) {
+  MetallicRoughness half = pane();
+  half.transmission = 0.5f;
+  for (const Integrator integrator : kIntegrators)
+    expect_color(share_left(floor_scene(), kAbove, integrator, {half}), Vec3f(0.5f * kAtNormal), 1e-4f);
+  MetallicRoughness coated = pane();
+  coated.clearcoat = 1.0f;
+  expect_color(share_left(floor_scene(), kAbove, Integrator::kPath, {coated}), Vec3f(0.96f * kAtNormal), 1e-3f);
+}
+
+TEST(ThinWalls, pass_what_alpha_leaves_open_and_the_rest_as_glass) {
+  MetallicRoughness veil = pane(kGreenish);
+  veil.base_color.a = 0.25f, veil.blend = true;
+  for (const Integrator integrator : kIntegrators)
+    expect_color(share_left(floor_scene(), kAbove, integrator, {veil}), Vec3f(0.75f) + 0.25f * kAtNormal * kGreenish, 1e-4f);
+}
+
+/// White, blue, clear and opaque from left to right.
+Texture stripes() {
+  Texture t;
+  t.width = 64, t.height = 1;
+  constexpr std::uint8_t kColors[4][4] = {{255, 255, 255, 255}, {0, 0, 255, 255}, {255, 255, 255, 0}, {0, 0, 0, 255}};
+  for (int x = 0; x < t.width; ++x) t.rgba.insert(t.rgba.end(), kColors[x / 16], kColors[x / 16] + 4);
+  t.srgb = false;
+  return t;
+}
+
+/// A floor seen as one row of four pixels below a wall of four stripes, straight above each of which a far lamp stands.
+std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integrator) {
+  SmallScene s = floor_scene();
+  s.scene.textures.push_back(stripes());
+  Light& sun = s.point_light(Vec3f(0.0f), Vec3f(1.0f));
+  sun.kind = LightKind::kDirectional;
+  TraceParams params;
+  params.spp = 16;
+  const Picture free = trace(s.scene, single_view(4), params, 1, 0.0, {}, integrator);
+  s.add(square(2, 11), s.material(wall));  // behind the eye, above the square that it sees
+  const Picture below = trace(s.scene, single_view(4), params, 1, 0.0, {}, integrator);
+  std::vector<Vec3f> shares;
+  for (int x = 0; x < 4; ++x) shares.push_back(below.at(x, 1) / free.at(x, 1));
+  return shares;
+}
+
+// 0.03: texels at the stripes' ends mix with their neighbours.
+TEST(ThinWalls, colours_come_from_their_textures) {
+  MetallicRoughness wall = pane();
+  wall.base_color_map.texture = 0;
+  for (const Integrator integrator : kIntegrators) {
+    const std::vector<Vec3f> shares = below_stripes(wall, integrator);
+    expect_color(shares[0], Vec3f(kAtNormal), 0.03f);
+    expect_color(shares[1], kAtNormal * Vec3f(0, 0, 1), 0.03f);
+    expect_color(shares[3], Vec3f(0.0f), 0.03f);
+  }
+}
+
+TEST(ThinWalls, are_open_where_a_mask_cuts_them) {
+  MetallicRoughness wall = tinted_foil(Vec3f(0.5f));
+  wall.base_color_map.texture = 0, wall.alpha_cutoff = 0.5f;
+  for (const Integrator integrator : kIntegrators) {
+    const std::vector<Vec3f> shares = below_stripes(wall, integrator);
+    expect_color(shares[0], Vec3f(0.5f), 0.03f);
+    expect_color(shares[2], Vec3f(1.0f), 0.03f);
+  }
+}
+
+TEST(ThinWalls, transmission_comes_from_its_texture_for_paths) {
+  MetallicRoughness wall = pane();
+  wall.transmission_map.texture = 0;  // R: 1, 0, 1, 0
+  const std::vector<Vec3f> shares = below_stripes(wall, Integrator::kPath);
+  expect_color(shares[0], Vec3f(kAtNormal), 0.03f);
+  expect_color(shares[1], Vec3f(0.0f), 0.03f);
+}
+
+TEST(ThinWalls, films_leave_what_they_do_not_mirror) {
+  MetallicRoughness film = pane();
+  film.extensions->iridescence.share = 1.0f;
+  const Vec3f share = share_left(floor_scene(), kAbove, Integrator::kPath, {film});
+  const Vec3f mirrored = film_reflectance({1.3f, 400.0f}, Vec3f(0.04f), 1.0f);
+  expect_color(share, Vec3f(1.0f - std::max({mirrored.x, mirrored.y, mirrored.z})), 1e-3f);
+}
+
+// Light that has come through a rough wall is scattered: no shadow ray goes on, and a path of two vertices finds it.
+TEST(ThinWalls, stop_shadow_rays_where_they_are_rough) {
+  expect_color(share_left(floor_scene(), kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.03f)}), Vec3f(kAtNormal), 1e-4f);
+  EXPECT_EQ(share_left(floor_scene(), kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.04f)}).x, 0.0f);
+  SmallScene deep = floor_scene();
+  deep.scene.max_depth = 2;
+  EXPECT_NEAR(share_left(deep, kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.5f)}, 4096).x, kAtNormal, 0.3f);
+}
+
+TEST(ThinWalls, that_scatter_light_through_stay_opaque) {
+  MetallicRoughness leaf = plaster();
+  leaf.extensions.emplace().volume = Volume{};
+  leaf.extensions->diffuse_transmission.share = 1.0f;
+  EXPECT_EQ(share_left(floor_scene(), kAbove, Integrator::kPath, {leaf}).x, 0.0f);
+}
+
+// Placed by Embree, turned and scaled unevenly: angles are those of the world.
+TEST(ThinWalls, that_move_are_met_at_the_angle_of_the_world) {
+  SmallScene s = floor_scene();
+  point_lamp(s, kAbove);
+  const Vec3f free[] = {middle_of(s.scene, Integrator::kWhitted, 4), middle_of(s.scene, Integrator::kPath, 4)};
+  const int moving = s.moving_node({0, 0, 1.5f}, {0, 0, 1.6f});
+  s.scene.nodes.back().local.translation = {0, 0, 1.5f};
+  s.scene.nodes.back().local.rotation = glm::angleAxis(radians(60.0f), Vec3f(0, 1, 0));
+  s.scene.nodes.back().local.scale = {3.0f, 5.0f, 0.25f};
+  s.add(square(1, 0), s.material(pane(kGreenish)), moving);
+  for (const int i : {0, 1})  // 5e-4: samples lie around the middle of a pixel
+    expect_color(middle_of(s.scene, kIntegrators[i], 4) / free[i], kAtSixty * kGreenish, 5e-4f);
+}
+
+TEST(ThinWalls, vanish_in_a_white_furnace) {
+  for (const float roughness : {0.0f, 0.3f}) {
+    SmallScene s;
+    s.scene.max_depth = 3;
+    surround(s, Vec3f(1.0f));
+    for (const float z : {0.0f, -1.0f, -2.0f}) s.add(square(40, z), s.material(pane(Vec3f(1.0f), roughness)));
+    s.add(square(40, -3), s.material(plaster()));
+    s.scene.max_depth = roughness > 0.0f ? 64 : 12;
+    EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 512).film), 1.0, 0.01) << roughness;
+  }
+}
+
+// Straight on is no vertex: behind more panes than a path may have vertices the floor is lit, and seen through them.
+TEST(ThinWalls, do_not_count_among_the_vertices_of_a_path) {
+  SmallScene s = floor_scene();
+  s.scene.max_depth = 1;
+  point_lamp(s, {0, 0, 20});
+  const Vec3f free = middle_of(s.scene, Integrator::kPath, 1);
+  for (int wall = 0; wall < 4; ++wall) s.add(square(20, 0.1f + 0.1f * static_cast<float>(wall)), s.material(pane()));
+  const float once = std::pow(kAtNormal, 4.0f);
+  expect_color(middle_of(s.scene, Integrator::kPath, 16384) / free, Vec3f(once * once), 0.02f);
+}
+
+/// The ratio of the light with a foil that tints it to that without one.
+float left_below_foil(const SmallScene& lit, int spp) {
+  SmallScene s = lit;
+  const float free = middle_of(s.scene, Integrator::kPath, spp).x;
+  s.add(square(30, 1.2f), s.material(tinted_foil(Vec3f(0.5f))));
+  return middle_of(s.scene, Integrator::kPath, spp).x / free;
+}
+
+// Each kind of light is found by shadow rays and by what the surface scatters: the weights of both add up to one behind a wall
+// as they do without one.
+TEST(ThinWalls, share_light_between_shadow_rays_and_paths_without_loss) {
+  for (const MetallicRoughness& surface : {plaster(), brushed_steel()}) {
+    SmallScene ball = floor_scene(surface), sun = ball, lamp = ball, sky = ball;
+    point_lamp(ball, kAbove);
+    ball.scene.lights.back().radius = 1.2f;
+    EXPECT_NEAR(left_below_foil(ball, 8192), 0.5f, 0.01f) << "ball";
+    sun.point_light(Vec3f(0.0f), Vec3f(2.0f)).kind = LightKind::kDirectional;
+    sun.scene.lights.back().angular_diameter = radians(50.0f);
+    EXPECT_NEAR(left_below_foil(sun, 8192), 0.5f, 0.01f) << "sun";
+    lamp.add(square(1, 3), lamp.material(glowing(Vec3f(5.0f))));
+    EXPECT_NEAR(left_below_foil(lamp, 8192), 0.5f, 0.01f) << "lamp";
+    sky.scene.background.map = sunny_sky(Vec3f(0.5f), {0.1f, 0.1f, 1.0f}, Vec3f(1.0f));
+    EXPECT_NEAR(left_below_foil(sky, 8192), 0.5f, 0.01f) << "sky";
+  }
+}
+
+/// A lamp of +-half in z = 3: a mesh, which shadow rays are aimed at, or a box, which paths meet by chance alone.
+Scene lit_through_a_wall(const MetallicRoughness& surface, const MetallicRoughness& wall, bool by_chance, int depth) {
+  SmallScene s = floor_scene(surface);
+  s.scene.max_depth = depth;
+  const int light = s.material(glowing(Vec3f(4.0f)));
+  if (by_chance)
+    s.add(Boxes{{{-1.0f, -1.0f, 3.0f}, {1.0f, 1.0f, 3.0001f}}}, light);
+  else
+    s.add(square(1, 3), light);
+  Mesh bent = square(12, 1.5f);
+  for (const float x : {-0.4f, 0.4f}) bent.normals.push_back(glm::normalize(Vec3f(x, 0.2f, 1.0f)));
+  bent.normals.push_back(bent.normals[1]), bent.normals.push_back(bent.normals[0]);
+  s.add(bent, s.material(wall));
+  return s.scene;
+}
+
+struct Estimate {
+  double mean, variance;
+};
+Estimate estimate(const Scene& scene) {
+  constexpr int kSeeds = 12;
+  double sum = 0.0, squares = 0.0;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    TraceParams params;
+    params.seed = seed;
+    const double value = mean(trace_paths(scene, single_view(6), 256, params, 1, kCloseUp).film);
+    sum += value, squares += value * value;
+  }
+  const double of_mean = sum / kSeeds;
+  return {of_mean, (squares / kSeeds - of_mean * of_mean) / (kSeeds - 1)};
+}
+
+// z below 4.5: with 11 degrees of freedom one of 1,000 honest pairs exceeds it; seeds are fixed.
+TEST(ThinWalls, light_is_what_paths_find_by_chance) {
+  MetallicRoughness plain = pane(kGreenish), layered = pane(kGreenish);
+  layered.clearcoat = 0.8f, layered.clearcoat_roughness = 0.3f, layered.transmission = 0.7f;
+  layered.extensions->iridescence.share = 0.6f;
+  layered.extensions->sheen.color = Vec3f(0.3f);
+  for (const MetallicRoughness& surface : {plaster(), brushed_steel()})
+    for (const MetallicRoughness& wall : {plain, layered})
+      for (const int depth : {1, 5}) {
+        const Estimate aimed = estimate(lit_through_a_wall(surface, wall, false, depth)),
+                       chance = estimate(lit_through_a_wall(surface, wall, true, depth));
+        EXPECT_LT(std::abs(aimed.mean - chance.mean), 4.5 * std::sqrt(aimed.variance + chance.variance))
+            << aimed.mean << " " << chance.mean << " depth " << depth;
+        EXPECT_GT(aimed.mean, 0.05);
+      }
+}
+
+TEST(ThinWalls, show_surroundings_that_are_part_of_the_picture) {
+  SmallScene s;
+  surround(s, Vec3f(0.5f));
+  s.add(square(20, 0), s.material(tinted_foil(Vec3f(0.5f))));
+  const ThreadPool pool(1);
+  for (const Integrator integrator : kIntegrators) {
+    s.scene.max_depth = 2;
+    const DeviceScene device(s.scene, pool, integrator);
+    TraceParams params;
+    params.max_depth = 2, params.spp = 4;
+    Picture p;
+    p.aovs.want(Aov::kAlpha);
+    trace_frame({device, single_view(4), {}}, params, {pool, Context{}}, {p.film, &p.aovs});
+    EXPECT_EQ(p.aovs[Aov::kAlpha].pixel(1, 1)[0], 1.0f);
+    EXPECT_NEAR(p.at(1, 1).x, 0.25f, 1e-5f);
+  }
+}
+
+// What is lit through a pane is direct light, whoever finds it and from whichever side the pane is looked through.
+TEST(ThinWalls, direct_light_through_them_is_direct) {
+  SmallScene s = floor_scene();
+  s.scene.max_depth = 1;
+  s.add(square(1, 3), s.material(glowing(Vec3f(4.0f))));
+  for (const float z : {0.5f, 1.5f}) s.add(square(20, z), s.material(tinted_foil(Vec3f(0.5f))));
+  const Picture p = trace_paths(s.scene, single_view(4), 64, {}, 1, kCloseUp);
+  EXPECT_GT(mean(p.film), 0.05);
+  EXPECT_EQ(mean(p.aovs[Aov::kIndirect]), 0.0);
+}
+
+TEST(ThinWalls, are_the_same_for_any_number_of_threads) {
+  const Scene scene = lit_through_a_wall(brushed_steel(), pane(kGreenish), false, 5);
+  EXPECT_EQ(trace_paths(scene, single_view(32), 16, {}, 1, kCloseUp).film.data,
+            trace_paths(scene, single_view(32), 16, {}, 3, kCloseUp).film.data);
+}
+
+}  // namespace
+}  // namespace lippmann
