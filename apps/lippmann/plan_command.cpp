@@ -30,6 +30,12 @@ std::string seconds_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
+std::string most_units_text(const UnitPlan& plan) {
+  if (plan.units.size() > 1) return fmt::format("The job falls into {} units at most.", plan.units.size());
+  if (plan.units.front().frames.size() == 1) return "One frame is one unit: pictures are not cut.";
+  return "All frames are made together: the job is one unit.";
+}
+
 void print_text(const PlanOptions& options, const UnitPlan& plan) {
   const int count = static_cast<int>(plan.units.size());
   for (int i = 0; i < count; ++i) {
@@ -38,7 +44,7 @@ void print_text(const PlanOptions& options, const UnitPlan& plan) {
                unit.cpu_seconds ? fmt::format(", about {} of CPU time", seconds_text(*unit.cpu_seconds)) : "");
   }
   if (plan.segment > 1) fmt::print("Units begin at multiples of {} frames, which are made together.\n", plan.segment);
-  if (count < options.units) fmt::print("The job falls into {} units at most.\n", count);
+  if (count < options.units) fmt::print("{}\n", most_units_text(plan));
   if (!plan.costs) return;
   double all = 0.0;
   for (const PlannedUnit& unit : plan.units) all += *unit.cpu_seconds;

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/embree_shim.hpp"
+#include "device/embree_device.hpp"
 #include "device/ray_scene.hpp"
 
 namespace lippmann {
@@ -24,6 +24,7 @@ struct PrimitiveGeometries {
 };
 
 struct RayScene::Embree {
+  EmbreeMemory memory;  ///< before the device, which reports to it
   EmbreeDevice device;
   int native_width = 16;
   EmbreeScene fixed, moving;

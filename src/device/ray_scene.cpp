@@ -1,10 +1,8 @@
 #include "device/ray_scene.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "device/embree_scene.hpp"
-#include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
 
 namespace lippmann {
@@ -121,10 +119,7 @@ SceneGeometry geometry_of(const Scene& scene, const ResolvedScene& resolved) {
 RayScene::RayScene(const Scene& described, const ResolvedScene& resolved, const ShadowMaterials& materials,
                    const ThreadPool& pool)
     : SceneGeometry(geometry_of(described, resolved)), embree_(std::make_unique<Embree>()) {
-  // Embree runs its builders on the calling arena's oneTBB threads; asking it for more would start its own.
-  const std::string config = "threads=" + std::to_string(pool.threads()) + ",set_affinity=0";
-  embree_->device = EmbreeDevice(rtcNewDevice(config.c_str()));
-  if (!embree_->device) throw Error("Embree", "no device could be made on this processor", "x86-64 with SSE2, or ARM64");
+  embree_->device = make_embree_device(pool.threads(), embree_->memory);
   embree_->native_width = native_packet_width(embree_->device.get());
   build_scene({*this, *embree_}, resolved, materials, pool);
 }

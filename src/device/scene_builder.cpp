@@ -6,7 +6,6 @@
 #include "device/posed_mesh.hpp"
 #include "device/shadow_filter.hpp"
 #include "device/user_geometry.hpp"
-#include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
 
 namespace lippmann {
@@ -18,14 +17,6 @@ constexpr std::size_t kFlattenTriangles = 200'000;
 
 /// Rays are followed at least so far, in sizes of the scene, whatever instances magnify them.
 constexpr float kLeastReach = 1000.0f;
-
-void check_embree(RTCDevice device, const char* doing) {
-  const RTCError code = rtcGetDeviceError(device);
-  if (code == RTC_ERROR_NONE) return;
-  const bool memory = code == RTC_ERROR_OUT_OF_MEMORY;
-  throw Error("Embree", std::string(doing) + (memory ? ": out of memory" : ": error " + std::to_string(code)),
-              memory ? "a scene with fewer triangles, or a machine with more memory" : "");
-}
 
 /// Robust: of rays that run along an edge that two triangles share, one in ten would else pass between them: Embree's faster
 /// test rounds an edge differently from either side.
@@ -82,7 +73,7 @@ class SceneBuilder {
     attach_tables(geometry_.moving_tables, embree_.moving_primitives, embree_.moving.get(), embree_.has_moving);
     rtcCommitScene(embree_.fixed.get());
     rtcCommitScene(embree_.moving.get());
-    check_embree(device, "building the scene");
+    check_embree(device, "building the scene", embree_.memory);
   }
 
  private:
@@ -193,7 +184,7 @@ class SceneBuilder {
                                              mesh.positions.size());
     void* indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                             3 * sizeof(std::uint32_t), mesh.triangles.size());
-    if (!vertices || !indices) check_embree(embree_.device.get(), "storing a mesh");
+    if (!vertices || !indices) check_embree(embree_.device.get(), "storing a mesh", embree_.memory);
     std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3f*>(vertices));
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(indices));
     if (std::unique_ptr<ShadowCaster> caster = materials_.caster(instance)) {
@@ -361,7 +352,7 @@ void move_scene(const BuiltScene& built, const ResolvedScene& resolved, const Th
   }
   move_tables(geometry.moving_tables, embree.moving_primitives, *geometry.scene, resolved);
   pool.run([&] { rtcCommitScene(embree.moving.get()); });
-  check_embree(embree.device.get(), "moving the scene");
+  check_embree(embree.device.get(), "moving the scene", embree.memory);
 }
 
 }  // namespace lippmann

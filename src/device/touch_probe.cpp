@@ -95,6 +95,7 @@ TouchProbe::TouchProbe(const RayScene& scene, const std::vector<HorizonBox>& box
     boxes_->boxes.push_back({box.bounds.lower - pad, box.bounds.upper + pad, static_cast<float>(box.horizon)});
   }
   boxes_->commit(scene.embree().device.get());
+  check_embree(scene.embree().device.get(), "marking what moves", scene.embree().memory);
 }
 
 TouchProbe::~TouchProbe() = default;

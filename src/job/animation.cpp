@@ -100,6 +100,7 @@ std::vector<ExrAttribute> about_render(const std::string& scene, const Optics& o
 }
 
 std::vector<int> frames_of_run(const RunParams& run, const std::vector<int>& of_job, int segment) {
+  if (run.choose) return run.choose(of_job, segment);
   const std::vector<int> of_units = run.units ? frames_of(*run.units, of_job, segment) : of_job;
   if (!run.only_frames) return of_units;
   const std::vector<int> wanted = frames_of(*run.only_frames);
@@ -177,7 +178,7 @@ class Animation {
   const Optics& optics() const { return stage_.placed.optics; }
 
   /// Whether others render the rest of the job.
-  bool is_part() const { return run_.units || run_.only_frames; }
+  bool is_part() const { return run_.units || run_.only_frames || run_.choose; }
 
   bool is_first_rank() const { return !run_.ranks || run_.ranks->rank() == 0; }
 

@@ -51,8 +51,11 @@ struct RunParams {
   bool force = false;  ///< another render in the folder is replaced, and videos that are there (folder/claim_folder.hpp)
   std::optional<Units> units = {};              ///< none: all frames. Videos wait until all are there (finish_animation)
   std::optional<FrameRanges> only_frames = {};  ///< renders these alone; the job's or units' others are asked for all the same
-  Ranks* ranks = nullptr;                       ///< that share the frames out among them; null: this process stands alone
-  bool only_finished = false;                   ///< no frame is rendered: all have been, or it is an Error
+  /// Picks frames of the job, which comes with its segment (frames_per_segment), once the scene is loaded; empty: `units` and
+  /// `only_frames` do.
+  std::function<std::vector<int>(const std::vector<int>& of_job, int segment)> choose = {};
+  Ranks* ranks = nullptr;      ///< that share the frames out among them; null: this process stands alone
+  bool only_finished = false;  ///< no frame is rendered: all have been, or it is an Error
 };
 
 /// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte

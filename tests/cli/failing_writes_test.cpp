@@ -150,6 +150,7 @@ void expect_out_of_memory_or_whole(const RunResult& result, const Files& files, 
   const int failures = result.exit_code == 0 ? 0 : 1;
   EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << number << ": " << result.exit_code << " " << result.err;
   EXPECT_EQ(failures_said(result.err), failures) << number << ": " << result.err;
+  EXPECT_EQ(result.err.find("on this processor"), std::string::npos) << number << ": " << result.err;
   ends.said += failures;
   if (failures == 0) {
     EXPECT_EQ(files.size(), whole.size()) << number;

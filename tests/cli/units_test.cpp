@@ -143,6 +143,28 @@ TEST(Units, of_pictures_without_the_codes_of_a_video_are_refused) {
   expect_refusal(run_tool(dir, {"finish", "missing"}), 1, "missing");
 }
 
+TEST(Units, plan_says_why_a_job_is_one_unit) {
+  const TempDir dir;
+  const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--units", "4", "--only-list"};
+  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "3"}).out, HasSubstr("One frame is one unit: pictures are not cut.\n"));
+  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-3", "--integrator", "path"}).out,
+              HasSubstr("All frames are made together: the job is one unit.\n"));
+  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-1"}).out, HasSubstr("The job falls into 2 units at most.\n"));
+}
+
+TEST(Units, plan_measures_in_a_folder_that_it_removes) {
+  const TempDir dir;
+  const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--frames", "0-3", "--units", "2", "-o", "a"};
+  fs::create_directory(dir / "scratch");
+  const auto run_with = [&](const std::string& tmpdir) {
+    return run(Words{"/usr/bin/env", "TMPDIR=" + std::string(dir / tmpdir)} + tool_command(plan), {dir.path().string(), 0});
+  };
+  EXPECT_EQ(run_with("scratch").exit_code, 0);
+  EXPECT_TRUE(fs::is_empty(dir / "scratch"));
+  EXPECT_FALSE(fs::exists(dir / "a"));
+  expect_refusal(run_with("missing"), 1, "TMPDIR: no folder can be made there");
+}
+
 TEST(Units, plan_lists_every_frame_once_and_what_units_take) {
   const TempDir dir;
   const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--frames", "8-31", "--json"};
