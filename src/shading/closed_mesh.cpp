@@ -88,14 +88,14 @@ double volume_of(const Mesh& mesh, const Extent& extent) {
 
 }  // namespace
 
-Facing facing_of_closed(const Mesh& mesh) {
-  if (mesh.triangles.size() < 4 || mesh.positions.empty()) return Facing::kNone;
+BodyFacing facing_of_closed(const Mesh& mesh) {
+  if (mesh.triangles.size() < 4 || mesh.positions.empty()) return BodyFacing::kNone;
   const Extent extent = extent_of(mesh);
   const double size = extent.size();
-  if (!(size > 0.0) || !std::isfinite(size) || !is_closed(mesh, extent)) return Facing::kNone;
+  if (!(size > 0.0) || !std::isfinite(size) || !is_closed(mesh, extent)) return BodyFacing::kNone;
   const double volume = volume_of(mesh, extent);
-  if (!(std::abs(volume) > kLeastVolume * size * size * size)) return Facing::kNone;
-  return volume > 0.0 ? Facing::kOutward : Facing::kInward;
+  if (!(std::abs(volume) > kLeastVolume * size * size * size)) return BodyFacing::kNone;
+  return volume > 0.0 ? BodyFacing::kOutward : BodyFacing::kInward;
 }
 
 }  // namespace lippmann

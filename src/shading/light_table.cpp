@@ -38,9 +38,9 @@ float power(const WhittedLight& light, float unit, float size) {
 }
 
 /// Which way the triangles of a closed mesh face once it is placed: a mirror turns them.
-Facing mirrored(Facing facing, const Affine3f& place) {
-  if (facing == Facing::kNone || glm::determinant(place.linear) > 0.0f) return facing;
-  return facing == Facing::kOutward ? Facing::kInward : Facing::kOutward;
+BodyFacing mirrored(BodyFacing facing, const Affine3f& place) {
+  if (facing == BodyFacing::kNone || glm::determinant(place.linear) > 0.0f) return facing;
+  return facing == BodyFacing::kOutward ? BodyFacing::kInward : BodyFacing::kOutward;
 }
 
 /// What tree_lights knows of them goes into a tree, and their power with it: from `powers` on from `first` into its last.
@@ -136,7 +136,7 @@ void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
   first_triangle_[r] = static_cast<int>(triangles_.size());
   record_shares_.resize(sources_.records.size(), 0.0f);
   const Affine3f place = record.placed ? record.world_from_mesh : Affine3f{};
-  const Facing closed = mirrored(facing_of_closed(*record.mesh), place);
+  const BodyFacing closed = mirrored(facing_of_closed(*record.mesh), place);
   for (std::uint32_t t = 0; t < record.mesh->triangles.size(); ++t) {
     const auto& [a, b, c] = record.mesh->triangles[t];
     const Vec3f origin = transform_point(place, record.mesh->positions[a]);

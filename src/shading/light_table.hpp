@@ -116,7 +116,7 @@ class LightTable {
     Vec3f origin, edge_b, edge_c, normal;  ///< world space; normal unit
     float area;
     std::uint32_t record, prim;
-    Facing closed;  ///< in world space
+    BodyFacing closed;  ///< in world space
   };
 
   // Entries of chances_: every group but the surroundings' ends with its tree, whether there is one or not.

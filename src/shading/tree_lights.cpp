@@ -30,7 +30,7 @@ TreeLight tree_light(const WhittedLight& lamp) {
 }
 
 /// The mean squared distance of a triangle's points from its middle is a 36th of the sum of its squared edges.
-TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, Facing closed) {
+TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, BodyFacing closed) {
   TreeLight light;
   const Vec3f middle = (edge_b + edge_c) / 3.0f, across = edge_c - edge_b;
   light.middle = origin + middle;
@@ -38,8 +38,8 @@ TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, Faci
   light.variance = (glm::dot(edge_b, edge_b) + glm::dot(edge_c, edge_c) + glm::dot(across, across)) / 36.0f;
   light.radius = std::max({glm::length(middle), glm::length(edge_b - middle), glm::length(edge_c - middle)});
   light.face = glm::normalize(glm::cross(edge_b, edge_c));
-  if (closed == Facing::kInward) light.face = -light.face;
-  light.is_closed = closed != Facing::kNone;
+  if (closed == BodyFacing::kInward) light.face = -light.face;
+  light.is_closed = closed != BodyFacing::kNone;
   return light;
 }
 

@@ -12,6 +12,6 @@ TreeLight tree_light(const WhittedLight& lamp);
 
 /// A triangle with area. power: by area and radiance, in any unit that all triangles share. closed: which way it faces, as one
 /// of a closed mesh.
-TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, Facing closed = Facing::kNone);
+TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, BodyFacing closed = BodyFacing::kNone);
 
 }  // namespace lippmann

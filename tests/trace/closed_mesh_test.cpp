@@ -40,45 +40,45 @@ Mesh turned_inside_out(Mesh mesh) {
 }
 
 TEST(ClosedMesh, a_cube_faces_outward_and_inside_out_inward) {
-  EXPECT_EQ(facing_of_closed(cube(1.0f)), Facing::kOutward);
-  EXPECT_EQ(facing_of_closed(turned_inside_out(cube(1.0f))), Facing::kInward);
-  EXPECT_EQ(facing_of_closed(cube(1e-4f)), Facing::kOutward);
-  EXPECT_EQ(facing_of_closed(cube(1e6f)), Facing::kOutward);
+  EXPECT_EQ(facing_of_closed(cube(1.0f)), BodyFacing::kOutward);
+  EXPECT_EQ(facing_of_closed(turned_inside_out(cube(1.0f))), BodyFacing::kInward);
+  EXPECT_EQ(facing_of_closed(cube(1e-4f)), BodyFacing::kOutward);
+  EXPECT_EQ(facing_of_closed(cube(1e6f)), BodyFacing::kOutward);
 }
 
 TEST(ClosedMesh, vertices_at_a_seam_count_as_one) {
   Mesh mesh = cube(1.0f);
   for (std::size_t v = 0; v < 4; ++v) mesh.positions[v] *= 1.0f + 2e-7f;
-  EXPECT_EQ(facing_of_closed(mesh), Facing::kOutward);
+  EXPECT_EQ(facing_of_closed(mesh), BodyFacing::kOutward);
   for (std::size_t v = 0; v < 4; ++v) mesh.positions[v] *= 1.01f;
-  EXPECT_EQ(facing_of_closed(mesh), Facing::kNone);
+  EXPECT_EQ(facing_of_closed(mesh), BodyFacing::kNone);
 }
 
 TEST(ClosedMesh, a_triangle_without_area_changes_nothing) {
   Mesh mesh = cube(1.0f);
   mesh.triangles.push_back({0, 0, 1});
-  EXPECT_EQ(facing_of_closed(mesh), Facing::kOutward);
+  EXPECT_EQ(facing_of_closed(mesh), BodyFacing::kOutward);
 }
 
 TEST(ClosedMesh, holes_turned_faces_sheets_and_nonsense_are_none) {
   Mesh hole = cube(1.0f);
   hole.triangles.pop_back();
-  EXPECT_EQ(facing_of_closed(hole), Facing::kNone);
+  EXPECT_EQ(facing_of_closed(hole), BodyFacing::kNone);
   Mesh turned = cube(1.0f);
   std::swap(turned.triangles[3][0], turned.triangles[3][1]);
-  EXPECT_EQ(facing_of_closed(turned), Facing::kNone);
+  EXPECT_EQ(facing_of_closed(turned), BodyFacing::kNone);
   Mesh twice = cube(1.0f);
   twice.triangles.insert(twice.triangles.end(), twice.triangles.begin(), twice.triangles.begin() + 12);
-  EXPECT_EQ(facing_of_closed(twice), Facing::kNone);
-  EXPECT_EQ(facing_of_closed(square(1.0f, 0.0f)), Facing::kNone);
+  EXPECT_EQ(facing_of_closed(twice), BodyFacing::kNone);
+  EXPECT_EQ(facing_of_closed(square(1.0f, 0.0f)), BodyFacing::kNone);
   Mesh sheet = square(1.0f, 0.0f);
   for (const auto& t : square(1.0f, 0.0f).triangles) sheet.triangles.push_back({t[0], t[2], t[1]});
-  EXPECT_EQ(facing_of_closed(sheet), Facing::kNone) << "without a volume";
-  EXPECT_EQ(facing_of_closed(Mesh{}), Facing::kNone);
+  EXPECT_EQ(facing_of_closed(sheet), BodyFacing::kNone) << "without a volume";
+  EXPECT_EQ(facing_of_closed(Mesh{}), BodyFacing::kNone);
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Mesh mesh = cube(1.0f);
     mesh.positions[5].y = bad;
-    EXPECT_EQ(facing_of_closed(mesh), Facing::kNone);
+    EXPECT_EQ(facing_of_closed(mesh), BodyFacing::kNone);
   }
 }
 
