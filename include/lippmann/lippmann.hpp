@@ -24,6 +24,8 @@
 #include "lippmann/scene/builtin.hpp"
 #include "lippmann/scene/load.hpp"
 #include "lippmann/scene/timeline.hpp"
+#include "lippmann/stage/choose_camera.hpp"
+#include "lippmann/stage/environment_file.hpp"
 #include "lippmann/stage/lighting.hpp"
 #include "lippmann/stage/placement.hpp"
 #include "lippmann/trace/aovs.hpp"

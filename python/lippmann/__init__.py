@@ -29,7 +29,7 @@ from ._optics import (
 )
 from ._random import random_camera_grid, random_display, random_scene, training_data
 from ._render import Animation, frames, render
-from ._scene import Material, Object, Scene, load, scenes
+from ._scene import Material, Object, Scene, Skin, load, scenes
 
 __all__ = [
     "Animation",
@@ -41,6 +41,7 @@ __all__ = [
     "Object",
     "Optics",
     "Scene",
+    "Skin",
     "camera_grid",
     "display",
     "display_from_toml",

@@ -74,6 +74,14 @@ def text(value: Any, name: str) -> str:
     return value
 
 
+def file_path(value: Any, name: str) -> bytes:
+    """The same of a file that is read."""
+    where = path_bytes(value, name)
+    if not os.path.isfile(where):
+        raise Error(name, f"there is no file {os.fsdecode(where)!r}", "a file")
+    return where
+
+
 def array(value: Any, name: str, shape: Tuple[Optional[int], ...], finite: bool = True) -> np.ndarray:
     """float32, C order, of that shape (None: any length above 0), without NaN, and without infinities where `finite`."""
     wanted = "numbers of the shape (" + ", ".join("n" if n is None else str(n) for n in shape) + ")"

@@ -167,8 +167,36 @@ class LightField:
 
     @property
     def codes(self) -> np.ndarray:
-        """(y, x, 3), uint8: the picture as `lippmann render` writes it."""
+        """(y, x, 3), uint8: the picture as `lippmann render` writes it; of transparent frames (y, x, 4)."""
         return to_codes(self.picture) if self._film is None else self._film.codes
+
+    @property
+    def alpha(self) -> np.ndarray:
+        """(rows, columns, y, x), float32, 0 to 1: the share of each pixel that something covers; of transparent frames.
+
+        Their views have only the light of what covers: before a background of linear light they look like
+        views + (1 - alpha[..., None]) * background.
+        """
+        self._require_alpha()
+        return self.layer("alpha")[..., 0]
+
+    @property
+    def rgba(self) -> np.ndarray:
+        """(rows, columns, y, x, 4), uint8: sRGB codes of transparent views, whose colours are not multiplied by alpha, as files of
+        pictures have them.
+        """
+        alpha = self.alpha[..., None]
+        shown = alpha > 0
+        straight = np.divide(self.views, alpha, out=np.zeros_like(self.views), where=shown)
+        return np.concatenate([to_codes(straight), np.floor(np.clip(alpha, 0, 1) * 255 + 0.5).astype(np.uint8)], axis=-1)
+
+    def _require_alpha(self) -> None:
+        if not self._is_transparent:
+            raise Error("alpha", "is not known", "transparent=True when rendering")
+
+    @property
+    def _is_transparent(self) -> bool:
+        return self._film is not None and self._film.is_transparent
 
     def panel_layer(self, name: str) -> np.ndarray:
         """(y, x, channels), float32: a layer as it lies in the picture; of native pixels, too."""
@@ -249,10 +277,13 @@ class LightField:
         pupil_mm: float = 0.0,
         focus_mm: float = 0.0,
         nearest: bool = False,
+        crosstalk: Union[float, str] = 0.0,
     ) -> np.ndarray:
         """(y, x, 3), float32, linear: what an eye at x, y, z mm sees through the display; None: where it is meant to be.
 
         pupil_mm: its diameter, focused at focus_mm; 0: a pinhole. nearest: no interpolation between pixels below a lens.
+        crosstalk: what each lens mixes: the sigma of its blur in panel pixels (of a quilt: in views), 0 to 8, or the share that
+        each neighbour has, "10%", as `lippmann replay --crosstalk` takes it; of a native frame display.crosstalk_px.
         """
         panel = self._panel()
         eye = tuple(
@@ -260,7 +291,8 @@ class LightField:
             for said, at, name in zip((x, y, z), panel.optics.default_eye_mm, "xyz")
         )
         pupil = number(pupil_mm, "pupil_mm", 0.0, 1e6)
-        return panel.eye(eye, self._size(size), pupil, number(focus_mm, "focus_mm"), bool(nearest))
+        focus, blur = number(focus_mm, "focus_mm"), _crosstalk(crosstalk)
+        return panel.eye(eye, self._size(size), pupil, focus, bool(nearest), blur)
 
     def epi(self, row: Optional[int] = None, column: Optional[int] = None) -> np.ndarray:
         """An epipolar-plane image, float32, linear: of a row of pixels (counted from the top) (eyes, x, 3), the leftmost eye
@@ -291,10 +323,12 @@ class LightField:
         """Writes it, and returns the files.
 
         format: one of lippmann.formats(), as `lippmann convert` writes it; a missing folder is made. None: the panel's picture,
-        .png or .exr. bits: 8, 16 or 32 (linear floats, .exr) where the samples are floats; None: 32 for .exr, else 8.
+        .png or .exr; of transparent frames a .png with alpha, which light fields' formats do not hold. bits: 8, 16 or 32 (linear floats, .exr) where the samples are floats; None: 32 for .exr, else 8.
         tiles: (rows, columns) of a quilt. display: of "native", a name or file.
         """
         where = _path(path, "path")
+        if self._is_transparent and (format is not None or not where.endswith(".png")):
+            raise Error("path" if format is None else "format", "holds no alpha here", "a .png without `format`, or arrays")
         if format is None:
             self._write_picture(where)
             return [where]
@@ -317,7 +351,7 @@ class LightField:
         _core.write_picture(self._panel().picture, where)
 
     def to_xarray(self) -> Any:
-        """An xarray.Dataset: views, and depth where it is known, with the axes row, column, y, x, channel and the eyes' places.
+        """An xarray.Dataset: views, and depth and alpha where they are known, with the axes row, column, y, x, channel and the eyes' places.
         Throws ImportError where xarray (python3-xarray) is not installed.
         """
         try:
@@ -328,6 +362,8 @@ class LightField:
         data: Dict[str, Any] = {"views": (axes + ("channel",), self.views)}
         if self._views.depth is not None:
             data["depth"] = (axes, self.depth, {"units": "mm"})
+        if self._is_transparent:
+            data["alpha"] = (axes, self.alpha)
         places: Dict[str, Any] = {"channel": ["red", "green", "blue"]}
         if self._views.cameras is not None:
             places["eye_x_mm"] = (axes[:2], self.eyes_mm[..., 0])
@@ -344,6 +380,10 @@ class LightField:
             return f"<lippmann.LightField: a panel of {self.picture.shape[1]}x{self.picture.shape[0]} pixels>"
         rows, columns, height, width = shape[:4]
         return f"<lippmann.LightField: {rows} rows x {columns} columns of views, {width}x{height} pixels, {dtype}>"
+
+
+def _crosstalk(value: Union[float, str]) -> float:
+    return _core.read_crosstalk(value) if isinstance(value, str) else number(value, "crosstalk", 0.0, 8.0)
 
 
 def open(

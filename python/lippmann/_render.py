@@ -10,7 +10,7 @@ from ._arguments import choice, integer, number, text
 from ._errors import Error
 from ._light_field import LightField
 from ._optics import Display, Optics, camera_grid, display as _display
-from ._scene import Scene, load
+from ._scene import Scene, choose_camera, load, surround
 
 _PATHS = 16  # samples per pixel of paths where nobody says, as of `lippmann render`
 
@@ -65,6 +65,11 @@ def frames(
     zoom: float = 1.0,
     orbit: Tuple[float, float] = (0.0, 0.0),
     light: str = "auto",
+    environment: Any = None,
+    environment_strength: float = 1.0,
+    environment_rotation_deg: float = 0.0,
+    camera: Union[str, int, None] = None,
+    transparent: bool = False,
     threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> Animation:
@@ -87,6 +92,11 @@ def frames(
     focus: what lies in the display's plane: a node's name, "x,y,z" or a distance. fit_to: a node that fills the picture.
         zoom: above 1: nearer. orbit: degrees to the right and up.
     light: "auto" adds light where the scene has none, as `lippmann render` does; "none" adds nothing.
+    environment: surrounds and lights the scene in place of what it has: a panorama, equirectangular with the zenith on top, as a
+        file (.hdr, .exr) or an array (y, x, 3) of linear light; or a colour (3). environment_strength: a factor on it.
+        environment_rotation_deg: about +y.
+    camera: of a scene's cameras the one that decides the view, by name or index (Scene.cameras); None: the first.
+    transparent: the surroundings light the scene and are not seen: LightField.alpha.
     threads: 0: one per processor. The same bits for any number.
     progress: called as progress(frame, share) about every 50 ms, in this thread; what it raises stops the render.
     """
@@ -112,12 +122,29 @@ def frames(
     workers = integer(threads, "threads", 0, 4096)
     choice(light, "light", ("auto", "none"))
     core.check()
-    if light == "auto" and (not paths or physical):
+    choose_camera(core, camera)
+    if environment is not None:
+        surround(core, environment, environment_strength, environment_rotation_deg, "environment_")
+    elif light == "auto" and (not paths or physical):
         core.add_missing_light(paths)
     native = choice(layout, "layout", ("views", "native")) == "native"
+    if native and transparent:
+        raise Error("transparent", "what a panel shows lies before nothing", "layout='views' with it")
     placement, shown = _place(core, display, native, fit_depth, focus, fit_to, zoom, orbit)
     made = _core.Frames(
-        core, placement, paths, samples, depth_limit, key, bool(denoise), wanted, reuse, every, floor, workers
+        core,
+        placement,
+        paths,
+        samples,
+        depth_limit,
+        key,
+        bool(denoise),
+        bool(transparent),
+        wanted,
+        reuse,
+        every,
+        floor,
+        workers,
     )
     return Animation(made, which, shown, progress)
 

@@ -6,13 +6,14 @@ World: right-handed, any unit; +y up, as glTF. A scene's objects are placed, mov
 from __future__ import annotations
 
 import math
+import os
 from dataclasses import dataclass
-from typing import Any, Dict, Iterator, Optional, Sequence, Tuple
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
-from ._arguments import array, indices, integer, number, path_bytes, positive, text, vector
+from ._arguments import array, file_path, indices, integer, number, path_bytes, positive, text, vector
 from ._errors import Error
 
 _UP = np.array([0.0, 1.0, 0.0])
@@ -45,22 +46,49 @@ class Material:
     texture: Optional[np.ndarray] = None
 
 
+@dataclass
+class Skin:
+    """Joints that carry a mesh (Scene.add_mesh), which keeps the place that it and they have when it is added.
+
+    joints: handles of Scene.add_joint. indices: (vertices, n), into joints: which of them carry a vertex. weights: (vertices, n), 0
+    or more: how much each carries, in shares of their sum.
+    """
+
+    joints: Sequence["Object"]
+    indices: Any
+    weights: Any
+
+
 class Object:
     """Something that stands in a scene: a mesh, a shape, a lamp, a camera. Made by the scene's add_ functions."""
 
     def __init__(self, scene: "Scene", node: int, name: str) -> None:
         self._scene, self._node = scene, node
+        self._targets, self._has_skin = 0, False
         self.name = name
 
     def animate(
-        self, matrices: Any = None, *, translation: Any = None, rotation: Any = None, scale: Any = None
+        self,
+        matrices: Any = None,
+        *,
+        translation: Any = None,
+        rotation: Any = None,
+        scale: Any = None,
+        weights: Any = None,
     ) -> "Object":
         """Moves the object: one value for each frame of the scene, in place of where it was added.
 
         matrices: (frames, 4, 4), columns x, y, z, origin; each a scale, then a rotation, then a move, nothing sheared. Or parts
-        of it: translation (frames, 3), rotation (frames, 4) as quaternions x, y, z, w, scale (frames, 3). Returns the object.
+        of it: translation (frames, 3), rotation (frames, 4) as quaternions x, y, z, w, scale (frames, 3). weights: (frames, targets), of a
+        mesh with morph targets. What has a parent moves with it. A mesh with a skin is moved by its joints. Returns the object.
         """
         count = self._scene.frame_count
+        if self._has_skin and any(part is not None for part in (matrices, translation, rotation, scale)):
+            raise Error("matrices", "move nothing of a mesh with a skin", "weights, or animate() of its joints")
+        if weights is not None:
+            if not self._targets:
+                raise Error("weights", "are those of morph targets, and there are none", "a mesh that was added with targets")
+            weights = array(weights, "weights", (count, self._targets))
         if matrices is not None:
             if translation is not None or rotation is not None or scale is not None:
                 raise Error("matrices", "is given, and so are parts of it", "one of both")
@@ -71,7 +99,7 @@ class Object:
             rotation = _unit(array(rotation, "rotation", (count, 4)), "rotation")
         if scale is not None:
             scale = array(scale, "scale", (count, 3))
-        self._scene._core.animate(self._node, translation, rotation, scale)
+        self._scene._core.animate(self._node, translation, rotation, scale, weights)
         return self
 
     def __repr__(self) -> str:
@@ -118,6 +146,11 @@ class Scene:
         """Names by object id, which is what the layer "id" holds."""
         return tuple(self._core.instance_names)
 
+    @property
+    def cameras(self) -> Tuple[str, ...]:
+        """The names of its cameras, by index; the first one decides the view where nothing else is said."""
+        return tuple(self._core.camera_names)
+
     def bounds(self, frame: int = 0) -> Optional[np.ndarray]:
         """(2, 3): the lowest and the highest coordinates of all that is finite; None where there is nothing."""
         return self._core.bounds(integer(frame, "frame", 0, self.frame_count - 1))
@@ -140,6 +173,10 @@ class Scene:
         normals: Any = None,
         uvs: Any = None,
         colors: Any = None,
+        targets: Any = None,
+        target_normals: Any = None,
+        weights: Any = None,
+        skin: Optional[Skin] = None,
         material: Optional[Material] = None,
         name: str = "",
         translation: Any = (0, 0, 0),
@@ -149,6 +186,9 @@ class Scene:
         """A mesh. positions: (vertices, 3). triangles: (triangles, 3), indices, counter-clockwise seen from the front. Per vertex
         normals (vertices, 3), uvs (vertices, 2) with v downwards, colors (vertices, 3), linear, times the material's. Without
         normals it is faceted. translation, rotation (quaternion x, y, z, w) and scale place it.
+
+        targets: morph targets (targets, vertices, 3), in units of the mesh: what is added to positions, times weights (targets),
+        0 where nothing is said; target_normals: of the same shape, added to the normals. skin: joints that carry it.
         """
         points = array(positions, "positions", (None, 3))
         count = len(points)
@@ -159,9 +199,41 @@ class Scene:
             uvs = array(uvs, "uvs", (count, 2))
         if colors is not None:
             colors = array(colors, "colors", (count, 3))
+        morphs = _morphs(targets, target_normals, weights, count, normals is not None)
+        carried = None if skin is None else self._carried(skin, count)
         surface = self._material(material)
         shape = self._core.add_mesh(points, faces, normals, uvs, colors)
-        return self._instance(shape, surface, name or "mesh", translation, rotation, scale)
+        mesh = self._instance(shape, surface, name or "mesh", translation, rotation, scale)
+        if morphs is not None:
+            _core.set_targets(self._core, shape, *morphs)
+            mesh._targets = len(morphs[0])
+        if carried is not None:
+            _core.set_skin(self._core, shape, *carried)
+            mesh._has_skin = True
+        return mesh
+
+    def add_joint(
+        self,
+        translation: Any = (0, 0, 0),
+        *,
+        rotation: Any = (0, 0, 0, 1),
+        scale: Any = (1, 1, 1),
+        parent: Optional[Object] = None,
+        name: str = "",
+    ) -> Object:
+        """A joint of a skeleton, at a place below its parent's (None: the world). It shows nothing: meshes are carried by it
+        (Skin), and animate() moves it, with all below it.
+        """
+        if parent is not None and (not isinstance(parent, Object) or parent._scene is not self):
+            raise Error("parent", f"is {parent!r}", "a handle of this scene's")
+        above = -1 if parent is None else parent._node
+        size = vector(scale, "scale")
+        if 0 in size:
+            raise Error("scale", f"is {size}", "numbers other than 0")
+        turn = _unit(array(rotation, "rotation", (4,))[None], "rotation")[0]
+        place = vector(translation, "translation"), tuple(float(q) for q in turn), size
+        node = self._core.add_node(text(name, "name") or "joint", above, *place)
+        return Object(self, node, name or "joint")
 
     def add_sphere(
         self, center: Any = (0, 0, 0), radius: float = 1.0, *, material: Optional[Material] = None, name: str = ""
@@ -255,13 +327,15 @@ class Scene:
 
     def set_environment(self, radiance: Any, *, strength: float = 1.0, rotation_deg: float = 0.0) -> None:
         """A panorama that surrounds the scene, and lights it. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith
-        on top. rotation_deg: about +y.
+        on top; or a file of it, .hdr or .exr; or one colour (3). rotation_deg: about +y.
         """
-        map_ = array(radiance, "radiance", (None, None, 3))
-        if (map_ < 0).any():
-            raise Error("radiance", "has numbers below 0", "linear light")
-        turn = math.radians(number(rotation_deg, "rotation_deg", -1e6, 1e6))
-        self._core.set_environment(map_, number(strength, "strength", 0.0, 1e6), turn)
+        surround(self._core, radiance, strength, rotation_deg)
+
+    def choose_camera(self, camera: Union[str, int]) -> None:
+        """The camera of that name or index (see `cameras`) decides the view: it becomes the first one, and a place that the scene
+        gives its display is forgotten.
+        """
+        choose_camera(self._core, camera)
 
     # ---- Where it is seen from -----------------------------------------------------------------------------------------
 
@@ -343,6 +417,22 @@ class Scene:
         self._materials[key] = material.texture, index  # which is kept, so that its id stays its own
         return index
 
+    def _carried(self, skin: Skin, vertices: int) -> Tuple[Sequence[int], np.ndarray, np.ndarray]:
+        """Nodes of joints, indices and weights, checked; weights sum to 1."""
+        if not isinstance(skin, Skin):
+            raise Error("skin", f"is {skin!r}", "a lippmann.Skin")
+        joints = list(skin.joints) if isinstance(skin.joints, (list, tuple)) else []
+        if not joints or not all(isinstance(joint, Object) and joint._scene is self for joint in joints):
+            raise Error("skin.joints", f"is {skin.joints!r}", "a list of handles of this scene's add_joint")
+        weights = array(skin.weights, "skin.weights", (vertices, None))
+        carriers = indices(skin.indices, "skin.indices", weights.shape[1], len(joints))
+        if len(carriers) != vertices:
+            raise Error("skin.indices", f"has the shape {carriers.shape}", f"the shape {weights.shape}")
+        sums = weights.sum(axis=1, keepdims=True)
+        if (weights < 0).any() or not (sums > 0).all():
+            raise Error("skin.weights", "are below 0, or all 0 at a vertex", "numbers of 0 or more, not all 0")
+        return [joint._node for joint in joints], carriers, weights / sums
+
     def _instance(
         self,
         shape: int,
@@ -360,12 +450,20 @@ class Scene:
 
 
 def load(
-    name: Any, *, frames_per_second: float = 0.0, animation: str = "", camera_path: Any = None, asset_root: Any = None
+    name: Any,
+    *,
+    frames_per_second: float = 0.0,
+    animation: str = "",
+    camera_path: Any = None,
+    asset_root: Any = None,
+    texture_memory_mb: int = 1024,
 ) -> Scene:
     """A built-in scene by name, or a file: .gltf, .glb, .dat, .nff, .obj, .ply.
 
     frames_per_second: 0: the format's default. animation: by name or index, of files with several. camera_path: a Tachyon .cam
     file. asset_root: a folder below which files may lie that the scene names; None: the scene's own.
+    texture_memory_mb: decoded textures of glTF and OBJ files take so much at most: the largest are halved until they do, which is
+    a LippmannWarning. One that is larger than that by itself is an Error.
     """
     where = path_bytes(name, "scene")
     core = _core.load_scene(
@@ -374,8 +472,65 @@ def load(
         number(frames_per_second, "frames_per_second", 0.0, 1e4),
         "" if asset_root is None else path_bytes(asset_root, "asset_root"),
         text(animation, "animation"),
+        integer(texture_memory_mb, "texture_memory_mb", 1, 1 << 20) << 20,
     )
     return Scene._of(core, _core.is_physical_format(where))
+
+
+# ---- Cameras and surroundings --------------------------------------------------------------------------------------------
+
+
+def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
+    """The camera of that name or index decides the view; None changes nothing."""
+    if isinstance(camera, str):
+        core.choose_camera(text(camera, "camera"))
+    elif camera is not None:
+        count = len(core.camera_names)
+        if not count:
+            raise Error("camera", "the scene has no cameras", "no name or index of one")
+        core.choose_camera_at(integer(camera, "camera", 0, count - 1))
+
+
+def surround(core: Any, light: Any, strength: float, rotation_deg: float, prefix: str = "") -> None:
+    """Light from all around: a panorama as a file or an array (y, x, 3), or one colour (3). prefix: of the arguments' names."""
+    name = prefix.rstrip("_") or "radiance"
+    factor = number(strength, prefix + "strength", 0.0, 1e6)
+    turn = number(rotation_deg, prefix + "rotation_deg", -1e6, 1e6)
+    if isinstance(light, (str, bytes, os.PathLike)):
+        return core.read_environment(file_path(light, name), factor, turn)
+    radiance = array(light, name, (3,) if _is_color(light) else (None, None, 3))
+    if (radiance < 0).any():
+        raise Error(name, "has numbers below 0", "linear light")
+    if radiance.ndim == 3:
+        return core.set_environment(radiance, factor, turn)
+    color = tuple(float(c) * factor for c in radiance)
+    core.set_background(color, color)
+
+
+def _is_color(light: Any) -> bool:
+    try:
+        return np.asarray(light).shape == (3,)
+    except (TypeError, ValueError):  # rows of unequal lengths, which array() has a word for
+        return False
+
+
+# ---- Morph targets -------------------------------------------------------------------------------------------------------
+
+
+def _morphs(targets: Any, normals: Any, weights: Any, vertices: int, has_normals: bool) -> Any:
+    """Targets (n, vertices, 3), their normals and weights, checked; None where there are none."""
+    if targets is None:
+        for value, name in ((normals, "target_normals"), (weights, "weights")):
+            if value is not None:
+                raise Error(name, "is given, and targets are not", "targets with it")
+        return None
+    offsets = array(targets, "targets", (None, vertices, 3))
+    if normals is not None:
+        if not has_normals:
+            raise Error("target_normals", "are added to normals, and there are none", "normals with it")
+        normals = array(normals, "target_normals", offsets.shape)
+    rest = np.zeros(len(offsets)) if weights is None else array(weights, "weights", (len(offsets),))
+    return offsets, normals, [float(weight) for weight in rest]
 
 
 # ---- Directions and rotations --------------------------------------------------------------------------------------------

@@ -8,12 +8,18 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <string>
+
 namespace lippmann::python {
 
 namespace py = pybind11;
 
+/// Text from outside (names in files), which need not be UTF-8: what is not becomes the replacement character.
+py::str decoded(const std::string& bytes);
+
 void bind_errors(py::module_& module);
 void bind_scene(py::module_& module);
+void bind_deformation(py::module_& module);
 void bind_optics(py::module_& module);
 void bind_light_field(py::module_& module);
 void bind_renderer(py::module_& module);

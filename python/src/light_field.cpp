@@ -12,6 +12,7 @@
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/interlace.hpp"
 #include "lippmann/layout/open_light_field.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/epipolar_image.hpp"
 #include "lippmann/replay/eye_view.hpp"
@@ -172,12 +173,13 @@ py::array refocused(const RenderedPanel& panel, double z_mm, const std::optional
 }
 
 py::array seen(const RenderedPanel& panel, const std::array<double, 3>& eye_mm, const std::optional<Pair>& size,
-               double pupil_mm, double focus_mm, bool nearest) {
+               double pupil_mm, double focus_mm, bool nearest, double crosstalk_px) {
   require_size(size);
   EyeView view;
   view.eye_mm = {eye_mm[0], eye_mm[1], eye_mm[2]};
   view.size = size_of(size);
   view.pupil_mm = pupil_mm, view.focus_mm = focus_mm;
+  view.crosstalk_px = crosstalk_px;
   view.filter = nearest ? SampleFilter::kNearest : SampleFilter::kLinear;
   validate(view);
   Image picture;
@@ -235,6 +237,7 @@ void bind_light_field(py::module_& module) {
   module.def("light_fields_in", &light_fields_in);
   module.def("formats", &format_lines);
   module.def("codes_of", &codes_of);
+  module.def("read_crosstalk", [](const std::string& text) { return read_crosstalk(text, "crosstalk"); });
   module.def("write_picture", [](const Array<float>& picture, const std::filesystem::path& path) {
     const Image linear = image_of(picture, 3, "picture");
     const py::gil_scoped_release release;

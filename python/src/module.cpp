@@ -8,6 +8,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("version") = lippmann::version();
   bind_errors(module);
   bind_scene(module);
+  bind_deformation(module);
   bind_optics(module);
   bind_light_field(module);
   bind_renderer(module);

@@ -115,7 +115,9 @@ void bind_display(py::module_& module) {
           "viewing_distance_mm", [](const Display& d) { return viewing_distance_mm(d); }, "How far its viewer stands.")
       .def_property_readonly("view_count", &views_of, "How many views it shows.")
       .def_property_readonly("tiles", &tiles_of, "[rows, columns] of its quilt; None: it has none.")
-      .def_property_readonly("aspect", &aspect_of, "Width / height.");
+      .def_property_readonly("aspect", &aspect_of, "Width / height.")
+      .def_readonly("crosstalk_px", &Display::crosstalk_px,
+                    "The blur of its lenses, a sigma in pixels of the panel; None: not known.");
   module.def("load_display", &load_display);
   module.def("display_from_toml", [](const std::string& text) { return display_from_toml(text, "text"); });
   module.def("display_presets", &display_presets);

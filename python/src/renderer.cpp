@@ -47,8 +47,29 @@ auto with_picture(const Film& film, Use use) {
   return sub_pixels_per_pixel(film.optics) > 1 ? use(picture_of_film(image, film.optics)) : use(image);
 }
 
+bool is_transparent(const Film& film) { return film.frame.pictures.aovs.wants(Aov::kAlpha); }
+
+/// Colours that are not multiplied by alpha, and alpha: as `render` writes them.
+Image8 transparent_codes(const Film& film) {
+  Image picture = picture_of_film(film.frame.pictures.film, film.optics);
+  const Image alpha = picture_of_layer(film.frame.pictures.aovs[Aov::kAlpha], film.optics);
+  divide_by_alpha(alpha, picture);
+  Image8 codes = to_codes(picture, film.encoding);
+  codes.alpha = alpha_codes(alpha);
+  return codes;
+}
+
 Image8 film_codes(const Film& film) {
+  if (is_transparent(film)) return transparent_codes(film);
   return with_picture(film, [&](const Image& picture) { return to_codes(picture, film.encoding); });
+}
+
+std::vector<unsigned char> rgba_of(const Image8& codes) {
+  std::vector<unsigned char> rgba;
+  rgba.reserve(4 * codes.alpha.size());
+  for (std::size_t i = 0; i < codes.alpha.size(); ++i)
+    rgba.insert(rgba.end(), {codes.rgb[3 * i], codes.rgb[3 * i + 1], codes.rgb[3 * i + 2], codes.alpha[i]});
+  return rgba;
 }
 
 py::array codes_of_film(const Film& film) {
@@ -57,6 +78,7 @@ py::array codes_of_film(const Film& film) {
     const py::gil_scoped_release release;
     codes = film_codes(film);
   }
+  if (!codes.alpha.empty()) return moved(rgba_of(codes), {codes.height, codes.width, 4});
   return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
 }
 
@@ -126,11 +148,12 @@ Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, 
   return AutoReuse{};
 }
 
-Sampling sampling_of(bool paths, int spp, int max_depth, std::uint32_t seed, bool denoise,
+Sampling sampling_of(bool paths, int spp, int max_depth, std::uint32_t seed, bool denoise, bool transparent,
                      const std::vector<std::string>& layers) {
   Sampling sampling;
   sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
   sampling.spp = spp, sampling.max_depth = max_depth, sampling.seed = seed, sampling.denoise = denoise;
+  sampling.transparent = transparent;
   for (const std::string& name : layers)
     if (const std::optional<Aov> aov = layer_named(name)) sampling.aov.push_back(*aov);
   return sampling;
@@ -170,10 +193,10 @@ class Frames {
 
 /// The scene moves into it: what is left is empty.
 std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, bool paths, int spp, int max_depth,
-                                  std::uint32_t seed, bool denoise, const std::vector<std::string>& layers,
+                                  std::uint32_t seed, bool denoise, bool transparent, const std::vector<std::string>& layers,
                                   const std::string& reuse, const std::optional<int>& keyframes,
                                   const std::optional<double>& min_psnr_db, int threads) {
-  const FrameParams params{sampling_of(paths, spp, max_depth, seed, denoise, layers),
+  const FrameParams params{sampling_of(paths, spp, max_depth, seed, denoise, transparent, layers),
                            reuse_named(reuse, keyframes, min_psnr_db)};
   return std::make_shared<Frames>(scene, placement, params, threads);
 }
@@ -183,6 +206,7 @@ std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, bool
 void bind_renderer(py::module_& module) {
   py::class_<Film, SharedFilm>(module, "Film")
       .def_property_readonly("picture", &picture_of)
+      .def_property_readonly("is_transparent", &is_transparent)
       .def_property_readonly("codes", &codes_of_film)
       .def_property_readonly("report", &report_of)
       .def_property_readonly("world_from_display", [](const Film& f) { return matrix_of(f.world_from_display); })

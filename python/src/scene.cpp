@@ -9,6 +9,8 @@
 #include "lippmann/scene/builtin.hpp"
 #include "lippmann/scene/load.hpp"
 #include "lippmann/scene/timeline.hpp"
+#include "lippmann/stage/choose_camera.hpp"
+#include "lippmann/stage/environment_file.hpp"
 #include "lippmann/stage/lighting.hpp"
 
 namespace lippmann::python {
@@ -28,12 +30,13 @@ int add(std::vector<T>& elements, T element) {
 }
 
 SharedScene load(const std::string& name, const std::string& camera_path, double frames_per_second,
-                 const std::string& asset_root, const std::string& animation) {
+                 const std::string& asset_root, const std::string& animation, std::uint64_t texture_bytes) {
   LoadOptions options;
   if (!camera_path.empty()) options.camera_path = camera_path;
   options.frames_per_second = frames_per_second;
   options.asset_root = asset_root;
   options.animation = animation;
+  options.texture_bytes = texture_bytes;
   SharedScene scene;
   Interruptible(0).run(py::none(),
                        [&](const Context& context) { scene = std::make_shared<Scene>(load_scene(name, options, context)); });
@@ -127,20 +130,31 @@ Channel<T> channel_of(const Timeline& timeline, std::vector<T> values) {
 
 /// A key for every frame.
 void animate(Scene& scene, int node, const std::optional<Array<float>>& translation,
-             const std::optional<Array<float>>& rotation, const std::optional<Array<float>>& scale) {
+             const std::optional<Array<float>>& rotation, const std::optional<Array<float>>& scale,
+             const std::optional<Array<float>>& weights) {
   NodeAnimation& animation = animation_of(scene, node);
   if (translation) animation.translation = channel_of(scene.timeline, vectors_of<Vec3f>(*translation, "translation"));
   if (scale) animation.scale = channel_of(scene.timeline, vectors_of<Vec3f>(*scale, "scale"));
+  if (weights) {
+    animation.morph_weights = channel_of(scene.timeline, std::vector<float>(static_cast<std::size_t>(weights->shape(0))));
+    animation.morph_weights.values.assign(weights->data(), weights->data() + weights->size());
+  }
   if (!rotation) return;
   std::vector<Quatf> turns;
   for (const Vec4f& xyzw : vectors_of<Vec4f>(*rotation, "rotation")) turns.emplace_back(xyzw.w, xyzw.x, xyzw.y, xyzw.z);
   animation.rotation = channel_of(scene.timeline, std::move(turns));
 }
 
-std::vector<std::string> names_of_instances(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Instance& instance : scene.instances) names.push_back(instance.name);
+template <class T>
+std::vector<py::str> names_of(const std::vector<T>& elements) {
+  std::vector<py::str> names;
+  for (const T& element : elements) names.push_back(decoded(element.name));
   return names;
+}
+
+void surround_with_file(Scene& scene, const std::filesystem::path& path, float strength, float rotation_deg) {
+  const py::gil_scoped_release release;
+  scene.background.map = read_environment(path, strength, rotation_deg);
 }
 
 /// (2, 3): lowest and highest coordinates of everything finite; none where there is nothing.
@@ -189,9 +203,11 @@ void bind_elements(py::class_<Scene, SharedScene>& scene) {
            [](Scene& s, const Three& horizon, const Three& zenith) {
              s.background.horizon = vec(horizon), s.background.zenith = vec(zenith), s.background.map.reset();
            })
-      .def("set_environment", [](Scene& s, const Array<float>& radiance, float strength, float rotation) {
-        s.background.map = EnvironmentMap{image_of(radiance, 3, "radiance"), strength, rotation};
-      });
+      .def("set_environment",
+           [](Scene& s, const Array<float>& radiance, float strength, float rotation_deg) {
+             s.background.map = EnvironmentMap{image_of(radiance, 3, "radiance"), strength, radians(rotation_deg)};
+           })
+      .def("read_environment", &surround_with_file);
 }
 
 std::vector<std::pair<std::string, std::string>> builtin_scene_lines() {
@@ -220,7 +236,10 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("frame_count", [](const Scene& s) { return s.timeline.frame_count; })
       .def_property_readonly("frames_per_second", [](const Scene& s) { return s.timeline.frames_per_second; })
       .def_property_readonly("material_count", [](const Scene& s) { return s.materials.size(); })
-      .def_property_readonly("instance_names", &names_of_instances);
+      .def_property_readonly("instance_names", [](const Scene& s) { return names_of(s.instances); })
+      .def_property_readonly("camera_names", [](const Scene& s) { return names_of(s.cameras); })
+      .def("choose_camera", [](Scene& s, const std::string& name) { choose_camera(s, name); })
+      .def("choose_camera_at", [](Scene& s, std::size_t index) { choose_camera(s, index); });
   bind_elements(scene);
   module.def("load_scene", &load);
   module.def("is_physical_format", &is_physical_format);

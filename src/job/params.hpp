@@ -15,8 +15,8 @@
 #include "lippmann/frames/frame_params.hpp"
 #include "lippmann/optics/optics.hpp"
 #include "lippmann/scene/load.hpp"
+#include "lippmann/stage/choose_camera.hpp"
 #include "lippmann/stage/view_wish.hpp"
-#include "stage/choose_camera.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {

@@ -9,11 +9,11 @@
 
 #include "core/printable.hpp"
 #include "core/suggest.hpp"
-#include "job/environment_file.hpp"
 #include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/scene/load.hpp"
+#include "lippmann/stage/environment_file.hpp"
 #include "scene/default_light.hpp"
 #include "scene/studio_light.hpp"
 #include "stage/surroundings.hpp"

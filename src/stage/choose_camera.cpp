@@ -1,4 +1,4 @@
-#include "stage/choose_camera.hpp"
+#include "lippmann/stage/choose_camera.hpp"
 
 #include <fmt/format.h>
 
@@ -83,7 +83,12 @@ void choose_camera(Scene& scene, const std::string& wanted) {
   const std::vector<std::string> names = camera_names(scene);
   const std::size_t chosen = find_camera(names, wanted);
   if (chosen == kNoCamera) throw no_such_camera(names, wanted);
-  const auto at = scene.cameras.begin() + static_cast<std::ptrdiff_t>(chosen);
+  choose_camera(scene, chosen);
+}
+
+void choose_camera(Scene& scene, std::size_t index) {
+  if (index >= scene.cameras.size()) throw no_such_camera(camera_names(scene), std::to_string(index));
+  const auto at = scene.cameras.begin() + static_cast<std::ptrdiff_t>(index);
   std::rotate(scene.cameras.begin(), at, at + 1);
   scene.display.reset();
 }

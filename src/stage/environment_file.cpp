@@ -1,4 +1,4 @@
-#include "job/environment_file.hpp"
+#include "lippmann/stage/environment_file.hpp"
 
 #include <algorithm>
 #include <cmath>
