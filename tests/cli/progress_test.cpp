@@ -71,13 +71,6 @@ TEST(RenderProgress, json_is_an_object_a_line_with_the_bytes_that_are_there) {
   EXPECT_EQ(last["seconds_left"], 0.0);
 }
 
-TEST(RenderProgress, opposites_are_refused) {
-  const TempDir dir;
-  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"-q", "--verbose"}), 2, "--quiet");
-  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"-q", "--progress", "json"}), 2, "--quiet");
-  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"--verbose", "--progress", "json"}), 2, "--verbose");
-}
-
 TEST(RenderProgress, size_is_of_the_panel_s_pixels_not_of_their_colours) {
   const TempDir dir;
   std::ofstream(dir / "small.toml") << "base = 'looking-glass-portrait'\npixels = [96, 128]\n";
@@ -124,34 +117,6 @@ TEST(FittedDepth, is_said_by_a_dry_run) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, small_teapot("0", "a") + Words{"-n"}).out, HasSubstr("of its depth is shown"));
   EXPECT_LT(report_of(dir, small_teapot("0", "a") + Words{"-n"})["depth"]["scale"], 0.9);
-}
-
-TEST(FittedDepth, job_and_flags_agree) {
-  const TempDir dir;
-  const Files fitted = rendered(dir, small_teapot("0", "a"), "a"),
-              full = rendered(dir, small_teapot("0", "b") + Words{"--full-depth"}, "b");
-  EXPECT_NE(fitted, full);
-  EXPECT_EQ(rendered(dir, small_teapot("0", "c") + Words{"--fit-depth"}, "c"), fitted);
-  EXPECT_EQ(rendered(dir, {"render", "b/job.toml", "-o", "d"}, "d"), full) << "fit-depth = false, as older jobs have it";
-  EXPECT_EQ(rendered(dir, {"render", "b/job.toml", "--fit-depth", "-o", "e"}, "e"), fitted) << "flags go over jobs";
-  expect_refusal(run_tool(dir, small_teapot("0", "f") + Words{"--fit-depth", "--full-depth"}), 2, "--full-depth");
-}
-
-/// From the first camera that is converted to the second, to the right; MIV's y axis points to the left.
-double camera_step(const TempDir& dir, const std::string& folder) {
-  EXPECT_EQ(run_tool(dir, {"convert", folder + "/frame_0000.png", folder + "-miv", "--to", "miv"}).exit_code, 0);
-  const Json cameras = json_of(bytes_of(dir / (folder + "-miv/cameras.json")))["cameras"];
-  return cameras[0]["Position"][1].get<double>() - cameras[1]["Position"][1].get<double>();
-}
-
-TEST(FittedDepth, cameras_of_converted_views_stand_where_the_views_were_seen_from) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0", "fitted")).exit_code, 0);
-  ASSERT_EQ(run_tool(dir, small_teapot("0", "full") + Words{"--full-depth"}).exit_code, 0);
-  const double scale = json_of(bytes_of(dir / "fitted/report.json"))["depth"]["scale"];
-  const double full = camera_step(dir, "full");
-  EXPECT_GT(full, 0.0);
-  EXPECT_NEAR(camera_step(dir, "fitted") / full, scale, 1e-4);  // report.json holds floats
 }
 
 }  // namespace
