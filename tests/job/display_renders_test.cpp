@@ -82,7 +82,8 @@ std::pair<std::uint32_t, std::uint32_t> resolution_of(const std::string& tiff) {
   const std::size_t at = tiff.find(std::string("\x1a\x01\x05\x00\x01\x00\x00\x00", 8));
   const auto word = [&](std::size_t i) {
     std::uint32_t value = 0;
-    for (std::size_t b = 0; b < 4; ++b) value |= static_cast<std::uint32_t>(static_cast<unsigned char>(tiff.at(i + b))) << (8 * b);
+    for (std::size_t b = 0; b < 4; ++b)
+      value |= static_cast<std::uint32_t>(static_cast<unsigned char>(tiff.at(i + b))) << (8 * b);
     return value;
   };
   const std::uint32_t rational = word(at + 8);

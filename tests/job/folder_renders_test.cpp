@@ -30,7 +30,8 @@ TEST_F(FolderRenders, with_other_settings_are_refused_and_change_nothing) {
 
 TEST_F(FolderRenders, with_other_key_frames_are_refused) {
   render(teapot("a", "0-3", {{"keyframes", "3"}, {"reuse", "interpolate"}}));
-  EXPECT_THAT(refusal(teapot("a", "0-3", {{"keyframes", "2"}, {"reuse", "interpolate"}})), HasSubstr("it differs in keyframes"));
+  EXPECT_THAT(refusal(teapot("a", "0-3", {{"keyframes", "2"}, {"reuse", "interpolate"}})),
+              HasSubstr("it differs in keyframes"));
 }
 
 TEST_F(FolderRenders, of_the_same_job_warn_of_nothing_and_give_the_same) {
@@ -178,11 +179,10 @@ TEST_F(FolderRenders, mend_damage_of_any_file_that_check_finds) {
 }
 
 TEST_F(FolderRenders, resume_to_the_same_bytes_whatever_the_frames_take_from_each_other) {
-  const std::vector<Settings> kinds{
-      {{"reuse", "interpolate"}, {"keyframes", "4"}, {"fill", "retrace"}, {"halving", "true"}},
-      {{"reuse", "copy"}, {"keyframes", "4"}},
-      {{"lenses", "8"}, {"integrator", "path"}, {"spp", "2"}},
-      {{"lenses", "8"}, {"integrator", "path"}, {"spp", "2"}, {"denoise", "true"}}};
+  const std::vector<Settings> kinds{{{"reuse", "interpolate"}, {"keyframes", "4"}, {"fill", "retrace"}, {"halving", "true"}},
+                                    {{"reuse", "copy"}, {"keyframes", "4"}},
+                                    {{"lenses", "8"}, {"integrator", "path"}, {"spp", "2"}},
+                                    {{"lenses", "8"}, {"integrator", "path"}, {"spp", "2"}, {"denoise", "true"}}};
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     const RenderParams params = teapot("kind-" + std::to_string(kind), "0-5", kinds[kind]);
     const fs::path folder = params.output.folder;
@@ -195,8 +195,7 @@ TEST_F(FolderRenders, resume_to_the_same_bytes_whatever_the_frames_take_from_eac
 }
 
 TEST_F(FolderRenders, that_share_light_keep_their_errors_in_the_report) {
-  const RenderParams params =
-      teapot("a", "0-2", {{"fit-depth", "false"}, {"integrator", "path"}, {"spp", "32"}});
+  const RenderParams params = teapot("a", "0-2", {{"fit-depth", "false"}, {"integrator", "path"}, {"spp", "32"}});
   const RenderReport whole = render(params);
   ASSERT_TRUE(whole.frames.at(0).estimated_psnr_db);
   const Files pictures = files_in(dir_ / "a", ".png");
@@ -226,8 +225,8 @@ TEST_F(FolderRenders, of_views_make_a_frame_again_of_which_a_view_is_missing) {
 }
 
 TEST_F(FolderRenders, of_a_job_file_make_the_same_pictures_again) {
-  const Files first = rendered(teapot("a", "4-5", {{"optics", "microlens"}, {"lens-pixels", "6"}, {"view-angle", "35"},
-                                                   {"spp", "2"}, {"seed", "9"}}));
+  const Files first = rendered(
+      teapot("a", "4-5", {{"optics", "microlens"}, {"lens-pixels", "6"}, {"view-angle", "35"}, {"spp", "2"}, {"seed", "9"}}));
   EXPECT_EQ(first.size(), 2u);
   RenderParams again = job_of("a");
   again.output.folder = dir_ / "b";
@@ -246,7 +245,8 @@ TEST_F(FolderRenders, of_a_path_traced_file_are_the_same_job_when_resumed) {
 TEST_F(FolderRenders, report_holds_the_optics_the_settings_and_the_rays_of_every_frame) {
   const nlohmann::ordered_json report = to_json(render(teapot("a", "3-4", {{"reuse", "none"}})));
   EXPECT_EQ(report, nlohmann::ordered_json::parse(bytes("a/report.json")));
-  for (const char* key : {"version", "scene", "optics", "settings", "frames", "totals"}) EXPECT_TRUE(report.contains(key)) << key;
+  for (const char* key : {"version", "scene", "optics", "settings", "frames", "totals"})
+    EXPECT_TRUE(report.contains(key)) << key;
   ASSERT_EQ(report["frames"].size(), 2u);
   const auto& frame = report["frames"][1];
   EXPECT_EQ(frame["frame"], 4);
@@ -263,8 +263,8 @@ TEST_F(FolderRenders, report_holds_the_optics_the_settings_and_the_rays_of_every
 }
 
 TEST_F(FolderRenders, report_of_denoised_frames_counts_those_beside_them) {
-  const auto report = to_json(
-      render(teapot("a", "1-2", {{"lenses", "8"}, {"integrator", "path"}, {"spp", "4"}, {"denoise", "true"}})));
+  const auto report =
+      to_json(render(teapot("a", "1-2", {{"lenses", "8"}, {"integrator", "path"}, {"spp", "4"}, {"denoise", "true"}})));
   EXPECT_EQ(report["settings"]["denoise"], true);
   EXPECT_EQ(report["totals"]["frames"], 2);
   EXPECT_EQ(report["totals"]["source_frames"], 2) << "0 and 3";

@@ -58,8 +58,7 @@ TEST_F(LayoutRenders, views_are_those_that_are_cut_from_the_integral_image) {
 
 TEST_F(LayoutRenders, quilt_is_that_of_conversion_and_says_its_tiles_in_its_name_and_its_video_s) {
   render(array("whole"));
-  const RenderReport report =
-      render(array("quilts", {{"layout", "quilt"}, {"quilt", "8x2"}, {"video", dir_ / "a.mkv"}}));
+  const RenderReport report = render(array("quilts", {{"layout", "quilt"}, {"quilt", "8x2"}, {"video", dir_ / "a.mkv"}}));
   convert("whole/frame_0003.png", "one.png", "quilt", of_views({4, 4}, ViewGrid{8, 2}));
   EXPECT_EQ(bytes("quilts/frame_0003_qs8x2a1.png"), bytes("one_qs8x2a1.png"));
   EXPECT_EQ(report.videos, std::vector<std::string>{dir_ / "a_qs8x2a1.mkv"});
@@ -158,8 +157,8 @@ TEST_F(LayoutRenders, eyes_before_a_quilt_see_what_is_rendered_for_them) {
               {"view-angle", "15.189"},
               {"frames", "3"},
               {"viewing-distance", "600"}}));
-  const StereoFrames made = convert_to_stereo(
-      {.in = dir_ / "q", .out = dir_ / "eyes", .ipd_mm = 50.0, .screen_width_mm = 64.0}, context_);
+  const StereoFrames made =
+      convert_to_stereo({.in = dir_ / "q", .out = dir_ / "eyes", .ipd_mm = 50.0, .screen_width_mm = 64.0}, context_);
   EXPECT_EQ(made.view_size, Vec2i(64, 36));
   EXPECT_EQ(made.out_of_zone, 0.0);
   render(pair("sbs", {{"size", "128x36"}, {"ipd", "50"}, {"screen-width", "64"}}));

@@ -89,7 +89,8 @@ TEST_F(LightFieldRenders, data_set_brings_back_pictures_and_depth) {
   EXPECT_EQ(files_in(dir_ / "hci", ".png").size(), 9u);
   EXPECT_EQ(files_in(dir_ / "hci", ".png"), files_in(dir_ / "again", ".png"));
   EXPECT_FALSE(files_in(dir_ / "hci", ".pfm").empty());
-  for (const auto& [name, depth] : files_in(dir_ / "hci", ".pfm")) expect_same_depth(dir_ / "hci" / name, dir_ / "again" / name);
+  for (const auto& [name, depth] : files_in(dir_ / "hci", ".pfm"))
+    expect_same_depth(dir_ / "hci" / name, dir_ / "again" / name);
 }
 
 TEST_F(LightFieldRenders, native_frame_of_a_quilt_taken_apart_and_made_again_is_the_same) {

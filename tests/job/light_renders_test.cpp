@@ -83,9 +83,12 @@ TEST_F(LightRenders, exposure_of_a_stop_doubles_linear_light) {
 }
 
 TEST_F(LightRenders, transparent_pictures_have_alpha_in_every_format_and_layout) {
-  const std::vector<Settings> kinds{{{"format", "png"}},     {{"format", "png16"}},
-                                    {{"format", "tiff"}},    Settings{{"format", "exr"}} + kPaths,
-                                    {{"layout", "views"}},   {{"layout", "quilt"}},
+  const std::vector<Settings> kinds{{{"format", "png"}},
+                                    {{"format", "png16"}},
+                                    {{"format", "tiff"}},
+                                    Settings{{"format", "exr"}} + kPaths,
+                                    {{"layout", "views"}},
+                                    {{"layout", "quilt"}},
                                     kPaths + Settings{{"denoise", "true"}}};
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const std::string folder = std::to_string(i);
@@ -130,12 +133,11 @@ TEST_F(LightRenders, transparent_is_refused_where_alpha_cannot_be_or_means_nothi
 
 TEST_F(LightRenders, denoised_frames_have_every_layout_and_layers) {
   const Settings paths{{"integrator", "path"}, {"spp", "2"}, {"frames", "3"}, {"denoise", "true"}};
-  const std::vector<Settings> kinds{
-      {{"optics", "multiview"}, {"views", "3x1"}, {"size", "48x16"}, {"layout", "quilt"}},
-      {{"optics", "multiview"}, {"views", "2x2"}, {"size", "32x36"}, {"camera-grid", "true"}},
-      {{"optics", "microlens"}, {"lens-pixels", "3"}, {"layout", "views"}, {"lenses", "8"}},
-      {{"optics", "single"}, {"size", "32x32"}, {"transparent", "true"}},
-      {{"format", "exr"}, {"aov", "albedo,direct,motion"}, {"lenses", "8"}}};
+  const std::vector<Settings> kinds{{{"optics", "multiview"}, {"views", "3x1"}, {"size", "48x16"}, {"layout", "quilt"}},
+                                    {{"optics", "multiview"}, {"views", "2x2"}, {"size", "32x36"}, {"camera-grid", "true"}},
+                                    {{"optics", "microlens"}, {"lens-pixels", "3"}, {"layout", "views"}, {"lenses", "8"}},
+                                    {{"optics", "single"}, {"size", "32x32"}, {"transparent", "true"}},
+                                    {{"format", "exr"}, {"aov", "albedo,direct,motion"}, {"lenses", "8"}}};
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     render(job("room", std::to_string(i), paths + kinds[i]));
     EXPECT_FALSE(pictures_below(dir_ / std::to_string(i)).empty()) << i;
@@ -145,8 +147,10 @@ TEST_F(LightRenders, denoised_frames_have_every_layout_and_layers) {
 TEST_F(LightRenders, what_cannot_be_denoised_or_interpolated_is_refused) {
   const auto refused = [&](const Settings& settings) { return refusal(teapot("out", "0", settings)); };
   EXPECT_THAT(refused({{"denoise", "true"}}), HasSubstr("denoise: only paths have noise"));
-  EXPECT_THAT(refused({{"integrator", "path"}, {"spp", "1"}, {"denoise", "true"}}), HasSubstr("denoise: the noise of one sample"));
-  EXPECT_THAT(refused(kPaths + Settings{{"denoise", "true"}, {"lens-pixels", "7.5"}}), HasSubstr("denoise: lenses that do not"));
+  EXPECT_THAT(refused({{"integrator", "path"}, {"spp", "1"}, {"denoise", "true"}}),
+              HasSubstr("denoise: the noise of one sample"));
+  EXPECT_THAT(refused(kPaths + Settings{{"denoise", "true"}, {"lens-pixels", "7.5"}}),
+              HasSubstr("denoise: lenses that do not"));
   EXPECT_THAT(refused(kPaths + Settings{{"reuse", "interpolate"}}),
               HasSubstr("reuse: interpolate does not know path-traced frames"));
   EXPECT_THAT(refused({{"splat", "lens"}}), HasSubstr("splat"));

@@ -127,7 +127,9 @@ TEST_F(ReplayedRenders, rotated_elemental_images_come_back_to_the_bit_and_can_be
   EXPECT_EQ(read_image8(dir_ / "back/frame_0003.png").rgb, read_image8(dir_ / "out/frame_0003.png").rgb);
   EXPECT_NE(read_image8(dir_ / "turned/frame_0003.png").rgb, read_image8(dir_ / "out/frame_0003.png").rgb);
   EXPECT_EQ(seen({}, "turned", "eye").written.size(), 2u);
-  EXPECT_THAT(error_message([&] { convert_to_orthoscopic({dir_ / "out", dir_ / "out"}, context_); }),
+  EXPECT_THAT(error_message([&] {
+                convert_to_orthoscopic({dir_ / "out", dir_ / "out"}, context_);
+              }),
               HasSubstr("another folder"));
 }
 
