@@ -19,7 +19,7 @@ struct FocalStack {
 };
 
 struct ReplayParams {
-  std::filesystem::path in;           ///< a picture or a folder (replay/light_field_frames.hpp)
+  std::filesystem::path in = {};      ///< a picture or a folder (replay/light_field_frames.hpp)
   LightFieldHints field = {};         ///< what flags say of it
   std::filesystem::path folder = {};  ///< for the results; empty: "replay" beside the pictures
   bool exr = false;                   ///< linear floats instead of PNG

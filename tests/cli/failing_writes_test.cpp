@@ -23,18 +23,6 @@ RunResult run_failing(const TempDir& dir, const Words& arguments, const std::str
              {dir.path().string(), 0});
 }
 
-/// Below the folder, but for those that tell of times; the contents by name.
-Files files_below(const fs::path& folder) {
-  Files files;
-  if (!fs::exists(folder)) return files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().filename();
-    if (entry.is_regular_file() && name != "report.json" && entry.path().extension() != ".jsonl" && name != "job.toml")
-      files[entry.path().lexically_relative(folder)] = bytes_of(entry.path());
-  }
-  return files;
-}
-
 enum class Fails { kOneWrite, kAllFromThereOn };
 
 /// Hundreds of these run: the scene is built in no time, the picture is small, and one thread makes the calls of every run come
@@ -72,40 +60,28 @@ void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = F
   const TempDir dir;
   const Words command = render_of_two_frames(flags, "cut");
   ASSERT_EQ(run_tool(dir, render_of_two_frames(flags, "whole")).exit_code, 0);
-  const Files whole = files_below(dir / "whole");
+  const Files whole = pictures_below(dir / "whole");
   int number = 0;
   for (bool failed = true; failed; fs::remove_all(dir / "cut"), fs::remove(dir / "failed")) {
     const RunResult result = run_failing(dir, command, call, ++number, fails == Fails::kAllFromThereOn);
     failed = fs::exists(dir / "failed");
     EXPECT_EQ(result.exit_code, failed ? 1 : 0) << number << ": " << result.err;
     EXPECT_EQ(failures_said(result.err), failed ? 1 : 0) << number << ": " << result.err;
-    expect_whole_files(files_below(dir / "cut"), whole, number);
+    expect_whole_files(pictures_below(dir / "cut"), whole, number);
     if (failed && (number % 4 == 0 || fs::exists(dir / "cut/video.mkv"))) expect_resumes(dir, command, number);
   }
   EXPECT_GT(number, call == "write" ? 8 : call == "mkdir" ? 1 : 4) << "no " << call << " of the pictures failed";
 }
 
-TEST(FailingWrites, of_png_are_said_and_leave_whole_files_or_none) { expect_an_error_and_whole_files_or_none({}); }
+TEST(FailingWrites, of_pictures_are_said_and_leave_whole_files_or_none) {
+  for (const Words& flags : {Words{}, Words{"--format", "tiff"}, Words{"--format", "exr"}, Words{"--layout", "views"},
+                             Words{"--optics", "multiview", "--views", "2x2", "--layout", "quilt"}})
+    expect_an_error_and_whole_files_or_none(flags);
+}
 
 TEST(FailingWrites, of_layers_are_said_and_leave_whole_files_or_none) {
   for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
     expect_an_error_and_whole_files_or_none({"--format", "png16", "--aov", "depth"}, fails);
-}
-
-TEST(FailingWrites, of_tiff_are_said_and_leave_whole_files_or_none) {
-  expect_an_error_and_whole_files_or_none({"--format", "tiff"});
-}
-
-TEST(FailingWrites, of_exr_are_said_and_leave_whole_files_or_none) {
-  expect_an_error_and_whole_files_or_none({"--format", "exr"});
-}
-
-TEST(FailingWrites, of_views_are_said_and_leave_whole_files_or_none) {
-  expect_an_error_and_whole_files_or_none({"--layout", "views"});
-}
-
-TEST(FailingWrites, of_quilts_are_said_and_leave_whole_files_or_none) {
-  expect_an_error_and_whole_files_or_none({"--optics", "multiview", "--views", "2x2", "--layout", "quilt"});
 }
 
 TEST(FailingWrites, of_videos_are_said_and_leave_whole_files_or_none) {
@@ -164,7 +140,7 @@ Ends ends_of_runs_out_of_memory(const TempDir& dir, const Words& flags, const Fi
   for (int number = 1;; number += allocation_step(has_folder)) {
     const RunResult result = run_failing(dir, command, "allocate", number, false);
     const bool failed = fs::remove(dir / "failed");
-    expect_out_of_memory_or_whole(result, files_below(dir / "cut"), whole, number, ends);
+    expect_out_of_memory_or_whole(result, pictures_below(dir / "cut"), whole, number, ends);
     has_folder = fs::exists(dir / "cut/.lippmann");
     ends.with_folder += has_folder && result.exit_code != 0;
     if (has_folder) expect_resumes(dir, command, number);
@@ -178,7 +154,7 @@ TEST(FailingAllocations, are_mostly_said_in_a_line_and_always_leave_a_folder_tha
   const TempDir dir;
   const Words flags{"--video", "VIDEO"};
   ASSERT_EQ(run_tool(dir, render_of_two_frames(flags, "whole")).exit_code, 0);
-  const Ends ends = ends_of_runs_out_of_memory(dir, flags, files_below(dir / "whole"));
+  const Ends ends = ends_of_runs_out_of_memory(dir, flags, pictures_below(dir / "whole"));
   EXPECT_GT(ends.with_folder, 8);
   EXPECT_LE(4 * ends.ended, ends.said) << "by a library, now and then";
 }

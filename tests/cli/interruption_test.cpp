@@ -67,15 +67,6 @@ TEST(Interruption, resume_of_a_finished_render_traces_nothing) {
   EXPECT_THAT(again.out, HasSubstr("3 kept"));
 }
 
-TEST(Interruption, resume_replaces_a_picture_that_was_damaged) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a")).exit_code, 0);
-  const std::string good = bytes_of(dir / "a/frame_0001.png");
-  std::filesystem::resize_file(dir / "a/frame_0001.png", 100);
-  ASSERT_EQ(run_tool(dir, small_teapot("0-1", "a") + Words{"--resume"}).exit_code, 0);
-  EXPECT_EQ(bytes_of(dir / "a/frame_0001.png"), good);
-}
-
 TEST(Interruption, ctrl_c_keeps_finished_frames_and_says_so) {
   const TempDir dir;
   const Words arguments = small_teapot("0-479", "a") + Words{"--video", "a/a.mp4", "--json"};

@@ -1,11 +1,7 @@
 // What `lippmann render` says before and while it renders, and what it promises of sizes.
-#include "apps/lippmann/progress.hpp"
-
 #include <gmock/gmock.h>
 
-#include <atomic>
 #include <fstream>
-#include <future>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -31,80 +27,6 @@ std::size_t size_of(const std::filesystem::path& folder, const std::string& endi
   std::size_t sum = 0;
   for (const auto& [name, bytes] : files_in(folder, ending)) sum += bytes.size();
   return sum;
-}
-
-TEST(LineSchedule, first_and_last_are_due_and_others_ever_less_often) {
-  app::LineSchedule schedule;
-  EXPECT_TRUE(schedule.is_due(1, 1000, 2.0));
-  EXPECT_FALSE(schedule.is_due(2, 1000, 31.9)) << "30 s after the line before";
-  EXPECT_TRUE(schedule.is_due(3, 1000, 32.0));
-  EXPECT_FALSE(schedule.is_due(4, 1000, 61.0));
-  EXPECT_TRUE(schedule.is_due(5, 1000, 3600.0));
-  EXPECT_FALSE(schedule.is_due(6, 1000, 3990.0)) << "after an hour, every tenth of what has gone";
-  EXPECT_TRUE(schedule.is_due(7, 1000, 4000.0));
-  EXPECT_TRUE(schedule.is_due(1000, 1000, 4001.0));
-}
-
-TEST(LineSchedule, time_left_is_that_of_what_is_done) { EXPECT_DOUBLE_EQ(app::seconds_left(30.0, 3, 12), 90.0); }
-
-TEST(LineSchedule, what_is_under_way_is_due_30_s_after_the_line_before) {
-  app::LineSchedule schedule;
-  EXPECT_FALSE(schedule.is_due_within(29.9));
-  EXPECT_TRUE(schedule.is_due_within(30.0));
-  EXPECT_TRUE(schedule.is_due(1, 2, 31.0));
-  EXPECT_FALSE(schedule.is_due_within(60.9));
-  EXPECT_TRUE(schedule.is_due_within(61.0));
-}
-
-/// What is printed of a frame of four parts of 30 s each, the share of which is known or not.
-std::string said_of_a_long_frame(app::ProgressStyle style, bool knows_share) {
-  app::Progress::Clock::time_point now{};
-  testing::internal::CaptureStderr();
-  {
-    app::Progress progress(2, style, [&] { return now; });
-    progress.set_note("files: about 3 MB");
-    for (const double share : {0.25, 0.5, 0.75}) {
-      now += std::chrono::seconds(15);
-      progress.tick();
-      now += std::chrono::seconds(15);
-      if (knows_share) progress.within(share);
-      progress.tick();
-    }
-    now += std::chrono::seconds(30);
-    progress.step("frame 7: 120 s");
-    progress.tick();
-  }
-  return testing::internal::GetCapturedStderr();
-}
-
-// Two frames take 240 s: after 30 s, 210 s are left.
-TEST(Progress, without_a_terminal_a_long_frame_gets_lines_while_it_is_traced) {
-  for (const auto style : {app::ProgressStyle::kLines, app::ProgressStyle::kEveryLine})
-    EXPECT_EQ(said_of_a_long_frame(style, true),
-              "[0/2] 25 % of the next frame; 3:30 left, files: about 3 MB\n"
-              "[0/2] 50 % of the next frame; 3:00 left, files: about 3 MB\n"
-              "[0/2] 75 % of the next frame; 2:30 left, files: about 3 MB\n"
-              "[1/2] frame 7: 120 s; 2:00 left, files: about 3 MB\n");
-}
-
-TEST(Progress, of_a_frame_whose_share_nobody_knows_is_the_time_so_far) {
-  EXPECT_EQ(said_of_a_long_frame(app::ProgressStyle::kLines, false),
-            "[0/2] 0:30 so far, files: about 3 MB\n"
-            "[0/2] 1:00 so far, files: about 3 MB\n"
-            "[0/2] 1:30 so far, files: about 3 MB\n"
-            "[1/2] frame 7: 120 s; 2:00 left, files: about 3 MB\n");
-}
-
-TEST(Heartbeat, beats_until_it_goes) {
-  std::promise<void> beaten;
-  std::atomic<int> beats{0};
-  {
-    const app::Heartbeat heartbeat([&] {
-      if (++beats == 1) beaten.set_value();
-    });
-    beaten.get_future().wait();
-  }
-  EXPECT_GE(beats, 1);
 }
 
 TEST(RenderProgress, without_a_terminal_says_what_comes_then_the_first_and_the_last_frame) {
@@ -147,13 +69,6 @@ TEST(RenderProgress, json_is_an_object_a_line_with_the_bytes_that_are_there) {
   EXPECT_EQ(last["bytes"], files) << "pictures and layers";
   EXPECT_EQ(last["estimated_bytes"], files);
   EXPECT_EQ(last["seconds_left"], 0.0);
-}
-
-TEST(RenderProgress, opposites_are_refused) {
-  const TempDir dir;
-  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"-q", "--verbose"}), 2, "--quiet");
-  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"-q", "--progress", "json"}), 2, "--quiet");
-  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"--verbose", "--progress", "json"}), 2, "--verbose");
 }
 
 TEST(RenderProgress, size_is_of_the_panel_s_pixels_not_of_their_colours) {
@@ -202,34 +117,6 @@ TEST(FittedDepth, is_said_by_a_dry_run) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, small_teapot("0", "a") + Words{"-n"}).out, HasSubstr("of its depth is shown"));
   EXPECT_LT(report_of(dir, small_teapot("0", "a") + Words{"-n"})["depth"]["scale"], 0.9);
-}
-
-TEST(FittedDepth, job_and_flags_agree) {
-  const TempDir dir;
-  const Files fitted = rendered(dir, small_teapot("0", "a"), "a"),
-              full = rendered(dir, small_teapot("0", "b") + Words{"--full-depth"}, "b");
-  EXPECT_NE(fitted, full);
-  EXPECT_EQ(rendered(dir, small_teapot("0", "c") + Words{"--fit-depth"}, "c"), fitted);
-  EXPECT_EQ(rendered(dir, {"render", "b/job.toml", "-o", "d"}, "d"), full) << "fit-depth = false, as older jobs have it";
-  EXPECT_EQ(rendered(dir, {"render", "b/job.toml", "--fit-depth", "-o", "e"}, "e"), fitted) << "flags go over jobs";
-  expect_refusal(run_tool(dir, small_teapot("0", "f") + Words{"--fit-depth", "--full-depth"}), 2, "--full-depth");
-}
-
-/// From the first camera that is converted to the second, to the right; MIV's y axis points to the left.
-double camera_step(const TempDir& dir, const std::string& folder) {
-  EXPECT_EQ(run_tool(dir, {"convert", folder + "/frame_0000.png", folder + "-miv", "--to", "miv"}).exit_code, 0);
-  const Json cameras = json_of(bytes_of(dir / (folder + "-miv/cameras.json")))["cameras"];
-  return cameras[0]["Position"][1].get<double>() - cameras[1]["Position"][1].get<double>();
-}
-
-TEST(FittedDepth, cameras_of_converted_views_stand_where_the_views_were_seen_from) {
-  const TempDir dir;
-  ASSERT_EQ(run_tool(dir, small_teapot("0", "fitted")).exit_code, 0);
-  ASSERT_EQ(run_tool(dir, small_teapot("0", "full") + Words{"--full-depth"}).exit_code, 0);
-  const double scale = json_of(bytes_of(dir / "fitted/report.json"))["depth"]["scale"];
-  const double full = camera_step(dir, "full");
-  EXPECT_GT(full, 0.0);
-  EXPECT_NEAR(camera_step(dir, "fitted") / full, scale, 1e-4);  // report.json holds floats
 }
 
 }  // namespace

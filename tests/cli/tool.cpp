@@ -32,13 +32,6 @@ std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-Files files_in(const std::filesystem::path& folder, const std::string& ending) {
-  Files files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ending) files[entry.path().filename().string()] = bytes_of(entry.path());
-  return files;
-}
-
 Files rendered(const TempDir& dir, const Words& arguments, const std::string& folder) {
   const RunResult result = run_tool(dir, arguments);
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <iosfwd>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "support/folder_files.hpp"
 #include "support/subprocess.hpp"
 #include "support/temp_dir.hpp"
 
@@ -26,11 +26,6 @@ Words tool_command(const Words& arguments);
 RunResult run_tool(const TempDir& dir, const Words& arguments, std::size_t file_size_limit = 0);
 
 std::string bytes_of(const std::filesystem::path& path);
-
-using Files = std::map<std::string, std::string>;  ///< contents by name
-
-/// The files in a folder that end so.
-Files files_in(const std::filesystem::path& folder, const std::string& ending);
 
 /// Runs the tool, which must not fail; the pictures that are then in the folder.
 Files rendered(const TempDir& dir, const Words& arguments, const std::string& folder);

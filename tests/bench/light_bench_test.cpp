@@ -1,25 +1,28 @@
 // The figures of path-traced light with reuse, on a few small frames: what must be so whatever is saved.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "cli/tool.hpp"
+#include "bench/run_benchmark.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
 
 namespace lippmann::test {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-Json light_rows(const TempDir& dir, const Words& more) {
-  return report_of(dir, Words{"bench", "light", "--quick", "--references", (dir / "references").string()} + more)["rows"];
+Json light_rows(const TempDir& dir, bench::Request request) {
+  request.references = dir / "references";
+  return run_benchmark("light", request).rows;
 }
 
 TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
   const TempDir dir;
-  const Json rows = light_rows(dir, {"--scene", "primitives", "--scene", "room-quilt", "--frames", "3"});
+  const Json rows = light_rows(dir, quick_request({"primitives", "room-quilt"}, 3));
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0]["case"], "animation");
   EXPECT_EQ(rows[0]["frames"], 3);
@@ -40,19 +43,22 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
 
 TEST(BenchLight, rows_are_measured_in_other_views) {
   const TempDir dir;
-  const Json row = light_rows(dir, {"--scene", "gloss", "--frames", "1", "--views", "4x2", "--view-pixels", "16"})[0];
+  bench::Request request = quick_request({"gloss"}, 1);
+  request.views = "4x2", request.view_pixels = 16;
+  const Json row = light_rows(dir, request)[0];
   EXPECT_EQ(row["width"], 64);
   EXPECT_EQ(row["height"], 32);
-  const RunResult wrong = run_tool(dir, {"bench", "light", "--views", "0x3"});
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("--views"), std::string::npos) << wrong.err;
+  request.views = "0x3";
+  EXPECT_THAT(error_message([&] { light_rows(dir, request); }), testing::HasSubstr("--views"));
 }
 
 // Both sides trace the same paths as in the noisy row: without noise, they are nearer to the same reference.
 TEST(BenchLight, both_sides_are_denoised_where_that_is_asked_for) {
   const TempDir dir;
-  const Words scene{"--scene", "flash", "--frames", "2"};
-  const Json noisy = light_rows(dir, scene)[0], denoised = light_rows(dir, scene + Words{"--denoise"})[0];
+  bench::Request scene = quick_request({"flash"}, 2);
+  const Json noisy = light_rows(dir, scene)[0];
+  scene.denoise = true;
+  const Json denoised = light_rows(dir, scene)[0];
   EXPECT_EQ(denoised["references_kept"], noisy["references_rendered"]);
   EXPECT_GT(denoised["full_psnr_db"], noisy["full_psnr_db"]);
   const auto with_reuse = [](const Json& row) { return row["full_psnr_db"].get<double>() + row["gain_db"].get<double>(); };
@@ -61,7 +67,7 @@ TEST(BenchLight, both_sides_are_denoised_where_that_is_asked_for) {
 
 TEST(BenchLight, full_render_with_more_samples_is_nearer_to_the_reference) {
   const TempDir dir;
-  const Json rows = light_rows(dir, {"--scene", "primitives", "--frames", "1"});
+  const Json rows = light_rows(dir, quick_request({"primitives"}, 1));
   const Json& by_spp = rows[0]["full_by_spp"];
   ASSERT_GE(by_spp.size(), 2u);
   for (std::size_t i = 1; i < by_spp.size(); ++i) {
@@ -72,7 +78,7 @@ TEST(BenchLight, full_render_with_more_samples_is_nearer_to_the_reference) {
 
 TEST(BenchLight, kept_references_serve_again_and_damaged_or_other_ones_do_not) {
   const TempDir dir;
-  const Words scene{"--scene", "primitives", "--frames", "2"};
+  bench::Request scene = quick_request({"primitives"}, 2);
   const Json first = light_rows(dir, scene)[0], second = light_rows(dir, scene)[0];
   EXPECT_EQ(first["references_rendered"], 4);  // two halves for each of two frames
   EXPECT_EQ(second["references_kept"], 4);
@@ -85,20 +91,20 @@ TEST(BenchLight, kept_references_serve_again_and_damaged_or_other_ones_do_not) {
   EXPECT_EQ(mended["references_rendered"], 2);  // both halves of the frame
   EXPECT_EQ(mended["full_psnr_db"], first["full_psnr_db"]);
 
-  EXPECT_EQ(light_rows(dir, scene + Words{"--reference-spp", "32"})[0]["references_rendered"], 4);
+  scene.reference_spp = 32;
+  EXPECT_EQ(light_rows(dir, scene)[0]["references_rendered"], 4);
 }
 
 TEST(BenchLight, unknown_scene_is_refused) {
   const TempDir dir;
-  const RunResult result =
-      run_tool(dir, {"bench", "light", "--quick", "--references", dir.path().string(), "--scene", "teapott"});
-  EXPECT_NE(result.exit_code, 0);
-  EXPECT_NE(result.err.find("teapot"), std::string::npos) << result.err;
+  EXPECT_THAT(error_message([&] { light_rows(dir, quick_request({"teapott"})); }), testing::HasSubstr("teapot"));
 }
 
 TEST(BenchLight, hostile_row_has_its_figures_and_bars) {
   const TempDir dir;
-  const Json row = light_rows(dir, {"bar-lamp", "--pictures", (dir / "pictures").string()})[0];
+  bench::Request request = quick_request({"bar-lamp"});
+  request.pictures = dir / "pictures";
+  const Json row = light_rows(dir, request)[0];
   EXPECT_EQ(row["row"], "bar-lamp");
   EXPECT_EQ(row["frames"], 3);
   EXPECT_EQ(row["compared_frames"], 3);
@@ -114,8 +120,9 @@ TEST(BenchLight, hostile_row_has_its_figures_and_bars) {
 
 TEST(BenchEstimates, tells_of_every_frame_how_far_its_psnr_is_from_what_is_told) {
   const TempDir dir;
-  const Json row = report_of(
-      dir, {"bench", "estimates", "--quick", "--scene", "flash", "--references", (dir / "references").string()})["rows"][0];
+  bench::Request request = quick_request({"flash"});
+  request.references = dir / "references";
+  const Json row = run_benchmark("estimates", request).rows[0];
   EXPECT_EQ(row["width"], 72);
   EXPECT_EQ(row["frames"], 3);
   ASSERT_EQ(row["excess_db_by_frame"].size(), 3u);
@@ -134,11 +141,10 @@ TEST(BenchEstimates, tells_of_every_frame_how_far_its_psnr_is_from_what_is_told)
 }
 
 TEST(BenchLight, list_names_all_rows_and_measures_none) {
-  const TempDir dir;
-  const RunResult result = run_tool(dir, {"bench", "light", "--list"});
-  EXPECT_EQ(result.exit_code, 0);
-  for (const char* row : {"teapot", "tree-quilt", "bar-sun", "large"})
-    EXPECT_NE(result.out.find(row), std::string::npos) << row;
+  bench::Request request;
+  request.list = true;
+  const std::string text = run_benchmark("light", request).text;
+  for (const char* row : {"teapot", "tree-quilt", "bar-sun", "large"}) EXPECT_THAT(text, testing::HasSubstr(row));
 }
 
 }  // namespace

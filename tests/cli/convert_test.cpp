@@ -1,0 +1,84 @@
+// `lippmann convert` from outside: what it prints, what it warns of, and what it leaves where it fails.
+#include <gmock/gmock.h>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+Words small_views(const std::string& folder, const Words& more = {}) {
+  return Words{"render", "teapot", "--optics", "multiview", "--views", "2x2",
+               "--size", "64x64",  "--frames", "0",         "-o",      folder} +
+         more;
+}
+
+TEST(Convert, says_what_it_made_and_refuses_what_is_no_grid) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0", "r"));
+  const Words convert{"convert", "r/frame_0000.png", "q.png", "--from", "integral", "--to", "quilt"};
+  const Json report = report_of(dir, convert + Words{"--views", "8x1"});
+  EXPECT_EQ(report["view_size"], Json({16, 128}));
+  EXPECT_TRUE(fs::exists(dir / report["files"][0].get<std::string>()));
+  for (const char* grid : {"8", "8x", "x1", "0x1", "8x1x2", "-8x1", "99999x1"})
+    expect_refusal(run_tool(dir, convert + Words{"--views", grid}), 2, "--views");
+  EXPECT_EQ(run_tool(dir, convert).exit_code, 0) << "the report beside it says how many views there are";
+  fs::copy(dir / "r/frame_0000.png", dir / "alone.png");
+  expect_refusal(run_tool(dir, {"convert", "alone.png", "q.png", "--from", "integral", "--to", "quilt"}), 2, "--views");
+  expect_refusal(run_tool(dir, {"convert", "alone.png", "q.png", "--to", "quilt"}), 2, "--from");
+}
+
+TEST(Convert, what_is_not_known_of_cameras_and_depth_is_said) {
+  const TempDir dir;
+  expect_done(dir, small_views("r", {"--camera-grid"}));
+  const RunResult no_depth = run_tool(dir, {"convert", "r/frame_0000.png", "hci", "--to", "hci"});
+  EXPECT_EQ(no_depth.exit_code, 0);
+  EXPECT_THAT(no_depth.err, HasSubstr("--aov depth"));
+  EXPECT_TRUE(fs::exists(dir / "hci/parameters.cfg"));
+  fs::copy(dir / "r/frame_0000.png", dir / "alone.png");
+  const RunResult no_cameras = run_tool(dir, {"convert", "alone.png", "h", "--from", "quilt", "--quilt", "2x2", "--to", "hci"});
+  EXPECT_THAT(no_cameras.err, HasSubstr("report.json"));
+  EXPECT_FALSE(fs::exists(dir / "h/parameters.cfg"));
+}
+
+TEST(Convert, that_fails_leaves_no_folder) {
+  const TempDir dir;
+  expect_done(dir, small_views("r"));
+  // Eyes at equal angles, which the format cannot say.
+  EXPECT_EQ(run_tool(dir, {"convert", "r/frame_0000.png", "one", "--to", "hci"}).exit_code, 1);
+  EXPECT_EQ(run_tool(dir, {"convert", "r", "all", "--to", "hci"}).exit_code, 1);
+  EXPECT_FALSE(fs::exists(dir / "one") || fs::exists(dir / "all"));
+  fs::create_directory(dir / "was_there");
+  EXPECT_EQ(run_tool(dir, {"convert", "r", "was_there", "--to", "hci"}).exit_code, 1);
+  EXPECT_TRUE(fs::exists(dir / "was_there"));
+}
+
+TEST(Convert, of_colours_and_depth_says_what_share_is_filled_and_what_is_assumed) {
+  const TempDir dir;
+  const RunResult made = run_tool(dir, {"render", "room", "--size", "60x80", "--frames", "0", "--layout", "rgbd", "-o", "a"});
+  EXPECT_THAT(made.out, HasSubstr("pictures  a/frame_0000_rgbd.png"));
+  const Words to_quilt{"convert", "a", "q", "--to", "quilt", "--display", "portrait", "--depth-scale", "0.5"};
+  EXPECT_THAT(run_tool(dir, to_quilt).out, HasSubstr("of them filled"));
+  EXPECT_EQ(report_of(dir, {"convert", "a", "p", "--to", "stereo", "--ipd", "5"})["view_size"], Json({60, 80}));
+  fs::remove(dir / "a/frame_0000_rgbd.png.json");
+  EXPECT_THAT(run_tool(dir, {"convert", "a/frame_0000_rgbd.png", "v", "--from", "rgbd", "--to", "views", "--views", "3x1"}).err,
+              HasSubstr("--depth-range"));
+}
+
+TEST(Convert, turns_depth_round_by_both_ways_and_precompensates) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0", "out"));
+  EXPECT_EQ(report_of(dir, {"convert", "out", "turned", "--rotate-elemental"})["files"].size(), 2u);
+  expect_done(dir, {"convert", "out", "smart", "--spoc", "8", "--lens-pixels", "12", "--gap", "3"});
+  EXPECT_EQ(json_of(bytes_of(dir / "smart/report.json"))["optics"]["gap_mm"], 3.0);
+  expect_refusal(run_tool(dir, {"convert", "out", "a", "--spoc", "8", "--reference-plane", "-1"}), 2, "--reference-plane");
+  expect_refusal(run_tool(dir, {"convert", "out", "out", "--rotate-elemental"}), 1, "out: holds a render");
+  expect_done(dir, {"convert", "out", "made", "--precompensate", "--crosstalk", "0.35"});
+  EXPECT_TRUE(fs::exists(dir / "made/frame_0000.png"));
+}
+
+}  // namespace
+}  // namespace lippmann::test

@@ -1,0 +1,91 @@
+// What flags and job files ask for and cannot be: one line that names the flag, exit code 2, and nothing is made. That
+// libraries refuse it is tested beside them; here, that their words become those of the command line.
+#include <gmock/gmock.h>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+struct Refusal {
+  Words arguments;
+  std::string part_of_message;
+};
+
+class Refusals : public testing::TestWithParam<Refusal> {};
+
+TEST_P(Refusals, are_one_line_that_names_the_flag_and_nothing_is_made) {
+  const TempDir dir;
+  expect_refusal(run_tool(dir, GetParam().arguments), 2, GetParam().part_of_message);
+  EXPECT_TRUE(std::filesystem::is_empty(dir.path()));
+}
+
+Refusal render(const Words& flags, const std::string& part_of_message) {
+  return {Words{"render", "teapot", "--frames", "0"} + flags, part_of_message};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Layouts, Refusals,
+    testing::Values(render({"--quilt", "4x2"}, "--layout quilt"),
+                    render({"--pseudoscopic", "--layout", "quilt"}, "--layout integral"),
+                    render({"--to", "hcl"}, "did you mean 'hci'?"),
+                    render({"--to", "hci", "--layout", "quilt"}, "--to: 'hci' is not what --layout asks for"),
+                    render({"--to", "hci", "--optics", "multiview", "--aov", "normal"}, "--aov: files of the format hci"),
+                    render({"--size", "20000x20000"}, "--format tiff"), render({"-o", "-"}, "--output")));
+
+INSTANTIATE_TEST_SUITE_P(Light, Refusals,
+                         testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: none of the codecs"),
+                                         render({"--integrator", "path", "--reuse", "forward"},
+                                                "--reuse: interpolate does not know path-traced frames"),
+                                         render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
+                                         render({"--denoise"}, "--denoise: only paths have noise"),
+                                         render({"--splat", "lens"}, "--splat"), render({"--reuse", "backward"}, "--reuse"),
+                                         render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
+                                         render({"--fit-depth", "--full-depth"}, "--full-depth")));
+
+INSTANTIATE_TEST_SUITE_P(
+    Displays, Refusals,
+    testing::Values(render({"--display", "portait"}, "did you mean 'portrait'?"),
+                    render({"--display", "portrait", "--lenses", "20"}, "--lenses"),
+                    render({"--layout", "native"}, "--display"), render({"--crosstalk", "0.3"}, "--precompensate"),
+                    Refusal{{"render", "test-pattern", "--aov", "depth"}, "no extra layers"},
+                    Refusal{{"convert", "out", "x", "--crosstalk", "0.3"}, "--precompensate"},
+                    Refusal{{"convert", "a.png", "b.png", "--from", "native", "--to", "views"}, "--display"}));
+
+INSTANTIATE_TEST_SUITE_P(Conversions, Refusals,
+                         testing::Values(render({"--ipd", "60"}, "--layout stereo"), render({"--right-first"}, "--right-first"),
+                                         Refusal{{"convert", "a.png", "b", "--to", "views", "--ipd", "60"}, "--to stereo"},
+                                         Refusal{{"convert", "x.png", "v", "--from", "quilt", "--to", "views", "--near-black"},
+                                                 "--from rgbd"},
+                                         Refusal{{"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}, "--spoc"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Parts, Refusals,
+    testing::Values(
+        render({"--only-frames", "7-9"}, "--only-frames: 7-9 has no frame that is to be rendered; accepted: some of 0"),
+        render({"--only-frames", "x"}, "--only-frames: 'x'"),
+        render({"--only-frames", "0", "--page"}, "--page: needs all frames, and --only-frames 0 renders a part of them"),
+        render({"--video", "a.mp4", "--format", "exr", "--unit", "1/2"}, "--video: is made of the pictures of all parts"),
+        render({"--unit", "3/2"}, "--unit: '3/2' is no unit"), render({"--page", "--mirror"}, "--page")));
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, Refusals,
+    testing::Values(
+        render({"--optics", "lentcular"}, "did you mean 'lenticular'?"), render({"--display", "60lpi"}, "did you mean '"),
+        render({"--environment", "studo"}, "there is no 'studo', did you mean 'studio'?"),
+        render({"--format", "pgn"}, "did you mean 'png'?"),
+        render({"--also", "singel"}, "did you mean 'single'?; accepted: single"),
+        render({"--progress", "jsn"}, "did you mean 'json'?; accepted: json"),
+        render({"--keyframes", "atuo"}, "accepted: auto, or a whole number from 2"),
+        render({"--lense", "3"}, "did you mean '--lenses'?"), render({"--reuse", "exactly"}, "--reuse"),
+        render({"--spp", "1", "--spp", "2"}, "--spp"), render({"--spp"}, "--spp"), render({"--spp", "-1"}, "from 0 to 65536"),
+        render({"--optics", "fresnel"}, "lenticular, microlens, multiview, single"), render({"--size", "0x0"}, "--size"),
+        render({"--lens-pixels", "0"}, "--lens-pixels"), render({"--size", "40000x25000"}, "accepted: up to 268435456 pixels"),
+        render({"-q", "--verbose"}, "--quiet"), render({"-q", "--progress", "json"}, "--quiet"),
+        render({"--verbose", "--progress", "json"}, "--verbose"), Refusal{{"bench", "papr"}, "did you mean 'paper'?"},
+        Refusal{{}, "--help"}, Refusal{{"rendre"}, "did you mean 'render'?"},
+        Refusal{{"help", "rendre"}, "did you mean 'render'?"},
+        Refusal{{"render", "teapot", "--frames", "470-500"}, "frames from 0 to 479"}));
+
+}  // namespace
+}  // namespace lippmann::test

@@ -1,0 +1,274 @@
+// One folder holds one render: what another one is told, what becomes of its files, and how it goes on where it stopped.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "job/renders.hpp"
+#include "job/report.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class FolderRenders : public Renders {};
+
+TEST_F(FolderRenders, with_other_settings_are_refused_and_change_nothing) {
+  render(teapot("a", "0-1", {{"aov", "depth"}}));
+  const Files before = all_files(dir_ / "a");
+  for (const bool resume : {false, true}) {
+    RenderParams other = teapot("a", "0-1", {{"view-angle", "40"}});
+    other.resume = resume;
+    EXPECT_THAT(refusal(other), HasSubstr("a: holds another render: it differs in view-angle, aov"));
+    EXPECT_THAT(error_message([&] { plan_animation(other, context_, {}, nullptr); }), HasSubstr("holds another render"));
+  }
+  EXPECT_EQ(all_files(dir_ / "a"), before);
+}
+
+TEST_F(FolderRenders, with_other_key_frames_are_refused) {
+  render(teapot("a", "0-3", {{"keyframes", "3"}, {"reuse", "interpolate"}}));
+  EXPECT_THAT(refusal(teapot("a", "0-3", {{"keyframes", "2"}, {"reuse", "interpolate"}})),
+              HasSubstr("it differs in keyframes"));
+}
+
+TEST_F(FolderRenders, of_the_same_job_warn_of_nothing_and_give_the_same) {
+  const Files first = rendered(teapot("a", "0-1"));
+  EXPECT_EQ(first.size(), 2u);
+  EXPECT_EQ(rendered(teapot("a", "0-1")), first);
+  EXPECT_EQ(warnings_, "");
+  EXPECT_TRUE(check("a").passed());
+}
+
+TEST_F(FolderRenders, that_are_forced_leave_no_layer_of_what_they_replace) {
+  render(teapot("a", "0-1", {{"aov", "depth"}}));
+  ASSERT_TRUE(exists("a/aov_0000.exr"));
+  render(teapot("a", "0", {{"view-angle", "40"}}), {.force = true});
+  EXPECT_FALSE(exists("a/aov_0000.exr"));
+  EXPECT_FALSE(exists("a/frame_0001.png"));
+  EXPECT_TRUE(check("a").passed());
+}
+
+TEST_F(FolderRenders, accumulate_frames_of_one_job_and_its_job_file_asks_for_all_of_them) {
+  render(teapot("a", "0-3"));
+  render(teapot("a", "4-5"));
+  const std::string job = bytes("a/job.toml");
+  EXPECT_THAT(job, HasSubstr("frames = \"0-5\"\n"));
+  RenderParams one = job_of("a");
+  one.output.frames = FrameRanges{{2, 2}};
+  render(one);
+  EXPECT_EQ(bytes("a/job.toml"), job);
+  EXPECT_TRUE(check("a").passed());
+  EXPECT_EQ(kept(resume(job_of("a"))), 6u);
+}
+
+TEST_F(FolderRenders, of_a_list_of_frames_make_and_keep_these) {
+  const Files all = rendered(teapot("all", "0-4")), some = rendered(teapot("some", "4,0-2:2"));
+  ASSERT_EQ(some.size(), 3u);
+  for (const auto& [name, picture] : some) EXPECT_TRUE(all.at(name) == picture) << name;
+  EXPECT_EQ(kept(resume(teapot("some", "0-4:2"))), 3u);
+}
+
+TEST_F(FolderRenders, never_rewrite_a_job_file_that_somebody_wrote) {
+  fs::create_directory(dir_ / "a");
+  const std::string job = "# mine\nscene = \"teapot\"\nlenses = 8\noutput = \".\"\nframes = \"0-1\"\n";
+  std::ofstream(dir_ / "a/job.toml") << job;
+  render(job_of("a"));
+  EXPECT_EQ(warnings_, "");
+  RenderParams others = job_of("a");
+  others.output.frames = FrameRanges{{4, 5}};
+  render(others);
+  EXPECT_EQ(warnings_, "");
+  others.optics.view_angle_deg = 40.0f;
+  render(others, {.force = true});
+  EXPECT_THAT(warnings_, HasSubstr("job.toml was not written by this render and stays, although it differs in view-angle"));
+  EXPECT_EQ(bytes("a/job.toml"), job);
+  EXPECT_TRUE(check("a").passed());
+}
+
+TEST_F(FolderRenders, keep_a_job_file_that_was_changed_by_hand) {
+  render(teapot("a", "0"));
+  std::ofstream(dir_ / "a/job.toml", std::ios::app) << "spp = 1\n# mine\n";
+  const std::string job = bytes("a/job.toml");
+  render(teapot("a", "1"), {.force = true});
+  EXPECT_EQ(bytes("a/job.toml"), job);
+}
+
+TEST_F(FolderRenders, of_a_part_do_not_overwrite_the_finished_video_of_all) {
+  const RenderParams whole = teapot("a", "0-2", {{"video", dir_ / "a/film.mkv"}});
+  render(whole);
+  const Files before = all_files(dir_ / "a");
+  RenderParams part = job_of("a");
+  part.output.frames = FrameRanges{{0, 0}};
+  EXPECT_THAT(refusal(part), HasSubstr("film.mkv: is finished and shows frames 0-2"));
+  EXPECT_EQ(all_files(dir_ / "a"), before);
+  RenderParams elsewhere = part;
+  elsewhere.output.video = {dir_ / "first.mkv"};
+  render(elsewhere);
+  resume(whole);
+  EXPECT_TRUE(check("a").passed());
+  render(part, {.force = true});
+  EXPECT_LT(fs::file_size(dir_ / "a/film.mkv"), before.at("film.mkv").size());
+}
+
+TEST_F(FolderRenders, do_not_overwrite_a_video_that_is_not_theirs) {
+  std::ofstream(dir_ / "holiday.mkv") << "precious";
+  const RenderParams params = teapot("a", "0", {{"video", dir_ / "holiday.mkv"}});
+  EXPECT_THAT(refusal(params), HasSubstr("holiday.mkv: is there already"));
+  EXPECT_EQ(bytes("holiday.mkv"), "precious");
+  EXPECT_FALSE(exists("a"));
+  render(params, {.force = true});
+  EXPECT_NE(bytes("holiday.mkv"), "precious");
+}
+
+TEST_F(FolderRenders, say_which_layer_is_of_another_render_and_conversion_leaves_it_out) {
+  const Settings grid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views", "2x2"}, {"size", "32x32"}, {"frames", "0"}};
+  render(job("teapot", "deep", grid + Settings{{"aov", "depth"}}));
+  render(job("teapot", "plain", grid));
+  convert("deep", "deep-hci", "hci");
+  ASSERT_TRUE(exists("deep-hci/frame_0000/gt_depth_lowres_Cam000.pfm"));
+  fs::copy_file(dir_ / "deep/aov_0000.exr", dir_ / "plain/aov_0000.exr");
+  convert("plain", "plain-hci", "hci");
+  EXPECT_FALSE(exists("plain-hci/frame_0000/gt_depth_lowres_Cam000.pfm"));
+  EXPECT_THAT(check("plain").foreign, ElementsAre("aov_0000.exr"));
+  resume(job("teapot", "plain", grid));
+  EXPECT_THAT(warnings_, HasSubstr("also holds files of no frame of this render, which stay: aov_0000.exr"));
+}
+
+TEST_F(FolderRenders, do_not_write_views_through_a_symbolic_link) {
+  fs::create_directory(dir_ / "a"), fs::create_directory(dir_ / "elsewhere");
+  fs::create_directory_symlink(dir_ / "elsewhere", dir_ / "a/frame_0000");
+  EXPECT_THAT(refusal(teapot("a", "0", {{"layout", "views"}})), HasSubstr("a/frame_0000: is a symbolic"));
+  EXPECT_TRUE(fs::is_empty(dir_ / "elsewhere"));
+}
+
+void flip_a_bit(const fs::path& file) {
+  std::string contents = file_bytes(file);
+  contents[contents.size() / 2] ^= 1;
+  std::ofstream(file, std::ios::binary) << contents;
+}
+
+TEST_F(FolderRenders, mend_damage_of_any_file_that_check_finds) {
+  const std::vector<Settings> kinds{
+      {{"lenses", "6"}, {"aov", "depth"}},
+      {{"lenses", "6"}, {"format", "tiff"}},
+      {{"lenses", "6"}, {"format", "exr"}},
+      {{"lenses", "6"}, {"layout", "views"}},
+      {{"optics", "multiview"}, {"views", "2x2"}, {"size", "32x32"}, {"layout", "quilt"}},
+      {{"optics", "multiview"}, {"views", "2x2"}, {"size", "32x32"}, {"camera-grid", "true"}, {"to", "hci"}}};
+  const std::vector<std::function<void(const fs::path&)>> damages{
+      flip_a_bit, [](const fs::path& file) { std::ofstream(file) << std::string(fs::file_size(file), '\0'); },
+      [](const fs::path& file) { fs::resize_file(file, 0); }, [](const fs::path& file) { fs::remove(file); }};
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    const RenderParams params = job("teapot", "kind-" + std::to_string(kind), kinds[kind] + Settings{{"frames", "0"}});
+    render(params);
+    const fs::path folder = params.output.folder;
+    const Files whole = pictures_below(folder);
+    const std::string name = std::next(whole.begin(), static_cast<std::ptrdiff_t>(whole.size()) / 2)->first;
+    for (std::size_t i = 0; i < damages.size(); ++i) {
+      damages[i](folder / name);
+      const FolderCheck found = check_folder(folder);
+      EXPECT_THAT(fs::exists(folder / name) ? found.damaged : found.missing, ElementsAre(name)) << i;
+      resume(params);
+      EXPECT_EQ(pictures_below(folder), whole) << name << " " << i;
+      EXPECT_TRUE(check_folder(folder).passed());
+    }
+  }
+}
+
+TEST_F(FolderRenders, resume_to_the_same_bytes_whatever_the_frames_take_from_each_other) {
+  const std::vector<Settings> kinds{{{"reuse", "interpolate"}, {"keyframes", "4"}, {"fill", "retrace"}, {"halving", "true"}},
+                                    {{"reuse", "copy"}, {"keyframes", "4"}},
+                                    {{"lenses", "8"}, {"integrator", "path"}, {"spp", "2"}},
+                                    {{"lenses", "8"}, {"integrator", "path"}, {"spp", "2"}, {"denoise", "true"}}};
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    const RenderParams params = teapot("kind-" + std::to_string(kind), "0-5", kinds[kind]);
+    const fs::path folder = params.output.folder;
+    render(params);
+    const Files whole = pictures_below(folder);
+    for (const char* lost : {"frame_0002.png", "frame_0003.png", "frame_0005.png"}) fs::remove(folder / lost);
+    EXPECT_EQ(kept(resume(params)), 3u);
+    EXPECT_EQ(pictures_below(folder), whole) << kind;
+  }
+}
+
+TEST_F(FolderRenders, that_share_light_keep_their_errors_in_the_report) {
+  const RenderParams params = teapot("a", "0-2", {{"fit-depth", "false"}, {"integrator", "path"}, {"spp", "32"}});
+  const RenderReport whole = render(params);
+  ASSERT_TRUE(whole.frames.at(0).estimated_psnr_db);
+  const Files pictures = files_in(dir_ / "a", ".png");
+  fs::remove(dir_ / "a/frame_0001.png");
+  RenderReport resumed = resume(job_of("a"));
+  EXPECT_EQ(files_in(dir_ / "a", ".png"), pictures);
+  ASSERT_EQ(resumed.frames.size(), whole.frames.size());
+  for (std::size_t i = 0; i < whole.frames.size(); ++i) {
+    EXPECT_EQ(resumed.frames[i].kind, whole.frames[i].kind);
+    EXPECT_EQ(resumed.frames[i].estimated_psnr_db, whole.frames[i].estimated_psnr_db);
+    EXPECT_EQ(resumed.frames[i].psnr_at_least_db, whole.frames[i].psnr_at_least_db);
+    EXPECT_EQ(resumed.frames[i].estimated_block_psnr_db, whole.frames[i].estimated_block_psnr_db);
+  }
+  EXPECT_EQ(kept(resumed), 2u);
+  resumed.frames[0].kept = false;
+  EXPECT_EQ(to_json(resumed).at("frames").at(0), to_json(whole).at("frames").at(0));
+}
+
+TEST_F(FolderRenders, of_views_make_a_frame_again_of_which_a_view_is_missing) {
+  const RenderParams views =
+      teapot("a", "3-4", {{"optics", "microlens"}, {"lenses", "8"}, {"lens-pixels", "4"}, {"layout", "views"}});
+  render(views);
+  const Files before = files_in(dir_ / "a/frame_0004", ".png");
+  fs::remove(dir_ / "a/frame_0004/view_007.png");
+  EXPECT_EQ(kept(resume(views)), 1u);
+  EXPECT_EQ(files_in(dir_ / "a/frame_0004", ".png"), before);
+}
+
+TEST_F(FolderRenders, of_a_job_file_make_the_same_pictures_again) {
+  const Files first = rendered(
+      teapot("a", "4-5", {{"optics", "microlens"}, {"lens-pixels", "6"}, {"view-angle", "35"}, {"spp", "2"}, {"seed", "9"}}));
+  EXPECT_EQ(first.size(), 2u);
+  RenderParams again = job_of("a");
+  again.output.folder = dir_ / "b";
+  EXPECT_EQ(rendered(again), first);
+}
+
+TEST_F(FolderRenders, of_a_path_traced_file_are_the_same_job_when_resumed) {
+  std::ofstream(dir_ / "plain.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const RenderParams params = job(dir_ / "plain.obj", "a", {{"lenses", "4"}, {"frames", "0"}});
+  const Files whole = rendered(params);
+  EXPECT_EQ(kept(resume(job_of("a"))), 1u);
+  EXPECT_EQ(kept(resume(params)), 1u);
+  EXPECT_EQ(files_in(dir_ / "a", ".png"), whole);
+}
+
+TEST_F(FolderRenders, report_holds_the_optics_the_settings_and_the_rays_of_every_frame) {
+  const nlohmann::ordered_json report = to_json(render(teapot("a", "3-4", {{"reuse", "none"}})));
+  EXPECT_EQ(report, nlohmann::ordered_json::parse(bytes("a/report.json")));
+  for (const char* key : {"version", "scene", "optics", "settings", "frames", "totals"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  ASSERT_EQ(report["frames"].size(), 2u);
+  const auto& frame = report["frames"][1];
+  EXPECT_EQ(frame["frame"], 4);
+  EXPECT_EQ(frame["kind"], "full");
+  EXPECT_EQ(frame["rays"]["primary"], 128 * 128);
+  for (const char* key : {"seconds", "cpu_seconds", "missed_pixels", "retraced_pixels", "reused_pixels", "estimated_psnr_db"})
+    EXPECT_TRUE(frame.contains(key)) << key;
+  const auto& totals = report["totals"];
+  EXPECT_EQ(totals["frames"], 2);
+  EXPECT_EQ(totals["rays"]["primary"], 2 * 128 * 128);
+  EXPECT_GT(totals["peak_memory_bytes"].get<double>(), 1e6);
+  for (const char* key : {"seconds", "cpu_seconds", "write_seconds", "setup_seconds", "threads"})
+    EXPECT_TRUE(totals[key].is_number()) << key;
+}
+
+TEST_F(FolderRenders, report_of_denoised_frames_counts_those_beside_them) {
+  const auto report =
+      to_json(render(teapot("a", "1-2", {{"lenses", "8"}, {"integrator", "path"}, {"spp", "4"}, {"denoise", "true"}})));
+  EXPECT_EQ(report["settings"]["denoise"], true);
+  EXPECT_EQ(report["totals"]["frames"], 2);
+  EXPECT_EQ(report["totals"]["source_frames"], 2) << "0 and 3";
+}
+
+}  // namespace
+}  // namespace lippmann::test

@@ -1,0 +1,221 @@
+// What the pictures of each layout and format of a render hold: what conversion makes of a plain render.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "compare/compare.hpp"
+#include "job/renders.hpp"
+#include "job/report.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "replay/depth_frames.hpp"
+#include "replay/orthoscopic.hpp"
+#include "replay/stereo_frames.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+Image8 codes_of(const fs::path& path) { return std::get<Image8>(read_picture(path)); }
+
+class LayoutRenders : public Renders {
+ protected:
+  /// Two frames through 8 lenses of 4 x 4 pixels: 16 views of 8 x 8.
+  RenderParams array(const std::string& folder, const Settings& more = {}) const {
+    return teapot(folder, "3-4", Settings{{"optics", "microlens"}, {"lenses", "8"}, {"lens-pixels", "4"}} + more);
+  }
+
+  /// A pair of views on a screen seen from 600 mm.
+  RenderParams pair(const std::string& folder, const Settings& more) const {
+    return job("teapot", folder, Settings{{"layout", "stereo"}, {"frames", "3"}, {"viewing-distance", "600"}} + more);
+  }
+
+  bool are_identical(const std::string& a, const std::string& b) const {
+    return compare(dir_ / a, dir_ / b, context_).identical;
+  }
+
+  ConvertParams of_views(ViewGrid views, std::optional<ViewGrid> tiles = {}) const {
+    ConvertParams params;
+    params.from = "integral", params.options.views = views, params.options.tiles = tiles;
+    return params;
+  }
+};
+
+TEST_F(LayoutRenders, views_are_those_that_are_cut_from_the_integral_image) {
+  render(array("whole"));
+  render(array("cut", {{"layout", "views"}}));
+  convert("whole", "views", "views", of_views({4, 4}));
+  for (const char* frame : {"frame_0003", "frame_0004"}) {
+    const Files cut = files_in(dir_ / "cut" / frame, ".png");
+    EXPECT_EQ(cut.size(), 16u);
+    EXPECT_EQ(cut, files_in(dir_ / "views" / frame, ".png"));
+  }
+}
+
+TEST_F(LayoutRenders, quilt_is_that_of_conversion_and_says_its_tiles_in_its_name_and_its_video_s) {
+  render(array("whole"));
+  const RenderReport report = render(array("quilts", {{"layout", "quilt"}, {"quilt", "8x2"}, {"video", dir_ / "a.mkv"}}));
+  convert("whole/frame_0003.png", "one.png", "quilt", of_views({4, 4}, ViewGrid{8, 2}));
+  EXPECT_EQ(bytes("quilts/frame_0003_qs8x2a1.png"), bytes("one_qs8x2a1.png"));
+  EXPECT_EQ(report.videos, std::vector<std::string>{dir_ / "a_qs8x2a1.mkv"});
+  EXPECT_TRUE(exists("a_qs8x2a1.mkv"));
+}
+
+TEST_F(LayoutRenders, views_of_a_quilt_are_its_tiles) {
+  const Settings quilt{{"optics", "multiview"}, {"views", "2x2"}, {"size", "32x48"}, {"frames", "3"}};
+  render(job("teapot", "q", quilt + Settings{{"layout", "quilt"}}));
+  render(job("teapot", "v", quilt + Settings{{"layout", "views"}}));
+  convert("q/frame_0003_qs2x2a0.666667.png", "c", "views");
+  EXPECT_EQ(files_in(dir_ / "v/frame_0003", ".png").size(), 4u);
+  EXPECT_EQ(files_in(dir_ / "v/frame_0003", ".png"), files_in(dir_ / "c", ".png"));
+}
+
+TEST_F(LayoutRenders, pseudoscopic_pictures_have_every_elemental_image_turned_round) {
+  render(array("plain"));
+  const Files recorded = rendered(array("recorded", {{"pseudoscopic", "true"}}));
+  convert_to_orthoscopic({dir_ / "plain", dir_ / "turned"}, context_);
+  EXPECT_EQ(recorded.size(), 2u);
+  EXPECT_EQ(recorded, files_in(dir_ / "turned", ".png"));
+}
+
+TEST_F(LayoutRenders, layers_lie_as_the_pictures_do_or_beside_them) {
+  render(array("views", {{"layout", "views"}, {"aov", "depth"}}));
+  EXPECT_EQ(files_in(dir_ / "views/frame_0003", ".exr").size(), 16u);
+  render(array("exr", {{"layout", "views"}, {"aov", "depth"}, {"format", "exr"}}));
+  EXPECT_EQ(files_in(dir_ / "exr/frame_0003", ".exr").size(), 16u);
+  render(teapot("beside", "0", {{"format", "png16"}, {"aov", "depth"}}));
+  EXPECT_TRUE(exists("beside/frame_0000.png"));
+  EXPECT_TRUE(exists("beside/aov_0000.exr"));
+}
+
+TEST_F(LayoutRenders, what_cannot_be_is_refused_before_anything_is_made) {
+  const auto refused = [&](const Settings& settings, const std::string& message) {
+    EXPECT_THAT(refusal(job("teapot", "none", Settings{{"frames", "0"}} + settings)), HasSubstr(message));
+    EXPECT_FALSE(exists("none"));
+  };
+  refused({{"layout", "views"}, {"lens-pixels", "7.5"}, {"lenses", "8"}}, "whole number of pixels");
+  refused({{"layout", "quilt"}, {"optics", "microlens"}, {"packing", "hexagonal"}}, "whole number of pixels");
+  refused({{"layout", "quilt"}, {"quilt", "3x2"}}, "not as many as 8 views");
+  refused({{"quilt", "4x2"}}, "quilt");
+  refused({{"pseudoscopic", "true"}, {"layout", "quilt"}}, "integral");
+  refused({{"layout", "views"}, {"video", dir_ / "a.mp4"}}, "pictures of their own");
+  refused({{"size", "20000x20000"}}, "tiff");
+  refused({{"size", "65536x32768"}}, "2147483647 pixels");
+  refused({{"video", dir_ / "a.webm"}, {"video-codec", "h264"}}, "do not hold h264");
+  const Settings grid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views", "2x2"}, {"size", "32x32"}};
+  refused(grid + Settings{{"to", "hci"}, {"aov", "normal"}}, "aov: files of the format hci have no such layer");
+  refused(grid + Settings{{"to", "jpeg-pleno"}, {"aov", "depth"}}, "aov");
+  refused(grid + Settings{{"to", "hci"}, {"transparent", "true"}}, "transparent: files of the format hci hold no alpha");
+  refused(grid + Settings{{"to", "hci"}, {"video", dir_ / "a.mp4"}}, "video: views are pictures of their own");
+  refused(grid + Settings{{"to", "hci"}, {"format", "tiff"}}, "format: light fields hold no TIFF pictures");
+  refused({{"lens-pixels", "7.5"}, {"to", "views"}}, "whole number of pixels");
+}
+
+TEST_F(LayoutRenders, tiff_pictures_hold_the_codes_of_png_and_are_the_same_bytes_at_any_time) {
+  render(array("png"));
+  render(array("tiff", {{"format", "tiff"}}));
+  EXPECT_TRUE(are_identical("png/frame_0003.png", "tiff/frame_0003.tif"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // TIFF's time stamps count seconds
+  render(array("later", {{"format", "tiff"}}));
+  EXPECT_EQ(bytes("tiff/frame_0003.tif"), bytes("later/frame_0003.tif"));
+}
+
+TEST_F(LayoutRenders, ffv1_video_holds_the_codes_of_the_pictures) {
+  RenderParams params = teapot("a", "0-3");
+  params.output.video = {dir_ / "a.mkv", dir_ / "a.mp4"};
+  render(params);
+  EXPECT_TRUE(exists("a.mp4"));
+  EXPECT_TRUE(are_identical("a", "a.mkv"));
+}
+
+// ---- Two eyes -----------------------------------------------------------------------------------------------------------
+
+TEST_F(LayoutRenders, stereo_of_every_packing_is_that_of_conversion) {
+  render(pair("sbs", {{"size", "128x36"}}));
+  render(pair("ou", {{"size", "64x72"}, {"stereo", "over-under"}, {"right-first", "true"}}));
+  render(pair("rows", {{"size", "64x36"}, {"stereo", "rows"}}));
+  ConvertParams params;
+  params.options.stereo = StereoLayout{.packing = StereoPacking::kOverUnder, .right_first = true};
+  convert("sbs/frame_0003_2x1.png", "a.png", "stereo", params);
+  EXPECT_EQ(bytes("ou/frame_0003_ou_rl.png"), bytes("a_ou_rl.png"));
+  params.options.stereo = StereoLayout{.packing = StereoPacking::kRows};
+  convert("sbs/frame_0003_2x1.png", "a.png", "stereo", params);
+  EXPECT_EQ(bytes("rows/frame_0003_rows.png"), bytes("a_rows.png"));
+}
+
+TEST_F(LayoutRenders, eyes_before_a_quilt_see_what_is_rendered_for_them) {
+  // 16 eyes in a row, 10 mm apart on the same screen: those at +-25 mm are views of it.
+  render(job("teapot", "q",
+             {{"optics", "multiview"},
+              {"camera-grid", "true"},
+              {"views", "16x1"},
+              {"size", "1024x36"},
+              {"view-angle", "15.189"},
+              {"frames", "3"},
+              {"viewing-distance", "600"}}));
+  const StereoFrames made =
+      convert_to_stereo({.in = dir_ / "q", .out = dir_ / "eyes", .ipd_mm = 50.0, .screen_width_mm = 64.0}, context_);
+  EXPECT_EQ(made.view_size, Vec2i(64, 36));
+  EXPECT_EQ(made.out_of_zone, 0.0);
+  render(pair("sbs", {{"size", "128x36"}, {"ipd", "50"}, {"screen-width", "64"}}));
+  EXPECT_EQ(codes_of(dir_ / "sbs/frame_0003_2x1.png").rgb, codes_of(dir_ / "eyes/frame_0003_2x1.png").rgb);
+}
+
+TEST_F(LayoutRenders, stereo_is_said_in_the_names_of_videos) {
+  const RenderReport report = render(pair("out", {{"size", "128x36"}, {"video", dir_ / "a.mkv"}}));
+  EXPECT_EQ(report.videos, std::vector<std::string>{dir_ / "a_2x1.mkv"});
+}
+
+// ---- Colours and depth ------------------------------------------------------------------------------------------------
+
+TEST_F(LayoutRenders, rgbd_is_one_view_with_depth_and_its_side_file) {
+  const Settings room{{"size", "64x48"}, {"frames", "0"}};
+  render(job("room", "a", room + Settings{{"layout", "rgbd"}}));
+  render(job("room", "b", room + Settings{{"to", "rgbd"}}));
+  for (const std::string file : {"frame_0000_rgbd.png", "frame_0000_rgbd.png.json"}) {
+    EXPECT_EQ(bytes("a/" + file), bytes("b/" + file));
+    EXPECT_NE(bytes("a/" + file), "");
+  }
+  EXPECT_EQ(codes_of(dir_ / "a/frame_0000_rgbd.png").width, 128);
+}
+
+TEST_F(LayoutRenders, views_of_a_middle_and_its_depth_are_like_the_true_ones) {
+  render(job("room", "true",
+             {{"optics", "multiview"},
+              {"views", "5x1"},
+              {"size", "640x128"},
+              {"view-angle", "10"},
+              {"frames", "0"},
+              {"spp", "16"},
+              {"aov", "depth"}}));
+  convert("true", "middle", "rgbd");
+  convert("true", "views", "views");
+  DepthFramesParams params{dir_ / "middle/frame_0000_rgbd.png", dir_ / "made", "views", {}, 10.0};
+  params.options.views = ViewGrid{5, 1};
+  const DepthFrames made = convert_depth_frames(params, context_);
+  EXPECT_EQ(made.views, (ViewGrid{5, 1}));
+  EXPECT_LT(made.filled_share, 0.05);
+  const auto psnr = [&](const std::string& view) {
+    return measure_difference(codes_of(dir_ / "views/frame_0000" / view), codes_of(dir_ / "made" / view)).psnr_db;
+  };
+  EXPECT_GT(psnr("view_002.png"), 50.0) << "the picture itself";
+  for (const char* view : {"view_000.png", "view_001.png", "view_003.png", "view_004.png"}) EXPECT_GT(psnr(view), 25.0) << view;
+}
+
+TEST_F(LayoutRenders, picture_with_depth_is_shown_on_a_display_and_to_two_eyes) {
+  render(job("room", "a", {{"size", "60x80"}, {"frames", "0"}, {"layout", "rgbd"}}));
+  DepthFramesParams params{dir_ / "a", dir_ / "q", "quilt"};
+  params.options.display = load_display("portrait"), params.depth_scale = 0.5;
+  convert_depth_frames(params, context_);
+  EXPECT_EQ(codes_of(dir_ / "q/frame_0000_qs8x6a0.75.png").width, 3360);
+  DepthFramesParams eyes{dir_ / "a", dir_ / "p", "stereo"};
+  eyes.ipd_mm = 5.0;
+  EXPECT_EQ(convert_depth_frames(eyes, context_).view_size, Vec2i(60, 80));
+}
+
+}  // namespace
+}  // namespace lippmann::test

@@ -1,0 +1,132 @@
+// Renders as light fields of other formats, and what files say of the render that they come from.
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "compare/compare.hpp"
+#include "image/netpbm.hpp"
+#include "job/renders.hpp"
+#include "job/report.hpp"
+#include "lippmann/core/version.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "replay/replay.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class LightFieldRenders : public Renders {};
+
+const Settings kGrid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views", "2x2"}, {"size", "32x32"}, {"frames", "0-1"}};
+
+TEST_F(LightFieldRenders, formats_of_light_fields_are_what_conversion_makes_of_the_same_render) {
+  render(job("teapot", "film", kGrid + Settings{{"aov", "depth"}}));
+  for (const std::string format : {"hci", "stanford", "jpeg-pleno", "miv", "eslf", "views", "integral", "quilt"}) {
+    convert("film", "converted-" + format, format);
+    render(job("teapot", format, kGrid + Settings{{"to", format}}));
+    const Files converted = pictures_below(dir_ / ("converted-" + format));
+    EXPECT_FALSE(converted.empty());
+    Files made = pictures_below(dir_ / format);
+    std::erase_if(made, [](const auto& file) { return !file.first.starts_with("frame_"); });
+    EXPECT_EQ(made, converted) << format;
+    EXPECT_TRUE(check(format).passed());
+    const LightFieldHints hints{.from = format, .views = ViewGrid{2, 2}};
+    EXPECT_EQ(replay({.in = dir_ / format, .field = hints, .folder = dir_ / "eye"}, context_).written.size(), 2u) << format;
+  }
+}
+
+TEST_F(LightFieldRenders, formats_of_light_fields_keep_light_and_16_bits) {
+  render(job("teapot", "film", kGrid + Settings{{"aov", "depth"}, {"format", "png16"}, {"layout", "views"}}));
+  convert("film", "converted", "hci");
+  render(job("teapot", "png16", kGrid + Settings{{"to", "hci"}, {"format", "png16"}}));
+  EXPECT_EQ(pictures_below(dir_ / "png16"), pictures_below(dir_ / "converted"));
+  render(job("teapot", "exr", kGrid + Settings{{"to", "hci"}, {"format", "exr"}}));
+  EXPECT_TRUE(exists("exr/frame_0001/input_Cam003.exr"));
+}
+
+TEST_F(LightFieldRenders, damaged_and_missing_side_files_are_made_again) {
+  const RenderParams params = job("teapot", "a", kGrid + Settings{{"to", "hci"}});
+  render(params);
+  const Files whole = pictures_below(dir_ / "a");
+  fs::remove(dir_ / "a/frame_0001/parameters.cfg");
+  std::ofstream(dir_ / "a/frame_0000/gt_disp_lowres_Cam001.pfm") << "damaged";
+  const FolderCheck found = check("a");
+  EXPECT_THAT(found.damaged, testing::ElementsAre("frame_0000/gt_disp_lowres_Cam001.pfm"));
+  EXPECT_THAT(found.missing, testing::ElementsAre("frame_0001/parameters.cfg"));
+  resume(params);
+  EXPECT_EQ(pictures_below(dir_ / "a"), whole);
+}
+
+/// Metres or pixels, by way of floats of millimetres.
+void expect_same_depth(const fs::path& one, const fs::path& other) {
+  const Image a = read_pfm(one), b = read_pfm(other);
+  for (std::size_t i = 0; i < a.data.size(); ++i)
+    if (!std::isinf(a.data[i])) {
+      ASSERT_NEAR(a.data[i], b.data[i], 1e-4) << one;
+    }
+}
+
+TEST_F(LightFieldRenders, data_set_brings_back_pictures_and_depth) {
+  render(job("teapot", "r",
+             {{"optics", "multiview"},
+              {"camera-grid", "true"},
+              {"views", "3x3"},
+              {"size", "96x72"},
+              {"frames", "0"},
+              {"view-angle", "1.5"},
+              {"aov", "depth"},
+              {"format", "png16"}}));
+  convert("r/frame_0000.png", "hci", "hci");
+  ConvertParams again;
+  again.from = "hci", again.keep = read_kept_views("0-2x0-2", "keep");
+  convert("hci", "again", "hci", again);
+  EXPECT_EQ(files_in(dir_ / "hci", ".png").size(), 9u);
+  EXPECT_EQ(files_in(dir_ / "hci", ".png"), files_in(dir_ / "again", ".png"));
+  EXPECT_FALSE(files_in(dir_ / "hci", ".pfm").empty());
+  for (const auto& [name, depth] : files_in(dir_ / "hci", ".pfm"))
+    expect_same_depth(dir_ / "hci" / name, dir_ / "again" / name);
+}
+
+TEST_F(LightFieldRenders, native_frame_of_a_quilt_taken_apart_and_made_again_is_the_same) {
+  std::ofstream(dir_ / "visual.json") << R"({"serial": "DIY", "pitch": {"value": 20}, "slope": {"value": -5.5},
+    "center": {"value": 0.2}, "DPI": 100, "screenW": 120, "screenH": 160})";
+  render(job("room", "quilt",
+             {{"optics", "multiview"}, {"views", "4x2"}, {"size", "240x160"}, {"frames", "0"}, {"layout", "quilt"}}));
+  ConvertParams params;
+  params.options.display = load_display(dir_ / "visual.json");
+  params.from = "quilt";
+  convert("quilt/" + files_in(dir_ / "quilt", ".png").begin()->first, "panel.png", "native", params);
+  params.from = "native", params.options.views = ViewGrid{8, 1};
+  convert("panel.png", "views", "views", params);
+  EXPECT_EQ(files_in(dir_ / "views", ".png").size(), 8u);
+  params.from = "views";
+  convert("views", "again.png", "native", params);
+  EXPECT_TRUE(compare(dir_ / "panel.png", dir_ / "again.png", context_).identical);
+}
+
+TEST_F(LightFieldRenders, exr_files_say_version_optics_and_views_in_their_header) {
+  const auto report = to_json(render(teapot("a", "0", {{"format", "exr"}})));
+  render(teapot("b", "0", {{"aov", "depth"}}));
+  for (const char* file : {"a/frame_0000.exr", "b/aov_0000.exr"}) {
+    const Imf::InputFile exr((dir_ / file).c_str());
+    const auto text = [&](const char* name) {
+      const auto* attribute = exr.header().findTypedAttribute<Imf::StringAttribute>(name);
+      return attribute ? attribute->value() : std::string();
+    };
+    EXPECT_EQ(text("lippmann.version"), version()) << file;
+    EXPECT_EQ(text("lippmann.scene"), "teapot") << file;
+    EXPECT_EQ(text("lippmann.views"), "8x1") << file;
+    EXPECT_EQ(nlohmann::ordered_json::parse(text("lippmann.optics")), report["optics"]) << file;
+    EXPECT_LT(report["depth"]["scale"], 1.0) << "a scene that is shown as deep as it is says nothing of this test";
+    EXPECT_NEAR(std::stod(text("lippmann.depth_scale")), report["depth"]["scale"].get<double>(), 1e-6) << file;
+  }
+}
+
+}  // namespace
+}  // namespace lippmann::test
