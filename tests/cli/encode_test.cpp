@@ -22,6 +22,14 @@ TEST(Encode, frames_of_a_quilt_become_a_video_with_its_name) {
   EXPECT_EQ(report_of(dir, {"encode", "r", "part.mkv", "--frames", "0,2"})["frames"], 2);
 }
 
+TEST(Encode, a_stereo_folder_becomes_the_video_of_its_render) {
+  const TempDir dir;
+  expect_done(dir, {"render", "teapot", "--layout", "stereo", "--frames", "3", "--viewing-distance", "600", "--size", "128x36",
+                    "-o", "r", "--video", "a.mkv"});
+  expect_done(dir, {"encode", "r", "b.mkv"});
+  EXPECT_EQ(bytes_of(dir / "a_2x1.mkv"), bytes_of(dir / "b_2x1.mkv"));
+}
+
 TEST(Encode, rate_is_that_of_the_render_unless_one_is_said) {
   const TempDir dir;
   EXPECT_EQ(report_of(dir, small_teapot("0-2", "r") + Words{"--fps", "12"})["frames_per_second"], 12.0);

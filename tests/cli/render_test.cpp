@@ -65,13 +65,16 @@ TEST(Render, summary_says_what_was_missed_and_why) {
 
 TEST(Render, also_single_renders_the_middle_view_beside_the_pictures) {
   const TempDir dir;
-  const Words quilt{"render", "teapot", "--frames", "3", "--display", "portrait", "--size", "96x96"};
-  expect_done(dir, quilt + Words{"-o", "out", "--also", "single", "--video", "a.mkv"});
-  EXPECT_TRUE(std::filesystem::exists(dir / "a_qs8x6a0.75.mkv"));
+  std::ofstream(dir / "panel.toml") << "kind = \"slanted-panel\"\npixels = [48, 64]\ndpi = 324\nview_cone_deg = 40\n"
+                                       "[calibration]\npitch = 52.0\nslope = -7.0\ncenter = 0.5\n"
+                                       "[quilt]\ntiles = [4, 2]\nsize = [129, 128]\naspect = 0.75\n";
+  const Words panel{"render", "teapot", "--frames", "3", "--display", "panel.toml"};
+  expect_done(dir, panel + Words{"-o", "out", "--also", "single", "--video", "a.mkv"});
+  EXPECT_TRUE(std::filesystem::exists(dir / "a_qs4x2a0.75.mkv"));
   EXPECT_TRUE(std::filesystem::exists(dir / "a_single.mkv"));
-  expect_done(dir, {"render", "teapot", "--frames", "3", "--display", "portrait", "--optics", "single", "--size", "96x96", "-o",
-                    "one"});
-  EXPECT_EQ(files_in(dir / "out/single", ".png").size(), 1u);
+  expect_done(dir, panel + Words{"--optics", "single", "-o", "one"});
+  EXPECT_EQ(files_in(dir / "out/single", ".png"), files_in(dir / "one", ".png"));
+  EXPECT_EQ(files_in(dir / "one", ".png").size(), 1u);
 }
 
 }  // namespace
