@@ -42,8 +42,7 @@ RayCounts PlanSearch::counts() const {
 std::optional<GatherPlan> PlanSearch::find() {
   const std::atomic<bool>& cancelled = workers_.context.cancelled;
   const float fitting = cache_.fitting_cell();
-  const LightTable& lights = *shot_.device.shaded().path->lights;
-  SetupSearch search(lights.chance(kLamps) > 0.0f, lights.chance(kSkyLight) > 0.0f);
+  SetupSearch search(shot_.device.shaded().path->lights->chance(kSkyLight) > 0.0f);
   for (bool goes_on = true; goes_on && !cancelled;) {
     cache_.set_up(search.current(), fitting);
     const SetupOutcome outcome = try_setup(search.current());

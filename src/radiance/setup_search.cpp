@@ -1,6 +1,7 @@
 #include "radiance/setup_search.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace lippmann {
 namespace {
@@ -10,7 +11,7 @@ constexpr int kFewRounds = 16, kMostRounds = 64;
 /// Where the error is beyond this many times what it may be, four times the rounds are tried at once: twice as many would not
 /// do.
 constexpr float kFar = 4.0f;
-/// Rounds that cells of another size or of other lights begin with.
+/// Rounds that cells of another size or of other light begin with.
 constexpr int kRoundsAnew = 32, kRoundsOfSmall = 32;
 constexpr float kSmallestPart = 0.25f;
 
@@ -30,8 +31,7 @@ bool SetupSearch::go_on(const SetupOutcome& outcome) {
   const bool updates_more = current_.rounds < kFewRounds || (helped && 2 * current_.rounds <= kMostRounds);
   last_excess_ = outcome.excess;
   if (done == Step::kAsked && !helped) {
-    has_asked_in_vain_ = true;
-    current_.lights_from = LightGroup::kLamps;
+    current_.lights_from = CacheSetup{}.lights_from;
     return !good_ && shrink();
   }
   if (updates_more) {
@@ -39,20 +39,13 @@ bool SetupSearch::go_on(const SetupOutcome& outcome) {
     current_.rounds = std::min((outcome.excess > kFar ? 4 : 2) * current_.rounds, kMostRounds);
     return true;
   }
-  return !good_ && (ask_more() || (helped || done == Step::kMore ? shrink() : false));
+  return !good_ && (ask_sky() || (helped || done == Step::kMore ? shrink() : false));
 }
 
-std::optional<LightGroup> SetupSearch::next_group() const {
-  if (current_.lights_from < LightGroup::kSky && has_lamps_) return LightGroup::kSky;
-  if (current_.lights_from < LightGroup::kEnd && has_sky_) return LightGroup::kEnd;
-  return std::nullopt;
-}
-
-bool SetupSearch::ask_more() {
-  const std::optional<LightGroup> group = next_group();
-  if (!group || has_asked_in_vain_) return false;
+bool SetupSearch::ask_sky() {
+  if (!std::exchange(may_ask_sky_, false)) return false;
   step_ = Step::kAsked;
-  current_.lights_from = *group, current_.rounds = kRoundsAnew;
+  current_.lights_from = LightGroup::kEnd, current_.rounds = kRoundsAnew;
   return true;
 }
 

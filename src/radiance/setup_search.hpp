@@ -8,9 +8,11 @@
 namespace lippmann {
 
 struct CacheSetup {
-  float cell = 1.0f;                            ///< samples across the smallest cells, in parts of what fits
-  int rounds = 4;                               ///< rounds of updates in the first frame (update_frame.hpp)
-  LightGroup lights_from = LightGroup::kLamps;  ///< the lights that the cache holds (CacheCells), of which a sun is never one
+  float cell = 1.0f;  ///< samples across the smallest cells, in parts of what fits
+  int rounds = 4;     ///< rounds of updates in the first frame (update_frame.hpp)
+  /// The light that the cache holds (CacheCells). What comes straight from lamps is never in it: cells would blur its shadows
+  /// over their own width, which eyes see where means over pixels do not.
+  LightGroup lights_from = LightGroup::kSky;
 };
 
 /// How good frames are with one.
@@ -20,11 +22,11 @@ struct SetupOutcome {
   float of_cells = 0.0f;  ///< share of the allowed error that cells make
 };
 
-/// More light where cells are too noisy; lamps, then the sky sampled at every point where cells blur their shadows; smaller
-/// cells where it is other light that they blur. What has not helped is not tried again.
+/// More light where cells are too noisy; the sky sampled at every point where cells blur its shadows; smaller cells where it is
+/// other light that they blur. What has not helped is not tried again.
 class SetupSearch {
  public:
-  SetupSearch(bool has_lamps, bool has_sky) : has_lamps_(has_lamps), has_sky_(has_sky) {}
+  explicit SetupSearch(bool has_sky) : may_ask_sky_(has_sky) {}
 
   const CacheSetup& current() const { return current_; }
 
@@ -38,17 +40,15 @@ class SetupSearch {
   enum class Step { kMore, kAsked, kSmaller };
 
   bool has_helped(const SetupOutcome& outcome) const { return outcome.excess < kHelped * last_excess_; }
-  std::optional<LightGroup> next_group() const;
-  bool ask_more();
+  bool ask_sky();
   bool shrink();
 
   static constexpr float kHelped = 0.8f;
-  bool has_lamps_, has_sky_;
+  bool may_ask_sky_;
   CacheSetup current_;
   std::optional<CacheSetup> good_;
   Step step_ = Step::kMore;
   float last_excess_ = kInfinity;
-  bool has_asked_in_vain_ = false;
 };
 
 }  // namespace lippmann

@@ -7,7 +7,7 @@ namespace lippmann {
 namespace {
 
 TEST(SetupSearch, what_is_good_enough_ends_the_search) {
-  SetupSearch search(true, true);
+  SetupSearch search(true);
   EXPECT_EQ(search.current().rounds, 4);
   EXPECT_FALSE(search.go_on({true, 0.5f, 0.1f}));
   ASSERT_TRUE(search.good());
@@ -15,7 +15,7 @@ TEST(SetupSearch, what_is_good_enough_ends_the_search) {
 }
 
 TEST(SetupSearch, cells_that_make_most_of_the_error_are_fed_more_though_frames_are_good) {
-  SetupSearch search(true, true);
+  SetupSearch search(true);
   EXPECT_TRUE(search.go_on({true, 0.9f, 0.6f}));
   EXPECT_EQ(search.current().rounds, 8);
   EXPECT_FALSE(search.go_on({true, 0.8f, 0.6f}));
@@ -23,7 +23,7 @@ TEST(SetupSearch, cells_that_make_most_of_the_error_are_fed_more_though_frames_a
 }
 
 TEST(SetupSearch, far_from_good_four_times_the_updates_are_tried_at_once) {
-  SetupSearch search(true, true);
+  SetupSearch search(true);
   ASSERT_TRUE(search.go_on({false, 8.0f, 1.0f}));
   EXPECT_EQ(search.current().rounds, 16);
   ASSERT_TRUE(search.go_on({false, 3.0f, 1.0f}));
@@ -31,7 +31,7 @@ TEST(SetupSearch, far_from_good_four_times_the_updates_are_tried_at_once) {
 }
 
 TEST(SetupSearch, updates_go_on_as_long_as_they_help) {
-  SetupSearch search(false, false);
+  SetupSearch search(false);
   float excess = 3.9f;
   int rounds = 4;
   for (; search.current().rounds < 64; excess *= 0.5f) {
@@ -42,27 +42,32 @@ TEST(SetupSearch, updates_go_on_as_long_as_they_help) {
   EXPECT_EQ(search.current().cell, 1.0f);
 }
 
-TEST(SetupSearch, lamps_are_asked_where_updates_do_not_help_and_cells_shrink_where_that_does_not) {
-  SetupSearch search(true, true);
+TEST(SetupSearch, light_that_comes_straight_from_lamps_is_never_cached) {
+  EXPECT_EQ(SetupSearch(true).current().lights_from, LightGroup::kSky);
+}
+
+TEST(SetupSearch, the_sky_is_asked_where_updates_do_not_help_and_cells_shrink_where_that_does_not) {
+  SetupSearch search(true);
   for (int i = 0; i < 2; ++i) ASSERT_TRUE(search.go_on({false, 4.0f, 1.0f}));
   EXPECT_EQ(search.current().rounds, 16);
   ASSERT_TRUE(search.go_on({false, 4.0f, 1.0f}));
-  EXPECT_EQ(search.current().lights_from, LightGroup::kSky);
+  EXPECT_EQ(search.current().lights_from, LightGroup::kEnd);
   EXPECT_EQ(search.current().cell, 1.0f);
   ASSERT_TRUE(search.go_on({false, 4.0f, 1.0f}));
-  EXPECT_EQ(search.current().lights_from, LightGroup::kLamps);
+  EXPECT_EQ(search.current().lights_from, LightGroup::kSky);
   EXPECT_EQ(search.current().cell, 0.5f);
   EXPECT_FALSE(search.good());
 }
 
-TEST(SetupSearch, the_sky_is_asked_where_there_are_no_lamps) {
-  SetupSearch search(false, true);
+TEST(SetupSearch, cells_shrink_where_there_is_no_sky_to_ask) {
+  SetupSearch search(false);
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(search.go_on({false, 4.0f, 1.0f}));
-  EXPECT_EQ(search.current().lights_from, LightGroup::kEnd);
+  EXPECT_EQ(search.current().lights_from, LightGroup::kSky);
+  EXPECT_EQ(search.current().cell, 0.5f);
 }
 
 TEST(SetupSearch, come_to_an_end_when_nothing_helps) {
-  SetupSearch search(true, true);
+  SetupSearch search(true);
   int tried = 1;
   while (search.go_on({false, 4.0f, 1.0f})) ASSERT_LT(++tried, 10);
   EXPECT_FALSE(search.good());
