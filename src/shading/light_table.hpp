@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "shading/closed_mesh.hpp"
+#include "shading/emitters.hpp"
 #include "shading/light_sample.hpp"
 #include "shading/light_tree.hpp"
 #include "shading/materials.hpp"
@@ -37,6 +37,7 @@ struct LightSources {
   std::span<const GeometryRecord> records;
   std::span<const WhittedMaterial> materials;
   std::span<const DeviceTexture> textures;
+  const Emitters& emitters;
   float size;  ///< half the scene's diagonal
 };
 

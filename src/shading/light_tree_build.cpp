@@ -75,6 +75,8 @@ class LightTreeBuilder {
       has_balls_ |= lights[l].radius > 0.0f;
       has_faces_ |= lights[l].face != Vec3f(0.0f);
     }
+    if (has_cones_)
+      for (const TreeLight& light : lights) profiles_.push_back(profile_of(light));
   }
 
   void build() {
@@ -217,7 +219,7 @@ class LightTreeBuilder {
     Vec3d linear(0.0);
     glm::dmat3 square(0.0);
     for (const std::uint32_t l : part) {
-      const Profile profile = profile_of(lights_[l]);
+      const Profile& profile = profiles_[l];
       const Vec3d axis(lights_[l].axis);
       const double share = static_cast<double>(lights_[l].power) / power;
       mean += share * profile.mean;
@@ -264,6 +266,7 @@ class LightTreeBuilder {
   LightTree& tree_;
   std::span<const TreeLight> lights_;
   std::vector<std::uint32_t> members_;
+  std::vector<Profile> profiles_;  ///< by light; empty: all shine all around
   double total_ = 0.0;
   bool has_cones_ = false, has_balls_ = false, has_faces_ = false;
 };

@@ -70,6 +70,8 @@ struct WhittedLight {
   float has_smooth_edge = 0.0f;  ///< 1: the cone's fading t^2 becomes 3 t^2 - 2 t^3
   float radius = 0.0f;           ///< 0: a point. Only path tracing knows lamps that have a size
   float half_angle = 0.0f;       ///< half the angle that a sun's disc is seen under; 0: a point
+
+  bool operator==(const WhittedLight&) const = default;
 };
 
 std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& resolved);
