@@ -91,11 +91,16 @@ void LightTable::find_rounds() {
   }
 }
 
+const WebBeam* LightTable::beam_of(std::size_t light) const {
+  const int web = sources_.scene.lights[light].web;
+  return web < 0 ? nullptr : &sources_.beams[static_cast<std::size_t>(web)];
+}
+
 void LightTable::add_points(std::vector<float>& powers) {
   std::vector<TreeLight> lights(points());
   for (std::size_t l = 0; l < points(); ++l) {
     powers.push_back(has_size(l) ? 0.0f : power(sources_.lights[l], unit_, sources_.size));
-    if (powers.back() > 0.0f) lights[l] = tree_light(sources_.lights[l]);
+    if (powers.back() > 0.0f) lights[l] = tree_light(sources_.lights[l], beam_of(l));
   }
   point_tree_ = tree_of(lights, kMostLampsByPower, powers, 0);
 }
@@ -105,7 +110,7 @@ void LightTable::add_rounds(std::vector<float>& powers) {
   std::vector<TreeLight> lights(rounds());
   for (std::size_t k = 0; k < rounds(); ++k) {
     powers.push_back(power(sources_.lights[rounds_[k]], unit_, sources_.size));
-    if (powers.back() > 0.0f) lights[k] = tree_light(sources_.lights[rounds_[k]]);
+    if (powers.back() > 0.0f) lights[k] = tree_light(sources_.lights[rounds_[k]], beam_of(rounds_[k]));
   }
   round_tree_ = tree_of(lights, kMostLampsByPower, powers, first);
 }

@@ -23,6 +23,7 @@ ShadingTables::ShadingTables(const Scene& scene, const ResolvedScene& resolved, 
   if (use == MaterialUse::kPaths) {
     path = std::make_unique<PathTables>();
     path->media = Media(scene);
+    path->beams = beams_of(scene.webs);
   }
   material_of_instance.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances)
@@ -69,7 +70,8 @@ bool ShadedScene::any_emitter_moves() const {
 void ShadedScene::tabulate_lights() {
   if (path)
     path->lights = std::make_unique<LightTable>(
-        LightSources{*scene, lights, records, materials.materials, textures, path->emitters, radius}, *environment);
+        LightSources{*scene, lights, records, materials.materials, textures, path->emitters, path->beams, radius},
+        *environment);
 }
 
 }  // namespace lippmann

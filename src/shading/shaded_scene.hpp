@@ -21,6 +21,7 @@ struct PathTables {
   GgxAlbedo albedo;
   Media media;
   Emitters emitters;
+  std::vector<WebBeam> beams;          ///< by web of the scene
   std::unique_ptr<LightTable> lights;  ///< the frame's lights
 };
 
