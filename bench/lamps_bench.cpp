@@ -22,6 +22,12 @@ constexpr int kLampsSamples = 64, kLampsReferenceSamples = 1024, kQuickLampsRefe
 constexpr std::uint32_t kLampsReferenceSeed = 77;
 constexpr float kLampsPower = 12.0f;  ///< radiant intensity of all lamps of a room
 
+// The eye looks down a little at the middle of the picture, which is so high there, from five times that height away. What is
+// more than kLampsFront before the middle, as the wall behind the viewer, is not seen.
+constexpr Vec3f kLampsMiddle{0.0f, 0.95f, -0.2f};
+constexpr float kLampsPitch = radians(8.0f), kLampsPictureHeight = 2.1f, kLampsPanelMm = 100.0f, kLampsEyeMm = 500.0f,
+                kLampsFront = 3.6f;
+
 enum class LampKind { kPoints, kSpots, kBalls, kSquares };
 
 struct LampRow {
@@ -41,6 +47,7 @@ class LampPlaces {
     const float z = number(-1.0f, 1.0f), angle = number(0.0f, 2.0f * kPi), r = std::sqrt(1.0f - z * z);
     return {r * std::cos(angle), r * std::sin(angle), z};
   }
+  Vec3f direction_across(Vec3f axis) { return glm::normalize(glm::cross(axis, direction())); }
 
  private:
   std::mt19937 random_{5};
@@ -65,13 +72,20 @@ void add_lamps(Scene& scene, LampKind kind, int count, LampPlaces& places) {
   }
 }
 
-/// Squares of the area that gives them that power together, in one mesh for each hue.
+Vec3f lamps_eye() {
+  return kLampsMiddle +
+         kLampsPictureHeight * kLampsEyeMm / kLampsPanelMm * Vec3f(0.0f, std::sin(kLampsPitch), std::cos(kLampsPitch));
+}
+
+/// Squares of the area that gives them that power together, in one mesh for each hue. The eye is in the plane of each and so
+/// sees none: seen, they are far smaller than pixels and far brighter than white, and the noise of their edges, which no choice
+/// of lights changes, would hide what is measured.
 void add_square_lamps(Scene& scene, int count, LampPlaces& places) {
   Mesh meshes[4];
   const float half = std::min(0.05f, 0.4f / std::sqrt(static_cast<float>(count)));
   for (int l = 0; l < count; ++l) {
     Mesh& mesh = meshes[l % 4];
-    const Vec3f middle = places.place(), normal = places.direction();
+    const Vec3f middle = places.place(), normal = places.direction_across(lamps_eye() - middle);
     const Vec3f across = half * glm::normalize(glm::cross(normal, std::abs(normal.y) < 0.9f ? kUp : Vec3f(1.0f, 0.0f, 0.0f)));
     const Vec3f along = glm::cross(normal, across);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -100,7 +114,7 @@ Scene lamp_room(LampKind kind, int count) {
     add_square_lamps(scene, count, places);
   else
     add_lamps(scene, kind, count, places);
-  look_at(scene, {0.0f, 0.95f, -0.2f}, 0.0f, radians(8.0f), 2.1f, 3.6f);
+  look_at(scene, kLampsMiddle, 0.0f, kLampsPitch, kLampsPictureHeight, kLampsFront);
   return scene;
 }
 
@@ -112,8 +126,8 @@ class LampCase {
  public:
   LampCase(Scene scene, int pixels, const Context& context) : scene_(std::move(scene)), context_(context) {
     Optics optics;
-    optics.panel = {pixels, pixels, 100.0f / static_cast<float>(pixels)};
-    optics.model = SingleView{};
+    optics.panel = {pixels, pixels, kLampsPanelMm / static_cast<float>(pixels)};
+    optics.model = SingleView{kLampsEyeMm};
     placement_ = place(scene_, optics);
   }
 

@@ -18,8 +18,8 @@ class SceneFingerprint {
   std::uint64_t value() const { return print_.value(); }
 
   void add(const Scene& scene) {
-    const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, cameras, display, background, timeline,
-                 animation_names, animation, variant_names, encoding, max_depth, resolution] = scene;
+    const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, webs, cameras, display, background,
+                 timeline, animation_names, animation, variant_names, encoding, max_depth, resolution] = scene;
     add_each(nodes);
     add_each(shapes);
     add_each(textures);
@@ -27,6 +27,7 @@ class SceneFingerprint {
     add_each(instances);
     add_each(skins);
     add_each(lights);
+    if (!webs.empty()) add_each(webs);  // else nothing, so that scenes without keep their fingerprints
     add_each(cameras);
     add_optional(display);
     add(background);
@@ -164,11 +165,17 @@ class SceneFingerprint {
 
   void add(const Light& light) {
     const auto& [name, kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius, radius,
-                 angular_diameter, smooth_edge] = light;
+                 angular_diameter, smooth_edge, web] = light;
     add_all(kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius);
     if (radius > 0.0f || angular_diameter > 0.0f ||
         smooth_edge)  // else nothing, so that lights without keep their fingerprints
       add_all(radius, angular_diameter, smooth_edge);
+    if (web >= 0) add_all(web);
+  }
+  void add(const PhotometricWeb& web) {
+    const auto& [name, polar, azimuth, intensity, web_from_light] = web;
+    add_packed(polar), add_packed(azimuth), add_packed(intensity);
+    add_all(web_from_light[0], web_from_light[1], web_from_light[2]);
   }
   void add(const Background& background) {
     const auto& [horizon, zenith, up, horizon_at, zenith_at, map] = background;

@@ -1,6 +1,7 @@
 // Checks a whole Scene once, after loading, so that nothing behind it has to check again.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <type_traits>
@@ -57,6 +58,7 @@ class Validator {
     check_timeline();  // before instances, which look into the animations
     for (std::size_t i = 0; i < scene_.skins.size(); ++i) check_skin(scene_.skins[i], i);
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) check_instance(scene_.instances[i], i);
+    for (std::size_t i = 0; i < scene_.webs.size(); ++i) check_web(scene_.webs[i], i);
     for (std::size_t i = 0; i < scene_.lights.size(); ++i) check_light(scene_.lights[i], i);
     for (std::size_t i = 0; i < scene_.cameras.size(); ++i) check_camera(scene_.cameras[i], i);
     check_rest();
@@ -292,6 +294,24 @@ class Validator {
             "the cone angles are not 0 <= inner <= outer <= pi");
     require(finite(light.visible_radius) && light.visible_radius >= 0.0f, element, "the visible radius is not a number >= 0");
     check_light_size(light, element);
+    require(light.web >= -1 && light.web < static_cast<int>(scene_.webs.size()), element, "its photometric web is not there");
+    require(light.web < 0 || (light.kind == LightKind::kPoint && light.inverse_square), element,
+            "has a photometric web, but only point lights that fall off with the squared distance may have one");
+  }
+
+  void check_web(const PhotometricWeb& web, std::size_t index) const {
+    const std::string element = label("web", index, web.name);
+    const auto increase = [](const std::vector<float>& angles, float lower, float upper) {
+      return std::adjacent_find(angles.begin(), angles.end(), [](float a, float b) { return !(a < b); }) == angles.end() &&
+             angles.front() >= lower && angles.back() <= upper;
+    };
+    require(web.polar.size() >= 2 && increase(web.polar, 0.0f, kPi), element,
+            "the polar angles are not two or more that increase from 0 to pi");
+    require(!web.azimuth.empty() && increase(web.azimuth, -kPi, 2.0f * kPi), element,
+            "the azimuths are not one or more that increase from -pi to 2 pi");
+    require(web.intensity.size() == web.polar.size() * web.azimuth.size() &&
+                std::all_of(web.intensity.begin(), web.intensity.end(), [](float i) { return finite(i) && i >= 0.0f; }),
+            element, "has not one intensity, which is a number >= 0, for each pair of its angles");
   }
 
   void check_light_size(const Light& light, const std::string& element) const {

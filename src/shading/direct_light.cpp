@@ -1,6 +1,7 @@
 #include "shading/direct_light.hpp"
 
 #include "device/fast_math.hpp"
+#include "shading/light_sample.hpp"
 
 namespace lippmann {
 namespace {
@@ -46,6 +47,12 @@ void dim_by_angle(const WhittedLight& light, ShadowPacket& shadow) {
     else if (angle > light.inner_cone)
       dim(shadow, i, 1.0f - (angle - light.inner_cone) / (light.outer_cone - light.inner_cone));
   }
+}
+
+/// Weakens, or strengthens, by what the lamp sends that way.
+void dim_by_web(const WhittedLight& light, ShadowPacket& shadow) {
+  for (int i = 0; i < kLanes; ++i)
+    dim(shadow, i, fading(light, {shadow.rays.dir_x[i], shadow.rays.dir_y[i], shadow.rays.dir_z[i]}));
 }
 
 /// Weakens by Tachyon's attenuation.
@@ -128,6 +135,7 @@ LIPPMANN_MULTIVERSION int aim_at_light(const WhittedLight& light, const SurfaceP
                                        ShadowPacket& shadow) {
   aim(light, surface, shadow);
   if (light.linear_cone) dim_by_angle(light, shadow);
+  if (light.web) dim_by_web(light, shadow);
   if (light.attenuates) dim_by_distance(light.attenuation, shadow);
   return choose_active(surface, least_light, shadow);
 }

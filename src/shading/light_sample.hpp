@@ -15,7 +15,7 @@ struct LightSample {
   bool is_point() const { return density == kInfinity; }
 };
 
-/// How much of a lamp goes in a direction (unit, from the point to the lamp): the fading of its cone.
+/// How much of a lamp goes in a direction (unit, from the point to the lamp): the fading of its cone, or its web's intensity.
 float fading(const WhittedLight& light, Vec3f direction);
 
 }  // namespace lippmann

@@ -91,11 +91,16 @@ void LightTable::find_rounds() {
   }
 }
 
+const WebBeam* LightTable::beam_of(std::size_t light) const {
+  const int web = sources_.scene.lights[light].web;
+  return web < 0 ? nullptr : &sources_.beams[static_cast<std::size_t>(web)];
+}
+
 void LightTable::add_points(std::vector<float>& powers) {
   std::vector<TreeLight> lights(points());
   for (std::size_t l = 0; l < points(); ++l) {
     powers.push_back(has_size(l) ? 0.0f : power(sources_.lights[l], unit_, sources_.size));
-    if (powers.back() > 0.0f) lights[l] = tree_light(sources_.lights[l]);
+    if (powers.back() > 0.0f) lights[l] = tree_light(sources_.lights[l], beam_of(l));
   }
   point_tree_ = tree_of(lights, kMostLampsByPower, powers, 0);
 }
@@ -105,7 +110,7 @@ void LightTable::add_rounds(std::vector<float>& powers) {
   std::vector<TreeLight> lights(rounds());
   for (std::size_t k = 0; k < rounds(); ++k) {
     powers.push_back(power(sources_.lights[rounds_[k]], unit_, sources_.size));
-    if (powers.back() > 0.0f) lights[k] = tree_light(sources_.lights[rounds_[k]]);
+    if (powers.back() > 0.0f) lights[k] = tree_light(sources_.lights[rounds_[k]], beam_of(rounds_[k]));
   }
   round_tree_ = tree_of(lights, kMostLampsByPower, powers, first);
 }
@@ -124,19 +129,12 @@ void LightTable::add_triangles(std::vector<float>& powers) {
 void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
   const GeometryRecord& record = sources_.records[r];
   if (record.kind != GeometryKind::kMesh || record.hidden) return;
-  const Instance& instance = sources_.scene.instances[record.instance];
-  const WhittedMaterial& material = sources_.materials[static_cast<std::size_t>(instance.material)];
-  if (material.emission == Vec3f(0.0f)) return;
-  float radiance = luminance(material.emission);
-  if (material.emission_map.texture >= 0) {
-    const DeviceTexture::Level& mean = sources_.textures[static_cast<std::size_t>(material.emission_map.texture)].levels.back();
-    // Not 0 for a texture that is nearly dark: its bright texels must have a chance.
-    radiance *= std::max(luminance(Vec3f(mean.rgba[0], mean.rgba[1], mean.rgba[2]) / 65535.0f), 1e-3f);
-  }
+  const Emitter* emitter = sources_.emitters.of(record.instance);
+  if (!emitter) return;
   first_triangle_[r] = static_cast<int>(triangles_.size());
   record_shares_.resize(sources_.records.size(), 0.0f);
   const Affine3f place = record.placed ? record.world_from_mesh : Affine3f{};
-  const BodyFacing closed = mirrored(facing_of_closed(*record.mesh), place);
+  const BodyFacing closed = mirrored(emitter->closed, place);
   for (std::uint32_t t = 0; t < record.mesh->triangles.size(); ++t) {
     const auto& [a, b, c] = record.mesh->triangles[t];
     const Vec3f origin = transform_point(place, record.mesh->positions[a]);
@@ -148,7 +146,7 @@ void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
     triangles_.push_back({origin, edge_b, edge_c, has_area ? n / twice_area : Vec3f(0.0f), 0.5f * twice_area,
                           static_cast<std::uint32_t>(r), t, closed});
     // Both sides shine.
-    powers.push_back(has_area ? finite(kPi * 2.0f * triangles_.back().area * radiance) : 0.0f);
+    powers.push_back(has_area ? finite(kPi * 2.0f * triangles_.back().area * emitter->of(t)) : 0.0f);
     record_shares_[r] += powers.back();
   }
 }

@@ -17,11 +17,12 @@
 #include <span>
 #include <vector>
 
-#include "shading/closed_mesh.hpp"
+#include "shading/emitters.hpp"
 #include "shading/light_sample.hpp"
 #include "shading/light_tree.hpp"
 #include "shading/materials.hpp"
 #include "shading/texture.hpp"
+#include "shading/web_beams.hpp"
 #include "transport/discrete.hpp"
 #include "transport/environment.hpp"
 
@@ -37,7 +38,9 @@ struct LightSources {
   std::span<const GeometryRecord> records;
   std::span<const WhittedMaterial> materials;
   std::span<const DeviceTexture> textures;
-  float size;  ///< half the scene's diagonal
+  const Emitters& emitters;
+  std::span<const WebBeam> beams;  ///< by web of the scene
+  float size;                      ///< half the scene's diagonal
 };
 
 /// Groups of lights, in the order that they are chosen from: point-like ones, lamps that have a size (round_lights.hpp), the
@@ -142,6 +145,7 @@ class LightTable {
   bool has_size(std::size_t light) const { return !round_of_.empty() && round_of_[light] >= 0; }
   void find_rounds();
   std::optional<LightSample> sample_point(std::size_t light, Vec3f from) const;
+  const WebBeam* beam_of(std::size_t light) const;
   std::optional<LightSample> sample_sky(const Environment::Sample& sky) const;
   std::optional<LightSample> sample_triangle_light(const Triangle& triangle, Vec3f from, Vec2f u) const;
   Vec3f emission_at(const Triangle& triangle, Vec2f barycentric) const;

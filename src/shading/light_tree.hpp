@@ -41,6 +41,11 @@ struct LightReceiver {
   Vec3f normal{0.0f};  ///< unit, of the side that light must come from to count; null: it may come from either
 };
 
+/// How a lamp shines by the angle to its axis: coefficients of the first three Legendre polynomials.
+struct LightProfile {
+  double mean = 1.0, linear = 0.0, square = 0.0;
+};
+
 /// A light as the tree knows it.
 struct TreeLight {
   Vec3f middle{0.0f};
@@ -50,9 +55,10 @@ struct TreeLight {
   float range = kInfinity;
   Vec3f axis{0.0f};  ///< unit; it shines no further from it than
   float half_angle = kPi;
-  float inner_angle = kPi;  ///< and in full up to here: in between it fades with the squared cosine
-  Vec3f face{0.0f};         ///< unit normal of what shines to both sides by the cosine; null: it shines all around alike
-  bool is_closed = false;   ///< behind the face is the inside of a body, which hides it from there
+  float inner_angle = kPi;                ///< and in full up to here: in between it fades with the squared cosine
+  const LightProfile* profile = nullptr;  ///< how it shines within its cone, where that is measured; null: by its angles
+  Vec3f face{0.0f};        ///< unit normal of what shines to both sides by the cosine; null: it shines all around alike
+  bool is_closed = false;  ///< behind the face is the inside of a body, which hides it from there
 };
 
 /// Sixteen children, side by side.

@@ -37,18 +37,14 @@ struct PowerMoments {
   double scatter() const { return power > 0.0 ? std::max(0.0, squares - glm::dot(first, first) / power) : 0.0; }
 };
 
-/// How a lamp shines by the angle to its axis: coefficients of the first three Legendre polynomials.
-struct Profile {
-  double mean = 1.0, linear = 0.0, square = 0.0;
-};
-
-Profile profile_of(const TreeLight& light) {
+LightProfile profile_of(const TreeLight& light) {
+  if (light.profile) return *light.profile;
   if (!(light.half_angle < kPi)) return {};
   constexpr int kSteps = 64;
   const double outer = std::cos(static_cast<double>(light.half_angle)),
                inner = std::cos(static_cast<double>(light.inner_angle));
   const double width = (1.0 - outer) / kSteps, inverse_ramp = 1.0 / std::max(inner - outer, 1e-6);
-  Profile profile{0.0, 0.0, 0.0};
+  LightProfile profile{0.0, 0.0, 0.0};
   for (int i = 0; i < kSteps; ++i) {
     const double cosine = outer + (i + 0.5) * width, ramp = std::min(1.0, (cosine - outer) * inverse_ramp);
     const double shines = ramp * ramp * width;
@@ -71,10 +67,12 @@ class LightTreeBuilder {
       if (takes_part(lights[l])) members_.push_back(l);
     for (const std::uint32_t l : members_) {
       total_ += static_cast<double>(lights[l].power);
-      has_cones_ |= lights[l].half_angle < kPi;
+      has_cones_ |= lights[l].half_angle < kPi || lights[l].profile != nullptr;
       has_balls_ |= lights[l].radius > 0.0f;
       has_faces_ |= lights[l].face != Vec3f(0.0f);
     }
+    if (has_cones_)
+      for (const TreeLight& light : lights) profiles_.push_back(profile_of(light));
   }
 
   void build() {
@@ -217,7 +215,7 @@ class LightTreeBuilder {
     Vec3d linear(0.0);
     glm::dmat3 square(0.0);
     for (const std::uint32_t l : part) {
-      const Profile profile = profile_of(lights_[l]);
+      const LightProfile& profile = profiles_[l];
       const Vec3d axis(lights_[l].axis);
       const double share = static_cast<double>(lights_[l].power) / power;
       mean += share * profile.mean;
@@ -230,7 +228,7 @@ class LightTreeBuilder {
     beams.xx[lane] = q[0][0], beams.yy[lane] = q[1][1];
     beams.xy[lane] = q[0][1], beams.xz[lane] = q[0][2], beams.yz[lane] = q[1][2];
     const TreeLight& first = lights_[part[0]];
-    if (part.size() == 1 && first.half_angle < kPi)
+    if (part.size() == 1 && first.half_angle < kPi && !first.profile)
       beams.inverse_ramp[lane] = 1.0f / std::max(std::cos(first.inner_angle) - std::cos(first.half_angle), 1e-6f);
   }
 
@@ -264,6 +262,7 @@ class LightTreeBuilder {
   LightTree& tree_;
   std::span<const TreeLight> lights_;
   std::vector<std::uint32_t> members_;
+  std::vector<LightProfile> profiles_;  ///< by light; empty: all shine all around
   double total_ = 0.0;
   bool has_cones_ = false, has_balls_ = false, has_faces_ = false;
 };

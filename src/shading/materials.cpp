@@ -116,6 +116,21 @@ float shadow_transmittance(const WhittedMaterial& material) {
   return material.blocks_light ? 0.0f : std::clamp(1.0f - material.opacity, 0.0f, 1.0f);
 }
 
+namespace {
+
+/// What turns directions of the world into a node's own, whatever its scale. A node that is scaled to nothing: as the world.
+Mat3f rotation_to(const Affine3f& world_from_node) {
+  Mat3f axes(1.0f);
+  for (int c = 0; c < 3; ++c) {
+    const float length = glm::length(world_from_node.linear[c]);
+    if (!(length > 0.0f)) return Mat3f(1.0f);
+    axes[c] = world_from_node.linear[c] / length;
+  }
+  return glm::transpose(axes);
+}
+
+}  // namespace
+
 std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& resolved) {
   std::vector<WhittedLight> lights;
   for (const Light& light : scene.lights) {
@@ -143,6 +158,10 @@ std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& r
     w.has_smooth_edge = light.smooth_edge ? 1.0f : 0.0f;
     w.radius = directional ? 0.0f : light.radius;
     w.half_angle = directional ? 0.5f * light.angular_diameter : 0.0f;
+    if (light.web >= 0) {
+      w.web = &scene.webs[static_cast<std::size_t>(light.web)];
+      w.light_from_world = rotation_to(world_from_light);
+    }
     lights.push_back(w);
   }
   return lights;

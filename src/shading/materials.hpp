@@ -67,9 +67,13 @@ struct WhittedLight {
   bool attenuates = false;
   Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< divide by x + y d + z d^2 at distance d, if it attenuates
   float visible_radius = 0.0f;
-  float has_smooth_edge = 0.0f;  ///< 1: the cone's fading t^2 becomes 3 t^2 - 2 t^3
-  float radius = 0.0f;           ///< 0: a point. Only path tracing knows lamps that have a size
-  float half_angle = 0.0f;       ///< half the angle that a sun's disc is seen under; 0: a point
+  float has_smooth_edge = 0.0f;         ///< 1: the cone's fading t^2 becomes 3 t^2 - 2 t^3
+  float radius = 0.0f;                  ///< 0: a point. Only path tracing knows lamps that have a size
+  float half_angle = 0.0f;              ///< half the angle that a sun's disc is seen under; 0: a point
+  const PhotometricWeb* web = nullptr;  ///< multiplies the colour by direction; null: all alike
+  Mat3f light_from_world{1.0f};         ///< a rotation: of directions, for the web; mirrors where the node does
+
+  bool operator==(const WhittedLight&) const = default;
 };
 
 std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& resolved);

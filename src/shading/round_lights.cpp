@@ -5,6 +5,7 @@
 #include "device/lanes.hpp"
 #include "device/primitives.hpp"
 #include "device/ray_packet.hpp"
+#include "scene/photometric_web.hpp"
 #include "transport/sampling.hpp"
 
 namespace lippmann {
@@ -85,6 +86,7 @@ bool sees_sphere(const WhittedLight& light, Vec3f from, Vec3f direction, bool is
 }  // namespace
 
 float fading(const WhittedLight& light, Vec3f direction) {
+  if (light.web) return intensity(*light.web, light.light_from_world * -direction);
   const float cosine = glm::dot(direction, light.toward);
   if (light.has_cone > 0.0f) {
     const float ramp = std::clamp((cosine - light.cos_outer) * light.inverse_ramp, 0.0f, 1.0f);

@@ -176,9 +176,9 @@ LIPPMANN_MULTIVERSION void sample_uv(const DeviceTexture& texture, const UvLanes
   }
 }
 
-Vec4f sample_point(const DeviceTexture& texture, Vec2f uv) {
+Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t of_level) {
   const bool known = (std::abs(uv.x) < 1e6f) & (std::abs(uv.y) < 1e6f);  // else no fraction is left to look up
-  const DeviceTexture::Level& level = texture.levels.front();
+  const DeviceTexture::Level& level = texture.levels[of_level];
   const Neighbours x = neighbours(known ? uv.x : 0.0f, level.width, numbers_of(texture.wrap_u));
   const Neighbours y = neighbours(known ? uv.y : 0.0f, level.height, numbers_of(texture.wrap_v));
   const std::uint16_t* texels = level.rgba.data();

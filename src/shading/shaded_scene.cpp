@@ -1,5 +1,7 @@
 #include "shading/shaded_scene.hpp"
 
+#include <utility>
+
 #include "shading/mesh_shadow.hpp"
 
 namespace lippmann {
@@ -21,6 +23,7 @@ ShadingTables::ShadingTables(const Scene& scene, const ResolvedScene& resolved, 
   if (use == MaterialUse::kPaths) {
     path = std::make_unique<PathTables>();
     path->media = Media(scene);
+    path->beams = beams_of(scene.webs);
   }
   material_of_instance.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances)
@@ -28,6 +31,7 @@ ShadingTables::ShadingTables(const Scene& scene, const ResolvedScene& resolved, 
   const bool tachyon = scene.encoding == Encoding::kTachyonTruncate;
   textures.resize(scene.textures.size());
   pool.for_each(textures.size(), [&](std::size_t t) { textures[t] = make_device_texture(scene.textures[t], tachyon); });
+  if (path) path->emitters = Emitters(scene, materials.materials, textures, pool);
 }
 
 float ShadingTables::transmittance(std::uint32_t instance) const {
@@ -49,16 +53,25 @@ ShadedScene::ShadedScene(const Scene& described, const ResolvedScene& resolved, 
 }
 
 void ShadedScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
-  lights = make_lights(*scene, resolved);
+  std::vector<WhittedLight> moved = make_lights(*scene, resolved);
+  const bool stands = moved == lights && !any_emitter_moves();
+  if (!stands) lights = std::move(moved);  // the table refers to those that it has been made of
   RayScene::update(resolved, pool);
-  tabulate_lights();
+  if (!stands) tabulate_lights();
 }
 
-/// The lights of this frame, for paths.
+bool ShadedScene::any_emitter_moves() const {
+  for (std::size_t i = 0; path && i < instance_moves.size(); ++i)
+    if (instance_moves[i] && path->emitters.of(i)) return true;
+  return false;
+}
+
+/// The lights of this moment, for paths. A tree of a million takes seconds: it stays while they stand where they are.
 void ShadedScene::tabulate_lights() {
   if (path)
-    path->lights = std::make_unique<LightTable>(LightSources{*scene, lights, records, materials.materials, textures, radius},
-                                                *environment);
+    path->lights = std::make_unique<LightTable>(
+        LightSources{*scene, lights, records, materials.materials, textures, path->emitters, path->beams, radius},
+        *environment);
 }
 
 }  // namespace lippmann

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "device/ray_scene.hpp"
+#include "shading/emitters.hpp"
 #include "shading/light_table.hpp"
 #include "shading/materials.hpp"
 #include "shading/media.hpp"
@@ -19,6 +20,8 @@ namespace lippmann {
 struct PathTables {
   GgxAlbedo albedo;
   Media media;
+  Emitters emitters;
+  std::vector<WebBeam> beams;          ///< by web of the scene
   std::unique_ptr<LightTable> lights;  ///< the frame's lights
 };
 
@@ -50,6 +53,7 @@ struct ShadedScene : ShadingTables, RayScene {
 
  private:
   ShadedScene(const Scene& scene, const ResolvedScene& resolved, const ThreadPool& pool, MaterialUse use);
+  bool any_emitter_moves() const;
   void tabulate_lights();
 };
 

@@ -39,8 +39,8 @@ struct TexelLanes {
 /// anything.
 void sample_uv(const DeviceTexture& texture, const UvLanes& uv, const LaneMask& wanted, TexelLanes& texels);
 
-/// Linear RGBA at one point, bilinear, at the finest level.
-Vec4f sample_point(const DeviceTexture& texture, Vec2f uv);
+/// Linear RGBA at one point, bilinear, of one level; 0 is the finest.
+Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t level = 0);
 
 /// Tachyon's image maps (trace/projection.hpp): bilinear over (resolution - 1) texels without wrapping, between the two levels
 /// of n that blur (n - 0.9999) falls between, the last level from n - 2 on. path_length: the whole path's, from the eye.

@@ -17,7 +17,7 @@ float inner_angle_of(const WhittedLight& lamp) {
 
 }  // namespace
 
-TreeLight tree_light(const WhittedLight& lamp) {
+TreeLight tree_light(const WhittedLight& lamp, const WebBeam* beam) {
   TreeLight light;
   if (!(lamp.at_place > 0.0f) || !(lamp.falls_off > 0.0f) || lamp.attenuates) return light;
   light.middle = lamp.position;
@@ -26,6 +26,11 @@ TreeLight tree_light(const WhittedLight& lamp) {
   light.range = lamp.range;
   light.axis = -lamp.toward, light.half_angle = half_angle_of(lamp);
   light.inner_angle = inner_angle_of(lamp);
+  if (beam) {
+    light.axis = beam->axis * lamp.light_from_world;
+    light.half_angle = beam->half_angle;
+    light.profile = &beam->profile;
+  }
   return light;
 }
 

@@ -148,5 +148,51 @@ TEST(ManyLamps, chances_of_balls_and_suns_sum_to_that_of_their_group) {
   });
 }
 
+/// Whether the table of a moment is that of the moment before.
+bool keeps_table(const Scene& scene, double time) {
+  const ThreadPool pool(1);
+  DeviceScene device(scene, pool, Integrator::kPath);
+  const LightTable* const before = device.shaded().path->lights.get();
+  device.update(evaluate(scene, time), pool);
+  return device.shaded().path->lights.get() == before;
+}
+
+TEST(ManyLamps, the_table_is_made_anew_only_where_what_shines_moves) {
+  const auto scene_of = [](bool lamp_moves, bool square_moves, bool box_moves) {
+    SmallScene s = below(LampKind::kPoint, floor_of(0.0f, 1.0f), 0, kCount);
+    const auto node = [&](bool moves) { return s.moving_node(Vec3f(0.0f), Vec3f(moves ? 1.0f : 0.0f)); };
+    s.scene.lights[0].node = node(lamp_moves);
+    MetallicRoughness shines = floor_of(0.0f, 1.0f);
+    shines.emissive = Vec3f(1.0f);
+    s.add(square(0.1f, 2.0f), s.material(shines), node(square_moves));
+    s.add(square(0.1f, 1.0f), s.material(floor_of(0.0f, 1.0f)), node(box_moves));
+    return s.scene;
+  };
+  EXPECT_TRUE(keeps_table(scene_of(false, false, true), 0.5));
+  EXPECT_FALSE(keeps_table(scene_of(true, false, false), 0.5));
+  EXPECT_FALSE(keeps_table(scene_of(false, true, false), 0.5));
+}
+
+// What a frame shows may not depend on the frames that were made before it.
+TEST(ManyLamps, a_moved_picture_is_the_same_whatever_came_before) {
+  SmallScene s = busy_scene(3);
+  for (int l = 0; l < kCount; ++l) add_lamp(s, LampKind::kSquare, l);
+  add_lamp(s, LampKind::kPoint, 3);
+  s.scene.lights.back().node = s.moving_node({0.0f, 0.0f, 2.0f}, {1.0f, 0.0f, 2.0f});
+  const ThreadPool pool(1);
+  const Context context;
+  TraceParams params;
+  params.spp = 4;
+  const auto picture = [&](std::initializer_list<double> times) {
+    DeviceScene device(s.scene, pool, Integrator::kPath);
+    Image film;
+    for (const double time : times) device.update(evaluate(s.scene, time), pool);
+    trace_frame({device, single_view(24), {}}, params, {pool, context}, {film, nullptr});
+    return film.data;
+  };
+  EXPECT_EQ(picture({0.0, 1.0, 0.5}), picture({0.5}));
+  EXPECT_NE(picture({1.0}), picture({0.5}));
+}
+
 }  // namespace
 }  // namespace lippmann

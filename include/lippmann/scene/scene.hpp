@@ -237,6 +237,16 @@ struct Material {
 
 enum class LightKind { kPoint, kDirectional, kSpot };
 
+/// How light of a lamp spreads over directions, as it was measured (IES LM-63): intensities where polar angles and azimuths
+/// cross, linear in between, none beyond.
+struct PhotometricWeb {
+  std::string name;
+  std::vector<float> polar;      ///< radians from the web's +z: at least two, increasing, from 0 to pi
+  std::vector<float> azimuth;    ///< radians from its +x towards its +y, increasing, from -pi to 2 pi; one: alike all around
+  std::vector<float> intensity;  ///< by azimuth, then by polar angle, >= 0; relative: the mean over the sphere is 1
+  Mat3f web_from_light{1.0f};    ///< a rotation, or one and a mirror; lights shine along -z
+};
+
 /// A light shines from its node's origin; directional and spot lights along the node's -z.
 struct Light {
   std::string name;
@@ -254,6 +264,7 @@ struct Light {
   float radius = 0.0f;            ///< point and spot: the sphere that shines has this radius, world units; needs inverse_square
   float angular_diameter = 0.0f;  ///< directional: the disc in the sky that shines is so wide, at most pi
   bool smooth_edge = false;       ///< spot: fades by 3 t^2 - 2 t^3 between the cosines of its cones (Blender), not by t^2
+  int web = -1;                   ///< point: Scene::webs, by which the colour is multiplied in every direction; -1: all alike
 };
 
 /// A panorama around the scene; how it lies: transport/environment.hpp.
@@ -360,6 +371,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Skin> skins;
   std::vector<Light> lights;
+  std::vector<PhotometricWeb> webs{};
   std::vector<Camera> cameras;              ///< the first is the default one
   std::optional<DisplayPlacement> display;  ///< none: fitted to the first camera (stage/fit_array.hpp)
   Background background;

@@ -25,6 +25,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view kExtensions[] = {
+    "EXT_lights_ies",
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "EXT_texture_webp",

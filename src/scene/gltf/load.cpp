@@ -12,6 +12,7 @@
 #include "scene/gltf/animation.hpp"
 #include "scene/gltf/camera.hpp"
 #include "scene/gltf/document.hpp"
+#include "scene/gltf/ies_light.hpp"
 #include "scene/gltf/instancing.hpp"
 #include "scene/gltf/light.hpp"
 #include "scene/gltf/material.hpp"
@@ -145,6 +146,7 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   scene.variant_names = gltf::variant_names(document);
   gltf::InstanceReader(document, nodes, gltf::choose_variant(scene.variant_names, variant), scene).read();
   gltf::read_lights(document, nodes, scene);
+  gltf::read_ies_lights(document, nodes, scene);
   gltf::read_cameras(document, nodes, scene);
   gltf::read_animation(document, nodes, animation, frames_per_second, scene);
   return scene;

@@ -324,14 +324,32 @@ constexpr Property kLight[] = {
 constexpr Property kLights[] = {objects("lights", kLight, kRequired)};
 constexpr Property kVariant[] = {string("name", kRequired)};
 constexpr Property kVariants[] = {objects("variants", kVariant, kRequired)};
-constexpr Property kRootExtensions[] = {object("KHR_lights_punctual", kLights), object("KHR_materials_variants", kVariants)};
+constexpr Property kProfile[] = {
+    string("name"),
+    string("uri"),
+    index("bufferView", "bufferViews"),
+    string("mimeType"),
+};
+constexpr Property kProfiles[] = {objects("lights", kProfile, kRequired)};
+constexpr Property kRootExtensions[] = {
+    object("EXT_lights_ies", kProfiles),
+    object("KHR_lights_punctual", kLights),
+    object("KHR_materials_variants", kVariants),
+};
+constexpr std::string_view kProfilesPath = "/extensions/EXT_lights_ies/lights";
 constexpr std::string_view kLightsPath = "/extensions/KHR_lights_punctual/lights";
 
 // ---- Nodes and animations -------------------------------------------------------------------------------------------
 
 constexpr Property kNodeLight[] = {index("light", kLightsPath, kRequired)};
+constexpr Property kNodeProfile[] = {
+    index("light", kProfilesPath, kRequired),
+    number("multiplier", 0.0, 1e12),
+    numbers("color", 3, 0.0, kOne),
+};
 constexpr Property kInstancing[] = {index_map("attributes", Kind::kIndexMap, kRequired)};
 constexpr Property kNodeExtensions[] = {
+    object("EXT_lights_ies", kNodeProfile),
     object("EXT_mesh_gpu_instancing", kInstancing),
     object("KHR_lights_punctual", kNodeLight),
 };
