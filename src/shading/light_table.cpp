@@ -43,6 +43,21 @@ BodyFacing mirrored(BodyFacing facing, const Affine3f& place) {
   return facing == BodyFacing::kOutward ? BodyFacing::kInward : BodyFacing::kOutward;
 }
 
+/// Whether all shadow rays end at it.
+bool is_opaque(const WhittedMaterial& m) { return !m.has_alpha && !(m.wall_ior > 0.0f) && !(shadow_transmittance(m) > 0.0f); }
+
+constexpr Bounds3f kEndless{Vec3f(-kInfinity), Vec3f(kInfinity)};
+
+Bounds3f bounds_of(const Mesh& mesh, const Affine3f& place) {
+  Bounds3f bounds;
+  for (const Vec3f& p : mesh.positions) bounds.add(transform_point(place, p));
+  return bounds;
+}
+
+bool is_outside(const Bounds3f& box, Vec3f p) {
+  return glm::any(glm::lessThan(p, box.lower)) || glm::any(glm::greaterThan(p, box.upper));
+}
+
 /// What tree_lights knows of them goes into a tree, and their power with it: from `powers` on from `first` into its last.
 LightTree tree_of(std::span<const TreeLight> lights, std::size_t most_by_power, std::vector<float>& powers, std::size_t first) {
   const auto in_tree = std::count_if(lights.begin(), lights.end(), [](const TreeLight& l) { return l.power > 0.0f; });
@@ -132,7 +147,7 @@ void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
   const Emitter* emitter = sources_.emitters.of(record.instance);
   if (!emitter) return;
   first_triangle_[r] = static_cast<int>(triangles_.size());
-  record_shares_.resize(sources_.records.size(), 0.0f);
+  record_shares_.resize(sources_.records.size(), 0.0f), bodies_.resize(sources_.records.size(), kEndless);
   const Affine3f place = record.placed ? record.world_from_mesh : Affine3f{};
   const BodyFacing closed = mirrored(emitter->closed, place);
   for (std::uint32_t t = 0; t < record.mesh->triangles.size(); ++t) {
@@ -149,6 +164,8 @@ void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
     powers.push_back(has_area ? finite(kPi * 2.0f * triangles_.back().area * emitter->of(t)) : 0.0f);
     record_shares_[r] += powers.back();
   }
+  const auto material = static_cast<std::size_t>(sources_.scene.instances[record.instance].material);
+  if (closed != BodyFacing::kNone && is_opaque(sources_.materials[material])) bodies_[r] = bounds_of(*record.mesh, place);
 }
 
 /// A tree draws anew, with what is left of the number that has chosen it.
@@ -247,6 +264,13 @@ std::optional<LightSample> LightTable::sample_sky(const Environment::Sample& sky
   return LightSample{sky.direction, kInfinity, environment_.radiance(sky.direction), sky.density};
 }
 
+/// Shadow rays would tell, too, but for those that end near an edge: they stop short of the light by more than there is of the
+/// body before it. Inner sides are asked so rarely that each such ray would be a white dot.
+bool LightTable::is_hidden(const Triangle& t, Vec3f from, Vec3f direction) const {
+  if (t.closed == BodyFacing::kNone || !is_outside(bodies_[t.record], from)) return false;
+  return (glm::dot(direction, t.normal) > 0.0f) == (t.closed == BodyFacing::kOutward);
+}
+
 std::optional<LightSample> LightTable::sample_triangle_light(const Triangle& t, Vec3f from, Vec2f u) const {
   const Vec2f at = sample_triangle(u);
   const Vec3f to = t.origin + at.x * t.edge_b + at.y * t.edge_c - from;
@@ -255,7 +279,7 @@ std::optional<LightSample> LightTable::sample_triangle_light(const Triangle& t, 
   const float distance = std::sqrt(squared);
   const Vec3f direction = to / distance;
   const float cosine = std::abs(glm::dot(direction, t.normal));
-  if (!(cosine > 0.0f)) return std::nullopt;
+  if (!(cosine > 0.0f) || is_hidden(t, from, direction)) return std::nullopt;
   return LightSample{direction, distance, emission_at(t, at), squared / (cosine * t.area)};
 }
 

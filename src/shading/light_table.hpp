@@ -147,6 +147,8 @@ class LightTable {
   std::optional<LightSample> sample_point(std::size_t light, Vec3f from) const;
   const WebBeam* beam_of(std::size_t light) const;
   std::optional<LightSample> sample_sky(const Environment::Sample& sky) const;
+  /// Whether light that a triangle sends along `direction` (unit, towards it) would have to come through its own body.
+  bool is_hidden(const Triangle& triangle, Vec3f from, Vec3f direction) const;
   std::optional<LightSample> sample_triangle_light(const Triangle& triangle, Vec3f from, Vec2f u) const;
   Vec3f emission_at(const Triangle& triangle, Vec2f barycentric) const;
 
@@ -162,6 +164,9 @@ class LightTable {
   /// Lamps as points (those that have a size with chance 0), as what they are, the sun, triangles, the rest of the sky. What is
   /// in a tree has chance 0, and the tree their power.
   DiscreteDistribution chances_;
+  /// By record: the box around a mesh that is closed and opaque, whose triangles' inner sides nobody sees from outside; an
+  /// endless one around all others. Empty: no triangle shines.
+  std::vector<Bounds3f> bodies_;
   std::vector<float> record_shares_;  ///< by record: its share of all power; empty: no triangle shines
   std::array<float, 6> begins_{};     ///< by group: the chance of all before it
 };

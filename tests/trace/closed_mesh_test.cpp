@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <limits>
 
@@ -127,6 +129,28 @@ TEST(ClosedMesh, closed_lamps_give_the_same_light_with_less_noise) {
     EXPECT_NEAR(mean(floor_below(closed, 1024)), mean(truth), 0.003 * mean(truth));
     EXPECT_LT(squared_error(floor_below(closed, 8), truth), 0.6 * squared_error(floor_below(below_cube(false), 8), truth));
   }
+}
+
+/// A floor below a lamp of `half` edges.
+SmallScene below_small_cube(float half) {
+  SmallScene s;
+  MetallicRoughness floor, shines;
+  floor.metallic = 0.0f, floor.roughness = 1.0f, floor.specular = 0.0f;
+  shines = floor;
+  shines.base_color = Vec4f(0, 0, 0, 1), shines.emissive = Vec3f(1.0f / (half * half));
+  s.add(square(2, 0), s.material(floor));
+  Mesh lamp = cube(half);
+  for (Vec3f& p : lamp.positions) p += Vec3f(0.7f, 0.3f, 1.5f);
+  s.add(lamp, s.material(shines));
+  return s;
+}
+
+// Shadow rays end a little before the light. Through the edge of a small lamp they went on to its far side, which is asked so
+// rarely that each of them was a white dot.
+TEST(ClosedMesh, nothing_shines_through_the_edges_of_a_small_lamp) {
+  const Image film = trace_paths(below_small_cube(0.001f).scene, single_view(64), 4, {}, 1, kEye).film;
+  const float brightest = *std::max_element(film.data.begin(), film.data.end());
+  EXPECT_LT(static_cast<double>(brightest), 2.0 * mean(film));
 }
 
 // From within all faces show their inner side, which none keeps out.
