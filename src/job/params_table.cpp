@@ -566,6 +566,8 @@ const ParamInfo* find_param(std::string_view name) {
   return nullptr;
 }
 
+std::string flag_of(std::string_view name) { return fmt::format("--{}", name); }
+
 const ParamInfo* find_opposite(std::string_view name) {
   for (const ParamInfo& info : params_table())
     if (!info.opposite.empty() && info.opposite == name) return &info;
