@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"
+#include "support/small_panel.hpp"
 
 namespace lippmann::test {
 namespace {
