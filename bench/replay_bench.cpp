@@ -79,8 +79,10 @@ class ReplayBench {
     const int per_lens =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(grid_.y) / grid_.x * display_window(optics()).size.x /
                                                  display_window(optics()).size.y)));
-    Optics pinhole = pinhole_through_window(display_window(optics()), {grid_.x * per_lens, grid_.y}, eye_mm);
-    if (per_lens % 2 == 0) std::get<SingleView>(pinhole.model).pixel_offset.x -= 0.5f;
+    const Vec2i size(grid_.x * per_lens, grid_.y);
+    Window window = display_window(optics());
+    if (per_lens % 2 == 0) window.centre.x -= 0.5 * window.size.x / size.x;
+    const Optics pinhole = pinhole_through_window(window, size, eye_mm);
     const Affine3f moved{Mat3f(1.0f), Vec3f(static_cast<float>(eye_mm.x), static_cast<float>(eye_mm.y), 0.0f)};
     Image film;
     FrameAovs aovs;

@@ -13,8 +13,12 @@ set(CPACK_COMPONENTS_ALL tool video development)
 if(TARGET lippmann_mpi_module)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
+# Nothing depends on the Python module: scripts/demo, for one, leaves it unbuilt, and then cpack leaves its package out.
 if(TARGET lippmann_python)
   list(APPEND CPACK_COMPONENTS_ALL python3)
+  set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/built_components.cmake)
+  file(GENERATE OUTPUT ${CPACK_PROJECT_CONFIG_FILE} CONTENT
+    "if(NOT EXISTS \"$<TARGET_FILE:lippmann_python>\")\n  list(REMOVE_ITEM CPACK_COMPONENTS_ALL python3)\nendif()\n")
 endif()
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME lippmann)
 set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS lippmann-video)

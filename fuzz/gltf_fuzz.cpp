@@ -48,8 +48,14 @@ lippmann::GltfLimits small_limits() {
   lippmann::GltfLimits limits;
   limits.json_values = 100'000;
   limits.unpacked_bytes = 64 << 20;
-  limits.texture_bytes = 16 << 20;
   return limits;
+}
+
+lippmann::LoadOptions small_options() {
+  lippmann::LoadOptions options;
+  options.frames_per_second = 25.0;
+  options.texture_bytes = 16 << 20;
+  return options;
 }
 
 }  // namespace
@@ -65,7 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const lippmann::Context context;
   lippmann::Scene scene;
   try {
-    scene = lippmann::parse_gltf(contents, "/nonexistent/a.glb", 25.0, context, small_limits());
+    scene = lippmann::parse_gltf(contents, "/nonexistent/a.glb", small_options(), context, small_limits());
   } catch (const lippmann::Error&) {
     return 0;
   }

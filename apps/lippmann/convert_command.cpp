@@ -61,6 +61,13 @@ LightFieldHints hints_of(const ConvertOptions& options) {
           options.stereo.view_angle_deg};
 }
 
+DepthFramesParams depth_frames_of(const ConvertOptions& options) {
+  DepthFramesParams params{options.in, options.out, options.to, params_of(options).options, options.stereo.view_angle_deg};
+  params.ipd_mm = options.stereo.ipd_mm.value_or(kUsualIpdMm);
+  params.depth_scale = options.depth.scale.value_or(1.0);
+  return params;
+}
+
 int run(const ConvertOptions& options, const Context& context) {
   require_no_render(options.out);
   if (options.orthoscopic.are_given())
@@ -74,8 +81,7 @@ int run(const ConvertOptions& options, const Context& context) {
   options.stereo.require_stereo(options.from, from_rgbd && options.stereo.view_angle_deg ? "stereo" : options.to);
   options.depth.require_rgbd(from_rgbd, options.to);
   if (from_rgbd && options.to != "rgbd" && options.keep.empty() && options.crop.empty())
-    return run_depth_views(options.depth, options.stereo.view_angle_deg, options.stereo.ipd_mm, options.in, options.out,
-                           options.to, params_of(options).options, options.result, context);
+    return run_depth_views(depth_frames_of(options), options.result, context);
   if (options.to == "stereo" && options.from != "stereo" && options.keep.empty() && options.crop.empty())
     return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
   const Converted converted = convert(options.in, options.out, params_of(options));

@@ -9,7 +9,6 @@
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
 #include "lippmann/core/error.hpp"
-#include "replay/depth_frames.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -61,11 +60,7 @@ void add_depth_flags(const Command& command, DepthFlags& flags) {
       .range(0.0, 100.0);
 }
 
-int run_depth_views(const DepthFlags& flags, const std::optional<double>& view_angle_deg, const std::optional<double>& ipd_mm,
-                    const std::string& in, const std::string& out, const std::string& to, const FormatOptions& options,
-                    const ResultFlags& result, const Context& context) {
-  DepthFramesParams params{in, out, to, options, view_angle_deg};
-  params.ipd_mm = ipd_mm.value_or(kUsualIpdMm), params.depth_scale = flags.scale.value_or(1.0);
+int run_depth_views(const DepthFramesParams& params, const ResultFlags& result, const Context& context) {
   const DepthFrames made = convert_depth_frames(params, context);
   if (result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();

@@ -6,6 +6,7 @@
 
 #include "lippmann/core/context.hpp"
 #include "lippmann/layout/formats.hpp"
+#include "replay/depth_frames.hpp"
 
 namespace lippmann::app {
 
@@ -27,8 +28,6 @@ struct DepthFlags {
 void add_depth_flags(const Command& command, DepthFlags& flags);
 
 /// `convert` of RGB-D pictures to views; prints what share of them was filled.
-int run_depth_views(const DepthFlags& flags, const std::optional<double>& view_angle_deg, const std::optional<double>& ipd_mm,
-                    const std::string& in, const std::string& out, const std::string& to, const FormatOptions& options,
-                    const ResultFlags& result, const Context& context);
+int run_depth_views(const DepthFramesParams& params, const ResultFlags& result, const Context& context);
 
 }  // namespace lippmann::app

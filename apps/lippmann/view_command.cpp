@@ -14,6 +14,7 @@
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/page_server.hpp"
 #include "apps/lippmann/param_flags.hpp"
+#include "job/job_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "live/live_page.hpp"
 #include "view/saved_page.hpp"
@@ -77,7 +78,8 @@ bool is_render_to_watch(const ViewOptions& options) {
 }
 
 int watch(const ViewOptions& options, const Context& context) {
-  auto render = std::make_shared<RunningRender>(options.in, fs::canonical("/proc/self/exe"));
+  const ToolCommand resuming{fs::canonical("/proc/self/exe"), words_to_resume(options.in)};
+  auto render = std::make_shared<RunningRender>(options.in, resuming);
   auto field = std::make_unique<PageField>(options.in, render, context);
   return serve_page(std::move(field), std::move(render), options.server, context);
 }

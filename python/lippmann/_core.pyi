@@ -49,23 +49,9 @@ class Scene:
     def add_plane(self, point: _Three, normal: _Three) -> int: ...
     def add_box(self, lower: _Three, upper: _Three) -> int: ...
     def add_texture(self, rgba: NDArray[np.uint8], srgb: bool) -> int: ...
-    def add_material(
-        self,
-        base_color: _Four,
-        texture: int,
-        metallic: float,
-        roughness: float,
-        emissive: _Three,
-        transmission: float,
-        ior: float,
-        clearcoat: float,
-        double_sided: bool,
-        unlit: bool,
-    ) -> int: ...
+    def add_material(self, surface: Surface) -> int: ...
     def add_instance(self, name: str, shape: int, material: int, node: int) -> int: ...
-    def add_light(
-        self, name: str, kind: str, node: int, color: _Three, range: float, cones: Tuple[float, float], size: float
-    ) -> int: ...
+    def add_light(self, light: Light) -> int: ...
     def add_camera(self, name: str, node: int, vertical_fov: float, aspect: float, focus_distance: float) -> int: ...
     def animate(
         self,
@@ -79,6 +65,28 @@ class Scene:
     def set_background(self, horizon: _Three, zenith: _Three) -> None: ...
     def set_environment(self, radiance: _Floats, strength: float, rotation_deg: float) -> None: ...
     def read_environment(self, path: Union[str, bytes, PathLike[str]], strength: float, rotation_deg: float) -> None: ...
+
+class Surface:
+    def __init__(self) -> None: ...
+    def set_base_color(self, rgba: _Four, texture: int) -> None: ...
+    def set_emissive(self, color: _Three) -> None: ...
+    metallic: float
+    roughness: float
+    transmission: float
+    ior: float
+    clearcoat: float
+    double_sided: bool
+    unlit: bool
+
+class Light:
+    """Cones and angular_diameter in radians, range and radius in units of the scene."""
+
+    def __init__(self, name: str, kind: str, node: int, color: _Three) -> None: ...
+    range: float
+    inner_cone: float
+    outer_cone: float
+    radius: float
+    angular_diameter: float
 
 class Display:
     """A display as data: a preset, a file of one's own, a device's calibration."""
@@ -131,6 +139,9 @@ class Optics:
         """Origins (n, 3), mm, and directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels from its top left
         corner, centres at + 0.5.
         """
+
+class ViewWish:
+    def __init__(self, focus: str, fit_to: str, zoom: float, orbit_deg: Tuple[float, float]) -> None: ...
 
 class Placement:
     @property
@@ -192,22 +203,21 @@ class Film:
     def views(self) -> Views: ...
     def panel(self) -> Panel: ...
 
+class Sampling:
+    def __init__(self, paths: bool) -> None: ...
+    def want_layers(self, names: Sequence[str]) -> None: ...
+    spp: int
+    max_depth: int
+    seed: int
+    denoise: bool
+    transparent: bool
+
+class Reuse:
+    def __init__(self, name: str, keyframes: Optional[int], min_psnr_db: Optional[float]) -> None: ...
+
 class Frames:
     def __init__(
-        self,
-        scene: Scene,
-        placement: Placement,
-        paths: bool,
-        spp: int,
-        max_depth: int,
-        seed: int,
-        denoise: bool,
-        transparent: bool,
-        layers: Sequence[str],
-        reuse: str,
-        keyframes: Optional[int],
-        min_psnr_db: Optional[float],
-        threads: int,
+        self, scene: Scene, placement: Placement, sampling: Sampling, reuse: Reuse, threads: int
     ) -> None: ...
     def frame(self, index: int, progress: Optional[Callable[[float], Any]]) -> Film: ...
     @property
@@ -245,20 +255,8 @@ def single_view(size: _Pair, pixel_mm: float, distance_mm: float) -> Optics: ...
 def ray_table(
     size: _Pair, pixel_mm: float, samples_per_side: int, spread: float, origins: np.ndarray, directions: np.ndarray
 ) -> Optics: ...
-def place(
-    scene: Scene, optics: Optics, fit_depth: bool, focus: str, fit_to: str, zoom: float, yaw_deg: float, pitch_deg: float
-) -> Placement: ...
-def place_display(
-    scene: Scene,
-    display: Display,
-    native: bool,
-    fit_depth: bool,
-    focus: str,
-    fit_to: str,
-    zoom: float,
-    yaw_deg: float,
-    pitch_deg: float,
-) -> Placement: ...
+def place(scene: Scene, optics: Optics, fit_depth: bool, view: ViewWish) -> Placement: ...
+def place_display(scene: Scene, display: Display, native: bool, fit_depth: bool, view: ViewWish) -> Placement: ...
 def open_light_field(
     path: _Path, format: str, views: Optional[_Pair], tiles: Optional[_Pair], display: Optional[Display]
 ) -> Tuple[Views, Optional[Optics], str]: ...

@@ -131,21 +131,11 @@ def frames(
     if native and transparent:
         raise Error("transparent", "what a panel shows lies before nothing", "layout='views' with it")
     placement, shown = _place(core, display, native, fit_depth, focus, fit_to, zoom, orbit)
-    made = _core.Frames(
-        core,
-        placement,
-        paths,
-        samples,
-        depth_limit,
-        key,
-        bool(denoise),
-        bool(transparent),
-        wanted,
-        reuse,
-        every,
-        floor,
-        workers,
-    )
+    sampling = _core.Sampling(paths)
+    sampling.spp, sampling.max_depth, sampling.seed = samples, depth_limit, key
+    sampling.denoise, sampling.transparent = bool(denoise), bool(transparent)
+    sampling.want_layers(wanted)
+    made = _core.Frames(core, placement, sampling, _core.Reuse(reuse, every, floor), workers)
     return Animation(made, which, shown, progress)
 
 
@@ -195,21 +185,20 @@ def _place(
         yaw, pitch = orbit
     except (TypeError, ValueError):
         raise Error("orbit", f"is {orbit!r}", "two angles in degrees: to the right, up") from None
-    wish = (
+    wish = _core.ViewWish(
         text(focus, "focus"),
         text(fit_to, "fit_to"),
         number(zoom, "zoom", 1e-3, 1e3),
-        number(yaw, "orbit", -360, 360),
-        number(pitch, "orbit", -90, 90),
+        (number(yaw, "orbit", -360, 360), number(pitch, "orbit", -90, 90)),
     )
     optics = camera_grid() if display is None else display
     if isinstance(optics, Optics):
         if native:
             raise Error("layout", "native is a display's own, and optics are given", "views, or a display")
         fit = not optics.is_views if fit_depth is None else bool(fit_depth)
-        return _core.place(core, optics, fit, *wish), None
+        return _core.place(core, optics, fit, wish), None
     if not isinstance(optics, (Display, str, os.PathLike)):
         raise Error("display", f"is {optics!r}", "a name, a file, a lippmann.Display or optics")
     shown = _display(optics)
     own = native or shown.kind != "slanted-panel"
-    return _core.place_display(core, shown, own, True if fit_depth is None else bool(fit_depth), *wish), shown
+    return _core.place_display(core, shown, own, True if fit_depth is None else bool(fit_depth), wish), shown

@@ -316,8 +316,10 @@ class Scene:
         ball = number(radius, "radius", 0.0, 0.0 if is_sun else 1e9)
         disc = math.radians(number(angular_diameter_deg, "angular_diameter_deg", 0.0, 180.0 if is_sun else 0.0))
         node = self._core.add_node(text(name, "name") or kind, -1, at, _rotation_towards(along), (1.0, 1.0, 1.0))
-        cones = (math.radians(inner), math.radians(outer))
-        self._core.add_light(name, kind, node, tuple(tint), reach, cones, disc if is_sun else ball)
+        light = _core.Light(name, kind, node, tuple(tint))
+        light.inner_cone, light.outer_cone = math.radians(inner), math.radians(outer)
+        light.range, light.radius, light.angular_diameter = reach, ball, disc
+        self._core.add_light(light)
         return Object(self, node, name or kind)
 
     def set_background(self, horizon: Any = (0, 0, 0), zenith: Any = None) -> None:
@@ -403,17 +405,13 @@ class Scene:
         if key in self._materials:
             return self._materials[key][1]
         texture = -1 if material.texture is None else self._core.add_texture(_rgba(material.texture), True)
-        index = self._core.add_material(
-            (*color, parts["alpha"]),
-            texture,
-            parts["metallic"],
-            parts["roughness"],
-            emission,
-            parts["transmission"],
-            parts["ior"],
-            parts["clearcoat"],
-            *flags,
-        )
+        surface = _core.Surface()
+        surface.set_base_color((*color, parts["alpha"]), texture)
+        surface.set_emissive(emission)
+        surface.metallic, surface.roughness = parts["metallic"], parts["roughness"]
+        surface.transmission, surface.ior, surface.clearcoat = parts["transmission"], parts["ior"], parts["clearcoat"]
+        surface.double_sided, surface.unlit = flags
+        index = self._core.add_material(surface)
         self._materials[key] = material.texture, index  # which is kept, so that its id stays its own
         return index
 

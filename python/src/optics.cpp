@@ -84,8 +84,8 @@ std::array<double, 3> eye_of(const Optics& optics) {
   return {eye.x, eye.y, eye.z};
 }
 
-PlacementWish wish_of(bool fit_depth, const std::string& focus, const std::string& fit_to, float zoom, float yaw, float pitch) {
-  return {{focus, fit_to, zoom, {yaw, pitch}}, fit_depth};
+ViewWish wish_of(const std::string& focus, const std::string& fit_to, float zoom, const std::array<float, 2>& orbit_deg) {
+  return {focus, fit_to, zoom, {orbit_deg[0], orbit_deg[1]}};
 }
 
 Pair panel_size(const Display& display) { return {display.pixels.y, display.pixels.x}; }
@@ -161,14 +161,14 @@ void bind_optics(py::module_& module) {
       .def_property_readonly("units_per_mm", [](const Placement& p) { return p.placed.units_per_mm; })
       .def_property_readonly("depth_scale", [](const Placement& p) { return p.placed.depth_scale; })
       .def_property_readonly("how", [](const Placement& p) { return p.array.how; });
-  module.def("place", [](const Scene& scene, const Optics& optics, bool fit_depth, const std::string& focus,
-                         const std::string& fit_to, float zoom, float yaw,
-                         float pitch) { return place(scene, optics, wish_of(fit_depth, focus, fit_to, zoom, yaw, pitch)); });
-  module.def("place_display", [](const Scene& scene, const Display& display, bool native, bool fit_depth,
-                                 const std::string& focus, const std::string& fit_to, float zoom, float yaw, float pitch) {
-    return place(scene, display, native ? DisplayPicture::kNative : DisplayPicture::kQuilt,
-                 wish_of(fit_depth, focus, fit_to, zoom, yaw, pitch));
+  py::class_<ViewWish>(module, "ViewWish").def(py::init(&wish_of));
+  module.def("place", [](const Scene& scene, const Optics& optics, bool fit_depth, const ViewWish& view) {
+    return place(scene, optics, PlacementWish{view, fit_depth});
   });
+  module.def("place_display",
+             [](const Scene& scene, const Display& display, bool native, bool fit_depth, const ViewWish& view) {
+               return place(scene, display, native ? DisplayPicture::kNative : DisplayPicture::kQuilt, {view, fit_depth});
+             });
 }
 
 }  // namespace lippmann::python

@@ -148,15 +148,15 @@ Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, 
   return AutoReuse{};
 }
 
-Sampling sampling_of(bool paths, int spp, int max_depth, std::uint32_t seed, bool denoise, bool transparent,
-                     const std::vector<std::string>& layers) {
+Sampling sampling_by(bool paths) {
   Sampling sampling;
   sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
-  sampling.spp = spp, sampling.max_depth = max_depth, sampling.seed = seed, sampling.denoise = denoise;
-  sampling.transparent = transparent;
-  for (const std::string& name : layers)
-    if (const std::optional<Aov> aov = layer_named(name)) sampling.aov.push_back(*aov);
   return sampling;
+}
+
+void want_layers(Sampling& sampling, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (const std::optional<Aov> aov = layer_named(name)) sampling.aov.push_back(*aov);
 }
 
 /// The frames of one animation. What the renderer needs outlives it: the context first.
@@ -191,14 +191,30 @@ class Frames {
   std::optional<Renderer> renderer_;
 };
 
+/// How frames share work; a class of its own, as Python sees alternatives of a variant as unrelated types.
+struct ChosenReuse {
+  Reuse reuse;
+};
+
 /// The scene moves into it: what is left is empty.
-std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, bool paths, int spp, int max_depth,
-                                  std::uint32_t seed, bool denoise, bool transparent, const std::vector<std::string>& layers,
-                                  const std::string& reuse, const std::optional<int>& keyframes,
-                                  const std::optional<double>& min_psnr_db, int threads) {
-  const FrameParams params{sampling_of(paths, spp, max_depth, seed, denoise, transparent, layers),
-                           reuse_named(reuse, keyframes, min_psnr_db)};
-  return std::make_shared<Frames>(scene, placement, params, threads);
+std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, const Sampling& sampling, const ChosenReuse& reuse,
+                                  int threads) {
+  return std::make_shared<Frames>(scene, placement, FrameParams{sampling, reuse.reuse}, threads);
+}
+
+void bind_frame_params(py::module_& module) {
+  py::class_<Sampling>(module, "Sampling")
+      .def(py::init(&sampling_by))
+      .def("want_layers", &want_layers)
+      .def_readwrite("spp", &Sampling::spp)
+      .def_readwrite("max_depth", &Sampling::max_depth)
+      .def_readwrite("seed", &Sampling::seed)
+      .def_readwrite("denoise", &Sampling::denoise)
+      .def_readwrite("transparent", &Sampling::transparent);
+  py::class_<ChosenReuse>(module, "Reuse")
+      .def(py::init([](const std::string& name, const std::optional<int>& keyframes, const std::optional<double>& min_psnr_db) {
+        return ChosenReuse{reuse_named(name, keyframes, min_psnr_db)};
+      }));
 }
 
 }  // namespace
@@ -216,6 +232,7 @@ void bind_renderer(py::module_& module) {
       .def("views", &views_of_film)
       .def("panel", &panel_of_film);
 
+  bind_frame_params(module);
   py::class_<Frames, std::shared_ptr<Frames>>(module, "Frames")
       .def(py::init(&frames_of))
       .def("frame", &Frames::frame)

@@ -76,32 +76,45 @@ int add_texture(Scene& scene, const Array<std::uint8_t>& rgba, bool srgb) {
   return add(scene.textures, std::move(texture));
 }
 
-int add_material(Scene& scene, const Four& base_color, int texture, float metallic, float roughness, const Three& emissive,
-                 float transmission, float ior, float clearcoat, bool double_sided, bool unlit) {
-  MetallicRoughness surface;
-  surface.base_color = {base_color[0], base_color[1], base_color[2], base_color[3]};
-  surface.base_color_map.texture = texture;
-  surface.metallic = metallic, surface.roughness = roughness;
-  surface.emissive = vec(emissive);
-  surface.transmission = transmission, surface.ior = ior;
-  surface.clearcoat = clearcoat;
-  surface.blend = base_color[3] < 1.0f;
-  surface.double_sided = double_sided, surface.unlit = unlit;
-  return add(scene.materials, Material{"", surface});
+/// Colours are set as sequences of numbers.
+void bind_surface(py::module_& module) {
+  py::class_<MetallicRoughness>(module, "Surface")
+      .def(py::init())
+      .def("set_base_color",
+           [](MetallicRoughness& surface, const Four& rgba, int texture) {
+             surface.base_color = {rgba[0], rgba[1], rgba[2], rgba[3]};
+             surface.base_color_map.texture = texture;
+             surface.blend = rgba[3] < 1.0f;
+           })
+      .def("set_emissive", [](MetallicRoughness& surface, const Three& color) { surface.emissive = vec(color); })
+      .def_readwrite("metallic", &MetallicRoughness::metallic)
+      .def_readwrite("roughness", &MetallicRoughness::roughness)
+      .def_readwrite("transmission", &MetallicRoughness::transmission)
+      .def_readwrite("ior", &MetallicRoughness::ior)
+      .def_readwrite("clearcoat", &MetallicRoughness::clearcoat)
+      .def_readwrite("double_sided", &MetallicRoughness::double_sided)
+      .def_readwrite("unlit", &MetallicRoughness::unlit);
 }
 
-int add_light(Scene& scene, std::string name, const std::string& kind, int node, const Three& color, float range,
-              std::array<float, 2> cones, float size) {
+Light light_of(std::string name, const std::string& kind, int node, const Three& color) {
   Light light;
   light.name = std::move(name);
   light.kind = kind == "directional" ? LightKind::kDirectional : kind == "spot" ? LightKind::kSpot : LightKind::kPoint;
   light.node = node;
   light.color = vec(color);
   light.inverse_square = light.kind != LightKind::kDirectional;
-  light.range = range;
-  light.inner_cone = cones[0], light.outer_cone = cones[1];
-  (light.kind == LightKind::kDirectional ? light.angular_diameter : light.radius) = size;
-  return add(scene.lights, std::move(light));
+  return light;
+}
+
+/// Angles in radians, lengths in units of the scene.
+void bind_light(py::module_& module) {
+  py::class_<Light>(module, "Light")
+      .def(py::init(&light_of))
+      .def_readwrite("range", &Light::range)
+      .def_readwrite("inner_cone", &Light::inner_cone)
+      .def_readwrite("outer_cone", &Light::outer_cone)
+      .def_readwrite("radius", &Light::radius)
+      .def_readwrite("angular_diameter", &Light::angular_diameter);
 }
 
 int add_camera(Scene& scene, std::string name, int node, float vertical_fov, float aspect, float focus_distance) {
@@ -187,12 +200,15 @@ void bind_elements(py::class_<Scene, SharedScene>& scene) {
              return add(s.shapes, Shape(Boxes{{vec(lower), vec(upper)}}));
            })
       .def("add_texture", &add_texture)
-      .def("add_material", &add_material)
+      .def("add_material",
+           [](Scene& s, const MetallicRoughness& surface) {
+             return add(s.materials, Material{"", surface});
+           })
       .def("add_instance",
            [](Scene& s, std::string name, int shape, int material, int node) {
              return add(s.instances, Instance{std::move(name), shape, material, node});
            })
-      .def("add_light", &add_light)
+      .def("add_light", [](Scene& s, const Light& light) { return add(s.lights, light); })
       .def("add_camera", &add_camera)
       .def("animate", &animate)
       .def("set_display",
@@ -219,6 +235,8 @@ std::vector<std::pair<std::string, std::string>> builtin_scene_lines() {
 }  // namespace
 
 void bind_scene(py::module_& module) {
+  bind_surface(module);
+  bind_light(module);
   py::class_<Scene, SharedScene> scene(module, "Scene");
   scene
       .def(py::init([](std::string name, int frames, double frames_per_second) {

@@ -105,7 +105,7 @@ FloorLesson ErrorBoundedFrames::learn(const FrameInterval& interval) {
   const PointImage &previous = key(interval.first), &following = key(interval.last), &traced = key(middle);
   if (context_.cancelled) return {};
   const FrameClock clock(pool_);
-  FloorLesson lesson = maker_.learn_floor(previous, following, position(middle, interval), middle, traced, pool_);
+  FloorLesson lesson = maker_.learn_floor({previous, following, position(middle, interval)}, middle, traced, pool_);
   FrameReport& report = keys_.at(middle).report;
   clock.add_to(report);
   report.kind = "full";
@@ -135,7 +135,7 @@ bool ErrorBoundedFrames::predict_or_trace(int frame, const FrameInterval& interv
   };
   InBetweenCounts counts;
   const FloorOutcome outcome =
-      maker_.make_to_floor(previous, following, position(frame, interval), frame, learned, trace, pool_, image, counts);
+      maker_.make_to_floor({previous, following, position(frame, interval)}, frame, learned, trace, pool_, image, counts);
   FrameReport report = in_between_report(frame, counts, rays, film_size(stage_.placed.optics));
   if (outcome.holds) {
     report.estimated_psnr_db = estimated_psnr(outcome.error);

@@ -93,8 +93,8 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
     rays = trace_pixels(stage_.shot(moment), trace_params(sampling_, stage_), pixels, {pool_, context_}, film, points);
   };
   const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
-  const InBetweenCounts counts = maker_.make(sources_.at(interval.first).image, sources_.at(interval.last).image, position,
-                                             as_source, trace, pool_, source.image);
+  const BetweenFrames between{sources_.at(interval.first).image, sources_.at(interval.last).image, position};
+  const InBetweenCounts counts = maker_.make(between, as_source, trace, pool_, source.image);
   source.report = in_between_report(frame, counts, rays, film_size(stage_.placed.optics));
   clock.add_to(source.report);
   return source;

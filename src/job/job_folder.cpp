@@ -21,6 +21,10 @@ RenderFolder open_job_folder(const std::filesystem::path& path, const std::strin
   return folder;
 }
 
+std::vector<std::string> words_to_resume(const std::filesystem::path& folder) {
+  return {"render", (folder / "job.toml").string(), "--resume", "-o", folder.string(), "--quiet"};
+}
+
 void take_frames(const std::vector<int>& frames, RenderFolder& folder, const FrameSteps& steps) {
   for (const int frame : frames) {
     if (const auto kept = steps.keeps_finished ? folder.find(frame) : std::nullopt) {

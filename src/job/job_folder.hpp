@@ -18,6 +18,9 @@ namespace lippmann {
 RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& job, const RenderParams& params,
                              const std::vector<int>& frames, int frame_count, bool force, const Context& context);
 
+/// What the tool is called with to go on with the render of a folder, in silence.
+std::vector<std::string> words_to_resume(const std::filesystem::path& folder);
+
 /// What becomes of each frame.
 struct FrameSteps {
   bool keeps_finished = false;  ///< what is there as it was recorded is not made again

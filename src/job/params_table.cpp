@@ -26,7 +26,6 @@ using Values = std::vector<std::string>;
 constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens", "multiview", "single"};
 constexpr std::array<std::string_view, 6> kUpNames{"y", "x", "z", "-x", "-y", "-z"};
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
-constexpr std::array<std::string_view, 2> kIntegratorNames{"whitted", "path"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
 constexpr std::array<std::string_view, 3> kToneNames{"none", "neutral", "agx"};
 constexpr std::array<std::string_view, 5> kReuseNames{"auto", "none", "copy", "light", "interpolate"};
@@ -565,6 +564,8 @@ const ParamInfo* find_param(std::string_view name) {
     if (info.name == name) return &info;
   return nullptr;
 }
+
+std::string flag_of(std::string_view name) { return fmt::format("--{}", name); }
 
 const ParamInfo* find_opposite(std::string_view name) {
   for (const ParamInfo& info : params_table())

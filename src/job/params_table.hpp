@@ -42,6 +42,9 @@ const std::vector<ParamInfo>& params_table();
 /// The row with that name; null if there is none.
 const ParamInfo* find_param(std::string_view name);
 
+/// How the command line calls the parameter of that name: "--spp".
+std::string flag_of(std::string_view name);
+
 /// The row whose `opposite` has that name; null if there is none.
 const ParamInfo* find_opposite(std::string_view name);
 

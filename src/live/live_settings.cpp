@@ -46,10 +46,10 @@ std::string value_of(const ParamInfo& info, const RenderParams& params) {
 void refuse_files(const std::string& name, const std::string& value, const RenderParams& base) {
   if (name == "display" && !value.empty() && value != base.optics.display && !is_display_preset(value))
     throw usage_error("display", "the page knows presets alone",
-                      "a name of `lippmann displays`, or `lippmann view --display FILE`");
+                      fmt::format("a name of `lippmann displays`, or `lippmann view {} FILE`", flag_of("display")));
   if (name == "environment" && value != base.scene.environment && environment_is_file(value))
     throw usage_error("environment", "the page takes no files",
-                      "none, studio, a colour, or `lippmann view --environment FILE`");
+                      fmt::format("none, studio, a colour, or `lippmann view {} FILE`", flag_of("environment")));
 }
 
 }  // namespace

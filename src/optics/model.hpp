@@ -14,6 +14,7 @@
 
 #include "lippmann/optics/optics.hpp"
 #include "lippmann/optics/view_cameras.hpp"
+#include "lippmann/optics/view_phases.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "optics/lens_axis.hpp"
 
@@ -132,6 +133,12 @@ concept HasInverse = requires(const Panel& panel, const Model& model, Vec3f poin
 template <class Model>
 concept HasCameras = requires(const Panel& panel, const Model& model) {
   { cameras_of(panel, model) } -> std::same_as<std::optional<ViewCameras>>;
+};
+
+/// Models of calibrated panels say which view each of their sub-pixels belongs to (view_phases()).
+template <class Model>
+concept HasViewPhases = requires(const Model& model) {
+  { view_phases_of(model) } -> std::same_as<ViewPhases>;
 };
 
 /// Models of lenses can be given others: pitch across, gap, the centre of lens 0, seen from infinity.

@@ -69,6 +69,17 @@ Parallax parallax_of(const Optics& optics) { return optics_facts(optics).paralla
 
 Vec2i view_counts(const Optics& optics) { return optics_facts(optics).view_counts; }
 
+std::optional<ViewPhases> view_phases(const Optics& optics) {
+  return std::visit(
+      []<class Model>(const Model& model) -> std::optional<ViewPhases> {
+        if constexpr (HasViewPhases<Model>)
+          return view_phases_of(model);
+        else
+          return std::nullopt;
+      },
+      optics.model);
+}
+
 Vec2i natural_view_size(const Optics& optics) {
   const Vec2i grid = lens_grid(optics);
   const Vec2d window = display_window(optics).size;

@@ -44,13 +44,15 @@ Optics own_views(const LightField& source, const DepthFramesParams& params) {
   LightField wanted;
   wanted.grid = params.options.views.value_or(ViewGrid{48, 1});
   wanted.view_size = source.view_size, wanted.aspect = source.aspect;
-  Optics optics = assumed_optics(wanted, params.view_angle_deg);
   const ViewCameras& camera = *source.cameras;
-  auto& views = std::get<MultiView>(optics.model);
+  MultiView views = assumed_views(wanted, params.view_angle_deg);
   views.baseline_mm *= static_cast<float>(camera.distance_mm) / views.distance_mm;
   views.distance_mm = static_cast<float>(camera.distance_mm);
   views.pixel_height = static_cast<float>(camera.pixel_mm.y / camera.pixel_mm.x);
-  optics.panel.pixel_pitch_mm = static_cast<float>(camera.pixel_mm.x);
+  const Vec2i film = wanted.view_size * Vec2i(wanted.grid.columns, wanted.grid.rows);
+  Optics optics;
+  optics.panel = {film.x, film.y, static_cast<float>(camera.pixel_mm.x)};
+  optics.model = views;
   validate(optics);
   return optics;
 }

@@ -25,6 +25,9 @@ Panel quilt_panel(const LightField& field, double pixel_mm) {
   return {field.view_size.x * field.grid.columns, field.view_size.y * field.grid.rows, static_cast<float>(pixel_mm)};
 }
 
+/// The width of a pixel of views that are stretched to the assumed display.
+double pixel_width_mm(const LightField& field) { return field.aspect * kWindowHeightMm / field.view_size.x; }
+
 /// The views of a field put where the optics have them.
 Picture panel_picture(const LightField& field, const ViewLayout& film) {
   const Vec2i size = picture_size(film, field.view_size);
@@ -151,22 +154,24 @@ Optics optics_of_cameras(const LightField& field, const std::string& where) {
   return optics;
 }
 
-Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg) {
+MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg) {
   const bool is_grid = field.grid.rows > 1;
   const double angle = radians(view_angle_deg.value_or(is_grid ? kGridAngleDeg : kConeDeg));
-  // The views of a quilt and those below a lens array are stretched to the display.
-  const double pixel_height = kWindowHeightMm / field.view_size.y;
-  const double pixel_width = field.aspect * kWindowHeightMm / field.view_size.x;
   MultiView views{field.grid.columns, field.grid.rows};
   views.distance_mm = kDistanceMm;
-  views.pixel_height = static_cast<float>(pixel_height / pixel_width);
+  // The views of a quilt and those below a lens array are stretched to the display.
+  views.pixel_height = static_cast<float>(kWindowHeightMm / field.view_size.y / pixel_width_mm(field));
   if (is_grid)
     views.baseline_mm = static_cast<float>(2.0 * kDistanceMm * std::tan(0.5 * angle) / std::max(field.grid.columns - 1, 1));
   else
     views.view_cone = static_cast<float>(angle);
+  return views;
+}
+
+Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg) {
   Optics optics;
-  optics.panel = quilt_panel(field, pixel_width);
-  optics.model = views;
+  optics.panel = quilt_panel(field, pixel_width_mm(field));
+  optics.model = assumed_views(field, view_angle_deg);
   validate(optics);
   return optics;
 }

@@ -74,16 +74,23 @@ Arrivals find_arrivals(const Optics& optics, double z, Vec2i size, const ThreadP
   return arrivals;
 }
 
-/// Rows first ... end - 1 of the sum of all pixels, spread by tents of `half_width` pixels.
+/// A picture that rays are summed into, each spread by a tent.
+struct TentSum {
+  Image& picture;
+  Vec2f half_width;     ///< of the tent, in pixels
+  Image* disagreement;  ///< the variance of what meets in a pixel; null: not wanted
+};
+
+/// Rows first ... end - 1 of the sum of all pixels.
 class Band {
  public:
-  Band(Image& picture, int first, int end, Vec2f half_width, Image* squares)
-      : picture_(picture),
+  Band(const TentSum& sum, int first, int end)
+      : picture_(sum.picture),
         first_(first),
         end_(end),
-        half_(half_width),
-        squares_(squares),
-        weights_(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(end - first)) {}
+        half_(sum.half_width),
+        squares_(sum.disagreement),
+        weights_(static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(end - first)) {}
 
   bool is_reached(float lowest_y, float highest_y) const {
     return highest_y - 0.5f + half_.y > static_cast<float>(first_) && lowest_y - 0.5f - half_.y < static_cast<float>(end_ - 1);
@@ -139,12 +146,12 @@ class Band {
 
 /// Pixels first, first + step, ... of every row, to a mean colour everywhere; color(x, y) is that of one, indexable.
 template <class ColorOf>
-void sum_rays(const Arrivals& arrivals, int first_x, int step, const ColorOf& color, Vec2f half_width, const ThreadPool& pool,
-              Image& picture, Image* disagreement) {
-  const int bands = (picture.height + kBandRows - 1) / kBandRows;
+void sum_rays(const Arrivals& arrivals, int first_x, int step, const ColorOf& color, const ThreadPool& pool,
+              const TentSum& sum) {
+  const int height = sum.picture.height, bands = (height + kBandRows - 1) / kBandRows;
   pool.for_each(static_cast<std::size_t>(bands), [&](std::size_t index) {
     const int first = static_cast<int>(index) * kBandRows;
-    Band band(picture, first, std::min(first + kBandRows, picture.height), half_width, disagreement);
+    Band band(sum, first, std::min(first + kBandRows, height));
     for (int row = 0; row < arrivals.height; ++row) {
       const auto r = static_cast<std::size_t>(row), begin = r * static_cast<std::size_t>(arrivals.width);
       if (!band.is_reached(arrivals.lowest_y[r], arrivals.highest_y[r])) continue;
@@ -182,7 +189,7 @@ Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const Thre
   if (sub_pixels_per_pixel(optics) == 1) {
     Image picture(size.x, size.y, 3);
     const auto color = [&](int x, int y) { return rendered.picture.pixel(x, y); };
-    sum_rays(arrivals, 0, 1, color, half_width, pool, picture, disagreement);
+    sum_rays(arrivals, 0, 1, color, pool, {picture, half_width, disagreement});
     return picture;
   }
   Image picture(size.x, size.y, 3), of_one_color, differences;
@@ -190,7 +197,7 @@ Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const Thre
     of_one_color = Image(size.x, size.y, 3);
     if (disagreement) differences = Image(size.x, size.y, 1);
     const auto color = [&](int x, int y) { return std::array<float, 3>{rendered.picture.pixel(x / 3, y)[c], 0.0f, 0.0f}; };
-    sum_rays(arrivals, c, 3, color, half_width, pool, of_one_color, disagreement ? &differences : nullptr);
+    sum_rays(arrivals, c, 3, color, pool, {of_one_color, half_width, disagreement ? &differences : nullptr});
     for (std::size_t i = 0; i < differences.data.size(); ++i) disagreement->data[i] += differences.data[i];
     for (std::size_t i = 0; i < picture.data.size(); i += 3)
       picture.data[i + static_cast<std::size_t>(c)] = of_one_color.data[i];

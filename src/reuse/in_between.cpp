@@ -50,8 +50,9 @@ void InBetweenMaker::prepare(PointImage& frame, const ThreadPool& pool) const {
   if (sampler_) sampler_->find_contrast(frame, pool);
 }
 
-InBetweenCounts InBetweenMaker::make(const PointImage& previous, const PointImage& following, float position, bool as_source,
-                                     const TracePixels& trace, const ThreadPool& pool, PointImage& frame) {
+InBetweenCounts InBetweenMaker::make(const BetweenFrames& between, bool as_source, const TracePixels& trace,
+                                     const ThreadPool& pool, PointImage& frame) {
+  const auto& [previous, following, position] = between;
   const Motion from_previous = motion_between(groups_, previous.moment, frame.moment);
   const Motion from_following = motion_between(groups_, following.moment, frame.moment);
   splatter_.splat(previous, from_previous, pool, landed_previous_);
@@ -79,8 +80,8 @@ InBetweenCounts InBetweenMaker::make(const PointImage& previous, const PointImag
   return counts;
 }
 
-void InBetweenMaker::predict(const PointImage& previous, const PointImage& following, float position, const ThreadPool& pool,
-                             PointImage& frame, InBetweenCounts& counts) {
+void InBetweenMaker::predict(const BetweenFrames& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts) {
+  const auto& [previous, following, position] = between;
   const Motion from_previous = motion_between(groups_, previous.moment, frame.moment);
   const Motion from_following = motion_between(groups_, following.moment, frame.moment);
   splatter_.splat(previous, from_previous, pool, landed_previous_);
@@ -103,24 +104,24 @@ void InBetweenMaker::predict(const PointImage& previous, const PointImage& follo
                                    uncertainty_);
 }
 
-FloorLesson InBetweenMaker::learn_floor(const PointImage& previous, const PointImage& following, float position, int number,
-                                        const PointImage& traced, const ThreadPool& pool) {
+FloorLesson InBetweenMaker::learn_floor(const BetweenFrames& between, int number, const PointImage& traced,
+                                        const ThreadPool& pool) {
   PointImage predicted;
   predicted.moment = traced.moment;
   InBetweenCounts counts;
-  predict(previous, following, position, pool, predicted, counts);
-  const std::vector<float> costs = patches_->costs(previous.rays);
-  return lippmann::learn_floor(*params_.floor, {number, uncertainty_, costs}, *patches_, encoding_, predicted.film, traced.film,
+  predict(between, pool, predicted, counts);
+  const std::vector<float> costs = patches_->costs(between.previous.rays);
+  return lippmann::learn_floor(*params_.floor, {number, uncertainty_, *patches_, costs, encoding_}, predicted.film, traced.film,
                                pool);
 }
 
-FloorOutcome InBetweenMaker::make_to_floor(const PointImage& previous, const PointImage& following, float position, int number,
-                                           const Evidence& learned, const TracePackets& trace, const ThreadPool& pool,
-                                           PointImage& frame, InBetweenCounts& counts) {
-  predict(previous, following, position, pool, frame, counts);
-  const std::vector<float> costs = patches_->costs(previous.rays);
+FloorOutcome InBetweenMaker::make_to_floor(const BetweenFrames& between, int number, const Evidence& learned,
+                                           const TracePackets& trace, const ThreadPool& pool, PointImage& frame,
+                                           InBetweenCounts& counts) {
+  predict(between, pool, frame, counts);
+  const std::vector<float> costs = patches_->costs(between.previous.rays);
   const FloorOutcome outcome =
-      hold_floor(*params_.floor, {number, uncertainty_, costs}, learned, *patches_, encoding_, trace, pool, frame.film);
+      hold_floor(*params_.floor, {number, uncertainty_, *patches_, costs, encoding_}, learned, trace, pool, frame.film);
   counts.retraced = outcome.retraced;
   return outcome;
 }

@@ -34,6 +34,13 @@ struct InBetweenCounts {
   std::uint64_t retraced = 0;
 };
 
+/// Where a frame lies between the two that it is made from.
+struct BetweenFrames {
+  const PointImage& previous;
+  const PointImage& following;
+  float position;  ///< the share of the way from the previous to the following one, 0 ... 1
+};
+
 /// Keeps its working memory from frame to frame: one per animation, used by one caller at a time.
 class InBetweenMaker {
  public:
@@ -43,27 +50,23 @@ class InBetweenMaker {
   /// Completes a frame that was traced (film, points, moment) so that others can be made from it.
   void prepare(PointImage& frame, const ThreadPool& pool) const;
 
-  /// Makes the frame at frame.moment, which is `position` of the way from the previous to the following frame (0 ... 1): its
-  /// film and, where wanted, all that makes it a source in turn.
-  InBetweenCounts make(const PointImage& previous, const PointImage& following, float position, bool as_source,
-                       const TracePixels& trace, const ThreadPool& pool, PointImage& frame);
+  /// Makes the frame at frame.moment: its film and, where wanted, all that makes it a source in turn.
+  InBetweenCounts make(const BetweenFrames& between, bool as_source, const TracePixels& trace, const ThreadPool& pool,
+                       PointImage& frame);
 
   /// Predicts the film of a frame that is known, and tells what that teaches about others between the same two. `number` is the
   /// frame's in its animation; rays of the previous frame are counted.
-  FloorLesson learn_floor(const PointImage& previous, const PointImage& following, float position, int number,
-                          const PointImage& traced, const ThreadPool& pool);
+  FloorLesson learn_floor(const BetweenFrames& between, int number, const PointImage& traced, const ThreadPool& pool);
 
   /// Makes the film of the frame so that its PSNR keeps to params.floor, or finds that it is better traced as a whole: then
   /// film is of no use.
-  FloorOutcome make_to_floor(const PointImage& previous, const PointImage& following, float position, int number,
-                             const Evidence& learned, const TracePackets& trace, const ThreadPool& pool, PointImage& frame,
-                             InBetweenCounts& counts);
+  FloorOutcome make_to_floor(const BetweenFrames& between, int number, const Evidence& learned, const TracePackets& trace,
+                             const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
  private:
   Image& film_of(PointImage& frame) const;
   /// Fills frame.film and uncertainty_.
-  void predict(const PointImage& previous, const PointImage& following, float position, const ThreadPool& pool,
-               PointImage& frame, InBetweenCounts& counts);
+  void predict(const BetweenFrames& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
   ForwardParams params_;
   Vec2i film_size_;

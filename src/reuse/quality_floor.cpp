@@ -64,8 +64,9 @@ std::uint64_t pixels_in(const Patches& patches, std::span<const std::uint8_t> wa
 
 }  // namespace
 
-FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Patches& patches, Encoding encoding,
-                        const Image& predicted, const Image& traced, const ThreadPool& pool) {
+FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Image& predicted, const Image& traced,
+                        const ThreadPool& pool) {
+  const Patches& patches = frame.patches;
   std::vector<std::uint8_t> uncertainty;
   patches.root_mean_squares(frame.uncertainty, pool, uncertainty);
   const HeldOut held_out = hold_out(uncertainty, params.seed, frame.number);
@@ -76,8 +77,8 @@ FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, 
     all.levels[p] = static_cast<std::uint8_t>(level_of(uncertainty[p]));
   }
   FloorLesson lesson;
-  lesson.evidence.add(all, errors_of(patches, all.patches, codes_of(predicted, patches, all.patches, encoding),
-                                     codes_of(traced, patches, all.patches, encoding)));
+  lesson.evidence.add(all, errors_of(patches, all.patches, codes_of(predicted, patches, all.patches, frame.encoding),
+                                     codes_of(traced, patches, all.patches, frame.encoding)));
   lesson.evidence.weigh(kLearnedWeight);
   const int trusted = trusted_levels(estimate_errors(held_out, lesson.evidence), most_error(params));
   std::vector<std::uint8_t> wanted = of_levels_from(trusted, uncertainty, {});
@@ -86,19 +87,21 @@ FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, 
   return lesson;
 }
 
-FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned, const Patches& patches,
-                        Encoding encoding, const TracePackets& trace, const ThreadPool& pool, Image& film) {
+FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned,
+                        const TracePackets& trace, const ThreadPool& pool, Image& film) {
+  const Patches& patches = frame.patches;
   std::vector<std::uint8_t> uncertainty;
   patches.root_mean_squares(frame.uncertainty, pool, uncertainty);
   const HeldOut held_out = hold_out(uncertainty, params.seed, frame.number);
   std::vector<std::uint8_t> wanted(patches.count());
   for (const std::uint32_t patch : held_out.patches) wanted[patch] = 1;
-  const std::vector<unsigned char> predicted = codes_of(film, patches, held_out.patches, encoding);
+  const std::vector<unsigned char> predicted = codes_of(film, patches, held_out.patches, frame.encoding);
   trace(wanted, film);
   FloorOutcome outcome;
   outcome.retraced = pixels_in(patches, wanted);
   Evidence evidence;
-  evidence.add(held_out, errors_of(patches, held_out.patches, predicted, codes_of(film, patches, held_out.patches, encoding)));
+  evidence.add(held_out,
+               errors_of(patches, held_out.patches, predicted, codes_of(film, patches, held_out.patches, frame.encoding)));
   const auto by_sample = estimate_errors(held_out, evidence);
   evidence.add(learned);
   auto errors = estimate_errors(held_out, evidence);

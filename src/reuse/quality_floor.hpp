@@ -27,11 +27,13 @@ struct FloorParams {
 /// Frames whose other patches would cost more than this, in traced frames (tracing_costs.hpp), are not made from others.
 inline constexpr double kMostCost = 0.9;
 
-/// What is known of a predicted frame.
+/// What is known of a predicted frame but its film.
 struct PredictedFrame {
-  int number = 0;                             ///< in the animation
+  int number;                                 ///< in the animation
   std::span<const std::uint8_t> uncertainty;  ///< by pixel
+  const Patches& patches;                     ///< which its pixels are divided into
   std::span<const float> costs;               ///< by patch (Patches::costs)
+  Encoding encoding;                          ///< of the codes whose errors are meant
 };
 
 /// What a frame that was predicted and traced as a whole tells about others.
@@ -40,8 +42,8 @@ struct FloorLesson {
   double cost = 1.0;  ///< what tracing part of a frame like it would cost, held-out patches included; in traced frames
 };
 
-FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Patches& patches, Encoding encoding,
-                        const Image& predicted, const Image& traced, const ThreadPool& pool);
+FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Image& predicted, const Image& traced,
+                        const ThreadPool& pool);
 
 struct FloorOutcome {
   bool holds = false;          ///< false: the frame is to be traced as a whole
@@ -50,7 +52,7 @@ struct FloorOutcome {
 };
 
 /// `film` is the prediction, then the finished frame. `learned` is of a frame predicted over no shorter a time.
-FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned, const Patches& patches,
-                        Encoding encoding, const TracePackets& trace, const ThreadPool& pool, Image& film);
+FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned,
+                        const TracePackets& trace, const ThreadPool& pool, Image& film);
 
 }  // namespace lippmann

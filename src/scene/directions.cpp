@@ -1,12 +1,6 @@
 #include "scene/directions.hpp"
 
 namespace lippmann {
-namespace {
-
-using Vec3d = glm::dvec3;
-
-}  // namespace
-
 Vec3f direction_of(Vec3f v) {
   const Vec3d wide(v);
   return Vec3f(wide / glm::length(wide));

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "lippmann/core/context.hpp"
-#include "lippmann/scene/scene.hpp"
+#include "lippmann/scene/load.hpp"
 
 namespace lippmann {
 
@@ -27,28 +27,24 @@ inline constexpr double kGltfFramesPerSecond = 30.0;  ///< glTF has seconds, not
 
 /// What one scene may ask for; beyond it reading stops with an Error.
 struct GltfLimits {
-  std::uint64_t file_bytes = 0xffff'ffff;            ///< size of each file: what a .glb's 32-bit length can say
-  std::uint64_t json_values = 20'000'000;            ///< about 2 GB of parsed JSON at worst
-  std::uint64_t json_objects = 2'000'000;            ///< nodes, meshes, accessors, ...
-  int json_depth = 64;                               ///< glTF itself needs 9
-  std::uint64_t unpacked_bytes = 8'000'000'000;      ///< meshes, instances and key frames together
-  std::uint64_t texture_bytes = 1024 * 1024 * 1024;  ///< decoded, all textures together: beyond it they are halved
-  int texture_side = 16384;                          ///< pixels
-  int frames = 1'000'000;                            ///< how many the animation may have
+  std::uint64_t file_bytes = 0xffff'ffff;        ///< size of each file: what a .glb's 32-bit length can say
+  std::uint64_t json_values = 20'000'000;        ///< about 2 GB of parsed JSON at worst
+  std::uint64_t json_objects = 2'000'000;        ///< nodes, meshes, accessors, ...
+  int json_depth = 64;                           ///< glTF itself needs 9
+  std::uint64_t unpacked_bytes = 8'000'000'000;  ///< meshes, instances and key frames together
+  int texture_side = 16384;                      ///< pixels
+  int frames = 1'000'000;                        ///< how many the animation may have
 };
 
 /// Throws Error naming the file and the element ("Box.glb: accessors[3]: ..."). The timeline shows frame f
-/// at f / frames_per_second and has as many frames as fit the animation's length (so that it loops), at least one; with
-/// frames_per_second 0 at the first of 30, 24, 25 and 60 a second at which every key falls on a frame, else at 30.
-/// animation: the name or the index of the one to show; empty: the first. asset_root: files may lie below it, too. variant: the
-/// name or the index of the set of materials to show; empty: those that the file shows without a choice.
-Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context,
-                const GltfLimits& limits = {}, const std::string& animation = {}, const std::filesystem::path& asset_root = {},
-                const std::string& variant = {});
+/// at f / options.frames_per_second and has as many frames as fit the animation's length (so that it loops), at least one; with
+/// frames_per_second 0 at the first of 30, 24, 25 and 60 a second at which every key falls on a frame, else at 30. The options'
+/// camera_path is of other formats and not looked at.
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options, const Context& context,
+                const GltfLimits& limits = {});
 
 /// The same of a file's contents; `path` names it in messages, and the files that it refers to lie in its folder.
-Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
-                 const Context& context, const GltfLimits& limits = {}, const std::string& animation = {},
-                 const std::filesystem::path& asset_root = {}, const std::string& variant = {});
+Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, const LoadOptions& options,
+                 const Context& context, const GltfLimits& limits = {});
 
 }  // namespace lippmann

@@ -35,9 +35,7 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
 }
 
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  GltfLimits limits;
-  limits.texture_bytes = options.texture_bytes;
-  return load_gltf(path, options.frames_per_second, context, limits, options.animation, options.asset_root, options.variant);
+  return load_gltf(path, options, context);
 }
 
 Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context) {

@@ -12,9 +12,6 @@
 namespace lippmann {
 namespace {
 
-using Vec2d = glm::dvec2;
-using Vec3d = glm::dvec3;
-
 /// Its length is twice the area; it points to where the polygon winds counter-clockwise.
 Vec3d newell_normal(std::span<const Vec3f> corners) {
   Vec3d normal(0.0);

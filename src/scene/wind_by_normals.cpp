@@ -5,7 +5,6 @@
 namespace lippmann {
 namespace {
 
-using Vec3d = glm::dvec3;
 using MeshTriangle = std::array<std::uint32_t, 3>;
 
 /// In double: products of coordinates up to 1e18 would overflow floats.

@@ -13,8 +13,6 @@
 namespace lippmann {
 namespace {
 
-using Vec3d = glm::dvec3;
-
 /// Parts of the mesh's size that vertices are told apart by.
 constexpr double kParts = 1e6;
 /// Volumes below this part of the enclosing cube's are none: of a sheet with two sides.

@@ -9,7 +9,6 @@
 namespace lippmann {
 namespace {
 
-using Vec3d = glm::dvec3;
 using Members = std::span<std::uint32_t>;
 
 constexpr int kBins = 16;

@@ -32,17 +32,24 @@ LIPPMANN_INLINE Color load(const std::uint16_t* texels, std::int32_t index) {
   return __builtin_convertvector(reinterpret_cast<Word>(words), Color);
 }
 
+/// The two texels around a coordinate and the weight of the second.
+struct Neighbours {
+  std::int32_t first, second;
+  float blend;
+};
+
 /// The four texels around a point, per lane, and their weights.
 struct Taps {
   LaneInts index[4];
   Lanes weight[4];
 
-  LIPPMANN_INLINE void set(int i, int width, int x0, int x1, int y0, int y1, float blend_x, float blend_y, float share) {
-    index[0][i] = y0 * width + x0, index[1][i] = y0 * width + x1;
-    index[2][i] = y1 * width + x0, index[3][i] = y1 * width + x1;
-    const float lower = blend_y * share, upper = share - lower;
-    weight[0][i] = upper * (1.0f - blend_x), weight[1][i] = upper * blend_x;
-    weight[2][i] = lower * (1.0f - blend_x), weight[3][i] = lower * blend_x;
+  /// Lane i: columns x and rows y of a level of that width; the weights sum to `share`.
+  LIPPMANN_INLINE void set(int i, int width, const Neighbours& x, const Neighbours& y, float share) {
+    index[0][i] = y.first * width + x.first, index[1][i] = y.first * width + x.second;
+    index[2][i] = y.second * width + x.first, index[3][i] = y.second * width + x.second;
+    const float lower = y.blend * share, upper = share - lower;
+    weight[0][i] = upper * (1.0f - x.blend), weight[1][i] = upper * x.blend;
+    weight[2][i] = lower * (1.0f - x.blend), weight[3][i] = lower * x.blend;
   }
   LIPPMANN_INLINE Color sum(const std::uint16_t* texels, int i) const {
     return (load(texels, index[0][i]) * weight[0][i] + load(texels, index[1][i]) * weight[1][i]) +
@@ -123,12 +130,6 @@ LIPPMANN_INLINE WrapNumbers numbers_of(Wrap mode) {
   return {0.0f, 0.0f, kInfinity, 0};
 }
 
-/// The two texels around coordinate t and the weight of the second.
-struct Neighbours {
-  std::int32_t first, second;
-  float blend;
-};
-
 LIPPMANN_INLINE Neighbours neighbours(float t, std::int32_t size, const WrapNumbers& wrap) {
   const std::int32_t last = size - 1;
   const float in_period = t - wrap.period * std::floor(t * wrap.inverse_period);
@@ -148,7 +149,7 @@ LIPPMANN_INLINE void place_probe(const Probes& probes, int k, int l, const WrapN
     const Neighbours x = neighbours(probes.u[i] + along * probes.line_u[i], probes.level.width[l][i], across);
     const Neighbours y = neighbours(probes.v[i] + along * probes.line_v[i], probes.level.height[l][i], down);
     const float share = probes.level.share[l][i] * probes.inverse_count[i] * kUnit;
-    taps.set(i, probes.level.width[l][i], x.first, x.second, y.first, y.second, x.blend, y.blend, share);
+    taps.set(i, probes.level.width[l][i], x, y, share);
   }
 }
 
@@ -211,8 +212,9 @@ LIPPMANN_INLINE void place_projected(const ProjectedLanes& at, const LevelPair& 
     const std::int32_t last_x = level.width[l][i] - 1, last_y = level.height[l][i] - 1;
     const float x = at.u[i] * static_cast<float>(last_x), y = at.v[i] * static_cast<float>(last_y);
     const auto x0 = static_cast<std::int32_t>(x), y0 = static_cast<std::int32_t>(y);
-    taps.set(i, level.width[l][i], x0, std::min(x0 + 1, last_x), y0, std::min(y0 + 1, last_y), x - static_cast<float>(x0),
-             y - static_cast<float>(y0), level.share[l][i] * kUnit);
+    const Neighbours columns{x0, std::min(x0 + 1, last_x), x - static_cast<float>(x0)};
+    const Neighbours rows{y0, std::min(y0 + 1, last_y), y - static_cast<float>(y0)};
+    taps.set(i, level.width[l][i], columns, rows, level.share[l][i] * kUnit);
   }
 }
 

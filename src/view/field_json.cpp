@@ -47,10 +47,10 @@ Json frame_json(const PageFrame& frame) {
   return json;
 }
 
-/// A slanted panel's also says which view each of its sub-pixels belongs to.
+/// A calibrated panel's also says which view each of its sub-pixels belongs to.
 Json panel_picture_json(const PageFacts& facts) {
   Json json{{"is", word_for(facts.panel)}, {"size", {facts.panel_size.x, facts.panel_size.y}}};
-  if (facts.slanted) json["panel"] = panel_json(*facts.slanted);
+  if (facts.phases) json["panel"] = phases_json(*facts.phases);
   return json;
 }
 

@@ -7,6 +7,7 @@
 
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
+#include "optics/slanted_panel.hpp"
 
 namespace lippmann {
 namespace {
@@ -43,19 +44,19 @@ void require_one_row(const PageFacts& facts) {
         "one row of views; `lippmann convert` with `keep` takes one of several");
 }
 
-Json panel_json(const SlantedPanel& panel) {
-  return {{"periods", panel.periods},
-          {"tilt", panel.tilt},
-          {"center", panel.center},
-          {"inverted", panel.inverted},
-          {"sub_pixels", offsets_json(panel.sub_pixels)}};
+Json phases_json(const ViewPhases& phases) {
+  return {{"periods", phases.periods},
+          {"tilt", phases.tilt},
+          {"center", phases.center},
+          {"inverted", phases.inverted},
+          {"sub_pixels", offsets_json(phases.sub_pixels)}};
 }
 
 Json page_display_json(const PageDisplay& shown) {
   const Display& display = shown.display;
   return {{"name", display.name},
           {"pixels", {display.pixels.x, display.pixels.y}},
-          {"panel", panel_json(slanted_panel(display, viewing_distance_mm(display)))},
+          {"panel", phases_json(view_phases_of(slanted_panel(display, viewing_distance_mm(display))))},
           {"filter", word_for(shown.interlace.filter)},
           {"sigma_views", shown.interlace.sigma_views}};
 }

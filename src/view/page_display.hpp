@@ -22,9 +22,9 @@ struct PageDisplay {
 void require_one_row(const PageFacts& facts);
 
 /// Which view each sub-pixel is of (docs/view.md lists the keys).
-nlohmann::ordered_json panel_json(const SlantedPanel& panel);
+nlohmann::ordered_json phases_json(const ViewPhases& phases);
 
-/// The same with the panel's name and size, and how views are mixed.
+/// The same of a panel, with its name and size, and how views are mixed.
 nlohmann::ordered_json page_display_json(const PageDisplay& shown);
 
 /// The text of a visual.json that came from the page, interlaced as `otherwise` says. Throws Error naming "the calibration".

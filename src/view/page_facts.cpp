@@ -74,7 +74,7 @@ PageFacts page_facts(const Optics& optics) {
   facts.axes = view_axes(optics, facts.grid);
   facts.eye_mm = default_eye_mm(optics);
   facts.panel_size = picture_size(optics);
-  if (const auto* slanted = std::get_if<SlantedPanel>(&optics.model)) facts.slanted = *slanted;
+  facts.phases = view_phases(optics);
   facts.depth_budget_mm = depth_budget_mm(optics);
   facts.disparity_scale_mm = facts.window.size.y;
   return facts;

@@ -11,6 +11,7 @@
 
 #include "layout/rendered.hpp"
 #include "lippmann/core/parallel.hpp"
+#include "lippmann/optics/view_phases.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/rendered_panel.hpp"
 #include "view/view_axes.hpp"
@@ -38,9 +39,9 @@ struct PageFacts {
   ViewAxes axes;
   bool lens_samples_across = false, lens_samples_up = false;  ///< a pixel of a view is what a whole lens shows
   PanelPicture panel = PanelPicture::kOwn;
-  Vec2i panel_size{0, 0};               ///< pixels of the panel's picture
-  std::optional<SlantedPanel> slanted;  ///< the panel, where that is its picture
-  Vec3d eye_mm{0.0};                    ///< where the display is meant to be seen from
+  Vec2i panel_size{0, 0};            ///< pixels of the panel's picture
+  std::optional<ViewPhases> phases;  ///< of the panel's sub-pixels, where they have any
+  Vec3d eye_mm{0.0};                 ///< where the display is meant to be seen from
   double depth_budget_mm = 0.0;
   bool has_depth = false;
   double disparity_scale_mm = 1.0;  ///< the scale of codes (view/disparity_codes.hpp)

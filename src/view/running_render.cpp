@@ -39,8 +39,8 @@ bool is_unfinished_render(const fs::path& folder) try {
   return false;
 }
 
-RunningRender::RunningRender(fs::path folder, fs::path program)
-    : folder_(std::move(folder)), program_(std::move(program)), reader_(folder_), state_(state_in(reader_, folder_)) {
+RunningRender::RunningRender(fs::path folder, ToolCommand resuming)
+    : folder_(std::move(folder)), resuming_(std::move(resuming)), reader_(folder_), state_(state_in(reader_, folder_)) {
   frames_ = state_.journal.asked;
   if (frames_.empty()) throw Error(folder_.string(), "no frames were asked for", "a render that has begun");
   take(state_.journal);
@@ -119,8 +119,7 @@ void RunningRender::resume() {
   if (!is_as_written(state_.journal, folder_, "job.toml"))
     throw Error(job.string(), "is not as a render has written it", "`lippmann render` with `resume` and a job that you know");
   error_.clear();
-  resumed_ = std::make_unique<ToolProcess>(
-      program_, std::vector<std::string>{"render", job.string(), "--resume", "-o", folder_.string(), "--quiet"});
+  resumed_ = std::make_unique<ToolProcess>(resuming_);
 }
 
 }  // namespace lippmann

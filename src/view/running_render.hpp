@@ -29,8 +29,8 @@ bool is_unfinished_render(const std::filesystem::path& folder);
 /// Thread-safe.
 class RunningRender : public ComingFrames {
  public:
-  /// `program`: the tool, for resuming. Throws Error if the folder holds no journal, or a damaged one.
-  RunningRender(std::filesystem::path folder, std::filesystem::path program);
+  /// `resuming`: goes on with the folder's render. Throws Error if the folder holds no journal, or a damaged one.
+  RunningRender(std::filesystem::path folder, ToolCommand resuming);
 
   /// All that runs have been asked for when this was made, ascending.
   const std::vector<int>& frames() const override { return frames_; }
@@ -44,7 +44,7 @@ class RunningRender : public ComingFrames {
   /// Does to the processes of this machine that render into the folder what Ctrl-C does. Throws Error if there are none.
   void stop();
 
-  /// Starts `lippmann render DIR/job.toml --resume`, which ends with this. Throws Error where a render is under way, or where
+  /// Goes on with the render in a process that ends with this. Throws Error where a render is under way, or where
   /// job.toml is not as renders have written it.
   void resume();
 
@@ -58,7 +58,8 @@ class RunningRender : public ComingFrames {
   void take(const FolderJournal& journal);
   std::string word() const;
 
-  const std::filesystem::path folder_, program_;
+  const std::filesystem::path folder_;
+  const ToolCommand resuming_;
   mutable std::mutex mutex_;
   RenderStateReader reader_;
   RenderState state_;

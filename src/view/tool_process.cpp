@@ -54,9 +54,10 @@ std::string end_of(const fs::path& file) {
 
 }  // namespace
 
-ToolProcess::ToolProcess(const fs::path& program, const std::vector<std::string>& words) : messages_(file_for_messages()) {
+ToolProcess::ToolProcess(const ToolCommand& command) : messages_(file_for_messages()) {
+  const fs::path& program = command.program;
   std::vector<std::string> all{program.string()};
-  all.insert(all.end(), words.begin(), words.end());
+  all.insert(all.end(), command.words.begin(), command.words.end());
   std::vector<char*> arguments;
   for (std::string& word : all) arguments.push_back(word.data());
   arguments.push_back(nullptr);

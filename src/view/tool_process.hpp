@@ -9,11 +9,16 @@
 
 namespace lippmann {
 
+struct ToolCommand {
+  std::filesystem::path program;   ///< the tool
+  std::vector<std::string> words;  ///< what it is called with
+};
+
 /// Not thread-safe.
 class ToolProcess {
  public:
   /// Throws Error if it cannot be started.
-  ToolProcess(const std::filesystem::path& program, const std::vector<std::string>& words);
+  explicit ToolProcess(const ToolCommand& command);
   /// Does what Ctrl-C does, and waits until it has ended.
   ~ToolProcess();
   ToolProcess(const ToolProcess&) = delete;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/tool.hpp"
+#include "support/small_panel.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -65,9 +66,7 @@ TEST(Render, summary_says_what_was_missed_and_why) {
 
 TEST(Render, also_single_renders_the_middle_view_beside_the_pictures) {
   const TempDir dir;
-  std::ofstream(dir / "panel.toml") << "kind = \"slanted-panel\"\npixels = [48, 64]\ndpi = 324\nview_cone_deg = 40\n"
-                                       "[calibration]\npitch = 52.0\nslope = -7.0\ncenter = 0.5\n"
-                                       "[quilt]\ntiles = [4, 2]\nsize = [129, 128]\naspect = 0.75\n";
+  write_small_panel(dir / "panel.toml");
   const Words panel{"render", "teapot", "--frames", "3", "--display", "panel.toml"};
   expect_done(dir, panel + Words{"-o", "out", "--also", "single", "--video", "a.mkv"});
   EXPECT_TRUE(std::filesystem::exists(dir / "a_qs4x2a0.75.mkv"));

@@ -4,30 +4,22 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/sample_frame.hpp"
+
 namespace lippmann {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-FrameReport some_frame() {
-  FrameReport frame;
-  frame.frame = 7;
-  frame.seconds = 0.5;
-  frame.cpu_seconds = 0.75;
-  frame.rays = {100, 200, 30, 4};
-  frame.estimated_psnr_db = 48.5;
-  return frame;
-}
-
 TEST(FrameReportJson, frame_written_and_read_is_the_same) {
-  const Json json = to_json(some_frame());
+  const Json json = to_json(test::sample_frame());
   const auto back = frame_report_from_json(json);
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(to_json(*back), json);
 }
 
 FrameReport shared_frame() {
-  FrameReport frame = some_frame();
+  FrameReport frame = test::sample_frame();
   frame.kind = "shared";
   frame.psnr_at_least_db = 47.25;
   frame.estimated_block_psnr_db = 60.5;
@@ -54,7 +46,7 @@ TEST(FrameReportJson, shared_frame_without_one_of_its_errors_is_none) {
 }
 
 TEST(FrameReportJson, frame_without_a_key_or_with_a_wrong_type_is_none) {
-  Json json = to_json(some_frame());
+  Json json = to_json(test::sample_frame());
   json.erase("rays");
   EXPECT_FALSE(frame_report_from_json(json).has_value());
   EXPECT_FALSE(frame_report_from_json("frame").has_value());

@@ -1,9 +1,8 @@
 // Frames of a slanted panel's own pixels, and of the quilt that it is shown.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "frames/made_frames.hpp"
+#include "support/small_panel.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann::test {
@@ -11,21 +10,7 @@ namespace {
 
 class DisplayFrames : public testing::Test {
  protected:
-  DisplayFrames() {
-    std::ofstream(dir_ / "panel.toml") << R"(kind = "slanted-panel"
-pixels = [48, 64]
-dpi = 324
-view_cone_deg = 40
-[calibration]
-pitch = 52.0
-slope = -7.0
-center = 0.5
-[quilt]
-tiles = [4, 2]
-size = [129, 128]
-aspect = 0.75
-)";
-  }
+  DisplayFrames() { write_small_panel(dir_ / "panel.toml"); }
 
   RenderParams on_panel(const char* scene, std::optional<PictureLayout> layout, const ReuseParams& reuse) const {
     RenderParams params;

@@ -11,6 +11,7 @@
 #include "job/report.hpp"
 #include "replay/precompensated_frames.hpp"
 #include "replay/replay.hpp"
+#include "support/small_panel.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -24,20 +25,7 @@ using Json = nlohmann::ordered_json;
 class DisplayRenders : public Renders {
  protected:
   DisplayRenders() {
-    std::ofstream(dir_ / "panel.toml") << R"(description = "small"
-kind = "slanted-panel"
-pixels = [48, 64]
-dpi = 324
-view_cone_deg = 40
-[calibration]
-pitch = 52.0
-slope = -7.0
-center = 0.5
-[quilt]
-tiles = [4, 2]
-size = [129, 128]
-aspect = 0.75
-)";
+    write_small_panel(dir_ / "panel.toml");
     std::ofstream(dir_ / "sheet.toml") << R"(description = "print"
 kind = "lenticular-sheet"
 pixels = [240, 120]

@@ -4,20 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/sample_frame.hpp"
+
 namespace lippmann {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-FrameReport some_frame() {
-  FrameReport frame;
-  frame.frame = 7;
-  frame.seconds = 0.5;
-  frame.cpu_seconds = 0.75;
-  frame.rays = {100, 200, 30, 4};
-  frame.estimated_psnr_db = 48.5;
-  return frame;
-}
 
 TEST(Report, report_says_what_the_view_was_fitted_to) {
   RenderReport report;
@@ -27,7 +19,7 @@ TEST(Report, report_says_what_the_view_was_fitted_to) {
 
 TEST(Report, totals_are_sums_over_the_frames) {
   RenderReport report;
-  report.frames = {some_frame(), some_frame()};
+  report.frames = {test::sample_frame(), test::sample_frame()};
   const Json totals = to_json(report)["totals"];
   EXPECT_EQ(totals["seconds"], 1.0);
   EXPECT_EQ(totals["cpu_seconds"], 1.5);

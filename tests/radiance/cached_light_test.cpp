@@ -16,8 +16,14 @@ struct Frames {
 };
 
 /// Frames 0 ... count - 1 of `per_second` a second, the history beginning at frame `from`.
-Frames cached(const Scene& scene, const Optics& optics, int count, TraceParams params = {}, int threads = 1, int from = 0,
-              double per_second = 25.0, CachedLightGoal goal = {}) {
+struct FrameRange {
+  int count;
+  int from = 0;
+  double per_second = 25.0;
+};
+
+Frames cached(const Scene& scene, const Optics& optics, const FrameRange& range, TraceParams params = {}, int threads = 1,
+              CachedLightGoal goal = {}) {
   const ThreadPool pool(threads);
   const Context context;
   DeviceScene device(scene, pool, Integrator::kPath);
@@ -26,13 +32,13 @@ Frames cached(const Scene& scene, const Optics& optics, int count, TraceParams p
   params.spp = std::max(params.spp, 64);
   goal.frames = 16;
   Frames frames;
-  for (int f = from; f < count; ++f) {
-    const ResolvedScene resolved = evaluate(scene, f / per_second);
+  for (int f = range.from; f < range.count; ++f) {
+    const ResolvedScene resolved = evaluate(scene, f / range.per_second);
     device.update(resolved, pool);
     params.frame = static_cast<std::uint32_t>(f);
     // A box around all: of what moves in these scenes nothing is known but that it does.
     std::vector<HorizonBox> moving;
-    if (f > from && !scene.timeline.animations.empty()) moving.push_back({{Vec3f(-kInfinity), Vec3f(kInfinity)}, 0});
+    if (f > range.from && !scene.timeline.animations.empty()) moving.push_back({{Vec3f(-kInfinity), Vec3f(kInfinity)}, 0});
     frames.reports.push_back(
         tracer.trace({device, optics, {}}, resolved, params, goal, moving, {pool, context}, {frames.films.emplace_back()}));
   }
@@ -80,7 +86,7 @@ TEST(CachedLight, a_diffuse_box_has_the_mean_light_of_paths) {
     TraceParams params;
     params.seed = seed;
     const Picture p = trace_paths(s.scene, single_view(64), 32, params);
-    const Frames c = cached(s.scene, single_view(64), 2, params, 1, 0, 25.0, {.squared_error = 4e-4f});
+    const Frames c = cached(s.scene, single_view(64), {2}, params, 1, {.squared_error = 4e-4f});
     ASSERT_FALSE(c.reports.back().traced);
     for (int b = 0; b < kBands; ++b) {
       paths[static_cast<std::size_t>(b)].push_back(mean_of(p.film, b * kRows, kRows));
@@ -116,7 +122,7 @@ TEST(CachedLight, things_of_any_kind_vanish_in_a_white_furnace) {
                          : kind == 2 ? s.material(glass)
                                      : s.material(half);
     s.add(Spheres{{{0, 0, 0}, 1.0f}, {{1.2f, 0.5f, 0.8f}, 0.5f}}, material);
-    const Frames frames = cached(s.scene, single_view(64), 2, {}, 1, 0, 25.0, {.squared_error = 1e-4f});
+    const Frames frames = cached(s.scene, single_view(64), {2}, {}, 1, {.squared_error = 1e-4f});
     EXPECT_FALSE(frames.reports.back().traced) << kind;
     EXPECT_NEAR(mean(frames.films.back()), 1.0, 0.005) << kind;
   }
@@ -137,7 +143,7 @@ TEST(CachedLight, textures_stay_as_sharp_as_they_are) {
   PhongSurface paper = matte(Vec3f(1.0f));
   paper.texture = 0;
   s.add(square(2, 0), s.material(paper));
-  const Frames frames = cached(s.scene, single_view(64), 1, {}, 1, 0, 25.0, {.squared_error = 1e-5f});
+  const Frames frames = cached(s.scene, single_view(64), {1}, {}, 1, {.squared_error = 1e-5f});
   ASSERT_FALSE(frames.reports.back().traced);
   const Picture paths = trace_paths(s.scene, single_view(64), 1024);
   int off = 0;
@@ -153,7 +159,7 @@ TEST(CachedLight, mirrors_show_what_they_reflect_exactly) {
   surround(s, Vec3f(0.25f));
   s.add(square(1, 0), s.material(mirror(0.5f)));
   s.add(square(3, -0.5f), s.material(matte(Vec3f(0.4f))));
-  const Frames frames = cached(s.scene, single_view(64), 1, {}, 1, 0, 25.0, {.squared_error = 1e-4f});
+  const Frames frames = cached(s.scene, single_view(64), {1}, {}, 1, {.squared_error = 1e-4f});
   ASSERT_FALSE(frames.reports.back().traced);
   EXPECT_FLOAT_EQ(frames.films[0].pixel(32, 32)[0], 0.125f);
   EXPECT_NEAR(frames.films[0].pixel(4, 32)[0], 0.1f, 0.01f);  // the mirror's back hides a little of the sky
@@ -169,8 +175,8 @@ TEST(CachedLight, light_that_moves_away_leaves_nothing_behind) {
   Mesh panel = square(0.3f, 0.0f);
   s.add(panel, s.material(lamp), s.moving_node({-1.2f, 0, 0.6f}, {1.2f, 0, 0.6f}));
   s.scene.timeline.frame_count = 11;
-  const Frames history = cached(s.scene, single_view(64), 11, {}, 1, 0, 10.0, {.squared_error = 1e-3f});
-  const Frames fresh = cached(s.scene, single_view(64), 11, {}, 1, 10, 10.0, {.squared_error = 1e-3f});
+  const Frames history = cached(s.scene, single_view(64), {11, 0, 10.0}, {}, 1, {.squared_error = 1e-3f});
+  const Frames fresh = cached(s.scene, single_view(64), {11, 10, 10.0}, {}, 1, {.squared_error = 1e-3f});
   ASSERT_FALSE(history.reports.back().traced);
   const Image paths = trace(s.scene, single_view(64), {.spp = 256}, 1, 1.0, {}, Integrator::kPath).film;
   double with_history = 0.0, without = 0.0;
@@ -186,7 +192,7 @@ TEST(CachedLight, light_that_moves_away_leaves_nothing_behind) {
 
 TEST(CachedLight, the_same_bits_on_any_number_of_threads) {
   const SmallScene s = cornell_box();
-  const Frames one = cached(s.scene, lenticular_view(), 3), three = cached(s.scene, lenticular_view(), 3, {}, 3);
+  const Frames one = cached(s.scene, lenticular_view(), {3}), three = cached(s.scene, lenticular_view(), {3}, {}, 3);
   for (std::size_t f = 0; f < 3; ++f) EXPECT_EQ(one.films[f].data, three.films[f].data) << f;
 }
 
@@ -194,7 +200,7 @@ TEST(CachedLight, the_error_that_is_asked_for_is_kept) {
   const SmallScene s = cornell_box();
   const Image truth = trace_paths(s.scene, single_view(64), 1024).film;
   for (const float goal : {1e-3f, 2e-4f}) {
-    const Frames frames = cached(s.scene, single_view(64), 2, {}, 1, 0, 25.0, {.squared_error = goal});
+    const Frames frames = cached(s.scene, single_view(64), {2}, {}, 1, {.squared_error = goal});
     double squares = 0.0;
     const auto code = [](float v) { return std::pow(static_cast<double>(std::clamp(v, 0.0f, 1.0f)), 1.0 / 2.2); };
     for (std::size_t i = 0; i < truth.data.size(); ++i)
@@ -206,7 +212,7 @@ TEST(CachedLight, the_error_that_is_asked_for_is_kept) {
 
 TEST(CachedLight, fewer_rays_are_traced_than_by_paths) {
   const SmallScene s = cornell_box();
-  const Frames frames = cached(s.scene, single_view(128), 2, {}, 1, 0, 25.0, {});
+  const Frames frames = cached(s.scene, single_view(128), {2}, {}, 1, {});
   ASSERT_FALSE(frames.reports.back().traced);
   const RayCounts paths = trace_paths(s.scene, single_view(128), 64).counts;
   EXPECT_LT(frames.reports.back().rays.total(), paths.total() / 4);
@@ -245,7 +251,7 @@ double block_error(const Image& film, const Image& truth) {
 TEST(CachedLight, what_cells_are_wrong_about_averages_out_with_that_of_a_few_paths) {
   const SmallScene s = mirror_box();
   const Optics optics = single_view(96);
-  const Frames frames = cached(s.scene, optics, 2, {}, 1, 0, 25.0, {});
+  const Frames frames = cached(s.scene, optics, {2}, {}, 1, {});
   ASSERT_FALSE(frames.reports.back().traced);
   const auto paths = trace_paths(s.scene, optics, 64);
   EXPECT_LT(frames.reports.back().rays.total(), 0.9 * static_cast<double>(paths.counts.total()));
@@ -273,7 +279,7 @@ TEST(CachedLight, what_no_cache_can_reach_is_traced_with_as_many_paths_as_it_tak
 TEST(CachedLight, frames_are_as_good_as_their_time_allows) {
   const SmallScene s = cornell_box();
   const auto report_of = [&](double seconds) {
-    return cached(s.scene, single_view(64), 1, {}, 1, 0, 25.0, {.seconds = seconds}).reports.back();
+    return cached(s.scene, single_view(64), {1}, {}, 1, {.seconds = seconds}).reports.back();
   };
   const CachedLightReport none = report_of(1e-6), plenty = report_of(86400.0);
   EXPECT_FALSE(none.traced);
@@ -351,7 +357,7 @@ TEST(CachedLight, provenance_is_green_at_first_and_blue_where_frames_before_are_
   s.scene.max_depth = 2;
   surround(s, Vec3f(1.0f));
   s.add(square(1, 0), s.material(matte(Vec3f(0.5f))));
-  const Frames frames = cached(s.scene, single_view(64), 3, {}, 1, 0, 25.0, {.provenance = true});
+  const Frames frames = cached(s.scene, single_view(64), {3}, {}, 1, {.provenance = true});
   const float* first = frames.films[0].pixel(32, 32);
   const float* last = frames.films[2].pixel(32, 32);
   EXPECT_EQ(first[2], 0.0f);

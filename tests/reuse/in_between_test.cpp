@@ -44,7 +44,7 @@ class Animation {
       trace_pixels({device_, optics_, frame.moment.world_from_display}, trace_params(), pixels, {pool_, context_}, film,
                    points);
     };
-    counts = maker_.make(previous, following, static_cast<float>(time), true, trace, pool_, frame);
+    counts = maker_.make({previous, following, static_cast<float>(time)}, true, trace, pool_, frame);
     return frame;
   }
 

@@ -53,7 +53,7 @@ class RunningRenderTest : public testing::Test {
 };
 
 TEST_F(RunningRenderTest, frames_that_are_finished_are_told_once) {
-  RunningRender render(dir_.path(), "/bin/false");
+  RunningRender render(dir_.path(), {"/bin/false", {}});
   nlohmann::ordered_json state = render.state_after(0);
   EXPECT_EQ(state["state"], "running");
   EXPECT_EQ(state["frames"], 3);
@@ -68,7 +68,7 @@ TEST_F(RunningRenderTest, frames_that_are_finished_are_told_once) {
 }
 
 TEST_F(RunningRenderTest, picture_of_a_frame_is_there_when_the_frame_is) {
-  auto render = std::make_shared<RunningRender>(dir_.path(), "/bin/false");
+  auto render = std::make_shared<RunningRender>(dir_.path(), ToolCommand{"/bin/false", {}});
   const PageField field(dir_.path(), render, Context());
   ASSERT_EQ(field.facts().frames.size(), 3u);
   EXPECT_EQ(field.facts().frames[2].label, "0002");
@@ -80,9 +80,9 @@ TEST_F(RunningRenderTest, picture_of_a_frame_is_there_when_the_frame_is) {
   EXPECT_EQ(field.panel(1).rgb, pictures_[1].rgb);
 }
 
-TEST_F(RunningRenderTest, render_that_was_stopped_is_resumed_as_its_user_would) {
+TEST_F(RunningRenderTest, render_that_was_stopped_is_resumed_by_the_command_that_was_given) {
   folder_.reset();
-  RunningRender render(dir_.path(), tool_that("echo 'no such scene' >&2; exit 1"));
+  RunningRender render(dir_.path(), {tool_that("echo 'no such scene' >&2; exit 1"), {"render", "a b/job.toml", "--resume"}});
   EXPECT_EQ(render.state_after(0)["state"], "stopped");
   EXPECT_THROW(render.stop(), Error);
   render.resume();
@@ -91,12 +91,12 @@ TEST_F(RunningRenderTest, render_that_was_stopped_is_resumed_as_its_user_would) 
   std::ifstream words(dir_ / "words");
   std::string line;
   std::getline(words, line);
-  EXPECT_EQ(line, "render " + (dir_ / "job.toml").string() + " --resume -o " + dir_.path().string() + " --quiet");
+  EXPECT_EQ(line, "render a b/job.toml --resume");
 }
 
 TEST_F(RunningRenderTest, resumed_render_is_stopped_while_it_is_set_up) {
   folder_.reset();
-  RunningRender render(dir_.path(), tool_that("exec sleep 60"));
+  RunningRender render(dir_.path(), {tool_that("exec sleep 60"), {}});
   render.resume();
   EXPECT_EQ(render.state_after(0)["state"], "starting");
   EXPECT_THROW(render.resume(), Error);
@@ -105,7 +105,7 @@ TEST_F(RunningRenderTest, resumed_render_is_stopped_while_it_is_set_up) {
 }
 
 TEST_F(RunningRenderTest, one_that_runs_is_not_started_again_and_a_changed_job_is_not_started) {
-  RunningRender render(dir_.path(), "/bin/false");
+  RunningRender render(dir_.path(), {"/bin/false", {}});
   EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("a render is under way"));
   folder_.reset();
   std::ofstream(dir_ / "job.toml") << "scene = \"teapot\"\n";
@@ -122,7 +122,7 @@ TEST_F(RunningRenderTest, folders_of_finished_renders_and_others_are_none) {
 }
 
 TEST_F(RunningRenderTest, only_the_page_itself_with_its_token_gives_orders) {
-  auto render = std::make_shared<RunningRender>(dir_.path(), "/bin/false");
+  auto render = std::make_shared<RunningRender>(dir_.path(), ToolCommand{"/bin/false", {}});
   folder_.reset();
   PageAnswers answers(std::make_unique<PageField>(dir_.path(), render, Context()), render, {{"127.0.0.1:1"}, "secret"});
   PageRequest request{.method = "POST", .path = "/secret/run/stop", .host = "127.0.0.1:1", .origin = "http://127.0.0.1:1"};

@@ -14,6 +14,8 @@ namespace lippmann {
 using Vec2f = glm::vec2;
 using Vec3f = glm::vec3;
 using Vec4f = glm::vec4;
+using Vec2d = glm::dvec2;
+using Vec3d = glm::dvec3;
 using Vec2i = glm::ivec2;
 using Mat3f = glm::mat3;  ///< columns
 using Quatf = glm::quat;  ///< constructor order (w, x, y, z)

@@ -15,8 +15,6 @@
 
 namespace lippmann {
 
-using Vec2d = glm::dvec2;
-
 enum class DisplayKind { kSlantedPanel, kLenticularSheet, kMicrolensArray };
 
 /// The quilt that a display wants: views side by side in one picture.
@@ -92,7 +90,7 @@ struct Display {
 /// How far the viewer stands: as given, or (height / 2) / tan(7 degrees).
 double viewing_distance_mm(const Display& display);
 
-/// The model of a slanted panel for a viewer at that distance. Panel: 3 W x H, pixel_pitch_mm = pixel_mm() / 3.
+/// The model of a slanted panel for a viewer at that distance. Its Optics::panel is W x H pixels of pixel_mm().
 SlantedPanel slanted_panel(const Display& display, double distance_mm);
 
 /// The rays of the display's own pixels, for its viewer. (Of a sheet or an array: lenses whose cells converge to the viewer;

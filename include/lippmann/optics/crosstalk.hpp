@@ -13,8 +13,6 @@
 
 namespace lippmann {
 
-using Vec2d = glm::dvec2;
-
 inline constexpr double kMaxBlurPx = 8.0;
 
 /// Which pixel of one axis counts how much.

@@ -10,9 +10,6 @@
 
 namespace lippmann {
 
-using Vec2d = glm::dvec2;
-using Vec3d = glm::dvec3;
-
 struct Viewer {
   Vec2d slope_at_centre{0.0};
   double vergence = 0.0;  ///< 1 / distance, per mm

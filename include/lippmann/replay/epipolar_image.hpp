@@ -13,11 +13,11 @@ namespace lippmann {
 
 /// The image of row `row` (of the lens grid, from the top): a column for each lens of it, a row for each eye, of
 /// view_counts(optics).x equally far apart, the leftmost on top. With whole pixels below a lens these are the panel's own
-/// pixels. Throws Error (usage, --epi) for a row that the display does not have.
+/// pixels. Throws a usage Error naming `epi` for a row that the display does not have.
 Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter);
 
 /// Likewise of a column: a row of the picture for each lens, a column for each eye, the lowest on the left.
-/// Throws Error (usage, --epi-column), also where the display has no vertical parallax.
+/// Throws a usage Error naming `epi-column`, also where the display has no vertical parallax.
 Image epipolar_column(const RenderedPanel& rendered, int column, SampleFilter filter);
 
 }  // namespace lippmann

@@ -50,4 +50,7 @@ Optics optics_of_cameras(const LightField& field, const std::string& where);
 /// over an angle (40 degrees unless hints), or by a grid of cameras (10 degrees across).
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg);
 
+/// The model of these optics.
+MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg);
+
 }  // namespace lippmann

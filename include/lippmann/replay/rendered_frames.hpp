@@ -28,8 +28,8 @@ std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& in);
 /// optics' panel.
 Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::path& file);
 
-/// Integer samples are sRGB codes, float samples linear; what is not finite becomes 0. Throws
-/// likewise.
+/// The same in linear light: integer samples are taken for sRGB codes, float samples are linear; what is not finite becomes 0.
+/// `index`: of frames.files. Throws Error as read_panel_picture does.
 RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index);
 
 /// What a frame is called in names of files made from it: its number, or a picture's whole name.

@@ -12,8 +12,8 @@
 namespace lippmann {
 
 struct LoadOptions {
-  std::optional<std::filesystem::path> camera_path;  ///< a Tachyon .cam file, for .dat scenes only
-  double frames_per_second = 0.0;                    ///< 0: the format's default
+  std::optional<std::filesystem::path> camera_path{};  ///< a Tachyon .cam file, for .dat scenes only
+  double frames_per_second = 0.0;                      ///< 0: the format's default
   std::filesystem::path asset_root{};  ///< the files that a scene names may lie below it; empty: in the scene's folder only
   std::string animation{};             ///< name or index of the one to show, of files that hold several; empty: the first
   /// Decoded textures of glTF and OBJ files take so much at most, 4 bytes a texel: the largest are halved until they do, which

@@ -70,16 +70,22 @@ void add_shaft(SceneBuilder& scene, int parent, Vec3f center, float back, float 
 }
 
 /// A raised band on a gear's face and screws of blued steel along another circle.
-void add_trim(SceneBuilder& scene, int node, float face, float band_radius, float screw_radius, int screws, int band_metal,
-              const Metals& metals) {
+struct Trim {
+  float face;  ///< z of the face
+  float band_radius, screw_radius;
+  int screws;
+  int band_metal;
+};
+
+void add_trim(SceneBuilder& scene, int node, const Trim& trim, const Metals& metals) {
   Mesh band;
-  const Affine3f facing_z{glm::mat3_cast(glm::angleAxis(radians(90.0f), Vec3f(1, 0, 0))), {0.0f, 0.0f, face}};
-  append(band, torus(band_radius, 0.35f, 160, 16), facing_z);
-  scene.show("band", std::move(band), band_metal, node);
+  const Affine3f facing_z{glm::mat3_cast(glm::angleAxis(radians(90.0f), Vec3f(1, 0, 0))), {0.0f, 0.0f, trim.face}};
+  append(band, torus(trim.band_radius, 0.35f, 160, 16), facing_z);
+  scene.show("band", std::move(band), trim.band_metal, node);
   Spheres heads;
-  for (int i = 0; i < screws; ++i) {
-    const float angle = 2.0f * kPi * (static_cast<float>(i) + 0.5f) / static_cast<float>(screws);
-    heads.push_back({{screw_radius * std::cos(angle), screw_radius * std::sin(angle), face - 0.45f}, 0.95f});
+  for (int i = 0; i < trim.screws; ++i) {
+    const float angle = 2.0f * kPi * (static_cast<float>(i) + 0.5f) / static_cast<float>(trim.screws);
+    heads.push_back({{trim.screw_radius * std::cos(angle), trim.screw_radius * std::sin(angle), trim.face - 0.45f}, 0.95f});
   }
   scene.show("screws", std::move(heads), metals.blued, node);
 }
@@ -91,7 +97,7 @@ void add_planetary_set(SceneBuilder& scene, const Gear& ring, const Metals& meta
   const float ring_node_angle = ring.angle;
   const int ring_node = add_turning_node(scene, "ring", -1, ring.center, kRingTurns, ring_node_angle);
   scene.show("ring", ring_gear_mesh(kRingInside, kRingOutside, blank), metals.brass, ring_node);
-  add_trim(scene, ring_node, 0.5f * blank.thickness, 19.9f, 21.4f, 16, metals.gold, metals);
+  add_trim(scene, ring_node, {0.5f * blank.thickness, 19.9f, 21.4f, 16, metals.gold}, metals);
 
   // The planet on the line of centres along +x is set by the ring; the sun by that planet; the other planets by the sun.
   const float planet_angle = static_cast<float>(kRingInside) / kPlanet * ring.angle;
@@ -151,7 +157,7 @@ Scene build_gears() {
              left = beside(ring, 12, radians(121.0f));
   add_gear(scene, upper, wheel, metals.steel);
   const int lower_node = add_gear(scene, lower, pinion, metals.bronze);
-  add_trim(scene, lower_node, 0.5f * pinion.thickness, 5.6f, 4.0f, 6, metals.gold, metals);
+  add_trim(scene, lower_node, {0.5f * pinion.thickness, 5.6f, 4.0f, 6, metals.gold}, metals);
   add_gear(scene, left, pinion, metals.gold);
 
   // In front: a pinion on the upper shaft and its partner. Behind: a great wheel on the same shaft, and what it drives.

@@ -45,13 +45,15 @@ struct PackedView {
 /// Holds: every index in `model` refers to something that exists, every buffer view lies within its buffer, every accessor
 /// within its buffer views. `model` has neither buffers nor images; they are here.
 struct Document {
-  Document(SideFolders side_folders, const std::filesystem::path& path, const Context& context, const GltfLimits& file_limits)
-      : folders(std::move(side_folders)),
+  Document(const std::filesystem::path& path, const LoadOptions& options, const Context& context, const GltfLimits& file_limits)
+      : folders{path.parent_path(), options.asset_root},
+        texture_bytes(options.texture_bytes),
         limits(file_limits),
         report(path.string(), context),
         unpacked(limits.unpacked_bytes) {}
 
   SideFolders folders;
+  std::uint64_t texture_bytes;  ///< as LoadOptions has it
   GltfLimits limits;
   Report report;
   Budget unpacked;

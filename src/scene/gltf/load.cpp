@@ -130,13 +130,12 @@ void refuse_infinite_transforms(const Document& document, const NodeMap& nodes, 
 }  // namespace
 }  // namespace gltf
 
-Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, double frames_per_second,
-                 const Context& context, const GltfLimits& limits, const std::string& animation,
-                 const std::filesystem::path& asset_root, const std::string& variant) {
-  if (!(frames_per_second >= 0.0) || !std::isfinite(frames_per_second))
-    throw usage_error("frames per second", fmt::format("is {}", frames_per_second),
+Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, const LoadOptions& options,
+                 const Context& context, const GltfLimits& limits) {
+  if (!(options.frames_per_second >= 0.0) || !std::isfinite(options.frames_per_second))
+    throw usage_error("frames per second", fmt::format("is {}", options.frames_per_second),
                       "a number above 0, or 0: as the keys have it");
-  gltf::Document document({path.parent_path(), asset_root}, path, context, limits);
+  gltf::Document document(path, options, context, limits);
   gltf::read_document(std::move(contents), document);
 
   Scene scene;
@@ -144,19 +143,18 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   const gltf::NodeMap nodes = gltf::read_nodes(document, scene);
   gltf::refuse_infinite_transforms(document, nodes, scene);
   scene.variant_names = gltf::variant_names(document);
-  gltf::InstanceReader(document, nodes, gltf::choose_variant(scene.variant_names, variant), scene).read();
+  gltf::InstanceReader(document, nodes, gltf::choose_variant(scene.variant_names, options.variant), scene).read();
   gltf::read_lights(document, nodes, scene);
   gltf::read_ies_lights(document, nodes, scene);
   gltf::read_cameras(document, nodes, scene);
-  gltf::read_animation(document, nodes, animation, frames_per_second, scene);
+  gltf::read_animation(document, nodes, options.animation, options.frames_per_second, scene);
   return scene;
 }
 
-Scene load_gltf(const std::filesystem::path& path, double frames_per_second, const Context& context, const GltfLimits& limits,
-                const std::string& animation, const std::filesystem::path& asset_root, const std::string& variant) {
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options, const Context& context,
+                const GltfLimits& limits) {
   const gltf::Report report(path.string(), context);
-  return parse_gltf(gltf::read_file(path, limits.file_bytes, {}, report), path, frames_per_second, context, limits, animation,
-                    asset_root, variant);
+  return parse_gltf(gltf::read_file(path, limits.file_bytes, {}, report), path, options, context, limits);
 }
 
 }  // namespace lippmann

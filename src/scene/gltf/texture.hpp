@@ -15,7 +15,7 @@ namespace lippmann::gltf {
 class TextureReader {
  public:
   TextureReader(Document& document, Scene& scene)
-      : document_(document), scene_(scene), pending_({document.limits.texture_side, document.limits.texture_bytes}) {}
+      : document_(document), scene_(scene), pending_({document.limits.texture_side, document.texture_bytes}) {}
 
   /// The index in scene.textures of a texture of the file, which has no texels yet. -1, with a warning, where it has no image
   /// that is supported. srgb: its colours are encoded; false for data.

@@ -5,7 +5,6 @@
 namespace lippmann::nff {
 
 void add_cone(Mesh& mesh, Vec3f base, float base_radius, Vec3f apex, float apex_radius) {
-  using Vec3d = glm::dvec3;
   const Vec3d axis = Vec3d(apex) - Vec3d(base);
   const double length = glm::length(axis);
   const Vec3d w = axis / length, a = glm::abs(w);

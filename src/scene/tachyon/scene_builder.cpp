@@ -10,8 +10,6 @@
 namespace lippmann::tachyon {
 namespace {
 
-using Vec3d = glm::dvec3;
-
 std::uint32_t next_index(const Mesh& mesh) { return static_cast<std::uint32_t>(mesh.positions.size()); }
 
 /// Mirroring turns triangles inside out; exchanging two corners turns them back.

@@ -115,7 +115,7 @@ TEST(GltfContainer, more_objects_than_the_limit_are_an_error) {
 }
 
 TEST(GltfContainer, missing_file_is_an_error) {
-  EXPECT_EQ(error_message([] { load_gltf("/nowhere/a.glb", 25.0, Context{}); }), "/nowhere/a.glb: the file does not exist");
+  EXPECT_EQ(error_message([] { load_gltf("/nowhere/a.glb", {}, Context{}); }), "/nowhere/a.glb: the file does not exist");
 }
 
 TEST(GltfContainer, file_beyond_the_limit_is_not_read) {
@@ -123,7 +123,7 @@ TEST(GltfContainer, file_beyond_the_limit_is_not_read) {
   std::ofstream(folder / "a.gltf") << std::string(100, ' ');
   GltfLimits limits;
   limits.file_bytes = 99;
-  EXPECT_THAT(error_message([&] { load_gltf(folder / "a.gltf", 25.0, Context{}, limits); }),
+  EXPECT_THAT(error_message([&] { load_gltf(folder / "a.gltf", {}, Context{}, limits); }),
               HasSubstr("the file has 100 bytes; accepted: at most 99 bytes"));
 }
 
@@ -139,7 +139,7 @@ TEST(GltfContainer, load_scene_reads_a_glb_file_without_keys_at_30_frames_a_seco
 }
 
 TEST(GltfContainer, frame_rate_below_zero_is_wrong_usage) {
-  EXPECT_EQ(error_message([] { parse_gltf({}, "a.glb", -1.0, Context{}); }),
+  EXPECT_EQ(error_message([] { parse_gltf({}, "a.glb", {.frames_per_second = -1.0}, Context{}); }),
             "frames per second: is -1; accepted: a number above 0, or 0: as the keys have it");
 }
 

@@ -222,7 +222,7 @@ class GltfFolder : public testing::Test {
   std::string message_with_uri(const std::string& uri) const {
     Json root = triangle_.document();
     root["buffers"][0]["uri"] = uri;
-    return error_message([&] { parse_gltf(test::contents_of(root.dump()), scene_ / "a.gltf", 25.0, Context{}); });
+    return error_message([&] { parse_gltf(test::contents_of(root.dump()), scene_ / "a.gltf", {}, Context{}); });
   }
 
   static GltfBuilder one_triangle() {

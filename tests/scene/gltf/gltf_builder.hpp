@@ -108,14 +108,18 @@ inline Contents contents_of(const std::string& text) {
   return contents;
 }
 
+inline LoadOptions at_25_frames_a_second() { return {.frames_per_second = 25.0}; }
+
 /// Reads contents as "a.glb" at 25 frames a second; collects what is warned about.
-inline Scene parse(const Contents& contents, std::vector<std::string>* warnings = nullptr, const GltfLimits& limits = {}) {
+inline Scene parse(const Contents& contents, std::vector<std::string>* warnings = nullptr, const GltfLimits& limits = {},
+                   const LoadOptions& options = at_25_frames_a_second()) {
   Context context;
   if (warnings) context.warn = [warnings](std::string_view text) { warnings->emplace_back(text); };
-  return parse_gltf(contents, "a.glb", 25.0, context, limits);
+  return parse_gltf(contents, "a.glb", options, context, limits);
 }
-inline Scene parse(const GltfBuilder& builder, std::vector<std::string>* warnings = nullptr, const GltfLimits& limits = {}) {
-  return parse(builder.glb(), warnings, limits);
+inline Scene parse(const GltfBuilder& builder, std::vector<std::string>* warnings = nullptr, const GltfLimits& limits = {},
+                   const LoadOptions& options = at_25_frames_a_second()) {
+  return parse(builder.glb(), warnings, limits, options);
 }
 
 /// Reads a document whose only mesh is shown by its only node.

@@ -147,7 +147,7 @@ GltfBuilder with_variants() {
 }
 
 int shown_material(const GltfBuilder& b, const std::string& variant) {
-  return parse_gltf(b.glb(), "a.glb", 25.0, Context(), {}, {}, {}, variant).instances.at(0).material;
+  return parse_gltf(b.glb(), "a.glb", {.variant = variant}, Context()).instances.at(0).material;
 }
 
 TEST(GltfVariants, are_chosen_by_name_or_index) {

@@ -359,10 +359,8 @@ TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_halved)
   b.add("images", b.root["images"][0]);
   b.add("textures", {{"source", 1}});
   b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
-  GltfLimits limits;
-  limits.texture_bytes = 31;  // one takes 16
   std::vector<std::string> warnings;
-  const Scene scene = parse(b, &warnings, limits);
+  const Scene scene = parse(b, &warnings, {}, {.texture_bytes = 31});  // one takes 16
   ASSERT_EQ(scene.textures.size(), 2u);
   EXPECT_EQ(scene.textures[0].rgba.size(), 16u);
   EXPECT_EQ(scene.textures[1].rgba.size(), 4u);
@@ -370,9 +368,7 @@ TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_halved)
 }
 
 TEST(GltfTexture, image_that_alone_is_beyond_the_limit_is_refused_before_it_is_decoded) {
-  GltfLimits limits;
-  limits.texture_bytes = 15;
-  EXPECT_EQ(error_message([&] { parse(textured(four_colours()), nullptr, limits); }),
+  EXPECT_EQ(error_message([&] { parse(textured(four_colours()), nullptr, {}, {.texture_bytes = 15}); }),
             "a.glb: images[0]: has 2 x 2 pixels, which take too much memory; accepted: at most 0 MB at 4 bytes a pixel "
             "(texture-memory)");
 }

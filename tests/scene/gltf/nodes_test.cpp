@@ -440,13 +440,13 @@ GltfBuilder walk_and_run() {
 }
 
 int frames_of(const GltfBuilder& b, const std::string& animation) {
-  return parse_gltf(b.glb(), "a.glb", 25.0, Context{}, {}, animation).timeline.frame_count;
+  return parse_gltf(b.glb(), "a.glb", {.frames_per_second = 25.0, .animation = animation}, Context{}).timeline.frame_count;
 }
 
 /// The timeline of a file with keys at these times, where no rate is given.
 Timeline timeline_of_keys(const std::vector<float>& times) {
   const GltfBuilder b = animated<Vec3f>("translation", "LINEAR", times, std::vector<Vec3f>(times.size(), Vec3f(0.0f)));
-  return parse_gltf(b.glb(), "a.glb", 0.0, Context{}).timeline;
+  return parse_gltf(b.glb(), "a.glb", {}, Context{}).timeline;
 }
 
 std::vector<float> every(int step, double rate, int last) {
