@@ -18,6 +18,7 @@ struct Submission {
   int threads = 1;                  ///< each task's
   std::optional<int> minutes = {};  ///< a task's limit; none: the scheduler's
   std::optional<std::uint64_t> memory_bytes = {};  ///< the same
+  std::optional<std::uint64_t> finish_memory_bytes = {};  ///< the finishing task's, where it needs more: it joins strips
   std::string partition = {};                      ///< where Slurm is to run it; empty: its default
 };
 
