@@ -35,7 +35,8 @@ void print_text(const std::string& folder, const FolderCheck& check) {
   for (const auto& [frame, strips] : check.strips_left)
     fmt::print("not rendered yet: strips {} of frame {}\n", write_frames(ranges_of(strips)), frame);
   if (!check.joinable.empty())
-    fmt::print("not joined yet: the strips of frames {} ('lippmann finish' does it)\n", write_frames(ranges_of(check.joinable)));
+    fmt::print("not joined yet: the strips of frames {} ('lippmann finish' does it)\n",
+               write_frames(ranges_of(check.joinable)));
   fmt::print("{}: {} files, {} frame{}; {} damaged, {} missing, {} foreign\n", folder, check.files, check.frames,
              check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
 }

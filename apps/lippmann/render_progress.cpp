@@ -37,9 +37,9 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   const std::string each = plan.pictures_per_frame > 1 ? count_of(plan.pictures_per_frame, "picture") + ", each of " : "";
   const std::string kept = plan.kept > 0 ? fmt::format(" ({} more are there already)", plan.kept) : "";
   const std::string folder = plan.folder.empty() ? "." : plan.folder.string();
-  const std::string what =
-      plan.strips > 0 ? fmt::format("{}{} of {}", count_of(wanted, "strip"), kept, count_of(static_cast<int>(plan.frames.size()), "frame"))
-                      : count_of(wanted, "frame") + kept;
+  const std::string what = plan.strips > 0 ? fmt::format("{}{} of {}", count_of(wanted, "strip"), kept,
+                                                         count_of(static_cast<int>(plan.frames.size()), "frame"))
+                                           : count_of(wanted, "frame") + kept;
   return fmt::format("{} of {}{} to {}; all files: about {} (an estimate)", what, each, size, folder, bytes_text(bytes));
 }
 

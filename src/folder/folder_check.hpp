@@ -16,9 +16,9 @@ std::vector<std::string> foreign_files(const std::filesystem::path& folder, cons
 
 /// What a folder's journal says was finished, and what of it is still so.
 struct FolderCheck {
-  int frames = 0;                    ///< finished
-  std::size_t files = 0;             ///< how many these frames and strips of others have, with job.toml, report.json and videos
-  std::vector<int> unfinished;       ///< frames that were asked for and have not been rendered
+  int frames = 0;               ///< finished
+  std::size_t files = 0;        ///< how many these frames and strips of others have, with job.toml, report.json and videos
+  std::vector<int> unfinished;  ///< frames that were asked for and have not been rendered
   /// Of frames that some strips are there of, the others, from 0 at the top.
   std::map<int, std::vector<int>> strips_left;
   std::vector<int> joinable;         ///< frames that are not there as they were written, and all of whose strips are

@@ -119,7 +119,8 @@ void read_strip(const Json& json, FolderJournal& journal) {
   if (files.size() != 1 || files.begin()->first != strip_name(report.frame, strip))
     throw LineProblem("names other files than its strip's");
   JournalStrips& strips = journal.strips[report.frame];
-  if (!strips.finished.empty() && strips.count != count) throw LineProblem("says another number of strips than lines before it");
+  if (!strips.finished.empty() && strips.count != count)
+    throw LineProblem("says another number of strips than lines before it");
   strips.count = count;
   strips.finished[strip] = {report, std::move(files)};
 }

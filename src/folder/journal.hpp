@@ -7,7 +7,8 @@
 //   {"job": "..."}                                          the first line: job_fingerprint()
 //   {"asked": "0-3"}                                        the run is to render these frames
 //   {"frame": 2, ..., "files": {"frame_0002.png": {...}}}   a frame is finished: its figures, its files
-//   {"strip": 3, "strips": 8, "frame": 2, ..., "files": {...}}  a strip of a frame is finished, of so many: its figures, its file
+//   {"strip": 3, "strips": 8, "frame": 2, ..., "files": {...}}  a strip of a frame is finished, of so many: its figures, its
+//   file
 //   {"written": "report.json", "bytes": ..., "xxh3": "..."} another file is about to be put in place, with these bytes
 //   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}  a video is in place, by its path from the folder; without
 //                                                           a checksum: is about to be
@@ -52,7 +53,7 @@ struct FrameStrip {
 };
 
 struct JournalStrips {
-  int count = 1;                        ///< that the frame has
+  int count = 1;                         ///< that the frame has
   std::map<int, JournalFrame> finished;  ///< by strip; of several lines for a strip the last one counts
 };
 
@@ -63,21 +64,21 @@ struct JournalVideo {
 
 /// What a run did and took beside the figures of its frames.
 struct RunReport {
-  std::string host = {};         ///< the machine's name
-  std::string unit = {};         ///< such as 7/200; empty: all frames
-  std::vector<int> frames = {};  ///< that it rendered, ascending
+  std::string host = {};                        ///< the machine's name
+  std::string unit = {};                        ///< such as 7/200; empty: all frames
+  std::vector<int> frames = {};                 ///< that it rendered, ascending
   std::map<int, std::vector<int>> strips = {};  ///< that it rendered, by frame, ascending
-  double setup_seconds = 0.0;    ///< wall time before the first frame: loading, building
-  double write_seconds = 0.0;    ///< time that files took to encode and write, summed over threads; beside rendering
+  double setup_seconds = 0.0;                   ///< wall time before the first frame: loading, building
+  double write_seconds = 0.0;  ///< time that files took to encode and write, summed over threads; beside rendering
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
   std::vector<FrameReport> sources = {};  ///< rendered only because frames are made from them; ascending
 };
 
 struct FolderJournal {
-  std::string job;                     ///< whose render it is
-  std::vector<int> asked;              ///< the frames that runs of the job were to render, each once, ascending
-  std::map<int, JournalFrame> frames;  ///< finished; of several lines for a frame the last one counts
+  std::string job;                      ///< whose render it is
+  std::vector<int> asked;               ///< the frames that runs of the job were to render, each once, ascending
+  std::map<int, JournalFrame> frames;   ///< finished; of several lines for a frame the last one counts
   std::map<int, JournalStrips> strips;  ///< by frame; their files are gone once the frame is finished
   std::map<std::string, std::vector<FileChecksum>> files;  ///< job.toml, report.json: as runs have written them
   std::map<std::string, JournalVideo> videos;              ///< by path relative to the folder

@@ -66,9 +66,9 @@ RenderedFrame StripMaker::make(int frame, int strip) {
 void check_strips(const FrameParams& params, const Optics& optics, int strips) {
   const int most = most_strips(optics), together = rows_per_strip(optics);
   if (strips > most)
-    throw usage_error(kStrips, fmt::format("{} are too many for {} rows, of which {} stay together", strips,
-                                           film_size(optics).y, together),
-                      fmt::format("1 to {}", most));
+    throw usage_error(
+        kStrips, fmt::format("{} are too many for {} rows, of which {} stay together", strips, film_size(optics).y, together),
+        fmt::format("1 to {}", most));
   const Reuse reuse = resolved_reuse(params);
   if (std::holds_alternative<Interpolate>(reuse))
     throw usage_error(kStrips, "are made alone, and interpolated frames are made from all of others",
@@ -85,7 +85,8 @@ FrameReport report_of_strips(const std::vector<FrameReport>& strips, const std::
     add_costs(strips[i], frame);
     if (strips[i].kind == "shared") frame.kind = strips[i].kind;
   }
-  for (const auto psnr_db : {&FrameReport::estimated_psnr_db, &FrameReport::psnr_at_least_db, &FrameReport::estimated_block_psnr_db})
+  for (const auto psnr_db :
+       {&FrameReport::estimated_psnr_db, &FrameReport::psnr_at_least_db, &FrameReport::estimated_block_psnr_db})
     frame.*psnr_db = psnr_of_all(strips, rows, psnr_db);
   return frame;
 }

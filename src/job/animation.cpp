@@ -285,9 +285,16 @@ class Animation {
   void join_frames(FrameMaker& maker, RenderFolder& folder, RenderReport& report) {
     FrameSink sink(sink_settings(maker, {}), folder);
     FrameSteps steps = frame_steps(maker, sink, report);
-    steps.make = [&](int frame) { return join_frame(frame, sink, report); };
+    steps.make = [&](int frame) { return !has_strips(folder.now(), frame) || join_frame(frame, sink, report); };
     take_frames(frames_, folder, steps);
+    note_precompensation(sink, report);
     std::erase_if(report.strips, [&](const FrameReport& strip) { return is_reported(strip.frame, report); });
+  }
+
+  /// Not those of a rank that was stopped.
+  bool has_strips(const FolderJournal& journal, int frame) const {
+    const auto strips = journal.strips.find(frame);
+    return strips != journal.strips.end() && static_cast<int>(strips->second.finished.size()) == params_.strips;
   }
 
   bool join_frame(int frame, FrameSink& sink, RenderReport& report) {
@@ -344,7 +351,8 @@ class Animation {
 
   void check_memory() const {
     if (is_cut()) require_memory_for_strips(params_, bytes_kept_per_pixel(made_as_), optics());
-    if (is_cut() && !leaves_strips()) require_memory(params_, 0.0, optics(), layout_.moves(), 1);
+    const bool joins = is_cut() && (!leaves_strips() || (run_.ranks && is_first_rank()));
+    if (joins) require_memory(params_, 0.0, optics(), layout_.moves(), 1);
     if (!is_cut())
       require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
                      std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
@@ -398,10 +406,14 @@ class Animation {
       make_parts(parts_, maker, sink, folder, report);
     report.run.sources = maker.sources();
     sink.wait();
+    note_precompensation(sink, report);
+    report.interrupted = context_.cancelled || (!run_.ranks && !leaves_strips() && report.frames.size() < frames_.size());
+  }
+
+  static void note_precompensation(const FrameSink& sink, RenderReport& report) {
     for (FrameReport& frame : report.frames)
       if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
         frame.precompensation = done->second;
-    report.interrupted = context_.cancelled || (!run_.ranks && !leaves_strips() && report.frames.size() < frames_.size());
   }
 
   /// Units that are not taken yet, one after the other, until there are no more.
@@ -474,8 +486,8 @@ class Animation {
   std::vector<VideoFile> videos_;
   fs::path folder_;
   StrippedFrames* strips_ = nullptr;  ///< the maker of frames that are cut
-  std::mutex mutex_;              ///< what follows
-  std::map<int, WorkDone> done_;  ///< by this rank, to be told to the first
+  std::mutex mutex_;                  ///< what follows
+  std::map<int, WorkDone> done_;      ///< by this rank, to be told to the first
 };
 
 }  // namespace

@@ -53,7 +53,8 @@ bool is_finished_part(int part, int count, RenderFolder& folder, const FolderJou
 /// Parts in order, until one is stopped.
 void take_strips(const std::vector<int>& parts, RenderFolder& folder, const StripSteps& steps);
 
-/// Figures of the strips of a frame, from the top. Throws Error naming the first that is not finished, or not as it was written.
+/// Figures of the strips of a frame, from the top. Throws Error naming the first that is not finished, or not as it was
+/// written.
 std::vector<FrameReport> finished_strips(const RenderFolder& folder, int frame, int count);
 
 }  // namespace lippmann

@@ -52,8 +52,9 @@ void require_memory_for_strips(const RenderParams& params, double bytes_kept_per
   const double pixels = pixels_of(film_size(optics)) / params.strips, available = memory_of_this_machine();
   const double needed = pixels * (kCopies * (kFilmBytes + layer_bytes_per_pixel(params)) + bytes_kept_per_pixel);
   if (needed > available)
-    throw Error("strips", fmt::format("{} of {}x{} pixels need {:.1f} GB of memory each, this machine has {:.1f} GB",
-                                      params.strips, optics.panel.width, optics.panel.height, needed * 1e-9, available * 1e-9),
+    throw Error("strips",
+                fmt::format("{} of {}x{} pixels need {:.1f} GB of memory each, this machine has {:.1f} GB", params.strips,
+                            optics.panel.width, optics.panel.height, needed * 1e-9, available * 1e-9),
                 "more of them");
 }
 

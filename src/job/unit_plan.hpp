@@ -14,14 +14,15 @@ namespace lippmann {
 struct PlannedUnit {
   std::vector<int> frames;
   std::map<int, std::vector<int>> strips = {};  ///< by frame; empty: these are rendered whole
-  std::optional<double> cpu_seconds = {};  ///< about; none: nothing was measured
+  std::optional<double> cpu_seconds = {};       ///< about; none: nothing was measured
 };
 
 struct UnitPlan {
   int segment = 1;  ///< frames_per_segment
   std::vector<PlannedUnit> units;
   std::optional<FrameCosts> costs = {};
-  std::optional<double> join_bytes = {};  ///< the memory that joining a frame from strips takes, about; none: not known, or none is
+  std::optional<double> join_bytes =
+      {};  ///< the memory that joining a frame from strips takes, about; none: not known, or none is
 };
 
 /// `count` units or as many as there are segments. With `measure`, frames are rendered into a folder that is thrown away

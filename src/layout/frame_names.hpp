@@ -33,8 +33,8 @@ std::string strip_name(int frame, int strip);
 /// Whether a file is called as strips are.
 bool is_strip_name(const std::string& name);
 
-/// The frame that a file of this name, relative to a render's folder, belongs to: a picture, a strip of one, a layer, a side file, a file of a
-/// format's folder; none if no render writes files of such a name.
+/// The frame that a file of this name, relative to a render's folder, belongs to: a picture, a strip of one, a layer, a side
+/// file, a file of a format's folder; none if no render writes files of such a name.
 std::optional<int> frame_of_file(const std::string& name);
 
 /// Whether its ending is that of a kind of picture files that the tool reads; letters of either case.

@@ -43,7 +43,8 @@ TEST(Units, finish_names_what_is_missing_and_the_command_that_it_prints_renders_
 TEST(Units, plan_says_why_a_job_is_one_unit) {
   const TempDir dir;
   const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--units", "4", "--only-list"};
-  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "3"}).out, HasSubstr("One frame is one unit, unless it is rendered in strips (--strips).\n"));
+  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "3"}).out,
+              HasSubstr("One frame is one unit, unless it is rendered in strips (--strips).\n"));
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-3", "--integrator", "path"}).out,
               HasSubstr("All frames are made together: the job is one unit.\n"));
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-1"}).out, HasSubstr("The job falls into 2 units at most.\n"));

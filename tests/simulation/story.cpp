@@ -72,7 +72,10 @@ std::string picture_bytes(const std::string& name) {
 class Teller {
  public:
   explicit Teller(std::uint64_t seed)
-      : shares_a_name_(seed % 5 == 4), strips_(seed % 3 == 2 ? 2 + static_cast<int>(seed / 3 % 3) : 1), world_(seed, kMachines, shares_a_name_), random_(world_.random) {
+      : shares_a_name_(seed % 5 == 4),
+        strips_(seed % 3 == 2 ? 2 + static_cast<int>(seed / 3 % 3) : 1),
+        world_(seed, kMachines, shares_a_name_),
+        random_(world_.random) {
     kind_ = static_cast<Kind>(random_.below(3));
     const int first = static_cast<int>(random_.below(2));
     frames_ = frames_of({{{first, first + static_cast<int>(random_.below(random_.once_in(8) ? 7 : 4)), 1}}});
@@ -431,7 +434,7 @@ class Teller {
   bool apart_ = false, has_video_ = false;
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
-  std::map<FolderFrame, std::uint64_t> finished_;  ///< and recorded; the step of the world
+  std::map<FolderFrame, std::uint64_t> finished_;       ///< and recorded; the step of the world
   std::map<FolderPart, std::uint64_t> finished_parts_;  ///< the same of strips, until their frame is finished
   std::multiset<FolderFrame> being_made_;
   std::string problem_;
