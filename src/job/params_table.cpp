@@ -11,6 +11,7 @@
 
 #include "core/suggest.hpp"
 #include "job/param_text.hpp"
+#include "layout/frame_names.hpp"
 #include "job/reuse_params.hpp"
 #include "job/scene_light.hpp"
 #include "lippmann/layout/formats.hpp"
