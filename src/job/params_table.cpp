@@ -11,9 +11,9 @@
 
 #include "core/suggest.hpp"
 #include "job/param_text.hpp"
-#include "layout/frame_names.hpp"
 #include "job/reuse_params.hpp"
 #include "job/scene_light.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "lippmann/trace/aovs.hpp"
