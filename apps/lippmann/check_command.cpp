@@ -1,10 +1,12 @@
 // `lippmann check DIR`: whether a rendered folder's files are still those that were written.
 #include <fmt/core.h>
 
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
@@ -30,8 +32,20 @@ void print_text(const std::string& folder, const FolderCheck& check) {
     for (const std::string& name : names) fmt::print("{}  {}\n", kind, printable(name));
   const std::string unfinished = write_frames(ranges_of(check.unfinished));
   if (!unfinished.empty()) fmt::print("not rendered yet: frames {}\n", unfinished);
+  for (const auto& [frame, strips] : check.strips_left)
+    fmt::print("not rendered yet: strips {} of frame {}\n", write_frames(ranges_of(strips)), frame);
+  if (!check.joinable.empty())
+    fmt::print("not joined yet: the strips of frames {} ('lippmann finish' does it)\n",
+               write_frames(ranges_of(check.joinable)));
   fmt::print("{}: {} files, {} frame{}; {} damaged, {} missing, {} foreign\n", folder, check.files, check.frames,
              check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
+}
+
+/// By frame: {"0": "2,5-7"}.
+nlohmann::ordered_json strips_json(const std::map<int, std::vector<int>>& strips) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [frame, some] : strips) json[std::to_string(frame)] = write_frames(ranges_of(some));
+  return json;
 }
 
 int run(const Options& options) {
@@ -44,6 +58,7 @@ int run(const Options& options) {
                 {"missing", check.missing},
                 {"foreign", check.foreign},
                 {"unfinished", check.unfinished},
+                {"strips_left", strips_json(check.strips_left)},
                 {"passed", check.passed()}});
   else if (options.result.wants_text())
     print_text(options.folder, check);

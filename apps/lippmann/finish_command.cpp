@@ -33,6 +33,8 @@ void print_problems(const FinishedAnimation& finished) {
     fmt::print("not taken over  {}: other bytes than were written\n", printable(file));
   for (const std::string& name : finished.check.damaged) fmt::print("damaged  {}\n", printable(name));
   for (const std::string& name : finished.check.missing) fmt::print("missing  {}\n", printable(name));
+  for (const auto& [frame, strips] : finished.check.strips_left)
+    fmt::print("not rendered yet: strips {} of frame {}\n", numbers(strips), frame);
 }
 
 void print_result(const FinishOptions& options, const FinishedAnimation& finished) {

@@ -32,15 +32,24 @@ std::string seconds_text(double seconds) {
 
 std::string most_units_text(const UnitPlan& plan) {
   if (plan.units.size() > 1) return fmt::format("The job falls into {} units at most.", plan.units.size());
-  if (plan.units.front().frames.size() == 1) return "One frame is one unit: pictures are not cut.";
+  if (plan.units.front().frames.size() == 1) return "One frame is one unit, unless it is rendered in strips (--strips).";
   return "All frames are made together: the job is one unit.";
+}
+
+/// "frames 0-3", "strips 0-1 of frame 0, 0-7 of frame 1".
+std::string parts_text(const PlannedUnit& unit) {
+  if (unit.strips.empty()) return "frames " + write_frames(ranges_of(unit.frames));
+  std::string text;
+  for (const auto& [frame, strips] : unit.strips)
+    text += fmt::format("{} {} of frame {}", text.empty() ? "strips" : ",", write_frames(ranges_of(strips)), frame);
+  return text;
 }
 
 void print_text(const PlanOptions& options, const UnitPlan& plan) {
   const int count = static_cast<int>(plan.units.size());
   for (int i = 0; i < count; ++i) {
     const PlannedUnit& unit = plan.units[static_cast<std::size_t>(i)];
-    fmt::print("{:>9}  frames {}{}\n", write_units({{i + 1}, count}), write_frames(ranges_of(unit.frames)),
+    fmt::print("{:>9}  {}{}\n", write_units({{i + 1}, count}), parts_text(unit),
                unit.cpu_seconds ? fmt::format(", about {} of CPU time", seconds_text(*unit.cpu_seconds)) : "");
   }
   if (plan.segment > 1) fmt::print("Units begin at multiples of {} frames, which are made together.\n", plan.segment);
@@ -48,8 +57,10 @@ void print_text(const PlanOptions& options, const UnitPlan& plan) {
   if (!plan.costs) return;
   double all = 0.0;
   for (const PlannedUnit& unit : plan.units) all += *unit.cpu_seconds;
-  fmt::print("About {} of CPU time in all and {} of memory each, measured on this machine with frames {}.\n", seconds_text(all),
-             bytes_text(static_cast<double>(plan.costs->peak_memory_bytes)), write_frames(ranges_of(plan.costs->frames)));
+  fmt::print("About {} of CPU time in all and {} of memory each, measured on this machine with {}frames {}.\n",
+             seconds_text(all), bytes_text(static_cast<double>(plan.costs->peak_memory_bytes)),
+             plan.units.front().strips.empty() ? "" : "strips of ", write_frames(ranges_of(plan.costs->frames)));
+  if (plan.join_bytes) fmt::print("To finish, which joins strips, takes about {} of memory.\n", bytes_text(*plan.join_bytes));
 }
 
 nlohmann::ordered_json plan_json(const UnitPlan& plan) {
@@ -58,11 +69,14 @@ nlohmann::ordered_json plan_json(const UnitPlan& plan) {
   for (int i = 0; i < count; ++i) {
     const PlannedUnit& unit = plan.units[static_cast<std::size_t>(i)];
     units.push_back({{"unit", write_units({{i + 1}, count})}, {"frames", write_frames(ranges_of(unit.frames))}});
+    for (const auto& [frame, strips] : unit.strips)
+      units.back()["strips"][std::to_string(frame)] = write_frames(ranges_of(strips));
     units.back()["cpu_seconds"] = unit.cpu_seconds ? nlohmann::ordered_json(*unit.cpu_seconds) : nullptr;
   }
   nlohmann::ordered_json json{{"segment", plan.segment}, {"units", std::move(units)}};
   json["measured_frames"] = plan.costs ? write_frames(ranges_of(plan.costs->frames)) : "";
   json["peak_memory_bytes"] = plan.costs ? nlohmann::ordered_json(plan.costs->peak_memory_bytes) : nullptr;
+  if (plan.join_bytes) json["finish_memory_bytes"] = static_cast<std::uint64_t>(*plan.join_bytes);
   return json;
 }
 

@@ -98,16 +98,23 @@ std::string first_and_last(const std::string& first, const std::string& last) {
   return first == last ? first : first + " ... " + last;
 }
 
+/// "12 frames", "3 strips".
+std::string count_of(std::size_t number, const char* thing) {
+  return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
+}
+
 /// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
 void print_summary(const RenderReport& report, const Planned& plan, const RenderOptions& options) {
   const std::string& program = options.program;
   const auto& [folder, names, picture_size, pictures_per_frame, kept] = plan;
   const std::size_t frames = report.frames.size();
   double seconds = 0.0, rays = 0.0;
-  for (const auto* some : {&report.frames, &report.run.sources})
+  for (const auto* some : {&report.frames, &report.strips, &report.run.sources})
     for (const FrameReport& frame : *some) seconds += frame.seconds, rays += static_cast<double>(frame.rays.total());
-  fmt::print("{}{} frame{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "",
-             frames, frames == 1 ? "" : "s", describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
+  const std::string made =
+      frames == 0 && !report.strips.empty() ? count_of(report.strips.size(), "strip") : count_of(frames, "frame");
+  fmt::print("{}{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "", made,
+             describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
              kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
   if (frames > 0) {
     const auto path = [&](const FrameReport& frame) { return (folder / frame_name(names, frame.frame)).string(); };

@@ -37,8 +37,10 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   const std::string each = plan.pictures_per_frame > 1 ? count_of(plan.pictures_per_frame, "picture") + ", each of " : "";
   const std::string kept = plan.kept > 0 ? fmt::format(" ({} more are there already)", plan.kept) : "";
   const std::string folder = plan.folder.empty() ? "." : plan.folder.string();
-  return fmt::format("{}{} of {}{} to {}; all files: about {} (an estimate)", count_of(wanted, "frame"), kept, each, size,
-                     folder, bytes_text(bytes));
+  const std::string what = plan.strips > 0 ? fmt::format("{}{} of {}", count_of(wanted, "strip"), kept,
+                                                         count_of(static_cast<int>(plan.frames.size()), "frame"))
+                                           : count_of(wanted, "frame") + kept;
+  return fmt::format("{} of {}{} to {}; all files: about {} (an estimate)", what, each, size, folder, bytes_text(bytes));
 }
 
 /// Where a default decides what is seen of the scene, it is printed before hours are spent on it.
@@ -55,8 +57,8 @@ void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
 RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& params, RenderProgressKind kind)
     : kind_(kind),
       interpolates_(params.reuse.choice == ReuseChoice::kInterpolate),
-      frames_(static_cast<int>(plan.frames.size())),
-      wanted_(static_cast<int>(plan.frames.size()) - plan.kept) {
+      frames_(plan.strips > 0 ? plan.strips : static_cast<int>(plan.frames.size())),
+      wanted_(frames_ - plan.kept) {
   if (kind == RenderProgressKind::kNone) return;
   const FileSizes sizes = estimated_file_sizes(plan, params);
   estimated_at_first_ = sizes.all(), video_bytes_ = sizes.videos;

@@ -43,7 +43,7 @@ class RenderProgress {
 
   RenderProgressKind kind_;
   bool interpolates_;
-  int frames_ = 0, wanted_ = 0, written_ = 0;  ///< in the plan; to be rendered now; on disk of those
+  int frames_ = 0, wanted_ = 0, written_ = 0;  ///< or strips: in the plan; to be rendered now; on disk of those
   double bytes_ = 0.0;                         ///< what written_ frames take
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
   Clock::time_point start_ = Clock::now();

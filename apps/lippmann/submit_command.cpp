@@ -71,6 +71,7 @@ Submission submission_of(const SubmitOptions& options, const Context& context) {
     submission.minutes = minutes_for(options.chunk * longest, params.threads);
     submission.memory_bytes = memory_for(plan.costs->peak_memory_bytes);
   }
+  if (plan.join_bytes) submission.finish_memory_bytes = memory_for(static_cast<std::uint64_t>(*plan.join_bytes));
   if (options.minutes) submission.minutes = options.minutes;
   if (options.memory_mb) submission.memory_bytes = std::uint64_t{1'000'000} * static_cast<std::uint64_t>(*options.memory_mb);
   return submission;

@@ -13,6 +13,7 @@
 #include "folder/folder_check.hpp"
 #include "folder/journal.hpp"
 #include "folder/render_folder.hpp"
+#include "folder/strips.hpp"
 #include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -30,7 +31,9 @@ bool is_there(const fs::path& path) {
 }
 
 /// Whether files remain that somebody may want. A render that was stopped before its first frame holds nothing.
-bool holds_anything(const FolderJournal& journal) { return !journal.frames.empty() || !journal.videos.empty(); }
+bool holds_anything(const FolderJournal& journal) {
+  return !journal.frames.empty() || !journal.strips.empty() || !journal.videos.empty();
+}
 
 /// Nothing else stands in place of what a render writes once.
 void require_regular_files(const fs::path& folder) {
@@ -107,6 +110,7 @@ bool remove_file(const fs::path& folder, const std::string& name) {
 void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) remove_file(folder, name);
+  for (const auto& [frame, strips] : journal.strips) remove_strips(folder, frame, strips.count);
   for (const auto& [name, video] : journal.videos)
     if (lies_in_folder(name) && is_as_written(folder / name, video.sums)) remove_file(folder, name);
   for (const auto& [name, sums] : journal.files)

@@ -13,7 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_of_strip(const FolderJournal& journal, int frame, const std::string& name) {
+  const auto found = journal.strips.find(frame);
+  return found != journal.strips.end() && std::any_of(found->second.finished.begin(), found->second.finished.end(),
+                                                      [&](const auto& strip) { return strip.second.files.contains(name); });
+}
+
 bool is_of_frame(const FolderJournal& journal, int frame, const std::string& name) {
+  if (is_of_strip(journal, frame, name)) return true;
   const auto found = journal.frames.find(frame);
   return found != journal.frames.end() && found->second.files.contains(name);
 }
@@ -45,6 +52,31 @@ void add_file(const std::string& name, FileState state, FolderCheck& check) {
   if (state == FileState::kDamaged) check.damaged.push_back(name);
 }
 
+void add_file(const fs::path& folder, const std::string& name, const std::vector<FileChecksum>& sums, FolderCheck& check) {
+  add_file(name, state_of(folder / name, sums), check);
+}
+
+/// Of a frame that is not there, or not as it was written. Whatever is wrong with strips of others is of no account.
+void add_strips(const fs::path& folder, int frame, const JournalStrips& strips, FolderCheck& check) {
+  const std::size_t wrong_before = check.missing.size() + check.damaged.size();
+  for (const auto& [strip, record] : strips.finished)
+    for (const auto& [name, sum] : record.files) add_file(folder, name, {sum}, check);
+  std::vector<int> left;
+  for (int strip = 0; strip < strips.count; ++strip)
+    if (!strips.finished.contains(strip)) left.push_back(strip);
+  const bool are_sound = wrong_before == check.missing.size() + check.damaged.size();
+  if (left.empty() && are_sound) check.joinable.push_back(frame);
+  if (!left.empty()) check.strips_left[frame] = std::move(left);
+}
+
+void add_strips(const fs::path& folder, const FolderJournal& journal, FolderCheck& check) {
+  for (const auto& [frame, strips] : journal.strips) {
+    const auto finished = journal.frames.find(frame);
+    if (finished != journal.frames.end() && are_as_recorded(folder, finished->second.files)) continue;
+    add_strips(folder, frame, strips, check);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> foreign_files(const fs::path& folder, const FolderJournal& journal) {
@@ -64,9 +96,10 @@ FolderCheck check_folder(const fs::path& folder) {
   FolderCheck check;
   check.frames = static_cast<int>(journal->frames.size());
   for (const auto& [frame, record] : journal->frames)
-    for (const auto& [name, sum] : record.files) add_file(name, state_of(folder / name, {sum}), check);
-  for (const auto& [name, sums] : journal->files) add_file(name, state_of(folder / name, sums), check);
-  for (const auto& [name, video] : journal->videos) add_file(name, state_of(folder / name, video.sums), check);
+    for (const auto& [name, sum] : record.files) add_file(folder, name, {sum}, check);
+  add_strips(folder, *journal, check);
+  for (const auto& [name, sums] : journal->files) add_file(folder, name, sums, check);
+  for (const auto& [name, video] : journal->videos) add_file(folder, name, video.sums, check);
   std::copy_if(journal->asked.begin(), journal->asked.end(), std::back_inserter(check.unfinished),
                [&](int frame) { return !journal->frames.contains(frame); });
   check.foreign = foreign_files(folder, *journal);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,12 @@ std::vector<std::string> foreign_files(const std::filesystem::path& folder, cons
 
 /// What a folder's journal says was finished, and what of it is still so.
 struct FolderCheck {
-  int frames = 0;                    ///< finished
-  std::size_t files = 0;             ///< how many these frames have, with job.toml, report.json and videos
-  std::vector<int> unfinished;       ///< frames that were asked for and have not been rendered
+  int frames = 0;               ///< finished
+  std::size_t files = 0;        ///< how many these frames and strips of others have, with job.toml, report.json and videos
+  std::vector<int> unfinished;  ///< frames that were asked for and have not been rendered
+  /// Of frames that some strips are there of, the others, from 0 at the top.
+  std::map<int, std::vector<int>> strips_left;
+  std::vector<int> joinable;         ///< frames that are not there as they were written, and all of whose strips are
   std::vector<std::string> missing;  ///< there is no such file
   std::vector<std::string> damaged;  ///< other bytes, or no regular file
   std::vector<std::string> foreign;  ///< see foreign_files(); what a stopped render has left of unfinished frames is not

@@ -8,6 +8,8 @@
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "folder/render_folder.hpp"
+#include "folder/strips.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -44,6 +46,22 @@ void take_over(const fs::path& from, const fs::path& to) {
   file.commit();
 }
 
+/// A frame's strips that are not there.
+void join_strips(const fs::path& other, int frame, const JournalStrips& strips, RenderFolder& folder, JoinedFolders& joined) {
+  const FolderJournal there = folder.now();
+  for (const auto& [strip, record] : strips.finished) {
+    if (find_strip(folder.path(), there, frame, strip)) continue;
+    if (!are_as_recorded(other, record.files)) {
+      joined.not_as_written.push_back((other / strip_name(frame, strip)).string());
+      continue;
+    }
+    const fs::path file = folder.path() / strip_name(frame, strip);
+    take_over(other / strip_name(frame, strip), file);
+    sync_names(folder.path(), {file});
+    folder.add_strip({frame, strip, strips.count}, record.report, record.files);
+  }
+}
+
 void join_one(const fs::path& other, RenderFolder& folder, JoinedFolders& joined) {
   const FolderJournal journal = journal_of_render(other);
   folder.begin(journal.asked);
@@ -62,6 +80,9 @@ void join_one(const fs::path& other, RenderFolder& folder, JoinedFolders& joined
     folder.add(record.report, record.files);
     joined.frames.push_back(frame);
   }
+  for (const auto& [frame, strips] : journal.strips)
+    if (!folder.find(frame) && std::find(joined.frames.begin(), joined.frames.end(), frame) == joined.frames.end())
+      join_strips(other, frame, strips, folder, joined);
   for (const RunReport& run : journal.runs) folder.end(run);
 }
 

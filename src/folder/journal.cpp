@@ -34,6 +34,14 @@ std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
 
 Json checksum_json(const FileChecksum& sum) { return {{"bytes", sum.bytes}, {"xxh3", sum.xxh3}}; }
 
+/// What both frames and strips say of themselves.
+Json finished_json(const FrameReport& report, const FileRecords& files) {
+  Json json = to_json(report);
+  json["files"] = Json::object();
+  for (const auto& [name, sum] : files) json["files"][name] = checksum_json(sum);
+  return json;
+}
+
 FileChecksum checksum_from_json(const Json& json) {
   constexpr std::size_t kDigits = 16;
   const Json& bytes = json.at("bytes");
@@ -97,11 +105,40 @@ void read_frame(const Json& json, FolderJournal& journal) {
   journal.frames[report.frame] = {report, records_from_json(json.at("files"), report.frame)};
 }
 
+int number_from_json(const Json& json, int most) {
+  if (!json.is_number_unsigned() || json.get<std::uint64_t>() > static_cast<std::uint64_t>(most))
+    throw LineProblem("says a strip that is none");
+  return json.get<int>();
+}
+
+void read_strip(const Json& json, FolderJournal& journal) {
+  const FrameReport report = report_from_json(json);
+  const int count = number_from_json(json.at("strips"), kMostStrips);
+  const int strip = number_from_json(json.at("strip"), count - 1);
+  FileRecords files = records_from_json(json.at("files"), report.frame);
+  if (files.size() != 1 || files.begin()->first != strip_name(report.frame, strip))
+    throw LineProblem("names other files than its strip's");
+  JournalStrips& strips = journal.strips[report.frame];
+  if (!strips.finished.empty() && strips.count != count)
+    throw LineProblem("says another number of strips than lines before it");
+  strips.count = count;
+  strips.finished[strip] = {report, std::move(files)};
+}
+
+void read_strips_of_run(const Json& json, RunReport& run) {
+  for (const auto& [frame, strips] : json.items()) {
+    const std::vector<int> number = frames_from_json(frame);
+    if (number.size() != 1) throw LineProblem("says strips of no frame");
+    run.strips[number.front()] = frames_from_json(strips);
+  }
+}
+
 void read_run(const Json& json, FolderJournal& journal) {
   RunReport run;
   json.at("host").get_to(run.host);
   json.at("unit").get_to(run.unit);
   run.frames = frames_from_json(json.at("frames"));
+  if (json.contains("strips")) read_strips_of_run(json["strips"], run);
   json.at("setup_seconds").get_to(run.setup_seconds);
   json.at("write_seconds").get_to(run.write_seconds);
   json.at("peak_memory_bytes").get_to(run.peak_memory_bytes);
@@ -123,6 +160,8 @@ void read_line(const Json& json, bool is_first, FolderJournal& journal) {
     read_job(json, journal);
   else if (json.contains("asked"))
     add_frames(frames_from_json(json["asked"]), journal.asked);
+  else if (json.contains("strip"))
+    read_strip(json, journal);
   else if (json.contains("written"))
     read_written(json, journal);
   else if (json.contains("video"))
@@ -190,14 +229,14 @@ FileRecords records_of(const fs::path& folder, const std::vector<fs::path>& file
 Json to_json(const RunReport& run) {
   Json sources = Json::array();
   for (const FrameReport& source : run.sources) sources.push_back(to_json(source));
-  return {{"host", run.host},
-          {"unit", run.unit},
-          {"frames", write_frames(ranges_of(run.frames))},
-          {"setup_seconds", run.setup_seconds},
-          {"write_seconds", run.write_seconds},
-          {"peak_memory_bytes", run.peak_memory_bytes},
-          {"threads", run.threads},
-          {"sources", std::move(sources)}};
+  Json json{{"host", run.host}, {"unit", run.unit}, {"frames", write_frames(ranges_of(run.frames))}};
+  for (const auto& [frame, strips] : run.strips) json["strips"][std::to_string(frame)] = write_frames(ranges_of(strips));
+  json.update({{"setup_seconds", run.setup_seconds},
+               {"write_seconds", run.write_seconds},
+               {"peak_memory_bytes", run.peak_memory_bytes},
+               {"threads", run.threads},
+               {"sources", std::move(sources)}});
+  return json;
 }
 
 fs::path journal_folder(const fs::path& folder) { return folder / ".lippmann"; }
@@ -210,6 +249,11 @@ bool is_as_written(const fs::path& file, const std::vector<FileChecksum>& sums) 
 bool is_as_written(const FolderJournal& journal, const fs::path& folder, const std::string& name) {
   const auto found = journal.files.find(name);
   return found != journal.files.end() && is_as_written(folder / name, found->second);
+}
+
+bool are_as_recorded(const fs::path& folder, const FileRecords& files) {
+  return std::all_of(files.begin(), files.end(),
+                     [&](const auto& file) { return file_checksum(folder / file.first) == file.second; });
 }
 
 std::optional<FolderJournal> read_journal(const fs::path& folder) {
@@ -238,6 +282,7 @@ void sync_render(const fs::path& folder, const FolderJournal& journal) {
   std::vector<fs::path> files;
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) files.push_back(folder / name);
+  if (!journal.strips.empty()) files.push_back(folder / strip_name(0, 0));  // all strips lie where this one does
   sync_names(folder, files);
 }
 
@@ -251,10 +296,11 @@ std::string job_line(const std::string& job) { return line_of({{"job", job}}); }
 
 std::string asked_line(const std::vector<int>& frames) { return line_of({{"asked", write_frames(ranges_of(frames))}}); }
 
-std::string frame_line(const FrameReport& frame, const FileRecords& files) {
-  Json json = to_json(frame);
-  json["files"] = Json::object();
-  for (const auto& [name, sum] : files) json["files"][name] = checksum_json(sum);
+std::string frame_line(const FrameReport& frame, const FileRecords& files) { return line_of(finished_json(frame, files)); }
+
+std::string strip_line(const FrameStrip& strip, const FrameReport& report, const FileRecords& files) {
+  Json json{{"strip", strip.strip}, {"strips", strip.count}};
+  json.update(finished_json(report, files));
   return line_of(json);
 }
 
@@ -274,7 +320,8 @@ std::string run_line(const RunReport& run) { return line_of({{"run", to_json(run
 
 bool is_unfinished(const FolderJournal& journal, const std::string& name) {
   const int frame = frame_of_file(name).value_or(-1);
-  return !journal.frames.contains(frame) && std::binary_search(journal.asked.begin(), journal.asked.end(), frame);
+  const bool may_remain = is_strip_name(name) || !journal.frames.contains(frame);
+  return may_remain && std::binary_search(journal.asked.begin(), journal.asked.end(), frame);
 }
 
 bool lies_in_folder(const std::string& video) { return fs::path(video).filename() == fs::path(video) && video != ".."; }

@@ -7,6 +7,8 @@
 //   {"job": "..."}                                          the first line: job_fingerprint()
 //   {"asked": "0-3"}                                        the run is to render these frames
 //   {"frame": 2, ..., "files": {"frame_0002.png": {...}}}   a frame is finished: its figures, its files
+//   {"strip": 3, "strips": 8, "frame": 2, ..., "files": {...}}  a strip of a frame is finished, of so many: its figures, its
+//   file
 //   {"written": "report.json", "bytes": ..., "xxh3": "..."} another file is about to be put in place, with these bytes
 //   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}  a video is in place, by its path from the folder; without
 //                                                           a checksum: is about to be
@@ -44,6 +46,17 @@ struct JournalFrame {
   FileRecords files;
 };
 
+/// A strip of a frame, from 0 at the top.
+struct FrameStrip {
+  int frame = 0, strip = 0;
+  int count = 1;  ///< that the frame has
+};
+
+struct JournalStrips {
+  int count = 1;                         ///< that the frame has
+  std::map<int, JournalFrame> finished;  ///< by strip; of several lines for a strip the last one counts
+};
+
 struct JournalVideo {
   std::vector<FileChecksum> sums;  ///< that runs have given it; none: one was stopped while it put the video in place
   std::vector<int> frames;         ///< that it shows, ascending
@@ -51,20 +64,22 @@ struct JournalVideo {
 
 /// What a run did and took beside the figures of its frames.
 struct RunReport {
-  std::string host = {};         ///< the machine's name
-  std::string unit = {};         ///< such as 7/200; empty: all frames
-  std::vector<int> frames = {};  ///< that it rendered, ascending
-  double setup_seconds = 0.0;    ///< wall time before the first frame: loading, building
-  double write_seconds = 0.0;    ///< time that files took to encode and write, summed over threads; beside rendering
+  std::string host = {};                        ///< the machine's name
+  std::string unit = {};                        ///< such as 7/200; empty: all frames
+  std::vector<int> frames = {};                 ///< that it rendered, ascending
+  std::map<int, std::vector<int>> strips = {};  ///< that it rendered, by frame, ascending
+  double setup_seconds = 0.0;                   ///< wall time before the first frame: loading, building
+  double write_seconds = 0.0;  ///< time that files took to encode and write, summed over threads; beside rendering
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
   std::vector<FrameReport> sources = {};  ///< rendered only because frames are made from them; ascending
 };
 
 struct FolderJournal {
-  std::string job;                     ///< whose render it is
-  std::vector<int> asked;              ///< the frames that runs of the job were to render, each once, ascending
-  std::map<int, JournalFrame> frames;  ///< finished; of several lines for a frame the last one counts
+  std::string job;                      ///< whose render it is
+  std::vector<int> asked;               ///< the frames that runs of the job were to render, each once, ascending
+  std::map<int, JournalFrame> frames;   ///< finished; of several lines for a frame the last one counts
+  std::map<int, JournalStrips> strips;  ///< by frame; their files are gone once the frame is finished
   std::map<std::string, std::vector<FileChecksum>> files;  ///< job.toml, report.json: as runs have written them
   std::map<std::string, JournalVideo> videos;              ///< by path relative to the folder
   std::vector<RunReport> runs;                             ///< that have ended
@@ -77,6 +92,9 @@ bool is_as_written(const std::filesystem::path& file, const std::vector<FileChec
 
 /// Whether a file that several runs write, job.toml or report.json, has bytes that one of them has given it.
 bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
+
+/// Whether all these files of a folder have the bytes that were recorded.
+bool are_as_recorded(const std::filesystem::path& folder, const FileRecords& files);
 
 /// As a journal and report.json have it.
 nlohmann::ordered_json to_json(const RunReport& run);
@@ -103,11 +121,13 @@ void require_sound(const std::filesystem::path& folder, const FolderJournal& jou
 std::string job_line(const std::string& job);
 std::string asked_line(const std::vector<int>& frames);
 std::string frame_line(const FrameReport& frame, const FileRecords& files);
+std::string strip_line(const FrameStrip& strip, const FrameReport& report, const FileRecords& files);
 std::string written_line(const std::string& name, const FileChecksum& sum);
 std::string video_line(const std::string& name, const std::vector<int>& frames, const std::optional<FileChecksum>& sum);
 std::string run_line(const RunReport& run);
 
-/// Whether a file is of a frame that was asked for and is not finished: a render that was stopped may have left it.
+/// Whether a file is of a frame that was asked for and is not finished, or a strip of one that was: a render that was stopped
+/// may have left it.
 bool is_unfinished(const FolderJournal& journal, const std::string& name);
 
 /// Whether a video of that path relative to the folder lies directly in the folder.

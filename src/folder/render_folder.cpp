@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool are_as_recorded(const fs::path& folder, const FileRecords& files) {
-  return std::all_of(files.begin(), files.end(),
-                     [&](const auto& file) { return file_checksum(folder / file.first) == file.second; });
-}
-
 /// What earlier runs, and those that run now, have recorded for this job.
 FolderJournal journal_of(const fs::path& folder, const std::string& job) {
   FolderJournal journal = read_journal(folder).value_or(FolderJournal{});

@@ -41,6 +41,11 @@ class RenderFolder {
   /// Records a frame whose files are complete; find() does not see it. May run beside find(), and not beside what else records.
   void add(const FrameReport& frame, const FileRecords& files) { part_.add(frame_line(frame, files)); }
 
+  /// Records a strip whose file is complete. As add().
+  void add_strip(const FrameStrip& strip, const FrameReport& report, const FileRecords& files) {
+    part_.add(strip_line(strip, report, files));
+  }
+
   /// Writes job.toml or report.json as `text_of` says it of the journal, again if the journal tells it otherwise once it is
   /// written: of several runs that end at the same time, the last one to write has seen what all have recorded.
   void write(const std::string& name, const std::function<std::string(const FolderJournal&)>& text_of);

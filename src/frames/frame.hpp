@@ -22,6 +22,7 @@ struct Stage {
   FittedArray array;
   PlacedOptics placed;
   DeviceScene device;  ///< refers to `scene`: a Stage stays where it was made
+  FilmRows rows{};     ///< of every frame that are rendered (strip_maker.hpp)
 
   /// Builds what rays are traced against. The scene passes validate().
   Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);
@@ -32,7 +33,7 @@ struct Stage {
   Moment moment_at(int frame) const;
 
   /// What is rendered of the moment that the device scene was moved to.
-  Shot shot(const Moment& moment) const { return {device, placed.optics, moment.world_from_display}; }
+  Shot shot(const Moment& moment) const { return {device, placed.optics, moment.world_from_display, rows}; }
 };
 
 /// Measures the rendering of one frame, from its making on.

@@ -40,7 +40,8 @@ SharedLightFrames::SharedLightFrames(Stage& stage, const Sampling& sampling, con
       pool_(pool),
       context_(context),
       swept_(stage.scene, -1),
-      tracer_(stage.device) {}
+      tracer_(stage.device),
+      segment_(stage.rows == FilmRows{} ? kSegment : 1) {}
 
 RenderedFrame SharedLightFrames::make(int frame) {
   RenderedFrame rendered;
@@ -64,14 +65,14 @@ bool SharedLightFrames::are_of_one_history(int frame, int other) { return frame 
 
 /// Visits what comes before a frame in its history and has not been visited yet.
 void SharedLightFrames::go_to(int frame, FramePictures& pictures) {
-  const int start = frame / kSegment * kSegment;
+  const int start = frame / segment_ * segment_;
   if (next_ < start || next_ > frame) next_ = start;
   while (next_ < frame && !context_.cancelled) sources_.push_back(visit(next_, pictures));
 }
 
 FrameReport SharedLightFrames::visit(int frame, FramePictures& pictures, NoisyFrame* noisy) {
   const FrameClock clock(pool_);
-  if (frame % kSegment == 0) tracer_.restart();
+  if (frame % segment_ == 0) tracer_.restart();
   const Moment moment = stage_.moment_at(frame);
   stage_.device.update(moment.resolved, pool_);
   TraceParams trace = trace_params(sampling_, stage_);
@@ -79,11 +80,11 @@ FrameReport SharedLightFrames::visit(int frame, FramePictures& pictures, NoisyFr
   CachedLightGoal goal;
   if (reuse_.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *reuse_.min_psnr_db));
   goal.seconds = reuse_.time_budget_s;
-  goal.frames = std::min(kSegment, stage_.scene.timeline.frame_count - frame / kSegment * kSegment);
+  goal.frames = std::min(segment_, stage_.scene.timeline.frame_count - frame / segment_ * segment_);
   goal.provenance = reuse_.show_provenance;
   constexpr int kTwoFrames[] = {2};
   const std::vector<HorizonBox> moving =
-      frame % kSegment > 0 ? swept_.around(frame - 1, kTwoFrames, frame) : std::vector<HorizonBox>{};
+      frame % segment_ > 0 ? swept_.around(frame - 1, kTwoFrames, frame) : std::vector<HorizonBox>{};
   const CachedLightReport light = tracer_.trace(stage_.shot(moment), moment.resolved, trace, goal, moving, {pool_, context_},
                                                 {pictures.film, &pictures.aovs, noisy});
   next_ = frame + 1;

@@ -41,7 +41,8 @@ class SharedLightFrames final : public FrameMaker {
   SweptBoxes swept_;
   CachedLightTracer tracer_;
   std::vector<FrameReport> sources_;
-  int next_ = -1;  ///< the frame that follows what the tracer has seen
+  const int segment_;  ///< frames that share light with each other: strips of them do not
+  int next_ = -1;      ///< the frame that follows what the tracer has seen
 };
 
 }  // namespace lippmann

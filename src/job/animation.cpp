@@ -18,6 +18,7 @@
 #include "folder/claim_folder.hpp"
 #include "folder/frame_sink.hpp"
 #include "folder/render_folder.hpp"
+#include "folder/strips.hpp"
 #include "frames/frame_maker.hpp"
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
@@ -26,6 +27,7 @@
 #include "job/job_stage.hpp"
 #include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
+#include "job/stripped_frames.hpp"
 #include "job/test_pattern.hpp"
 #include "job/undo_crosstalk.hpp"
 #include "layout/cameras.hpp"
@@ -99,17 +101,25 @@ std::vector<ExrAttribute> about_render(const std::string& scene, const Optics& o
   return about;
 }
 
-std::vector<int> frames_of_run(const RunParams& run, const std::vector<int>& of_job, int segment) {
+/// Parts of frames that are rendered in so many strips (parts_of); where that is 1, frames.
+std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_job, int segment, int strips) {
   if (run.choose) return run.choose(of_job, segment);
   const std::vector<int> of_units = run.units ? frames_of(*run.units, of_job, segment) : of_job;
   if (!run.only_frames) return of_units;
-  const std::vector<int> wanted = frames_of(*run.only_frames);
+  const std::vector<int> wanted = parts_of(frames_of(*run.only_frames), strips);
   std::vector<int> both;
   std::set_intersection(of_units.begin(), of_units.end(), wanted.begin(), wanted.end(), std::back_inserter(both));
   if (both.empty() && !of_units.empty())
     throw usage_error("only-frames", fmt::format("{} has no frame that is to be rendered", write_frames(*run.only_frames)),
-                      fmt::format("some of {}", write_frames(ranges_of(of_units))));
+                      fmt::format("some of {}", write_frames(ranges_of(frames_of_parts(of_units, strips)))));
   return both;
+}
+
+/// Throws a usage Error for frames that cannot be rendered in strips.
+void check_strips_of(const RenderParams& params, const FrameParams& made_as, const Optics& optics) {
+  if (params.strips == 1) return;
+  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern is drawn whole", "1");
+  check_strips(made_as, optics, params.strips);
 }
 
 /// One render_animation, in the order in which its members are called.
@@ -125,7 +135,8 @@ class Animation {
         pool_(params_.threads > 0 ? params_.threads : resolved_threads(context)),
         stage_(params_, pool_, context),
         all_frames_(frames_of_job(params_, stage_.scene.timeline)),
-        frames_(frames_of_run(run, all_frames_, frames_per_segment(made_as_))),
+        parts_(parts_of_run(run, parts_of(all_frames_, params_.strips), segment(), params_.strips)),
+        frames_(frames_of_parts(parts_, params_.strips)),
         layout_(params_.output.pictures, optics(), stage_.display.get()) {
     check_layout();
     job_ = job_fingerprint(params_, stage_.scene, stage_.display.get());
@@ -143,6 +154,7 @@ class Animation {
             layout_.format(),
             frames_,
             video_names(),
+            is_cut() ? static_cast<int>(parts_.size()) : 0,
             0,
             layout_.picture_size(),
             layout_.pictures_per_frame()};
@@ -155,8 +167,7 @@ class Animation {
     RenderFolder folder = open_folder();
     RenderReport report = report_of_setup();
     if (is_first_rank()) begin_report(report, folder);
-    const auto maker = params_.scene.name == kTestPattern ? make_pattern_frames(stage_, pool_)
-                                                          : make_frame_maker(stage_, made_as_, pool_, context_);
+    const std::unique_ptr<FrameMaker> maker = make_maker(folder, report);
     {
       FrameSink sink(sink_settings(*maker, makes_videos() ? videos_ : std::vector<VideoFile>()), folder);
       announce(folder);
@@ -169,7 +180,7 @@ class Animation {
     folder.end(report.run);
     if (run_.ranks) run_.ranks->end();
     if (!is_first_rank()) return report;
-    if (run_.ranks && is_complete(folder.now())) make_videos(*maker, folder);
+    if (run_.ranks) finish_ranks(*maker, folder, report);
     RenderReport all = write_report(report, folder);
     return run_.ranks ? all : report;
   }
@@ -179,6 +190,30 @@ class Animation {
 
   /// Whether others render the rest of the job.
   bool is_part() const { return run_.units || run_.only_frames || run_.choose; }
+
+  /// Whether frames are rendered in strips.
+  bool is_cut() const { return params_.strips > 1; }
+
+  /// Whether strips are all that the run makes: others make the rest, or they are joined once all ranks are done.
+  bool leaves_strips() const { return is_cut() && (run_.units || run_.choose || run_.ranks); }
+
+  int segment() const { return is_cut() ? 1 : frames_per_segment(made_as_); }
+
+  std::unique_ptr<FrameMaker> make_maker(RenderFolder& folder, RenderReport& report) {
+    if (params_.scene.name == kTestPattern) return make_pattern_frames(stage_, pool_);
+    if (!is_cut()) return make_frame_maker(stage_, made_as_, pool_, context_);
+    StrippedFrames::Settings settings{wanted_aovs(made_as_.sampling), film_size(optics()), keeps_frames(params_),
+                                      run_.only_finished};
+    settings.made = [this, &report](const FrameStrip& strip, const FrameReport& made, std::uintmax_t bytes) {
+      report.run.strips[strip.frame].push_back(strip.strip);
+      if (leaves_strips()) report.strips.push_back(made);
+      say_strip(strip, made, bytes);
+    };
+    auto strips = std::make_unique<StrippedFrames>(StripMaker(stage_, made_as_, params_.strips, pool_, context_), folder,
+                                                   std::move(settings), context_);
+    strips_ = strips.get();
+    return strips;
+  }
 
   bool is_first_rank() const { return !run_.ranks || run_.ranks->rank() == 0; }
 
@@ -195,7 +230,16 @@ class Animation {
             about_render(params_.scene.name, optics(), stage_.placed.depth_scale),
             pool_.threads(),
             [&maker](Image film) { maker.recycle(std::move(film)); },
-            [this](int frame, std::uintmax_t bytes) { say_written(frame, bytes); }};
+            [this](int frame, std::uintmax_t bytes) {
+              if (is_cut()) return remove_strips(folder_, frame, params_.strips);
+              say_written(frame, bytes);
+            }};
+  }
+
+  void say_strip(const FrameStrip& strip, const FrameReport& made, std::uintmax_t bytes) {
+    if (!is_first_rank()) return run_.ranks->tell({strip.frame, made.seconds, made.rays.total(), bytes});
+    if (observer_.traced) observer_.traced(made);
+    if (observer_.written) observer_.written(strip.frame, bytes);
   }
 
   void say_written(int frame, std::uintmax_t bytes) {
@@ -210,6 +254,7 @@ class Animation {
   }
 
   void say_traced(const FrameReport& frame) {
+    if (is_cut()) return;  // its strips have been said
     if (is_first_rank()) {
       if (observer_.traced) observer_.traced(frame);
       return;
@@ -228,6 +273,42 @@ class Animation {
 
   bool is_complete(const FolderJournal& journal) const {
     return std::all_of(frames_.begin(), frames_.end(), [&](int frame) { return journal.frames.contains(frame); });
+  }
+
+  /// What is left for the first rank once all are done.
+  void finish_ranks(FrameMaker& maker, RenderFolder& folder, RenderReport& report) {
+    if (is_cut() && !context_.cancelled) join_frames(maker, folder, report);
+    if (is_complete(folder.now())) make_videos(maker, folder);
+  }
+
+  /// Joins the frames whose strips have all been rendered.
+  void join_frames(FrameMaker& maker, RenderFolder& folder, RenderReport& report) {
+    FrameSink sink(sink_settings(maker, {}), folder);
+    FrameSteps steps = frame_steps(maker, sink, report);
+    steps.make = [&](int frame) { return !has_strips(folder.now(), frame) || join_frame(frame, sink, report); };
+    take_frames(frames_, folder, steps);
+    note_precompensation(sink, report);
+    std::erase_if(report.strips, [&](const FrameReport& strip) { return is_reported(strip.frame, report); });
+  }
+
+  /// Not those of a rank that was stopped.
+  bool has_strips(const FolderJournal& journal, int frame) const {
+    const auto strips = journal.strips.find(frame);
+    return strips != journal.strips.end() && static_cast<int>(strips->second.finished.size()) == params_.strips;
+  }
+
+  bool join_frame(int frame, FrameSink& sink, RenderReport& report) {
+    RenderedFrame joined = strips_->join(frame);
+    report.frames.push_back(joined.report);
+    report.run.frames.push_back(frame);
+    sink.add(std::move(joined));
+    sink.wait();
+    return true;
+  }
+
+  static bool is_reported(int frame, const RenderReport& report) {
+    return std::any_of(report.frames.begin(), report.frames.end(),
+                       [&](const FrameReport& known) { return known.frame == frame; });
   }
 
   /// Makes the videos of a folder whose pictures are all finished.
@@ -262,10 +343,19 @@ class Animation {
       throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
     if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
       throw usage_error("video", "is made of the pictures of all parts, which have to hold its codes", "`format` png");
-    require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
-                   std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
     check(made_as_, optics());
+    check_strips_of(params_, made_as_, optics());
+    check_memory();
     crosstalk_ = crosstalk_to_undo(params_, optics(), stage_.display.get());
+  }
+
+  void check_memory() const {
+    if (is_cut()) require_memory_for_strips(params_, bytes_kept_per_pixel(made_as_), optics());
+    const bool joins = is_cut() && (!leaves_strips() || (run_.ranks && is_first_rank()));
+    if (joins) require_memory(params_, 0.0, optics(), layout_.moves(), 1);
+    if (!is_cut())
+      require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
+                     std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
   }
 
   /// Makes room in it, and records what is going to be rendered.
@@ -298,30 +388,38 @@ class Animation {
   void announce(RenderFolder& folder) const {
     if (!observer_.planned) return;
     RenderPlan plan = this->plan();
-    if (keeps_frames(params_))
-      plan.kept = static_cast<int>(
-          std::count_if(frames_.begin(), frames_.end(), [&](int frame) { return folder.find(frame).has_value(); }));
+    if (keeps_frames(params_)) plan.kept = kept_parts(folder);
     observer_.planned(plan);
+  }
+
+  int kept_parts(RenderFolder& folder) const {
+    const FolderJournal journal = folder.now();
+    return static_cast<int>(std::count_if(parts_.begin(), parts_.end(), [&](int part) {
+      return is_cut() ? is_finished_part(part, params_.strips, folder, journal) : folder.find(part).has_value();
+    }));
   }
 
   void make_frames(FrameMaker& maker, FrameSink& sink, RenderFolder& folder, RenderReport& report) {
     if (run_.ranks)
       share_frames(maker, sink, folder, report);
     else
-      make_frames(frames_, maker, sink, folder, report);
+      make_parts(parts_, maker, sink, folder, report);
     report.run.sources = maker.sources();
     sink.wait();
+    note_precompensation(sink, report);
+    report.interrupted = context_.cancelled || (!run_.ranks && !leaves_strips() && report.frames.size() < frames_.size());
+  }
+
+  static void note_precompensation(const FrameSink& sink, RenderReport& report) {
     for (FrameReport& frame : report.frames)
       if (const auto done = sink.precompensated().find(frame.frame); done != sink.precompensated().end())
         frame.precompensation = done->second;
-    report.interrupted = context_.cancelled || (!run_.ranks && report.frames.size() < frames_.size());
   }
 
   /// Units that are not taken yet, one after the other, until there are no more.
   void share_frames(FrameMaker& maker, FrameSink& sink, RenderFolder& folder, RenderReport& report) {
     constexpr int kUnitsPerRank = 8;  // few enough to begin seldom, enough for ranks to end at about the same time
-    const std::vector<std::vector<int>> units =
-        units_of(frames_, frames_per_segment(made_as_), kUnitsPerRank * run_.ranks->size());
+    const std::vector<std::vector<int>> units = units_of(parts_, segment(), kUnitsPerRank * run_.ranks->size());
     if (is_first_rank()) {
       run_.ranks->listen([this](const WorkDone& done) { hear(done); });
       run_.ranks->begin();
@@ -329,20 +427,27 @@ class Animation {
     while (!context_.cancelled) {
       const auto unit = static_cast<std::size_t>(run_.ranks->next());
       if (unit >= units.size()) break;
-      make_frames(units[unit], maker, sink, folder, report);
+      make_parts(units[unit], maker, sink, folder, report);
     }
   }
 
-  void make_frames(const std::vector<int>& frames, FrameMaker& maker, FrameSink& sink, RenderFolder& folder,
-                   RenderReport& report) {
-    FrameSteps steps{keeps_frames(params_), run_.only_finished, {}, {}};
+  /// Frames, or strips alone where the run leaves them.
+  void make_parts(const std::vector<int>& parts, FrameMaker& maker, FrameSink& sink, RenderFolder& folder,
+                  RenderReport& report) {
+    if (leaves_strips()) return strips_->make_strips(parts);
+    take_frames(frames_of_parts(parts, params_.strips), folder, frame_steps(maker, sink, report));
+  }
+
+  FrameSteps frame_steps(FrameMaker& maker, FrameSink& sink, RenderReport& report) {
+    FrameSteps steps{keeps_frames(params_), run_.only_finished && !is_cut(), {}, {}};
     steps.keep = [&](const FrameReport& kept) {
       report.frames.push_back(kept);
       report.frames.back().kept = true;
+      if (is_cut()) remove_strips(folder_, kept.frame, params_.strips);  // a run may have been killed before it did
       sink.add_kept(kept.frame);
     };
     steps.make = [&](int frame) { return make_frame(frame, maker, sink, report); };
-    take_frames(frames, folder, steps);
+    return steps;
   }
 
   /// False if it was stopped.
@@ -354,6 +459,7 @@ class Animation {
     report.run.frames.push_back(frame);
     say_traced(report.frames.back());
     sink.add(std::move(rendered));
+    if (is_cut()) sink.wait();  // one film at a time, and strips of the next are recorded after it
     return true;
   }
 
@@ -372,14 +478,16 @@ class Animation {
   const ThreadPool pool_;
   JobStage stage_;
   const std::vector<int> all_frames_;  ///< the whole job's
-  const std::vector<int> frames_;      ///< this run's
+  const std::vector<int> parts_;       ///< this run's: frames, or parts of them (parts_of)
+  const std::vector<int> frames_;      ///< of these parts
   const FrameLayout layout_;
   std::optional<double> crosstalk_;  ///< to be undone
   std::string job_;
   std::vector<VideoFile> videos_;
   fs::path folder_;
-  std::mutex mutex_;              ///< what follows
-  std::map<int, WorkDone> done_;  ///< by this rank, to be told to the first
+  StrippedFrames* strips_ = nullptr;  ///< the maker of frames that are cut
+  std::mutex mutex_;                  ///< what follows
+  std::map<int, WorkDone> done_;      ///< by this rank, to be told to the first
 };
 
 }  // namespace

@@ -28,7 +28,8 @@ struct RenderPlan {
   PictureFormat format = PictureFormat::kPng;
   std::vector<int> frames;               ///< ascending: those of the unit that is rendered, or all
   std::vector<std::string> videos = {};  ///< files
-  int kept = 0;                          ///< how many of `frames` the same job has finished before
+  int strips = 0;  ///< that `frames` are rendered in, those of the unit that is rendered; 0: they are rendered whole
+  int kept = 0;    ///< how many of `frames`, or of their strips, the same job has finished before
   Vec2i picture_size{0, 0};
   int pictures_per_frame = 1;
 };
@@ -41,8 +42,9 @@ std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels
 /// render_animation.
 struct RenderObserver {
   std::function<void(const RenderPlan&)> planned;
-  std::function<void(const FrameReport&)> traced;  ///< a frame, in order; its files follow
-  /// A frame's pictures and layers are on disk, of so many bytes; in order, one at a time, on any thread. Not of kept frames.
+  std::function<void(const FrameReport&)> traced;  ///< a frame, or a strip of one, in order; its files follow
+  /// A frame's pictures and layers, or a strip, are on disk, of so many bytes; in order, one at a time, on any thread. Not of
+  /// what is kept, and not of frames that are joined from strips.
   std::function<void(int frame, std::uintmax_t bytes)> written;
 };
 
@@ -52,7 +54,7 @@ struct RunParams {
   std::optional<Units> units = {};              ///< none: all frames. Videos wait until all are there (finish_animation)
   std::optional<FrameRanges> only_frames = {};  ///< renders these alone; the job's or units' others are asked for all the same
   /// Picks frames of the job, which comes with its segment (frames_per_segment), once the scene is loaded; empty: `units` and
-  /// `only_frames` do.
+  /// `only_frames` do. Where frames are rendered in strips, parts of the job instead (parts_of): they are not joined.
   std::function<std::vector<int>(const std::vector<int>& of_job, int segment)> choose = {};
   Ranks* ranks = nullptr;      ///< that share the frames out among them; null: this process stands alone
   bool only_finished = false;  ///< no frame is rendered: all have been, or it is an Error
@@ -60,6 +62,9 @@ struct RunParams {
 
 /// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte
 /// for byte, for any number of threads, and whether or not the render was interrupted and resumed.
+///
+/// Where frames are rendered in strips (RenderParams::strips), runs of units, and of ranks, leave strips in the folder; whoever
+/// renders whole frames, or has all of a unit's made (only_finished), joins them.
 ///
 /// When context.cancelled is set, it stops at the next chance: finished frames stay, the frame under way and videos leave
 /// nothing, report.json says `interrupted`. Throws Error for bad params or scenes (before any file is made) and for files that

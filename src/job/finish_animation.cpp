@@ -20,6 +20,7 @@ std::vector<int> frames_to_render(const FolderCheck& check) {
   for (const auto* names : {&check.damaged, &check.missing})
     for (const std::string& name : *names)
       if (const auto frame = frame_of_file(name)) frames.insert(*frame);
+  for (const int frame : check.joinable) frames.erase(frame);
   return {frames.begin(), frames.end()};
 }
 

@@ -42,6 +42,10 @@ RenderReport report_of(const RenderReport& run, const FolderJournal& journal) {
     all.frames.back().kept = true;
   }
   std::sort(all.frames.begin(), all.frames.end(), [](const FrameReport& a, const FrameReport& b) { return a.frame < b.frame; });
+  all.strips.clear();
+  for (const auto& [frame, strips] : journal.strips)
+    if (!journal.frames.contains(frame))
+      for (const auto& [strip, record] : strips.finished) all.strips.push_back(record.report);
   all.run = all_of(journal.runs), all.runs = journal.runs;
   all.interrupted = all.frames.size() < journal.asked.size();
   return all;

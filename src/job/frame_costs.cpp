@@ -88,7 +88,8 @@ FrameCosts frame_costs(const MeasuredRun& run, const std::vector<int>& of_job, i
   const double written = run.cpu_seconds - run.setup_cpu_seconds - sum_of_cpu(run.frames) - sum_of_cpu(run.sources);
   costs.write_cpu_seconds = std::max(0.0, written) / static_cast<double>(std::max<std::size_t>(1, run.frames.size()));
   costs.peak_memory_bytes = run.peak_memory_bytes;
-  for (const FrameReport& frame : run.frames) costs.frames.push_back(frame.frame);
+  for (const FrameReport& frame : run.frames)
+    if (costs.frames.empty() || costs.frames.back() != frame.frame) costs.frames.push_back(frame.frame);
   return costs;
 }
 

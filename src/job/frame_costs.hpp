@@ -16,7 +16,7 @@ struct FrameCosts {
   double write_cpu_seconds = 0.0;       ///< for the files of a frame
   double source_cpu_seconds = 0.0;      ///< for all frames that a unit renders beside its own
   std::uint64_t peak_memory_bytes = 0;  ///< the most that the measuring process has held
-  std::vector<int> frames;              ///< that were measured
+  std::vector<int> frames;              ///< that were measured, or that strips were measured of
 };
 
 /// A run of a few frames of a job.

@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <limits>
+
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "folder/claim_folder.hpp"
+#include "folder/strips.hpp"
 #include "job/folder_documents.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -36,6 +39,55 @@ void take_frames(const std::vector<int>& frames, RenderFolder& folder, const Fra
                   "a folder in which all frames are");
     if (!steps.make(frame)) return;
   }
+}
+
+std::vector<int> parts_of(const std::vector<int>& frames, int count) {
+  std::vector<int> parts;
+  const int most = std::numeric_limits<int>::max() / count - 1;
+  if (!frames.empty() && frames.back() > most)
+    throw usage_error("strips", fmt::format("{} of frame {} are too many", count, frames.back()), "fewer of them");
+  for (const int frame : frames)
+    for (int strip = 0; strip < count; ++strip) parts.push_back(frame * count + strip);
+  return parts;
+}
+
+std::vector<int> frames_of_parts(const std::vector<int>& parts, int count) {
+  std::vector<int> frames;
+  for (const int part : parts)
+    if (frames.empty() || frames.back() != part / count) frames.push_back(part / count);
+  return frames;
+}
+
+std::map<int, std::vector<int>> strips_of_parts(const std::vector<int>& parts, int count) {
+  std::map<int, std::vector<int>> strips;
+  for (const int part : parts) strips[part / count].push_back(part % count);
+  return strips;
+}
+
+bool is_finished_part(int part, int count, RenderFolder& folder, const FolderJournal& journal) {
+  return folder.find(part / count) || find_strip(folder.path(), journal, part / count, part % count);
+}
+
+void take_strips(const std::vector<int>& parts, RenderFolder& folder, const StripSteps& steps) {
+  const FolderJournal journal = steps.keeps_finished ? folder.now() : FolderJournal{};
+  for (const int part : parts) {
+    if (steps.keeps_finished && is_finished_part(part, steps.count, folder, journal)) continue;
+    if (!steps.make(part / steps.count, part % steps.count)) return;
+  }
+}
+
+std::vector<FrameReport> finished_strips(const RenderFolder& folder, int frame, int count) {
+  const FolderJournal journal = folder.now();
+  std::vector<FrameReport> reports;
+  for (int strip = 0; strip < count; ++strip) {
+    const std::optional<FrameReport> report = find_strip(folder.path(), journal, frame, strip);
+    if (!report)
+      throw Error(folder.path().string(),
+                  fmt::format("strip {} of frame {} is not finished, or not as it was written", strip, frame),
+                  fmt::format("a folder in which all {} are", count));
+    reports.push_back(*report);
+  }
+  return reports;
 }
 
 }  // namespace lippmann

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,5 +32,32 @@ struct FrameSteps {
 
 /// In order, until one is stopped.
 void take_frames(const std::vector<int>& frames, RenderFolder& folder, const FrameSteps& steps);
+
+/// What becomes of each strip.
+struct StripSteps {
+  int count = 1;                ///< that a frame has
+  bool keeps_finished = false;  ///< what is there as it was recorded is not made again, nor strips of frames that are there
+  std::function<bool(int frame, int strip)> make;  ///< false: was stopped
+};
+
+/// The parts of frames that are cut into so many strips: frame * count + strip of each, for frames that ascend. Throws a usage
+/// Error where that is more than a number holds.
+std::vector<int> parts_of(const std::vector<int>& frames, int count);
+
+/// The frames of such parts, each once, ascending.
+std::vector<int> frames_of_parts(const std::vector<int>& parts, int count);
+
+/// Their strips, by frame.
+std::map<int, std::vector<int>> strips_of_parts(const std::vector<int>& parts, int count);
+
+/// Whether a part, or all of its frame, is there as `journal` records it. Reads the files.
+bool is_finished_part(int part, int count, RenderFolder& folder, const FolderJournal& journal);
+
+/// Parts in order, until one is stopped.
+void take_strips(const std::vector<int>& parts, RenderFolder& folder, const StripSteps& steps);
+
+/// Figures of the strips of a frame, from the top. Throws Error naming the first that is not finished, or not as it was
+/// written.
+std::vector<FrameReport> finished_strips(const RenderFolder& folder, int frame, int count);
 
 }  // namespace lippmann

@@ -92,6 +92,7 @@ struct RenderParams {
   SceneParams scene;
   OpticsParams optics;
   OutputParams output;
+  int strips = 1;       ///< of rows that each frame is rendered in (frames/strip_maker.hpp); 1: whole
   int threads = 0;      ///< 0: one per processor
   bool resume = false;  ///< keep the frames that the same job has finished before
 };

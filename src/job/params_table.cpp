@@ -13,6 +13,7 @@
 #include "job/param_text.hpp"
 #include "job/reuse_params.hpp"
 #include "job/scene_light.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "lippmann/trace/aovs.hpp"
@@ -540,6 +541,10 @@ std::vector<ParamInfo> file_rows() {
 std::vector<ParamInfo> running_rows() {
   using P = RenderParams;
   return {
+      row(ParamKind::kNumber, &P::strips, integer<int>(1, kMostStrips),
+          {"strips", "Running", "N",
+           "Render each frame in N strips of rows, which units and ranks share out and 'finish' joins: for huge stills; where "
+           "light is shared, each strip has its own"}),
       runs_only(row(ParamKind::kNumber, &P::threads, integer<int>(0, 1024),
                     {"threads", "Running", "N", "Rendering threads; 0: one per processor"})),
       runs_only(row(ParamKind::kFlag, &P::resume, flag(),

@@ -42,7 +42,7 @@ Json settings_json(const RenderParams& params) {
 Json totals_json(const RenderReport& report) {
   double seconds = 0.0, cpu_seconds = 0.0;
   RayCounts rays;
-  for (const auto* frames : {&report.frames, &report.run.sources})
+  for (const auto* frames : {&report.frames, &report.strips, &report.run.sources})
     for (const FrameReport& frame : *frames) {
       seconds += frame.seconds;
       cpu_seconds += frame.cpu_seconds;
@@ -53,6 +53,7 @@ Json totals_json(const RenderReport& report) {
           {"write_seconds", report.run.write_seconds},
           {"setup_seconds", report.run.setup_seconds},
           {"frames", report.frames.size()},
+          {"strips", report.strips.size()},
           {"source_frames", report.run.sources.size()},
           {"rays", to_json(rays)},
           {"peak_memory_bytes", report.run.peak_memory_bytes},

@@ -28,6 +28,7 @@ struct RenderReport {
   std::optional<double> crosstalk_px;  ///< undone: a sigma in the optics' pixels or views
   double frames_per_second = 25.0;
   std::vector<FrameReport> frames;  ///< in ascending order; frames kept from before with the figures of then
+  std::vector<FrameReport> strips;  ///< what those took that belong to none of these frames
   RunReport run;                    ///< what it took beside its frames, or what all runs took
   std::vector<RunReport> runs;      ///< every run that has rendered into the folder; empty: `run` alone
   std::vector<std::string> videos;  ///< files, as they are named on disk

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -23,11 +24,16 @@ std::string finish_command(const Submission& submission) {
   return fmt::format("{} finish {}", shell_word(submission.program.string()), shell_word(submission.folder.string()));
 }
 
-std::string limits(const Submission& submission) {
+std::string limits(const Submission& submission, const std::optional<std::uint64_t>& memory_bytes) {
   std::string text;
   if (submission.minutes) text += fmt::format(" --time={}", *submission.minutes);
-  if (submission.memory_bytes) text += fmt::format(" --mem={}M", (*submission.memory_bytes + 999'999) / 1'000'000);
+  if (memory_bytes) text += fmt::format(" --mem={}M", (*memory_bytes + 999'999) / 1'000'000);
   return text;
+}
+
+std::optional<std::uint64_t> finish_memory(const Submission& submission) {
+  if (!submission.memory_bytes) return {};
+  return std::max(*submission.memory_bytes, submission.finish_memory_bytes.value_or(0));
 }
 
 Json action(const Submission& submission, const Json& arguments) {
@@ -64,7 +70,7 @@ exec {render}
 TASK
 )
 finish=$(sbatch --parsable --job-name={name}-finish{partition} --dependency=afterok:"$render" --kill-on-invalid-dep=yes \
-  --cpus-per-task={threads}{limits} --requeue --open-mode=append --output={folder}/slurm/%j.log <<'TASK'
+  --cpus-per-task={threads}{finish_limits} --requeue --open-mode=append --output={folder}/slurm/%j.log <<'TASK'
 #!/usr/bin/env bash
 exec {finish}
 TASK
@@ -73,7 +79,8 @@ echo "submitted: array job $render, then $finish"
 )",
                      fmt::arg("units", submission.units), fmt::arg("job", printable(submission.job.string())),
                      fmt::arg("folder", folder), fmt::arg("name", name), fmt::arg("partition", partition),
-                     fmt::arg("threads", submission.threads), fmt::arg("limits", limits(submission)),
+                     fmt::arg("threads", submission.threads), fmt::arg("limits", limits(submission, submission.memory_bytes)),
+                     fmt::arg("finish_limits", limits(submission, finish_memory(submission))),
                      fmt::arg("render", render_command(submission, "\"$SLURM_ARRAY_TASK_ID\"")),
                      fmt::arg("finish", finish_command(submission)));
 }

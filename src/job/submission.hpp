@@ -17,8 +17,9 @@ struct Submission {
   int chunk = 1;                    ///< units that a task renders one after the other, where the scheduler may choose
   int threads = 1;                  ///< each task's
   std::optional<int> minutes = {};  ///< a task's limit; none: the scheduler's
-  std::optional<std::uint64_t> memory_bytes = {};  ///< the same
-  std::string partition = {};                      ///< where Slurm is to run it; empty: its default
+  std::optional<std::uint64_t> memory_bytes = {};         ///< the same
+  std::optional<std::uint64_t> finish_memory_bytes = {};  ///< the finishing task's, where it needs more: it joins strips
+  std::string partition = {};                             ///< where Slurm is to run it; empty: its default
 };
 
 /// A limit of time that units of so many CPU seconds keep on busy and slower machines: three times as long, and five minutes.

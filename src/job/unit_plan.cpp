@@ -7,8 +7,11 @@
 #include "core/scratch_folder.hpp"
 #include "distribute/units.hpp"
 #include "frames/frame_maker.hpp"
+#include "frames/strip_maker.hpp"
 #include "job/animation.hpp"
+#include "job/job_folder.hpp"
 #include "job/job_stage.hpp"
+#include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
 #include "lippmann/core/parallel.hpp"
 
@@ -22,18 +25,24 @@ double process_cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Units without their costs.
-UnitPlan cut(const std::vector<int>& frames, int segment, int count) {
+/// Units without their costs. parts: of frames that are rendered in so many strips (parts_of).
+UnitPlan cut(const std::vector<int>& parts, int strips, int segment, int count) {
   UnitPlan plan;
   plan.segment = segment;
-  for (std::vector<int>& unit : units_of(frames, segment, count)) plan.units.push_back({std::move(unit)});
+  for (const std::vector<int>& unit : units_of(parts, segment, count)) {
+    plan.units.push_back({frames_of_parts(unit, strips)});
+    if (strips > 1) plan.units.back().strips = strips_of_parts(unit, strips);
+  }
   return plan;
 }
+
+int segment_of(const RenderParams& params) { return params.strips > 1 ? 1 : frames_per_segment(frame_params(params)); }
 
 UnitPlan unmeasured_plan(const RenderParams& params, int count, const Context& context) {
   const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
   const JobStage stage(params, pool, context);
-  return cut(frames_of_job(params, stage.scene.timeline), frames_per_segment(frame_params(params)), count);
+  if (params.strips > 1) check_strips(frame_params(params), stage.placed.optics, params.strips);
+  return cut(parts_of(frames_of_job(params, stage.scene.timeline), params.strips), params.strips, segment_of(params), count);
 }
 
 /// The same job in a folder of its own, pictures and layers alone: videos are made by who finishes it.
@@ -45,6 +54,7 @@ RenderParams job_in(const std::filesystem::path& folder, RenderParams params) {
 }
 
 Neighbours neighbours_in(const RenderParams& params) {
+  if (params.strips > 1) return Neighbours::kOthers;
   const Reuse reuse = resolved_reuse(frame_params(params));
   if (std::holds_alternative<ShareLight>(reuse)) return Neighbours::kSettling;
   return std::holds_alternative<CopySettled>(reuse) ? Neighbours::kCopied : Neighbours::kOthers;
@@ -54,23 +64,29 @@ Neighbours neighbours_in(const RenderParams& params) {
 UnitPlan measured_plan(const RenderParams& params, int count, const Context& context) {
   const ScratchFolder folder;
   UnitPlan plan;
-  std::vector<int> frames;
+  std::vector<int> parts;
   RunParams run;
   run.choose = [&](const std::vector<int>& of_job, int segment) {
-    plan = cut(of_job, segment, count);
-    frames = of_job;
+    plan = cut(of_job, params.strips, segment, count);
+    parts = of_job;
     return frames_to_measure(of_job, segment, neighbours_in(params));
   };
   MeasuredRun measured;
   const double begin = process_cpu_seconds();
   RenderObserver observer;
-  observer.planned = [&](const RenderPlan&) { measured.setup_cpu_seconds = process_cpu_seconds() - begin; };
+  observer.planned = [&](const RenderPlan& planned) {
+    measured.setup_cpu_seconds = process_cpu_seconds() - begin;
+    const bool moves = true;  // most layouts do
+    if (planned.strips > 0) plan.join_bytes = frame_bytes(params, planned.stage.placed.optics, moves);
+  };
   const RenderReport report = render_animation(job_in(folder.path(), params), context, observer, run);
   measured.cpu_seconds = process_cpu_seconds() - begin;
-  measured.frames = report.frames, measured.sources = report.run.sources;
+  measured.frames = params.strips > 1 ? report.strips : report.frames, measured.sources = report.run.sources;
   measured.peak_memory_bytes = report.run.peak_memory_bytes;
-  plan.costs = frame_costs(measured, frames, plan.segment);
-  for (PlannedUnit& unit : plan.units) unit.cpu_seconds = cpu_seconds_of(unit.frames, plan.segment, *plan.costs);
+  plan.costs = frame_costs(measured, parts, plan.segment);
+  const std::vector<std::vector<int>> units = units_of(parts, plan.segment, count);
+  for (std::size_t i = 0; i < units.size(); ++i)
+    plan.units[i].cpu_seconds = cpu_seconds_of(units[i], plan.segment, *plan.costs);
   return plan;
 }
 

@@ -1,6 +1,7 @@
 // How a job falls into units of work, and what each of them is likely to take: a few frames are rendered to find out.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -12,13 +13,16 @@ namespace lippmann {
 
 struct PlannedUnit {
   std::vector<int> frames;
-  std::optional<double> cpu_seconds = {};  ///< about; none: nothing was measured
+  std::map<int, std::vector<int>> strips = {};  ///< by frame; empty: these are rendered whole
+  std::optional<double> cpu_seconds = {};       ///< about; none: nothing was measured
 };
 
 struct UnitPlan {
   int segment = 1;  ///< frames_per_segment
   std::vector<PlannedUnit> units;
   std::optional<FrameCosts> costs = {};
+  std::optional<double> join_bytes =
+      {};  ///< the memory that joining a frame from strips takes, about; none: not known, or none is
 };
 
 /// `count` units or as many as there are segments. With `measure`, frames are rendered into a folder that is thrown away

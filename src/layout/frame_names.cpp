@@ -22,7 +22,7 @@ constexpr const char* kFrameFiles =
     R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_rgbd)?\.(?:png|tif|exr)(?:\.json)?)"
     R"(|frame_([0-9]{1,9})/(?:(?:view|aov)_[0-9]{1,9}\.(?:png|tif|exr)|parameters\.cfg|cameras\.json|input_Cam[0-9]{1,6}\.(?:png|exr))"
     R"(|gt_(?:depth|disp)_lowres(?:_Cam[0-9]{1,6})?\.pfm|out_[0-9]{1,5}_[0-9]{1,5}(?:_[0-9.+-]{1,40})*\.(?:png|exr))"
-    R"(|[0-9]{1,4}_[0-9]{1,4}\.ppm|view_[0-9]{1,6}_depth\.png))";
+    R"(|[0-9]{1,4}_[0-9]{1,4}\.ppm|view_[0-9]{1,6}_depth\.png)|strip_([0-9]{1,9})_[0-9]{1,9}\.exr)";
 
 std::vector<fs::path> frames_in(const fs::path& folder, bool are_folders) {
   std::vector<fs::path> frames;
@@ -53,13 +53,17 @@ fs::path layers_path(const fs::path& folder, int frame, int view) {
   return folder / fmt::format("frame_{:04}", frame) / fmt::format("aov_{:03}.exr", view);
 }
 
+std::string strip_name(int frame, int strip) { return fmt::format("strip_{:04}_{:03}.exr", frame, strip); }
+
+bool is_strip_name(const std::string& name) { return name.starts_with("strip_") && frame_of_file(name); }
+
 std::optional<int> frame_of_file(const std::string& name) {
   constexpr std::size_t kMaxLetters = 255;  // no file's name is longer
   if (name.size() > kMaxLetters) return std::nullopt;
   static const TextPattern pattern(kFrameFiles);
   const std::optional<PatternMatch> found = pattern.match(name);
   if (!found) return std::nullopt;
-  const std::string& digits = found->groups[1].empty() ? found->groups[2] : found->groups[1];
+  const std::string digits = found->groups[1] + found->groups[2] + found->groups[3];  // one of them alone
   int frame = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), frame);
   return frame;

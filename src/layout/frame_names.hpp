@@ -24,8 +24,17 @@ std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& fo
 /// Where extra layers of a picture (of a view; -1: of the whole frame) go that are not in the picture itself.
 std::filesystem::path layers_path(const std::filesystem::path& folder, int frame, int view = -1);
 
-/// The frame that a file of this name, relative to a render's folder, belongs to: a picture, a layer, a side file, a file of a
-/// format's folder; none if no render writes files of such a name.
+/// That a frame has: a film of the most rows that pictures have, in bands of 16 rows.
+inline constexpr int kMostStrips = 4096;
+
+/// strip_0000_003.exr: rows of a frame that is not joined yet.
+std::string strip_name(int frame, int strip);
+
+/// Whether a file is called as strips are.
+bool is_strip_name(const std::string& name);
+
+/// The frame that a file of this name, relative to a render's folder, belongs to: a picture, a strip of one, a layer, a side
+/// file, a file of a format's folder; none if no render writes files of such a name.
 std::optional<int> frame_of_file(const std::string& name);
 
 /// Whether its ending is that of a kind of picture files that the tool reads; letters of either case.

@@ -249,7 +249,7 @@ CachedFrame::Mending CachedFrame::mix_paths(const GatherMeasure& measure) {
 
 void CachedFrame::gather(bool provenance, const CachedLightPictures& pictures) {
   Image* const alpha = alpha_of(pictures);
-  if (alpha) pictures.aovs->allocate(Aov::kAlpha, film_size(shot_.optics));
+  if (alpha) pictures.aovs->allocate(Aov::kAlpha, film_size(shot_));
   const RayCounts rays =
       gather_frame(cache_.sources(), {params_, effort(), provenance}, {}, {&before_, &history_.scatter, &expected_},
                    {pool_, context_}, {pictures.film, alpha, pictures.noisy});

@@ -41,7 +41,7 @@ UpdateTarget FrameCache::target() const { return {cells_, *history_.cache, pool_
 
 void FrameCache::start(float samples_per_cell, LightGroup lights_from) {
   if (history_.cache && samples_per_cell == history_.samples_per_cell && lights_from == history_.lights_from) return;
-  const Vec2i film = film_size(shot_.optics);
+  const Vec2i film = film_size(shot_);
   const double pixels = static_cast<double>(film.x) * static_cast<double>(film.y);
   history_.cache.emplace(static_cast<std::size_t>(std::max(kCellsPerPixel * pixels, kLeastCells)));
   history_.samples_per_cell = cells_.samples_per_cell = samples_per_cell;

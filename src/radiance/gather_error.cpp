@@ -120,7 +120,8 @@ GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, std::op
       measured_(places),
       seed_(hash(trace.seed, trace.frame, places.salt)),
       pool_(pool) {
-  patches_ = choose_patches(shot.optics, shot.world_from_display, trace.order, places.patches, likely, seed_);
+  const PacketSource source(shot.optics, shot.world_from_display, trace.order, SubPixel{}, shot.rows);
+  patches_ = choose_patches(source, places.patches, likely, seed_);
   trace_patches(places.fewer);
   set_goal(difference(paths_[0].values, paths_[1].values));
 }
@@ -142,7 +143,7 @@ void GatherMeasure::set_goal(const PixelError& of_paths) {
 /// of half as many.
 void GatherMeasure::trace_patches(int fewer) {
   const Context quiet;  // a few patches are no progress of the frame
-  Image film(film_size(shot_.optics).x, film_size(shot_.optics).y, 3);
+  Image film(film_size(shot_).x, film_size(shot_).y, 3);
   TraceParams params = trace_;
   params.spp = fewer_samples(trace_.spp, fewer);
   const bool in_halves = params.spp < trace_.spp;

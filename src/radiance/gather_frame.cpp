@@ -28,7 +28,11 @@ class SampleSource {
   SampleSource(const Shot& shot, const TraceParams& params)
       : rays_(shot.optics, shot.world_from_display, SubPixel{params.seed, kMostGatherSamples, params.angular_filter}),
         seed_(hash(params.seed, params.frame, kPlacesSalt)),
-        width_(static_cast<std::uint32_t>(film_size(shot.optics).x)) {}
+        width_(static_cast<std::uint32_t>(film_size(shot.optics).x)),
+        first_pixel_(lippmann::first_pixel(shot.optics, shot.rows)) {}
+
+  /// Streams are pixels of the whole film.
+  std::uint32_t stream_of(std::uint32_t pixel) const { return first_pixel_ + pixel; }
 
   /// Takes the packet's streams, which are pixels, and samples.
   void fill(CameraPacket& packet) const {
@@ -57,7 +61,7 @@ class SampleSource {
   }
 
   SampleRays rays_;
-  std::uint32_t seed_, width_;
+  std::uint32_t seed_, width_, first_pixel_;
 };
 
 /// Packets of wanted samples of a block's pixels, for trace_batch(): light goes to a slot for each.
@@ -72,7 +76,7 @@ struct WantedSamples {
       const Work& w = work[std::min(first + i, work.size() - 1)];
       into.active.lane[i] = first + i < work.size() ? -1 : 0;
       into.target[i] = static_cast<std::uint32_t>(first + i);
-      into.stream[i] = block.pixel[w.estimate];
+      into.stream[i] = source.stream_of(block.pixel[w.estimate]);
       into.sample[i] = w.sample;
     }
     source.fill(into);
@@ -167,23 +171,18 @@ class BlockGatherer {
 
 }  // namespace
 
-FramePackets packets_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order) {
-  const PacketSource source(optics, world_from_display, order, SubPixel{});
+FramePackets packets_in_frame(const PacketSource& source) {
   return {static_cast<std::size_t>(source.strips()), static_cast<std::size_t>(source.packets_per_strip())};
 }
 
-void append_pixels(const Optics& optics, const Affine3f& world_from_display, RayOrder order, std::size_t first, std::size_t end,
-                   std::vector<std::uint32_t>& pixels) {
-  const PacketSource source(optics, world_from_display, order, SubPixel{});
+void append_pixels(const PacketSource& source, std::size_t first, std::size_t end, std::vector<std::uint32_t>& pixels) {
   const auto per_strip = static_cast<std::size_t>(source.packets_per_strip());
   for (std::size_t p = first; p < end; ++p)
     for_each_pixel(source, static_cast<int>(p / per_strip), static_cast<int>(p % per_strip),
                    [&](std::uint32_t pixel) { pixels.push_back(pixel); });
 }
 
-void for_each_pixel(const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-                    const std::function<void(std::size_t, std::uint32_t)>& fn) {
-  const PacketSource source(optics, world_from_display, order, SubPixel{});
+void for_each_pixel(const PacketSource& source, const std::function<void(std::size_t, std::uint32_t)>& fn) {
   std::size_t packet = 0;
   for (int strip = 0; strip < source.strips(); ++strip)
     for (int p = 0; p < source.packets_per_strip(); ++p, ++packet)
@@ -192,7 +191,7 @@ void for_each_pixel(const Optics& optics, const Affine3f& world_from_display, Ra
 
 Scatter smoothed(const Scatter& scatter, const Optics& optics, const ThreadPool& pool) {
   if (scatter.empty()) return {};
-  const int width = film_size(optics).x, height = film_size(optics).y;
+  const int width = film_size(optics).x, height = static_cast<int>(scatter.size()) / width;
   const int lens = std::max(1, whole_pixels_per_lens(optics).x);
   Scatter across(scatter.size()), smooth(scatter.size());
   const auto average = [&](const Scatter& from, Scatter& to, auto... steps) {
@@ -254,16 +253,14 @@ class ExpectedError {
 
 RayCounts gather_cached(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
                         const GatherHistory& history, const Workers& workers, const GatheredPictures& pictures) {
-  if (history.now)
-    history.now->assign(
-        static_cast<std::size_t>(film_size(sources.shot.optics).x) * static_cast<std::size_t>(film_size(sources.shot.optics).y),
-        -1.0f);
-  const Optics& optics = sources.shot.optics;
+  const Vec2i size = film_size(sources.shot);
+  if (history.now) history.now->assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), -1.0f);
   Image& film = pictures.film;
-  film.width = film_size(optics).x, film.height = film_size(optics).y, film.channels = 3;
+  film.width = size.x, film.height = size.y, film.channels = 3;
   film.data.resize(3 * static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
-  if (pictures.noisy) clear_guides(film_size(optics), *pictures.noisy);
-  const PacketSource source(optics, sources.shot.world_from_display, params.trace.order, SubPixel{});
+  if (pictures.noisy) clear_guides(size, *pictures.noisy);
+  const Shot& shot = sources.shot;
+  const PacketSource source(shot.optics, shot.world_from_display, params.trace.order, SubPixel{}, shot.rows);
   const SampleSource samples(sources.shot, params.trace);
   const Scatter unknown;
   const Scatter& before = history.before ? *history.before : unknown;

@@ -7,6 +7,7 @@
 #include "radiance/final_gather.hpp"
 #include "radiance/path_mix.hpp"
 #include "trace/noisy_frame.hpp"
+#include "trace/packet_source.hpp"
 
 namespace lippmann {
 
@@ -67,14 +68,12 @@ RayCounts gather_frame(const GatherSources& sources, const GatherParams& params,
 struct FramePackets {
   std::size_t strips, per_strip;
 };
-FramePackets packets_in_frame(const Optics& optics, const Affine3f& world_from_display, RayOrder order);
+FramePackets packets_in_frame(const PacketSource& source);
 
 /// Appends the pixels of packets first ... end - 1, all of one strip.
-void append_pixels(const Optics& optics, const Affine3f& world_from_display, RayOrder order, std::size_t first, std::size_t end,
-                   std::vector<std::uint32_t>& pixels);
+void append_pixels(const PacketSource& source, std::size_t first, std::size_t end, std::vector<std::uint32_t>& pixels);
 
 /// Calls fn(packet, pixel) for all pixels of a frame.
-void for_each_pixel(const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-                    const std::function<void(std::size_t, std::uint32_t)>& fn);
+void for_each_pixel(const PacketSource& source, const std::function<void(std::size_t, std::uint32_t)>& fn);
 
 }  // namespace lippmann

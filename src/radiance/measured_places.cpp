@@ -126,12 +126,12 @@ MeasuredPixels choose_pixels(const Image& film, const MeasuredShare& share, cons
   return measured;
 }
 
-MeasuredPatches choose_patches(const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-                               const MeasuredShare& share, const Scatter& before, std::uint32_t seed) {
-  const PatchGrid grid{packets_in_frame(optics, world_from_display, order)};
+MeasuredPatches choose_patches(const PacketSource& source, const MeasuredShare& share, const Scatter& before,
+                               std::uint32_t seed) {
+  const PatchGrid grid{packets_in_frame(source)};
   std::vector<double> errors(grid.count(), 0.0);
   if (!before.empty())
-    for_each_pixel(optics, world_from_display, order, [&](std::size_t packet, std::uint32_t pixel) {
+    for_each_pixel(source, [&](std::size_t packet, std::uint32_t pixel) {
       errors[grid.of_packet(packet)] += likely_error(before[pixel]);
     });
   MeasuredPatches measured;
@@ -141,7 +141,7 @@ MeasuredPatches choose_patches(const Optics& optics, const Affine3f& world_from_
     const std::size_t first = grid.first_packet(patch), end = grid.end_packet(patch);
     std::fill(measured.wanted.begin() + static_cast<std::ptrdiff_t>(first),
               measured.wanted.begin() + static_cast<std::ptrdiff_t>(end), 1);
-    append_pixels(optics, world_from_display, order, first, end, measured.pixels);
+    append_pixels(source, first, end, measured.pixels);
     if (measured.pixels.size() == measured.begin.back()) continue;  // packets of a lower last strip
     measured.begin.push_back(measured.pixels.size());
     measured.weights.push_back(weight);

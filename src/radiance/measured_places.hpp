@@ -39,7 +39,7 @@ struct MeasuredPatches {
 MeasuredPixels choose_pixels(const Image& film, const MeasuredShare& share, const Scatter& scatter, std::uint32_t seed);
 
 /// Patches: likely where `before` is large, which may be empty.
-MeasuredPatches choose_patches(const Optics& optics, const Affine3f& world_from_display, RayOrder order,
-                               const MeasuredShare& share, const Scatter& before, std::uint32_t seed);
+MeasuredPatches choose_patches(const PacketSource& source, const MeasuredShare& share, const Scatter& before,
+                               std::uint32_t seed);
 
 }  // namespace lippmann

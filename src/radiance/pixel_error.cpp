@@ -11,7 +11,7 @@ namespace lippmann {
 PixelMeasure::PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredPixels where, int sets, const ThreadPool& pool)
     : where_(std::move(where)) {
   const Context quiet;  // a few pixels are no progress of the frame
-  Image film(film_size(shot.optics).x, film_size(shot.optics).y, 3);
+  Image film(film_size(shot).x, film_size(shot).y, 3);
   TraceParams params = trace;
   for (int set = 0; set < sets; ++set) {
     params.seed = hash(trace.seed, trace.frame, 0x70697865u + static_cast<std::uint32_t>(set));

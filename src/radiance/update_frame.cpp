@@ -21,7 +21,8 @@ constexpr int kPlaces = 16;
 CacheUpdater::CacheUpdater(const Shot& shot, const TraceParams& params)
     : scene_(shot.device.shaded()),
       params_(params),
-      source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, kPlaces, AngularFilter::kNone}) {}
+      source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, kPlaces, AngularFilter::kNone},
+              shot.rows) {}
 
 std::size_t UpdateRound::records() const {
   std::size_t count = 0;
@@ -81,7 +82,7 @@ RayCounts CacheUpdater::update_strip(const UpdateTarget& target, std::size_t str
   const int place = static_cast<int>(hash(params_.seed, params_.frame, seed) % kPlaces);
   GroupPackets packets{{source_, static_cast<int>(strip)},
                        static_cast<int>((params_.frame + seed) % kRoundsPerFrame),
-                       static_cast<std::uint32_t>(strip) << 16};
+                       (static_cast<std::uint32_t>(source_.first_strip()) + static_cast<std::uint32_t>(strip)) << 16};
   std::vector<int> groups;
   const auto list = [&](std::size_t group) {
     if (source_.lanes(packets.packets.strip, packets.packet_of(static_cast<int>(group))) > 0)

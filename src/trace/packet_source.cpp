@@ -15,10 +15,6 @@ std::uint32_t reversed_bits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
 }
 
-int rows_in_strip(int strip, const StripOrder& order, int height) {
-  return std::min(order.strip_height, height - strip * order.strip_height);
-}
-
 /// Centres of 16 pixels in a row of a strip's order, and their indices.
 LIPPMANN_MULTIVERSION void center_lanes(const StripPixel* pixels, int top, int width, float* px, float* py,
                                         std::uint32_t* index) {
@@ -63,15 +59,20 @@ void fill_rays(const RayGenerator& generator, const float* px, const float* py, 
   set_range(generator.depth(), generator.forward(), lanes, rays);
 }
 
-PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel)
+PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel,
+                           FilmRows rows)
     : rays_(optics, world_from_display, sub_pixel),
       order_(make_strip_order(optics, order)),
       sub_pixel_(sub_pixel),
       width_(film_size(optics).x),
-      height_(film_size(optics).y),
-      strips_((height_ + order_.strip_height - 1) / order_.strip_height),
+      rows_{rows.first, std::min(rows.end, film_size(optics).y)},
+      strips_((rows_.end - rows_.first + order_.strip_height - 1) / order_.strip_height),
       packets_(static_cast<int>((order_.pixels.size() + kLanes - 1) / kLanes)) {
   order_.pixels.resize(static_cast<std::size_t>(packets_) * kLanes, order_.pixels.back());
+}
+
+int PacketSource::rows_in_strip(int strip) const {
+  return std::min(order_.strip_height, rows_.end - rows_.first - strip * order_.strip_height);
 }
 
 /// rows: how many the strip has.
@@ -82,13 +83,13 @@ bool PacketSource::is_inside(int rows, int packet, int lane) const {
 
 int PacketSource::lanes(int strip, int packet) const {
   int count = 0;
-  for (int i = 0; i < kLanes; ++i) count += is_inside(rows_in_strip(strip, order_, height_), packet, i);
+  for (int i = 0; i < kLanes; ++i) count += is_inside(rows_in_strip(strip), packet, i);
   return count;
 }
 
 int PacketSource::fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const {
   const StripPixel* pixels = order_.pixels.data() + static_cast<std::size_t>(packet) * kLanes;
-  const int top = strip * order_.strip_height, rows = rows_in_strip(strip, order_, height_);
+  const int top = rows_.first + strip * order_.strip_height, rows = rows_in_strip(strip);
   alignas(64) float px[kLanes], py[kLanes];
   center_lanes(pixels, top, width_, px, py, pixel);
   const bool padded = (packet + 1) * kLanes > width_ * order_.strip_height;

@@ -6,6 +6,7 @@
 #include "lippmann/optics/angular_filter.hpp"
 #include "optics/ray_generator.hpp"
 #include "trace/camera_packet.hpp"
+#include "trace/film_rows.hpp"
 #include "trace/strip_order.hpp"
 
 namespace lippmann {
@@ -42,29 +43,39 @@ void fill_rays(const RayGenerator& generator, const float* px, const float* py, 
 
 class PacketSource {
  public:
-  PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel);
+  /// `rows` begin and end where strips do.
+  PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel,
+               FilmRows rows = {});
 
+  /// How many strips the rows have. They are numbered from the first of them.
   int strips() const { return strips_; }
+  /// The number that strip 0 has in the whole film.
+  int first_strip() const { return rows_.first / order_.strip_height; }
+  /// The number that the first pixel of the rows has in the whole film.
+  std::uint32_t first_pixel() const { return static_cast<std::uint32_t>(rows_.first) * static_cast<std::uint32_t>(width_); }
   /// Packets of a full strip; a lower last strip has as many, some lanes or whole packets of them inactive.
   int packets_per_strip() const { return packets_; }
 
   /// How many lanes of a packet there are; none, too, of packets that the strip does not have.
   int lanes(int strip, int packet) const;
 
-  /// Fills origin, direction, tnear and tfar of packet `packet` of a strip, the pixel index (y * width + x) of each lane and
-  /// which lanes there are. Returns the number of active lanes; inactive ones get the ray of an active one.
+  /// Fills origin, direction, tnear and tfar of packet `packet` of a strip, the pixel index (y * width + x of the whole film)
+  /// of each lane and which lanes there are. Returns the number of active lanes; inactive ones get the ray of an active one.
   int fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const;
 
  private:
+  int rows_in_strip(int strip) const;
   bool is_inside(int rows, int packet, int lane) const;
 
   SampleRays rays_;
   StripOrder order_;
   SubPixel sub_pixel_;
-  int width_, height_, strips_, packets_;
+  int width_;
+  FilmRows rows_;  ///< both of them within the film
+  int strips_, packets_;
 };
 
-/// The packets of a strip, for trace_batch().
+/// The packets of a strip, for trace_batch(). Light goes to pixels of the rows, random numbers are those of the whole film's.
 struct StripPackets {
   const PacketSource& source;
   int strip;
@@ -72,11 +83,13 @@ struct StripPackets {
   bool fill(int packet, int sample, CameraPacket& into) const {
     if (source.fill(strip, packet, sample, into.rays.ray, into.active, into.target) == 0) return false;
     set_streams(sample, into);
+    const std::uint32_t first = source.first_pixel();
+    LIPPMANN_FOR_LANES(i) into.target[i] -= first;
     return true;
   }
 };
 
-/// The pixels of a packet: pixel(y * width + x) for each.
+/// The pixels of a packet: pixel(y * width + x) for each, y from the first of the source's rows.
 template <class Pixel>
 void for_each_pixel(const PacketSource& source, int strip, int packet, const Pixel& pixel) {
   CameraPacket camera;

@@ -6,6 +6,7 @@
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/optics/optics.hpp"
 #include "trace/device_scene.hpp"
+#include "trace/film_rows.hpp"
 
 namespace lippmann {
 
@@ -14,7 +15,11 @@ struct Shot {
   const DeviceScene& device;  ///< where update() has moved it
   const Optics& optics;
   Affine3f world_from_display{};  ///< mm to the world's units: a similarity
+  FilmRows rows{};                ///< that are rendered: films, layers and pixels' numbers are those of these rows alone
 };
+
+/// The size of what is rendered.
+inline Vec2i film_size(const Shot& shot) { return film_size(shot.optics, shot.rows); }
 
 /// Who works, and who may say stop.
 struct Workers {

@@ -62,12 +62,17 @@ int strip_height(const std::optional<LensArray>& lenses, Vec2i n) {
 
 }  // namespace
 
+int rows_per_strip(const Optics& optics) {
+  const OpticsFacts facts = optics_facts(optics);
+  return std::min(strip_height(facts.lenses, facts.whole_pixels_per_lens), film_size(optics).y);
+}
+
 StripOrder make_strip_order(const Optics& optics, RayOrder order) {
   const OpticsFacts facts = optics_facts(optics);
   const Vec2i n = facts.whole_pixels_per_lens;
   const int width = film_size(optics).x;
   StripOrder strip;
-  strip.strip_height = std::min(strip_height(facts.lenses, n), film_size(optics).y);
+  strip.strip_height = rows_per_strip(optics);
   strip.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(strip.strip_height));
   const bool one_dimensional = facts.lenses && !(facts.lenses->row_pitch_mm > 0.0);
   switch (order) {

@@ -28,6 +28,9 @@ struct StripOrder {
       pixels;  ///< every pixel of a full strip once; a lower last strip skips those with y beyond its height
 };
 
+/// Rows of a full strip.
+int rows_per_strip(const Optics& optics);
+
 StripOrder make_strip_order(const Optics& optics, RayOrder order);
 
 }  // namespace lippmann

@@ -56,11 +56,11 @@ void trace_batch(const ShadedScene& scene, Packets&& packets, const Batch& batch
   }
 }
 
-/// One camera ray through the centre of every pixel. `integrator` is used by many threads at a time.
+/// One camera ray through the centre of every pixel of the shot's rows. `integrator` is used by many threads at a time.
 template <class Integrator>
 void trace_centres(const Shot& shot, RayOrder order, const ThreadPool& pool, Integrator& integrator,
                    const PacketSinks& sinks = {}) {
-  const PacketSource source(shot.optics, shot.world_from_display, order, SubPixel{});
+  const PacketSource source(shot.optics, shot.world_from_display, order, SubPixel{}, shot.rows);
   pool.for_each(static_cast<std::size_t>(source.strips()), [&](std::size_t strip) {
     for_each_batch({}, strip, source.packets_per_strip(), [&](std::span<const int> batch, std::size_t) {
       trace_batch(shot.device.shaded(), StripPackets{source, static_cast<int>(strip)}, {batch}, integrator, sinks);

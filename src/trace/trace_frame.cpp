@@ -18,7 +18,8 @@ class FrameTracer {
       : scene_(shot.device.shaded()),
         params_(params),
         beam_(shot.optics, shot.world_from_display, params.spp),
-        source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter}),
+        source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter},
+                shot.rows),
         sinks_{&film},
         film_(parts) {
     film_.all = film.data.data();
@@ -102,7 +103,7 @@ void clear_guides(Vec2i film, NoisyFrame& noisy) {
 
 RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,
                             FrameAovs& aovs) {
-  const Vec2i size = film_size(shot.optics);
+  const Vec2i size = film_size(shot);
   noisy.film = Image(size.x, size.y, 3);
   clear_guides(size, noisy);
   PathFilm film = allocated_light(size, aovs);
@@ -117,7 +118,7 @@ RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const W
 
 RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into) {
   const ShadedScene& scene = shot.device.shaded();
-  const Vec2i size = film_size(shot.optics);
+  const Vec2i size = film_size(shot);
   const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   into.film.width = size.x, into.film.height = size.y, into.film.channels = 3;
   into.film.data.resize(3 * pixels);

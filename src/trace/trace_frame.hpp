@@ -31,7 +31,7 @@ struct TraceParams {
 
 /// What a traced frame goes into.
 struct FrameTargets {
-  Image& film;                       ///< becomes 3 channels, linear, as large as film_size() says
+  Image& film;                       ///< becomes 3 channels, linear, as large as film_size(shot) says
   FrameAovs* aovs = nullptr;         ///< layers of light (paths only; find_first_hits, trace/first_hits.hpp, finds others)
   PrimaryPoints* points = nullptr;   ///< first hits behind the pixels' centres: free at one sample per pixel, else a pass
   TouchedBlocks* touched = nullptr;  ///< the blocks whose rays meet its boxes
@@ -41,7 +41,7 @@ struct FrameTargets {
 RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into);
 
 /// Traces the blocks of a frame for which `wanted` (by block, as in TouchedBlocks) is not 0, to the same bits as trace_frame;
-/// `film` has the panel's size, and what lies in other blocks stays as it is.
+/// `film` has that size already, and what lies in other blocks stays as it is.
 RayCounts trace_blocks(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
                        const Workers& workers, Image& film);
 

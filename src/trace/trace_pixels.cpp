@@ -47,16 +47,18 @@ OrderedPixels in_ray_order(Pixels pixels, const Optics& optics, RayOrder ray_ord
 
 /// Where the rays of pixels start and go, by sample.
 struct PixelRays {
-  PixelRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& where)
+  PixelRays(const Shot& shot, const SubPixel& where)
       : sub_pixel(where),
-        centre(optics, world_from_display),
-        samples(optics, world_from_display, where),
-        width(static_cast<std::uint32_t>(film_size(optics).x)) {}
+        centre(shot.optics, shot.world_from_display),
+        samples(shot.optics, shot.world_from_display, where),
+        width(static_cast<std::uint32_t>(film_size(shot).x)),
+        first_pixel(lippmann::first_pixel(shot.optics, shot.rows)) {}
 
   SubPixel sub_pixel;
   RayGenerator centre;
   SampleRays samples;
   std::uint32_t width;
+  std::uint32_t first_pixel;  ///< the number in the whole film of the first one that is rendered
 };
 
 /// Packets of 16 pixels of a list, for trace_batch().
@@ -70,8 +72,10 @@ struct PixelPackets {
     const SubPixel& sub_pixel = from.sub_pixel;
     alignas(64) float px[kLanes], py[kLanes];
     for (std::size_t i = 0; i < kLanes; ++i) {
-      const std::uint32_t pixel = pixels[std::min(first + i, pixels.size() - 1)];
-      into.target[i] = pixel;
+      const std::uint32_t of_rows = pixels[std::min(first + i, pixels.size() - 1)];
+      const std::uint32_t pixel = from.first_pixel + of_rows;
+      into.target[i] = of_rows;
+      into.stream[i] = pixel, into.sample[i] = static_cast<std::uint32_t>(sample);
       into.active.lane[i] = first + i < pixels.size() ? -1 : 0;
       px[i] = static_cast<float>(pixel % from.width) + 0.5f;
       py[i] = static_cast<float>(pixel / from.width) + 0.5f;
@@ -79,7 +83,6 @@ struct PixelPackets {
       const Vec2f offset = sub_pixel.position(pixel, sample) - Vec2f(0.5f);
       px[i] += offset.x, py[i] += offset.y;
     }
-    set_streams(sample, into);
     fill_rays(sub_pixel.samples == 1 ? from.centre : from.samples.of(sample), px, py, {0, kLanes}, into.rays.ray);
     return true;
   }
@@ -93,8 +96,8 @@ RayCounts trace_pixels(const Shot& shot, const TraceParams& params, Pixels pixel
   const ShadedScene& scene = shot.device.shaded();
   const OrderedPixels ordered = in_ray_order(pixels, shot.optics, params.order);
   const BeamFootprint beam(shot.optics, shot.world_from_display, params.spp);
-  const PixelRays samples(shot.optics, shot.world_from_display, {params.seed, params.spp, params.angular_filter});
-  const PixelRays centres(shot.optics, shot.world_from_display, {});
+  const PixelRays samples(shot, {params.seed, params.spp, params.angular_filter});
+  const PixelRays centres(shot, {});
   std::optional<PointCapture> capture;
   if (points) capture.emplace(scene, inverse(shot.world_from_display), *points);
   const bool along = capture && params.spp == 1;

@@ -113,6 +113,7 @@ TEST(Folder, check_prints_lists_as_json) {
                                    {"missing", nlohmann::json::array()},
                                    {"foreign", nlohmann::json::array()},
                                    {"unfinished", nlohmann::json::array()},
+                                   {"strips_left", nlohmann::json::object()},
                                    {"passed", true}}));
   fs::resize_file(dir / "film.mkv", fs::file_size(dir / "film.mkv") - 1);
   fs::remove(dir / "a/frame_0001.png");

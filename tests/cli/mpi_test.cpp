@@ -68,6 +68,23 @@ TEST(Mpi, any_number_of_ranks_writes_the_bytes_of_one_process_and_its_video) {
   }
 }
 
+TEST(Mpi, ranks_share_out_the_strips_of_a_still_and_the_first_joins_them) {
+  SKIP_WITHOUT_MPI();
+  const TempDir dir;
+  const Words still{"render", "teapot", "--size", "64x160", "--lenses", "8x20", "--frames", "3"};
+  ASSERT_EQ(run_tool(dir, still + Words{"-o", "whole", "--video", "whole.mkv"}).exit_code, 0);
+  const Words strips = still + Words{"--strips", "7", "-o", "a", "--video", "a.mkv", "--verbose"};
+  const RunResult result = run_ranks(dir, 2, strips);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(frames_said(result.err), 7u) << result.err;
+  EXPECT_TRUE(pictures_below(dir / "a") == pictures_below(dir / "whole"));
+  EXPECT_EQ(bytes_of(dir / "a.mkv"), bytes_of(dir / "whole.mkv"));
+  EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 0);
+  fs::resize_file(dir / "a/frame_0003.png", 10);
+  EXPECT_EQ(run_ranks(dir, 2, strips + Words{"--resume"}).exit_code, 0);
+  EXPECT_TRUE(pictures_below(dir / "a") == pictures_below(dir / "whole"));
+}
+
 TEST(Mpi, progress_of_all_ranks_is_told_by_the_first) {
   SKIP_WITHOUT_MPI();
   const TempDir dir;

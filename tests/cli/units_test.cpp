@@ -43,10 +43,35 @@ TEST(Units, finish_names_what_is_missing_and_the_command_that_it_prints_renders_
 TEST(Units, plan_says_why_a_job_is_one_unit) {
   const TempDir dir;
   const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--units", "4", "--only-list"};
-  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "3"}).out, HasSubstr("One frame is one unit: pictures are not cut.\n"));
+  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "3"}).out,
+              HasSubstr("One frame is one unit, unless it is rendered in strips (--strips).\n"));
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-3", "--integrator", "path"}).out,
               HasSubstr("All frames are made together: the job is one unit.\n"));
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-1"}).out, HasSubstr("The job falls into 2 units at most.\n"));
+}
+
+TEST(Units, of_strips_are_planned_rendered_named_where_they_are_missing_and_joined) {
+  const TempDir dir;
+  const Words still{"teapot", "--size", "64x64", "--lenses", "8x8", "--frames", "3"};
+  expect_done(dir, Words{"render"} + still + Words{"-o", "whole"});
+  const Words strips = still + Words{"--strips", "4", "-o", "a"};
+  const RunResult plan = run_tool(dir, Words{"plan"} + strips + Words{"--units", "8"});
+  EXPECT_THAT(plan.out, AllOf(HasSubstr("2/4  strips 1 of frame 3, about"), HasSubstr("falls into 4 units at most"),
+                              HasSubstr("To finish, which joins strips, takes about")));
+  const Json planned = json_of(run_tool(dir, Words{"plan"} + strips + Words{"--units", "2", "--json"}).out);
+  EXPECT_EQ(planned["units"][1]["strips"], (Json{{"3", "2-3"}}));
+  const RunResult unit = run_tool(dir, Words{"render"} + strips + Words{"--unit", "1/2"});
+  EXPECT_THAT(unit.out, HasSubstr("2 strips of 64x64 pixels"));
+  EXPECT_THAT(unit.err, HasSubstr("2 strips of 1 frame of 64x64 pixels"));
+  EXPECT_THAT(run_tool(dir, {"check", "a"}).out, HasSubstr("not rendered yet: strips 2-3 of frame 3\n"));
+  EXPECT_THAT(run_tool(dir, {"finish", "a"}).out, HasSubstr("not rendered yet: strips 2-3 of frame 3\n"));
+  expect_done(dir, Words{"render"} + strips + Words{"--unit", "2/2"});
+  EXPECT_THAT(run_tool(dir, {"check", "a"}).out, HasSubstr("not joined yet: the strips of frames 3"));
+  expect_done(dir, {"finish", "a"});
+  expect_done(dir, {"check", "a"});
+  EXPECT_TRUE(pictures_below(dir / "a") == pictures_below(dir / "whole"));
+  expect_refusal(run_tool(dir, Words{"render"} + still + Words{"--strips", "0"}), 2, "--strips");
+  expect_refusal(run_tool(dir, Words{"plan"} + still + Words{"--strips", "5", "--units", "2"}), 2, "5 are too many");
 }
 
 TEST(Units, plan_measures_in_a_folder_that_it_removes) {

@@ -60,6 +60,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"exr-pixels", {"float"}},
     {"aov", {"depth", "id"}},
     {"video", {"a.mp4", "b.mkv"}},
+    {"strips", {"8"}},
     {"threads", {"3"}},
     {"resume", {"true"}},
     {"reuse", {"interpolate"}},

@@ -130,7 +130,7 @@ TEST(GatherFrame, fills_wanted_packets_alone) {
   const SmallScene s = lit_by_all();
   const Optics optics = single_view(48);
   const CachedScene cached(s.scene, optics, LightGroup::kLamps, 1);
-  const FramePackets packets = packets_in_frame(optics, {}, TraceParams{}.order);
+  const FramePackets packets = packets_in_frame(PacketSource(optics, {}, TraceParams{}.order, SubPixel{}));
   std::vector<std::uint8_t> wanted(packets.strips * packets.per_strip, 0);
   wanted[5] = wanted[6] = 1;
   Image film(48, 48, 3);
@@ -251,7 +251,7 @@ TEST(GatherFrame, wanted_packets_get_the_paths_that_they_have_in_the_frame) {
   const SmallScene s = lit_by_all();
   const Optics optics = single_view(48);
   const CachedScene cached(s.scene, optics, LightGroup::kLamps, 1);
-  const FramePackets packets = packets_in_frame(optics, {}, TraceParams{}.order);
+  const FramePackets packets = packets_in_frame(PacketSource(optics, {}, TraceParams{}.order, SubPixel{}));
   std::vector<std::uint8_t> wanted(packets.strips * packets.per_strip, 0), none;
   wanted[5] = wanted[70] = 1;
   const auto paths_of = [&](const std::vector<std::uint8_t>& of) {

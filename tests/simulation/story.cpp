@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,9 +19,11 @@
 #include "distribute/units.hpp"
 #include "folder/claim_folder.hpp"
 #include "folder/folder_check.hpp"
+#include "folder/strips.hpp"
 #include "job/finish_animation.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_folder.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "simulation/world.hpp"
 
@@ -43,6 +46,7 @@ struct Work {
 };
 
 using FolderFrame = std::pair<fs::path, int>;
+using FolderPart = std::pair<fs::path, int>;  ///< as parts_of counts them
 
 /// Is among those that are being made as long as it lives.
 class Making {
@@ -68,7 +72,10 @@ std::string picture_bytes(const std::string& name) {
 class Teller {
  public:
   explicit Teller(std::uint64_t seed)
-      : shares_a_name_(seed % 5 == 4), world_(seed, kMachines, shares_a_name_), random_(world_.random) {
+      : shares_a_name_(seed % 5 == 4),
+        strips_(seed % 3 == 2 ? 2 + static_cast<int>(seed / 3 % 3) : 1),
+        world_(seed, kMachines, shares_a_name_),
+        random_(world_.random) {
     kind_ = static_cast<Kind>(random_.below(3));
     const int first = static_cast<int>(random_.below(2));
     frames_ = frames_of({{{first, first + static_cast<int>(random_.below(random_.once_in(8) ? 7 : 4)), 1}}});
@@ -116,6 +123,7 @@ class Teller {
     params.output.folder = work.folder.string();
     params.output.frames = ranges_of(frames_);
     params.resume = true;
+    params.strips = strips_;
     return params;
   }
 
@@ -144,7 +152,8 @@ class Teller {
   RenderReport render(const Work& work, const std::string& job = kJob) {
     const Context context;
     const RenderParams params = params_of(work);
-    const std::vector<int> own = work.units ? frames_of(*work.units, frames_, segment_) : frames_;
+    const std::vector<int> all = parts_of(frames_, strips_);
+    const std::vector<int> own = work.units ? frames_of(*work.units, all, strips_ > 1 ? 1 : segment_) : all;
     const bool makes_video = has_video_ && !work.units;
     const std::vector<std::string> videos = makes_video ? std::vector{video_of(work.folder)} : std::vector<std::string>();
     if (!work.force) require_free_folder(work.folder, job, {}, frames_, videos);
@@ -152,22 +161,72 @@ class Teller {
     RenderReport report;
     report.params = params;
     begin_report(report, folder);
-    FrameSteps steps{true, work.only_finished, {}, {}};
-    steps.keep = [&](const FrameReport& kept) { report.frames.push_back(kept); };
-    steps.make = [&](int frame) { return make(work, frame, folder, report); };
-    take_frames(own, folder, steps);
+    if (strips_ > 1 && work.units)
+      take_strips(own, folder, strip_steps(folder));
+    else
+      take_whole_frames(work, frames_of_parts(own, strips_), folder, report);
     if (makes_video) write_video(folder);
     folder.end(report.run);
     return write_report(report, folder);
   }
 
+  void take_whole_frames(const Work& work, const std::vector<int>& frames, RenderFolder& folder, RenderReport& report) {
+    FrameSteps steps{true, work.only_finished && strips_ == 1, {}, {}};
+    steps.keep = [&](const FrameReport& kept) {
+      report.frames.push_back(kept);
+      remove_strips_of(work.folder, kept.frame);
+    };
+    steps.make = [&](int frame) { return make(work, frame, folder, report); };
+    take_frames(frames, folder, steps);
+  }
+
+  StripSteps strip_steps(RenderFolder& folder) {
+    return {strips_, true, [this, &folder](int frame, int strip) { return make_strip(frame, strip, folder); }};
+  }
+
+  bool make_strip(int frame, int strip, RenderFolder& folder) {
+    const FolderPart part{folder.path(), frame * strips_ + strip};
+    expect_unfinished(finished_parts_, part, "strip");
+    const Making making(being_made_, {folder.path(), frame});
+    FrameReport made;
+    made.frame = frame;
+    const fs::path file = folder.path() / strip_name(frame, strip);
+    write(file, picture_bytes(strip_name(frame, strip)));
+    folder.add_strip({frame, strip, strips_}, made, records_of(folder.path(), {file}));
+    if (is_alive()) finished_parts_[part] = world_.steps;
+    return true;
+  }
+
+  /// A joined frame is right if the strips are.
+  void join_strips(int frame, const RenderFolder& folder) {
+    finished_strips(folder, frame, strips_);
+    for (int strip = 0; strip < strips_; ++strip) {
+      const std::string name = strip_name(frame, strip);
+      std::ifstream in(folder.path() / name, std::ios::binary);
+      std::string bytes(1000, '\0');
+      in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+      if (in.bad() || in.gcount() == 0) throw Error(name, "cannot be read");
+      bytes.resize(static_cast<std::size_t>(in.gcount()));
+      if (bytes != picture_bytes(name) && is_alive() && !has_misread()) complain(name + " is wrong and joined");
+    }
+  }
+
+  void remove_strips_of(const fs::path& folder, int frame) {
+    if (strips_ == 1) return;
+    for (const int part : parts_of({frame}, strips_)) finished_parts_.erase({folder, part});
+    remove_strips(folder, frame, strips_);
+  }
+
   bool make(const Work& work, int frame, RenderFolder& folder, RenderReport& report) {
-    expect_unfinished(work.folder, frame);
+    if (strips_ > 1 && !work.only_finished) take_strips(parts_of({frame}, strips_), folder, strip_steps(folder));
+    expect_unfinished(finished_, {work.folder, frame}, "frame");
     const Making making(being_made_, {work.folder, frame});
+    if (strips_ > 1) join_strips(frame, folder);
     FrameReport made;
     made.frame = frame;
     folder.add(made, write_frame(work.folder, frame));
     if (is_alive()) finished_[{work.folder, frame}] = world_.steps;
+    remove_strips_of(work.folder, frame);
     report.frames.push_back(made), report.run.frames.push_back(frame);
     return true;
   }
@@ -192,11 +251,15 @@ class Teller {
 
   // ---- What has to hold -----------------------------------------------------------------------------------------------
 
-  /// A run that began after a frame was finished, and could read all, does not make it again.
-  void expect_unfinished(const fs::path& folder, int frame) {
-    const auto found = finished_.find({folder, frame});
-    if (!is_alive() || has_misread() || found == finished_.end() || found->second >= world_.current()->began) return;
-    complain(fmt::format("frame {} was finished at step {} and is rendered again", frame, found->second));
+  /// A run that began after a frame or a strip was finished, and could read all, does not make it again.
+  void expect_unfinished(const std::map<FolderFrame, std::uint64_t>& finished, const FolderFrame& thing, const char* kind) {
+    const auto found = finished.find(thing);
+    if (!is_alive() || has_misread() || found == finished.end() || found->second >= world_.current()->began) return;
+    complain(fmt::format("{} {} was finished at step {} and is rendered again", kind, thing.second, found->second));
+  }
+
+  bool has_strip(const FolderPart& of, int inode) const {
+    return world_.disk.find((of.first / strip_name(of.second / strips_, of.second % strips_)).string()) == inode;
   }
 
   bool has_file(const FolderFrame& of, int inode) const {
@@ -209,9 +272,13 @@ class Teller {
   /// taken is not told from what was written. Folders that were joined have one file under two names.
   bool forget(const std::string& path) {
     const int inode = world_.disk.find(path);
-    for (const FolderFrame& made : being_made_)
+    for (const FolderFrame& made : being_made_) {
       if (has_file(made, inode)) return false;
-    return std::erase_if(finished_, [&](const auto& entry) { return has_file(entry.first, inode); }) > 0;
+      for (const int part : parts_of({made.second}, strips_))
+        if (strips_ > 1 && has_strip({made.first, part}, inode)) return false;
+    }
+    return std::erase_if(finished_, [&](const auto& entry) { return has_file(entry.first, inode); }) > 0 ||
+           std::erase_if(finished_parts_, [&](const auto& entry) { return has_strip(entry.first, inode); }) > 0;
   }
 
   std::string bytes_at(const fs::path& path) {
@@ -223,6 +290,10 @@ class Teller {
     for (const int frame : frames_)
       for (const std::string& name : names_of(frame))
         if (bytes_at(folder / name) != picture_bytes(name)) complain(fmt::format("{} is wrong {}", name, when));
+    if (when == "after it was finished")
+      for (const int part : parts_of(frames_, strips_))
+        if (world_.disk.find((folder / strip_name(part / strips_, part % strips_)).string()) >= 0)
+          complain("a strip is left " + when);
     if (has_video_ && !apart_ && when != "as finish says" && bytes_at(video_of(folder)) != picture_bytes("film.mkv"))
       complain("the video is wrong " + when);
   }
@@ -249,7 +320,7 @@ class Teller {
     if (before == Before::kAnotherRender) {
       world_.start(0, [&] { render({.folder = folder_}, kOtherJob); });
       world_.run();
-      finished_.clear();
+      finished_.clear(), finished_parts_.clear();
       refuse_or_replace();
     } else if (before == Before::kForeignFiles) {
       make_folder(folder_), write(folder_ / names_of(frames_.front()).front().substr(0, 10).append(".png"), "somebody's");
@@ -354,6 +425,7 @@ class Teller {
   static constexpr int kAllFrames = 100;  // the scene's
 
   bool shares_a_name_;
+  int strips_;  ///< that frames are rendered in; 1: they are rendered whole
   World world_;
   Random& random_;
   Kind kind_ = Kind::kPicture;
@@ -362,7 +434,8 @@ class Teller {
   bool apart_ = false, has_video_ = false;
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
-  std::map<FolderFrame, std::uint64_t> finished_;  ///< and recorded; the step of the world
+  std::map<FolderFrame, std::uint64_t> finished_;       ///< and recorded; the step of the world
+  std::map<FolderPart, std::uint64_t> finished_parts_;  ///< the same of strips, until their frame is finished
   std::multiset<FolderFrame> being_made_;
   std::string problem_;
 };

@@ -1,0 +1,94 @@
+#include "frames/strip_maker.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "frames/frame_maker.hpp"
+#include "lippmann/core/error.hpp"
+#include "trace/strip_order.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr const char* kStrips = "strips";
+
+/// Copied frames have the same bits as traced ones, and a strip has no neighbours to be copied from.
+FrameParams made_alone(FrameParams params) {
+  params.reuse = resolved_reuse(params);
+  if (std::holds_alternative<CopySettled>(params.reuse)) params.reuse = TraceAll{};
+  return params;
+}
+
+/// A PSNR of the mean squared error; none where a strip has none.
+std::optional<double> psnr_of_all(const std::vector<FrameReport>& strips, const std::vector<int>& rows,
+                                  std::optional<double> FrameReport::*psnr_db) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const std::optional<double>& of_strip = strips[i].*psnr_db;
+    if (!of_strip) return std::nullopt;
+    error += rows[i] * std::pow(10.0, -0.1 * *of_strip);
+  }
+  return -10.0 * std::log10(error / std::accumulate(rows.begin(), rows.end(), 0.0));
+}
+
+void add_costs(const FrameReport& strip, FrameReport& frame) {
+  frame.seconds += strip.seconds, frame.cpu_seconds += strip.cpu_seconds;
+  add(strip.rays, frame.rays);
+}
+
+}  // namespace
+
+int most_strips(const Optics& optics) {
+  const int together = rows_per_strip(optics);
+  return (film_size(optics).y + together - 1) / together;
+}
+
+StripMaker::StripMaker(Stage& stage, const FrameParams& params, int strips, const ThreadPool& pool, const Context& context)
+    : stage_(stage), params_(made_alone(params)), strips_(strips), pool_(pool), context_(context) {}
+
+FilmRows StripMaker::rows_of(int strip) const {
+  const Optics& optics = stage_.placed.optics;
+  const std::int64_t bands = most_strips(optics);
+  const auto row = [&](int i) {
+    return std::min(static_cast<int>(i * bands / strips_) * rows_per_strip(optics), film_size(optics).y);
+  };
+  return {row(strip), row(strip + 1)};
+}
+
+RenderedFrame StripMaker::make(int frame, int strip) {
+  stage_.rows = rows_of(strip);
+  return make_frame_maker(stage_, params_, pool_, context_)->make(frame);
+}
+
+void check_strips(const FrameParams& params, const Optics& optics, int strips) {
+  const int most = most_strips(optics), together = rows_per_strip(optics);
+  if (strips > most)
+    throw usage_error(
+        kStrips, fmt::format("{} are too many for {} rows, of which {} stay together", strips, film_size(optics).y, together),
+        fmt::format("1 to {}", most));
+  const Reuse reuse = resolved_reuse(params);
+  if (std::holds_alternative<Interpolate>(reuse))
+    throw usage_error(kStrips, "are made alone, and interpolated frames are made from all of others",
+                      "1, or `reuse` none, copy or light");
+  if (params.sampling.denoise)
+    throw usage_error(kStrips, "are made alone, and the denoiser looks at pixels of other rows", "1, or no `denoise`");
+  if (const auto* light = std::get_if<ShareLight>(&reuse); light && light->time_budget_s)
+    throw usage_error(kStrips, "are as many machines' work, and `time-budget` is one machine's", "1, or `spp` or `min-psnr`");
+}
+
+FrameReport report_of_strips(const std::vector<FrameReport>& strips, const std::vector<int>& rows) {
+  FrameReport frame = strips.front();
+  for (std::size_t i = 1; i < strips.size(); ++i) {
+    add_costs(strips[i], frame);
+    if (strips[i].kind == "shared") frame.kind = strips[i].kind;
+  }
+  for (const auto psnr_db :
+       {&FrameReport::estimated_psnr_db, &FrameReport::psnr_at_least_db, &FrameReport::estimated_block_psnr_db})
+    frame.*psnr_db = psnr_of_all(strips, rows, psnr_db);
+  return frame;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,215 @@
+// Frames rendered in strips of rows, in one run or by units, and joined: the bytes of frames that are rendered whole.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/frame_ranges.hpp"
+#include "job/finish_animation.hpp"
+#include "job/renders.hpp"
+#include "job/unit_plan.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class StripRenders : public Renders {
+ protected:
+  /// A still of 12 bands of 16 rows, the last of them lower, unless the settings say otherwise.
+  RenderParams still(const std::string& folder, const Settings& settings = {}) const {
+    return job("teapot", folder, Settings{{"size", "64x184"}, {"lenses", "8x23"}, {"frames", "3"}} + settings);
+  }
+
+  void render_unit(RenderParams params, int unit, int count) const {
+    Context context;
+    context.threads = 1;
+    params.resume = true;
+    render_animation(params, context, {}, {.units = Units{{unit}, count}});
+  }
+
+  FinishedAnimation finish(const std::string& folder, const std::vector<fs::path>& join = {}) const {
+    return finish_animation(dir_ / folder, join, context_);
+  }
+
+  /// Everything that looks at pictures sees.
+  Files pictures(const std::string& folder) const { return pictures_below(dir_ / folder); }
+};
+
+/// Optics and shading whose strips are traced to the bits of the whole.
+const std::vector<Settings>& kinds() {
+  static const std::vector<Settings> all{
+      {},
+      {{"spp", "4"}, {"aov", "depth"}, {"format", "exr"}, {"exr-pixels", "float"}},
+      {{"optics", "multiview"}, {"views", "2x4"}, {"size", "64x160"}, {"lenses", "0"}, {"layout", "views"}},
+      {{"optics", "microlens"}, {"size", "64x184"}, {"lenses", "8x23"}, {"aov", "normal"}, {"transparent", "true"}},
+      {{"slant", "12"}, {"lens-pixels", "4.5"}, {"lenses", "0"}},
+      {{"integrator", "path"}, {"spp", "4"}, {"aov", "motion"}, {"precompensate", "true"}, {"crosstalk", "0.4"}}};
+  return all;
+}
+
+TEST_F(StripRenders, in_any_number_of_strips_have_the_bytes_of_whole_frames) {
+  for (std::size_t kind = 0; kind < kinds().size(); ++kind) {
+    SCOPED_TRACE(kind);
+    Settings settings = kinds()[kind];
+    std::erase_if(settings, [](const auto& setting) { return setting.second == "0"; });
+    const bool has_lenses = settings.size() == kinds()[kind].size();
+    const auto params = [&](const std::string& folder, const std::string& strips) {
+      const Settings size = has_lenses ? Settings{{"size", "64x184"}, {"lenses", "8x23"}} : Settings{{"size", "64x160"}};
+      return job("teapot", folder, size + settings + Settings{{"frames", "3"}, {"strips", strips}});
+    };
+    const std::string name = std::to_string(kind);
+    render(params(name + "-whole", "1"));
+    ASSERT_FALSE(pictures(name + "-whole").empty());
+    for (const char* strips : {"2", "3", "5"}) {
+      const std::string folder = name + "-in-" + strips;
+      const RenderReport report = render(params(folder, strips));
+      ASSERT_EQ(report.frames.size(), 1u);
+      EXPECT_EQ(report.frames[0].frame, 3);
+      EXPECT_TRUE(pictures(folder) == pictures(name + "-whole")) << strips << " strips";
+      EXPECT_TRUE(check(folder).passed());
+    }
+  }
+}
+
+TEST_F(StripRenders, by_units_in_any_order_are_finished_to_the_bytes_of_one_run) {
+  render(still("whole"));
+  for (const int count : {2, 3, 8}) {
+    const std::string folder = "in-" + std::to_string(count);
+    for (int unit = count; unit >= 1; --unit) render_unit(still(folder, {{"strips", "8"}}), unit, count);
+    EXPECT_THAT(files_in(dir_ / folder, ".png"), IsEmpty());
+    EXPECT_EQ(files_in(dir_ / folder, ".exr").size(), 8u);
+    EXPECT_THAT(check(folder).joinable, ElementsAre(3));
+    ASSERT_TRUE(finish(folder).report);
+    EXPECT_TRUE(pictures(folder) == pictures("whole")) << "and no strip is left";
+    EXPECT_TRUE(check(folder).passed());
+    EXPECT_TRUE(finish(folder).report) << "a second time";
+    const auto report = nlohmann::json::parse(bytes(folder + "/report.json"));
+    EXPECT_EQ(report["frames"].size(), 1u);
+    EXPECT_EQ(report["frames"][0]["rays"]["primary"], 64 * 184);
+    EXPECT_EQ(report["interrupted"], false);
+    EXPECT_EQ(report["runs"].size(), static_cast<std::size_t>(count) + 2);
+    EXPECT_EQ(report["runs"][static_cast<std::size_t>(count) - 1]["strips"]["3"].get<std::string>().front(), '0');
+  }
+}
+
+TEST_F(StripRenders, of_shared_light_depend_on_the_number_of_strips_alone) {
+  const Settings light{{"integrator", "path"}, {"spp", "8"}, {"strips", "3"}};
+  render(still("one", light));
+  for (const int unit : {2, 1, 3}) render_unit(still("units", light), unit, 3);
+  ASSERT_TRUE(finish("units").report);
+  EXPECT_TRUE(pictures("units") == pictures("one"));
+  const auto report = nlohmann::json::parse(bytes("units/report.json"));
+  EXPECT_TRUE(report["frames"][0]["psnr_at_least_db"].is_number());
+  EXPECT_EQ(report["reuse"], "light");
+}
+
+TEST_F(StripRenders, of_an_animation_and_its_video_have_the_bytes_of_whole_frames) {
+  const auto film = [&](const std::string& folder, const char* strips) {
+    return still(folder, {{"frames", "2-4"}, {"strips", strips}, {"video", dir_ / (folder + ".mkv")}});
+  };
+  render(film("whole", "1"));
+  render(film("one", "2"));
+  for (const int unit : {1, 2}) render_unit(film("units", "2"), unit, 2);
+  EXPECT_FALSE(exists("units.mkv"));
+  ASSERT_TRUE(finish("units").report);
+  for (const std::string folder : {"one", "units"}) {
+    EXPECT_TRUE(pictures(folder) == pictures("whole")) << folder;
+    EXPECT_EQ(bytes(folder + ".mkv"), bytes("whole.mkv")) << folder;
+  }
+}
+
+TEST_F(StripRenders, that_are_missing_or_damaged_are_named_and_a_resume_renders_these_alone) {
+  const RenderParams params = still("a", {{"strips", "6"}});
+  render(still("whole"));
+  render_unit(params, 1, 2);
+  EXPECT_THAT(check("a").unfinished, ElementsAre(3));
+  EXPECT_THAT(check("a").strips_left.at(3), ElementsAre(3, 4, 5));
+  EXPECT_THAT(finish("a").to_render, ElementsAre(3));
+  render_unit(params, 2, 2);
+  fs::resize_file(dir_ / "a/strip_0003_001.exr", 10);
+  const FinishedAnimation damaged = finish("a");
+  EXPECT_FALSE(damaged.report);
+  EXPECT_THAT(damaged.check.damaged, ElementsAre("strip_0003_001.exr"));
+  EXPECT_THAT(damaged.to_render, ElementsAre(3));
+  const RenderReport resumed = resume(job_of("a"));
+  EXPECT_THAT(resumed.run.strips.at(3), ElementsAre(1));
+  EXPECT_TRUE(check("a").passed());
+  EXPECT_TRUE(pictures("a") == pictures("whole"));
+  EXPECT_EQ(kept(resume(job_of("a"))), 1u);
+}
+
+TEST_F(StripRenders, of_a_frame_that_was_damaged_later_are_rendered_again) {
+  render(still("a", {{"strips", "3"}}));
+  const Files whole = pictures("a");
+  fs::resize_file(dir_ / "a/frame_0003.png", 10);
+  EXPECT_THAT(finish("a").to_render, ElementsAre(3));
+  render_unit(still("a", {{"strips", "3"}}), 1, 1);
+  EXPECT_EQ(files_in(dir_ / "a", ".exr").size(), 3u);
+  ASSERT_TRUE(finish("a").report) << "joined again";
+  EXPECT_TRUE(pictures("a") == whole);
+}
+
+TEST_F(StripRenders, that_a_killed_run_left_beside_a_finished_frame_are_cleared_away) {
+  render(still("a", {{"strips", "3"}}));
+  const Files whole = pictures("a");
+  std::ofstream(dir_ / "a/strip_0003_001.exr") << "what was being removed";
+  EXPECT_TRUE(check("a").passed());
+  EXPECT_EQ(kept(resume(job_of("a"))), 1u);
+  EXPECT_TRUE(pictures("a") == whole);
+}
+
+TEST_F(StripRenders, in_folders_of_their_own_are_joined) {
+  render(still("whole"));
+  for (const int unit : {1, 2}) render_unit(still("part" + std::to_string(unit), {{"strips", "4"}}), unit, 2);
+  EXPECT_THAT(finish("all", {dir_ / "part1"}).check.strips_left.at(3), ElementsAre(2, 3));
+  ASSERT_TRUE(finish("all", {dir_ / "part1", dir_ / "part2"}).report);
+  EXPECT_TRUE(pictures("all") == pictures("whole"));
+  EXPECT_EQ(files_in(dir_ / "part1", ".exr").size(), 2u) << "parts stay";
+}
+
+TEST_F(StripRenders, belong_to_their_job_and_go_with_it) {
+  render_unit(still("a", {{"strips", "4"}}), 1, 2);
+  EXPECT_THAT(refusal(still("a", {{"strips", "2"}})), HasSubstr("holds another render: it differs in strips"));
+  render(still("a"), {.force = true});
+  EXPECT_THAT(files_in(dir_ / "a", ".exr"), IsEmpty());
+  EXPECT_TRUE(check("a").passed());
+}
+
+TEST_F(StripRenders, that_cannot_be_are_refused) {
+  const auto refused = [&](const Settings& settings) { return refusal(still("a", settings)); };
+  EXPECT_THAT(error_message([&] { still("a", {{"strips", "0"}}); }), HasSubstr("strips"));
+  EXPECT_THAT(refused({{"strips", "13"}}),
+              HasSubstr("strips: 13 are too many for 184 rows, of which 16 stay together; accepted: 1 to 12"));
+  EXPECT_THAT(refused({{"strips", "2"}, {"reuse", "interpolate"}}), HasSubstr("strips: are made alone, and interpolated"));
+  EXPECT_THAT(refused({{"strips", "2"}, {"integrator", "path"}, {"denoise", "true"}}),
+              HasSubstr("strips: are made alone, and the denoiser"));
+  EXPECT_THAT(refused({{"strips", "2"}, {"integrator", "path"}, {"time-budget", "9"}}),
+              HasSubstr("`time-budget` is one machine's"));
+  EXPECT_FALSE(exists("a"));
+}
+
+TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
+  const RenderParams params = still("out", {{"frames", "3-4"}, {"strips", "4"}});
+  const UnitPlan measured = plan_units(params, 3, true, context_);
+  ASSERT_EQ(measured.units.size(), 3u);
+  EXPECT_THAT(measured.units[1].frames, ElementsAre(3, 4));
+  std::vector<std::pair<int, int>> all;
+  for (const PlannedUnit& unit : measured.units) {
+    EXPECT_GT(unit.cpu_seconds.value_or(0.0), 0.0);
+    for (const auto& [frame, strips] : unit.strips)
+      for (const int strip : strips) all.emplace_back(frame, strip);
+  }
+  EXPECT_EQ(all.size(), 8u);
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end()) && std::adjacent_find(all.begin(), all.end()) == all.end());
+  EXPECT_GT(measured.join_bytes.value_or(0.0), 64.0 * 184.0 * 12.0);
+  EXPECT_EQ(plan_units(params, 99, false, context_).units.size(), 8u);
+  EXPECT_FALSE(exists("out"));
+}
+
+}  // namespace
+}  // namespace lippmann::test
