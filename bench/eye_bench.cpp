@@ -94,7 +94,9 @@ class EyeBench {
         pool_(resolved_threads(context)),
         params_(eye_params(scene_, request)),
         stage_(params_, pool_, context),
-        frames_(request.frames > 0 ? request.frames : request.quick ? 2 : kEyeFrames) {
+        frames_(request.frames > 0 ? request.frames
+                : request.quick    ? 2
+                                   : kEyeFrames) {
     for (int frame = 0; frame < frames_; ++frame) add_references(frame);
   }
 

@@ -1,5 +1,5 @@
-// What pooling the samples of neighbouring views is worth, and what it costs: views of one sample per pixel, resolved from their
-// own samples alone and from those of their neighbours (view_resolver.hpp), held to references of many samples. Whitted's
+// What pooling the samples of neighbouring views is worth, and what it costs: views of one sample per pixel, resolved from
+// their own samples alone and from those of their neighbours (view_resolver.hpp), held to references of many samples. Whitted's
 // shading, whose samples have no noise of their own; nothing is adaptive.
 #include <fmt/core.h>
 
@@ -80,13 +80,13 @@ class ResolveStage {
     stage_.device.update(moment_.resolved, pool_);
   }
 
-  /// The samples of a view; `index`: which of several sets.
+  /// The samples of a view; `set`: which of several sets of them.
   ViewSamples samples_of(int view, int set) {
     const auto pixel_count = static_cast<std::size_t>(pixels_) * static_cast<std::size_t>(pixels_);
     ViewSamples samples{.width = pixels_, .height = pixels_, .eye_mm = cameras_.eyes_mm[static_cast<std::size_t>(view)].x};
     for (std::size_t i = 0; i < pixel_count; ++i) {
       const auto pixel = static_cast<std::uint32_t>(i);
-      const int index = view + set * row_.views;
+      const int index = view + set;  // runs of the sequence are spread evenly, in views and in sets alike
       samples.x.push_back(static_cast<float>(i % static_cast<std::size_t>(pixels_)) + stratified(index, 0, pixel));
       samples.y.push_back(static_cast<float>(i / static_cast<std::size_t>(pixels_)) + stratified(index, 1, pixel));
     }
@@ -115,8 +115,7 @@ class ResolveStage {
     Image mean(pixels_, pixels_, 3);
     for (int y = 0; y < wide; ++y)
       for (int x = 0; x < wide; ++x)
-        for (int c = 0; c < 3; ++c)
-          mean.pixel(x / side, y / side)[c] += fine.pixel(x, y)[c] / static_cast<float>(side * side);
+        for (int c = 0; c < 3; ++c) mean.pixel(x / side, y / side)[c] += fine.pixel(x, y)[c] / static_cast<float>(side * side);
     return mean;
   }
 
@@ -203,7 +202,9 @@ std::vector<double> own_psnrs(ResolveStage& stage, int view, const Image& refere
 
 nlohmann::ordered_json resolve_row_of(const std::string& scene, const ViewRow& row, const Request& request,
                                       const Context& context) {
-  const int pixels = request.view_pixels > 0 ? request.view_pixels : request.quick ? kQuickResolveViewPixels : kResolveViewPixels;
+  const int pixels = request.view_pixels > 0 ? request.view_pixels
+                     : request.quick         ? kQuickResolveViewPixels
+                                             : kResolveViewPixels;
   ResolveStage stage(scene, row, pixels, context);
   const int view = row.views / 2;
   const Image reference = stage.reference_of(view, request.quick ? kQuickResolveReferenceSide : kResolveReferenceSide);

@@ -77,9 +77,9 @@ class Landing {
   /// Whether all of the view's own four samples around a place are of nearer surfaces.
   bool is_hidden(const Place& place, float shift) const {
     const int across = place.dx < 0.5f ? -1 : 1, down = place.dy < 0.5f ? -1 : 1;
-    const float farthest = std::max(
-        std::max(shift_at(place.column, place.row), shift_at(place.column + across, place.row)),
-        std::max(shift_at(place.column, place.row + down), shift_at(place.column + across, place.row + down)));
+    const float farthest =
+        std::max(std::max(shift_at(place.column, place.row), shift_at(place.column + across, place.row)),
+                 std::max(shift_at(place.column, place.row + down), shift_at(place.column + across, place.row + down)));
     return shift > farthest + same_surface_;
   }
 

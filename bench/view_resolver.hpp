@@ -20,12 +20,12 @@ namespace lippmann::bench {
 /// One sample for every pixel of one view, row by row from the top left.
 struct ViewSamples {
   int width = 0, height = 0;
-  double eye_mm = 0.0;              ///< where the eye stands in the row of eyes
-  std::vector<float> x{}, y{};         ///< place, in pixels of the view
-  std::vector<float> shift{};        ///< pixels to the right that the point moves per mm of the eye to the right; far ones, more
-  std::vector<float> rgb{};          ///< linear light
-  std::vector<std::int32_t> surface{}; ///< what was hit; -1: nothing
-  std::vector<std::uint8_t> own{};   ///< 1: its light depends on the view
+  double eye_mm = 0.0;          ///< where the eye stands in the row of eyes
+  std::vector<float> x{}, y{};  ///< place, in pixels of the view
+  std::vector<float> shift{};   ///< pixels to the right that the point moves per mm of the eye to the right; far ones, more
+  std::vector<float> rgb{};     ///< linear light
+  std::vector<std::int32_t> surface{};  ///< what was hit; -1: nothing
+  std::vector<std::uint8_t> own{};      ///< 1: its light depends on the view
 };
 
 enum class Resolver {

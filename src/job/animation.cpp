@@ -279,7 +279,8 @@ class Animation {
   /// Makes room in it, and records what is going to be rendered.
   RenderFolder open_folder() {
     if (const std::string sentence = whole_paths_sentence(params_); !sentence.empty()) context_.warning(sentence);
-    if (const std::string sentence = sharp_eye_sentence(made_as_.reuse, optics()); !sentence.empty()) context_.warning(sentence);
+    if (const std::string sentence = sharp_eye_sentence(made_as_.reuse, optics()); !sentence.empty())
+      context_.warning(sentence);
     if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
     for (const VideoFile& video : videos_) make_room_for_video(video, film_size(optics()));
     return open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);

@@ -74,8 +74,8 @@ std::string shared_light_sentence(const std::vector<FrameReport>& frames) {
   return fmt::format(
       "{}, PSNR as measured {:.1f} dB on average, {:.1f} dB at worst (frame {}){}, {:.1f} dB at worst of means over 64 pixels "
       "(frame {})",
-      who, mean_psnr_db(measured, &FrameReport::estimated_psnr_db), *worst.estimated_psnr_db, worst.frame, at_eye(measured), *worst_block.estimated_block_psnr_db,
-      worst_block.frame);
+      who, mean_psnr_db(measured, &FrameReport::estimated_psnr_db), *worst.estimated_psnr_db, worst.frame, at_eye(measured),
+      *worst_block.estimated_block_psnr_db, worst_block.frame);
 }
 
 std::string below_floor_sentence(const std::vector<FrameReport>& frames, double min_psnr_db, QualityAt where) {
@@ -85,8 +85,8 @@ std::string below_floor_sentence(const std::vector<FrameReport>& frames, double 
   std::vector<FrameReport> unsure = measured_frames(frames);
   std::erase_if(unsure, [&](const FrameReport& frame) { return frame.*at_least >= min_psnr_db; });
   if (unsure.empty()) return "";
-  const auto below = std::count_if(unsure.begin(), unsure.end(),
-                                   [&](const FrameReport& frame) { return frame.*told < min_psnr_db; });
+  const auto below =
+      std::count_if(unsure.begin(), unsure.end(), [&](const FrameReport& frame) { return frame.*told < min_psnr_db; });
   const std::string measured = below == 0 ? "none is" : fmt::format("{} of them {}", below, below == 1 ? "is" : "are");
   return fmt::format("{} may fall short of --min-psnr {:g}{} (at 95 % confidence); {} below it as measured", named(unsure),
                      min_psnr_db, of_eye ? " at the eye" : "", measured);

@@ -1,8 +1,8 @@
 // Which pixels of a film an eye sees at once, because a display's lenses are not sharp (lippmann/optics/crosstalk.hpp), and how
 // much of the picture each of them is.
 //
-// The eye stands where a view is seen from, and looks at the middle of a pixel below each lens (of a quilt: of a view). There it
-// sees the least of the neighbours. Places are film pixels, y * width + x. A step is a number of neighbours across and up or
+// The eye stands where a view is seen from, and looks at the middle of a pixel below each lens (of a quilt: of a view). There
+// it sees the least of the neighbours. Places are film pixels, y * width + x. A step is a number of neighbours across and up or
 // down: of lens arrays pixels of the panel, of quilts views, of slanted panels whole pixels, each colour for itself.
 #pragma once
 
@@ -42,17 +42,17 @@ class EyeBlur {
 
  private:
   struct Axis {
-    std::vector<double> weights{1.0};  ///< by distance: 0 ... reach
+    std::vector<double> weights{1.0};   ///< by distance: 0 ... reach
     std::vector<double> overlaps{1.0};  ///< by distance: 0 ... 2 reach
   };
   static Axis make_axis(double sigma_px);
   static int draw(const Axis& axis, double random);
 
   Axis across_, up_;
-  Vec2i size_;               ///< the film's
-  int stride_ = 1;           ///< film columns from a pixel of a panel to the next
+  Vec2i size_;      ///< the film's
+  int stride_ = 1;  ///< film columns from a pixel of a panel to the next
   std::optional<ViewTiles> tiles_;
-  Vec2i tile_{1, 1};         ///< their size
+  Vec2i tile_{1, 1};  ///< their size
   int padding_top_ = 0;
 };
 

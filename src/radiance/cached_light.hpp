@@ -23,9 +23,9 @@ struct CachedLightReport {
 /// What pictures should be like.
 struct CachedLightGoal {
   ErrorGoal error{};
-  int frames = 1;                        ///< that a history will have
-  bool provenance = false;               ///< pictures show where light came from: see trace/final_gather.hpp
-  std::optional<double> seconds{};       ///< a frame's on this machine, in place of an error: frames are as good as that allows
+  int frames = 1;                   ///< that a history will have
+  bool provenance = false;          ///< pictures show where light came from: see trace/final_gather.hpp
+  std::optional<double> seconds{};  ///< a frame's on this machine, in place of an error: frames are as good as that allows
 };
 
 /// Where a frame goes.

@@ -128,8 +128,8 @@ void EyeMeasure::draw_partners(const EyeWeights& weights, std::uint32_t seed) {
   partners_.erase(std::unique(partners_.begin(), partners_.end()), partners_.end());
   for (std::size_t p = 0; p < pixels.size(); ++p)
     for (std::size_t i = 0; i < of_[p].size(); ++i)
-      of_[p][i].place = static_cast<std::size_t>(std::lower_bound(partners_.begin(), partners_.end(), drawn[p][i]) -
-                                                 partners_.begin());
+      of_[p][i].place =
+          static_cast<std::size_t>(std::lower_bound(partners_.begin(), partners_.end(), drawn[p][i]) - partners_.begin());
 }
 
 void EyeMeasure::trace_partners(const Shot& shot, TraceParams trace, const ThreadPool& pool) {
@@ -157,7 +157,9 @@ PixelError EyeMeasure::error_of(const Image& film) const {
   const std::vector<float> light = shown_light_at(film, pixels_.where().pixels), partners = shown_light_at(film, partners_);
   return mean_over(pixels_.where(), [&](std::size_t p, int c) {
     const std::size_t i = value(p, c);
-    const auto of_set = [&](int set) { return static_cast<double>(light[i]) - static_cast<double>(shown_light(pixels_.light(set)[i])); };
+    const auto of_set = [&](int set) {
+      return static_cast<double>(light[i]) - static_cast<double>(shown_light(pixels_.light(set)[i]));
+    };
     const double a = of_set(0), b = of_set(1);
     return own_[p][c] * a * b + 0.5 * (a + b) * of_neighbours(p, c, partners);
   });

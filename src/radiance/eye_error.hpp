@@ -1,8 +1,8 @@
 // How much of a frame's error an eye sees through a display's lenses, which mix neighbouring pixels or views.
 //
 // An eye that looks at the middle of a pixel p sees the mean of the light of p and its neighbours, weighted by how much each of
-// them is of the picture (optics/eye_blur.hpp). With d_k by how much the light of pixel k is wrong, w_pk its weight, and s_p the
-// slope of sRGB's curve at what is seen at p, the mean squared error of the codes that the eye sees is, of N pixels,
+// them is of the picture (optics/eye_blur.hpp). With d_k by how much the light of pixel k is wrong, w_pk its weight, and s_p
+// the slope of sRGB's curve at what is seen at p, the mean squared error of the codes that the eye sees is, of N pixels,
 //   1/N sum_p (s_p sum_k w_pk d_k)^2  =  1/N sum_k sum_l d_k d_l B_kl,    B_kl = sum_p w_pk w_pl s_p^2.
 // Pixels with errors of their own contribute their squares alone, k = l; what neighbours are wrong about alike, all of it.
 // Squares are measured on the pixels that PixelMeasure has traced, and products with neighbours that are drawn as often as they

@@ -116,8 +116,8 @@ class MeanError {
 
 }  // namespace
 
-GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, const ErrorGoal& goal,
-                             const MeasuredPlaces& places, const Scatter& likely, const ThreadPool& pool)
+GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, const ErrorGoal& goal, const MeasuredPlaces& places,
+                             const Scatter& likely, const ThreadPool& pool)
     : shot_(shot),
       trace_(trace),
       asked_(goal),
@@ -149,8 +149,8 @@ void GatherMeasure::choose_pixels_of(const Image& film, const Scatter& scatter) 
 void GatherMeasure::set_goal(const PixelError& of_paths) {
   of_paths_ = of_paths;
   goal_.pixels = asked_.squared.value_or(std::max(of_paths_.squared, kInvisible));
-  const float of_block = asked_.squared ? goal_.pixels / kBlockSides
-                                        : std::max(of_single_paths_.squared, kInvisible) / kBlockPixels;
+  const float of_block =
+      asked_.squared ? goal_.pixels / kBlockSides : std::max(of_single_paths_.squared, kInvisible) / kBlockPixels;
   goal_.blocks = std::max(kBlockLoss * of_block, kInvisibleBlock);
 }
 

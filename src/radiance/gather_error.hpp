@@ -74,8 +74,8 @@ class GatherMeasure {
   /// What frames may err by. Means of patches by kBlockLoss times as much as those of as many paths as the goal takes.
   const FrameError& goal() const { return goal_; }
 
-  /// Mean squared error of paths with trace.spp samples, of single pixels or at the eye, as the goal has it. Measured where patches have all of these or pixels are
-  /// measured one by one; else, as goal(), of no use.
+  /// Mean squared error of paths with trace.spp samples, of single pixels or at the eye, as the goal has it. Measured where
+  /// patches have all of these or pixels are measured one by one; else, as goal(), of no use.
   float of_paths() const { return of_paths_.squared; }
 
   /// What a picture of the whole frame errs by.
@@ -156,8 +156,8 @@ class GatherMeasure {
   std::optional<EyeMeasure> eye_;  ///< of pixels_; none where neighbours are not seen
   PixelError of_single_paths_;     ///< the error of single pixels, with trace.spp samples
   PixelError of_paths_;            ///< the same, or at the eye, as the goal has it
-  float of_halves_ = 0.0f;   ///< likewise of patches, with
-  int samples_of_half_ = 0;  ///< so many samples; 0: there are no halves
+  float of_halves_ = 0.0f;         ///< likewise of patches, with
+  int samples_of_half_ = 0;        ///< so many samples; 0: there are no halves
   FrameError goal_, last_;
   double rays_of_paths_ = 0.0, rays_of_last_ = 0.0;  ///< in the measured patches; the latter, of what was gathered last
   RayCounts counts_;

@@ -78,9 +78,8 @@ TEST_F(ReplayedRenders, sweep_is_numbered_pictures_and_a_video) {
 }
 
 /// A quilt by paths, of 8 views of 48 x 48 pixels, whose neighbours are 15 % each of what an eye sees.
-const Settings kSeenPaths{{"optics", "multiview"}, {"views", "8x1"},  {"size", "384x48"},
-                          {"view-angle", "20"},    {"frames", "1"},   {"integrator", "path"},
-                          {"spp", "32"}};
+const Settings kSeenPaths{{"optics", "multiview"}, {"views", "8x1"},       {"size", "384x48"}, {"view-angle", "20"},
+                          {"frames", "1"},         {"integrator", "path"}, {"spp", "32"}};
 
 /// The mean squared error, in codes, of what the eyes of all views see.
 double error_at_eyes(const Files& reference, const Files& test, const fs::path& folder) {

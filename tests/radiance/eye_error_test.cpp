@@ -180,8 +180,8 @@ TEST_F(SeenSky, without_neighbours_an_eye_sees_what_single_pixels_err_by) {
 TEST_F(SeenSky, a_goal_at_the_eye_is_held_there_and_leaves_more_noise_in_pixels) {
   constexpr float kGoal = 4e-5f;  // 44 dB
   const std::vector<CachedLightReport> pixels = reports_of(s_.scene, optics_, {.squared = kGoal, .crosstalk_px = 0.6}),
-                                       eye =
-                                           reports_of(s_.scene, optics_, {.squared = kGoal, .crosstalk_px = 0.6, .at_eye = true});
+                                       eye = reports_of(s_.scene, optics_,
+                                                        {.squared = kGoal, .crosstalk_px = 0.6, .at_eye = true});
   std::uint64_t rays_of_pixels = 0, rays_of_eye = 0;
   for (std::size_t f = 0; f < pixels.size(); ++f) {
     EXPECT_LT(pixels[f].at_eye.squared, pixels[f].pixels.squared);

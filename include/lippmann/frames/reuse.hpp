@@ -32,8 +32,8 @@ struct ShareLight {
   std::optional<double> time_budget_s{};  ///< about what a frame takes on this machine, in place of spp; not with min_psnr_db
   bool show_provenance = false;           ///< pictures show where light came from instead of the light
   QualityAt quality_at = QualityAt::kPixel;  ///< what min_psnr_db, or the promise of spp, is for; kPixel with time_budget_s
-  /// The display's, a sigma in the optics' pixels or views, 0 ... kMaxBlurPx (optics/crosstalk.hpp): with it, errors are told at
-  /// the eye, too. 0: it is not known, or undone in the pictures, and an eye sees single pixels.
+  /// The display's, a sigma in the optics' pixels or views, 0 ... kMaxBlurPx (optics/crosstalk.hpp): with it, errors are told
+  /// at the eye, too. 0: it is not known, or undone in the pictures, and an eye sees single pixels.
   double crosstalk_px = 0.0;
 };
 
