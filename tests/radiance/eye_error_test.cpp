@@ -99,7 +99,7 @@ TEST_F(SeenSky, weights_of_a_pixel_and_all_others_add_up_to_the_squared_slope) {
 // Paths of different pixels err independently: of N equal weights 1 / N is left, 10 log10 N dB. A Gaussian of sigma 2 has 7.1
 // (2 sqrt(pi) sigma); at the outermost views, which have fewer neighbours, a little more is left.
 TEST_F(SeenSky, independent_errors_fall_by_as_many_pixels_as_are_seen_at_once) {
-  const Image film = traced(1024, 3);
+  const Image film = traced(64, 3);
   const PixelMeasure pixels = this->pixels(film);
   const double single = static_cast<double>(pixels.of_paths().squared);
   const EyeBlur blur(optics_, 2.0);
@@ -118,7 +118,7 @@ TEST_F(SeenSky, independent_errors_fall_by_as_many_pixels_as_are_seen_at_once) {
 }
 
 TEST_F(SeenSky, errors_that_neighbours_share_are_seen_whole) {
-  const Image right = traced(2048, 3);
+  const Image right = traced(256, 3);
   const PixelMeasure pixels = this->pixels(right);
   constexpr double kStep = 8.0 / 255.0;
   for (const double sigma : {0.39, 1.5}) {
@@ -132,7 +132,7 @@ TEST_F(SeenSky, errors_that_neighbours_share_are_seen_whole) {
 // Of +d, -d, +d ... an eye sees w_0 - 2 w_1 + ... of d: at 10 % of each neighbour 0.6, and 0.36 of the squared error, where
 // independent errors would leave 0.66.
 TEST_F(SeenSky, errors_of_neighbours_that_are_opposite_cancel) {
-  const Image right = traced(2048, 3);
+  const Image right = traced(256, 3);
   const PixelMeasure pixels = this->pixels(right);
   constexpr double kStep = 6.0 / 255.0;
   const PixelError seen = at_eye(right, 0.39, pixels).error_of(with_error(right, kStep, -kStep));
