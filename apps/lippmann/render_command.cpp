@@ -126,8 +126,8 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
       }
     if (frames > 1 || !std::holds_alternative<CopySettled>(report.reuse)) print_line("reuse", reuse_sentence(report));
     if (const auto* light = std::get_if<ShareLight>(&report.reuse); light && light->min_psnr_db)
-      for (const std::string& warning :
-           {below_floor_sentence(report.frames, *light->min_psnr_db), unmeasured_sentence(report.frames, *light->min_psnr_db)})
+      for (const std::string& warning : {below_floor_sentence(report.frames, *light->min_psnr_db, light->quality_at),
+                                         unmeasured_sentence(report.frames, *light->min_psnr_db)})
         if (!warning.empty()) print_line("warning", warning);
     if (can_be_replayed(report)) {
       print_line("one eye", program + " replay " + shell_word(folder.string()));

@@ -45,6 +45,8 @@ Json to_json(const FrameReport& frame) {
           {"estimated_psnr_db", number_or_null(frame.estimated_psnr_db)},
           {"psnr_at_least_db", number_or_null(frame.psnr_at_least_db)},
           {"estimated_block_psnr_db", number_or_null(frame.estimated_block_psnr_db)},
+          {"estimated_psnr_at_eye_db", number_or_null(frame.estimated_psnr_at_eye_db)},
+          {"psnr_at_eye_at_least_db", number_or_null(frame.psnr_at_eye_at_least_db)},
           {"precompensation", to_json(frame.precompensation)},
           {"kept", frame.kept}};
 }
@@ -76,6 +78,8 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   frame.estimated_psnr_db = number_or_none(json.at("estimated_psnr_db"));
   frame.psnr_at_least_db = number_or_none(json.at("psnr_at_least_db"));
   frame.estimated_block_psnr_db = number_or_none(json.at("estimated_block_psnr_db"));
+  frame.estimated_psnr_at_eye_db = number_or_none(json.at("estimated_psnr_at_eye_db"));
+  frame.psnr_at_eye_at_least_db = number_or_none(json.at("psnr_at_eye_at_least_db"));
   frame.precompensation = precompensation_from_json(json.at("precompensation"));
   const bool is_measured = frame.estimated_psnr_db && frame.psnr_at_least_db && frame.estimated_block_psnr_db;
   if (frame.kind == "shared" && !is_measured) return std::nullopt;

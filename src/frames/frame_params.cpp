@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 
 namespace lippmann {
 namespace {
@@ -35,6 +36,10 @@ void check_reuse(const CopySettled&, const Sampling& sampling) {
 void check_reuse(const ShareLight& light, const Sampling& sampling) {
   if (light.time_budget_s && light.min_psnr_db)
     throw usage_error("time-budget", "and `min-psnr` both say how good frames should be", "one of the two");
+  if (light.time_budget_s && light.quality_at == QualityAt::kEye)
+    throw usage_error("quality-at", "eye means nothing with `time-budget`, which takes what time allows", "one of the two");
+  if (!(light.crosstalk_px >= 0.0 && light.crosstalk_px <= kMaxBlurPx))
+    throw usage_error("crosstalk", "is no sigma of neighbours that are seen", "0 to 8 pixels or views");
   if (can_share_light(sampling, light)) return;
   if (integrator_of(sampling) != Integrator::kPath)
     throw usage_error("reuse", "only paths share light", "`integrator` path with it, or copy, interpolate, none or auto");

@@ -14,8 +14,9 @@ constexpr int kSegment = 16;
 
 /// What a measured error exceeds in one of twenty cases: 1.645 standard deviations above it. They are the logarithm's: an error
 /// that few pixels make is measured too small more often than too large.
-double upper_bound(double squared_error, double deviation) {
+double upper_bound(const PixelError& error) {
   constexpr double kOneSided = 1.645;
+  const auto squared_error = static_cast<double>(error.squared), deviation = static_cast<double>(error.uncertainty);
   return squared_error > 0.0 ? squared_error * std::exp(kOneSided * deviation / squared_error) : kOneSided * deviation;
 }
 
@@ -25,8 +26,10 @@ double psnr_of(double squared_error) { return psnr_db(255.0 * 255.0 * squared_er
 /// The kind and the errors of a frame; whole paths are measured, too.
 void tell_errors(const CachedLightReport& light, FrameReport& report) {
   if (!light.traced) report.kind = "shared";
-  report.estimated_psnr_db = psnr_of(light.squared_error);
-  report.psnr_at_least_db = psnr_of(upper_bound(light.squared_error, light.uncertainty));
+  report.estimated_psnr_db = psnr_of(static_cast<double>(light.pixels.squared));
+  report.psnr_at_least_db = psnr_of(upper_bound(light.pixels));
+  report.estimated_psnr_at_eye_db = psnr_of(static_cast<double>(light.at_eye.squared));
+  report.psnr_at_eye_at_least_db = psnr_of(upper_bound(light.at_eye));
   report.estimated_block_psnr_db = psnr_of(light.block_squared_error);
 }
 
@@ -78,7 +81,8 @@ FrameReport SharedLightFrames::visit(int frame, FramePictures& pictures, NoisyFr
   TraceParams trace = trace_params(sampling_, stage_);
   trace.frame = static_cast<std::uint32_t>(frame);
   CachedLightGoal goal;
-  if (reuse_.min_psnr_db) goal.squared_error = static_cast<float>(std::pow(10.0, -0.1 * *reuse_.min_psnr_db));
+  goal.error.crosstalk_px = reuse_.crosstalk_px, goal.error.at_eye = reuse_.quality_at == QualityAt::kEye;
+  if (reuse_.min_psnr_db) goal.error.squared = static_cast<float>(std::pow(10.0, -0.1 * *reuse_.min_psnr_db));
   goal.seconds = reuse_.time_budget_s;
   goal.frames = std::min(segment_, stage_.scene.timeline.frame_count - frame / segment_ * segment_);
   goal.provenance = reuse_.show_provenance;

@@ -343,6 +343,7 @@ class Animation {
       throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
     if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
       throw usage_error("video", "is made of the pictures of all parts, which have to hold its codes", "`format` png");
+    see_crosstalk();
     check(made_as_, optics());
     check_strips_of(params_, made_as_, optics());
     check_memory();
@@ -358,9 +359,18 @@ class Animation {
                      std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
   }
 
+  /// Frames that share light tell their errors as they are seen through the display's lenses.
+  void see_crosstalk() {
+    check_crosstalk(params_, made_as_.reuse);
+    auto* light = std::get_if<ShareLight>(&made_as_.reuse);
+    if (light) light->crosstalk_px = crosstalk_at_eye(params_, optics(), stage_.display.get());
+  }
+
   /// Makes room in it, and records what is going to be rendered.
   RenderFolder open_folder() {
     if (const std::string sentence = whole_paths_sentence(params_); !sentence.empty()) context_.warning(sentence);
+    if (const std::string sentence = sharp_eye_sentence(made_as_.reuse, optics()); !sentence.empty())
+      context_.warning(sentence);
     if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
     for (const VideoFile& video : videos_) make_room_for_video(video, film_size(optics()));
     return open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
@@ -474,7 +484,7 @@ class Animation {
   const RenderObserver& observer_;
   const RunParams& run_;
   RenderParams params_;
-  const FrameParams made_as_;
+  FrameParams made_as_;
   const ThreadPool pool_;
   JobStage stage_;
   const std::vector<int> all_frames_;  ///< the whole job's

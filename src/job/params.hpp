@@ -65,9 +65,10 @@ struct OpticsParams {
 /// What frames take from each other, as requested: parameters of other kinds must not be given (job/reuse_params.hpp).
 struct ReuseParams {
   ReuseChoice choice = ReuseChoice::kAuto;
-  std::optional<int> keyframes{};         ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
-  std::optional<double> min_psnr_db{};    ///< what every frame's PSNR is to reach, in 8-bit codes
-  std::optional<double> time_budget_s{};  ///< how long a path-traced frame may take, about, on this machine
+  std::optional<int> keyframes{};            ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
+  std::optional<double> min_psnr_db{};       ///< what every frame's PSNR is to reach, in 8-bit codes
+  std::optional<double> time_budget_s{};     ///< how long a path-traced frame may take, about, on this machine
+  QualityAt quality_at = QualityAt::kPixel;  ///< what the goal of frames that share light is for
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;

@@ -33,6 +33,7 @@ constexpr std::array<std::string_view, 5> kReuseNames{"auto", "none", "copy", "l
 constexpr std::array<std::string_view, 2> kAngularNames{"none", "box"};
 constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
+constexpr std::array<std::string_view, 2> kQualityAtNames{"pixel", "eye"};
 constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provenance"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "views", "native", "print", "stereo", "rgbd"};
@@ -360,7 +361,7 @@ std::vector<ParamInfo> optics_rows() {
       row(ParamKind::kText, &P::optics, &OpticsParams::crosstalk_px, crosstalk,
           {"crosstalk", "Optics", "PIXELS|C%",
            "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
-           "neighbour: 0.4 or 10%; default: the display's"}),
+           "neighbour: 0.4 or 10%; default: the display's. For --precompensate, and for errors at the eye"}),
       row(ParamKind::kFlag, &P::optics, &OpticsParams::precompensate, flag(),
           {"precompensate", "Optics", "",
            "Pictures that crosstalk turns into the wanted ones, as far as light can be neither negative nor brighter than "
@@ -460,6 +461,10 @@ std::vector<ParamInfo> reuse_rows() {
           {"min-psnr", "Reuse", "DB",
            "Interpolate: pixels are traced wherever a frame's PSNR would otherwise fall below this, and key frames chosen to "
            "suit; light: as many samples as it takes, in place of --spp"}),
+      row(ParamKind::kText, &P::reuse, &ReuseParams::quality_at, choice<QualityAt>(kQualityAtNames),
+          {"quality-at", "Reuse", "WHERE",
+           "Light: the PSNR that is asked for is that of single pixels (pixel), or of what an eye sees of them through the "
+           "display's lenses, which mix neighbours by --crosstalk (eye)"}),
       row(ParamKind::kNumber, &P::reuse, &ReuseParams::time_budget_s, seconds,
           {"time-budget", "Reuse", "S",
            "Light: frames as good as about S seconds on this machine allow, the first of every 16 aside, in place of --spp; "

@@ -23,6 +23,8 @@ void refuse_interpolation_flags(const ReuseParams& params) {
 void refuse_light_flags(const ReuseParams& params) {
   constexpr const char* kAccepted = "--integrator path --reuse light with it, 8 --spp or more, and no --aov direct or indirect";
   if (params.time_budget_s) throw usage_error("--time-budget", "is for path-traced frames that share light", kAccepted);
+  if (params.quality_at != QualityAt::kPixel)
+    throw usage_error("--quality-at", "eye is for path-traced frames that share light", kAccepted);
   if (params.debug == DebugPicture::kProvenance)
     throw usage_error("--debug", "provenance shows where shared light came from, and none is", kAccepted);
 }
@@ -49,7 +51,7 @@ ShareLight share_light(const ReuseParams& params) {
   refuse_interpolation_flags(params);
   if (params.keyframes)
     throw usage_error("--keyframes", "means nothing where frames share light", "it together with --reuse copy or interpolate");
-  return {params.min_psnr_db, params.time_budget_s, params.debug == DebugPicture::kProvenance};
+  return {params.min_psnr_db, params.time_budget_s, params.debug == DebugPicture::kProvenance, params.quality_at};
 }
 
 Interpolate interpolate(const ReuseParams& params) {

@@ -28,9 +28,9 @@ const FrameReport& lowest(const std::vector<FrameReport>& frames, std::optional<
 }
 
 /// The PSNR that belongs to the mean of the squared errors.
-double mean_psnr_db(const std::vector<FrameReport>& frames) {
+double mean_psnr_db(const std::vector<FrameReport>& frames, std::optional<double> FrameReport::*figure) {
   double squares = 0.0;
-  for (const FrameReport& frame : frames) squares += std::pow(10.0, -0.1 * frame.estimated_psnr_db.value());
+  for (const FrameReport& frame : frames) squares += std::pow(10.0, -0.1 * (frame.*figure).value());
   return -10.0 * std::log10(squares / static_cast<double>(frames.size()));
 }
 
@@ -51,6 +51,15 @@ std::string how_many_share(const std::vector<FrameReport>& frames) {
                      shared < frames.size() ? ", the others were traced whole" : "");
 }
 
+/// ", 41.2 dB at the eye"; empty where an eye sees single pixels, or nobody has measured what it sees.
+std::string at_eye(const std::vector<FrameReport>& frames) {
+  const auto is_measured = [](const FrameReport& frame) { return frame.estimated_psnr_at_eye_db.has_value(); };
+  const auto differs = [](const FrameReport& frame) { return frame.estimated_psnr_at_eye_db != frame.estimated_psnr_db; };
+  if (!std::all_of(frames.begin(), frames.end(), is_measured) || !std::any_of(frames.begin(), frames.end(), differs)) return "";
+  const double worst = lowest(frames, &FrameReport::estimated_psnr_at_eye_db).estimated_psnr_at_eye_db.value();
+  return fmt::format(", {:.1f} dB at {}eye", worst, frames.size() > 1 ? "worst at the " : "the ");
+}
+
 }  // namespace
 
 std::string shared_light_sentence(const std::vector<FrameReport>& frames) {
@@ -60,24 +69,27 @@ std::string shared_light_sentence(const std::vector<FrameReport>& frames) {
   const FrameReport &worst = lowest(measured, &FrameReport::estimated_psnr_db),
                     &worst_block = lowest(measured, &FrameReport::estimated_block_psnr_db);
   if (frames.size() == 1)
-    return fmt::format("{}, PSNR as measured {:.1f} dB, {:.1f} dB of means over 64 pixels", who, *worst.estimated_psnr_db,
-                       *worst_block.estimated_block_psnr_db);
+    return fmt::format("{}, PSNR as measured {:.1f} dB{}, {:.1f} dB of means over 64 pixels", who, *worst.estimated_psnr_db,
+                       at_eye(measured), *worst_block.estimated_block_psnr_db);
   return fmt::format(
-      "{}, PSNR as measured {:.1f} dB on average, {:.1f} dB at worst (frame {}), {:.1f} dB at worst of means over 64 pixels "
+      "{}, PSNR as measured {:.1f} dB on average, {:.1f} dB at worst (frame {}){}, {:.1f} dB at worst of means over 64 pixels "
       "(frame {})",
-      who, mean_psnr_db(measured), *worst.estimated_psnr_db, worst.frame, *worst_block.estimated_block_psnr_db,
-      worst_block.frame);
+      who, mean_psnr_db(measured, &FrameReport::estimated_psnr_db), *worst.estimated_psnr_db, worst.frame, at_eye(measured),
+      *worst_block.estimated_block_psnr_db, worst_block.frame);
 }
 
-std::string below_floor_sentence(const std::vector<FrameReport>& frames, double min_psnr_db) {
+std::string below_floor_sentence(const std::vector<FrameReport>& frames, double min_psnr_db, QualityAt where) {
+  const bool of_eye = where == QualityAt::kEye;
+  const auto told = of_eye ? &FrameReport::estimated_psnr_at_eye_db : &FrameReport::estimated_psnr_db;
+  const auto at_least = of_eye ? &FrameReport::psnr_at_eye_at_least_db : &FrameReport::psnr_at_least_db;
   std::vector<FrameReport> unsure = measured_frames(frames);
-  std::erase_if(unsure, [&](const FrameReport& frame) { return frame.psnr_at_least_db >= min_psnr_db; });
+  std::erase_if(unsure, [&](const FrameReport& frame) { return frame.*at_least >= min_psnr_db; });
   if (unsure.empty()) return "";
-  const auto below = std::count_if(unsure.begin(), unsure.end(),
-                                   [&](const FrameReport& frame) { return frame.estimated_psnr_db < min_psnr_db; });
+  const auto below =
+      std::count_if(unsure.begin(), unsure.end(), [&](const FrameReport& frame) { return frame.*told < min_psnr_db; });
   const std::string measured = below == 0 ? "none is" : fmt::format("{} of them {}", below, below == 1 ? "is" : "are");
-  return fmt::format("{} may fall short of --min-psnr {:g} (at 95 % confidence); {} below it as measured", named(unsure),
-                     min_psnr_db, measured);
+  return fmt::format("{} may fall short of --min-psnr {:g}{} (at 95 % confidence); {} below it as measured", named(unsure),
+                     min_psnr_db, of_eye ? " at the eye" : "", measured);
 }
 
 std::string unmeasured_sentence(const std::vector<FrameReport>& frames, double min_psnr_db) {

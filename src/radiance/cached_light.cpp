@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/random.hpp"
+#include "radiance/measured_codes.hpp"
 #include "radiance/mending.hpp"
 #include "radiance/plan_search.hpp"
 
@@ -96,7 +97,7 @@ class CachedFrame {
   void adjust_mix(const GatherMeasure& measure, bool was_mixed);
   int path_samples(const CachedLightGoal& goal, int samples, float found) const;
   RayCounts trace_whole(const TraceParams& whole, const CachedLightPictures& pictures) const;
-  FrameError measure_traced(const TraceParams& whole, bool shows_all, const Image& film);
+  FrameError measure_traced(const TraceParams& whole, const ErrorGoal& goal, bool shows_all, const Image& film);
 
   Shot shot_;
   const TraceParams& params_;
@@ -141,7 +142,7 @@ void CachedFrame::learn_from(const FrameErrors& former) {
 
 /// A frame from the cache, if it errs by no more than it may; else a traced one. Whether it is the former.
 bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPictures& pictures) {
-  GatherMeasure measure(shot_, params_, goal.squared_error, cache_.is_first() ? kCheckingFirst : kChecking, before_, pool_);
+  GatherMeasure measure(shot_, params_, goal.error, cache_.is_first() ? kCheckingFirst : kChecking, before_, pool_);
   const FrameErrors former = history_.errors;
   const bool was_mixed = history_.plan->mix.samples > 0;
   learn_from(former);
@@ -263,7 +264,7 @@ void CachedFrame::make_traced(const CachedLightGoal& goal, const CachedLightPict
   whole.spp = history_.path_samples;
   add(trace_whole(whole, pictures), counts_);
   if (context_.cancelled) return;
-  const FrameError found = measure_traced(whole, !alpha_of(pictures), pictures.film);
+  const FrameError found = measure_traced(whole, goal.error, !alpha_of(pictures), pictures.film);
   history_.path_errors.add(found, found);
   history_.path_samples = path_samples(goal, history_.path_samples, history_.path_errors.found().pixels);
 }
@@ -278,18 +279,25 @@ RayCounts CachedFrame::trace_whole(const TraceParams& whole, const CachedLightPi
 }
 
 int CachedFrame::path_samples(const CachedLightGoal& goal, int samples, float found) const {
-  if (!goal.squared_error) return samples;
-  return path_samples_for(*goal.squared_error, samples, found, kMostMorePaths * params_.spp);
+  if (!goal.error.squared) return samples;
+  return path_samples_for(*goal.error.squared, samples, found, kMostMorePaths * params_.spp);
 }
 
 /// shows_all: the surroundings, too, as the paths do that it is compared with.
-FrameError CachedFrame::measure_traced(const TraceParams& whole, bool shows_all, const Image& film) {
+FrameError CachedFrame::measure_traced(const TraceParams& whole, const ErrorGoal& goal, bool shows_all, const Image& film) {
   MeasuredPixels where = choose_pixels(film, kWatching, {}, hash(params_.seed, params_.frame));
   const PixelMeasure measure(shot_, whole, std::move(where), shows_all ? 1 : 2, pool_);
   add(measure.counts(), counts_);
-  const PixelError pixels = shows_all ? measure.of_paths(film) : measure.of_paths();
+  const PixelError single = shows_all ? measure.of_paths(film) : measure.of_paths();
+  const EyeBlur blur(shot_.optics, goal.crosstalk_px);
+  PixelError at_eye = single;
+  if (blur.blurs()) {
+    const std::vector<float> light = shows_all ? light_at(film, measure.where().pixels) : measure.light(1);
+    at_eye = eye_error_of_paths({blur, film, pool_}, measure, light);
+  }
+  const PixelError &judged = goal.at_eye ? at_eye : single, &other = goal.at_eye ? single : at_eye;
   // Errors of paths have nothing to do with each other, from pixel to pixel.
-  return {pixels.squared, pixels.squared / kBlockPixels, pixels.uncertainty, pixels.uncertainty / kBlockPixels};
+  return {judged.squared, single.squared / kBlockPixels, judged.uncertainty, single.uncertainty / kBlockPixels, other};
 }
 
 }  // namespace
@@ -330,11 +338,10 @@ CachedLightReport CachedLightTracer::trace(const Shot& shot, const ResolvedScene
     report.traced = true;
     frame.make_traced(goal, pictures);
   }
-  const FrameError& error = report.traced ? history.path_errors.found() : history.errors.found();
-  const PixelError& of_pixels = (report.traced ? history.path_errors : history.errors).of_latest();
-  report.squared_error = static_cast<double>(of_pixels.squared),
-  report.uncertainty = static_cast<double>(of_pixels.uncertainty);
-  report.block_squared_error = static_cast<double>(error.blocks);
+  const FrameErrors& errors = report.traced ? history.path_errors : history.errors;
+  report.pixels = goal.error.at_eye ? errors.other_of_latest() : errors.of_latest();
+  report.at_eye = goal.error.at_eye ? errors.of_latest() : errors.other_of_latest();
+  report.block_squared_error = static_cast<double>(errors.found().blocks);
   report.rays = frame.counts();
   return report;
 }

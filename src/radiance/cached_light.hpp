@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lippmann/scene/timeline.hpp"
+#include "radiance/gather_error.hpp"
 #include "trace/noisy_frame.hpp"
 
 namespace lippmann {
@@ -14,17 +15,17 @@ namespace lippmann {
 struct CachedLightReport {
   RayCounts rays;
   bool traced = false;               ///< whole paths, as they were cheaper
-  double squared_error = 0.0;        ///< the pixels' mean, as measured, in sRGB's codes (0 ... 1)
-  double uncertainty = 0.0;          ///< its standard deviation
+  PixelError pixels;                 ///< of single pixels, as measured
+  PixelError at_eye;                 ///< of what an eye sees through the display's lenses; without crosstalk the same
   double block_squared_error = 0.0;  ///< the same for means over 64 pixels
 };
 
 /// What pictures should be like.
 struct CachedLightGoal {
-  std::optional<float> squared_error{};  ///< mean, in sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
-  int frames = 1;                        ///< that a history will have
-  bool provenance = false;               ///< pictures show where light came from: see trace/final_gather.hpp
-  std::optional<double> seconds{};       ///< a frame's on this machine, in place of an error: frames are as good as that allows
+  ErrorGoal error{};
+  int frames = 1;                   ///< that a history will have
+  bool provenance = false;          ///< pictures show where light came from: see trace/final_gather.hpp
+  std::optional<double> seconds{};  ///< a frame's on this machine, in place of an error: frames are as good as that allows
 };
 
 /// Where a frame goes.

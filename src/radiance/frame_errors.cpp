@@ -34,7 +34,8 @@ Excess excess_of(float now, float uncertainty, float may, float mean, float mean
 
 void FrameErrors::add(const FrameError& now, const FrameError& may, float expected) {
   latest_ = now;
-  add_ratio({now.pixels, now.uncertainty}, expected);
+  pooled_.add({now.pixels, now.uncertainty}, expected);
+  other_.add(now.other, expected);
   const bool changed = is_other(now.pixels, now.uncertainty, found_.pixels, found_.uncertainty);
   const float before = changed ? 0.0f : kRemembered * weight_;
   weight_ = before + 1.0f;
@@ -49,16 +50,16 @@ void FrameErrors::add(const FrameError& now, const FrameError& may, float expect
   blocks_ = excess_of(now.blocks, now.block_uncertainty, may.blocks, found_.blocks, found_.block_uncertainty, allowed_.blocks);
 }
 
-void FrameErrors::add_ratio(const PixelError& now, float expected) {
+void PooledError::add(const PixelError& now, float expected) {
   const float unit = expected > 0.0f ? expected : 1.0f;
   const PixelError ratio{now.squared / unit, now.uncertainty / unit};
   const float past_uncertainty = std::hypot(ratio_.uncertainty, kRatioDrift * ratio_.squared);
   const bool changed = is_other(ratio.squared, ratio.uncertainty, ratio_.squared, past_uncertainty);
   // A few pixels with large errors make a ratio seem another now and then, too: half a frame's worth of the past is kept.
-  const float before = std::min(kRemembered * ratio_weight_, changed ? kKeptOfOther : kInfinity);
-  ratio_weight_ = before + 1.0f;
-  ratio_.squared += (ratio.squared - ratio_.squared) / ratio_weight_;
-  ratio_.uncertainty = std::hypot(before * past_uncertainty, ratio.uncertainty) / ratio_weight_;
+  const float before = std::min(kRemembered * weight_, changed ? kKeptOfOther : kInfinity);
+  weight_ = before + 1.0f;
+  ratio_.squared += (ratio.squared - ratio_.squared) / weight_;
+  ratio_.uncertainty = std::hypot(before * past_uncertainty, ratio.uncertainty) / weight_;
   of_latest_ = {unit * ratio_.squared, unit * ratio_.uncertainty};
 }
 

@@ -8,6 +8,20 @@ namespace lippmann {
 /// Whether an error is larger than it may be.
 enum class Excess { kNone, kProbable, kSure };
 
+/// What a frame's error is, as far as it and earlier ones tell. Frames have in common by how much errors differ from what is
+/// expected of them, even where errors change from frame to frame.
+class PooledError {
+ public:
+  /// The latest frame's, and what was expected of it; 0: not known.
+  void add(const PixelError& now, float expected);
+  const PixelError& of_latest() const { return of_latest_; }
+
+ private:
+  PixelError ratio_;  ///< errors over what was expected, weighted mean
+  PixelError of_latest_;
+  float weight_ = 0.0f;
+};
+
 /// Errors of frames before count less and less, as light changes, and not at all where it has changed for sure; but a few
 /// patches know little.
 class FrameErrors {
@@ -17,9 +31,9 @@ class FrameErrors {
 
   const FrameError& found() const { return found_; }
 
-  /// The squared error of the latest frame's pixels, as far as this and earlier frames tell. Those have in common by how much
-  /// errors differ from what is expected of them, even where errors change from frame to frame.
-  const PixelError& of_latest() const { return of_latest_; }
+  /// The squared error of the latest frame's pixels, as far as this and earlier frames tell, and FrameError::other.
+  const PixelError& of_latest() const { return pooled_.of_latest(); }
+  const PixelError& other_of_latest() const { return other_.of_latest(); }
   const FrameError& allowed() const { return allowed_; }
 
   const FrameError& latest() const { return latest_; }
@@ -31,13 +45,9 @@ class FrameErrors {
   bool is_too_large() const { return pixels_ == Excess::kSure || blocks_ == Excess::kSure; }
 
  private:
-  void add_ratio(const PixelError& now, float expected);
-
   FrameError found_, allowed_;  ///< weighted means
   FrameError latest_;
-  PixelError ratio_;  ///< errors over what was expected, weighted mean
-  PixelError of_latest_;
-  float ratio_weight_ = 0.0f;
+  PooledError pooled_, other_;
   float weight_ = 0.0f;
   Excess pixels_ = Excess::kNone, blocks_ = Excess::kNone;
 };

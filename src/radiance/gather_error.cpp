@@ -85,9 +85,13 @@ bool blocks_need_cells(const Trial& coarse, const FrameError& found, float may) 
          found.blocks > kHelpedByPixels * coarse.measured.blocks;
 }
 
-/// By how much codes of a mean change with it (the slope of sRGB's curve).
-double slope_of_code(double linear) {
-  return linear <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(std::min(linear, 1.0), 1.0 / 2.4 - 1.0);
+/// What an eye sees of pixels that err by `pixels` and whose means over a patch err by `blocks`, as far as patches tell: of
+/// independent errors only own_share, of those that a patch has in common all.
+PixelError error_at_eye(const PixelError& pixels, const PixelError& blocks, double own_share) {
+  const auto own = static_cast<float>(own_share);
+  const float in_common = (kBlockPixels * blocks.squared - pixels.squared) / (kBlockPixels - 1.0f);
+  return {own * pixels.squared + (1.0f - own) * std::clamp(in_common, 0.0f, std::max(pixels.squared, 0.0f)),
+          std::hypot(own * pixels.uncertainty, (1.0f - own) * blocks.uncertainty)};
 }
 
 /// The squared error of the mean of a channel over a patch. Errors of any two pixels, multiplied, tell what both are wrong
@@ -112,31 +116,43 @@ class MeanError {
 
 }  // namespace
 
-GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, std::optional<float> goal,
-                             const MeasuredPlaces& places, const Scatter& likely, const ThreadPool& pool)
+GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, const ErrorGoal& goal, const MeasuredPlaces& places,
+                             const Scatter& likely, const ThreadPool& pool)
     : shot_(shot),
       trace_(trace),
       asked_(goal),
+      blur_(shot.optics, goal.crosstalk_px),
       measured_(places),
       seed_(hash(trace.seed, trace.frame, places.salt)),
       pool_(pool) {
   const PacketSource source(shot.optics, shot.world_from_display, trace.order, SubPixel{}, shot.rows);
   patches_ = choose_patches(source, places.patches, likely, seed_);
   trace_patches(places.fewer);
-  set_goal(difference(paths_[0].values, paths_[1].values));
+  of_single_paths_ = difference(paths_[0].values, paths_[1].values);
+  const auto share = static_cast<float>(share_of_independent());
+  set_goal({share * of_single_paths_.squared, share * of_single_paths_.uncertainty});
 }
+
+double GatherMeasure::share_of_independent() const { return asked_.at_eye ? blur_.own_share() : 1.0; }
 
 void GatherMeasure::choose_pixels_of(const Image& film, const Scatter& scatter) {
   if (pixels_ || !measured_.with_pixels()) return;
   pixels_.emplace(shot_, trace_, choose_pixels(film, measured_.pixels, scatter, seed_), 2, pool_);
   add(pixels_->counts(), counts_);
-  set_goal(pixels_->of_paths());
+  of_single_paths_ = pixels_->of_paths();
+  if (blur_.blurs()) {
+    eye_.emplace(EyeWeights(blur_, film, pool_), *pixels_, shot_, trace_, pool_);
+    add(eye_->counts(), counts_);
+  }
+  set_goal(asked_.at_eye && eye_ ? eye_->of_paths() : of_single_paths_);
 }
 
 void GatherMeasure::set_goal(const PixelError& of_paths) {
   of_paths_ = of_paths;
-  goal_.pixels = asked_.value_or(std::max(of_paths_.squared, kInvisible));
-  goal_.blocks = std::max(kBlockLoss * goal_.pixels / (asked_ ? kBlockSides : kBlockPixels), kInvisibleBlock);
+  goal_.pixels = asked_.squared.value_or(std::max(of_paths_.squared, kInvisible));
+  const float of_block =
+      asked_.squared ? goal_.pixels / kBlockSides : std::max(of_single_paths_.squared, kInvisible) / kBlockPixels;
+  goal_.blocks = std::max(kBlockLoss * of_block, kInvisibleBlock);
 }
 
 /// Twice as many paths as a full render has: halves of a render would not do, as evenly spread samples are better than two sets
@@ -186,7 +202,7 @@ PixelError GatherMeasure::difference(const std::vector<float>& a, const std::vec
 GatherMeasure::Codes GatherMeasure::codes_of(const std::vector<float>& light) const {
   Codes codes{light, light};
   for (float& v : codes.values) v = code_of(v);
-  for (float& v : codes.shown) v = std::clamp(v, 0.0f, 1.0f);
+  for (float& v : codes.shown) v = shown_light(v);
   return codes;
 }
 
@@ -197,10 +213,9 @@ GatherMeasure::Codes GatherMeasure::codes_of_halves(const std::vector<float>& fi
   std::vector<float> light(first.size());
   for (std::size_t i = 0; i < light.size(); ++i) light[i] = 0.5f * (first[i] + second[i]);
   Codes codes = codes_of(light);
-  const auto shown = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
   for (std::size_t i = 0; i < light.size(); ++i) {
     codes.values[i] = 2.0f * codes.values[i] - 0.5f * (code_of(first[i]) + code_of(second[i]));
-    codes.shown[i] = 2.0f * codes.shown[i] - 0.5f * (shown(first[i]) + shown(second[i]));
+    codes.shown[i] = 2.0f * codes.shown[i] - 0.5f * (shown_light(first[i]) + shown_light(second[i]));
   }
   return codes;
 }
@@ -223,21 +238,31 @@ FrameError GatherMeasure::error_of_patches(const Image& film) const {
     pixels.add(weight * sum / static_cast<double>(end - begin));
     blocks.add(weight * (means[0].of_codes() + means[1].of_codes() + means[2].of_codes()) / 3.0);
   }
-  return at_least_some({pixels.mean(), blocks.mean(), pixels.uncertainty(), blocks.uncertainty()});
+  const PixelError single{pixels.mean(), pixels.uncertainty()}, means{blocks.mean(), blocks.uncertainty()};
+  FrameError error{0.0f, means.squared, 0.0f, means.uncertainty};
+  set_pixels(single, error_at_eye(single, means, blur_.own_share()), error);
+  return at_least_some(error);
 }
 
 FrameError GatherMeasure::error_of(const Image& film) const {
   FrameError error = error_of_patches(film);
   if (!pixels_) return error;
-  const PixelError of_pixels = pixels_->error_of(film);
-  error.pixels = of_pixels.squared, error.uncertainty = of_pixels.uncertainty;
+  const PixelError single = pixels_->error_of(film);
+  set_pixels(single, eye_ ? eye_->error_of(film) : single, error);
   return at_least_some(error);
+}
+
+void GatherMeasure::set_pixels(const PixelError& single, const PixelError& at_eye, FrameError& error) const {
+  const PixelError& judged = asked_.at_eye ? at_eye : single;
+  error.pixels = judged.squared, error.uncertainty = judged.uncertainty;
+  error.other = asked_.at_eye ? single : at_eye;
 }
 
 /// Nothing is known so well that there could be no error at all.
 FrameError GatherMeasure::at_least_some(FrameError error) const {
   error.pixels = std::max(error.pixels, 0.02f * goal_.pixels);
   error.blocks = std::max(error.blocks, 0.02f * goal_.blocks);
+  error.other.squared = std::max(error.other.squared, 0.02f * goal_.pixels);
   return error;
 }
 
@@ -303,14 +328,14 @@ std::optional<PathMix> GatherMeasure::mix_for(const FrameError& found, double sh
 
 /// Those of pixels have nothing to do with each other.
 PathErrors GatherMeasure::path_errors() const {
-  return PathErrors::with({of_paths_.squared, of_paths_.squared / kBlockPixels}, trace_.spp, path_exponent());
+  return PathErrors::with({of_paths_.squared, of_single_paths_.squared / kBlockPixels}, trace_.spp, path_exponent());
 }
 
 /// By what halves of the sets err, and a whole picture; 1 where there are no halves.
 float GatherMeasure::path_exponent() const {
-  if (!(of_halves_ > 0.0f && of_paths_.squared > 0.0f)) return 1.0f;
+  if (!(of_halves_ > 0.0f && of_single_paths_.squared > 0.0f)) return 1.0f;
   const float times = static_cast<float>(trace_.spp) / static_cast<float>(samples_of_half_);
-  return std::clamp(std::log(of_halves_ / of_paths_.squared) / std::log(times), 1.0f, 2.0f);
+  return std::clamp(std::log(of_halves_ / of_single_paths_.squared) / std::log(times), 1.0f, 2.0f);
 }
 
 FrameError GatherMeasure::without(const PathMix& mix, const FrameError& found) const {

@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include "radiance/eye_error.hpp"
 #include "radiance/measured_places.hpp"
 #include "radiance/pixel_error.hpp"
 
@@ -16,12 +17,20 @@ namespace lippmann {
 /// Pixels of a patch, of whose means errors are told.
 inline constexpr float kBlockPixels = 64.0f;
 
+/// What pixels may err by, and where.
+struct ErrorGoal {
+  std::optional<float> squared{};  ///< mean, in sRGB's codes (0 ... 1); none: that of paths with TraceParams::spp samples
+  double crosstalk_px = 0.0;       ///< of the display (lippmann/optics/crosstalk.hpp); 0: its lenses are sharp, or not known
+  bool at_eye = false;             ///< the goal is for what an eye sees through these lenses; else for single pixels
+};
+
 /// Mean squared errors of sRGB's codes (0 ... 1).
 struct FrameError {
-  float pixels = 0.0f;
+  float pixels = 0.0f;       ///< of single pixels, or at the eye, as the goal has it
   float blocks = 0.0f;       ///< the errors of means over a patch
   float uncertainty = 0.0f;  ///< standard deviation of `pixels`
   float block_uncertainty = 0.0f;
+  PixelError other{};  ///< of single pixels and at the eye, that which the goal is not for
 };
 
 struct GatherPlan {
@@ -54,9 +63,8 @@ inline constexpr MeasuredShare kWatching{2048, 100, 200};
 /// Some patches of a frame, once traced by paths.
 class GatherMeasure {
  public:
-  /// goal: the mean squared error that pixels may have; none: that of paths with trace.spp samples. likely: as choose_patches
-  /// has it. All arguments outlive it.
-  GatherMeasure(const Shot& shot, const TraceParams& trace, std::optional<float> goal, const MeasuredPlaces& places,
+  /// likely: as choose_patches has it. All arguments outlive it.
+  GatherMeasure(const Shot& shot, const TraceParams& trace, const ErrorGoal& goal, const MeasuredPlaces& places,
                 const Scatter& likely, const ThreadPool& pool);
 
   /// Chooses the pixels that are measured one by one, by a picture of the frame and how much its samples scattered, if there
@@ -66,8 +74,8 @@ class GatherMeasure {
   /// What frames may err by. Means of patches by kBlockLoss times as much as those of as many paths as the goal takes.
   const FrameError& goal() const { return goal_; }
 
-  /// Mean squared error of pixels of paths with trace.spp samples. Measured where patches have all of these or pixels are
-  /// measured one by one; else, as goal(), of no use.
+  /// Mean squared error of paths with trace.spp samples, of single pixels or at the eye, as the goal has it. Measured where
+  /// patches have all of these or pixels are measured one by one; else, as goal(), of no use.
   float of_paths() const { return of_paths_.squared; }
 
   /// What a picture of the whole frame errs by.
@@ -82,8 +90,11 @@ class GatherMeasure {
   /// share_of_rays: what those take, of the rays of paths.
   std::optional<PathMix> mix_for(const FrameError& found, double share_of_rays) const;
 
-  /// What pixels that err by `squared` without do with the paths that are mixed in.
-  float with(const PathMix& mix, float squared) const { return errors_of(mix, {squared, 0.0f}, path_errors()).pixels; }
+  /// What pixels that err by `squared`, each by itself, do with the paths that are mixed in, as the goal has it.
+  float with(const PathMix& mix, float squared) const {
+    const auto share = static_cast<float>(share_of_independent());
+    return errors_of(mix, {share * squared, 0.0f}, path_errors()).pixels;
+  }
 
   /// What frames would err by without the paths that are mixed in.
   FrameError without(const PathMix& mix, const FrameError& found) const;
@@ -118,6 +129,8 @@ class GatherMeasure {
   };
   void trace_patches(int fewer);
   void set_goal(const PixelError& of_paths);
+  double share_of_independent() const;
+  void set_pixels(const PixelError& single, const PixelError& at_eye, FrameError& error) const;
   PixelError difference(const std::vector<float>& a, const std::vector<float>& b) const;
   Codes codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const;
   Codes codes_of(const std::vector<float>& light) const;
@@ -132,16 +145,19 @@ class GatherMeasure {
 
   Shot shot_;
   TraceParams trace_;
-  std::optional<float> asked_;  ///< goal of pixels
+  ErrorGoal asked_;
+  EyeBlur blur_;
   MeasuredPlaces measured_;
   std::uint32_t seed_;
   const ThreadPool& pool_;
   MeasuredPatches patches_;
   Codes paths_[2];
   std::optional<PixelMeasure> pixels_;
-  PixelError of_paths_;      ///< with trace.spp samples
-  float of_halves_ = 0.0f;   ///< likewise of patches, with
-  int samples_of_half_ = 0;  ///< so many samples; 0: there are no halves
+  std::optional<EyeMeasure> eye_;  ///< of pixels_; none where neighbours are not seen
+  PixelError of_single_paths_;     ///< the error of single pixels, with trace.spp samples
+  PixelError of_paths_;            ///< the same, or at the eye, as the goal has it
+  float of_halves_ = 0.0f;         ///< likewise of patches, with
+  int samples_of_half_ = 0;        ///< so many samples; 0: there are no halves
   FrameError goal_, last_;
   double rays_of_paths_ = 0.0, rays_of_last_ = 0.0;  ///< in the measured patches; the latter, of what was gathered last
   RayCounts counts_;

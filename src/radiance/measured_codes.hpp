@@ -15,6 +15,14 @@ namespace lippmann {
 /// sRGB's code from 0 to 1.
 inline float code_of(float linear) { return static_cast<float>(srgb_from_linear(std::clamp(linear, 0.0f, 1.0f))); }
 
+/// Light as far as it is shown.
+inline float shown_light(float linear) { return std::clamp(linear, 0.0f, 1.0f); }
+
+/// By how much codes of light change with it (the slope of sRGB's curve).
+inline double slope_of_code(double linear) {
+  return linear <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(std::min(linear, 1.0), 1.0 / 2.4 - 1.0);
+}
+
 /// Linear, three channels a pixel.
 inline std::vector<float> light_at(const Image& film, std::span<const std::uint32_t> pixels) {
   std::vector<float> light;

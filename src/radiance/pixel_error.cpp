@@ -16,6 +16,7 @@ PixelMeasure::PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredP
   for (int set = 0; set < sets; ++set) {
     params.seed = hash(trace.seed, trace.frame, 0x70697865u + static_cast<std::uint32_t>(set));
     add(trace_pixels(shot, params, where_.pixels, {pool, quiet}, film), counts_);
+    light_.push_back(light_at(film, where_.pixels));
     sets_.push_back(codes_at(film, where_.pixels));
   }
 }

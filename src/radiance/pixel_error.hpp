@@ -25,6 +25,10 @@ class PixelMeasure {
   /// squared error on average, as what both sets err by has nothing to do with each other.
   PixelError error_of(const Image& film) const;
 
+  const MeasuredPixels& where() const { return where_; }
+  /// Linear, three channels a pixel.
+  const std::vector<float>& light(int set) const { return light_[static_cast<std::size_t>(set)]; }
+
   /// All rays that were traced.
   const RayCounts& counts() const { return counts_; }
 
@@ -33,7 +37,8 @@ class PixelMeasure {
   PixelError mean_of(const Squared& squared) const;
 
   MeasuredPixels where_;
-  std::vector<std::vector<float>> sets_;  ///< codes, three channels a pixel
+  std::vector<std::vector<float>> light_;  ///< by set
+  std::vector<std::vector<float>> sets_;   ///< its codes, three channels a pixel
   RayCounts counts_;
 };
 

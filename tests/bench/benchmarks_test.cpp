@@ -91,6 +91,35 @@ TEST(BenchLamps, json_has_a_row_per_kind_and_number_of_lamps) {
   EXPECT_EQ(rows[0]["cpu_at_equal_psnr"], 1.0);
 }
 
+TEST(BenchEye, json_has_a_row_per_crosstalk_and_goal_and_eyes_see_less_noise) {
+  const Json rows = run_benchmark("eye", quick_request({"room"}, 2)).rows;
+  ASSERT_EQ(rows.size(), 5u);
+  for (const Json& row : rows) {
+    EXPECT_EQ(row["frames"], 2);
+    EXPECT_GT(row["true_at_eye_db"], row["true_db"]);
+    EXPECT_GT(row["told_at_eye_db"], row["told_db"]);
+    EXPECT_GT(row["mrays_per_frame"], 0.0);
+  }
+  EXPECT_GT(rows[1]["true_at_eye_db"], rows[0]["true_at_eye_db"]) << "20 % and 10 %";
+  EXPECT_EQ(rows[4]["quality_at"], "eye");
+  EXPECT_EQ(rows[4]["floor_db"], 38.0);
+}
+
+// 32 x 32 pixels: a view's samples are those that were traced, and the teapot's neighbours are worth more than one sample.
+TEST(BenchResolve, json_has_a_row_per_number_of_views) {
+  const Json rows = run_benchmark("resolve", quick_request({"teapot"})).rows;
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0]["views"], 8);
+  EXPECT_EQ(rows[1]["views"], 48);
+  for (const Json& row : rows) {
+    EXPECT_GT(row["own_8_db"], row["own_1_db"]);
+    for (const std::string how : {"count", "voronoi", "lines"}) {
+      EXPECT_GT(row[how + "_db"], 10.0) << how;
+      EXPECT_GT(row[how + "_us"], 0.0) << how;
+    }
+  }
+}
+
 TEST(BenchReplay, no_eye_of_25_sees_depth_inverted_and_near_layers_come_nearest_to_direct_views) {
   const bench::Report report = run_benchmark("replay", {});
   ASSERT_EQ(report.rows.size(), 50u);

@@ -23,6 +23,7 @@ FrameReport shared_frame() {
   frame.kind = "shared";
   frame.psnr_at_least_db = 47.25;
   frame.estimated_block_psnr_db = 60.5;
+  frame.estimated_psnr_at_eye_db = 50.25, frame.psnr_at_eye_at_least_db = 49.5;
   return frame;
 }
 
@@ -33,6 +34,8 @@ TEST(FrameReportJson, shared_frame_written_and_read_keeps_its_errors) {
   EXPECT_EQ(back->estimated_psnr_db, 48.5);
   EXPECT_EQ(back->psnr_at_least_db, 47.25);
   EXPECT_EQ(back->estimated_block_psnr_db, 60.5);
+  EXPECT_EQ(back->estimated_psnr_at_eye_db, 50.25);
+  EXPECT_EQ(back->psnr_at_eye_at_least_db, 49.5);
 }
 
 TEST(FrameReportJson, shared_frame_without_one_of_its_errors_is_none) {

@@ -79,6 +79,19 @@ TEST(ReuseParams, what_the_kind_that_serves_does_not_know_is_refused) {
   EXPECT_EQ(with(said(ReuseChoice::kNone, Integrator::kPath), budget), "--time-budget");
 }
 
+TEST(ReuseParams, quality_at_the_eye_is_for_shared_light_and_no_budget_of_time) {
+  RenderParams paths = said(ReuseChoice::kAuto, Integrator::kPath);
+  paths.reuse.quality_at = QualityAt::kEye;
+  EXPECT_EQ(std::get<ShareLight>(frame_params(paths).reuse).quality_at, QualityAt::kEye);
+  paths.reuse.time_budget_s = 1.0;
+  EXPECT_EQ(refused(paths), "quality-at");
+  RenderParams none = said(ReuseChoice::kNone, Integrator::kPath), whitted = said(ReuseChoice::kAuto);
+  for (RenderParams* params : {&none, &whitted}) {
+    params->reuse.quality_at = QualityAt::kEye;
+    EXPECT_EQ(refused(*params), "--quality-at");
+  }
+}
+
 TEST(ReuseParams, what_looks_at_shared_light_is_refused_where_none_is_shared) {
   RenderParams few = said(ReuseChoice::kAuto, Integrator::kPath), many = few, whitted = said(ReuseChoice::kAuto);
   few.sampling.spp = 2;

@@ -67,6 +67,28 @@ TEST(SharedLight, frames_that_are_not_measured_are_not_known_to_reach_a_floor) {
   EXPECT_EQ(unmeasured_sentence({frames[1]}, 40.0), "");
 }
 
+FrameReport seen_frame(int number, double psnr_db, double at_eye_db) {
+  FrameReport frame = shared_frame(number, psnr_db, psnr_db - 1.0, 50.0);
+  frame.estimated_psnr_at_eye_db = at_eye_db, frame.psnr_at_eye_at_least_db = at_eye_db - 0.5;
+  return frame;
+}
+
+TEST(SharedLight, sentence_tells_the_error_at_the_eye_where_that_is_another) {
+  EXPECT_EQ(shared_light_sentence({seen_frame(3, 38.8, 40.1)}),
+            "the frame shares light, PSNR as measured 38.8 dB, 40.1 dB at the eye, 50.0 dB of means over 64 pixels");
+  EXPECT_THAT(shared_light_sentence({seen_frame(3, 38.8, 40.1), seen_frame(4, 38.9, 39.9)}),
+              HasSubstr("38.8 dB at worst (frame 3), 39.9 dB at worst at the eye, 50.0 dB"));
+  EXPECT_THAT(shared_light_sentence({seen_frame(3, 38.8, 38.8)}), testing::Not(HasSubstr("eye")));
+}
+
+TEST(SharedLight, a_floor_at_the_eye_is_held_there) {
+  const std::vector<FrameReport> frames{seen_frame(0, 36.0, 40.0), seen_frame(1, 45.0, 39.2)};
+  EXPECT_EQ(below_floor_sentence(frames, 39.5, QualityAt::kEye),
+            "frame 1 may fall short of --min-psnr 39.5 at the eye (at 95 % confidence); 1 of them is below it as measured");
+  EXPECT_EQ(below_floor_sentence(frames, 38.7, QualityAt::kEye), "");
+  EXPECT_THAT(below_floor_sentence(frames, 38.7), testing::StartsWith("frame 0 may fall short of --min-psnr 38.7 (at 95 %"));
+}
+
 TEST(SharedLight, many_frames_below_a_floor_are_counted) {
   std::vector<FrameReport> frames;
   for (int f = 10; f < 17; ++f) frames.push_back(shared_frame(f, 35.0, 34.0, 50.0));

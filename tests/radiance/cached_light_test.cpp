@@ -86,7 +86,7 @@ TEST(CachedLight, a_diffuse_box_has_the_mean_light_of_paths) {
     TraceParams params;
     params.seed = seed;
     const Picture p = trace_paths(s.scene, single_view(64), 32, params);
-    const Frames c = cached(s.scene, single_view(64), {2}, params, 1, {.squared_error = 4e-4f});
+    const Frames c = cached(s.scene, single_view(64), {2}, params, 1, {.error = {.squared = 4e-4f}});
     ASSERT_FALSE(c.reports.back().traced);
     for (int b = 0; b < kBands; ++b) {
       paths[static_cast<std::size_t>(b)].push_back(mean_of(p.film, b * kRows, kRows));
@@ -122,7 +122,7 @@ TEST(CachedLight, things_of_any_kind_vanish_in_a_white_furnace) {
                          : kind == 2 ? s.material(glass)
                                      : s.material(half);
     s.add(Spheres{{{0, 0, 0}, 1.0f}, {{1.2f, 0.5f, 0.8f}, 0.5f}}, material);
-    const Frames frames = cached(s.scene, single_view(64), {2}, {}, 1, {.squared_error = 1e-4f});
+    const Frames frames = cached(s.scene, single_view(64), {2}, {}, 1, {.error = {.squared = 1e-4f}});
     EXPECT_FALSE(frames.reports.back().traced) << kind;
     EXPECT_NEAR(mean(frames.films.back()), 1.0, 0.005) << kind;
   }
@@ -143,7 +143,7 @@ TEST(CachedLight, textures_stay_as_sharp_as_they_are) {
   PhongSurface paper = matte(Vec3f(1.0f));
   paper.texture = 0;
   s.add(square(2, 0), s.material(paper));
-  const Frames frames = cached(s.scene, single_view(64), {1}, {}, 1, {.squared_error = 1e-5f});
+  const Frames frames = cached(s.scene, single_view(64), {1}, {}, 1, {.error = {.squared = 1e-5f}});
   ASSERT_FALSE(frames.reports.back().traced);
   const Picture paths = trace_paths(s.scene, single_view(64), 1024);
   int off = 0;
@@ -159,7 +159,7 @@ TEST(CachedLight, mirrors_show_what_they_reflect_exactly) {
   surround(s, Vec3f(0.25f));
   s.add(square(1, 0), s.material(mirror(0.5f)));
   s.add(square(3, -0.5f), s.material(matte(Vec3f(0.4f))));
-  const Frames frames = cached(s.scene, single_view(64), {1}, {}, 1, {.squared_error = 1e-4f});
+  const Frames frames = cached(s.scene, single_view(64), {1}, {}, 1, {.error = {.squared = 1e-4f}});
   ASSERT_FALSE(frames.reports.back().traced);
   EXPECT_FLOAT_EQ(frames.films[0].pixel(32, 32)[0], 0.125f);
   EXPECT_NEAR(frames.films[0].pixel(4, 32)[0], 0.1f, 0.01f);  // the mirror's back hides a little of the sky
@@ -175,8 +175,8 @@ TEST(CachedLight, light_that_moves_away_leaves_nothing_behind) {
   Mesh panel = square(0.3f, 0.0f);
   s.add(panel, s.material(lamp), s.moving_node({-1.2f, 0, 0.6f}, {1.2f, 0, 0.6f}));
   s.scene.timeline.frame_count = 11;
-  const Frames history = cached(s.scene, single_view(64), {11, 0, 10.0}, {}, 1, {.squared_error = 1e-3f});
-  const Frames fresh = cached(s.scene, single_view(64), {11, 10, 10.0}, {}, 1, {.squared_error = 1e-3f});
+  const Frames history = cached(s.scene, single_view(64), {11, 0, 10.0}, {}, 1, {.error = {.squared = 1e-3f}});
+  const Frames fresh = cached(s.scene, single_view(64), {11, 10, 10.0}, {}, 1, {.error = {.squared = 1e-3f}});
   ASSERT_FALSE(history.reports.back().traced);
   const Image paths = trace(s.scene, single_view(64), {.spp = 256}, 1, 1.0, {}, Integrator::kPath).film;
   double with_history = 0.0, without = 0.0;
@@ -200,7 +200,7 @@ TEST(CachedLight, the_error_that_is_asked_for_is_kept) {
   const SmallScene s = cornell_box();
   const Image truth = trace_paths(s.scene, single_view(64), 1024).film;
   for (const float goal : {1e-3f, 2e-4f}) {
-    const Frames frames = cached(s.scene, single_view(64), {2}, {}, 1, {.squared_error = goal});
+    const Frames frames = cached(s.scene, single_view(64), {2}, {}, 1, {.error = {.squared = goal}});
     double squares = 0.0;
     const auto code = [](float v) { return std::pow(static_cast<double>(std::clamp(v, 0.0f, 1.0f)), 1.0 / 2.2); };
     for (std::size_t i = 0; i < truth.data.size(); ++i)
@@ -270,7 +270,7 @@ TEST(CachedLight, what_no_cache_can_reach_is_traced_with_as_many_paths_as_it_tak
   params.spp = 2;
   Image film;
   const CachedLightReport report = tracer.trace({device, single_view(32), {}}, evaluate(s.scene, 0.0), params,
-                                                {.squared_error = 1e-9f}, {}, {pool, context}, {film});
+                                                {.error = {.squared = 1e-9f}}, {}, {pool, context}, {film});
   EXPECT_TRUE(report.traced);
   EXPECT_GE(report.rays.primary, 32u * 32u * 2u * 64u);  // at most 64 times as many
 }
@@ -284,7 +284,7 @@ TEST(CachedLight, frames_are_as_good_as_their_time_allows) {
   const CachedLightReport none = report_of(1e-6), plenty = report_of(86400.0);
   EXPECT_FALSE(none.traced);
   EXPECT_FALSE(plenty.traced);
-  EXPECT_LT(plenty.squared_error, 0.5 * none.squared_error);
+  EXPECT_LT(plenty.pixels.squared, 0.5f * none.pixels.squared);
   EXPECT_GT(plenty.rays.total(), 2 * none.rays.total());
 }
 
@@ -303,7 +303,7 @@ std::pair<Picture, CachedLightReport> cached_without_surroundings(const Scene& s
   picture.aovs.want(Aov::kAlpha);
   CachedLightReport report;
   for (; params.frame < 2; ++params.frame)
-    report = tracer.trace({device, optics, {}}, resolved, params, {.squared_error = squared_error}, {}, {pool, context},
+    report = tracer.trace({device, optics, {}}, resolved, params, {.error = {.squared = squared_error}}, {}, {pool, context},
                           {picture.film, &picture.aovs});
   return {std::move(picture), report};
 }

@@ -29,7 +29,7 @@ class SkyScene {
   GatherMeasure measure(std::uint32_t frame = 0, const MeasuredPlaces& places = kPlanning) const {
     TraceParams params = params_;
     params.frame = frame;
-    return {{device_, optics_, world_}, params, std::nullopt, places, {}, pool_};
+    return {{device_, optics_, world_}, params, ErrorGoal{}, places, {}, pool_};
   }
 
   std::optional<GatherPlan> plan_with(const RadianceCache& cache, GatherMeasure& measure) const {

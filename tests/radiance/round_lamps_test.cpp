@@ -62,7 +62,7 @@ std::pair<Image, bool> shared_frame(const Scene& scene, std::uint32_t seed) {
   CachedLightTracer tracer(device);
   TraceParams params;
   params.seed = seed, params.max_depth = scene.max_depth, params.spp = 64;
-  CachedLightGoal goal{.squared_error = 4e-4f};
+  CachedLightGoal goal{.error = {.squared = 4e-4f}};
   goal.frames = 16;
   const ResolvedScene resolved = evaluate(scene, 0.0);
   Image film;

@@ -25,6 +25,8 @@ struct FrameReport {
   std::optional<double> estimated_psnr_db;         ///< from held-out pixels; none: exact, or not estimated
   std::optional<double> psnr_at_least_db;          ///< lower bound of it at 95 % confidence; none where there is no estimate
   std::optional<double> estimated_block_psnr_db;   ///< the PSNR of means over 64 neighbouring pixels; shared frames only
+  std::optional<double> estimated_psnr_at_eye_db;  ///< of what an eye sees (QualityAt::kEye); shared light's frames only
+  std::optional<double> psnr_at_eye_at_least_db;   ///< lower bound of it at 95 % confidence
   std::optional<Precompensation> precompensation;  ///< what undoing crosstalk cost; none: it was not undone
   bool kept = false;                               ///< finished by an earlier run, which its figures are of
 };
