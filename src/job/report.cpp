@@ -32,13 +32,6 @@ Json setting_json(const ParamInfo& info, const RenderParams& params) {
   return json_from_text(values.front());  // numbers and flags are written as JSON writes them
 }
 
-Json settings_json(const RenderParams& params) {
-  Json json = Json::object();
-  for (const ParamInfo& info : params_table())
-    if (info.name != "scene") json[std::string(info.name)] = setting_json(info, params);
-  return json;
-}
-
 Json totals_json(const RenderReport& report) {
   double seconds = 0.0, cpu_seconds = 0.0;
   RayCounts rays;
@@ -104,6 +97,13 @@ Json to_json(const RenderReport& report) {
           {"frames", std::move(frames)},
           {"runs", runs_json(report)},
           {"totals", totals_json(report)}};
+}
+
+Json settings_json(const RenderParams& params) {
+  Json json = Json::object();
+  for (const ParamInfo& info : params_table())
+    if (info.name != "scene") json[std::string(info.name)] = setting_json(info, params);
+  return json;
 }
 
 }  // namespace lippmann
