@@ -100,7 +100,6 @@ void read_frame(const Json& json, FolderJournal& journal) {
 void read_run(const Json& json, FolderJournal& journal) {
   RunReport run;
   json.at("host").get_to(run.host);
-  run.cpu = json.value("cpu", "");  // journals of older versions have none
   json.at("unit").get_to(run.unit);
   run.frames = frames_from_json(json.at("frames"));
   json.at("setup_seconds").get_to(run.setup_seconds);
@@ -192,7 +191,6 @@ Json to_json(const RunReport& run) {
   Json sources = Json::array();
   for (const FrameReport& source : run.sources) sources.push_back(to_json(source));
   return {{"host", run.host},
-          {"cpu", run.cpu},
           {"unit", run.unit},
           {"frames", write_frames(ranges_of(run.frames))},
           {"setup_seconds", run.setup_seconds},

@@ -52,7 +52,6 @@ struct JournalVideo {
 /// What a run did and took beside the figures of its frames.
 struct RunReport {
   std::string host = {};         ///< the machine's name
-  std::string cpu = {};          ///< its processor (cpu_model()); empty: not recorded
   std::string unit = {};         ///< such as 7/200; empty: all frames
   std::vector<int> frames = {};  ///< that it rendered, ascending
   double setup_seconds = 0.0;    ///< wall time before the first frame: loading, building

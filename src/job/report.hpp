@@ -39,7 +39,4 @@ std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
 nlohmann::ordered_json to_json(const RenderReport& report);
 
-/// "settings" of the report: every parameter but the scene by its name; null: it is not given and follows from others.
-nlohmann::ordered_json settings_json(const RenderParams& params);
-
 }  // namespace lippmann

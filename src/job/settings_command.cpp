@@ -7,7 +7,7 @@
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
 #include "job/params_table.hpp"
-#include "job/report.hpp"
+#include "job/settings_json.hpp"
 
 namespace lippmann {
 namespace {

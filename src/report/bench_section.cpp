@@ -82,11 +82,13 @@ bool is_bench_result(const Json& json) { return json.is_object() && json.contain
 
 std::string bench_section(const Json& result, const std::filesystem::path& path) {
   const Json& rows = result.at("rows");
-  const bool are_rows = rows.is_array() && std::all_of(rows.begin(), rows.end(), [](const Json& row) { return row.is_object(); });
+  const bool are_rows =
+      rows.is_array() && std::all_of(rows.begin(), rows.end(), [](const Json& row) { return row.is_object(); });
   if (!are_rows) throw Error(path.string(), "its rows are no list of objects", "what `lippmann bench` prints as JSON");
   const auto checks = result.find("passed_checks");
   const std::string passed =
-      checks != result.end() ? fmt::format("<p class=\"note\">{} checks of results passed.</p>", escaped(value_text(*checks))) : "";
+      checks != result.end() ? fmt::format("<p class=\"note\">{} checks of results passed.</p>", escaped(value_text(*checks)))
+                             : "";
   const std::string none = rows.empty() ? sentences_html({"The benchmark has no rows."}) : std::string();
   return fmt::format("<section><h2>bench {}</h2>{}{}{}{}{}</section>\n", escaped(value_text(result.at("bench"))), none,
                      rows_html(rows), passed, machine_html(result), details_html(result));

@@ -72,16 +72,18 @@ double y_of(const ChartAxis& axis, double value) { return kHeight * (1.0 - heigh
 
 double x_of(const Chart& chart, double slot) { return kWidth * slot / static_cast<double>(chart.slots.size()); }
 
-/// Lines from middle to middle; a value alone is a dot, which round ends make of a line without length.
+/// Lines from middle to middle; a value alone is a dash across half its place.
 std::string line_path(const Chart& chart, const ChartSeries& series, const ChartAxis& axis) {
   std::string path;
   bool is_open = false;
   for (std::size_t slot = 0; slot < chart.slots.size(); ++slot) {
     const std::optional<double> value = value_at(series, slot);
-    if (value) {
-      const double x = x_of(chart, static_cast<double>(slot) + 0.5), y = y_of(axis, *value);
-      path += is_open ? fmt::format("L{:.1f} {:.1f}", x, y) : fmt::format("M{0:.1f} {1:.1f}L{0:.1f} {1:.1f}", x, y);
-    }
+    const bool goes_on = value_at(series, slot + 1).has_value();
+    const auto at = static_cast<double>(slot);
+    if (value && (is_open || goes_on))
+      path += fmt::format("{}{:.1f} {:.1f}", is_open ? 'L' : 'M', x_of(chart, at + 0.5), y_of(axis, *value));
+    else if (value)
+      path += fmt::format("M{:.1f} {:.1f}H{:.1f}", x_of(chart, at + 0.25), y_of(axis, *value), x_of(chart, at + 0.75));
     is_open = value.has_value();
   }
   return path;
@@ -95,8 +97,10 @@ std::string bar_path(const Chart& chart, std::size_t which, const ChartAxis& axi
     for (std::size_t i = 0; i < which; ++i) below += std::max(value_at(chart.series[i], slot).value_or(0.0), 0.0);
     const double value = value_at(chart.series[which], slot).value_or(0.0);
     if (value <= 0.0) continue;
-    const double left = x_of(chart, static_cast<double>(slot) + gap), right = x_of(chart, static_cast<double>(slot) + 1.0 - gap);
-    path += fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}Z", left, y_of(axis, below), right, y_of(axis, below + value), left);
+    const double left = x_of(chart, static_cast<double>(slot) + gap),
+                 right = x_of(chart, static_cast<double>(slot) + 1.0 - gap);
+    path +=
+        fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}Z", left, y_of(axis, below), right, y_of(axis, below + value), left);
   }
   return path;
 }
@@ -133,7 +137,8 @@ std::string across_svg(std::string_view style, const ChartAxis& axis, double val
 }
 
 std::string svg_of(const Chart& chart, const ChartAxis& axis) {
-  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" preserveAspectRatio=\"none\" aria-hidden=\"true\">", kWidth, kHeight);
+  std::string svg =
+      fmt::format("<svg viewBox=\"0 0 {} {}\" preserveAspectRatio=\"none\" aria-hidden=\"true\">", kWidth, kHeight);
   for (double value = axis.low; value <= axis.high + 1e-9 * axis.step; value += axis.step)
     svg += across_svg("grid", axis, value);
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
@@ -149,7 +154,8 @@ std::string svg_of(const Chart& chart, const ChartAxis& axis) {
 std::string labels_up(const Chart& chart, const ChartAxis& axis) {
   std::string html = "<div class=\"up\" aria-hidden=\"true\">";
   for (double value = axis.low; value <= axis.high + 1e-9 * axis.step; value += axis.step)
-    html += fmt::format("<span style=\"bottom:{:.2f}%\">{}</span>", 100.0 * height_of(axis, value), number_text(value, axis.step));
+    html +=
+        fmt::format("<span style=\"bottom:{:.2f}%\">{}</span>", 100.0 * height_of(axis, value), number_text(value, axis.step));
   html += "</div><div class=\"names\">";
   for (const ChartLevel& level : chart.levels)
     html += fmt::format("<span style=\"bottom:{:.2f}%\">{}</span>", 100.0 * height_of(axis, level.value), escaped(level.name));
@@ -162,8 +168,8 @@ std::string labels_across(const Chart& chart) {
   std::string html = "<div class=\"across\" aria-hidden=\"true\">";
   for (std::size_t i = 0; i <= parts; ++i) {
     const std::size_t slot = parts == 0 ? 0 : i * last / parts;
-    html += fmt::format("<span style=\"left:{:.2f}%\">{}</span>",
-                        100.0 * x_of(chart, static_cast<double>(slot) + 0.5) / kWidth, escaped(chart.slots[slot]));
+    html += fmt::format("<span style=\"left:{:.2f}%\">{}</span>", 100.0 * x_of(chart, static_cast<double>(slot) + 0.5) / kWidth,
+                        escaped(chart.slots[slot]));
   }
   return html + "</div>";
 }

@@ -34,7 +34,8 @@ std::vector<std::string> caveats(const std::vector<RenderFigures>& renders) {
   std::vector<std::string> sentences;
   if (differs([](const RenderFigures& render) { return render.scene; })) sentences.emplace_back("The scenes differ.");
   if (differs(frame_numbers)) sentences.emplace_back("The frames are not the same: means are of what each render has.");
-  if (differs([](const RenderFigures& render) { return render.pixels; })) sentences.emplace_back("The pictures differ in size.");
+  if (differs([](const RenderFigures& render) { return render.pixels; }))
+    sentences.emplace_back("The pictures differ in size.");
   if (differs([](const RenderFigures& render) { return render.runs.empty() ? "" : render.runs.front().host; }))
     sentences.emplace_back("The machines differ, or are not known: times are not of one kind.");
   return sentences;
@@ -59,8 +60,9 @@ std::string comparison_section(const std::vector<RenderFigures>& renders, const 
   std::vector<std::string> beside{fmt::format("CPU time saved beside {}", escaped(names.front()))};
   for (std::size_t i = 0; i < renders.size(); ++i) beside.push_back(i == 0 ? "" : beside_first(renders.front(), renders[i]));
   table.rows.push_back(std::move(beside));
-  return fmt::format("<section><h2>Side by side</h2>{}{}{}</section>\n", sentences_html(caveats(renders)), table_html(table),
-                     charts_html({psnr_comparison(renders, names), time_comparison(renders, names), saving_comparison(renders, names)}));
+  return fmt::format(
+      "<section><h2>Side by side</h2>{}{}{}</section>\n", sentences_html(caveats(renders)), table_html(table),
+      charts_html({psnr_comparison(renders, names), time_comparison(renders, names), saving_comparison(renders, names)}));
 }
 
 }  // namespace lippmann

@@ -37,8 +37,8 @@ std::string decibel_text(std::optional<double> decibels) {
 
 std::string count_text(double count) {
   if (count < 1e4) return fmt::format("{:.0f}", count);
-  if (count < 999.5e3) return three_digits(count * 1e-3) + " thousand";
-  return count < 999.5e6 ? three_digits(count * 1e-6) + " million" : three_digits(count * 1e-9) + " billion";
+  if (count < 999.5e3) return three_digits(count * 1e-3) + " k";
+  return count < 999.5e6 ? three_digits(count * 1e-6) + " M" : three_digits(count * 1e-9) + " G";
 }
 
 std::string memory_text(double bytes) { return bytes > 0.0 ? bytes_text(bytes) : std::string(kNotKnown); }

@@ -31,11 +31,11 @@ bool has_any(const ChartSeries& series) {
   return std::any_of(series.values.begin(), series.values.end(), [](const auto& value) { return value && *value != 0.0; });
 }
 
-void keep_used(std::vector<ChartSeries>& series) { std::erase_if(series, [](const ChartSeries& one) { return !has_any(one); }); }
+void keep_used(std::vector<ChartSeries>& series) {
+  std::erase_if(series, [](const ChartSeries& one) { return !has_any(one); });
+}
 
 bool was_interpolated(const RenderFigures& render) { return render.reuse == "interpolate" || render.reuse == "forward"; }
-
-bool is_traced_whole(const FrameReport& frame) { return frame.kind == "full" || frame.kind == "key"; }
 
 void add_psnr_levels(const RenderFigures& render, Chart& chart) {
   if (was_interpolated(render)) chart.levels.push_back({fmt::format("the paper's {:.1f} dB", kPaperPsnrDb), kPaperPsnrDb});
@@ -155,7 +155,8 @@ Chart ray_chart(const RenderFigures& render) {
 Chart psnr_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names) {
   Chart chart{"PSNR at least, as told by held-out pixels", "dB"};
   chart.starts_at_zero = false;
-  Comparison(renders).fill(names, [](std::size_t, int, const FrameReport& frame) { return sure_psnr_db(frame); }, chart);
+  Comparison(renders).fill(
+      names, [](std::size_t, int, const FrameReport& frame) { return sure_psnr_db(frame); }, chart);
   if (std::any_of(renders.begin(), renders.end(), was_interpolated))
     chart.levels.push_back({fmt::format("the paper's {:.1f} dB", kPaperPsnrDb), kPaperPsnrDb});
   keep_used(chart.series);

@@ -5,8 +5,6 @@
 namespace lippmann {
 namespace {
 
-bool is_traced_whole(const FrameReport& frame) { return frame.kind == "full" || frame.kind == "key"; }
-
 /// `exact` is what older versions call it.
 bool is_copied(const RenderFigures& render) { return render.reuse == "copy" || render.reuse == "exact"; }
 
@@ -25,6 +23,8 @@ std::array<double, 5> in_between_origins(const FrameReport& frame, double pixels
 }
 
 }  // namespace
+
+bool is_traced_whole(const FrameReport& frame) { return frame.kind == "full" || frame.kind == "key"; }
 
 std::optional<std::array<double, 5>> origins_of(const FrameReport& frame, const RenderFigures& render) {
   if (frame.kind == "shared") return all_of(Origin::kShared);

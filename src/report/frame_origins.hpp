@@ -12,7 +12,8 @@ namespace lippmann {
 
 enum class Origin { kTraced, kCopied, kInterpolated, kFilled, kShared };
 /// By Origin.
-inline constexpr std::array<std::string_view, 5> kOriginNames{"traced", "copied", "interpolated", "filled", "soft light shared"};
+inline constexpr std::array<std::string_view, 5> kOriginNames{"traced", "copied", "interpolated", "filled",
+                                                              "soft light shared"};
 
 /// Shares by Origin that add up to 1. None where the size of frames is not known.
 ///   traced         every ray of its own
@@ -21,6 +22,9 @@ inline constexpr std::array<std::string_view, 5> kOriginNames{"traced", "copied"
 ///   filled         no point fell there: from its neighbours (reuse interpolate, fill interpolate)
 ///   shared         sharp light traced, soft light from the cache of all frames (reuse light)
 std::optional<std::array<double, 5>> origins_of(const FrameReport& frame, const RenderFigures& render);
+
+/// Of kind full or key.
+bool is_traced_whole(const FrameReport& frame);
 
 /// The mean CPU seconds of the frames that were traced whole (kinds full and key); none where there is none.
 std::optional<double> traced_cpu_seconds(const RenderFigures& render);

@@ -30,14 +30,12 @@ std::vector<Column> frame_columns(const RenderFigures& render) {
                               {"wall s", [](const auto& frame) { return number_cell(frame.seconds, 3); }}};
   const std::optional<double> traced = traced_cpu_seconds(render);
   columns.push_back({"saved %", [traced](const FrameReport& frame) {
-                       const bool whole = frame.kind == "full" || frame.kind == "key";
-                       const auto saved = whole ? std::nullopt : saving(frame.cpu_seconds, traced);
+                       const auto saved = is_traced_whole(frame) ? std::nullopt : saving(frame.cpu_seconds, traced);
                        return saved ? fmt::format("{:.1f}", 100.0 * *saved) : std::string();
                      }});
   const auto add_rays = [&](const char* name, std::uint64_t RayCounts::*kind) {
-    columns.push_back({name, [kind](const FrameReport& frame) {
-                         return number_cell(static_cast<double>(frame.rays.*kind) * 1e-6, 3);
-                       }});
+    columns.push_back(
+        {name, [kind](const FrameReport& frame) { return number_cell(static_cast<double>(frame.rays.*kind) * 1e-6, 3); }});
   };
   add_rays("primary M", &RayCounts::primary), add_rays("shadow M", &RayCounts::shadow);
   add_rays("mirrored M", &RayCounts::reflection), add_rays("indirect M", &RayCounts::indirect);
@@ -73,7 +71,8 @@ std::string frame_table(const RenderFigures& render) {
     for (std::size_t i = 0; i < cells.size(); ++i) table.rows[i].push_back(std::move(cells[i]));
   }
   if (render.frames.empty()) return {};
-  return fmt::format("<details><summary>Figures of every frame ({})</summary>{}</details>\n", render.frames.size(), table_html(table));
+  return fmt::format("<details><summary>Figures of every frame ({})</summary>{}</details>\n", render.frames.size(),
+                     table_html(table));
 }
 
 }  // namespace lippmann

@@ -49,7 +49,7 @@ RunFigures run_figures(const Json& run) {
 }
 
 /// As many as can be understood; the others are counted.
-void read_frames(const Json& list, RenderFigures& figures) {
+void read_frame_list(const Json& list, RenderFigures& figures) {
   std::size_t left_out = 0;
   for (const Json& json : list)
     if (const std::optional<FrameReport> frame = frame_report_from_json(json))
@@ -73,8 +73,10 @@ void read_runs(const Json& report, RenderFigures& figures) {
 void read_totals(const Json& report, RenderFigures& figures) {
   for (const FrameReport& frame : figures.frames) figures.cpu_seconds += frame.cpu_seconds;
   const auto totals = report.find("totals");
-  if (totals == report.end() || !totals->is_object())
-    return figures.missing.emplace_back("The totals are missing, and what source frames took."), void();
+  if (totals == report.end() || !totals->is_object()) {
+    figures.missing.emplace_back("The totals are missing, and with them what source frames took.");
+    return;
+  }
   figures.cpu_seconds = std::max(figures.cpu_seconds, number_at(*totals, "cpu_seconds"));
   figures.source_frames = number_at(*totals, "source_frames");
   figures.setup_seconds = number_at(*totals, "setup_seconds"), figures.write_seconds = number_at(*totals, "write_seconds");
@@ -108,7 +110,7 @@ RenderFigures render_figures(const Json& report, const fs::path& path) {
   figures.interrupted = flag_at(report, "interrupted");
   if (figures.interrupted)
     figures.missing.emplace_back("The render was stopped before its last frame, or still runs: these are its finished frames.");
-  read_frames(*frames, figures);
+  read_frame_list(*frames, figures);
   read_runs(report, figures);
   read_totals(report, figures);
   read_optics(report, path, figures);

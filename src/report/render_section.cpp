@@ -20,6 +20,11 @@
 namespace lippmann {
 namespace {
 
+/// "room, reuse interpolate".
+std::string subtitle_of(const RenderFigures& render) {
+  return render.scene + (render.reuse.empty() ? "" : ", reuse " + render.reuse);
+}
+
 std::string tiles_html(const RenderFigures& render) {
   std::string html = "<dl class=\"tiles\">";
   for (const SummaryFigure& figure : render_summary(render))
@@ -32,10 +37,10 @@ std::string tiles_html(const RenderFigures& render) {
 
 std::string command_html(const RenderFigures& render) {
   if (render.settings.empty()) return {};
-  const std::string again =
-      fmt::format("lippmann render {}", shell_word((render.report.parent_path() / "job.toml").string()));
+  const std::string again = fmt::format("lippmann render {}", shell_word((render.report.parent_path() / "job.toml").string()));
   return fmt::format(
-      "<h3>Command</h3><pre>{}</pre><p class=\"note\">All that is not as by default. The folder's <code>job.toml</code> says the "
+      "<h3>Command</h3><pre>{}</pre><p class=\"note\">All that is not as by default. The folder's <code>job.toml</code> says "
+      "the "
       "same: <code>{}</code></p>\n",
       escaped(command_of_settings(render.scene, render.settings)), escaped(again));
 }
@@ -77,11 +82,13 @@ std::string machines_html(const RenderFigures& render) {
     const auto& [host, cpu, threads] = key;
     table.rows.push_back({escaped(host.empty() ? kNotKnown : host), escaped(cpu.empty() ? kNotKnown : cpu),
                           fmt::format("{}", threads), fmt::format("{}", row.runs), fmt::format("{}", row.frames),
-                          memory_text(row.peak_memory_bytes), seconds_text(row.setup_seconds), seconds_text(row.write_seconds)});
+                          memory_text(row.peak_memory_bytes), seconds_text(row.setup_seconds),
+                          seconds_text(row.write_seconds)});
   }
   if (rows.empty()) return {};
   const char* mixed =
-      rows.size() > 1 ? "<p class=\"note\">Times of several machines are not of one kind: compare frames of one machine.</p>" : "";
+      rows.size() > 1 ? "<p class=\"note\">Times of several machines are not of one kind: compare frames of one machine.</p>"
+                      : "";
   return "<h3>Machine</h3>" + table_html(table) + mixed;
 }
 
@@ -89,7 +96,8 @@ std::string pictures_html(const Thumbnails& thumbnails) {
   std::string html;
   for (const Thumbnail& picture : thumbnails.pictures)
     html += fmt::format(
-        "<figure><img src=\"{}\" alt=\"Frame {}, the view in the middle\" style=\"aspect-ratio:{:.4f}\"><figcaption>{}</figcaption>"
+        "<figure><img src=\"{}\" alt=\"Frame {}, the view in the middle\" "
+        "style=\"aspect-ratio:{:.4f}\"><figcaption>{}</figcaption>"
         "</figure>",
         picture.source, escaped(picture.label), picture.aspect, escaped(picture.label));
   if (!html.empty()) html = "<div class=\"pictures\">" + html + "</div>";
@@ -110,11 +118,12 @@ std::string settings_html(const RenderFigures& render) {
 }  // namespace
 
 std::string render_section(const RenderFigures& render, const Thumbnails& thumbnails) {
-  const std::string charts = charts_html(
-      {psnr_chart(render), origin_chart(render), time_chart(render), saving_chart(render), ray_chart(render)});
-  return fmt::format("<section><h2>{}</h2>{}{}{}{}{}{}{}{}{}</section>\n", escaped(render.title), sentences_html(render.missing),
-                     tiles_html(render), pictures_html(thumbnails), charts.empty() ? "" : "<h3>Frame by frame</h3>" + charts,
-                     frame_table(render), command_html(render), about_html(render), machines_html(render), settings_html(render));
+  const std::string charts =
+      charts_html({psnr_chart(render), origin_chart(render), time_chart(render), saving_chart(render), ray_chart(render)});
+  return fmt::format("<section><h2>{} <small>{}</small></h2>{}{}{}{}{}{}{}{}{}</section>\n", escaped(render.title),
+                     escaped(subtitle_of(render)), sentences_html(render.missing), tiles_html(render),
+                     pictures_html(thumbnails), charts.empty() ? "" : "<h3>Frame by frame</h3>" + charts, frame_table(render),
+                     command_html(render), about_html(render), machines_html(render), settings_html(render));
 }
 
 }  // namespace lippmann

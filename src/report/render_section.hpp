@@ -1,4 +1,5 @@
-// What a page says of one render: figures in all, how it was made, pictures, charts over its frames, and every figure in tables.
+// What a page says of one render: figures in all, how it was made, pictures, charts over its frames, and every figure in
+// tables.
 #pragma once
 
 #include <string>

@@ -35,8 +35,10 @@ SummaryFigure traced_figure(const RenderFigures& render) {
   std::string others;
   for (const Origin origin : {Origin::kCopied, Origin::kInterpolated, Origin::kFilled, Origin::kShared})
     if (const double share = mean_share(render, origin); share > 0.0)
-      others += fmt::format("{}{} {}", others.empty() ? "" : ", ", percent_text(share), kOriginNames[static_cast<std::size_t>(origin)]);
-  return {"pixels traced", percent_text(mean_share(render, Origin::kTraced)), others.empty() ? "every pixel of every frame" : others};
+      others += fmt::format("{}{} {}", others.empty() ? "" : ", ", percent_text(share),
+                            kOriginNames[static_cast<std::size_t>(origin)]);
+  return {"pixels traced", percent_text(mean_share(render, Origin::kTraced)),
+          others.empty() ? "every pixel of every frame" : others};
 }
 
 bool was_guessed(const FrameReport& frame, const RenderFigures& render) {
@@ -58,10 +60,16 @@ SummaryFigure psnr_figure(const RenderFigures& render) {
   return {"lowest PSNR", decibel_text(sure_psnr_db(*worst)), fmt::format("{}; frame {}", how, worst->frame)};
 }
 
+bool is_traced_throughout(const RenderFigures& render) {
+  return !render.frames.empty() && std::all_of(render.frames.begin(), render.frames.end(), is_traced_whole);
+}
+
 SummaryFigure saving_figure(const RenderFigures& render) {
   const std::optional<double> saved = total_saving(render);
-  return {"CPU time saved", percent_text(saved),
-          saved ? "beside frames traced whole, source frames counted" : "no frame was traced whole to compare with"};
+  const char* why = saved                          ? "beside frames traced whole, source frames counted"
+                    : is_traced_throughout(render) ? "every frame was traced whole"
+                                                   : "no frame was traced whole to compare with";
+  return {"CPU time saved", percent_text(saved), why};
 }
 
 RayCounts all_rays(const RenderFigures& render) {
@@ -87,7 +95,7 @@ std::optional<double> cpu_seconds_a_frame(const RenderFigures& render) {
 
 std::optional<double> total_saving(const RenderFigures& render) {
   const std::optional<double> mean = cpu_seconds_a_frame(render);
-  return mean ? saving(*mean, traced_cpu_seconds(render)) : std::nullopt;
+  return mean && !is_traced_throughout(render) ? saving(*mean, traced_cpu_seconds(render)) : std::nullopt;
 }
 
 const FrameReport* worst_frame(const RenderFigures& render) {

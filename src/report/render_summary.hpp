@@ -20,7 +20,8 @@ std::vector<SummaryFigure> render_summary(const RenderFigures& render);
 /// CPU seconds of all frames and of those that they are made from, by the number of frames; none: there is no frame.
 std::optional<double> cpu_seconds_a_frame(const RenderFigures& render);
 
-/// What reuse saved in all beside frames traced whole, source frames included; none where none was traced whole.
+/// What reuse saved in all beside frames traced whole, source frames included; none where none was
+/// traced whole, or all were.
 std::optional<double> total_saving(const RenderFigures& render);
 
 /// The frame whose quality is the least sure; null: none is estimated.

@@ -55,7 +55,8 @@ Json read_json(const fs::path& file) {
 std::vector<std::string> names_of(const std::vector<RenderFigures>& renders) {
   std::vector<std::string> names;
   for (const RenderFigures& render : renders) {
-    const auto same = std::count_if(renders.begin(), renders.end(), [&](const auto& other) { return other.title == render.title; });
+    const auto same =
+        std::count_if(renders.begin(), renders.end(), [&](const auto& other) { return other.title == render.title; });
     names.push_back(same > 1 ? render.report.string() : render.title);
   }
   return names;
@@ -67,7 +68,7 @@ std::string title_of(const std::vector<std::string>& names, std::size_t benchmar
   return title.empty() ? (benchmarks == 1 ? "Benchmark" : "Benchmarks") : title;
 }
 
-std::string page_html(const std::string& title, const std::string& body) {
+std::string page_html(const std::string& heading, const std::string& title, const std::string& body) {
   return fmt::format(R"(<!doctype html>
 <html lang="en">
 <head>
@@ -88,7 +89,7 @@ std::string page_html(const std::string& title, const std::string& body) {
 </body>
 </html>
 )",
-                     kMark, escaped(title), page_style(), escaped(title), body, version());
+                     kMark, escaped(title), page_style(), escaped(heading), body, version());
 }
 
 void require_own_report(const fs::path& file) {
@@ -120,7 +121,8 @@ ReportPage make_report_page(const std::vector<fs::path>& inputs, const Context& 
     body += render_section(renders[i], read_thumbnails(renders[i].report, kMostPictures, context));
     for (const std::string& sentence : renders[i].missing) page.missing.push_back(fmt::format("{}: {}", names[i], sentence));
   }
-  page.html = page_html(title_of(names, benchmark_count), body + benchmarks);
+  page.html =
+      page_html(renders.empty() ? "Benchmark report" : "Render report", title_of(names, benchmark_count), body + benchmarks);
   return page;
 }
 

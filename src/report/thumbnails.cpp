@@ -29,7 +29,8 @@ Image middle_view(const Image8& quilt, const PageFacts& facts) {
   Image picture(size.x, size.y, 3);
   for (int y = 0; y < size.y; ++y)
     for (int i = 0; i < 3 * size.x; ++i) {
-      const std::size_t at = 3 * (static_cast<std::size_t>(origin.y + y) * quilt.width + origin.x) + static_cast<std::size_t>(i);
+      const std::size_t at =
+          3 * (static_cast<std::size_t>(origin.y + y) * quilt.width + origin.x) + static_cast<std::size_t>(i);
       picture.pixel(0, y)[i] = static_cast<float>(linear_from_srgb(quilt.rgb[at] / 255.0));
     }
   return picture;

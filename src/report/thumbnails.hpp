@@ -10,9 +10,9 @@
 namespace lippmann {
 
 struct Thumbnail {
-  std::string label;   ///< the frame's, as its file has it
-  std::string source;  ///< a data: address
-  double aspect = 1.0; ///< width / height as it is to be shown; pixels may be oblong
+  std::string label;    ///< the frame's, as its file has it
+  std::string source;   ///< a data: address
+  double aspect = 1.0;  ///< width / height as it is to be shown; pixels may be oblong
 };
 
 struct Thumbnails {
@@ -20,7 +20,8 @@ struct Thumbnails {
   std::string problem;  ///< why there are none, or not all; empty: all are there
 };
 
-/// Of the folder in which a render's report lies: at most `most` frames, spread evenly, the first and the last among them. What cannot be read is told.
+/// Of the folder in which a render's report lies: at most `most` frames, spread evenly, the first and the last among them. What
+/// cannot be read is told.
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context);
 
 }  // namespace lippmann

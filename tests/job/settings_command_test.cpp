@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "job/report.hpp"
+#include "job/settings_json.hpp"
 
 namespace lippmann {
 namespace {

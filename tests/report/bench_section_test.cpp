@@ -13,7 +13,8 @@ using testing::HasSubstr;
 test::OrderedJson some_result() {
   return {{"bench", "reuse"},
           {"machine", {{"cpu", "Some CPU"}, {"threads", 2}}},
-          {"rows", {{{"scene", "room"}, {"saving_total", 0.25}}, {{"scene", "<tree>"}, {"saving_total", 0.5}, {"psnr_db", nullptr}}}},
+          {"rows",
+           {{{"scene", "room"}, {"saving_total", 0.25}}, {{"scene", "<tree>"}, {"saving_total", 0.5}, {"psnr_db", nullptr}}}},
           {"passed_checks", 12}};
 }
 
@@ -30,7 +31,8 @@ TEST(BenchSection, rows_that_are_none_are_refused) {
   test::OrderedJson result = some_result();
   result["rows"] = {1, 2};
   EXPECT_TRUE(is_bench_result(result));
-  EXPECT_THAT(test::error_message([&] { bench_section(result, "x.json"); }), HasSubstr("x.json: its rows are no list of objects"));
+  EXPECT_THAT(test::error_message([&] { bench_section(result, "x.json"); }),
+              HasSubstr("x.json: its rows are no list of objects"));
 }
 
 TEST(BenchSection, a_report_of_a_render_is_none_of_a_benchmark) {

@@ -42,10 +42,10 @@ TEST(Chart, equal_values_have_an_axis_of_some_length) {
   EXPECT_GT(axis.high, 40.0);
 }
 
-TEST(Chart, lines_go_from_middle_to_middle_and_break_where_nothing_is_known) {
+TEST(Chart, lines_go_from_middle_to_middle_and_values_alone_are_dashes) {
   // 4 slots of 250 units; the axis ends at 8, so that 4 lies in the middle of 400 units.
   const std::string html = chart_html(line_chart({4.0, 8.0, std::nullopt, 0.0}));
-  EXPECT_THAT(html, HasSubstr("class=\"line c3\" d=\"M125.0 200.0L125.0 200.0L375.0 0.0M875.0 400.0L875.0 400.0\""));
+  EXPECT_THAT(html, HasSubstr("class=\"line c3\" d=\"M125.0 200.0L375.0 0.0M812.5 400.0H937.5\""));
 }
 
 TEST(Chart, bars_stand_on_each_other) {

@@ -16,9 +16,9 @@ TEST(FigureText, seconds_have_three_digits_and_the_unit_that_suits) {
 
 TEST(FigureText, counts_are_written_out_below_ten_thousand) {
   EXPECT_EQ(count_text(950.0), "950");
-  EXPECT_EQ(count_text(12345.0), "12.3 thousand");
-  EXPECT_EQ(count_text(1.25e6), "1.25 million");
-  EXPECT_EQ(count_text(3.0e9), "3.00 billion");
+  EXPECT_EQ(count_text(12345.0), "12.3 k");
+  EXPECT_EQ(count_text(1.25e6), "1.25 M");
+  EXPECT_EQ(count_text(3.0e9), "3.00 G");
 }
 
 TEST(FigureText, what_is_not_known_is_a_dash) {

@@ -11,7 +11,10 @@ TEST(Html, text_cannot_become_markup) {
 
 TEST(Html, letters_of_all_languages_stay_and_broken_ones_are_marked) {
   EXPECT_EQ(escaped("Häuser 家"), "Häuser 家");
-  EXPECT_EQ(escaped("a\xff" "b"), "a\xEF\xBF\xBD" "b");
+  EXPECT_EQ(escaped("a\xff"
+                    "b"),
+            "a\xEF\xBF\xBD"
+            "b");
 }
 
 TEST(Html, control_characters_become_spaces) { EXPECT_EQ(escaped(std::string("a\0b\x1b[31m\n", 8)), "a b [31m "); }

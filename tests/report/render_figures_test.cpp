@@ -66,8 +66,8 @@ TEST(RenderFigures, interpolated_frames_without_a_floor_are_not_measured) {
 TEST(RenderFigures, a_stopped_render_says_so) {
   test::OrderedJson report = test::report_of_frames("none", {});
   report["interrupted"] = true, report["runs"] = test::OrderedJson::array();
-  EXPECT_THAT(test::figures_of(report).missing,
-              ElementsAre(HasSubstr("was stopped"), HasSubstr("No frame is finished"), HasSubstr("No run has recorded its end")));
+  EXPECT_THAT(test::figures_of(report).missing, ElementsAre(HasSubstr("was stopped"), HasSubstr("No frame is finished"),
+                                                            HasSubstr("No run has recorded its end")));
 }
 
 TEST(RenderFigures, parts_that_cannot_be_understood_are_left_out_and_told) {
@@ -83,7 +83,9 @@ TEST(RenderFigures, parts_that_cannot_be_understood_are_left_out_and_told) {
 }
 
 TEST(RenderFigures, what_lists_no_frames_is_no_report) {
-  EXPECT_THAT(test::error_message([] { render_figures({{"version", "1"}}, "a/report.json"); }),
+  EXPECT_THAT(test::error_message([] {
+                render_figures({{"version", "1"}}, "a/report.json");
+              }),
               HasSubstr("a/report.json: lists no frames"));
 }
 

@@ -37,11 +37,13 @@ std::string refusal_of(const std::vector<fs::path>& inputs) {
 TEST(ReportPage, interpolated_frames_are_shown_beside_the_papers_figure_and_the_floor) {
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
-  EXPECT_THAT(page, HasSubstr("<h2>film</h2>"));
+  EXPECT_THAT(page, HasSubstr("<h2>film <small>room, reuse interpolate</small></h2>"));
   EXPECT_THAT(page, HasSubstr("the paper&#39;s 34.5 dB"));
   EXPECT_THAT(page, HasSubstr("asked for: 35 dB"));
   EXPECT_THAT(page, HasSubstr("<title>Frame 2&#10;estimate: 37 dB&#10;at least (95 % confidence): 36.5 dB</title>"));
-  EXPECT_THAT(page, HasSubstr("<title>Frame 1&#10;traced: 15 % of a frame&#10;interpolated: 80 % of a frame&#10;filled: 5 % of a frame"));
+  EXPECT_THAT(
+      page,
+      HasSubstr("<title>Frame 1&#10;traced: 15 % of a frame&#10;interpolated: 80 % of a frame&#10;filled: 5 % of a frame"));
   EXPECT_THAT(page, HasSubstr("<title>Frame 1&#10;primary: 0.15 rays&#10;shadow: 0.3 rays"));
   EXPECT_THAT(page, HasSubstr("<title>Frame 1&#10;saved: 75 % of a frame traced whole</title>"));
 }
@@ -137,10 +139,11 @@ TEST(ReportPage, what_makes_a_comparison_unfair_is_told) {
 
 TEST(ReportPage, results_of_benchmarks_have_their_place) {
   const test::TempDir dir;
-  std::ofstream(dir / "x.json") << R"({"bench": "rays", "machine": {}, "rows": [{"scene": "room", "ratio": 1.5}], "passed_checks": 3})";
+  std::ofstream(dir / "x.json")
+      << R"({"bench": "rays", "machine": {}, "rows": [{"scene": "room", "ratio": 1.5}], "passed_checks": 3})";
   const std::string page = page_of({dir / "x.json", test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("<h2>bench rays</h2>"));
-  EXPECT_THAT(page, HasSubstr("<h2>film</h2>"));
+  EXPECT_THAT(page, HasSubstr("<h2>film <small>"));
 }
 
 TEST(ReportPage, what_is_no_report_is_refused_by_name) {
