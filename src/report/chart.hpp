@@ -23,10 +23,10 @@ struct ChartLevel {
 };
 
 struct Chart {
-  std::string title, unit;         ///< plain text
-  std::string note = {};           ///< HTML below the title; empty: none
-  std::vector<std::string> slots;  ///< what stands across, from left to right: numbers of frames
-  std::vector<ChartSeries> series;
+  std::string title = {}, unit = {};    ///< plain text
+  std::string note = {};                ///< HTML below the title; empty: none
+  std::vector<std::string> slots = {};  ///< what stands across, from left to right: numbers of frames
+  std::vector<ChartSeries> series = {};
   std::vector<ChartLevel> levels = {};
   bool is_stacked = false;         ///< bars on each other, from 0 on; else lines
   bool starts_at_zero = true;      ///< of lines; bars always do
