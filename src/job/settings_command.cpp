@@ -21,10 +21,13 @@ bool is_default(const std::string& name, const Json& value) {
   return value.is_null() || (defaults.contains(name) && defaults[name] == value);
 }
 
+/// One word, whatever a report of foreign origin calls its settings.
+std::string flag_of(const std::string& name) { return shell_word("--" + name); }
+
 std::string switch_of(const std::string& name, bool is_on) {
-  if (is_on) return "--" + name;
+  if (is_on) return flag_of(name);
   const ParamInfo* info = find_param(name);
-  return info && !info->opposite.empty() ? fmt::format("--{}", info->opposite) : std::string();
+  return info && !info->opposite.empty() ? flag_of(std::string(info->opposite)) : std::string();
 }
 
 }  // namespace
@@ -32,10 +35,10 @@ std::string switch_of(const std::string& name, bool is_on) {
 std::string flags_of_setting(const std::string& name, const Json& value) {
   if (is_default(name, value)) return {};
   if (value.is_boolean()) return switch_of(name, value.get<bool>());
-  if (!value.is_array()) return fmt::format("--{} {}", name, shell_word(setting_text(value)));
+  if (!value.is_array()) return fmt::format("{} {}", flag_of(name), shell_word(setting_text(value)));
   std::string words;
   for (const Json& one : value)
-    words += fmt::format("{}--{} {}", words.empty() ? "" : " ", name, shell_word(setting_text(one)));
+    words += fmt::format("{}{} {}", words.empty() ? "" : " ", flag_of(name), shell_word(setting_text(one)));
   return words;
 }
 

@@ -33,6 +33,7 @@ TEST(SettingsCommand, switches_are_named_by_what_they_say) {
 
 TEST(SettingsCommand, values_of_foreign_origin_cannot_leave_their_word) {
   EXPECT_EQ(flags_of_setting("newer-flag", "a; rm b"), "--newer-flag 'a; rm b'");
+  EXPECT_EQ(flags_of_setting("x; rm b", 1), "'--x; rm b' 1");
   EXPECT_EQ(flags_of_setting("newer-flag", Json{{"x", 1}}), R"(--newer-flag '{"x":1}')");
 }
 
