@@ -17,7 +17,7 @@ TEST(Html, letters_of_all_languages_stay_and_broken_ones_are_marked) {
             "b");
 }
 
-TEST(Html, control_characters_become_spaces) { EXPECT_EQ(escaped(std::string("a\0b\x1b[31m\n", 8)), "a b [31m "); }
+TEST(Html, control_characters_become_spaces) { EXPECT_EQ(escaped(std::string("a\0b\x1b[31m\n", 9)), "a b [31m "); }
 
 TEST(Html, the_first_cell_of_a_row_is_its_heading) {
   const std::string table = table_html({{"frame", "kind"}, {{"3", "key"}}, "wide"});
