@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "bench/bench.hpp"
+#include "core/cpu_model.hpp"
 #include "core/json_text.hpp"
 #include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
@@ -28,13 +28,6 @@ struct BenchOptions {
   bool json = false;
   std::vector<std::pair<std::string, Flag>> own;  ///< flags that only some benchmarks take
 };
-
-std::string cpu_model() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
-  return "unknown";
-}
 
 nlohmann::ordered_json describe_machine(const Context& context) {
   utsname system{};

@@ -38,6 +38,7 @@ void add_convert_command(const Command& root, Action& chosen);
 void add_encode_command(const Command& root, Action& chosen);
 void add_info_command(const Command& root, Action& chosen);
 void add_replay_command(const Command& root, Action& chosen);
+void add_report_command(const Command& root, Action& chosen);
 void add_scenes_command(const Command& root, Action& chosen);
 void add_displays_command(const Command& root, Action& chosen);
 void add_view_command(const Command& root, Action& chosen);

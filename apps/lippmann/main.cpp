@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   add_convert_command(root, chosen);
   add_encode_command(root, chosen);
   add_replay_command(root, chosen);
+  add_report_command(root, chosen);
   add_view_command(root, chosen);
   add_play_command(root, chosen);
   add_info_command(root, chosen);

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/json_text.hpp"
 #include "folder/frame_report_json.hpp"
-#include "job/params_table.hpp"
+#include "job/settings_json.hpp"
 #include "lippmann/core/version.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "optics/optics_json.hpp"
@@ -21,21 +20,6 @@ Json precompensation_json(const RenderReport& report) {
   if (!report.crosstalk_px || json.is_null()) return nullptr;
   json["crosstalk_px"] = *report.crosstalk_px;
   json["neighbour_share"] = neighbour_share(*report.crosstalk_px);
-  return json;
-}
-
-Json setting_json(const ParamInfo& info, const RenderParams& params) {
-  const std::vector<std::string> values = info.get(params);
-  if (info.kind == ParamKind::kList) return values;
-  if (values.empty()) return nullptr;
-  if (info.kind == ParamKind::kText) return values.front();
-  return json_from_text(values.front());  // numbers and flags are written as JSON writes them
-}
-
-Json settings_json(const RenderParams& params) {
-  Json json = Json::object();
-  for (const ParamInfo& info : params_table())
-    if (info.name != "scene") json[std::string(info.name)] = setting_json(info, params);
   return json;
 }
 

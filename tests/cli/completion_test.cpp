@@ -31,7 +31,7 @@ TEST(Completion, commands_are_those_of_help) {
   EXPECT_THAT(completions({"ren"}), ElementsAre("render"));
   EXPECT_THAT(completions({""}), Contains("displays"));
   EXPECT_THAT(completions({""}), Not(Contains("complete")));
-  EXPECT_THAT(completions({"help", "rep"}), ElementsAre("replay"));
+  EXPECT_THAT(completions({"help", "rep"}), ElementsAre("replay", "report"));
 }
 
 TEST(Completion, flags_and_their_values_come_from_the_declarations) {

@@ -1,0 +1,17 @@
+// Figures as people read them: three digits, and the unit that suits. What is not known is a dash.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace lippmann {
+
+inline constexpr const char* kNotKnown = "–";
+
+std::string seconds_text(double seconds);                  ///< "12.3 ms", "1.50 s", "2 min 5 s", "3 h 12 min"
+std::string percent_text(std::optional<double> share);     ///< 0.123 is "12.3 %"
+std::string decibel_text(std::optional<double> decibels);  ///< "34.50 dB"
+std::string count_text(double count);                      ///< "950", "12.3 k", "1.25 M"
+std::string memory_text(double bytes);                     ///< of 0, which is not recorded, a dash
+
+}  // namespace lippmann

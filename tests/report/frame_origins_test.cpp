@@ -1,0 +1,63 @@
+#include "report/frame_origins.hpp"
+
+#include <gtest/gtest.h>
+
+#include "report/reports.hpp"
+
+namespace lippmann {
+namespace {
+
+using Shares = std::array<double, 5>;
+
+RenderFigures render_of(const std::string& reuse) {
+  RenderFigures render;
+  render.reuse = reuse, render.pixels = test::kPixels;
+  return render;
+}
+
+void expect_shares(const FrameReport& frame, const std::string& reuse, const Shares& expected) {
+  const std::optional<Shares> shares = origins_of(frame, render_of(reuse));
+  ASSERT_TRUE(shares);
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR((*shares)[i], expected[i], 1e-12) << kOriginNames[i];
+}
+
+TEST(FrameOrigins, key_and_full_frames_are_traced) { expect_shares(test::key_frame(0), "interpolate", {1, 0, 0, 0, 0}); }
+
+TEST(FrameOrigins, copied_frames_are_traced_where_they_are_not_copied) {
+  expect_shares(test::in_between_frame(1), "copy", {0.2, 0.8, 0, 0, 0});
+}
+
+TEST(FrameOrigins, interpolated_frames_are_filled_where_they_are_neither_reused_nor_traced) {
+  expect_shares(test::in_between_frame(1), "interpolate", {0.15, 0, 0.8, 0.05, 0});
+}
+
+TEST(FrameOrigins, shared_frames_share_light) {
+  FrameReport frame = test::key_frame(0);
+  frame.kind = "shared";
+  expect_shares(frame, "light", {0, 0, 0, 0, 1});
+}
+
+TEST(FrameOrigins, shares_stay_within_the_frame_whatever_a_report_says) {
+  FrameReport frame = test::in_between_frame(1);
+  frame.reused_pixels = 70, frame.retraced_pixels = 1000;
+  expect_shares(frame, "interpolate", {0.3, 0, 0.7, 0, 0});
+}
+
+TEST(FrameOrigins, without_the_size_of_frames_shares_are_not_known) {
+  RenderFigures render = render_of("copy");
+  render.pixels.reset();
+  EXPECT_FALSE(origins_of(test::in_between_frame(1), render));
+}
+
+TEST(FrameOrigins, savings_are_beside_the_mean_of_frames_traced_whole) {
+  RenderFigures render = render_of("copy");
+  render.frames = {test::key_frame(0), test::in_between_frame(1), test::key_frame(2)};
+  render.frames[2].cpu_seconds = 3.0;
+  EXPECT_EQ(traced_cpu_seconds(render), 2.5);
+  EXPECT_EQ(saving(0.5, traced_cpu_seconds(render)), 0.8);
+  EXPECT_EQ(saving(5.0, 2.5), -1.0);
+  EXPECT_FALSE(saving(0.5, std::nullopt));
+}
+
+}  // namespace
+}  // namespace lippmann

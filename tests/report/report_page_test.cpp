@@ -1,0 +1,177 @@
+#include "report/report_page.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "image/png.hpp"
+#include "report/reports.hpp"
+#include "support/error_message.hpp"
+#include "support/file_bytes.hpp"
+#include "support/pictures.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Three frames, the first a key; the others estimated at 36 and 37 dB.
+test::OrderedJson interpolated() {
+  test::OrderedJson report =
+      test::report_of_frames("interpolate", {test::key_frame(0), test::in_between_frame(1), test::in_between_frame(2)});
+  report["frames"][1]["estimated_psnr_db"] = 36.0, report["frames"][1]["psnr_at_least_db"] = 35.5;
+  report["frames"][2]["estimated_psnr_db"] = 37.0, report["frames"][2]["psnr_at_least_db"] = 36.5;
+  report["settings"]["min-psnr"] = 35;
+  return report;
+}
+
+std::string page_of(const std::vector<fs::path>& inputs) { return make_report_page(inputs, Context()).html; }
+
+std::string refusal_of(const std::vector<fs::path>& inputs) {
+  return test::error_message([&] { make_report_page(inputs, Context()); });
+}
+
+TEST(ReportPage, interpolated_frames_are_shown_beside_the_papers_figure_and_the_floor) {
+  const test::TempDir dir;
+  const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
+  EXPECT_THAT(page, HasSubstr("<h2>film <small>room, reuse interpolate</small></h2>"));
+  EXPECT_THAT(page, HasSubstr("the paper&#39;s 34.5 dB"));
+  EXPECT_THAT(page, HasSubstr("asked for: 35 dB"));
+  EXPECT_THAT(page, HasSubstr("<title>Frame 2&#10;estimate: 37 dB&#10;at least (95 % confidence): 36.5 dB</title>"));
+  EXPECT_THAT(
+      page,
+      HasSubstr("<title>Frame 1&#10;traced: 15 % of a frame&#10;interpolated: 80 % of a frame&#10;filled: 5 % of a frame"));
+  EXPECT_THAT(page, HasSubstr("<title>Frame 1&#10;primary: 0.15 rays&#10;shadow: 0.3 rays"));
+  EXPECT_THAT(page, HasSubstr("<title>Frame 1&#10;saved: 75 % of a frame traced whole</title>"));
+}
+
+TEST(ReportPage, traced_frames_are_not_shown_beside_the_paper) {
+  const test::TempDir dir;
+  const std::string page =
+      page_of({test::write_report_text(dir / "film", test::report_of_frames("none", {test::key_frame(0)}).dump())});
+  EXPECT_THAT(page, Not(HasSubstr("34.5 dB")));
+}
+
+TEST(ReportPage, the_command_and_the_machine_are_told) {
+  const test::TempDir dir;
+  const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
+  EXPECT_THAT(page, HasSubstr("<pre>lippmann render room --spp 4 --min-psnr 35</pre>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>Some CPU</td><td>2</td><td>1</td><td>3</td>"));
+}
+
+TEST(ReportPage, units_of_one_machine_stand_in_one_row) {
+  const test::TempDir dir;
+  test::OrderedJson report = interpolated();
+  for (int i = 0; i < 40; ++i) report["runs"].push_back(report["runs"][0]);
+  report["runs"].push_back(report["runs"][0]);
+  report["runs"].back()["host"] = "another";
+  const std::string page = page_of({test::write_report_text(dir / "film", report.dump())});
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>Some CPU</td><td>2</td><td>41</td><td>123</td>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">another</th>"));
+  EXPECT_THAT(page, HasSubstr("Times of several machines are not of one kind"));
+}
+
+TEST(ReportPage, pictures_of_frames_are_the_views_in_the_middle) {
+  const test::TempDir dir;
+  test::OrderedJson report = test::report_of_frames("none", {test::key_frame(0)});
+  const fs::path folder = test::write_report_text(dir / "film", report.dump());
+  write_png(folder / "frame_0000.png", test::noise_codes(10, 10));
+  const std::string page = page_of({folder});
+  EXPECT_EQ(test::count_of(page, "<img src=\"data:image/webp;base64,"), 1u);
+  EXPECT_THAT(page, Not(HasSubstr("cannot be shown")));
+}
+
+TEST(ReportPage, a_folder_without_pictures_has_its_figures_all_the_same) {
+  const test::TempDir dir;
+  const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
+  EXPECT_THAT(page, HasSubstr("Pictures that cannot be shown: "));
+  EXPECT_THAT(page, HasSubstr("there are no frames in it"));
+  EXPECT_THAT(page, HasSubstr("Where pixels come from"));
+}
+
+TEST(ReportPage, names_cannot_become_markup) {
+  const test::TempDir dir;
+  test::OrderedJson report = interpolated();
+  const std::string evil = "\"><script>alert(1)</script>";
+  report["scene"] = report["view"] = report["light"] = report["version"] = report["reuse"] = evil;
+  report["runs"][0]["host"] = report["runs"][0]["cpu"] = evil;
+  report["settings"][evil] = evil;
+  for (auto& frame : report["frames"]) frame["kind"] = evil;
+  const std::string page = page_of({test::write_report_text(dir / "a<script>b", report.dump())});
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, HasSubstr("a&lt;script&gt;b"));
+}
+
+TEST(ReportPage, nothing_is_loaded_and_nothing_runs) {
+  const test::TempDir dir;
+  const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  for (const char* part : {"http://", "https://", "<script", "<link", "url(", " src=\"/", "href"})
+    EXPECT_THAT(page, Not(HasSubstr(part))) << part;
+}
+
+TEST(ReportPage, several_renders_stand_side_by_side) {
+  const test::TempDir dir;
+  const fs::path traced = test::write_report_text(
+      dir / "traced", test::report_of_frames("none", {test::key_frame(0), test::key_frame(1), test::key_frame(2)}).dump());
+  const fs::path made = test::write_report_text(dir / "made", interpolated().dump());
+  const std::string page = page_of({traced, made});
+  EXPECT_THAT(page, HasSubstr("<th scope=\"col\">traced</th><th scope=\"col\">made</th>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">reuse</th><td>none</td><td>interpolate</td>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">CPU time saved beside traced</th><td></td><td>50.0 %</td>"));
+  EXPECT_THAT(page, HasSubstr("<title>Frame 1&#10;made: 75 % of the same frame of traced</title>"));
+  EXPECT_THAT(page, Not(HasSubstr("The frames are not the same")));
+}
+
+TEST(ReportPage, what_makes_a_comparison_unfair_is_told) {
+  const test::TempDir dir;
+  test::OrderedJson other = test::report_of_frames("none", {test::key_frame(5)});
+  other["scene"] = "tree", other["runs"][0]["host"] = "another";
+  const std::string page = page_of({test::write_report_text(dir / "a" / "film", interpolated().dump()),
+                                    test::write_report_text(dir / "b" / "film", other.dump())});
+  for (const char* part : {"The scenes differ.", "The frames are not the same", "The machines differ", "b/film/report.json"})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_THAT(page, Not(HasSubstr("differ in size")));
+}
+
+TEST(ReportPage, results_of_benchmarks_have_their_place) {
+  const test::TempDir dir;
+  std::ofstream(dir / "x.json")
+      << R"({"bench": "rays", "machine": {}, "rows": [{"scene": "room", "ratio": 1.5}], "passed_checks": 3})";
+  const std::string page = page_of({dir / "x.json", test::write_report_text(dir / "film", interpolated().dump())});
+  EXPECT_THAT(page, HasSubstr("<h2>bench rays</h2>"));
+  EXPECT_THAT(page, HasSubstr("<h2>film <small>"));
+}
+
+TEST(ReportPage, what_is_no_report_is_refused_by_name) {
+  const test::TempDir dir;
+  EXPECT_THAT(refusal_of({dir / "nowhere"}), HasSubstr("nowhere: there is no such file"));
+  EXPECT_THAT(refusal_of({test::write_report_text(dir / "cut", interpolated().dump().substr(0, 900))}),
+              HasSubstr("report.json: is not JSON, or ends before its end"));
+  EXPECT_THAT(refusal_of({test::write_report_text(dir / "list", "[1]")}), HasSubstr("is not a JSON object"));
+  EXPECT_THAT(refusal_of({test::write_report_text(dir / "other", "{}")}), HasSubstr("lists no frames"));
+}
+
+TEST(ReportPage, somebody_elses_file_stays) {
+  const test::TempDir dir;
+  const ReportPage page = make_report_page({test::write_report_text(dir / "film", interpolated().dump())}, Context());
+  write_report_page(page, dir / "new" / "page.html");
+  write_report_page(page, dir / "new" / "page.html");  // its own is replaced
+  EXPECT_EQ(test::file_bytes(dir / "new" / "page.html"), page.html);
+  std::ofstream(dir / "thesis.html") << "mine";
+  EXPECT_THAT(test::error_message([&] { write_report_page(page, dir / "thesis.html"); }), HasSubstr("is another file"));
+  EXPECT_EQ(test::file_bytes(dir / "thesis.html"), "mine");
+}
+
+TEST(ReportPage, one_folder_gets_the_page_and_several_leave_it_to_the_working_folder) {
+  const test::TempDir dir;
+  EXPECT_EQ(default_report_file({dir.path()}), dir / "report.html");
+  EXPECT_EQ(default_report_file({dir.path(), dir.path()}), "report.html");
+  EXPECT_EQ(default_report_file({dir / "report.json"}), "report.html");
+}
+
+}  // namespace
+}  // namespace lippmann
