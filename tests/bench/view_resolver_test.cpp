@@ -6,7 +6,7 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kSide = 16;
+constexpr int kViewSide = 16;
 constexpr float kSameSurface = 0.01f;
 
 /// What a view sees at a place: a colour, how far it moves with the eye, which surface it is.
@@ -19,9 +19,9 @@ struct Seen {
 /// A view from `eye_mm` with its samples at (dx, dy) in every pixel. scene(x): what is seen there from eye 0.
 template <class SceneOf>
 ViewSamples view_from(double eye_mm, float dx, float dy, const SceneOf& scene_of) {
-  ViewSamples view{.width = kSide, .height = kSide, .eye_mm = eye_mm};
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x) {
+  ViewSamples view{.width = kViewSide, .height = kViewSide, .eye_mm = eye_mm};
+  for (int y = 0; y < kViewSide; ++y)
+    for (int x = 0; x < kViewSide; ++x) {
       const float px = static_cast<float>(x) + dx;
       const Seen seen = scene_of(px, static_cast<float>(eye_mm));
       view.x.push_back(px), view.y.push_back(static_cast<float>(y) + dy);
