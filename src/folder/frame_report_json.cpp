@@ -15,6 +15,12 @@ std::optional<double> number_or_none(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
+/// Of a figure that reports of earlier versions do not have.
+std::optional<double> number_if_any(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found == json.end() ? std::nullopt : number_or_none(*found);
+}
+
 std::optional<Precompensation> precompensation_from_json(const Json& json) {
   if (json.is_null()) return std::nullopt;
   return Precompensation{json.at("clipped_share").get<double>(), json.at("largest_residual").get<double>()};
@@ -78,8 +84,8 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   frame.estimated_psnr_db = number_or_none(json.at("estimated_psnr_db"));
   frame.psnr_at_least_db = number_or_none(json.at("psnr_at_least_db"));
   frame.estimated_block_psnr_db = number_or_none(json.at("estimated_block_psnr_db"));
-  frame.estimated_psnr_at_eye_db = number_or_none(json.at("estimated_psnr_at_eye_db"));
-  frame.psnr_at_eye_at_least_db = number_or_none(json.at("psnr_at_eye_at_least_db"));
+  frame.estimated_psnr_at_eye_db = number_if_any(json, "estimated_psnr_at_eye_db");
+  frame.psnr_at_eye_at_least_db = number_if_any(json, "psnr_at_eye_at_least_db");
   frame.precompensation = precompensation_from_json(json.at("precompensation"));
   const bool is_measured = frame.estimated_psnr_db && frame.psnr_at_least_db && frame.estimated_block_psnr_db;
   if (frame.kind == "shared" && !is_measured) return std::nullopt;

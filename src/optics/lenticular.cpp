@@ -1,5 +1,6 @@
 #include "optics/lenticular.hpp"
 
+#include "core/degrees.hpp"
 #include "core/json_fields.hpp"
 #include "optics/checks.hpp"
 
@@ -84,7 +85,7 @@ void check_model(const Panel& panel, const LenticularSheet& sheet) {
 void write_model(const LenticularSheet& sheet, nlohmann::ordered_json& json) {
   json["lens_pitch_mm"] = sheet.lens_pitch_mm;
   json["gap_mm"] = sheet.gap_mm;
-  json["slant_deg"] = degrees(sheet.slant);
+  json["slant_deg"] = to_degrees(sheet.slant);
   json["offset_mm"] = sheet.offset_mm;
   json["viewing_distance_mm"] = finite_or_null(sheet.viewing_distance_mm);
   json["eye_height_mm"] = sheet.eye_height_mm;
@@ -93,7 +94,7 @@ void write_model(const LenticularSheet& sheet, nlohmann::ordered_json& json) {
 void read_model(const JsonFields& json, LenticularSheet& sheet) {
   sheet.lens_pitch_mm = json.float_number("lens_pitch_mm");
   sheet.gap_mm = json.float_number("gap_mm");
-  sheet.slant = radians(json.float_number("slant_deg"));
+  sheet.slant = from_degrees(json.number("slant_deg"));
   sheet.offset_mm = json.float_or("offset_mm", sheet.offset_mm);
   sheet.viewing_distance_mm = json.float_or_infinity("viewing_distance_mm");
   sheet.eye_height_mm = json.float_or("eye_height_mm", 0.0f);

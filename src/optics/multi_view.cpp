@@ -1,5 +1,6 @@
 #include "optics/multi_view.hpp"
 
+#include "core/degrees.hpp"
 #include "core/json_fields.hpp"
 #include "optics/checks.hpp"
 
@@ -85,7 +86,7 @@ void write_model(const MultiView& views, nlohmann::ordered_json& json) {
   if (views.baseline_mm > 0.0f) {
     json["baseline_mm"] = views.baseline_mm;
   } else {
-    json["view_cone_deg"] = degrees(views.view_cone);
+    json["view_cone_deg"] = to_degrees(views.view_cone);
     json["cone_ends_included"] = views.cone_ends_included;
   }
   if (views.pixel_height != 1.0f) json["pixel_height"] = views.pixel_height;
@@ -99,7 +100,7 @@ void read_model(const JsonFields& json, MultiView& views) {
     views.baseline_mm = json.float_number("baseline_mm");
     return;
   }
-  views.view_cone = radians(json.float_number("view_cone_deg"));
+  views.view_cone = from_degrees(json.number("view_cone_deg"));
   views.cone_ends_included = json.flag_or("cone_ends_included", false);
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "core/degrees.hpp"
 #include "core/json_fields.hpp"
 #include "optics/checks.hpp"
 
@@ -189,7 +190,7 @@ void write_model(const SlantedPanel& slanted, Json& json) {
   json["tilt"] = slanted.tilt;
   json["center"] = slanted.center;
   json["inverted"] = slanted.inverted;
-  json["view_cone_deg"] = degrees(slanted.view_cone);
+  json["view_cone_deg"] = to_degrees(slanted.view_cone);
   json["distance_mm"] = slanted.distance_mm;
   if (slanted.sub_pixels != striped_sub_pixels()) json["sub_pixel_offsets_px"] = sub_pixels_json(slanted.sub_pixels);
 }
@@ -197,7 +198,7 @@ void write_model(const SlantedPanel& slanted, Json& json) {
 void read_model(const JsonFields& json, SlantedPanel& slanted) {
   slanted.periods = json.number("periods"), slanted.tilt = json.number("tilt"), slanted.center = json.number("center");
   slanted.inverted = json.flag_or("inverted", true);
-  slanted.view_cone = radians(json.float_number("view_cone_deg"));
+  slanted.view_cone = from_degrees(json.number("view_cone_deg"));
   slanted.distance_mm = json.float_number("distance_mm");
   constexpr std::string_view kOffsets = "sub_pixel_offsets_px";
   if (json.has(kOffsets))

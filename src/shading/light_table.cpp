@@ -48,10 +48,13 @@ bool is_opaque(const WhittedMaterial& m) { return !m.has_alpha && !(m.wall_ior >
 
 constexpr Bounds3f kEndless{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
+/// A little wider than the mesh: points on its own surface, which may be the walls of a room that shines, are not outside.
 Bounds3f bounds_of(const Mesh& mesh, const Affine3f& place) {
+  constexpr float kMargin = 1e-3f, kRounding = 1e-5f;
   Bounds3f bounds;
   for (const Vec3f& p : mesh.positions) bounds.add(transform_point(place, p));
-  return bounds;
+  const Vec3f margin = kMargin * bounds.size() + kRounding * glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
+  return {bounds.lower - margin, bounds.upper + margin};
 }
 
 bool is_outside(const Bounds3f& box, Vec3f p) {

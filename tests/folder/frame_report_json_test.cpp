@@ -48,6 +48,16 @@ TEST(FrameReportJson, shared_frame_without_one_of_its_errors_is_none) {
   }
 }
 
+// Folders of earlier versions go on: what they did not measure is unknown.
+TEST(FrameReportJson, frame_of_an_earlier_version_lacks_what_it_did_not_measure) {
+  Json json = to_json(shared_frame());
+  for (const char* key : {"estimated_psnr_at_eye_db", "psnr_at_eye_at_least_db"}) json.erase(key);
+  const auto back = frame_report_from_json(json);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->estimated_psnr_db, 48.5);
+  EXPECT_FALSE(back->estimated_psnr_at_eye_db || back->psnr_at_eye_at_least_db);
+}
+
 TEST(FrameReportJson, frame_without_a_key_or_with_a_wrong_type_is_none) {
   Json json = to_json(test::sample_frame());
   json.erase("rays");

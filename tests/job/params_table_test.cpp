@@ -66,6 +66,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"reuse", {"interpolate"}},
     {"keyframes", {"4"}},
     {"min-psnr", {"45.5"}},
+    {"quality-at", {"eye"}},
     {"time-budget", {"2.5"}},
     {"splat", {"lens"}},
     {"fill", {"retrace"}},

@@ -38,6 +38,7 @@ class Documents(Case):
         for node in ast.parse((PACKAGE / "_core.pyi").read_text()).body:
             if isinstance(node, ast.ClassDef):
                 stubs[node.name] = {n.name for n in node.body if isinstance(n, ast.FunctionDef)}
+                stubs[node.name] |= {n.target.id for n in node.body if isinstance(n, ast.AnnAssign)}
             elif isinstance(node, ast.FunctionDef):
                 stubs[node.name] = None
             elif isinstance(node, ast.AnnAssign):

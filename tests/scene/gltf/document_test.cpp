@@ -119,7 +119,7 @@ const Fault kFaults[] = {
     {"camera_type", "/cameras/0/type", "fisheye", "cameras[0].type: is 'fisheye'; accepted: perspective, orthographic"},
     {"camera_fov", "/cameras/0/perspective/yfov", 3.2, "cameras[0].perspective.yfov: is 3.2"},
     {"required_extension", "/extensionsRequired", Json::array({"MSFT_lod"}),
-     "extensionsRequired: needs MSFT_lod, which is not supported; accepted: EXT_mesh_gpu_instancing"},
+     "extensionsRequired: needs MSFT_lod, which is not supported; accepted: EXT_lights_ies, EXT_mesh_gpu_instancing"},
     {"extension_not_a_string", "/extensionsUsed", Json::array({3}), "extensionsUsed[0]: is not a string"},
 };
 
