@@ -30,7 +30,7 @@ TEST(RenderFigures, a_whole_report_lacks_nothing) {
   EXPECT_EQ(render.pixels, test::kPixels);
   EXPECT_EQ(render.frames.size(), 3u);
   ASSERT_EQ(render.runs.size(), 1u);
-  EXPECT_EQ(render.runs[0].cpu, "Some CPU");
+  EXPECT_EQ(render.runs[0].host, "workbench");
 }
 
 TEST(RenderFigures, a_summary_has_the_figures_of_the_whole) {
