@@ -95,6 +95,20 @@ std::vector<ViewTriple> neighbours_among_tiles(const ViewTiles& views, int width
 
 int second_difference(int a, int b, int c) { return std::abs(a - 2 * b + c); }
 
+bool differs(const Image8& picture, std::uint32_t a, std::uint32_t b) {
+  for (std::uint32_t c = 0; c < 3; ++c)
+    if (std::abs(picture.rgb[3 * a + c] - picture.rgb[3 * b + c]) >= kEdgeCodes) return true;
+  return false;
+}
+
+/// Whether the block's pixel `i` is another than one beside, above or below it in the block.
+bool is_at_edge(const Image8& picture, const Block& block, std::size_t i) {
+  const std::size_t side = kBlockSide, x = i % side, y = i / side;
+  return (x > 0 && differs(picture, block[i], block[i - 1])) || (x + 1 < side && differs(picture, block[i], block[i + 1])) ||
+         (y > 0 && differs(picture, block[i], block[i - side])) ||
+         (y + 1 < side && differs(picture, block[i], block[i + side]));
+}
+
 }  // namespace
 
 std::vector<int> rows_to_compare(const Optics& optics, int share) {
@@ -175,6 +189,45 @@ double block_squared_error(const References& references, const Frames& test, con
     for (std::size_t i = 0; i < made.size(); ++i) sum += (made[i] - first[i]) * (made[i] - second[i]);
   }
   return std::max(0.0, sum / static_cast<double>(3 * blocks.size() * references.size()));
+}
+
+double worst_block_squared_error(const References& references, const Frames& test, const std::vector<Block>& blocks) {
+  struct BlockError {
+    double seen = 0.0, squared = 0.0;  ///< against the mean of both references, and against one times the other
+  };
+  std::vector<BlockError> errors(blocks.size() * references.size());
+  if (errors.empty()) return std::nan("");
+  for (std::size_t f = 0; f < references.size(); ++f) {
+    const std::vector<double> first = block_means(references[f][0], blocks), second = block_means(references[f][1], blocks),
+                              made = block_means(test[f], blocks);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      BlockError& error = errors[f * blocks.size() + i / 3];
+      const double a = made[i] - first[i], b = made[i] - second[i];
+      error.seen += 0.25 * (a + b) * (a + b), error.squared += a * b;
+    }
+  }
+  const auto worst = static_cast<std::ptrdiff_t>(std::max<std::size_t>(errors.size() / 100, 1));
+  std::partial_sort(errors.begin(), errors.begin() + worst, errors.end(),
+                    [](const BlockError& a, const BlockError& b) { return a.seen > b.seen; });
+  double sum = 0.0;
+  for (auto e = errors.begin(); e != errors.begin() + worst; ++e) sum += e->squared;
+  return std::max(0.0, sum / static_cast<double>(3 * worst));
+}
+
+double edge_squared_error(const References& references, const Frames& test, const std::vector<Block>& blocks) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < references.size(); ++f) {
+    const Image8 mean = mean_of(references[f]);
+    for (const Block& block : blocks)
+      for (std::size_t i = 0; i < block.size(); ++i) {
+        if (!is_at_edge(mean, block, i)) continue;
+        for (std::size_t v = 3 * block[i]; v < 3 * block[i] + 3; ++v)
+          sum += (test[f].rgb[v] - references[f][0].rgb[v]) * (test[f].rgb[v] - references[f][1].rgb[v]);
+        count += 3;
+      }
+  }
+  return count > 0 ? std::max(0.0, sum / static_cast<double>(count)) : std::nan("");
 }
 
 double mean_light_ratio(const References& references, const Frames& test) {

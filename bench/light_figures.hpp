@@ -57,6 +57,15 @@ double mean_squared_error(const References& references, const Frames& test);
 /// The same of block means. Not a number where there is no block.
 double block_squared_error(const References& references, const Frames& test, const std::vector<Block>& blocks);
 
+/// The same of the hundredth of all blocks whose means err most, at least of one: rims of shadows and of caustics that are
+/// blurred, which few blocks have, show here. Not a number where there is no block.
+double worst_block_squared_error(const References& references, const Frames& test, const std::vector<Block>& blocks);
+
+/// As mean_squared_error(), of the pixels of blocks where the reference changes by kEdgeCodes or more, in any channel, to the
+/// next pixel of the block. Not a number where there is none.
+inline constexpr int kEdgeCodes = 16;
+double edge_squared_error(const References& references, const Frames& test, const std::vector<Block>& blocks);
+
 /// Linear light of the test over that of the references, sums over all frames, pixels and channels of what sRGB codes show:
 /// light beyond the brightest code is not seen. Not a number where the references are black.
 double mean_light_ratio(const References& references, const Frames& test);

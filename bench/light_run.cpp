@@ -130,6 +130,8 @@ class LightBench {
     figures.rays *= all / rendered;
     figures.psnr_db = psnr_db(mean_squared_error(references_, made.frames));
     figures.block_psnr_db = psnr_db(block_squared_error(references_, made.frames, blocks_));
+    figures.worst_blocks_psnr_db = psnr_db(worst_block_squared_error(references_, made.frames, blocks_));
+    figures.edge_psnr_db = psnr_db(edge_squared_error(references_, made.frames, blocks_));
     figures.mean_light = mean_light_ratio(references_, made.frames);
     for (std::size_t f = 0; f < made.frames.size(); ++f) {
       const References reference{references_[f]};

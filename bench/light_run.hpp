@@ -48,7 +48,8 @@ struct LightFigures {
   double first_seconds = 0.0;  ///< what the first one takes
   double psnr_db = 0.0;        ///< from the mean squared error over all frames
   double block_psnr_db = 0.0;  ///< from the errors of block means
-  double mean_light = 1.0;     ///< over the reference's, linear
+  double worst_blocks_psnr_db = 0.0, edge_psnr_db = 0.0;  ///< of the worst hundredth of blocks, and of pixels at edges
+  double mean_light = 1.0;                                ///< over the reference's, linear
   double worst_psnr_db = 0.0, worst_block_psnr_db = 0.0;  ///< in the frame where each is lowest
   std::vector<double> seconds_by_frame;                   ///< for frames rendered this way
   std::vector<double> psnr_db_by_frame, block_psnr_db_by_frame, mean_light_by_frame;

@@ -96,6 +96,8 @@ std::string light_text(const LightCase& wanted, const LightRun& run, const std::
     text += line_of(what, fmt::format(fmt::runtime(format), of_full), fmt::format(fmt::runtime(format), of_reuse), note);
   };
   both("PSNR of 8 x 8 means, dB", "{:.2f}", full.block_psnr_db, reuse.block_psnr_db, block_gain_bar(run, bar));
+  both("  of their worst hundredth", "{:.2f}", full.worst_blocks_psnr_db, reuse.worst_blocks_psnr_db, "");
+  both("PSNR of pixels at edges, dB", "{:.2f}", full.edge_psnr_db, reuse.edge_psnr_db, "");
   both("mean light, % off", "{:+.3f}", percent_off(full.mean_light), percent_off(reuse.mean_light), mean_light_bar(run, bar));
   both("PSNR of the worst frame, dB", "{:.2f}", full.worst_psnr_db, reuse.worst_psnr_db, "");
   both("  of 8 x 8 means", "{:.2f}", full.worst_block_psnr_db, reuse.worst_block_psnr_db, "");

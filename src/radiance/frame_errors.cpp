@@ -10,15 +10,14 @@ namespace {
 constexpr float kRemembered = 0.6f;
 /// Nothing at all, where it is so many standard deviations from the present: light has changed.
 constexpr float kChanged = 2.5f;
-/// An error is too large for sure by so many standard deviations; probably, where the mean with the past is, too, by so much:
-/// it takes little to mend.
-constexpr float kSure = 2.0f, kTolerated = 1.15f;
+/// An error is too large for sure by so many standard deviations; probably, where the mean with the past is, too.
+constexpr float kSure = 2.0f;
 
-/// What ratios keep of the past where they are others, in frames.
-constexpr float kKeptOfOther = 0.5f;
-/// Ratios change by so much of themselves from frame to frame (standard deviation), which makes the past less certain: with it,
-/// psnr_at_least_db holds for 95 % of the frames of hostile scenes (docs/decisions/0014-every-frame-is-measured.md).
-constexpr float kRatioDrift = 0.15f;
+/// Ratios change by at least so much of themselves from frame to frame (standard deviation), which makes the past less certain;
+/// by how much more, those of a history tell, its latest ones most.
+constexpr float kLeastDrift = 0.15f, kDriftRemembered = 0.5f;
+/// No ratio is known better than to so much of itself.
+constexpr float kLeastDeviation = 0.02f;
 
 bool is_other(float now, float uncertainty, float mean, float mean_uncertainty) {
   return std::abs(now - mean) > kChanged * std::hypot(uncertainty, mean_uncertainty);
@@ -27,7 +26,7 @@ bool is_other(float now, float uncertainty, float mean, float mean_uncertainty) 
 Excess excess_of(float now, float uncertainty, float may, float mean, float mean_uncertainty, float mean_may) {
   if (now - kSure * uncertainty > may) return Excess::kSure;
   if (now > may && mean - kSure * mean_uncertainty > mean_may) return Excess::kSure;
-  return now > may && mean > kTolerated * mean_may ? Excess::kProbable : Excess::kNone;
+  return now > may && mean > mean_may ? Excess::kProbable : Excess::kNone;
 }
 
 }  // namespace
@@ -50,17 +49,28 @@ void FrameErrors::add(const FrameError& now, const FrameError& may, float expect
   blocks_ = excess_of(now.blocks, now.block_uncertainty, may.blocks, found_.blocks, found_.block_uncertainty, allowed_.blocks);
 }
 
+/// The filter of R. E. Kalman, "A New Approach to Linear Filtering and Prediction Problems", 1960, on a logarithm that drifts
+/// by an amount that is not known beforehand: it is what successive logarithms differ by beyond their deviations.
 void PooledError::add(const PixelError& now, float expected) {
   const float unit = expected > 0.0f ? expected : 1.0f;
-  const PixelError ratio{now.squared / unit, now.uncertainty / unit};
-  const float past_uncertainty = std::hypot(ratio_.uncertainty, kRatioDrift * ratio_.squared);
-  const bool changed = is_other(ratio.squared, ratio.uncertainty, ratio_.squared, past_uncertainty);
-  // A few pixels with large errors make a ratio seem another now and then, too: half a frame's worth of the past is kept.
-  const float before = std::min(kRemembered * weight_, changed ? kKeptOfOther : kInfinity);
-  weight_ = before + 1.0f;
-  ratio_.squared += (ratio.squared - ratio_.squared) / weight_;
-  ratio_.uncertainty = std::hypot(before * past_uncertainty, ratio.uncertainty) / weight_;
-  of_latest_ = {unit * ratio_.squared, unit * ratio_.uncertainty};
+  const float log_ratio = std::log(std::max(now.squared / unit, 1e-12f));
+  const float deviation = std::max(now.uncertainty / std::max(now.squared, 1e-12f), kLeastDeviation);
+  if (weight_ == 0.0f)
+    log_ratio_ = log_ratio, variance_ = deviation * deviation, weight_ = 1.0f;
+  else
+    go_on(log_ratio, deviation * deviation);
+  const float squared = unit * std::exp(log_ratio_);
+  of_latest_ = {squared, squared * std::sqrt(variance_)};
+}
+
+void PooledError::go_on(float log_ratio, float variance) {
+  const float difference = log_ratio - log_ratio_;
+  weight_ = kDriftRemembered * weight_ + 1.0f;
+  const float drift = std::max(difference * difference - variance - variance_, 0.0f);
+  drift_ = std::max(drift_ + (drift - drift_) / weight_, kLeastDrift * kLeastDrift);
+  const float past = variance_ + drift_;
+  log_ratio_ += difference * past / (past + variance);
+  variance_ = past * variance / (past + variance);
 }
 
 }  // namespace lippmann

@@ -17,9 +17,12 @@ class PooledError {
   const PixelError& of_latest() const { return of_latest_; }
 
  private:
-  PixelError ratio_;  ///< errors over what was expected, weighted mean
+  void go_on(float log_ratio, float variance);
+
+  float log_ratio_ = 0.0f, variance_ = 0.0f;  ///< of errors over what was expected
+  float drift_ = 0.0f;                        ///< variance of its changes from frame to frame
+  float weight_ = 0.0f;                       ///< of what drift_ is told by; 0: no frame yet
   PixelError of_latest_;
-  float weight_ = 0.0f;
 };
 
 /// Errors of frames before count less and less, as light changes, and not at all where it has changed for sure; but a few

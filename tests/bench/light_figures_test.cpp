@@ -175,6 +175,33 @@ TEST(LightFigures, block_error_is_not_a_number_without_blocks) {
   EXPECT_TRUE(std::isnan(block_squared_error(exact(frames), frames, {})));
 }
 
+// Of 144 blocks one is wrong by 12 codes; the worst hundredth is this one.
+TEST(LightFigures, worst_blocks_show_what_all_of_them_hide) {
+  const Optics optics = quilt(1, 1, 96);
+  const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
+  const Frames reference{picture(96, 96, std::vector<unsigned char>(96 * 96, 100))};
+  Frames test = reference;
+  for (const std::uint32_t pixel : blocks[5])
+    for (std::uint32_t c = 0; c < 3; ++c) test[0].rgb[3 * pixel + c] = 112;
+  EXPECT_DOUBLE_EQ(worst_block_squared_error(exact(reference), test, blocks), 144.0);
+  EXPECT_DOUBLE_EQ(block_squared_error(exact(reference), test, blocks), 1.0);
+  EXPECT_TRUE(std::isnan(worst_block_squared_error(exact(reference), test, {})));
+}
+
+// A step of 20 codes between the third and the fourth column: 16 pixels are at it, and one of them is wrong by 8.
+TEST(LightFigures, pixels_at_edges_are_those_beside_a_step) {
+  const Optics optics = quilt(1, 1, 8);
+  const std::vector<Block> blocks = view_blocks(optics, rows_to_compare(optics, 1));
+  std::vector<unsigned char> step;
+  for (int i = 0; i < 64; ++i) step.push_back(i % 8 < 3 ? 100 : 120);
+  const Frames reference{picture(8, 8, step)};
+  step[2] = 108;  // at the edge
+  step[7] = 128;  // far from it
+  EXPECT_DOUBLE_EQ(edge_squared_error(exact(reference), {picture(8, 8, step)}, blocks), 64.0 / 16.0);
+  const Frames even{picture(8, 8, std::vector<unsigned char>(64, 100))};
+  EXPECT_TRUE(std::isnan(edge_squared_error(exact(even), even, blocks)));
+}
+
 TEST(LightFigures, mean_light_is_linear_in_light) {
   // Codes up to 10 are in the straight part of the sRGB curve.
   EXPECT_NEAR(mean_light_ratio(exact({picture(2, 1, {10, 10})}), {picture(2, 1, {5, 10})}), 0.75, 1e-12);

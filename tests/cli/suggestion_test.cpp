@@ -15,7 +15,7 @@ std::map<std::string, std::string> commands_in(const std::string& summary) {
   std::map<std::string, std::string> commands;
   std::istringstream lines(summary);
   for (std::string line; std::getline(lines, line);) {
-    const std::size_t at = line.find(std::string(" ") + LIPPMANN_TOOL + " ");
+    const std::size_t at = line.find(" " LIPPMANN_TOOL " ");
     if (at == std::string::npos) continue;
     const std::size_t first = line.find_first_not_of(' ');
     commands[line.substr(first, line.find("  ", first) - first)] = line.substr(at + 1);

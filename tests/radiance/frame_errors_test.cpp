@@ -22,7 +22,7 @@ TEST(FrameErrors, an_error_beyond_chance_is_too_large_at_once) {
 TEST(FrameErrors, one_uncertain_error_is_none_and_several_are) {
   FrameErrors errors;
   errors.add(error(1.0f, 0.2f), error(2.0f));
-  errors.add(error(3.0f, 1.0f), error(2.0f));  // 3 - 2 x 1 < 2; the mean, (0.6 x 1 + 3) / 1.6 = 2.25, is no more than 2 x 1.15
+  errors.add(error(2.5f, 1.0f), error(2.0f));  // 2.5 - 2 x 1 < 2; the mean is (0.6 x 1 + 2.5) / 1.6 = 1.94
   EXPECT_EQ(errors.pixels(), Excess::kNone);
   for (int frame = 0; frame < 8; ++frame) errors.add(error(3.2f, 1.0f), error(2.0f));
   // Deviation of the mean: sqrt((1 - 0.6) / (1 + 0.6)) = 0.5, and 3.2 - 2 x 0.5 > 2.
@@ -59,25 +59,38 @@ TEST(FrameErrors, frames_have_in_common_what_errors_are_in_parts_of_what_is_expe
   EXPECT_FLOAT_EQ(errors.of_latest().uncertainty, 0.3f);
   errors.add(error(6.0f, 1.2f), error(9.0f), 4.0f);
   EXPECT_FLOAT_EQ(errors.of_latest().squared, 6.0f);
-  // In parts of what is expected both have a deviation of 0.3, and the past one of 0.15 of its 1.5 more; it weighs 0.6.
-  EXPECT_NEAR(errors.of_latest().uncertainty, 4.0f * std::hypot(0.6f * std::hypot(0.3f, 0.15f * 1.5f), 0.3f) / 1.6f, 1e-5f);
+  // Both have a deviation of a fifth, and the past one of 0.15 more: variances of 0.0625 and 0.04 make one of 0.0244.
+  EXPECT_NEAR(errors.of_latest().uncertainty, 6.0f * std::sqrt(0.0625f * 0.04f / (0.0625f + 0.04f)), 1e-5f);
   EXPECT_FLOAT_EQ(errors.found().pixels, 6.0f);  // as an error by itself it is another, for sure
 }
 
+// Errors that are known to half of themselves, twofold: less than chance makes of it, so that the past counts for its
+// certainty, 0.25 + 0.15^2, beside 0.25.
 TEST(FrameErrors, without_anything_expected_errors_themselves_are_remembered) {
   FrameErrors errors;
-  errors.add(error(1.0f, 1.0f), error(9.0f));
+  errors.add(error(1.0f, 0.5f), error(9.0f));
   errors.add(error(2.0f, 1.0f), error(9.0f));
-  EXPECT_FLOAT_EQ(errors.of_latest().squared, (0.6f * 1.0f + 2.0f) / 1.6f);
+  EXPECT_NEAR(errors.of_latest().squared, std::exp2(0.2725f / 0.5225f), 1e-5f);
 }
 
-TEST(FrameErrors, of_parts_that_are_others_for_sure_little_is_kept) {
+// A quarter of what was expected, not all of it, both known to a tenth.
+TEST(FrameErrors, of_parts_that_are_others_for_sure_next_to_nothing_is_kept) {
   FrameErrors errors;
   errors.add(error(1.0f, 0.1f), error(9.0f), 1.0f);
-  errors.add(error(1.0f, 0.1f), error(9.0f), 4.0f);  // a quarter, not one
-  EXPECT_FLOAT_EQ(errors.of_latest().squared, 4.0f * (0.5f * 1.0f + 0.25f) / 1.5f);
-  for (int frame = 0; frame < 12; ++frame) errors.add(error(1.0f, 0.1f), error(9.0f), 4.0f);
-  EXPECT_NEAR(errors.of_latest().squared, 1.0f, 0.01f);  // 0.6 to the power of 12 is 0.002
+  errors.add(error(1.0f, 0.1f), error(9.0f), 4.0f);
+  EXPECT_NEAR(errors.of_latest().squared, 1.0f, 0.02f);
+}
+
+// Lamps that switch on and off: what one frame tells of the next is known to be little after a few of them.
+TEST(FrameErrors, parts_that_change_from_frame_to_frame_are_told_by_the_latest) {
+  FrameErrors steady, switching;
+  for (int frame = 0; frame < 8; ++frame) {
+    steady.add(error(2.0f, 0.4f), error(9.0f), 2.0f);
+    switching.add(error(2.0f, 0.4f), error(9.0f), frame % 2 ? 1.0f : 2.0f);
+  }
+  EXPECT_NEAR(switching.of_latest().squared, 2.0f, 0.15f);
+  EXPECT_LT(steady.of_latest().uncertainty, 0.75f * 0.4f);
+  EXPECT_GT(switching.of_latest().uncertainty, 0.85f * 0.4f);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ std::string users_of(const ExtensionUse& use) {
   std::string text;
   for (const ExtensionUse::User& user : use.users) {
     text += fmt::format("{}{}", text.empty() ? "" : ", ", user.where);
-    if (!user.name.empty()) text += " " + shown(user.name);
+    if (!user.name.empty()) text += fmt::format(" {}", shown(user.name));
   }
   if (use.count > use.users.size()) text += fmt::format(" and {} more", use.count - use.users.size());
   return text.empty() ? text : fmt::format(" ({})", text);
