@@ -15,7 +15,7 @@ constexpr float kSure = 2.0f;
 
 /// Ratios change by at least so much of themselves from frame to frame (standard deviation), which makes the past less certain;
 /// by how much more, those of a history tell, its latest ones most.
-constexpr float kLeastDrift = 0.15f, kDriftRemembered = 0.5f;
+constexpr float kLeastDrift = 0.2f, kDriftRemembered = 0.5f;
 /// No ratio is known better than to so much of itself.
 constexpr float kLeastDeviation = 0.02f;
 
