@@ -136,6 +136,7 @@ void read_strips_of_run(const Json& json, RunReport& run) {
 void read_run(const Json& json, FolderJournal& journal) {
   RunReport run;
   json.at("host").get_to(run.host);
+  if (json.contains("cpu")) json["cpu"].get_to(run.cpu);  // runs of earlier versions do not say
   json.at("unit").get_to(run.unit);
   run.frames = frames_from_json(json.at("frames"));
   if (json.contains("strips")) read_strips_of_run(json["strips"], run);
@@ -229,7 +230,7 @@ FileRecords records_of(const fs::path& folder, const std::vector<fs::path>& file
 Json to_json(const RunReport& run) {
   Json sources = Json::array();
   for (const FrameReport& source : run.sources) sources.push_back(to_json(source));
-  Json json{{"host", run.host}, {"unit", run.unit}, {"frames", write_frames(ranges_of(run.frames))}};
+  Json json{{"host", run.host}, {"cpu", run.cpu}, {"unit", run.unit}, {"frames", write_frames(ranges_of(run.frames))}};
   for (const auto& [frame, strips] : run.strips) json["strips"][std::to_string(frame)] = write_frames(ranges_of(strips));
   json.update({{"setup_seconds", run.setup_seconds},
                {"write_seconds", run.write_seconds},

@@ -65,6 +65,7 @@ struct JournalVideo {
 /// What a run did and took beside the figures of its frames.
 struct RunReport {
   std::string host = {};                        ///< the machine's name
+  std::string cpu = {};                         ///< its processor's; empty: not recorded
   std::string unit = {};                        ///< such as 7/200; empty: all frames
   std::vector<int> frames = {};                 ///< that it rendered, ascending
   std::map<int, std::vector<int>> strips = {};  ///< that it rendered, by frame, ascending

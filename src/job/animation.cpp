@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/cpu_model.hpp"
 #include "core/host_name.hpp"
 #include "core/json_text.hpp"
 #include "folder/claim_folder.hpp"
@@ -387,7 +388,7 @@ class Animation {
     report.depth_scale = stage_.placed.depth_scale;
     report.depth = shown_depth(stage_.array, stage_.placed.units_per_mm, report.depth_scale, report.optics);
     report.crosstalk_px = crosstalk_;
-    report.run.host = host_name();
+    report.run.host = host_name(), report.run.cpu = cpu_model();
     report.run.unit = run_.units ? write_units(*run_.units) : std::string();
     report.run.threads = pool_.threads();
     report.videos = video_names();

@@ -40,7 +40,7 @@ std::string folder_name(const fs::path& report) {
 
 RunFigures run_figures(const Json& run) {
   RunFigures figures;
-  figures.host = text_at(run, "host");
+  figures.host = text_at(run, "host"), figures.cpu = text_at(run, "cpu");
   figures.unit = text_at(run, "unit"), figures.frames = text_at(run, "frames");
   figures.setup_seconds = number_at(run, "setup_seconds"), figures.write_seconds = number_at(run, "write_seconds");
   figures.peak_memory_bytes = number_at(run, "peak_memory_bytes");

@@ -17,7 +17,7 @@ namespace lippmann {
 
 /// One run of several that may have worked at a render.
 struct RunFigures {
-  std::string host, unit, frames;  ///< empty: not recorded
+  std::string host, cpu, unit, frames;  ///< empty: not recorded
   double setup_seconds = 0.0, write_seconds = 0.0;
   double peak_memory_bytes = 0.0;
   int threads = 0;

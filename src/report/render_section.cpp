@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "core/frame_ranges.hpp"
@@ -70,18 +71,19 @@ std::size_t frames_in(const std::string& ranges) {
 }
 
 std::string machines_html(const RenderFigures& render) {
-  std::map<std::pair<std::string, int>, MachineRow> rows;
+  std::map<std::tuple<std::string, std::string, int>, MachineRow> rows;
   for (const RunFigures& run : render.runs) {
-    MachineRow& row = rows[{run.host, run.threads}];
+    MachineRow& row = rows[{run.host, run.cpu, run.threads}];
     ++row.runs, row.frames += frames_in(run.frames);
     row.setup_seconds += run.setup_seconds, row.write_seconds += run.write_seconds;
     row.peak_memory_bytes = std::max(row.peak_memory_bytes, run.peak_memory_bytes);
   }
-  HtmlTable table{{"machine", "threads", "runs", "frames", "peak memory", "set-up", "writing"}};
+  HtmlTable table{{"machine", "processor", "threads", "runs", "frames", "peak memory", "set-up", "writing"}};
   for (const auto& [key, row] : rows) {
-    const auto& [host, threads] = key;
-    table.rows.push_back({escaped(host.empty() ? kNotKnown : host), fmt::format("{}", threads), fmt::format("{}", row.runs),
-                          fmt::format("{}", row.frames), memory_text(row.peak_memory_bytes), seconds_text(row.setup_seconds),
+    const auto& [host, cpu, threads] = key;
+    table.rows.push_back({escaped(host.empty() ? kNotKnown : host), escaped(cpu.empty() ? kNotKnown : cpu),
+                          fmt::format("{}", threads), fmt::format("{}", row.runs), fmt::format("{}", row.frames),
+                          memory_text(row.peak_memory_bytes), seconds_text(row.setup_seconds),
                           seconds_text(row.write_seconds)});
   }
   if (rows.empty()) return {};

@@ -27,7 +27,7 @@ std::string sound_journal() {
   return job_line("job") + asked_line({3, 4, 5, 9}) + written_line("job.toml", kSum) +
          frame_line(frame, {{"frame_0004.png", kSum}, {"aov_0004.exr", kSum}}) + video_line("../a.mp4", {3, 4}, kSum) +
          written_line("report.json", kSum) + written_line("report.json", kOther) +
-         run_line({.host = "a", .unit = "1/2", .frames = {4}, .setup_seconds = 0.5, .threads = 2});
+         run_line({.host = "a", .cpu = "p", .unit = "1/2", .frames = {4}, .setup_seconds = 0.5, .threads = 2});
 }
 
 /// The journal that this text is.
@@ -50,6 +50,7 @@ TEST(FolderJournal, what_was_written_is_read_back) {
   ASSERT_EQ(journal.runs.size(), 1u);
   EXPECT_EQ(journal.runs[0].threads, 2);
   EXPECT_EQ(journal.runs[0].unit, "1/2");
+  EXPECT_EQ(journal.runs[0].cpu, "p");
   EXPECT_THAT(journal.runs[0].frames, ElementsAre(4));
   EXPECT_EQ(journal.videos.at("../a.mp4").sums, std::vector{kSum});
   EXPECT_THAT(journal.videos.at("../a.mp4").frames, ElementsAre(3, 4));

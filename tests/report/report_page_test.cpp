@@ -59,7 +59,7 @@ TEST(ReportPage, the_command_and_the_machine_are_told) {
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("<pre>lippmann render room --spp 4 --min-psnr 35</pre>"));
-  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>2</td><td>1</td><td>3</td>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>Example 9000</td><td>2</td><td>1</td><td>3</td>"));
 }
 
 TEST(ReportPage, units_of_one_machine_stand_in_one_row) {
@@ -68,9 +68,10 @@ TEST(ReportPage, units_of_one_machine_stand_in_one_row) {
   for (int i = 0; i < 40; ++i) report["runs"].push_back(report["runs"][0]);
   report["runs"].push_back(report["runs"][0]);
   report["runs"].back()["host"] = "another";
+  report["runs"].back().erase("cpu");  // of an earlier version
   const std::string page = page_of({test::write_report_text(dir / "film", report.dump())});
-  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>2</td><td>41</td><td>123</td>"));
-  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">another</th>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>Example 9000</td><td>2</td><td>41</td><td>123</td>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">another</th><td>–</td>"));
   EXPECT_THAT(page, HasSubstr("Times of several machines are not of one kind"));
 }
 
@@ -97,7 +98,7 @@ TEST(ReportPage, names_cannot_become_markup) {
   test::OrderedJson report = interpolated();
   const std::string evil = "\"><script>alert(1)</script>";
   report["scene"] = report["view"] = report["light"] = report["version"] = report["reuse"] = evil;
-  report["runs"][0]["host"] = evil;
+  report["runs"][0]["host"] = report["runs"][0]["cpu"] = evil;
   report["settings"][evil] = evil;
   for (auto& frame : report["frames"]) frame["kind"] = evil;
   const std::string page = page_of({test::write_report_text(dir / "a<script>b", report.dump())});
