@@ -98,7 +98,7 @@ double aspect_of(const Display& display) {
   return display.quilt ? display.quilt->aspect : static_cast<double>(display.pixels.x) / display.pixels.y;
 }
 
-Pair size_of(const Optics& optics) { return {picture_size(optics).y, picture_size(optics).x}; }
+Pair picture_shape(const Optics& optics) { return {picture_size(optics).y, picture_size(optics).x}; }
 
 std::array<float, 2> window_of(const Optics& optics) { return {window_size_mm(optics).y, window_size_mm(optics).x}; }
 
@@ -128,7 +128,7 @@ void bind_display(py::module_& module) {
 void bind_optics(py::module_& module) {
   bind_display(module);
   py::class_<Optics>(module, "Optics", "Which ray every pixel of a panel shows (lippmann.camera_grid, lippmann.quilt, ...).")
-      .def_property_readonly("size", &size_of, "[height, width] of the panel's picture in pixels.")
+      .def_property_readonly("size", &picture_shape, "[height, width] of the panel's picture in pixels.")
       .def_property_readonly(
           "is_views", [](const Optics& o) { return view_tiles(o).has_value(); }, "Whether it is views side by side.")
       .def_property_readonly("window_mm", &window_of, "[height, width] of what is seen of the display's plane.")

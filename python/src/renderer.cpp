@@ -143,7 +143,9 @@ py::dict report_of(const Film& film) {
 Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, const std::optional<double>& min_psnr_db) {
   if (name == "none") return TraceAll{};
   if (name == "copy") return CopySettled{keyframes};
-  if (name == "light") return ShareLight{.min_psnr_db = min_psnr_db};
+  ShareLight light;  // in place, GCC 12 takes parts of it for uninitialised
+  light.min_psnr_db = min_psnr_db;
+  if (name == "light") return light;
   if (name == "interpolate") return Interpolate{.keyframes = keyframes, .min_psnr_db = min_psnr_db};
   return AutoReuse{};
 }
