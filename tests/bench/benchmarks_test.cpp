@@ -139,7 +139,8 @@ TEST(BenchPaper, json_sums_up_its_frames_text_has_the_papers_figures_and_plots_a
   if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "gnuplot is not installed";
   bench::Request request = small_request("primitives", 4);
   std::string said;
-  request.csv = dir / "paper.csv", request.plot = dir / "plots", request.say = [&](std::string_view line) { said += line, said += '\n'; };
+  request.csv = dir / "paper.csv", request.plot = dir / "plots",
+  request.say = [&](std::string_view line) { said += line, said += '\n'; };
   const bench::Report report = run_benchmark("paper", request);
   EXPECT_EQ(report.passed_checks, 2 + 1 + 1 + 1 + 1);  // key frames of the five runs
   ASSERT_EQ(report.rows.size(), 5u);
