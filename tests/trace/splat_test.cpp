@@ -181,8 +181,8 @@ TEST(Splat, one_splat_is_as_opaque_as_its_gaussian_where_the_ray_is_nearest) {
   EXPECT_NEAR(p.at(16, 16).x, 0.8f + 0.2f * 0.1f, 1e-4f);
   EXPECT_NEAR(p.at(16, 16).z, 0.8f * 0.25f + 0.2f * 0.1f, 1e-4f);
   // 8 pixels of 4 / 33 to the right: a ray from (0, 0, 10) through (a, 0, 0) is x = a (1 - z / 10); the distance squared in
-  // deviations, (a (1 - z / 10) / 0.5)^2 + (z / 2)^2, is least where z = 0.4 a^2 / (1 / 4 + 0.04 a^2) / 2.
-  const double a = 8.0 * 4.0 / 33.0, z = 0.4 * a * a / (0.25 + 0.04 * a * a) / 2.0;
+  // deviations, (a (1 - z / 10) / 0.5)^2 + (z / 2)^2, is least where z = 0.4 a^2 / (1 / 4 + 0.04 a^2).
+  const double a = 8.0 * 4.0 / 33.0, z = 0.4 * a * a / (0.25 + 0.04 * a * a);
   const double d2 = std::pow(a * (1.0 - z / 10.0) / 0.5, 2) + z * z / 4.0;
   const double alpha = 0.8 * std::exp(-0.5 * d2);
   EXPECT_NEAR(p.at(24, 16).x, alpha + (1.0 - alpha) * 0.1, 1e-4);
