@@ -50,7 +50,8 @@ class Capture {
     if (shape < 2) {
       const float z = number(-1.0f, 1.0f), r = std::sqrt(1.0f - z * z);
       const Vec3f n(r * std::cos(u), z, r * std::sin(u));
-      return {0.8f * n + Vec3f(-0.9f, 0.0f, 0.0f), n, Vec3f(0.5f) + 0.4f * Vec3f(std::sin(9.0f * n.x), n.y, std::cos(7.0f * n.z))};
+      return {0.8f * n + Vec3f(-0.9f, 0.0f, 0.0f), n,
+              Vec3f(0.5f) + 0.4f * Vec3f(std::sin(9.0f * n.x), n.y, std::cos(7.0f * n.z))};
     }
     if (shape < 4) {
       const Vec3f out(std::cos(u), std::sin(u), 0.0f), n = std::cos(v) * out + Vec3f(0.0f, 0.0f, std::sin(v));
@@ -128,9 +129,8 @@ using Packets = std::vector<CameraPacket>;
 
 PacketSource camera_rays(const Placement& placement, const Scene& scene) {
   const ResolvedScene resolved = evaluate(scene, 0.0);
-  return PacketSource(placement.placed.optics,
-                      world_from_display(placement.array, placement.placed.units_per_mm, resolved), RayOrder::kViewTiles,
-                      SubPixel{});
+  return PacketSource(placement.placed.optics, world_from_display(placement.array, placement.placed.units_per_mm, resolved),
+                      RayOrder::kViewTiles, SubPixel{});
 }
 
 Packets packets_of_strip(const PacketSource& source, int strip) {

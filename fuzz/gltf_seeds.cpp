@@ -174,10 +174,11 @@ GltfBuilder splats() {
   const int harmonic = b.add_accessor(std::vector<Vec3f>(2, Vec3f(0.5f)));
   for (const char* name : {"SH_DEGREE_0_COEF_0", "SH_DEGREE_1_COEF_0", "SH_DEGREE_1_COEF_1", "SH_DEGREE_1_COEF_2"})
     attributes[own + name] = harmonic;
-  b.add_node({{"mesh", b.add_mesh({{"mode", 0},
-                                   {"attributes", attributes},
-                                   {"extensions", {{"KHR_gaussian_splatting",
-                                                    {{"kernel", "ellipse"}, {"colorSpace", "srgb_rec709_display"}}}}}})}});
+  b.add_node(
+      {{"mesh", b.add_mesh({{"mode", 0},
+                            {"attributes", attributes},
+                            {"extensions",
+                             {{"KHR_gaussian_splatting", {{"kernel", "ellipse"}, {"colorSpace", "srgb_rec709_display"}}}}}})}});
   return b;
 }
 
@@ -209,9 +210,9 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
   int count = 0;
-  for (const GltfBuilder& builder :
-       {geometry(), textured("png"), textured("jpeg"), animated(), skinned(), lights_and_cameras(), splats(), packed_by_meshopt(),
-        packed_by_draco(draco::MESH_SEQUENTIAL_ENCODING), packed_by_draco(draco::MESH_EDGEBREAKER_ENCODING)}) {
+  for (const GltfBuilder& builder : {geometry(), textured("png"), textured("jpeg"), animated(), skinned(), lights_and_cameras(),
+                                     splats(), packed_by_meshopt(), packed_by_draco(draco::MESH_SEQUENTIAL_ENCODING),
+                                     packed_by_draco(draco::MESH_EDGEBREAKER_ENCODING)}) {
     const std::string name = std::to_string(count++);
     write(folder / ("whole" + name), "W", builder.glb());
     write(folder / ("chunks" + name), "C" + builder.document().dump() + '\0', builder.binary);

@@ -47,7 +47,8 @@ struct SplatMeeting {
 };
 
 /// words: a packet in Embree's layout, arrays of n words. Returns whether any lane meets it.
-LIPPMANN_INLINE int meet_in_lanes(const WorldSplat& splat, const int* valid, const float* words, unsigned n, SplatMeeting& meeting) {
+LIPPMANN_INLINE int meet_in_lanes(const WorldSplat& splat, const int* valid, const float* words, unsigned n,
+                                  SplatMeeting& meeting) {
   int any = 0;
 #pragma GCC ivdep
   for (unsigned i = 0; i < n; ++i) {

@@ -12,10 +12,10 @@
 namespace lippmann {
 
 struct WorldSplat {
-  float m[9];      ///< from world to standard deviations, linear part, columns
-  float x, y, z;   ///< centre
-  float opacity;   ///< 0 to 1
-  float reach;     ///< squared distance from the centre, in standard deviations, up to which it is seen
+  float m[9];                 ///< from world to standard deviations, linear part, columns
+  float x, y, z;              ///< centre
+  float opacity;              ///< 0 to 1
+  float reach;                ///< squared distance from the centre, in standard deviations, up to which it is seen
   std::uint32_t source, set;  ///< which of the splats of SplatTable::sets[set] it is
 };
 static_assert(sizeof(WorldSplat) == 64, "one line of the cache");

@@ -24,8 +24,8 @@ class FrameMaker {
   virtual std::vector<FrameReport> sources() const { return {}; }
 };
 
-/// The kind of reuse that serves (resolved_reuse) for a scene: no light is shared where there are splats, whose light it does not
-/// know.
+/// The kind of reuse that serves (resolved_reuse) for a scene: no light is shared where there are splats, whose light it does
+/// not know.
 Reuse reuse_for(const Scene& scene, const FrameParams& params);
 
 /// The maker of the kind of reuse that serves (reuse_for). `params` passes check(); `stage`, `pool` and `context` outlive

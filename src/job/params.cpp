@@ -40,8 +40,7 @@ RenderParams with_scene_defaults(RenderParams params) {
   if (params.sampling.integrator) return params;
   // Splats are light already: no path finds more.
   const bool of_splats = is_physical_format(params.scene.name) && is_splat_file(params.scene.name);
-  const bool paths =
-      is_physical_format(params.scene.name) && !of_splats && params.reuse.choice != ReuseChoice::kInterpolate;
+  const bool paths = is_physical_format(params.scene.name) && !of_splats && params.reuse.choice != ReuseChoice::kInterpolate;
   if (of_splats && params.sampling.spp == 0) params.sampling.spp = kSplatSamples;
   params.sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
   if (paths && params.sampling.spp == 0) params.sampling.spp = kFirstPathSamples;

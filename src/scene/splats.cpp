@@ -26,7 +26,8 @@ void make_unit(Quatf& rotation) {
 /// Splats without a size along one or two axes are discs and needles.
 void thicken(Vec3f& deviations) {
   const float largest = std::max({deviations.x, deviations.y, deviations.z});
-  if (std::min({deviations.x, deviations.y, deviations.z}) >= 0.0f) deviations = glm::max(deviations, Vec3f(kFlattest * largest));
+  if (std::min({deviations.x, deviations.y, deviations.z}) >= 0.0f)
+    deviations = glm::max(deviations, Vec3f(kFlattest * largest));
 }
 
 template <class T>
@@ -67,8 +68,7 @@ Bounds3f fence(const Splats& splats, const Affine3f& a) {
   Bounds3f box;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<WeightedPlace> places;
-    for (const std::size_t i : sampled)
-      places.push_back({transform_point(a, splats.centers[i])[axis], splats.opacities[i]});
+    for (const std::size_t i : sampled) places.push_back({transform_point(a, splats.centers[i])[axis], splats.opacities[i]});
     std::sort(places.begin(), places.end(), [](const auto& x, const auto& y) { return x.place < y.place; });
     const float lower = weighted_quantile(places, kTail), upper = weighted_quantile(places, 1.0 - kTail);
     box.lower[axis] = lower - kMargin * (upper - lower), box.upper[axis] = upper + kMargin * (upper - lower);
@@ -88,9 +88,7 @@ Vec3f reach_along_axes(const Splats& splats, std::size_t i, const Affine3f& a, f
 
 }  // namespace
 
-float reach_of_splat(float opacity) {
-  return opacity > kLeastAlpha ? std::sqrt(2.0f * std::log(opacity / kLeastAlpha)) : 0.0f;
-}
+float reach_of_splat(float opacity) { return opacity > kLeastAlpha ? std::sqrt(2.0f * std::log(opacity / kLeastAlpha)) : 0.0f; }
 
 bool is_sound(const Splats& splats, std::size_t i) {
   const Vec3f size = splats.deviations[i];
@@ -150,7 +148,8 @@ Bounds3f bulk_bounds(const Splats& splats, const Affine3f& a) {
     const Vec3f center = transform_point(a, splats.centers[i]);
     if (!is_within(inside, center) || !(reach_of_splat(splats.opacities[i]) > 0.0f)) continue;
     const Vec3f half = reach_along_axes(splats, i, a, 1.0f);
-    if (is_within(inside, center - half) && is_within(inside, center + half)) bounds.add(Bounds3f{center - half, center + half});
+    if (is_within(inside, center - half) && is_within(inside, center + half))
+      bounds.add(Bounds3f{center - half, center + half});
     bounds.add(center);
   }
   return bounds;

@@ -38,9 +38,7 @@ class SplatBasis {
 };
 
 /// The curve of sRGB, which goes on above 1.
-float linear_of(float encoded) {
-  return encoded <= 0.04045f ? encoded / 12.92f : fast_pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
+float linear_of(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : fast_pow((encoded + 0.055f) / 1.055f, 2.4f); }
 Vec3f linear_of(Vec3f encoded) { return {linear_of(encoded.x), linear_of(encoded.y), linear_of(encoded.z)}; }
 
 /// What one ray sees of splats, nearest first.

@@ -75,9 +75,8 @@ class PathTracer {
     while (!next_.empty()) {
       std::swap(wave_, next_);
       next_.clear();
-      trace_wave(scene_, wave_, [this](const RayHitPacket& packet, const LaneMask& active, PathRay* rays) {
-        shade(packet, active, rays);
-      });
+      trace_wave(scene_, wave_,
+                 [this](const RayHitPacket& packet, const LaneMask& active, PathRay* rays) { shade(packet, active, rays); });
       policy().trace_shadow_rays();
     }
   }

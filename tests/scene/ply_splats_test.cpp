@@ -21,8 +21,9 @@ using ::testing::HasSubstr;
 
 /// A file of the usual layout, row by row.
 struct SplatFile {
-  std::vector<std::string> properties = {"x",       "y",       "z",       "nx",      "ny",    "nz",    "f_dc_0", "f_dc_1", "f_dc_2",
-                                         "opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2",  "rot_3"};
+  std::vector<std::string> properties = {"x",       "y",      "z",      "nx",      "ny",      "nz",
+                                         "f_dc_0",  "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1",
+                                         "scale_2", "rot_0",  "rot_1",  "rot_2",   "rot_3"};
   std::vector<std::vector<float>> rows = {{1, 2, 3, 0, 0, 0, 0.5f, 0.25f, -0.5f, 0, -1, -2, -3, 2, 0, 0, 0}};
   std::string format = "binary_little_endian", type = "float";
   int claimed = -1;  ///< how many rows the header says that there are; -1: as many as there are
@@ -143,7 +144,8 @@ TEST(PlySplats, files_that_lie_are_refused) {
 TEST(PlySplats, files_are_told_by_their_header) {
   const TempDir dir;
   std::ofstream(dir / "splats.ply", std::ios::binary) << SplatFile{}.text();
-  std::ofstream(dir / "mesh.ply", std::ios::binary) << "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n";
+  std::ofstream(dir / "mesh.ply", std::ios::binary)
+      << "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n";
   EXPECT_TRUE(is_splat_file((dir / "splats.ply").string()));
   EXPECT_FALSE(is_splat_file((dir / "mesh.ply").string()));
   EXPECT_FALSE(is_splat_file((dir / "none.ply").string()));

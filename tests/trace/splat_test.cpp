@@ -50,7 +50,8 @@ Splats random_cloud(unsigned seed, int count, int degree, bool is_linear) {
   for (int i = 0; i < count; ++i) {
     splats.centers.emplace_back(2.0f * uniform(random), 2.0f * uniform(random), 2.0f * uniform(random));
     splats.deviations.push_back(0.3f * glm::exp(1.5f * Vec3f(uniform(random), uniform(random), uniform(random)) - 1.0f));
-    splats.rotations.push_back(glm::normalize(Quatf(uniform(random), uniform(random), uniform(random), uniform(random) + 1.1f)));
+    splats.rotations.push_back(
+        glm::normalize(Quatf(uniform(random), uniform(random), uniform(random), uniform(random) + 1.1f)));
     splats.opacities.push_back(0.5f + 0.5f * uniform(random));
     for (std::size_t k = 0; k < harmonics_of(degree); ++k)
       splats.harmonics.push_back((k == 0 ? 1.5f : 0.4f) * Vec3f(uniform(random), uniform(random), uniform(random)));
@@ -136,8 +137,8 @@ Image reference_picture(const Splats& splats, const Affine3f& place, const Optic
         if (!packet.active.lane[i]) continue;
         const RayPacket& r = packet.rays.ray;
         const Vec3d d = glm::normalize(Vec3d(r.dir_x[i], r.dir_y[i], r.dir_z[i]));
-        const Vec3d light = reference_radiance(
-            reference_hits(splats, place, {r.org_x[i], r.org_y[i], r.org_z[i]}, d), splats.is_linear);
+        const Vec3d light =
+            reference_radiance(reference_hits(splats, place, {r.org_x[i], r.org_y[i], r.org_z[i]}, d), splats.is_linear);
         for (int c = 0; c < 3; ++c)
           picture.data[3 * packet.target[i] + static_cast<std::size_t>(c)] = static_cast<float>(light[c]);
       }

@@ -9,7 +9,6 @@
 
 #include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
-#include "scene/splats.hpp"
 #include "scene/gltf/animation.hpp"
 #include "scene/gltf/camera.hpp"
 #include "scene/gltf/document.hpp"
@@ -22,6 +21,7 @@
 #include "scene/gltf/skin.hpp"
 #include "scene/gltf/splats.hpp"
 #include "scene/gltf/variants.hpp"
+#include "scene/splats.hpp"
 
 namespace lippmann {
 namespace gltf {

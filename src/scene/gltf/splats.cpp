@@ -74,9 +74,7 @@ class SplatPrimitive {
     return scales;
   }
 
-  static std::string harmonic(int degree, int number) {
-    return semantic(fmt::format("SH_DEGREE_{}_COEF_{}", degree, number));
-  }
+  static std::string harmonic(int degree, int number) { return semantic(fmt::format("SH_DEGREE_{}_COEF_{}", degree, number)); }
 
   void read_harmonics(Splats& splats) {
     while (splats.degree < 3 && attribute(primitive_, harmonic(splats.degree + 1, 0)) >= 0) ++splats.degree;

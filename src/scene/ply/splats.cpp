@@ -47,7 +47,8 @@ class SplatReader {
     for (const Property& property : element_.properties)
       if (property.type != Type::kFloat || property.count_type)
         throw Error(name_, fmt::format("the splats' property {} is no float", shown_name(property.name)), "float");
-    if (&element_ != &header.elements.front()) throw Error(name_, "something stands before its splats", "the element vertex first");
+    if (&element_ != &header.elements.front())
+      throw Error(name_, "something stands before its splats", "the element vertex first");
     find_columns();
     check_size();
   }
@@ -141,8 +142,8 @@ bool has_splats(const Header& header) {
 Scene read_splats(const std::string& name, const Header& header, std::string_view body, const Context& context) {
   Splats splats = SplatReader(name, header, body).read();
   if (const std::size_t dropped = drop_unsound(splats); dropped > 0)
-    context.warning(fmt::format("{}: {} splats are left out: they have no size, no rotation or values that are not finite.", name,
-                                dropped));
+    context.warning(fmt::format("{}: {} splats are left out: they have no size, no rotation or values that are not finite.",
+                                name, dropped));
   if (splats.centers.empty()) throw Error(name, "has no splats to show");
   Scene scene;
   scene.nodes.push_back(upright_node());

@@ -66,7 +66,8 @@ TEST(GltfSplats, attributes_become_splats_below_a_node_that_may_stretch) {
   EXPECT_EQ(splats.degree, 2);
   EXPECT_EQ(splats.harmonics[9 + 8], Vec3f(8));
   EXPECT_FALSE(splats.is_linear);
-  EXPECT_TRUE(std::get<MetallicRoughness>(scene.materials[static_cast<std::size_t>(scene.instances[0].material)].surface).unlit);
+  EXPECT_TRUE(
+      std::get<MetallicRoughness>(scene.materials[static_cast<std::size_t>(scene.instances[0].material)].surface).unlit);
 }
 
 TEST(GltfSplats, linear_colours_are_told_by_the_colour_space) {
