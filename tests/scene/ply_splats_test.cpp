@@ -17,6 +17,7 @@
 namespace lippmann {
 namespace {
 
+using test::TempDir;
 using ::testing::HasSubstr;
 
 /// A file of the usual layout, row by row.
