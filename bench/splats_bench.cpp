@@ -37,7 +37,10 @@ class Capture {
     for (int i = 0; i < count; ++i) add(place(i % 8));
   }
 
-  Splats take() { return std::move(splats_); }
+  Splats take() {
+    sort_by_place(splats_);
+    return std::move(splats_);
+  }
 
  private:
   static constexpr float kArea = 40.0f;  ///< of all surfaces, about

@@ -75,7 +75,7 @@ struct SplatSet {
   Mat3f local_from_world;  ///< takes directions to the shape's axes
 };
 
-/// All splats of the scene, those that are near one another side by side.
+/// All splats of the scene, set by set, in the order of their shapes.
 struct SplatTable {
   std::vector<WorldSplat> splats;
   std::vector<SplatSet> sets;

@@ -87,31 +87,6 @@ void collect_splat(const RTCIntersectFunctionNArguments* args) {
     if (meeting.met[i]) t_far[i] = hits.add(lane[i], {meeting.t[i], meeting.alpha[i], 1.0f, args->primID}, t_far[i]);
 }
 
-/// Places along a curve that fills the box: bits of x, y and z in turn (G. M. Morton, 1966).
-std::uint64_t spread_bits(std::uint32_t x) {
-  std::uint64_t bits = 0;
-  for (int b = 0; b < 21; ++b) bits |= static_cast<std::uint64_t>((x >> b) & 1u) << (3 * b);
-  return bits;
-}
-
-std::uint64_t place_on_curve(const WorldSplat& splat, const Bounds3f& box) {
-  const Vec3f share = (Vec3f(splat.x, splat.y, splat.z) - box.lower) / glm::max(box.size(), Vec3f(1e-30f));
-  const glm::uvec3 cell(glm::clamp(share, 0.0f, 1.0f) * 2097151.0f);
-  return spread_bits(cell.x) | spread_bits(cell.y) << 1 | spread_bits(cell.z) << 2;
-}
-
-/// Rays that meet one splat meet its neighbours next: side by side, they are in the cache.
-void sort_by_place(std::vector<WorldSplat>& splats) {
-  Bounds3f box;
-  for (const WorldSplat& splat : splats) box.add(Vec3f(splat.x, splat.y, splat.z));
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-  for (std::uint32_t i = 0; i < splats.size(); ++i) order.push_back({place_on_curve(splats[i], box), i});
-  std::sort(order.begin(), order.end());
-  std::vector<WorldSplat> sorted;
-  for (const auto& [place, i] : order) sorted.push_back(splats[i]);
-  splats = std::move(sorted);
-}
-
 void fill_table(SplatTable& table, const Scene& scene, const ResolvedScene& resolved) {
   table.splats.clear();
   for (std::uint32_t s = 0; s < table.sets.size(); ++s) {
@@ -121,7 +96,6 @@ void fill_table(SplatTable& table, const Scene& scene, const ResolvedScene& reso
     for (std::uint32_t i = 0; i < set.splats->centers.size(); ++i)
       if (const std::optional<WorldSplat> splat = world_splat(set, s, i, place)) table.splats.push_back(*splat);
   }
-  sort_by_place(table.splats);
 }
 
 }  // namespace

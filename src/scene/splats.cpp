@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,30 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept, std::siz
   for (const std::size_t from : kept)
     for (std::size_t k = 0; k < each; ++k) values[to++] = values[from * each + k];
   values.resize(to);
+}
+
+/// Bits of a number, two others between each and the next.
+std::uint64_t spread_bits(std::uint32_t x) {
+  std::uint64_t bits = 0;
+  for (int b = 0; b < 21; ++b) bits |= static_cast<std::uint64_t>((x >> b) & 1u) << (3 * b);
+  return bits;
+}
+
+/// Along the curve of G. M. Morton (1966), which fills the box.
+std::uint64_t place_on_curve(Vec3f center, const Bounds3f& box) {
+  constexpr float kCells = 2097151.0f;
+  const Vec3f share = (center - box.lower) / glm::max(box.size(), Vec3f(1e-30f));
+  const glm::uvec3 cell(glm::clamp(share, 0.0f, 1.0f) * kCells);
+  return spread_bits(cell.x) | spread_bits(cell.y) << 1 | spread_bits(cell.z) << 2;
+}
+
+template <class T>
+void reorder(std::vector<T>& values, const std::vector<std::pair<std::uint64_t, std::size_t>>& order, std::size_t each) {
+  std::vector<T> sorted;
+  sorted.reserve(values.size());
+  for (const auto& [place, i] : order)
+    for (std::size_t k = 0; k < each; ++k) sorted.push_back(values[i * each + k]);
+  values = std::move(sorted);
 }
 
 struct WeightedPlace {
@@ -115,6 +140,19 @@ std::size_t drop_unsound(Splats& splats) {
   keep(splats.opacities, kept, 1);
   keep(splats.harmonics, kept, harmonics_of(splats.degree));
   return count - kept.size();
+}
+
+void sort_by_place(Splats& splats) {
+  const Bounds3f box = bulk_bounds(splats, {});
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  for (std::size_t i = 0; i < splats.centers.size(); ++i)
+    order.push_back({box.empty() ? 0 : place_on_curve(splats.centers[i], box), i});
+  std::sort(order.begin(), order.end());
+  reorder(splats.centers, order, 1);
+  reorder(splats.rotations, order, 1);
+  reorder(splats.deviations, order, 1);
+  reorder(splats.opacities, order, 1);
+  reorder(splats.harmonics, order, harmonics_of(splats.degree));
 }
 
 Material splat_material() {

@@ -24,6 +24,9 @@ bool is_sound(const Splats& splats, std::size_t i);
 /// All vectors are as long as they should be.
 std::size_t drop_unsound(Splats& splats);
 
+/// Puts splats that are near one another side by side: rays that meet one meet its neighbours next, and find them in the cache.
+void sort_by_place(Splats& splats);
+
 /// What splats have in place of a material: light makes no difference to them.
 Material splat_material();
 

@@ -106,6 +106,7 @@ std::optional<Splats> read_splats(Document& document, PrimitiveId id) {
     document.report.warn_at("splats without a size or a rotation, or with an opacity that is not 0 to 1, are left out",
                             element(id));
   if (splats.centers.empty()) return std::nullopt;
+  sort_by_place(splats);
   return splats;
 }
 

@@ -145,6 +145,7 @@ Scene read_splats(const std::string& name, const Header& header, std::string_vie
     context.warning(fmt::format("{}: {} splats are left out: they have no size, no rotation or values that are not finite.",
                                 name, dropped));
   if (splats.centers.empty()) throw Error(name, "has no splats to show");
+  sort_by_place(splats);
   Scene scene;
   scene.nodes.push_back(upright_node());
   scene.materials.push_back(splat_material());
