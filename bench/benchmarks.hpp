@@ -8,6 +8,7 @@ namespace lippmann::bench {
 Report measure_denoise(const Request& request, const Context& context);
 Report measure_estimates(const Request& request, const Context& context);
 Report measure_eye(const Request& request, const Context& context);
+Report measure_splats(const Request& request, const Context& context);
 Report measure_lamps(const Request& request, const Context& context);
 Report measure_light(const Request& request, const Context& context);
 Report measure_native(const Request& request, const Context& context);

@@ -164,6 +164,24 @@ GltfBuilder packed_by_draco(int method) {
   return file;
 }
 
+GltfBuilder splats() {
+  GltfBuilder b;
+  const std::string own = "KHR_gaussian_splatting:";
+  Json attributes = {{"POSITION", b.add_accessor(std::vector<Vec3f>(2, Vec3f(1.0f)))},
+                     {own + "ROTATION", b.add_accessor(std::vector<Vec4f>(2, Vec4f(0, 0, 0, 1)))},
+                     {own + "SCALE", b.add_accessor(std::vector<Vec3f>(2, Vec3f(0.5f)))},
+                     {own + "OPACITY", b.add_accessor(std::vector<float>(2, 0.5f))}};
+  const int harmonic = b.add_accessor(std::vector<Vec3f>(2, Vec3f(0.5f)));
+  for (const char* name : {"SH_DEGREE_0_COEF_0", "SH_DEGREE_1_COEF_0", "SH_DEGREE_1_COEF_1", "SH_DEGREE_1_COEF_2"})
+    attributes[own + name] = harmonic;
+  b.add_node(
+      {{"mesh", b.add_mesh({{"mode", 0},
+                            {"attributes", attributes},
+                            {"extensions",
+                             {{"KHR_gaussian_splatting", {{"kernel", "ellipse"}, {"colorSpace", "srgb_rec709_display"}}}}}})}});
+  return b;
+}
+
 /// A JSON file whose buffer is in a data URI: the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0).
 std::string data_uri() {
   GltfBuilder b;
@@ -192,9 +210,9 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
   int count = 0;
-  for (const GltfBuilder& builder :
-       {geometry(), textured("png"), textured("jpeg"), animated(), skinned(), lights_and_cameras(), packed_by_meshopt(),
-        packed_by_draco(draco::MESH_SEQUENTIAL_ENCODING), packed_by_draco(draco::MESH_EDGEBREAKER_ENCODING)}) {
+  for (const GltfBuilder& builder : {geometry(), textured("png"), textured("jpeg"), animated(), skinned(), lights_and_cameras(),
+                                     splats(), packed_by_meshopt(), packed_by_draco(draco::MESH_SEQUENTIAL_ENCODING),
+                                     packed_by_draco(draco::MESH_EDGEBREAKER_ENCODING)}) {
     const std::string name = std::to_string(count++);
     write(folder / ("whole" + name), "W", builder.glb());
     write(folder / ("chunks" + name), "C" + builder.document().dump() + '\0', builder.binary);

@@ -27,7 +27,7 @@ struct RayScene::Embree {
   EmbreeMemory memory;  ///< before the device, which reports to it
   EmbreeDevice device;
   int native_width = 16;
-  EmbreeScene fixed, moving;
+  EmbreeScene fixed, moving, splats;
   bool has_fixed = false, has_moving = false;
   std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< by shape and material index
   PrimitiveGeometries fixed_primitives, moving_primitives;

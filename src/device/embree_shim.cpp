@@ -85,13 +85,16 @@ LIPPMANN_MULTIVERSION LaneMask sound_lanes(const RayPacket& rays, float reach, c
   return sound;
 }
 
-void intersect(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Coherence coherence) {
-  Query query(coherence);
+namespace {
+
+/// query: the arguments (Embree 4) or the context (Embree 3) of the call.
+template <class Query>
+void intersect_packet(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Query* query) {
   if (native_width != 8) {
 #if RTC_VERSION_MAJOR >= 4
-    rtcIntersect16(active.lane, scene, as_embree(packet), query.get());
+    rtcIntersect16(active.lane, scene, as_embree(packet), query);
 #else
-    rtcIntersect16(active.lane, scene, query.get(), as_embree(packet));
+    rtcIntersect16(active.lane, scene, query, as_embree(packet));
 #endif
     return;
   }
@@ -102,13 +105,35 @@ void intersect(RTCScene scene, int native_width, const LaneMask& active, RayHitP
     alignas(32) int valid[8];
     std::memcpy(valid, active.lane + 8 * half, sizeof(valid));
 #if RTC_VERSION_MAJOR >= 4
-    rtcIntersect8(valid, scene, &rays, query.get());
+    rtcIntersect8(valid, scene, &rays, query);
 #else
-    rtcIntersect8(valid, scene, query.get(), &rays);
+    rtcIntersect8(valid, scene, query, &rays);
 #endif
     put_half(rays.ray, half, packet.ray);
     put_half(rays.hit, half, packet.hit);
   }
+}
+
+}  // namespace
+
+void intersect(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Coherence coherence) {
+  Query query(coherence);
+  intersect_packet(scene, native_width, active, packet, query.get());
+}
+
+void gather(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatContext& context) {
+#if RTC_VERSION_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  rtcInitRayQueryContext(&context.embree);
+  arguments.context = &context.embree;
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  intersect_packet(scene, native_width, active, packet, &arguments);
+#else
+  rtcInitIntersectContext(&context.embree);
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  intersect_packet(scene, native_width, active, packet, &context.embree);
+#endif
 }
 
 void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacket& packet, ShadowContext& context) {

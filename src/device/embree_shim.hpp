@@ -16,6 +16,7 @@
 
 #include "device/ray_packet.hpp"
 #include "device/scene_geometry.hpp"
+#include "device/splat_hits.hpp"
 
 namespace lippmann {
 
@@ -68,6 +69,19 @@ LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active)
 
 /// Traces the active lanes, all of them sound; tfar and the hit of a lane change where something nearer than its tfar is met.
 void intersect(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Coherence coherence);
+
+/// A context for queries that gather splats. `embree` comes first, as in ShadowContext; a ray's id is its lane.
+struct SplatContext {
+#if RTC_VERSION_MAJOR >= 4
+  RTCRayQueryContext embree;
+#else
+  RTCIntersectContext embree;
+#endif
+  SplatHits* hits = nullptr;
+};
+
+/// Calls the geometries' intersect functions for what the active lanes, all of them sound, come near.
+void gather(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatContext& context);
 
 /// Sets tfar of an active lane, all of them sound, to -inf where something lies between tnear and tfar.
 /// `context.transmittance` must hold 1 for fresh lanes; it shrinks by each see-through surface passed.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "device/embree_scene.hpp"
+#include "device/splat_geometry.hpp"
 #include "scene/deform.hpp"
 
 namespace lippmann {
@@ -138,6 +139,14 @@ void RayScene::trace(const LaneMask& active, RayHitPacket& packet, Coherence coh
   if (embree_->has_fixed) intersect(embree_->fixed.get(), embree_->native_width, sound, packet, coherence);
   if (embree_->has_moving) intersect(embree_->moving.get(), embree_->native_width, sound, packet, coherence);
   if (any_visible_light) meet_lights(visible_lights.data(), visible_lights.size(), active, packet);
+}
+
+void RayScene::meet_splats(const LaneMask& active, const RayPacket& rays, SplatHits& hits) const {
+  hits.clear();
+  RayHitPacket packet;
+  packet.ray = rays;
+  make_ready(packet.ray);
+  collect_splats(embree_->splats.get(), embree_->native_width, sound_lanes(rays, reach, active), packet, hits);
 }
 
 void RayScene::trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const {

@@ -10,6 +10,7 @@
 #include "device/ray_packet.hpp"
 #include "device/scene_geometry.hpp"
 #include "device/shadow_materials.hpp"
+#include "device/splat_hits.hpp"
 #include "device/transmittance.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/scene/timeline.hpp"
@@ -36,6 +37,10 @@ class RayScene : public SceneGeometry {
   /// by what see-through surfaces let pass: `white` is read and written, the tint begins anew. Takes lanes whose rays are no
   /// numbers out of `active`: they get no light.
   void trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const;
+
+  bool has_splats() const { return !splats.splats.empty(); }
+  /// The splats on the active rays' way from tnear to tfar, as far as something shines through those before them.
+  void meet_splats(const LaneMask& active, const RayPacket& rays, SplatHits& hits) const;
 
   struct Embree;
   const Embree& embree() const { return *embree_; }  ///< for this part and benchmarks of it

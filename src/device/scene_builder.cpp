@@ -5,6 +5,7 @@
 #include "device/embree_scene.hpp"
 #include "device/posed_mesh.hpp"
 #include "device/shadow_filter.hpp"
+#include "device/splat_geometry.hpp"
 #include "device/user_geometry.hpp"
 #include "scene/deform.hpp"
 
@@ -104,6 +105,8 @@ class SceneBuilder {
       add_primitives(tables.rings, *rings, place, index, transmittance);
     } else if (const auto* boxes = std::get_if<Boxes>(&shape)) {
       add_primitives(tables.boxes, *boxes, place, index, transmittance);
+    } else if (const auto* splats = std::get_if<Splats>(&shape)) {
+      geometry_.splats.sets.push_back({index, splats, Mat3f(1.0f)});
     }
   }
 
@@ -329,13 +332,19 @@ void move_tables(PrimitiveTables& tables, const PrimitiveGeometries& geometries,
 
 void build_scene(const BuiltScene& built, const ResolvedScene& resolved, const ShadowMaterials& materials,
                  const ThreadPool& pool) {
-  pool.run([&] { SceneBuilder(built, resolved, materials, pool).build(); });
+  pool.run([&] {
+    SceneBuilder(built, resolved, materials, pool).build();
+    place_splats(built, resolved, pool);
+  });
   built.geometry.reach = least_reach_of(built.geometry.records);
 }
 
 void move_scene(const BuiltScene& built, const ResolvedScene& resolved, const ThreadPool& pool) {
   auto& [geometry, embree] = built;
   move_planes(geometry, resolved);
+  const auto moves = [&](const SplatSet& set) { return geometry.instance_moves[set.instance]; };
+  if (std::any_of(geometry.splats.sets.begin(), geometry.splats.sets.end(), moves))
+    pool.run([&] { place_splats(built, resolved, pool); });
   if (!embree.has_moving) return;
   for (const int id : embree.moving_records) {
     GeometryRecord& record = geometry.records[static_cast<std::size_t>(id)];

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "device/primitives.hpp"
+#include "device/world_splat.hpp"
 #include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
@@ -67,6 +68,19 @@ struct PosedMesh {
   bool mirrored;  ///< its triangles' corners are the other way round than in the scene's mesh
 };
 
+/// The splats that one instance shows.
+struct SplatSet {
+  std::uint32_t instance;  ///< index in Scene::instances
+  const Splats* splats;
+  Mat3f local_from_world;  ///< takes directions to the shape's axes
+};
+
+/// All splats of the scene, set by set, in the order of their shapes.
+struct SplatTable {
+  std::vector<WorldSplat> splats;
+  std::vector<SplatSet> sets;
+};
+
 struct WorldPlaneRecord {
   WorldPlane plane;
   std::uint32_t instance;
@@ -86,6 +100,7 @@ struct SceneGeometry {
   std::map<std::pair<const Mesh*, int>, std::vector<UvGradient>> uv_gradients;  ///< by mesh and set
   std::vector<std::unique_ptr<PosedMesh>> posed;
   PrimitiveTables fixed_tables, moving_tables;
+  SplatTable splats;
   std::vector<WorldPlaneRecord> planes;
   std::vector<WorldSphere> visible_lights;  ///< by light; radius 0: not visible
   bool any_visible_light = false;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/printable.hpp"
 #include "frames/denoised_frames.hpp"
 #include "frames/error_bounded_frames.hpp"
@@ -40,6 +42,19 @@ void refuse_deforming_meshes(const Scene& scene) {
           "copy, none or auto for this scene");
 }
 
+bool has_splats(const Scene& scene) {
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+    return std::holds_alternative<Splats>(scene.shapes[static_cast<std::size_t>(instance.shape)]);
+  });
+}
+
+/// A point image has one point for each pixel, and splats are many behind one another.
+void refuse_splats(const Scene& scene) {
+  if (has_splats(scene))
+    throw usage_error("reuse", "interpolated frames need one surface behind each pixel, and splats are many",
+                      "copy, none or auto for this scene");
+}
+
 /// A maker for each kind of reuse.
 class MakerOf {
  public:
@@ -58,6 +73,7 @@ class MakerOf {
   }
   std::unique_ptr<FrameMaker> operator()(const Interpolate& reuse) const {
     refuse_deforming_meshes(stage_.scene);
+    refuse_splats(stage_.scene);
     if (reuse.min_psnr_db) return make<ErrorBoundedFrames>(reuse);
     return make<ForwardFrames>(reuse);
   }
@@ -102,12 +118,17 @@ struct SegmentLength {
 
 }  // namespace
 
+Reuse reuse_for(const Scene& scene, const FrameParams& params) {
+  const Reuse reuse = resolved_reuse(params);
+  return std::holds_alternative<ShareLight>(reuse) && has_splats(scene) ? Reuse(TraceAll{}) : reuse;
+}
+
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context) {
   Sampling sampling = params.sampling;
   // Points that are moved are those of one eye.
   if (std::holds_alternative<Interpolate>(params.reuse)) sampling.angular_filter = AngularFilter::kNone;
-  return std::visit(MakerOf(stage, sampling, pool, context), resolved_reuse(params));
+  return std::visit(MakerOf(stage, sampling, pool, context), reuse_for(stage.scene, params));
 }
 
 double bytes_kept_per_pixel(const FrameParams& params) {

@@ -24,7 +24,11 @@ class FrameMaker {
   virtual std::vector<FrameReport> sources() const { return {}; }
 };
 
-/// The maker of the kind of reuse that serves (resolved_reuse). `params` passes check(); `stage`, `pool` and `context` outlive
+/// The kind of reuse that serves (resolved_reuse) for a scene: no light is shared where there are splats, whose light it does
+/// not know.
+Reuse reuse_for(const Scene& scene, const FrameParams& params);
+
+/// The maker of the kind of reuse that serves (reuse_for). `params` passes check(); `stage`, `pool` and `context` outlive
 /// the result. Throws a usage Error for scenes that it cannot serve.
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context);

@@ -382,7 +382,7 @@ class Animation {
     report.scene = params_.scene.name;
     report.optics = optics();
     report.params = params_;
-    report.reuse = made_as_.reuse;
+    report.reuse = reuse_for(stage_.scene, made_as_);
     report.light = stage_.light;
     report.view = stage_.array.how;
     report.depth_scale = stage_.placed.depth_scale;

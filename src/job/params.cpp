@@ -14,6 +14,13 @@
 
 namespace lippmann {
 
+namespace {
+
+/// Samples a pixel of splats: nothing else smooths what is smaller than a pixel.
+constexpr int kSplatSamples = 4;
+
+}  // namespace
+
 bool is_builtin_scene(const std::string& scene) {
   if (scene == kTestPattern) return true;
   for (const BuiltinScene& builtin : builtin_scenes())
@@ -31,7 +38,10 @@ RenderParams with_scene_defaults(RenderParams params) {
       std::find(layers.begin(), layers.end(), Aov::kDepth) == layers.end())
     layers.push_back(Aov::kDepth);
   if (params.sampling.integrator) return params;
-  const bool paths = is_physical_format(params.scene.name) && params.reuse.choice != ReuseChoice::kInterpolate;
+  // Splats are light already: no path finds more.
+  const bool of_splats = is_physical_format(params.scene.name) && is_splat_file(params.scene.name);
+  const bool paths = is_physical_format(params.scene.name) && !of_splats && params.reuse.choice != ReuseChoice::kInterpolate;
+  if (of_splats && params.sampling.spp == 0) params.sampling.spp = kSplatSamples;
   params.sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
   if (paths && params.sampling.spp == 0) params.sampling.spp = kFirstPathSamples;
   return params;

@@ -32,6 +32,7 @@ struct CountShape {
   void operator()(const Planes& planes) const { info.planes += planes.size(); }
   void operator()(const Rings& rings) const { info.rings += rings.size(); }
   void operator()(const Boxes& boxes) const { info.boxes += boxes.size(); }
+  void operator()(const Splats& splats) const { info.splats += splats.centers.size(); }
 };
 
 /// As often as they are shown.
@@ -137,6 +138,7 @@ Json to_json(const SceneInfo& info) {
           {"planes", info.planes},
           {"rings", info.rings},
           {"boxes", info.boxes},
+          {"splats", info.splats},
           {"materials", info.materials},
           {"textures", info.textures},
           {"lights", info.lights},
@@ -172,7 +174,8 @@ std::string to_text(const SceneInfo& info) {
                               {info.cylinders, "cylinder"},
                               {info.planes, "plane"},
                               {info.rings, "ring"},
-                              {info.boxes, "box"}}));
+                              {info.boxes, "box"},
+                              {info.splats, "splat"}}));
   line("others", list_counts({{info.instances, "instance"},
                               {info.materials, "material"},
                               {info.textures, "texture"},

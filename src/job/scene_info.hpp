@@ -16,7 +16,7 @@ namespace lippmann {
 struct SceneInfo {
   std::string name;
   std::size_t nodes = 0, instances = 0, meshes = 0, triangles = 0;
-  std::size_t spheres = 0, cylinders = 0, planes = 0, rings = 0, boxes = 0;
+  std::size_t spheres = 0, cylinders = 0, planes = 0, rings = 0, boxes = 0, splats = 0;
   std::size_t materials = 0, textures = 0, lights = 0, cameras = 0;
 
   SceneNotes notes;

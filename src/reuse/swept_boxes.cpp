@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/deform.hpp"
+#include "scene/splats.hpp"
 
 namespace lippmann {
 namespace {
@@ -65,6 +66,9 @@ std::vector<Bounds3f> parts_of(const Shapes& shapes) {
   }
   return parts;
 }
+
+/// One box around all that is seen of them: they are too many for one each.
+std::vector<Bounds3f> parts_of(const Splats& splats) { return {whole_bounds(splats, {})}; }
 
 /// As transform_bounds, of a box given by centre and half size.
 Bounds3f around_transformed(const Affine3f& a, const Mat3f& reach, const Bounds3f& box) {

@@ -8,6 +8,8 @@ namespace {
 
 std::size_t primitives(const Mesh& mesh) { return mesh.triangles.size(); }
 
+std::size_t primitives(const Splats& splats) { return splats.centers.size(); }
+
 template <class Primitives>
 std::size_t primitives(const Primitives& list) {
   return list.size();

@@ -95,6 +95,15 @@ class SceneFingerprint {
     add_packed(joints);
     add_packed(weights);
   }
+  void add_shape(const Splats& splats) {
+    const auto& [centers, rotations, deviations, opacities, degree, harmonics, is_linear] = splats;
+    add_packed(centers);
+    add_packed(rotations);
+    add_packed(deviations);
+    add_packed(opacities);
+    add_packed(harmonics);
+    add_all(degree, is_linear);
+  }
   template <class Primitive>
   void add_shape(const std::vector<Primitive>& primitives) {
     add_packed(primitives);

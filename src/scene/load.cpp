@@ -167,6 +167,11 @@ bool is_physical_format(const std::string& name) {
   return format && format->is_physical;
 }
 
+bool is_splat_file(const std::string& name) {
+  const Format* format = find_builtin(name) ? nullptr : find_format(name);
+  return format && format->load == load_ply_file && is_ply_of_splats(name);
+}
+
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context) {
   const BuiltinScene* builtin = find_builtin(name);
   Scene scene = builtin ? build(*builtin, options) : load_file(name, options, context);

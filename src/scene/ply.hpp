@@ -16,4 +16,7 @@ Scene load_ply(const std::filesystem::path& path, const Context& context);
 /// The same of a file's contents; `name` is what errors call it.
 Scene parse_ply(const std::string& name, const std::string& contents, const Context& context);
 
+/// Whether a file's header describes splats (ply/splats.hpp). What cannot be read is none.
+bool is_ply_of_splats(const std::filesystem::path& path);
+
 }  // namespace lippmann

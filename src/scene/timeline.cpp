@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "scene/deform.hpp"
+#include "scene/splats.hpp"
 
 namespace lippmann {
 namespace {
@@ -143,6 +144,8 @@ void add_shape(Bounds3f& bounds, const Affine3f& a, const Rings& rings) {
 void add_shape(Bounds3f& bounds, const Affine3f& a, const Boxes& boxes) {
   for (const Box& b : boxes) bounds.add(transform_bounds(a, {b.lower, b.upper}));
 }
+
+void add_shape(Bounds3f& bounds, const Affine3f& a, const Splats& splats) { bounds.add(bulk_bounds(splats, a)); }
 
 std::vector<std::vector<float>> evaluate_weights(const Scene& scene, double time) {
   std::vector<std::vector<float>> weights;

@@ -8,6 +8,7 @@
 
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
+#include "scene/splats.hpp"
 
 namespace lippmann {
 namespace {
@@ -121,6 +122,16 @@ class Validator {
     require(skin.per_vertex >= 0 && skin.joints.size() == count && skin.weights.size() == count, element,
             "not as many joints and weights for each vertex");
     for (const float weight : skin.weights) require(finite(weight) && weight >= 0.0f, element, "a weight is not a number >= 0");
+  }
+
+  void check_shape(const Splats& splats, const std::string& element) const {
+    const std::size_t count = splats.centers.size();
+    require(0 <= splats.degree && splats.degree <= 3, element, "the degree of its spherical harmonics is not 0 to 3");
+    require(splats.rotations.size() == count && splats.deviations.size() == count && splats.opacities.size() == count &&
+                splats.harmonics.size() == count * harmonics_of(splats.degree),
+            element, "not one of everything for each splat");
+    for (std::size_t i = 0; i < count; ++i)
+      if (!is_sound(splats, i)) require(false, element, fmt::format("splat {} is not finite, or has no size", i));
   }
 
   template <class T>
@@ -266,7 +277,8 @@ class Validator {
     require_index(instance.material, scene_.materials.size(), 0, element, "material");
     require_node(instance.node, element);
     check_deformation(instance, element);
-    if (std::holds_alternative<Mesh>(scene_.shapes[static_cast<std::size_t>(instance.shape)])) return;
+    const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];
+    if (std::holds_alternative<Mesh>(shape) || std::holds_alternative<Splats>(shape)) return;
     for (int node = instance.node; node >= 0; node = scene_.nodes[static_cast<std::size_t>(node)].parent)
       require(keeps_proportions(node), element, fmt::format("node {} scales an analytic shape unevenly", node));
   }

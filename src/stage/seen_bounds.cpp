@@ -143,6 +143,8 @@ SeenParts seen_parts(const Scene& scene, const Instance& instance, const Resolve
       [&](const auto& shape) {
         if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Mesh>)
           add_mesh(clipper, shape, positions_of(scene, instance, resolved, frame_from_world, shape));
+        else if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Splats>)
+          add_box(clipper, finite_bounds(scene, instance, resolved, frame_from_world));
         else
           add_primitives(clipper, instance, resolved, frame_from_world, shape);
       },

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "optics/view_place.hpp"
+#include "shading/splat_light.hpp"
 #include "trace/former_places.hpp"
 #include "trace/trace_batch.hpp"
 
@@ -42,7 +43,10 @@ class FirstHits {
     RayPacket& rays = packet.rays.ray;
     LaneMask active = packet.active;
     SurfacePacket surface;
+    Lanes left;
+    LIPPMANN_FOR_LANES(i) left[i] = 1.0f;
     for (int hole = 0;; ++hole) {
+      if (scene_.has_splats()) stop_at_splats(packet, left, active);
       evaluate_surfaces(scene_, packet.rays, active, Lanes{}, beam_, surface);
       if (!store(packet.rays, surface, packet.target, hole == kMostHoles, active)) return;
       // Behind holes, along the same rays.
@@ -55,6 +59,36 @@ class FirstHits {
   void finish() const {}
 
  private:
+  /// Splats are hit where less than half of what lies behind shines through. left: what passes up to here. Lanes that have hit
+  /// some are no longer active.
+  void stop_at_splats(CameraPacket& packet, Lanes& left, LaneMask& active) const {
+    SplatHits hits;
+    SplatLight light;
+    see_splats(scene_, active, packet.rays.ray, hits, light);
+    for (int i = 0; i < kLanes; ++i) {
+      if (!active.lane[i]) continue;
+      const auto is_half = [&](const SplatHit& hit) { return left[i] * hit.left < 0.5f; };
+      const auto hit = std::find_if(hits.of(i).begin(), hits.of(i).end(), is_half);
+      left[i] *= light.passed[i];
+      if (hit == hits.of(i).end()) continue;
+      store_splat(packet, i, *hit, light.radiance.get(i) / (1.0f - light.passed[i]));
+      active.lane[i] = 0;
+    }
+  }
+
+  /// They have no normal: the viewer's direction stands for it.
+  void store_splat(CameraPacket& packet, int i, const SplatHit& hit, Vec3f color) const {
+    RayPacket& ray = packet.rays.ray;
+    const Vec3f direction = unit_direction(packet.rays, i);
+    SurfacePacket surface;
+    surface.position.set(i, Vec3f(ray.org_x[i], ray.org_y[i], ray.org_z[i]) + hit.t * direction);
+    surface.normal.set(i, -direction);
+    surface.color.set(i, color);
+    surface.instance[i] = scene_.splats.sets[scene_.splats.splats[hit.splat].set].instance;
+    ray.tfar[i] = hit.t;
+    store(packet.rays, surface, i, packet.target[i]);
+  }
+
   /// Stores the lanes that have hit something; those that have hit a hole stay active. Whether there are any.
   bool store(const RayHitPacket& packet, const SurfacePacket& surface, const std::uint32_t* pixel, bool last,
              LaneMask& active) const {

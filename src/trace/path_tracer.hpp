@@ -16,6 +16,7 @@
 
 #include "core/random.hpp"
 #include "shading/light_table.hpp"
+#include "shading/splat_light.hpp"
 #include "trace/path_film.hpp"
 #include "trace/path_wave.hpp"
 #include "trace/trace_frame.hpp"
@@ -74,9 +75,8 @@ class PathTracer {
     while (!next_.empty()) {
       std::swap(wave_, next_);
       next_.clear();
-      trace_wave(scene_, wave_, [this](const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
-        shade(packet, active, rays);
-      });
+      trace_wave(scene_, wave_,
+                 [this](const RayHitPacket& packet, const LaneMask& active, PathRay* rays) { shade(packet, active, rays); });
       policy().trace_shadow_rays();
     }
   }
@@ -140,7 +140,9 @@ class PathTracer {
   Policy& policy() { return static_cast<Policy&>(*this); }
 
   /// rays: by lane; only the active lanes' count.
-  void shade(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
+  void shade(const RayHitPacket& packet, LaneMask active, PathRay* rays) {
+    if constexpr (Policy::kSeesLight)
+      if (scene_.has_splats()) look_at_splats(packet.ray, active, rays);
     Lanes path_length;
     LaneMask spread;
     for (int i = 0; i < kLanes; ++i) {
@@ -160,6 +162,22 @@ class PathTracer {
         shade_sky(packet, i, rays[i]);
     }
     policy().end_packet(packet, active, rays);
+  }
+
+  /// The eye sees splats, and sees them in mirrors and through glass; what scatters light is not lit by them. What lies behind
+  /// has the share that they let pass; lanes that nothing passes are done.
+  void look_at_splats(const RayPacket& packet, LaneMask& active, PathRay* rays) {
+    LaneMask looking;
+    for (int i = 0; i < kLanes; ++i) looking.lane[i] = active.lane[i] && rays[i].density == kInfinity ? -1 : 0;
+    SplatLight light;
+    see_splats(scene_, looking, packet, splat_hits_, light);
+    for (int i = 0; i < kLanes; ++i) {
+      if (!looking.lane[i]) continue;
+      if (const Vec3f radiance = rays[i].throughput * light.radiance.get(i); radiance != Vec3f(0.0f))
+        policy().end_path(rays[i], radiance);
+      rays[i].throughput *= light.passed[i];
+      if (!(light.passed[i] > 0.0f)) active.lane[i] = 0;
+    }
   }
 
   /// Rays go on through lamps that have a size.
@@ -209,7 +227,7 @@ class PathTracer {
       return;
     }
     if (film_.open && ray.has_met_nothing()) {
-      film_.open[ray.pixel] += 1.0f;
+      film_.open[ray.pixel] += ray.throughput.x;  // 1, or what splats have left of it
       return;
     }
     if (ray.lights_from > static_cast<std::uint16_t>(LightGroup::kSky)) return;
@@ -266,7 +284,7 @@ class PathTracer {
  protected:
   void describe_first(const ShadingPoint& point, int i, const PathRay& ray) {
     if (film_.surfaces && ray.has_met_nothing() && point.scatters)
-      film_.surfaces->add(point, surface_.normal.get(i), ray.pixel, weight_);
+      film_.surfaces->add(point, surface_.normal.get(i), ray.pixel, weight_ * ray.throughput.x);
   }
 
   void add_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission) {
@@ -286,6 +304,7 @@ class PathTracer {
 
   std::vector<PathRay> wave_;
   SkyRays sky_;  ///< by lane of the packet
+  SplatHits splat_hits_;
 };
 
 }  // namespace lippmann

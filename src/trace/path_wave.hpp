@@ -24,7 +24,7 @@ class PathWave {
   const RayHitPacket& packet() const { return packet_; }
   const LaneMask& active() const { return active_; }
   /// By lane; those of active lanes have the throughput that the media on their way have left.
-  const PathRay* rays() const { return lanes_; }
+  PathRay* rays() { return lanes_; }
 
  private:
   void sort();

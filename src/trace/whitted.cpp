@@ -194,7 +194,21 @@ void WhittedTracer::finish() {
   }
 }
 
-void WhittedTracer::shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth) {
+/// What lies behind splats has the weight that they let pass; lanes that nothing passes are done.
+void WhittedTracer::look_at_splats(const RayPacket& rays, LaneMask& active, Bundle& bundle) {
+  SplatLight light;
+  see_splats(scene_, active, rays, splat_hits_, light);
+  add_to_film(active, bundle, light.radiance);
+  for (int i = 0; i < kLanes; ++i) {
+    if (!active.lane[i]) continue;
+    bundle.weight.set(i, light.passed[i] * bundle.weight.get(i));
+    bundle.open[i] *= light.passed[i];
+    if (!(light.passed[i] > 0.0f)) active.lane[i] = 0;
+  }
+}
+
+void WhittedTracer::shade(const RayHitPacket& packet, LaneMask active, Bundle& bundle, int depth) {
+  if (scene_.has_splats()) look_at_splats(packet.ray, active, bundle);
   evaluate_surfaces(scene_, packet, active, bundle.path_length, beam_, surface_);
   Lanes3 radiance;
   if (surface_.any_hit) {

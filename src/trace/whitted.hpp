@@ -14,6 +14,7 @@
 #include "device/touch_probe.hpp"
 #include "lippmann/image/image.hpp"
 #include "shading/direct_light.hpp"
+#include "shading/splat_light.hpp"
 #include "shading/surface.hpp"
 #include "trace/camera_packet.hpp"
 #include "trace/path_film.hpp"
@@ -49,7 +50,8 @@ class WhittedTracer {
   void tell(BlockProbe* probe) { probe_ = probe; }
 
  private:
-  void shade(const RayHitPacket& packet, const LaneMask& active, const Bundle& bundle, int depth);
+  void shade(const RayHitPacket& packet, LaneMask active, Bundle& bundle, int depth);
+  void look_at_splats(const RayPacket& rays, LaneMask& active, Bundle& bundle);
   void gather_light(const RayHitPacket& packet, DirectLight& direct);
   void gather_lights(const RayHitPacket& packet, std::span<const WhittedLight> lights, DirectLight& direct);
   void branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance);
@@ -67,6 +69,7 @@ class WhittedTracer {
   BlockProbe* probe_ = nullptr;
   RayQueue wave_, next_;
   SurfacePacket surface_;
+  SplatHits splat_hits_;
   std::vector<ShadowPacket> shadows_;  ///< one for each light of those that are sampled at once
   std::vector<int> shadow_rays_;       ///< active lanes of each
 };

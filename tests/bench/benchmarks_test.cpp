@@ -77,6 +77,14 @@ TEST(BenchDenoise, json_has_a_row_per_picture_and_number_of_samples) {
   EXPECT_GT(rows[0]["psnr_db"], rows[0]["noisy_psnr_db"]);
 }
 
+TEST(BenchSplats, json_has_a_row_per_number_of_splats) {
+  const Json rows = run_benchmark("splats", quick_request({})).rows;
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0]["splats"], 100000);
+  EXPECT_GT(rows[0]["cpu_seconds"], 0.0);
+  EXPECT_GT(rows[0]["beside_triangles"], 0.0);
+}
+
 TEST(BenchLamps, json_has_a_row_per_kind_and_number_of_lamps) {
   const Json rows = run_benchmark("lamps", quick_request({})).rows;
   ASSERT_EQ(rows.size(), 8u);

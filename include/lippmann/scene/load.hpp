@@ -30,6 +30,9 @@ Scene load_scene(const std::string& name, const LoadOptions& options, const Cont
 /// built-in scene, and none of the formats that describe Whitted's shading (Tachyon, NFF).
 bool is_physical_format(const std::string& name);
 
+/// Whether `name` is a PLY file of splats (3D Gaussians), by its header. What cannot be read is none.
+bool is_splat_file(const std::string& name);
+
 /// Checks every index, size and number of a scene (finite vertices, triangle indices, parents before children, radii > 0).
 /// Throws Error naming `where` and the element.
 void validate(const Scene& scene, const std::string& where);

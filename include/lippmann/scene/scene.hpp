@@ -83,14 +83,30 @@ struct Box {
   Vec3f upper{1.0f};
 };
 
+/// 3D Gaussians that shine in their own colours: a captured scene, as training on photographs leaves it. Seen along a ray,
+/// splat i covers opacities[i] * exp(-d^2 / 2) of what lies behind the point where d, the distance from its centre in standard
+/// deviations, is least. All vectors but `harmonics` have one element for each splat.
+struct Splats {
+  std::vector<Vec3f> centers;
+  std::vector<Quatf> rotations;   ///< unit length: from the axes of the deviations to those of the shape
+  std::vector<Vec3f> deviations;  ///< standard deviations along its three axes, > 0
+  std::vector<float> opacities;   ///< 0 to 1
+  int degree = 0;                 ///< of the spherical harmonics, 0 to 3
+  /// (degree + 1)^2 for each splat, by l and then by m from -l to l. A colour is 0.5 + sum of harmonics * basis function at the
+  /// ray's direction, in the shape's axes, at least 0. The basis is the real one with the Condon-Shortley phase.
+  std::vector<Vec3f> harmonics;
+  bool is_linear = false;  ///< colours are linear light; false: sRGB-encoded, and splats cover one another so
+};
+
 using Spheres = std::vector<Sphere>;
 using Cylinders = std::vector<Cylinder>;
 using Planes = std::vector<Plane>;
 using Rings = std::vector<Ring>;
 using Boxes = std::vector<Box>;
 
-/// Analytic shapes are exact, never tessellated; the node above them must not scale them unevenly.
-using Shape = std::variant<Mesh, Spheres, Cylinders, Planes, Rings, Boxes>;
+/// Analytic shapes are exact, never tessellated; the node above them must not scale them unevenly. Splats have no use for a
+/// material; theirs is unlit.
+using Shape = std::variant<Mesh, Spheres, Cylinders, Planes, Rings, Boxes, Splats>;
 
 // ---- Materials ------------------------------------------------------------------------------------------------------
 

@@ -29,7 +29,7 @@ bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
 std::vector<bool> morphing_nodes(const Scene& scene);
 
 /// Bounds of everything finite (planes are left out) at one time, along the axes of the world or of another frame; empty if
-/// there is nothing finite.
+/// there is nothing finite. Of splats, those that stray far from the others do not count.
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
 /// The same of one of the scene's instances. The bounds are exact in any affine frame, a sheared one too.

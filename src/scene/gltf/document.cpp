@@ -30,6 +30,7 @@ constexpr std::string_view kExtensions[] = {
     "EXT_meshopt_compression",
     "EXT_texture_webp",
     "KHR_draco_mesh_compression",
+    "KHR_gaussian_splatting",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",

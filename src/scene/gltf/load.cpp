@@ -19,7 +19,9 @@
 #include "scene/gltf/mesh.hpp"
 #include "scene/gltf/nodes.hpp"
 #include "scene/gltf/skin.hpp"
+#include "scene/gltf/splats.hpp"
 #include "scene/gltf/variants.hpp"
+#include "scene/splats.hpp"
 
 namespace lippmann {
 namespace gltf {
@@ -74,10 +76,15 @@ class InstanceReader {
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
       Instance instance;
       const PrimitiveId id{node.mesh, static_cast<int>(i)};
-      instance.material =
-          material_of(material_in(mesh.primitives[i], variant_, element(id), document_.report), materials_, scene_);
-      instance.shape = shape_of(id, skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
-      instance.skin = skin;
+      if (is_splats(mesh.primitives[i])) {
+        instance.shape = splats_of(id, skin);
+        instance.material = material_of_splats_;
+      } else {
+        instance.material =
+            material_of(material_in(mesh.primitives[i], variant_, element(id), document_.report), materials_, scene_);
+        instance.shape = shape_of(id, skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
+        instance.skin = skin;
+      }
       instance.name = node.name.empty() ? mesh.name : node.name;
       if (instance.shape < 0) continue;
       document_.unpacked.spend(places.size(), sizeof(Instance) + instance.name.size(), element(id), document_.report);
@@ -111,9 +118,27 @@ class InstanceReader {
     return known->second;
   }
 
+  /// -1: none of them can be shown.
+  int splats_of(PrimitiveId id, int skin) {
+    const auto [known, is_new] = shapes_.try_emplace({id, -1}, -1);
+    if (!is_new) return known->second;
+    if (skin >= 0) document_.report.warn_at("splats do not follow skins", element(id));
+    std::optional<Splats> splats = read_splats(document_, id);
+    if (!splats) return -1;
+    if (material_of_splats_ < 0) {
+      material_of_splats_ = static_cast<int>(scene_.materials.size());
+      scene_.materials.push_back(splat_material());
+      materials_.needs.emplace_back();
+    }
+    known->second = static_cast<int>(scene_.shapes.size());
+    scene_.shapes.emplace_back(std::move(*splats));
+    return known->second;
+  }
+
   Document& document_;
   const NodeMap& nodes_;
   int variant_;
+  int material_of_splats_ = -1;  ///< -1: there are none yet
   Scene& scene_;
   MaterialTable materials_;
   SkinReader skins_;

@@ -148,8 +148,10 @@ constexpr Property kVariantMapping[] = {
     {.name = "variants", .kind = Kind::kIndices, .need = kRequired, .lower = 0.0, .upper = kMaxInt, .refers_to = kVariantsPath},
 };
 constexpr Property kVariantMappings[] = {objects("mappings", kVariantMapping, kRequired)};
+constexpr Property kSplatting[] = {string("kernel"), string("colorSpace"), string("projection"), string("sortingMethod")};
 constexpr Property kPrimitiveExtensions[] = {
     object("KHR_draco_mesh_compression", kDraco),
+    object("KHR_gaussian_splatting", kSplatting),
     object("KHR_materials_variants", kVariantMappings),
 };
 constexpr Property kPrimitive[] = {

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <initializer_list>
 
 #include "core/printable.hpp"
@@ -14,6 +15,7 @@
 #include "lippmann/image/encode.hpp"
 #include "scene/directions.hpp"
 #include "scene/ply/header.hpp"
+#include "scene/ply/splats.hpp"
 #include "scene/polygon.hpp"
 #include "scene/text_file.hpp"
 #include "scene/wind_by_normals.hpp"
@@ -308,6 +310,7 @@ MetallicRoughness surface_of(const Mesh& mesh) {
 
 Scene parse_ply(const std::string& name, const std::string& contents, const Context& context) {
   const ply::Header header = ply::parse_header(name, contents);
+  if (ply::has_splats(header)) return ply::read_splats(name, header, std::string_view(contents).substr(header.size), context);
   ply::Body body(name, std::string_view(contents).substr(header.size), header.format);
   Mesh mesh = ply::Reader(name, header, body, context).read();
   Scene scene;
@@ -318,6 +321,19 @@ Scene parse_ply(const std::string& name, const std::string& contents, const Cont
   instance.shape = instance.material = 0;
   scene.instances.push_back(std::move(instance));
   return scene;
+}
+
+bool is_ply_of_splats(const std::filesystem::path& path) {
+  constexpr std::size_t kMostHeader = 1 << 16;
+  std::string start(kMostHeader, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  try {
+    return ply::has_splats(ply::parse_header(path.string(), start));
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 Scene load_ply(const std::filesystem::path& path, const Context& context) {

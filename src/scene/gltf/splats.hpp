@@ -1,0 +1,18 @@
+// Splats (3D Gaussians) of glTF files: KHR_gaussian_splatting.
+#pragma once
+
+#include <optional>
+
+#include "lippmann/scene/scene.hpp"
+#include "scene/gltf/attribute.hpp"
+
+namespace lippmann::gltf {
+
+/// Whether the primitive has the extension.
+bool is_splats(const tinygltf::Primitive& primitive);
+
+/// The splats of such a primitive. None, with a warning, where none of them can be shown. Throws Error for attributes that are
+/// missing or of the wrong type or number, and for kernels and colour spaces that are not known.
+std::optional<Splats> read_splats(Document& document, PrimitiveId id);
+
+}  // namespace lippmann::gltf

@@ -1,0 +1,114 @@
+// Splats of glTF files (KHR_gaussian_splatting).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lippmann/scene/load.hpp"
+#include "scene/gltf/gltf_builder.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::GltfBuilder;
+using test::Json;
+using test::parse;
+using testing::HasSubstr;
+
+constexpr const char* kPrefix = "KHR_gaussian_splatting:";
+
+/// Two splats; the mesh is of one primitive that a test may change before it is shown.
+class SplatDocument {
+ public:
+  explicit SplatDocument(int degree = 0, std::vector<Vec3f> scales = {{1, 2, 3}, {0.5f, 0.5f, 0.5f}}) {
+    set("POSITION", builder_.add_accessor(std::vector<Vec3f>{{1, 2, 3}, {4, 5, 6}}));
+    own("ROTATION", builder_.add_accessor(std::vector<Vec4f>{{0, 0, 0, 1}, {0, 0, 2, 0}}));
+    own("SCALE", builder_.add_accessor(scales));
+    own("OPACITY", builder_.add_accessor(std::vector<float>{0.25f, 1.0f}));
+    float value = 0.0f;
+    for (int l = 0; l <= degree; ++l)
+      for (int m = 0; m <= 2 * l; ++m, ++value)
+        own("SH_DEGREE_" + std::to_string(l) + "_COEF_" + std::to_string(m),
+            builder_.add_accessor(std::vector<Vec3f>(2, Vec3f(value))));
+    primitive["mode"] = 0;
+    primitive["extensions"]["KHR_gaussian_splatting"] = {{"kernel", "ellipse"}, {"colorSpace", "srgb_rec709_display"}};
+  }
+
+  void set(const std::string& name, int accessor) { primitive["attributes"][name] = accessor; }
+  void own(const std::string& name, int accessor) { set(kPrefix + name, accessor); }
+  GltfBuilder& builder() { return builder_; }
+
+  Scene scene() {
+    GltfBuilder b = builder_;
+    b.add_node({{"mesh", b.add_mesh(primitive)}, {"scale", {1, 2, 1}}});
+    b.root["extensionsRequired"] = {"KHR_gaussian_splatting"};
+    Scene scene = parse(b);
+    validate(scene, "a.glb");
+    return scene;
+  }
+
+  Json primitive = Json::object();
+
+ private:
+  GltfBuilder builder_;
+};
+
+TEST(GltfSplats, attributes_become_splats_below_a_node_that_may_stretch) {
+  const Scene scene = SplatDocument(2).scene();
+  ASSERT_EQ(scene.instances.size(), 1u);
+  const auto& splats = std::get<Splats>(scene.shapes[0]);
+  EXPECT_EQ(splats.centers[1], Vec3f(4, 5, 6));
+  EXPECT_EQ(splats.rotations[1], Quatf(0, 0, 0, 1)) << "of unit length, w first";
+  EXPECT_EQ(splats.deviations[0], Vec3f(1, 2, 3));
+  EXPECT_EQ(splats.opacities[0], 0.25f);
+  EXPECT_EQ(splats.degree, 2);
+  EXPECT_EQ(splats.harmonics[9 + 8], Vec3f(8));
+  EXPECT_FALSE(splats.is_linear);
+  EXPECT_TRUE(
+      std::get<MetallicRoughness>(scene.materials[static_cast<std::size_t>(scene.instances[0].material)].surface).unlit);
+}
+
+TEST(GltfSplats, linear_colours_are_told_by_the_colour_space) {
+  SplatDocument document;
+  document.primitive["extensions"]["KHR_gaussian_splatting"]["colorSpace"] = "lin_rec709_display";
+  EXPECT_TRUE(std::get<Splats>(document.scene().shapes[0]).is_linear);
+}
+
+TEST(GltfSplats, scales_that_are_negative_are_logarithms) {
+  const Scene scene = SplatDocument(0, {{-1, -2, -3}, {-4, 0.5f, -1}}).scene();
+  EXPECT_NEAR(std::get<Splats>(scene.shapes[0]).deviations[1].y, std::exp(0.5f), 1e-6f);
+}
+
+TEST(GltfSplats, splats_without_a_size_are_left_out) {
+  const Scene scene = SplatDocument(0, {{0, 0, 0}, {1, 1, 0}}).scene();
+  const auto& splats = std::get<Splats>(scene.shapes[0]);
+  ASSERT_EQ(splats.centers.size(), 1u);
+  EXPECT_GT(splats.deviations[0].z, 0.0f);
+}
+
+TEST(GltfSplats, what_is_missing_or_unknown_is_refused) {
+  const auto error = [](SplatDocument& document) { return error_message([&] { document.scene(); }); };
+  SplatDocument no_opacity;
+  no_opacity.primitive["attributes"].erase("KHR_gaussian_splatting:OPACITY");
+  EXPECT_THAT(error(no_opacity), HasSubstr("no attribute KHR_gaussian_splatting:OPACITY"));
+  SplatDocument partial(1);
+  partial.primitive["attributes"].erase("KHR_gaussian_splatting:SH_DEGREE_1_COEF_2");
+  EXPECT_THAT(error(partial), HasSubstr("SH_DEGREE_1_COEF_2"));
+  SplatDocument fewer;
+  fewer.own("SCALE", fewer.builder().add_accessor(std::vector<Vec3f>{{1, 1, 1}}));
+  EXPECT_THAT(error(fewer), HasSubstr("has 2 positions, but 1 values"));
+  SplatDocument kernel;
+  kernel.primitive["extensions"]["KHR_gaussian_splatting"]["kernel"] = "cone";
+  EXPECT_THAT(error(kernel), HasSubstr("ellipse"));
+  SplatDocument space;
+  space.primitive["extensions"]["KHR_gaussian_splatting"]["colorSpace"] = "acescg";
+  EXPECT_THAT(error(space), HasSubstr("lin_rec709_display"));
+  SplatDocument triangles;
+  triangles.primitive["mode"] = 4;
+  EXPECT_THAT(error(triangles), HasSubstr("POINTS"));
+}
+
+}  // namespace
+}  // namespace lippmann
