@@ -7,7 +7,7 @@ Scenarios are those of a configuration in the form of glTF Render Fidelity's, or
 pinhole view and held against the reference pictures beside the configuration, and with --cycles against Cycles, which gets the same file, camera, light and number
 of samples, and the view transform "Standard" (bench/cycles/gltf_in_blender.py says what its surfaces are). --importer adds Blender's own import of
 the file. Prints PSNR and FLIP of each renderer against the median of the others and million samples per CPU second of both programs (of `spp` samples
-less those of an eighth of them, so that set-up does not count), and writes DIR/fidelity.html with pictures side by side. What Cycles has rendered is kept in DIR, and
+less those of an eighth of them, so that set-up does not count), how alike both programs' pictures could be at most for their noise, and writes DIR/fidelity.html with pictures side by side. What Cycles has rendered is kept in DIR, and
 used again until the file, the light or the numbers change. Needs python3-numpy; for --cycles and --importer, Debian's blender.
 """
 
@@ -79,7 +79,7 @@ def ours(shot, spp, options):
     """The picture's file, and CPU seconds."""
     out = shot.folder / f"lippmann-{spp}"
     command = [options.tool, "render", shot.file, "--camera", shot.camera, "--optics", "single", "--size", f"{shot.width}x{shot.height}", "--integrator", "path",
-               "--reuse", "none", "--spp", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
+               "--reuse", "none", "--spp", spp, "--seed", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
                shot.panorama or "none", "-o", out, "--force", "-q"]
     if not shot.scenario.skybox:
         command.append("--transparent")
@@ -99,8 +99,8 @@ def key_of(job, shot):
 def cycles(shot, name, options):
     """Pictures' files and CPU seconds of an eighth of the samples and of all; kept from an earlier run where it was the same."""
     job = {"file": str(shot.file), "panorama": shot.panorama and str(shot.panorama), "width": shot.width, "height": shot.height, "vertices": options.vertices,
-           "threads": options.threads, "seed": 7, "skybox": shot.scenario.skybox, "own_surfaces": name == "importer", "camera": shot.camera,
-           "renders": [{"samples": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]}
+           "threads": options.threads, "skybox": shot.scenario.skybox, "own_surfaces": name == "importer", "camera": shot.camera,
+           "renders": [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]}
     kept, key = shot.folder / f"{name}.json", key_of(job, shot)
     if kept.exists() and json.loads(kept.read_text())["key"] == key:
         return json.loads(kept.read_text())["renders"]
@@ -119,42 +119,47 @@ def million_samples_per_second(shot, spp, seconds, few_seconds):
     return (spp - few(spp)) * shot.width * shot.height / max(seconds - few_seconds, 1e-9) * 1e-6
 
 
+def ours_and_cycles(shot, name, options):
+    """Files and CPU seconds of a picture of few samples and of one of all."""
+    if name != "lippmann":
+        return [(pathlib.Path(r["out"]), r["cpu_seconds"]) for r in cycles(shot, name, options)]
+    return [ours(shot, spp, options) for spp in (few(options.spp), options.spp)]
+
+
 def rendered(shot, options):
-    """{renderer: RGBA picture}, speeds, and what is to be said of them."""
-    _, few_seconds = ours(shot, few(options.spp), options)
-    picture, seconds = ours(shot, options.spp, options)
-    named, notes = {"lippmann": pictures.read(picture)}, []
-    speeds = {"speed": million_samples_per_second(shot, options.spp, seconds, few_seconds)}
-    for name in options.peers:
-        less, more = cycles(shot, name, options)
-        named[name] = pictures.read(pathlib.Path(more["out"]))
-        speeds[f"{name}_speed"] = million_samples_per_second(shot, options.spp, more["cpu_seconds"], less["cpu_seconds"])
+    """{renderer: RGBA picture}, speeds and noise, and what is to be said of them."""
+    named, notes, facts = {}, [], {}
+    for name in ["lippmann", *options.peers]:
+        (less, few_seconds), (more, seconds) = ours_and_cycles(shot, name, options)
+        named[name] = pictures.read(more)
+        facts[f"{name}_speed"] = million_samples_per_second(shot, options.spp, seconds, few_seconds)
+        facts[f"{name}_noise"] = judge.noise(pictures.read(less), named[name], options.spp / few(options.spp))
     for name, file in shot.scenario.references.items():
         reference = pictures.shrunk(pictures.read(file), shot.width, shot.height)
         if reference is None:
             notes.append(f"{name} is left out: {file.name} is no whole number of times {shot.width} x {shot.height} pixels")
         else:
             named[name] = reference
-    return named, speeds, notes
+    return named, facts, notes
 
 
 def measure(scenario, options, out):
     """A row of the table, which the page gets too; none where there is nothing to compare with."""
     shot = set_up(scenario, options)
-    named, speeds, notes = rendered(shot, options)
+    named, facts, notes = rendered(shot, options)
     if len(named) < 2:
         print(f"{scenario.name}: no other renderer's picture; add goldens/{scenario.name}/RENDERER{scenarios.GOLDEN} or say --cycles", file=sys.stderr)
         return None
     judged = judge.judged(named)
-    row = {"scenario": scenario.name, "notes": notes, **speeds, "renderers": {name: {k: j[k] for k in ("psnr_db", "flip")} for name, j in judged.items()}}
+    row = {"scenario": scenario.name, "notes": notes, "noise_db": judge.noise_together(facts), **facts, "renderers": {name: {k: j[k] for k in ("psnr_db", "flip")} for name, j in judged.items()}}
     out.add(row, judged, named)
     return row
 
 
 def line(row):
     each = "  ".join(f"{name} {j['psnr_db']:.2f} dB, {j['flip']:.4f}" for name, j in row["renderers"].items())
-    speed = f"  {row['speed']:.2f} : {row['cycles_speed']:.2f} = {row['speed'] / row['cycles_speed']:.2f} x" if "cycles_speed" in row else ""
-    return f"{row['scenario']:28} {each}{speed}"
+    noise = f"  noise alone {row['noise_db']:.2f} dB" if "cycles_speed" in row else ""
+    return f"{row['scenario']:24} {each}{noise}  {page.speed(row)}"
 
 
 def parse():

@@ -2,8 +2,8 @@
 
   blender -b -P scenario_inside_blender.py -- JOB.json
 
-The job: file, panorama (or null), width, height, vertices, threads, seed, skybox (whether the panorama is seen), own_surfaces (Blender's own
-import stays as it is), camera (its name in the file), renders: a list of samples and out. Prints a line "RENDER {json}" for each.
+The job: file, panorama (or null), width, height, vertices, threads, skybox (whether the panorama is seen), own_surfaces (Blender's own
+import stays as it is), camera (its name in the file), renders: a list of samples, seed and out. Prints a line "RENDER {json}" for each.
 """
 
 import json
@@ -36,7 +36,7 @@ def main():
     scene = show(job)
     for item in job["renders"]:
         before = gltf.cpu_seconds()
-        gltf.render(scene, item["samples"], job["seed"], item["out"])
+        gltf.render(scene, item["samples"], item["seed"], item["out"])
         print("RENDER", json.dumps({**item, "cpu_seconds": gltf.cpu_seconds() - before}), flush=True)
 
 

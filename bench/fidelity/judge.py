@@ -19,6 +19,19 @@ def psnr(a, b, counted):
     return decibels(np.mean((a[counted].astype(float) - b[counted])**2))
 
 
+def noise(few, many, times):
+    """The mean square that noise has in the picture of `times` as many samples, from its difference to one of other noise. An upper bound where
+    samples are spread so well that noise falls faster than by their number."""
+    counted = (few[..., 3] > 0) | (many[..., 3] > 0)
+    a, b = pictures.before_grey(few).astype(float), pictures.before_grey(many)
+    return float(np.mean((a[counted] - b[counted])**2) / (times + 1)) if counted.any() else 0.0
+
+
+def noise_together(facts):
+    """The PSNR that two pictures would have which differ by the noise of both alone."""
+    return decibels(sum(value for name, value in facts.items() if name in ("lippmann_noise", "cycles_noise")))
+
+
 def median_of(others):
     """Per pixel and channel; of two pictures, the mean."""
     return np.round(np.median(np.stack(others), axis=0)).astype(np.uint8)

@@ -32,16 +32,18 @@ def decibels(value):
 
 
 def speed(row):
-    return f"{row['speed']:.2f} : {row['cycles_speed']:.2f}" if row.get("cycles_speed") else ""
+    if "cycles_speed" not in row:
+        return ""
+    return "{lippmann_speed:.2f} : {cycles_speed:.2f} = {ratio:.2f} x".format(**row, ratio=row["lippmann_speed"] / row["cycles_speed"])
 
 
 def table(rows):
     renderers = sorted({name for row in rows for name in row["renderers"]}, key=lambda name: (name != "lippmann", name))
-    lines = ["<table><tr><th>scenario" + "".join(f"<th>{html.escape(r)}, dB<th>FLIP" for r in renderers) + "<th>million samples per CPU second"]
+    lines = ["<table><tr><th>scenario" + "".join(f"<th>{html.escape(r)}, dB<th>FLIP" for r in renderers) + "<th>noise alone, dB<th>million samples per CPU second"]
     for row in rows:
         cells = [row["renderers"].get(r) for r in renderers]
         lines.append(f'<tr><td><a href="#{html.escape(row["scenario"])}">{html.escape(row["scenario"])}</a>' +
-                     "".join(f"<td>{decibels(c['psnr_db'])}<td>{c['flip']:.4f}" if c else "<td><td>" for c in cells) + f"<td>{speed(row)}")
+                     "".join(f"<td>{decibels(c['psnr_db'])}<td>{c['flip']:.4f}" if c else "<td><td>" for c in cells) + f"<td>{decibels(row['noise_db']) if 'cycles_speed' in row else ''}<td>{speed(row)}")
     return "\n".join(lines) + "</table>\n"
 
 
