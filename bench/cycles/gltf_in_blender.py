@@ -1,7 +1,7 @@
 """For scripts that Blender runs: a glTF file as a scene of Cycles, surfaces as glTF 2.0's appendix B has them.
 
 Blender's own importer makes the textures, their transforms and vertex colours. What replaces its Principled surface is built anew: that of
-Blender 3.4 has Disney's diffuse part, which is not glTF's. Where a material has layers that this file does not build (LAYERS), the importer's
+Blender 3.4 has Disney's diffuse part, which is not glTF's. Where a material has layers that this file does not build (LAYERS, GLOSS), the importer's
 own surface stays.
 """
 
@@ -22,6 +22,7 @@ np.bool = bool  # the importer of Blender 3.4 asks for a name that newer numpy h
 
 LAYERS = {"KHR_materials_sheen", "KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_diffuse_transmission",
           "KHR_materials_dispersion", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"}
+GLOSS = {"specularTexture", "specularColorFactor", "specularColorTexture"}  # of KHR_materials_specular
 ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # at which the light below a gloss is tabulated where a texture says the roughness
 COAT_IOR = 1.5
 
@@ -54,14 +55,16 @@ class Surface:
         self.tree = material.node_tree
         self.principled = next((n for n in self.tree.nodes if n.type == "BSDF_PRINCIPLED"), None)
         extensions = source.get("extensions", {})
-        if self.principled is None or LAYERS & set(extensions):
+        gloss = extensions.get("KHR_materials_specular", {})
+        if self.principled is None or LAYERS & set(extensions) or GLOSS & set(gloss):
             return
         self.ior = extensions.get("KHR_materials_ior", {}).get("ior", 1.5)
-        self.specular = extensions.get("KHR_materials_specular", {}).get("specularFactor", 1.0)
+        self.specular = gloss.get("specularFactor", 1.0)
         shader = self.mixed(self.dielectric(), self.metal, self.input("Metallic"))
         shader = self.coated(shader)
-        shader = self.glowing(shader)
+        shader = self.glowing(shader, source)
         self.replace(self.covered(shader, source))
+        self.absorb(extensions.get("KHR_materials_volume", {}))
 
     def input(self, name):
         """Of the importer's surface: what is linked to it, else its value."""
@@ -157,11 +160,15 @@ class Surface:
                          distribution="MULTI_GGX")
         return self.node("ShaderNodeMixShader", {0: share, 1: shader, 2: coat})
 
-    def glowing(self, shader):
-        glow = self.input("Emission")
-        if isinstance(glow, tuple) and not any(glow):
+    def glowing(self, shader, source):
+        """Factor, strength and texture from the file: the importer loses the texture where the factor is a colour."""
+        factor = source.get("emissiveFactor", [0.0, 0.0, 0.0])
+        if not any(factor):
             return shader
-        lit = self.node("ShaderNodeEmission", {"Color": glow, "Strength": self.input("Emission Strength")})
+        strength = source.get("extensions", {}).get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
+        picture = next((n for n in self.tree.nodes if n.type == "TEX_IMAGE" and n.label == "EMISSIVE"), None)
+        color = self.times(picture.outputs["Color"], factor) if picture else factor
+        lit = self.node("ShaderNodeEmission", {"Color": color, "Strength": strength})
         return self.node("ShaderNodeAddShader", {0: shader, 1: lit})
 
     def covered(self, shader, source):
@@ -171,6 +178,17 @@ class Surface:
         if mode == "MASK":
             coverage = self.math("SUBTRACT", 1.0, self.math("LESS_THAN", coverage, source.get("alphaCutoff", 0.5)))
         return self.node("ShaderNodeMixShader", {0: coverage, 1: self.node("ShaderNodeBsdfTransparent", {}), 2: shader})
+
+    def absorb(self, volume):
+        """Beer's law as KHR_materials_volume has it, where the importer takes 1 - colour for its logarithm. Cycles absorbs density (1 - colour)."""
+        node = next((n for n in self.tree.nodes if n.type == "VOLUME_ABSORPTION"), None)
+        distance = volume.get("attenuationDistance", math.inf)
+        if node is None:
+            return
+        per_length = [-math.log(max(c, 1e-4)) / distance for c in volume.get("attenuationColor", [1, 1, 1])]
+        density = max(*per_length, 1e-9)
+        node.inputs["Density"].default_value = density
+        node.inputs["Color"].default_value = (*(1 - p / density for p in per_length), 1.0)
 
     def replace(self, shader):
         for link in list(self.principled.outputs[0].links):
