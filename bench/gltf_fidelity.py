@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What glTF files look like here and in other renderers: each against the median of the others.
 
-  bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--only NAME ...] [--size N] [--spp N] [--json] ...
+  bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--only NAME ...] [--size N] [--spp N] [--tone CURVE] [--json] ...
 
 Scenarios are those of a configuration in the form of glTF Render Fidelity's, or a folder's glTF files (bench/fidelity/scenarios.py). Each is rendered as one
 pinhole view and held against the reference pictures beside the configuration, and with --cycles against Cycles, which gets the same file, camera, light and number
@@ -52,7 +52,9 @@ def has_lamps(doc):
 
 
 def place_camera(copy, scenario, options):
-    """The scenario's camera, or one that sees what the tool would show by default."""
+    """The scenario's camera, the file's own, or one that sees what the tool would show by default."""
+    if not scenario.orbit and copy.name_own_camera(scenario.width / scenario.height):
+        return
     if scenario.orbit:
         place, turn = scenarios.camera_place(scenario.orbit, scenario.target)
         fov, reach = math.radians(scenario.vertical_fov_deg), max(scenario.orbit.radius, 1e-3)
@@ -80,7 +82,7 @@ def ours(shot, spp, options):
     out = shot.folder / f"lippmann-{spp}"
     command = [options.tool, "render", shot.file, "--camera", shot.camera, "--optics", "single", "--size", f"{shot.width}x{shot.height}", "--integrator", "path",
                "--reuse", "none", "--spp", spp, "--seed", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
-               shot.panorama or "none", "-o", out, "--force", "-q"]
+               shot.panorama or "none", "--tone", options.tone, "-o", out, "--force", "-q"]
     if not shot.scenario.skybox:
         command.append("--transparent")
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
@@ -162,6 +164,15 @@ def line(row):
     return f"{row['scenario']:24} {each}{noise}  {page.speed(row)}"
 
 
+def without_infinity(value):
+    """For JSON, which knows none: the PSNR of pictures that are the same is null."""
+    if isinstance(value, dict):
+        return {key: without_infinity(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [without_infinity(item) for item in value]
+    return None if value == math.inf else value
+
+
 def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenarios", type=pathlib.Path, metavar="FOLDER_OR_CONFIG")
@@ -174,12 +185,15 @@ def parse():
     parser.add_argument("--size", type=int, default=256, help="the longer side of pictures is at most this")
     parser.add_argument("--spp", type=int, default=256)
     parser.add_argument("--vertices", type=int, default=12, help="of a path, at most")
+    parser.add_argument("--tone", default="none", help="view transform of ours, as that of the reference pictures: none, neutral or agx")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--tool", type=pathlib.Path, default=HERE.parent / "build" / "release" / "lippmann")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args()
     options.out = options.out.resolve()
     options.peers = [name for name in ("cycles", "importer") if getattr(options, name)]
+    if options.peers and options.tone != "none":
+        parser.error("--tone: beside Cycles, whose pictures have Blender's transform \"Standard\", only none compares")
     return options
 
 
@@ -208,7 +222,7 @@ def main():
             print(line(row), file=sys.stderr if options.json else sys.stdout, flush=True)
             out.write(options.out / "fidelity.html")
     if options.json:
-        print(json.dumps({"bench": "fidelity", "rows": rows}, indent=2))
+        print(json.dumps(without_infinity({"bench": "fidelity", "rows": rows}), indent=2))
 
 
 if __name__ == "__main__":

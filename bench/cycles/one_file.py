@@ -7,7 +7,6 @@ import struct
 import urllib.parse
 
 CAMERA = "fidelity"
-TYPES = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg", ".webp": "image/webp"}
 
 
 def split_glb(data):
@@ -69,6 +68,17 @@ class OneFile:
         doc["cameras"][-1]["name"] = CAMERA
         scene = doc.setdefault("scenes", [{"nodes": []}])[doc.get("scene", 0)]
         scene.setdefault("nodes", []).append(len(doc["nodes"]) - 1)
+
+    def name_own_camera(self, aspect):
+        """The first perspective camera of the nodes gets the name and the aspect ratio of one that is added; False where there is none."""
+        cameras = self.doc.get("cameras", [])
+        node = next((n for n in self.doc.get("nodes", []) if "camera" in n and cameras[n["camera"]]["type"] == "perspective"), None)
+        if node is None:
+            return False
+        camera = cameras[node["camera"]]
+        node["name"] = camera["name"] = CAMERA
+        camera["perspective"]["aspectRatio"] = aspect
+        return True
 
     def write(self, path):
         if self.blob:
