@@ -98,11 +98,16 @@ def key_of(job, shot):
     return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()
 
 
+def job_of(shot, name, options):
+    """What Blender is asked for (scenario_inside_blender.py)."""
+    return {"file": str(shot.file), "panorama": shot.panorama and str(shot.panorama), "width": shot.width, "height": shot.height, "vertices": options.vertices,
+            "threads": options.threads, "skybox": shot.scenario.skybox, "own_surfaces": name == "importer", "camera": shot.camera,
+            "renders": [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]}
+
+
 def cycles(shot, name, options):
     """Pictures' files and CPU seconds of an eighth of the samples and of all; kept from an earlier run where it was the same."""
-    job = {"file": str(shot.file), "panorama": shot.panorama and str(shot.panorama), "width": shot.width, "height": shot.height, "vertices": options.vertices,
-           "threads": options.threads, "skybox": shot.scenario.skybox, "own_surfaces": name == "importer", "camera": shot.camera,
-           "renders": [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]}
+    job = job_of(shot, name, options)
     kept, key = shot.folder / f"{name}.json", key_of(job, shot)
     if kept.exists() and json.loads(kept.read_text())["key"] == key:
         return json.loads(kept.read_text())["renders"]
