@@ -199,6 +199,19 @@ class OneFile(unittest.TestCase):
         self.assertEqual(back.doc["nodes"][back.doc["scenes"][0]["nodes"][0]]["name"], one_file.CAMERA)
 
 
+    def test_a_files_own_camera_is_the_first_perspective_one(self):
+        with tempfile.TemporaryDirectory() as name:
+            file = Path(name) / "f.gltf"
+            flat, deep = {"type": "orthographic", "orthographic": {}}, {"type": "perspective", "perspective": {"yfov": 0.5, "aspectRatio": 2.0}}
+            file.write_text(json.dumps({"cameras": [flat, deep], "nodes": [{"camera": 0}, {"camera": 1}]}))
+            copy = one_file.OneFile(file)
+        self.assertTrue(copy.name_own_camera(1.0))
+        self.assertEqual([node.get("name") for node in copy.doc["nodes"]], [None, one_file.CAMERA])
+        self.assertEqual(copy.doc["cameras"][1]["perspective"], {"yfov": 0.5, "aspectRatio": 1.0})
+        copy.doc["nodes"] = [{"camera": 0}]
+        self.assertFalse(copy.name_own_camera(1.0))
+
+
 class Lamps(unittest.TestCase):
     def test_units_are_those_of_the_program_that_wrote_them(self):
         self.assertEqual(lamps.scale("Khronos glTF", "point"), 1.0)
