@@ -1,13 +1,11 @@
 #!/usr/bin/python3
 """Path tracing beside Blender's Cycles: the same scenes, cameras and lights, PSNR between both and samples per CPU second of each.
 
-  bench/cycles_peers.py [NAME ...] [--asset FILE.glb ...] [--panorama FILE.hdr] [--dark] [--view YAW PITCH] [--size N] [--spp N]
-                        [--output DIR] [--tool PATH] [--threads N] [--json]
+  bench/cycles_peers.py [NAME ...] [--size N] [--spp N] [--output DIR] [--tool PATH] [--threads N] [--json]
 
-Scenes: those of bench/cycles/fixtures.py, and files of the user's own. Blender builds their materials from the file as glTF 2.0's
+Scenes: those of bench/cycles/fixtures.py (for files of the user's own: bench/gltf_fidelity.py). Blender builds their materials from the file as glTF 2.0's
 appendix B has them (bench/cycles/gltf_in_blender.py). PSNR is of 8-bit sRGB codes (lippmann compare). Speed: the CPU seconds of
-`spp` samples less those of an eighth of them, so that neither side's set-up counts. Files without a camera get one that looks at
-their middle from YAW and PITCH degrees, and must be .glb. Needs Debian's blender and python3-numpy.
+`spp` samples less those of an eighth of them, so that neither side's set-up counts. Needs Debian's blender and python3-numpy.
 """
 
 import argparse
@@ -59,10 +57,6 @@ def measure(name, scene, panorama, bar, options, work):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenes", nargs="*", metavar="NAME", help="of: " + ", ".join(fixtures.FIXTURES))
-    parser.add_argument("--asset", action="append", default=[], type=pathlib.Path)
-    parser.add_argument("--panorama", type=pathlib.Path)
-    parser.add_argument("--dark", action="store_true", help="files of one's own get no panorama but the one said")
-    parser.add_argument("--view", type=float, nargs=2, default=(25.0, 15.0), metavar=("YAW", "PITCH"))
     parser.add_argument("--size", type=int, default=256)
     parser.add_argument("--spp", type=int, default=1024)
     parser.add_argument("--threads", type=int, default=2)
@@ -78,18 +72,14 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         work = options.output or pathlib.Path(temporary)
         work.mkdir(parents=True, exist_ok=True)
-        panorama = options.panorama or work / "panorama.hdr"
-        if not options.panorama:
-            fixtures.write_panorama(panorama)
+        panorama = work / "panorama.hdr"
+        fixtures.write_panorama(panorama)
         rows = []
-        for name in options.scenes or ([] if options.asset else fixtures.FIXTURES):
+        for name in options.scenes or fixtures.FIXTURES:
             make, lit_by_panorama, bar = fixtures.FIXTURES[name]
             scene = work / f"{name}.gltf"
             make().write(scene)
             rows.append(measure(name, scene, panorama if lit_by_panorama else None, bar, options, work))
-        for asset in options.asset:
-            scene = peers.with_camera(options.tool, asset, options.view, work)
-            rows.append(measure(asset.stem, scene, options.panorama if options.dark else panorama, 30.0, options, work))
     if options.json:
         print(json.dumps({"bench": "cycles", "rows": rows}, indent=2))
 

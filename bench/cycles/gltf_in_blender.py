@@ -1,22 +1,30 @@
 """For scripts that Blender runs: a glTF file as a scene of Cycles, surfaces as glTF 2.0's appendix B has them.
 
-Materials are built anew from the file: Blender's own Principled surface of 3.4 has Disney's diffuse part, which is not glTF's.
+Blender's own importer makes the textures, their transforms and vertex colours. What replaces its Principled surface is built anew: that of
+Blender 3.4 has Disney's diffuse part, which is not glTF's. Where a material has layers that this file does not build (LAYERS, GLOSS), the importer's
+own surface stays.
 """
 
-import json
 import math
+import pathlib
 import resource
+import sys
+import tempfile
 
 import bpy
 import numpy as np
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import lamps  # noqa: E402
+import one_file  # noqa: E402
+
 np.bool = bool  # the importer of Blender 3.4 asks for a name that newer numpy has dropped
 
-
-def image_of(name, color):
-    image = bpy.data.images[name]
-    image.colorspace_settings.name = "sRGB" if color else "Non-Color"
-    return image
+LAYERS = {"KHR_materials_sheen", "KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_diffuse_transmission",
+          "KHR_materials_dispersion", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"}
+GLOSS = {"specularTexture", "specularColorFactor", "specularColorTexture"}  # of KHR_materials_specular
+ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # at which the light below a gloss is tabulated where a texture says the roughness
+COAT_IOR = 1.5
 
 
 def below_gloss(roughness, f0, stops=24):
@@ -41,33 +49,34 @@ def below_gloss(roughness, f0, stops=24):
 
 
 class Surface:
-    """One glTF material as nodes of Cycles."""
+    """One glTF material as nodes of Cycles, in place of the Principled surface that the importer has made of it."""
 
-    def __init__(self, material, source, images):
+    def __init__(self, material, source):
         self.tree = material.node_tree
-        self.tree.nodes.clear()
-        self.images = images
-        pbr = source.get("pbrMetallicRoughness", {})
+        self.principled = next((n for n in self.tree.nodes if n.type == "BSDF_PRINCIPLED"), None)
         extensions = source.get("extensions", {})
-        factor = pbr.get("baseColorFactor", [1, 1, 1, 1])
-        color, alpha = self.mapped(pbr.get("baseColorTexture"), factor[:3], True)
-        metallic, roughness = pbr.get("metallicFactor", 1.0), pbr.get("roughnessFactor", 1.0)
-        normal = self.normal(source.get("normalTexture"))
-        ior = extensions.get("KHR_materials_ior", {}).get("ior", 1.5)
-        specular = extensions.get("KHR_materials_specular", {}).get("specularFactor", 1.0)
-        transmission = extensions.get("KHR_materials_transmission", {}).get("transmissionFactor", 0.0)
-        if transmission > 0:
-            shader = self.node("ShaderNodeBsdfGlass", {"Color": color, "Roughness": roughness, "IOR": ior}, distribution="MULTI_GGX")
-        elif metallic > 0:
-            shader = self.metal(color, roughness, normal)
-        else:
-            shader = self.plastic(color, roughness, ior, normal) if specular > 0 else self.diffuse(color, normal)
-        strength = extensions.get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
-        glow = source.get("emissiveFactor", [0, 0, 0])
-        if any(glow):
-            shader = self.node("ShaderNodeAddShader", {0: shader, 1: self.node("ShaderNodeEmission", {"Color": glow, "Strength": strength})})
-        shader = self.covered(shader, source, factor[3], alpha)
-        self.node("ShaderNodeOutputMaterial", {"Surface": shader})
+        gloss = extensions.get("KHR_materials_specular", {})
+        if self.principled is None or LAYERS & set(extensions) or GLOSS & set(gloss):
+            return
+        self.ior = extensions.get("KHR_materials_ior", {}).get("ior", 1.5)
+        self.specular = gloss.get("specularFactor", 1.0)
+        shader = self.mixed(self.dielectric(), self.metal, self.input("Metallic"))
+        shader = self.coated(shader)
+        shader = self.glowing(shader, source)
+        self.replace(self.covered(shader, source))
+        self.absorb(extensions.get("KHR_materials_volume", {}))
+
+    def input(self, name):
+        """Of the importer's surface: what is linked to it, else its value."""
+        socket = self.principled.inputs[name]
+        if socket.is_linked:
+            return socket.links[0].from_socket
+        value = socket.default_value
+        return value if isinstance(value, float) else tuple(value)[:3]
+
+    def normal(self, name="Normal"):
+        socket = self.principled.inputs[name]
+        return socket.links[0].from_socket if socket.is_linked else None
 
     def node(self, kind, inputs, output=0, **fields):
         node = self.tree.nodes.new(kind)
@@ -82,84 +91,158 @@ class Surface:
                 node.inputs[key].default_value = (*value, 1.0) if isinstance(value, (list, tuple)) and len(value) == 3 else value
         return node.outputs[output] if node.outputs else None
 
-    def mapped(self, texture, factor, color):
-        """Colour and alpha of a map times its factor."""
-        if texture is None:
-            return factor, 1.0
-        picture = self.tree.nodes.new("ShaderNodeTexImage")
-        picture.image = image_of(self.images[texture["index"]], color)
-        picture.image.alpha_mode = "CHANNEL_PACKED"
-        picture.interpolation = "Linear"
-        return (self.node("ShaderNodeMixRGB", {0: 1.0, 1: picture.outputs["Color"], 2: factor}, blend_type="MULTIPLY"),
-                picture.outputs["Alpha"])
+    def math(self, operation, a, b):
+        return self.node("ShaderNodeMath", {0: a, 1: b}, operation=operation)
 
-    def normal(self, texture):
-        if texture is None:
-            return None
-        color, _ = self.mapped(texture, [1, 1, 1], False)
-        return self.node("ShaderNodeNormalMap", {"Color": color})
+    def times(self, color, factor):
+        return self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: factor}, blend_type="MULTIPLY")
 
-    def diffuse(self, color, normal):
-        return self.node("ShaderNodeBsdfDiffuse", {"Color": color, "Roughness": 0.0, "Normal": normal})
+    def mixed(self, shader, make_other, share):
+        """Both by their shares; the other is made only where it has one."""
+        if share == 0.0:
+            return shader
+        other = make_other()
+        return other if share == 1.0 else self.node("ShaderNodeMixShader", {0: share, 1: shader, 2: other})
 
-    def plastic(self, color, roughness, ior, normal):
-        """Fresnel's share is of facets: the gloss of a black Principled surface, and below it what that leaves."""
-        f0 = ((ior - 1) / (ior + 1))**2
-        gloss = self.node("ShaderNodeBsdfPrincipled", {"Base Color": [0, 0, 0], "Specular": f0 / 0.08, "Roughness": roughness, "Normal": normal},
-                          distribution="MULTI_GGX")
-        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": normal}, output=1)  # 1 - cosine
-        left = self.node("ShaderNodeValToRGB", {0: facing})
-        ramp = left.node.color_ramp
-        for i, (place, value) in enumerate(below_gloss(roughness, f0)):
-            stop = ramp.elements[i] if i < 2 else ramp.elements.new(place)
-            stop.position, stop.color = place, (value, value, value, 1.0)
-        return self.node("ShaderNodeAddShader", {
-            0: gloss, 1: self.diffuse(self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: left}, blend_type="MULTIPLY"), normal)})
+    def dielectric(self):
+        opaque = self.plastic() if self.specular > 0 else self.diffuse(self.input("Base Color"))
+        return self.mixed(opaque, self.glass, self.input("Transmission"))
 
-    def metal(self, color, roughness, normal):
-        return self.node("ShaderNodeBsdfPrincipled", {"Base Color": color, "Metallic": 1.0, "Roughness": roughness, "Normal": normal},
+    def diffuse(self, color):
+        return self.node("ShaderNodeBsdfDiffuse", {"Color": color, "Roughness": 0.0, "Normal": self.normal()})
+
+    def gloss(self, **inputs):
+        named = {"Roughness": self.input("Roughness"), "Normal": self.normal(), "IOR": self.ior}
+        return self.node("ShaderNodeBsdfPrincipled", {**named, **{name.replace("_", " "): value for name, value in inputs.items()}},
                          distribution="MULTI_GGX")
 
-    def covered(self, shader, source, factor, alpha):
-        mode = source.get("alphaMode", "OPAQUE")
-        if mode == "OPAQUE":
+    def plastic(self):
+        """Fresnel's share is of facets: the gloss of a black Principled surface, and below it what that leaves."""
+        f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
+        gloss = self.gloss(Base_Color=[0, 0, 0], Specular=f0 / 0.08)
+        return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
+
+    def left(self, f0):
+        """The share of light that gets below the gloss."""
+        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": self.normal()}, output=1)  # 1 - cosine
+        roughness = self.input("Roughness")
+        if isinstance(roughness, float):
+            return self.ramp(facing, below_gloss(roughness, f0))
+        total = 0.0
+        for level in ROUGHNESSES:  # hats, which sum to 1
+            away = self.math("MULTIPLY", self.math("ABSOLUTE", self.math("SUBTRACT", roughness, level), 0.0), len(ROUGHNESSES) - 1.0)
+            weight = self.math("MAXIMUM", self.math("SUBTRACT", 1.0, away), 0.0)
+            total = self.math("ADD", total, self.math("MULTIPLY", weight, self.ramp(facing, below_gloss(level, f0))))
+        return total
+
+    def ramp(self, at, stops):
+        out = self.node("ShaderNodeValToRGB", {0: at})
+        elements = out.node.color_ramp.elements
+        for i, (place, value) in enumerate(stops):
+            stop = elements[i] if i < 2 else elements.new(place)
+            stop.position, stop.color = place, (value, value, value, 1.0)
+        return out
+
+    def glass(self):
+        return self.gloss(Base_Color=self.input("Base Color"), Transmission=1.0)
+
+    def metal(self):
+        return self.gloss(Base_Color=self.input("Base Color"), Metallic=1.0)
+
+    def coated(self, shader):
+        """KHR_materials_clearcoat: a white gloss over it, by Fresnel's share at the coat's normal."""
+        amount = self.input("Clearcoat")
+        if amount == 0.0:
             return shader
-        coverage = self.node("ShaderNodeMath", {0: alpha, 1: factor}, operation="MULTIPLY")
+        normal = self.normal("Clearcoat Normal")
+        share = self.math("MULTIPLY", self.node("ShaderNodeFresnel", {"IOR": COAT_IOR, "Normal": normal}), amount)
+        coat = self.node("ShaderNodeBsdfGlossy", {"Color": [1, 1, 1], "Roughness": self.input("Clearcoat Roughness"), "Normal": normal},
+                         distribution="MULTI_GGX")
+        return self.node("ShaderNodeMixShader", {0: share, 1: shader, 2: coat})
+
+    def glowing(self, shader, source):
+        """Factor, strength and texture from the file: the importer loses the texture where the factor is a colour."""
+        factor = source.get("emissiveFactor", [0.0, 0.0, 0.0])
+        if not any(factor):
+            return shader
+        strength = source.get("extensions", {}).get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
+        picture = next((n for n in self.tree.nodes if n.type == "TEX_IMAGE" and n.label == "EMISSIVE"), None)
+        color = self.times(picture.outputs["Color"], factor) if picture else factor
+        lit = self.node("ShaderNodeEmission", {"Color": color, "Strength": strength})
+        return self.node("ShaderNodeAddShader", {0: shader, 1: lit})
+
+    def covered(self, shader, source):
+        mode, coverage = source.get("alphaMode", "OPAQUE"), self.input("Alpha")
+        if mode == "OPAQUE" or coverage == 1.0:
+            return shader
         if mode == "MASK":
-            coverage = self.node("ShaderNodeMath", {0: coverage, 1: source.get("alphaCutoff", 0.5)}, operation="GREATER_THAN")
-        clear = self.node("ShaderNodeBsdfTransparent", {})
-        return self.node("ShaderNodeMixShader", {0: coverage, 1: clear, 2: shader})
+            coverage = self.math("SUBTRACT", 1.0, self.math("LESS_THAN", coverage, source.get("alphaCutoff", 0.5)))
+        return self.node("ShaderNodeMixShader", {0: coverage, 1: self.node("ShaderNodeBsdfTransparent", {}), 2: shader})
+
+    def absorb(self, volume):
+        """Beer's law as KHR_materials_volume has it, where the importer takes 1 - colour for its logarithm. Cycles absorbs density (1 - colour)."""
+        node = next((n for n in self.tree.nodes if n.type == "VOLUME_ABSORPTION"), None)
+        distance = volume.get("attenuationDistance", math.inf)
+        if node is None:
+            return
+        per_length = [-math.log(max(c, 1e-4)) / distance for c in volume.get("attenuationColor", [1, 1, 1])]
+        density = max(*per_length, 1e-9)
+        node.inputs["Density"].default_value = density
+        node.inputs["Color"].default_value = (*(1 - p / density for p in per_length), 1.0)
+
+    def replace(self, shader):
+        for link in list(self.principled.outputs[0].links):
+            self.tree.links.new(shader, link.to_socket)
 
 
-def document(path):
-    data = open(path, "rb").read()
-    if data[:4] == b"glTF":
-        return json.loads(data[20:20 + int.from_bytes(data[12:16], "little")])
-    return json.loads(data)
+def numbered(file, folder):
+    """A copy in which materials and lights are told apart by their place in the file, and no primitive is without a material."""
+    copy = one_file.OneFile(pathlib.Path(file))
+    doc = copy.doc
+    bare = [p for mesh in doc.get("meshes", []) for p in mesh["primitives"] if "material" not in p]
+    for primitive in bare:
+        primitive["material"] = len(doc.get("materials", []))
+    if bare:
+        doc.setdefault("materials", []).append({})
+    lights = doc.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
+    for kind, things in (("material", doc.get("materials", [])), ("light", lights)):
+        for i, thing in enumerate(things):
+            thing["name"] = f"{kind}-{i}"
+    copy.write(folder / "numbered.glb")
+    return doc, lights
 
 
-def load(file):
-    """An empty Blender with the file in it."""
+def number_of(thing):
+    """Of "material-3" and its copies "material-3.001", which have vertex colours."""
+    return int(thing.name.split("-")[1].split(".")[0])
+
+
+def load(file, own_surfaces=False):
+    """An empty Blender with the file in it, at the animation's start. own_surfaces: the importer's surfaces stay."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    source = document(file)
-    # The importer names what has no name; ours are told apart by their place in the file.
-    bpy.ops.import_scene.gltf(filepath=file, import_pack_images=True)
-    images = [bpy.data.images[t["source"]].name for t in source.get("textures", [])]
-    names = [m.get("name", f"Material_{i}") for i, m in enumerate(source.get("materials", []))]
-    for name, material in zip(names, source.get("materials", [])):
-        if name in bpy.data.materials:
-            Surface(bpy.data.materials[name], material, images)
-    lights = source.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
-    for lamp, light in zip(sorted((o for o in bpy.data.objects if o.type == "LIGHT"), key=lambda o: o.name), lights):
-        lamp.data.energy = light.get("intensity", 1.0) * (1.0 if light["type"] == "directional" else 4.0 * math.pi)
-        lamp.data.color = light.get("color", [1, 1, 1])
-        sizes = light.get("extras", {})
-        if light["type"] == "directional":
-            lamp.data.angle = sizes.get("angle", 0.0)
-        else:
-            lamp.data.shadow_soft_size = sizes.get("radius", 0.0)
-        if "blend" in sizes:
-            lamp.data.spot_blend = sizes["blend"]
+    with tempfile.TemporaryDirectory() as folder:
+        source, lights = numbered(file, pathlib.Path(folder))
+        bpy.ops.import_scene.gltf(filepath=f"{folder}/numbered.glb", import_pack_images=True)
+    for material in [] if own_surfaces else bpy.data.materials:
+        if material.name.startswith("material-"):
+            Surface(material, source["materials"][number_of(material)])
+    for lamp in bpy.data.lights:
+        light_up(lamp, lights[number_of(lamp)], source["asset"].get("generator", ""))
+    bpy.context.scene.frame_set(0)
+
+
+def light_up(lamp, light, generator):
+    """As bright as here (lamps.py), and of the size that is said."""
+    point = light["type"] != "directional"
+    lamp.energy = light.get("intensity", 1.0) * lamps.scale(generator, light["type"]) * (4.0 * math.pi if point else 1.0)
+    lamp.color = light.get("color", [1, 1, 1])
+    sizes = light.get("extras", {})
+    if point:
+        lamp.shadow_soft_size = sizes.get("radius", 0.0)
+    else:
+        lamp.angle = sizes.get("angle", 0.0)
+    if "blend" in sizes:
+        lamp.spot_blend = sizes["blend"]
 
 
 def surround(scene, panorama):

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 
-import glb_camera
+import one_file
 
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = "/usr/bin:/bin"  # Blender's Python is Debian's, whatever else there is
@@ -41,9 +41,14 @@ def info(tool, scene, *flags):
 
 
 def with_camera(tool, asset, view, work):
-    """The file, or a copy in the folder `work` that has a camera. view: as for glb_camera."""
+    """The file, or a copy in the folder `work` that has a camera. view: yaw and pitch in degrees from which it looks at the file's middle."""
     found = info(tool, asset)
-    return asset if found["cameras"] else glb_camera.with_camera(asset, found["array"], view, work / asset.name)
+    if found["cameras"]:
+        return asset
+    copy, array = one_file.OneFile(asset), found["array"]
+    copy.add_camera(*one_file.fitted(array, *view), 1.0, array["viewing_distance"])
+    copy.write(work / f"{asset.stem}.glb")
+    return work / f"{asset.stem}.glb"
 
 
 def mse(tool, reference, test):

@@ -1,6 +1,7 @@
 // Normal maps after: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9.3.
 #include "shading/surface_bsdf.hpp"
 
+#include "shading/lifted_normal.hpp"
 #include "shading/look_up.hpp"
 
 namespace lippmann {
@@ -105,6 +106,23 @@ float ior_of_channel(float ior, float dispersion, int channel) {
   return std::max(1.0f, ior + static_cast<float>(channel - 1) * half_spread);
 }
 
+/// Whether some of the light is mirrored by a surface that is no thin wall, through which light is asked for at the smooth
+/// normal.
+bool has_gloss(const MetallicRoughness& m) {
+  return m.specular > 0.0f || m.metallic > 0.0f || m.transmission > 0.0f || m.clearcoat > 0.0f;
+}
+
+/// The facet's normal, of any length, on the viewer's side; shapes other than meshes have no other normal than theirs.
+Vec3f facet_of(const Maps& maps, const SeenPoint& p) {
+  if (!maps.record) return p.normal;
+  const Mesh& mesh = *maps.record->mesh;
+  const auto& [a, b, c] = mesh.triangles[maps.triangle];
+  const Mat3f linear = maps.record->placed ? maps.record->world_from_mesh.linear : Mat3f(1.0f);
+  const Vec3f facet =
+      glm::cross(linear * (mesh.positions[b] - mesh.positions[a]), linear * (mesh.positions[c] - mesh.positions[a]));
+  return glm::dot(facet, p.view) < 0.0f ? -facet : facet;
+}
+
 /// The directions that a surface looks into.
 struct Facing {
   Vec3f normal, coat, view;
@@ -142,7 +160,9 @@ Bsdf metal_rough_bsdf(const MetallicRoughness& m, Vec3f color, const Maps& maps,
   const auto mapped = [&](const TextureMap& map, float scale) {
     return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, p.normal, outer) : p.normal;
   };
-  const Vec3f bent = mapped(m.normal_map, m.normal_scale), coat = mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale);
+  const auto lifted = [&](Vec3f n) { return has_gloss(m) ? lifted_normal(n, facet_of(maps, p), p.view) : n; };
+  const Vec3f bent = lifted(mapped(m.normal_map, m.normal_scale)),
+              coat = lifted(mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale));
   if (m.extensions)
     return extended_bsdf(surface_at(m, color, maps), *m.extensions, maps, albedo, {bent, coat, p.view, p.entering}, channel);
   return Bsdf(std::in_place_type<MetalRoughBsdf>, surface_at(m, color, maps), albedo, bent, coat, p.view, p.entering);

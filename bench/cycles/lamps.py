@@ -1,0 +1,23 @@
+"""What the intensity of a glTF file's lamp is multiplied by, as src/scene/gltf/light.cpp has it: Blender's exporter has units of its own."""
+
+import math
+import re
+
+LUMENS_PER_WATT = 683.0
+FIRST_IN_LUMENS = (3, 4, 39)
+
+
+def version(generator):
+    """The numbers behind the last " v"; those that are missing are 0."""
+    found = re.match(r"(\d+)(?:\.(\d+))?(?:\.(\d+))?", generator.rpartition(" v")[2])
+    return tuple(int(n or 0) for n in found.groups()) if found else (0, 0, 0)
+
+
+def scale(generator, kind):
+    """kind: of the light in the file, "point", "spot" or "directional"."""
+    unnumbered = "Khronos Blender glTF 2.0 I/O" in generator
+    if not unnumbered and "Blender I/O" not in generator:
+        return 1.0
+    if not unnumbered and version(generator) >= FIRST_IN_LUMENS:
+        return 1.0 / LUMENS_PER_WATT
+    return 1.0 if kind == "directional" else 1.0 / (4.0 * math.pi)

@@ -1,0 +1,45 @@
+"""Run by Blender: renders one view of a glTF file with Cycles, as PNG with the view transform "Standard", and prints its CPU seconds.
+
+  blender -b -P scenario_inside_blender.py -- JOB.json
+
+The job: file, panorama (or null), width, height, vertices, threads, skybox (whether the panorama is seen), own_surfaces (Blender's own
+import stays as it is), camera (its name in the file), renders: a list of samples, seed and out. Prints a line "RENDER {json}" for each.
+"""
+
+import json
+import pathlib
+import sys
+
+import bpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import gltf_in_blender as gltf  # noqa: E402
+
+
+def show(job):
+    gltf.load(job["file"], job["own_surfaces"])
+    scene = bpy.context.scene
+    gltf.surround(scene, job["panorama"])
+    gltf.set_up(scene, job["width"], job["height"], job["vertices"], job["threads"])
+    scene.camera = next(o for o in bpy.data.objects if o.type == "CAMERA" and o.name.split(".")[0] == job["camera"])
+    scene.render.film_transparent = not job["skybox"]
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.image_settings.color_mode = "RGBA"
+    scene.render.image_settings.color_depth = "8"
+    scene.render.dither_intensity = 0.0
+    scene.view_settings.view_transform = "Standard"
+    return scene
+
+
+def main():
+    job = json.loads(pathlib.Path(sys.argv[sys.argv.index("--") + 1]).read_text())
+    scene = show(job)
+    scene.render.use_persistent_data = True  # what is rendered first pays for the set-up of all
+    gltf.render(scene, 1, 0, job["renders"][0]["out"])
+    for item in job["renders"]:
+        before = gltf.cpu_seconds()
+        gltf.render(scene, item["samples"], item["seed"], item["out"])
+        print("RENDER", json.dumps({**item, "cpu_seconds": gltf.cpu_seconds() - before}), flush=True)
+
+
+main()

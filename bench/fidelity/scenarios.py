@@ -1,0 +1,91 @@
+"""Scenarios in the form of glTF Render Fidelity's configuration: a model, a camera that orbits a target, surroundings and a size.
+
+A configuration is a JSON file with "scenarios": each has a "name" and a "model" (a path beside the configuration), and may have "lighting" (a
+panorama), "dimensions", "target", "orbit" (theta and phi in degrees, radius), "verticalFoV" (degrees), "renderSkybox" and "exclude" (renderers whose
+pictures do not count). What it does not say is as that project has it. Reference pictures are goldens/NAME/RENDERER-golden.png beside it.
+A folder without a configuration is one scenario for every glTF file below it, seen by its own camera or by the tool's default view.
+"""
+
+import dataclasses
+import json
+import math
+import pathlib
+
+GOLDEN = "-golden.png"
+DEFAULT_SIZE = 768
+
+
+@dataclasses.dataclass
+class Orbit:
+    """theta turns the camera about the vertical from the front, phi is its angle from straight above; degrees. radius: in units of the scene."""
+
+    theta: float = 0.0
+    phi: float = 90.0
+    radius: float = 1.0
+
+
+@dataclasses.dataclass
+class Scenario:
+    name: str
+    model: pathlib.Path
+    lighting: pathlib.Path = None  # none: the panorama of the bench
+    width: int = DEFAULT_SIZE
+    height: int = DEFAULT_SIZE
+    orbit: Orbit = None  # none: the file's camera, or the tool's default view
+    target: tuple = (0.0, 0.0, 0.0)
+    vertical_fov_deg: float = 45.0
+    skybox: bool = False
+    references: dict = dataclasses.field(default_factory=dict)  # renderer: picture
+
+    def size(self, longest):
+        """Width and height in pixels, scaled so that the longer is at most `longest`."""
+        scale = min(1.0, longest / max(self.width, self.height))
+        return max(1, round(self.width * scale)), max(1, round(self.height * scale))
+
+
+def camera_place(orbit, target):
+    """Where an orbit's camera stands, and its turn as a quaternion (x, y, z, w) from looking along -z."""
+    theta, phi = math.radians(orbit.theta), math.radians(orbit.phi)
+    away = (math.sin(phi) * math.sin(theta), math.cos(phi), math.sin(phi) * math.cos(theta))
+    yaw, pitch = theta / 2, (phi - math.pi / 2) / 2
+    turn = [math.cos(yaw) * math.sin(pitch), math.sin(yaw) * math.cos(pitch), -math.sin(yaw) * math.sin(pitch), math.cos(yaw) * math.cos(pitch)]
+    return [t + orbit.radius * a for t, a in zip(target, away)], turn
+
+
+def references_of(folder, name, excluded):
+    found = sorted((folder / "goldens" / name).glob("*" + GOLDEN))
+    pictures = {file.name.removesuffix(GOLDEN): file for file in found}
+    return {renderer: file for renderer, file in pictures.items() if renderer not in excluded}
+
+
+def scenario_of(entry, folder):
+    """One entry of "scenarios"; raises SystemExit where it lacks what it must have."""
+    missing = [key for key in ("name", "model") if not isinstance(entry.get(key), str)]
+    if missing:
+        raise SystemExit(f"{folder}: a scenario has no {missing[0]}: {json.dumps(entry)[:120]}")
+    size, at = entry.get("dimensions", {}), entry.get("target", {})
+    return Scenario(
+        name=entry["name"], model=folder / entry["model"], lighting=folder / entry["lighting"] if entry.get("lighting") else None,
+        width=size.get("width", DEFAULT_SIZE), height=size.get("height", DEFAULT_SIZE), orbit=Orbit(**entry.get("orbit", {})),
+        target=tuple(at.get(axis, 0.0) for axis in "xyz"), vertical_fov_deg=entry.get("verticalFoV", 45.0),
+        skybox=entry.get("renderSkybox", False), references=references_of(folder, entry["name"], entry.get("exclude", [])))
+
+
+def files_below(folder):
+    files = sorted(f for f in folder.rglob("*") if f.suffix.lower() in (".gltf", ".glb"))
+    return [Scenario(name=f.stem, model=f, skybox=True, references=references_of(folder, f.stem, ())) for f in files]
+
+
+def read(path):
+    """The scenarios of a configuration, or of a folder: its config.json, else one of each glTF file in it."""
+    config = path / "config.json" if path.is_dir() else path
+    if path.is_dir() and not config.exists():
+        found = files_below(path)
+    else:
+        try:
+            found = [scenario_of(entry, config.parent) for entry in json.loads(config.read_text())["scenarios"]]
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise SystemExit(f"{config}: not a configuration of scenarios: {error!r}")
+    if not found:
+        raise SystemExit(f"{path}: there are neither scenarios nor glTF files")
+    return found

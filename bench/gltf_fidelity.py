@@ -1,0 +1,234 @@
+#!/usr/bin/python3
+"""What glTF files look like here and in other renderers: each against the median of the others.
+
+  bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--only NAME ...] [--size N] [--spp N] [--tone CURVE] [--json] ...
+
+Scenarios are those of a configuration in the form of glTF Render Fidelity's, or a folder's glTF files (bench/fidelity/scenarios.py). Each is rendered as one
+pinhole view and held against the reference pictures beside the configuration, and with --cycles against Cycles, which gets the same file, camera, light and number
+of samples, and the view transform "Standard" (bench/cycles/gltf_in_blender.py says what its surfaces are). --importer adds Blender's own import of
+the file. Prints PSNR and FLIP of each renderer against the median of the others and million samples per CPU second of both programs (of `spp` samples
+less those of an eighth of them, so that set-up does not count), how alike both programs' pictures could be at most for their noise, and writes DIR/fidelity.html with pictures side by side. What Cycles has rendered is kept in DIR, and
+used again until the file, the light or the numbers change. Needs python3-numpy; for --cycles and --importer, Debian's blender.
+"""
+
+import argparse
+import dataclasses
+import hashlib
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).parent
+for part in ("cycles", "fidelity"):
+    sys.path.insert(0, str(HERE / part))
+import fixtures  # noqa: E402
+import judge  # noqa: E402
+import one_file  # noqa: E402
+import page  # noqa: E402
+import peers  # noqa: E402
+import pictures  # noqa: E402
+import scenarios  # noqa: E402
+
+VIEW = (25.0, 15.0)  # yaw and pitch of files that bring no camera
+
+
+@dataclasses.dataclass
+class Shot:
+    """A scenario as both programs get it."""
+
+    scenario: scenarios.Scenario
+    file: pathlib.Path
+    camera: str
+    panorama: pathlib.Path
+    width: int
+    height: int
+    folder: pathlib.Path
+
+
+def has_lamps(doc):
+    return bool(doc.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights"))
+
+
+def place_camera(copy, scenario, options):
+    """The scenario's camera, the file's own, or one that sees what the tool would show by default."""
+    if not scenario.orbit and copy.name_own_camera(scenario.width / scenario.height):
+        return
+    if scenario.orbit:
+        place, turn = scenarios.camera_place(scenario.orbit, scenario.target)
+        fov, reach = math.radians(scenario.vertical_fov_deg), max(scenario.orbit.radius, 1e-3)
+    else:
+        array = peers.info(options.tool, scenario.model)["array"]
+        place, turn, fov = one_file.fitted(array, *VIEW)
+        reach = array["viewing_distance"]
+    copy.add_camera(place, turn, fov, scenario.width / scenario.height, reach)
+
+
+def set_up(scenario, options):
+    folder = options.out / scenario.name
+    folder.mkdir(parents=True, exist_ok=True)
+    copy = one_file.OneFile(scenario.model)
+    place_camera(copy, scenario, options)
+    file = folder / "scene.glb"
+    copy.write(file)
+    dark = options.dark and not scenario.lighting and has_lamps(copy.doc)
+    panorama = None if dark else scenario.lighting or options.panorama
+    return Shot(scenario, file, one_file.CAMERA, panorama, *scenario.size(options.size), folder)
+
+
+def ours(shot, spp, options):
+    """The picture's file, and CPU seconds."""
+    out = shot.folder / f"lippmann-{spp}"
+    command = [options.tool, "render", shot.file, "--camera", shot.camera, "--optics", "single", "--size", f"{shot.width}x{shot.height}", "--integrator", "path",
+               "--reuse", "none", "--spp", spp, "--seed", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
+               shot.panorama or "none", "--tone", options.tone, "-o", out, "--force", "-q"]
+    if not shot.scenario.skybox:
+        command.append("--transparent")
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    if done.returncode:
+        raise SystemExit(f"{shot.scenario.name}: {done.stderr.strip()}")
+    return out / "frame_0000.png", json.loads((out / "report.json").read_text())["frames"][0]["cpu_seconds"]
+
+
+def key_of(job, shot):
+    """Of all that a picture of Cycles follows from."""
+    parts = [json.dumps(job, sort_keys=True).encode(), shot.file.read_bytes(), shot.panorama.read_bytes() if shot.panorama else b""]
+    parts += [file.read_bytes() for file in sorted((HERE / "cycles").glob("*.py"))]
+    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()
+
+
+def job_of(shot, name, options):
+    """What Blender is asked for (scenario_inside_blender.py)."""
+    return {"file": str(shot.file), "panorama": shot.panorama and str(shot.panorama), "width": shot.width, "height": shot.height, "vertices": options.vertices,
+            "threads": options.threads, "skybox": shot.scenario.skybox, "own_surfaces": name == "importer", "camera": shot.camera,
+            "renders": [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]}
+
+
+def cycles(shot, name, options):
+    """Pictures' files and CPU seconds of an eighth of the samples and of all; kept from an earlier run where it was the same."""
+    job = job_of(shot, name, options)
+    kept, key = shot.folder / f"{name}.json", key_of(job, shot)
+    if kept.exists() and json.loads(kept.read_text())["key"] == key:
+        return json.loads(kept.read_text())["renders"]
+    file = shot.folder / f"{name}-job.json"
+    file.write_text(json.dumps(job))
+    renders = [json.loads(line) for line in peers.blender("scenario_inside_blender.py", [file.resolve()], "RENDER")]
+    kept.write_text(json.dumps({"key": key, "renders": renders}))
+    return renders
+
+
+def few(spp):
+    return max(1, spp // 8)
+
+
+def million_samples_per_second(shot, spp, seconds, few_seconds):
+    return (spp - few(spp)) * shot.width * shot.height / max(seconds - few_seconds, 1e-9) * 1e-6
+
+
+def ours_and_cycles(shot, name, options):
+    """Files and CPU seconds of a picture of few samples and of one of all."""
+    if name != "lippmann":
+        return [(pathlib.Path(r["out"]), r["cpu_seconds"]) for r in cycles(shot, name, options)]
+    return [ours(shot, spp, options) for spp in (few(options.spp), options.spp)]
+
+
+def rendered(shot, options):
+    """{renderer: RGBA picture}, speeds and noise, and what is to be said of them."""
+    named, notes, facts = {}, [], {}
+    for name in ["lippmann", *options.peers]:
+        (less, few_seconds), (more, seconds) = ours_and_cycles(shot, name, options)
+        named[name] = pictures.read(more)
+        facts[f"{name}_speed"] = million_samples_per_second(shot, options.spp, seconds, few_seconds)
+        facts[f"{name}_noise"] = judge.noise(pictures.read(less), named[name], options.spp / few(options.spp))
+    for name, file in shot.scenario.references.items():
+        reference = pictures.shrunk(pictures.read(file), shot.width, shot.height)
+        if reference is None:
+            notes.append(f"{name} is left out: {file.name} is no whole number of times {shot.width} x {shot.height} pixels")
+        else:
+            named[name] = reference
+    return named, facts, notes
+
+
+def measure(scenario, options, out):
+    """A row of the table, which the page gets too; none where there is nothing to compare with."""
+    shot = set_up(scenario, options)
+    named, facts, notes = rendered(shot, options)
+    if len(named) < 2:
+        print(f"{scenario.name}: no other renderer's picture; add goldens/{scenario.name}/RENDERER{scenarios.GOLDEN} or say --cycles", file=sys.stderr)
+        return None
+    judged = judge.judged(named)
+    row = {"scenario": scenario.name, "notes": notes, "noise_db": judge.noise_together(facts), **facts, "renderers": {name: {k: j[k] for k in ("psnr_db", "flip")} for name, j in judged.items()}}
+    out.add(row, judged, named)
+    return row
+
+
+def line(row):
+    each = "  ".join(f"{name} {j['psnr_db']:.2f} dB, {j['flip']:.4f}" for name, j in row["renderers"].items())
+    noise = f"  noise alone {row['noise_db']:.2f} dB" if "cycles_speed" in row else ""
+    return f"{row['scenario']:24} {each}{noise}  {page.speed(row)}"
+
+
+def without_infinity(value):
+    """For JSON, which knows none: the PSNR of pictures that are the same is null."""
+    if isinstance(value, dict):
+        return {key: without_infinity(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [without_infinity(item) for item in value]
+    return None if value == math.inf else value
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenarios", type=pathlib.Path, metavar="FOLDER_OR_CONFIG")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("fidelity"), help="folder for pictures and the page")
+    parser.add_argument("--only", nargs="+", metavar="NAME", help="these scenarios")
+    parser.add_argument("--cycles", action="store_true")
+    parser.add_argument("--importer", action="store_true")
+    parser.add_argument("--environment", type=pathlib.Path, dest="panorama", help="of scenarios without lighting; default: a soft sky with a warm sun")
+    parser.add_argument("--dark", action="store_true", help="files that have lamps get no panorama but a scenario's own")
+    parser.add_argument("--size", type=int, default=256, help="the longer side of pictures is at most this")
+    parser.add_argument("--spp", type=int, default=256)
+    parser.add_argument("--vertices", type=int, default=12, help="of a path, at most")
+    parser.add_argument("--tone", default="none", help="view transform of ours, as that of the reference pictures: none, neutral or agx")
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--tool", type=pathlib.Path, default=HERE.parent / "build" / "release" / "lippmann")
+    parser.add_argument("--json", action="store_true")
+    options = parser.parse_args()
+    options.out = options.out.resolve()
+    options.peers = [name for name in ("cycles", "importer") if getattr(options, name)]
+    if options.peers and options.tone != "none":
+        parser.error("--tone: beside Cycles, whose pictures have Blender's transform \"Standard\", only none compares")
+    return options
+
+
+def chosen(options):
+    found = scenarios.read(options.scenarios)
+    unknown = set(options.only or []) - {s.name for s in found}
+    if unknown:
+        raise SystemExit(f"no such scenario: {', '.join(sorted(unknown))}; there are {', '.join(s.name for s in found)}")
+    return [s for s in found if not options.only or s.name in options.only]
+
+
+def main():
+    options = parse()
+    if options.peers and not peers.has_blender():
+        return
+    asked = chosen(options)
+    options.out.mkdir(parents=True, exist_ok=True)
+    if not options.panorama:
+        options.panorama = options.out / "panorama.hdr"
+        fixtures.write_panorama(options.panorama)
+    out, rows = page.Page(), []
+    for scenario in asked:
+        row = measure(scenario, options, out)
+        if row:
+            rows.append(row)
+            print(line(row), file=sys.stderr if options.json else sys.stdout, flush=True)
+            out.write(options.out / "fidelity.html")
+    if options.json:
+        print(json.dumps(without_infinity({"bench": "fidelity", "rows": rows}), indent=2))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,239 @@
+"""The parts of bench/gltf_fidelity.py: FLIP by values of its paper's formulas, PNG filters, cameras, files in one, medians."""
+
+import base64
+import json
+import math
+import struct
+import sys
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+import numpy as np
+
+BENCH = Path(__file__).parents[2] / "bench"
+sys.path += [str(BENCH / "cycles"), str(BENCH / "fidelity")]
+
+import flip  # noqa: E402  (once they can be found)
+import judge  # noqa: E402
+import lamps  # noqa: E402
+import one_file  # noqa: E402
+import page  # noqa: E402
+import pictures  # noqa: E402
+import scenarios  # noqa: E402
+
+RED, GREEN, BLUE, BLACK, WHITE = ((255, 0, 0), (0, 255, 0), (0, 0, 255), (0, 0, 0), (255, 255, 255))
+
+
+def plain(color, size=40, alpha=255):
+    return np.tile(np.array((*color, alpha), np.uint8), (size, size, 1))
+
+
+def flip_of(a, b):
+    return flip.difference(plain(a)[..., :3], plain(b)[..., :3])
+
+
+class Flip(unittest.TestCase):
+    def test_like_pictures_have_no_difference(self):
+        noise = np.random.default_rng(1).integers(0, 256, (40, 30, 3)).astype(np.uint8)
+        self.assertEqual(flip.difference(noise, noise).max(), 0.0)
+
+    def test_plain_green_and_blue_differ_by_all(self):
+        np.testing.assert_allclose(flip_of(GREEN, BLUE), 1.0, atol=1e-6)  # the two that the scale is made by
+
+    def test_plain_black_and_white_differ_by_their_lightness_alone(self):
+        most = float(flip.hyab(*flip.hunt_lab(np.array([[0.0, 1, 0], [0, 0, 1]])))**0.7)
+        split = 0.4 * most
+        expected = 0.95 + 0.05 * (100**0.7 - split) / (most - split)  # beyond the split; L* is 0 and 100
+        np.testing.assert_allclose(flip_of(BLACK, WHITE), expected, atol=1e-5)
+        self.assertAlmostEqual(most, 41.277, delta=0.05)
+
+    def test_lightness_of_half_the_light_is_cies(self):
+        self.assertAlmostEqual(flip.hunt_lab(np.full((1, 1, 3), 0.5))[0, 0, 0], 116 * 0.5**(1 / 3) - 16, places=6)
+
+    def test_opponent_colours_come_back(self):
+        rgb = np.random.default_rng(2).random((5, 5, 3))
+        np.testing.assert_allclose(flip.from_opponent(flip.opponent(rgb)), rgb, atol=1e-9)
+
+    def test_a_line_that_is_missing_counts_more_than_as_much_lightness_everywhere(self):
+        lined = plain((128, 128, 128))[..., :3]
+        lined[:, 20] = 255
+        grey = plain((128, 128, 128))[..., :3]
+        seen = flip.color_difference(*[flip.opponent(flip.linear(p / 255.0)) for p in (lined, grey)])
+        self.assertGreater(flip.difference(lined, grey)[20, 20], 1.2 * seen[20, 20])
+
+    def test_either_picture_may_be_the_reference(self):
+        a, b = (np.random.default_rng(seed).integers(0, 256, (33, 37, 3)).astype(np.uint8) for seed in (3, 4))
+        np.testing.assert_allclose(flip.difference(a, b), flip.difference(b, a), atol=1e-12)
+
+
+def filtered(codes, kinds):
+    """A PNG file whose row i has the filter kinds[i]."""
+    height, width, step = codes.shape
+    above, out = [0] * (width * step), b""
+    for row, kind in zip(codes.reshape(height, -1).tolist(), kinds):
+        left, corner = [0] * step + row[:-step], [0] * step + above[:-step]
+        guess = {0: lambda i: 0, 1: lambda i: left[i], 2: lambda i: above[i], 3: lambda i: (left[i] + above[i]) // 2,
+                 4: lambda i: pictures.paeth(left[i], above[i], corner[i])}[kind]
+        out += bytes([kind]) + bytes((value - guess(i)) & 255 for i, value in enumerate(row))
+        above = row
+    chunk = lambda name, data: struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+    header = struct.pack(">IIBBBBB", width, height, 8, {3: 2, 4: 6}[step], 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(out)) + chunk(b"IEND", b"")
+
+
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.file = Path(self.folder.name) / "picture.png"
+        self.addCleanup(self.folder.cleanup)
+
+    def test_every_filter_is_undone(self):
+        codes = np.random.default_rng(5).integers(0, 256, (10, 9, 4)).astype(np.uint8)
+        self.file.write_bytes(filtered(codes, [0, 1, 2, 3, 4] * 2))
+        np.testing.assert_array_equal(pictures.read(self.file), codes)
+
+    def test_without_alpha_all_is_covered(self):
+        self.file.write_bytes(filtered(plain(RED, 3)[..., :3], [4, 4, 4]))
+        np.testing.assert_array_equal(pictures.read(self.file), plain(RED, 3))
+
+    def test_what_is_written_is_read(self):
+        codes = np.random.default_rng(6).integers(0, 256, (4, 5, 4)).astype(np.uint8)
+        self.file.write_bytes(pictures.png(codes))
+        np.testing.assert_array_equal(pictures.read(self.file), codes)
+
+    def test_other_files_are_refused(self):
+        self.file.write_bytes(b"P6 1 1 255 abc")
+        with self.assertRaisesRegex(SystemExit, "not a PNG"):
+            pictures.read(self.file)
+
+    def test_halves_have_the_mean_light_of_what_is_covered(self):
+        picture = plain(WHITE, 2)
+        picture[0] = (*BLACK, 0)  # the upper row is empty, so that it weighs nothing
+        np.testing.assert_array_equal(pictures.shrunk(picture, 1, 1), [[[255, 255, 255, 128]]])
+        self.assertIsNone(pictures.shrunk(plain(WHITE, 3), 2, 2))
+
+
+class Judge(unittest.TestCase):
+    def test_the_odd_one_out_is_far_from_the_median_and_the_others_are_near(self):
+        judged = judge.judged({"a": plain((100, 100, 100)), "b": plain((102, 102, 102)), "c": plain((101, 101, 101)), "odd": plain((200, 100, 100))})
+        self.assertGreater(judged["a"]["psnr_db"], 44)  # medians of what is left are 102 at most
+        self.assertLess(judged["odd"]["psnr_db"], 14)
+        self.assertGreater(judged["odd"]["flip"], 10 * judged["a"]["flip"])
+
+    def test_empty_background_does_not_count(self):
+        a, b = plain(BLACK, 40, 0), plain(BLACK, 40, 0)
+        a[:20], b[:20] = plain(WHITE)[:20], plain((245, 245, 245))[:20]
+        self.assertAlmostEqual(judge.judged({"a": a, "b": b})["a"]["psnr_db"], 20 * math.log10(25.5), places=9)
+
+    def test_pictures_of_background_alone_are_refused(self):
+        with self.assertRaisesRegex(SystemExit, "background"):
+            judge.judged({"a": plain(BLACK, 20, 0), "b": plain(BLACK, 20, 0)})
+
+    def test_noise_of_more_samples_is_told_from_the_difference_to_fewer(self):
+        random = np.random.default_rng(7)
+        grey = lambda sigma: np.clip(np.round(128 + sigma * random.standard_normal((200, 200, 1))), 0, 255).astype(np.uint8)
+        few, many = [np.concatenate([np.repeat(grey(sigma), 3, 2), plain(WHITE, 200)[..., :1]], axis=2) for sigma in (10.0, 10.0 / 8**0.5)]
+        self.assertAlmostEqual(judge.noise(few, many, 8), 100 / 8, delta=0.5)
+
+
+class Scenarios(unittest.TestCase):
+    def read(self, config):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "config.json").write_text(json.dumps(config))
+            golden = Path(folder) / "goldens" / "one"
+            golden.mkdir(parents=True)
+            for name in ("a", "b"):
+                (golden / f"{name}-golden.png").touch()
+            return scenarios.read(Path(folder))
+
+    def test_what_is_not_said_is_as_in_render_fidelity(self):
+        one, = self.read({"scenarios": [{"name": "one", "model": "m.glb", "orbit": {"theta": 90}, "target": {"y": 2}}]})
+        self.assertEqual((one.width, one.height, one.vertical_fov_deg, one.skybox), (768, 768, 45.0, False))
+        self.assertEqual((one.orbit, one.target), (scenarios.Orbit(90, 90.0, 1.0), (0.0, 2, 0.0)))
+        self.assertEqual(sorted(one.references), ["a", "b"])
+
+    def test_excluded_renderers_have_no_reference(self):
+        one, = self.read({"scenarios": [{"name": "one", "model": "m.glb", "exclude": ["a"]}]})
+        self.assertEqual(list(one.references), ["b"])
+
+    def test_bad_configurations_are_refused_with_their_name(self):
+        for config in ({}, {"scenarios": []}, {"scenarios": [{"name": "x"}]}, {"scenarios": [{"name": "x", "model": "m", "orbit": {"tilt": 1}}]}):
+            with self.assertRaises(SystemExit):
+                self.read(config)
+
+    def test_the_longer_side_is_limited(self):
+        self.assertEqual(scenarios.Scenario("x", None, width=1024, height=512).size(256), (256, 128))
+        self.assertEqual(scenarios.Scenario("x", None, width=100, height=50).size(256), (100, 50))
+
+    def test_an_orbits_camera_looks_at_its_target(self):
+        for theta, phi in ((0, 90), (30, 60), (-90, 45), (200, 120)):
+            place, (x, y, z, w) = scenarios.camera_place(scenarios.Orbit(theta, phi, 5.0), (1.0, 2.0, 3.0))
+            forward = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])  # -z, turned
+            np.testing.assert_allclose(np.array(place) + 5.0 * forward, (1, 2, 3), atol=1e-9)
+
+    def test_an_orbit_of_none_stands_in_front_and_phi_0_above(self):
+        np.testing.assert_allclose(scenarios.camera_place(scenarios.Orbit(), (0, 0, 0))[0], (0, 0, 1), atol=1e-12)
+        np.testing.assert_allclose(scenarios.camera_place(scenarios.Orbit(90, 90, 2), (0, 0, 0))[0], (2, 0, 0), atol=1e-12)
+        np.testing.assert_allclose(scenarios.camera_place(scenarios.Orbit(0, 0, 2), (0, 0, 0))[0], (0, 2, 0), atol=1e-12)
+
+
+class OneFile(unittest.TestCase):
+    def test_buffers_and_images_from_everywhere_are_found_in_one(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "a b.bin").write_bytes(b"first")
+            (folder / "i.png").write_bytes(b"\x89PNG image")
+            uri = "data:application/octet-stream;base64," + base64.b64encode(b"..second").decode()
+            doc = {"asset": {"version": "2.0"}, "buffers": [{"byteLength": 5, "uri": "a%20b.bin"}, {"byteLength": 8, "uri": uri}],
+                   "bufferViews": [{"buffer": 0, "byteLength": 5}, {"buffer": 1, "byteOffset": 2, "byteLength": 6}], "images": [{"uri": "i.png"}]}
+            (folder / "f.gltf").write_text(json.dumps(doc))
+            copy = one_file.OneFile(folder / "f.gltf")
+            copy.add_camera([0, 0, 1], [0, 0, 0, 1], 0.8, 1.0, 1.0)
+            copy.write(folder / "f.glb")
+            back = one_file.OneFile(folder / "f.glb")
+        views = [bytes(back.blob[v["byteOffset"]:v["byteOffset"] + v["byteLength"]]) for v in back.doc["bufferViews"]]
+        self.assertEqual(views, [b"first", b"second", b"\x89PNG image"])
+        self.assertEqual(back.doc["images"], [{"bufferView": 2, "mimeType": "image/png"}])
+        self.assertEqual(back.doc["nodes"][back.doc["scenes"][0]["nodes"][0]]["name"], one_file.CAMERA)
+
+
+    def test_a_files_own_camera_is_the_first_perspective_one(self):
+        with tempfile.TemporaryDirectory() as name:
+            file = Path(name) / "f.gltf"
+            flat, deep = {"type": "orthographic", "orthographic": {}}, {"type": "perspective", "perspective": {"yfov": 0.5, "aspectRatio": 2.0}}
+            file.write_text(json.dumps({"cameras": [flat, deep], "nodes": [{"camera": 0}, {"camera": 1}]}))
+            copy = one_file.OneFile(file)
+        self.assertTrue(copy.name_own_camera(1.0))
+        self.assertEqual([node.get("name") for node in copy.doc["nodes"]], [None, one_file.CAMERA])
+        self.assertEqual(copy.doc["cameras"][1]["perspective"], {"yfov": 0.5, "aspectRatio": 1.0})
+        copy.doc["nodes"] = [{"camera": 0}]
+        self.assertFalse(copy.name_own_camera(1.0))
+
+
+class Lamps(unittest.TestCase):
+    def test_units_are_those_of_the_program_that_wrote_them(self):
+        self.assertEqual(lamps.scale("Khronos glTF", "point"), 1.0)
+        self.assertAlmostEqual(lamps.scale("Khronos glTF Blender I/O v3.4.50", "point"), 1 / 683)
+        self.assertAlmostEqual(lamps.scale("Khronos glTF Blender I/O v3.4.38", "spot"), 1 / (4 * math.pi))
+        self.assertEqual(lamps.scale("Khronos Blender glTF 2.0 I/O", "directional"), 1.0)
+
+
+class Page(unittest.TestCase):
+    def test_names_and_pictures_are_in_it_and_nothing_from_outside(self):
+        named = {"lippmann": plain(RED, 20), "<other>": plain(BLUE, 20)}
+        judged = judge.judged(named)
+        out = page.Page()
+        out.add({"scenario": "a&b", "notes": ["left <out>"], "renderers": judged}, judged, named)
+        with tempfile.TemporaryDirectory() as folder:
+            out.write(Path(folder) / "p.html")
+            text = (Path(folder) / "p.html").read_text()
+        self.assertIn("a&amp;b", text)
+        self.assertIn("left &lt;out&gt;", text)
+        self.assertEqual(text.count("data:image/png;base64,"), 4)  # two pictures, two maps
+        self.assertNotIn("http", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,101 @@
+// Normals whose mirror direction would be below the facet.
+#include "shading/lifted_normal.hpp"
+
+#include <numbers>
+
+#include "small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+Vec3f mirrored_at(Vec3f normal, Vec3f view) { return 2.0f * glm::dot(normal, view) * normal - view; }
+
+/// An even direction with z above 0.
+Vec3f upwards(std::mt19937& random) {
+  std::uniform_real_distribution<float> in_unit(1e-3f, 1.0f), turn(0.0f, 2.0f * std::numbers::pi_v<float>);
+  const float z = in_unit(random), r = std::sqrt(1.0f - z * z), phi = turn(random);
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+TEST(LiftedNormal, stays_where_its_mirror_direction_is_above_the_facet) {
+  const Vec3f normal = glm::normalize(Vec3f(0.3f, -0.2f, 1.0f)), view = glm::normalize(Vec3f(0.1f, 0.4f, 1.0f));
+  EXPECT_EQ(lifted_normal(normal, {0, 0, 7}, view), normal);
+  EXPECT_EQ(lifted_normal({0, 0, 1}, {0, 0, 2}, glm::normalize(Vec3f(1.0f, 0.0f, 1e-3f))), Vec3f(0, 0, 1));  // edge-on
+}
+
+TEST(LiftedNormal, a_normal_that_looks_away_from_the_viewer_is_found_by_hand) {
+  // The view is 60 degrees from the facet's normal, the given one 80 degrees from it on the other side, 140 from the view.
+  // Mirrored to 0.01 above the facet, 89.427 degrees from its normal, the view needs a normal half-way: (89.427 - 60) / 2
+  // = 14.714 degrees.
+  const auto at = [](float degrees) {
+    const float a = degrees * std::numbers::pi_v<float> / 180.0f;
+    return Vec3f(std::sin(a), 0.0f, std::cos(a));
+  };
+  expect_color(lifted_normal(at(80), {0, 0, 1}, at(-60)), at(14.7135f), 1e-4f);
+}
+
+TEST(LiftedNormal, mirrors_any_view_to_above_the_facet_and_lies_between_the_two_normals) {
+  std::mt19937 random(3);
+  int lifted = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3f view = upwards(random), normal = upwards(random), z(0, 0, 1), got = lifted_normal(normal, {0, 0, 0.1f}, view);
+    const float height = std::min(0.9f * view.z, 0.01f);
+    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);  // single precision
+    EXPECT_GT(glm::dot(got, view), 0.0f);
+    EXPECT_NEAR(glm::length(got), 1.0f, 1e-5f);
+    if (got == normal) continue;
+    ++lifted;
+    EXPECT_NEAR(mirrored_at(got, view).z, height, 1e-6f);                  // no further than it must be
+    EXPECT_NEAR(glm::dot(glm::cross(normal, z), got), 0.0f, 1e-5f);        // in the plane of both
+    EXPECT_GE(glm::dot(got, z), normal.z - 1e-6f);                         // and nearer to the facet's
+    EXPECT_GE(glm::dot(glm::cross(z, normal), glm::cross(z, got)), 0.0f);  // on the same side of it
+  }
+  EXPECT_GT(lifted, 500);
+}
+
+TEST(LiftedNormal, what_has_no_direction_of_its_own_is_the_facets) {
+  const Vec3f view = glm::normalize(Vec3f(1.0f, 0.0f, 1.0f));
+  EXPECT_EQ(lifted_normal({0, 0, -1}, {0, 0, 1}, view), Vec3f(0, 0, 1));
+  EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));  // a facet without extent says nothing
+}
+
+/// Of a few faces, with the normals of a ball, and no gap anywhere: two poles and `rings` rings of as many corners times two.
+Mesh coarse_ball(float radius, std::uint32_t rings) {
+  const float step = std::numbers::pi_v<float> / static_cast<float>(rings + 1);
+  const std::uint32_t corners = 2 * rings;
+  Mesh mesh;
+  mesh.normals = {{0, 1, 0}, {0, -1, 0}};
+  for (std::uint32_t j = 0; j < rings; ++j)
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const float polar = step * static_cast<float>(j + 1),
+                  turn = std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(rings);
+      mesh.normals.emplace_back(std::sin(polar) * std::cos(turn), std::cos(polar), -std::sin(polar) * std::sin(turn));
+    }
+  for (const Vec3f n : mesh.normals) mesh.positions.push_back(radius * n);
+  const auto corner = [&](std::uint32_t j, std::uint32_t i) { return 2 + j * corners + i % corners; };
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    mesh.triangles.push_back({0, corner(0, i), corner(0, i + 1)});
+    mesh.triangles.push_back({1, corner(rings - 1, i + 1), corner(rings - 1, i)});
+    for (std::uint32_t j = 0; j + 1 < rings; ++j) {
+      mesh.triangles.push_back({corner(j, i), corner(j + 1, i), corner(j, i + 1)});
+      mesh.triangles.push_back({corner(j, i + 1), corner(j + 1, i), corner(j + 1, i + 1)});
+    }
+  }
+  return mesh;
+}
+
+TEST(LiftedNormal, a_coarse_mirror_ball_has_no_dark_rim_in_a_white_furnace) {
+  SmallScene s;
+  surround(s, Vec3f(1.0f));
+  MetallicRoughness metal;
+  metal.metallic = 1.0f;
+  metal.roughness = 0.0f;
+  s.add(coarse_ball(1.5f, 6), s.material(metal));
+  const Image film = trace_paths(s.scene, single_view(32), 64).film;
+  for (const float value : film.data) EXPECT_NEAR(value, 1.0f, 1e-3f);
+}
+
+}  // namespace
+}  // namespace lippmann
