@@ -33,6 +33,7 @@ struct PointImage {
   PrimaryPoints points;                ///< at `moment`; kNoObject: background, kMissedObject: none
   Image film;                          ///< 3 channels, linear: the colour of every pixel
   std::vector<std::uint8_t> contrast;  ///< by pixel, of the bits above; empty: not looked for
+  std::vector<std::uint8_t> provenance;  ///< by pixel, values of Provenance; empty: all were traced, or nobody asks
   std::vector<std::uint32_t> rays;     ///< by block that is traced together (TouchedBlocks::rays); empty: not counted
 };
 

@@ -80,7 +80,8 @@ PagePicture encoded_picture(const Image8& picture, int effort) {
 
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort) {
   if (kind == "views") return encoded_picture(field.quilt(frame), effort);
-  return encoded_picture(kind == "depth" ? field.disparities(frame) : field.panel(frame), effort);
+  if (kind == "depth") return encoded_picture(field.disparities(frame), effort);
+  return encoded_picture(kind == "provenance" ? field.provenance(frame) : field.panel(frame), effort);
 }
 
 std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display) {
@@ -184,14 +185,15 @@ PageAnswer PageAnswers::run_order(std::string_view order) {
   }
 }
 
-/// FIELD/views/FRAME, FIELD/depth/FRAME, FIELD/panel/FRAME
+/// FIELD/KIND/FRAME, see page_picture().
 PageAnswer PageAnswers::picture(std::string_view path) {
   const std::optional<std::size_t> field = number_in(cut_part(path));
   const std::string_view kind = cut_part(path);
   const std::optional<std::size_t> frame = number_in(path);
   if (!field || !frame || *field >= fields_.size()) return unknown_path();
   const PageField& shown = *fields_[*field];
-  const bool known = kind == "views" || kind == "panel" || (kind == "depth" && shown.facts().has_depth);
+  const bool known = kind == "views" || kind == "panel" || (kind == "depth" && shown.facts().has_depth) ||
+                     (kind == "provenance" && shown.facts().has_provenance);
   if (!known || *frame >= shown.facts().frames.size()) return unknown_path();
   try {
     const Bytes bytes = cache_.get(fmt::format("{}/{}/{}", *field, kind, *frame),
