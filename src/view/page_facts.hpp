@@ -58,6 +58,9 @@ PageFacts page_facts(const Optics& optics);
 Viewer eye_of_view(const PageFacts& facts, int view);
 
 /// sRGB codes; facts.tiles of facts.view_size. `where` is named by the Error for a picture that is not of the optics' size.
-Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where);
+/// crosstalk_px: a sigma as of optics/crosstalk.hpp, with which eyes look; of views of whole pixels, which no eye looks at, it
+/// is not used.
+Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where,
+                   double crosstalk_px = 0.0);
 
 }  // namespace lippmann

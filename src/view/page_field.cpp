@@ -94,7 +94,9 @@ PageField::PageField(const fs::path& folder, std::shared_ptr<const ComingFrames>
   for (const int frame : coming_->frames()) facts_.frames.push_back({fmt::format("{:04}", frame), {}});
 }
 
-Image8 PageField::quilt(std::size_t frame) const { return views_quilt(read(frame), facts_, pool_, file_of(frame).string()); }
+Image8 PageField::quilt(std::size_t frame, double crosstalk_px) const {
+  return views_quilt(read(frame), facts_, pool_, file_of(frame).string(), crosstalk_px);
+}
 
 Image8 PageField::disparities(std::size_t frame) const {
   const Layered views = layered(frame);

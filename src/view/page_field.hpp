@@ -40,8 +40,8 @@ class PageField {
 
   // These are of the frame of that index, below facts().frames.size(). All throw Error naming the file; thread-safe.
 
-  /// sRGB codes; facts().tiles of facts().view_size.
-  Image8 quilt(std::size_t frame) const;
+  /// sRGB codes; facts().tiles of facts().view_size. With crosstalk (see views_quilt) as eyes see it through the panel's own.
+  Image8 quilt(std::size_t frame, double crosstalk_px = 0.0) const;
   /// Likewise, codes of disparity. Needs facts().has_depth.
   Image8 disparities(std::size_t frame) const;
   /// Likewise, where each pixel came from: its number in Provenance, as red, green and blue. Needs facts().has_provenance.

@@ -1,5 +1,5 @@
 // Frames on the GPU: loaded when they are asked for or soon will be, the least recently used given up beyond a bound.
-import { loadPicture } from "./data";
+import { asksForCrosstalk, loadPicture } from "./data";
 import { Refusal, type Field } from "./field";
 import { samePanel } from "./display";
 import { pictureTexture, type Gl } from "./gl";
@@ -7,8 +7,9 @@ import type { Interlacer } from "./interlace";
 import { sharesOf, type Provenance } from "./provenance";
 import { layerTiles, quiltTexture, type LayerTiles } from "./quilt";
 
-/** What a frame is loaded for: eyes need its views, the panel's picture may be one of its own, a display plays one of codes. */
-export type Use = "eye" | "panel" | "display";
+/** What a frame is loaded for: eyes need its views, the panel's picture may be one of its own, a display plays one of codes.
+ *  Eyes may look through crosstalk that the program computes, a sigma in hundredths of a pixel. */
+export type Use = "eye" | "panel" | "display" | `eye/${number}`;
 
 export interface LoadedFrame {
   /** How views, depth and provenance lie in their textures. */
@@ -56,6 +57,9 @@ async function rangeOf(codes: ImageBitmap, scale: number): Promise<[number, numb
   return [least - margin, greatest + margin];
 }
 
+/** The end of the name of views. */
+const crosstalkOf = (use: Use): string => (use.startsWith("eye/") ? use.slice(3) : "");
+
 /** Pictures that are one tile. */
 const kWhole: [number, number] = [1, 1];
 
@@ -82,12 +86,21 @@ export class Frames {
     private readonly notice: (text: string) => void,
   ) {}
 
+  private key(field: number, frame: number, use: Use): string {
+    return `${field}/${frame}/${this.useFor(field, use)}`;
+  }
+
+  /** Only panels of their own need the program's help with crosstalk. */
+  private useFor(field: number, use: Use): Use {
+    return use.startsWith("eye/") && !asksForCrosstalk(this.fields[field]) ? "eye" : use;
+  }
+
   /** The frame, where it is there; else it is on its way, and `changed` is called when it is. Throws what loading it threw. */
   get(field: number, frame: number, use: Use): LoadedFrame | null {
     if (this.isLive) return this.live;
     const { label, pending } = this.fields[field].frames[frame];
     if (pending) throw new Refusal(`Frame ${label} is not rendered yet.`);
-    const key = `${field}/${frame}/${use}`;
+    const key = this.key(field, frame, use);
     const failure = this.failures.get(key);
     if (failure && performance.now() - failure.at < kRetryMs) throw failure.error;
     const found = this.loaded.get(key);
@@ -138,7 +151,7 @@ export class Frames {
 
   /** The frame where it is there; nothing is loaded. */
   peek(field: number, frame: number, use: Use): LoadedFrame | null {
-    return this.isLive ? this.live : (this.loaded.get(`${field}/${frame}/${use}`) ?? null);
+    return this.isLive ? this.live : (this.loaded.get(this.key(field, frame, use)) ?? null);
   }
 
   /** What a display plays is made by this from now on. */
@@ -158,13 +171,13 @@ export class Frames {
 
   load(field: number, frame: number, use: Use): Promise<LoadedFrame | null> {
     if (this.isLive) return Promise.resolve(this.live);
-    const key = `${field}/${frame}/${use}`;
+    const key = this.key(field, frame, use);
     if (this.fields[field].frames[frame].pending) return Promise.resolve(null);
     const found = this.loaded.get(key);
     if (found) return Promise.resolve(found);
     let promise = this.loading.get(key);
     if (!promise) {
-      promise = use === "display" ? this.makePlayed(field, frame) : this.make(field, frame, use);
+      promise = use === "display" ? this.makePlayed(field, frame) : this.make(field, frame, this.useFor(field, use));
       this.loading.set(key, promise);
       promise
         .then((made) => this.keep(key, made))
@@ -219,7 +232,7 @@ export class Frames {
     const label = facts.frames[frame].label;
     const needsPanel = use === "panel" && facts.panel.is === "own";
     const [views, panel] = await Promise.all([
-      this.quilt(`${field}/views/${frame}`, label, facts),
+      this.quilt(`${field}/views/${frame}${crosstalkOf(use)}`, label, facts),
       needsPanel ? this.bitmap(`${field}/panel/${frame}`, label, facts.panel.size) : null,
     ]);
     const made: LoadedFrame = {

@@ -554,7 +554,7 @@ export class App {
   /** Codes (RGBA, from the top) of what the eye sees of a light field in a picture of that size. */
   async picture(size: [number, number], field = 0): Promise<Uint8ClampedArray> {
     const { state } = this.store;
-    const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), "eye");
+    const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), useOf({ ...state, show: "eye" }));
     await frame?.whole;
     const codes = this.renderer.picture(state, field, size);
     if (!codes) throw new Refusal("The frame is not there yet.");

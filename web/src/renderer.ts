@@ -30,7 +30,8 @@ const kLoupeRadius = 92;
 /** Beyond the views' own samples a picture has nothing to show, but edges of lenses and of depth should not look coarse. */
 const kLeastLongSide = 800;
 
-export const useOf = (state: State): Use => state.show;
+/** Crosstalk is computed where nothing else is asked for. */
+export const useOf = (state: State): Use => (state.show === "eye" && state.crosstalk > 0 && state.aperture === 0 ? `eye/${Math.round(100 * state.crosstalk)}` : state.show);
 
 const axisOf = (axis: Axis): number[] => [axis.first, axis.step, axis.by === "angle" ? 1 : 0, kBeyond[axis.beyond]];
 
