@@ -22,6 +22,9 @@ const limitedTo = (side) => `{
 
 const codes = (page) => page.evaluate(async () => [...(await window.lippmann.picture(192, 192))]);
 const canvas = (page) => page.evaluate(() => [...window.lippmann.panel()]);
+/** GPUs place samples between texels to a 256th of a texel, counted from other places in a layer than in the whole. */
+const kLeastDb = 50;
+const psnr = (a, b) => -10 * Math.log10(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / a.length);
 const most = (a, b) => a.reduce((greatest, x, i) => Math.max(greatest, Math.abs(x - b[i])), 0);
 
 test("in layers it looks as in one texture", async () => {
@@ -34,7 +37,9 @@ test("in layers it looks as in one texture", async () => {
     for (const changes of [{ between: "depth", aperture: 0 }, { between: "blend" }, { aperture: 0.6, focus: 3 }]) {
       const state = { eye: await eyeOfView(whole, across, up), ...changes };
       await set(whole, state), await set(layered, state);
-      assert.equal(most(await codes(whole), await codes(layered)), 0, `view ${across}, ${JSON.stringify(changes)}`);
+      const alike = psnr(await codes(whole), await codes(layered));
+      console.log(`view ${across}, ${JSON.stringify(changes)}: ${alike.toFixed(1)} dB`);
+      assert.ok(alike >= kLeastDb, `view ${across}, ${JSON.stringify(changes)}: ${alike} dB`);
     }
   for (const page of [whole, layered]) await set(page, { show: "panel", aperture: 0 });
   assert.equal(most(await canvas(whole), await canvas(layered)), 0, "what the panel shows");
