@@ -192,14 +192,16 @@ PageAnswer PageAnswers::run_order(std::string_view order) {
 PageAnswer PageAnswers::picture(std::string_view path) {
   const std::optional<std::size_t> field = number_in(cut_part(path));
   const std::string_view kind = cut_part(path);
-  const std::optional<std::size_t> frame = number_in(cut_part(path));
-  const std::optional<std::size_t> crosstalk = path.empty() ? 0 : number_in(path);
+  const std::size_t slash = path.find('/');
+  const bool blurs = slash != std::string_view::npos;
+  const std::optional<std::size_t> frame = number_in(path.substr(0, slash));
+  const std::optional<std::size_t> crosstalk = blurs ? number_in(path.substr(slash + 1)) : 0;
   if (!field || !frame || !crosstalk || *field >= fields_.size()) return unknown_path();
   const PageField& shown = *fields_[*field];
   const bool known = kind == "views" || kind == "panel" || (kind == "depth" && shown.facts().has_depth) ||
                      (kind == "provenance" && shown.facts().has_provenance);
-  const bool blurs = *crosstalk > 0;
-  if (blurs && (kind != "views" || shown.facts().panel != PanelPicture::kOwn || *crosstalk > kMostCrosstalk)) return unknown_path();
+  const bool may_blur = kind == "views" && shown.facts().panel == PanelPicture::kOwn;
+  if (blurs && (!may_blur || *crosstalk < 1 || *crosstalk > kMostCrosstalk)) return unknown_path();
   if (!known || *frame >= shown.facts().frames.size()) return unknown_path();
   try {
     const Bytes bytes = cache_.get(fmt::format("{}/{}/{}/{}", *field, kind, *frame, *crosstalk), [&] {

@@ -57,10 +57,10 @@ TEST(Provenance, of_copied_frames_says_which_pixels_were_copied) {
     EXPECT_EQ(count(made, frame, Provenance::kCopied), made.report(frame).reused_pixels) << frame;
     EXPECT_EQ(count(made, frame, Provenance::kTraced), made.report(frame).rays.primary) << frame;
     EXPECT_GT(count(made, frame, Provenance::kCopied), 0u) << frame;
-    for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
-      if (provenance(made, frame).data[pixel] == static_cast<float>(Provenance::kCopied))
-        for (std::size_t c = 0; c < 3; ++c)
-          ASSERT_EQ(made.film(frame)[3 * pixel + c], made.film(0)[3 * pixel + c]) << frame << ", " << pixel;
+    for (std::size_t value = 0; value < 3 * kPixels; ++value)
+      if (provenance(made, frame).data[value / 3] == static_cast<float>(Provenance::kCopied)) {
+        ASSERT_EQ(made.film(frame)[value], made.film(0)[value]) << frame << ", pixel " << value / 3;
+      }
   }
 }
 
@@ -83,9 +83,10 @@ TEST(Provenance, of_black_pixels_is_missed) {
   RenderParams params = interpolated("gears");
   params.reuse.debug = DebugPicture::kMissed;
   const MadeFrames made = told(params, {8});
-  for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
-    if (provenance(made, 8).data[pixel] == static_cast<float>(Provenance::kBlack))
-      ASSERT_EQ(made.film(8)[3 * pixel] + made.film(8)[3 * pixel + 1] + made.film(8)[3 * pixel + 2], 0.0f) << pixel;
+  for (std::size_t value = 0; value < 3 * kPixels; ++value)
+    if (provenance(made, 8).data[value / 3] == static_cast<float>(Provenance::kBlack)) {
+      ASSERT_EQ(made.film(8)[value], 0.0f) << value / 3;
+    }
 }
 
 TEST(Provenance, of_halved_frames_is_that_of_sources_too) {
@@ -95,16 +96,18 @@ TEST(Provenance, of_halved_frames_is_that_of_sources_too) {
 }
 
 TEST(Provenance, of_frames_with_a_floor_says_what_was_traced) {
-  const RenderParams params =
-      with_reuse(small_scene("gears"), {.choice = ReuseChoice::kInterpolate, .min_psnr_db = 38.0});
-  const MadeFrames made = told(params, frames_from(0, 8));
   int predicted = 0;
-  for (const auto& [number, frame] : made.frames) {
-    const auto counts = count(made, number);
-    const std::uint64_t traced = count(made, number, Provenance::kTraced) + count(made, number, Provenance::kRetraced);
-    EXPECT_EQ(traced, frame.report.kind == "in-between" ? frame.report.retraced_pixels : kPixels) << number;
-    EXPECT_EQ(traced + count(made, number, Provenance::kInterpolated) + count(made, number, Provenance::kFilled), kPixels);
-    predicted += frame.report.kind == "in-between" ? 1 : 0;
+  for (const char* scene : {"room", "teapot"}) {
+    RenderParams params = with_reuse(small_scene(scene), {.choice = ReuseChoice::kInterpolate, .min_psnr_db = 32.0});
+    params.optics.lenses = {32, 0};
+    const MadeFrames made = told(params, frames_from(40, 48));
+    const auto pixels = static_cast<std::uint64_t>(made.pixels);
+    for (const auto& [number, frame] : made.frames) {
+      const std::uint64_t traced = count(made, number, Provenance::kTraced) + count(made, number, Provenance::kRetraced);
+      EXPECT_EQ(traced, frame.report.kind == "in-between" ? frame.report.retraced_pixels : pixels) << number;
+      EXPECT_EQ(traced + count(made, number, Provenance::kInterpolated) + count(made, number, Provenance::kFilled), pixels);
+      predicted += frame.report.kind == "in-between" ? 1 : 0;
+    }
   }
   EXPECT_GT(predicted, 0);  // else nothing has been tested
 }
@@ -115,16 +118,16 @@ TEST(Provenance, of_shared_light_is_of_this_frame_at_first_and_mostly_of_frames_
   params.sampling.spp = 32;
   params.optics.fit_depth = false;
   params.reuse = {};
-  const MadeFrames made = told(params, {0, 1, 2}, 3);
-  for (const int frame : {0, 1, 2}) ASSERT_EQ(made.report(frame).kind, "shared") << frame;
-  EXPECT_GT(count(made, 0, Provenance::kSharedNow), kPixels / 10);
+  const MadeFrames made = told(params, {0, 1}, 3);
+  for (const int frame : {0, 1}) ASSERT_EQ(made.report(frame).kind, "shared") << frame;
+  EXPECT_GT(count(made, 0, Provenance::kSharedNow), 500u);  // most of what is seen is lit by lamps, or is none of the teapot
   EXPECT_EQ(count(made, 0, Provenance::kSharedBefore), 0u);
-  EXPECT_GT(count(made, 2, Provenance::kSharedBefore), count(made, 2, Provenance::kSharedNow));
-  for (const int frame : {0, 1, 2})
+  EXPECT_GT(count(made, 1, Provenance::kSharedBefore), count(made, 1, Provenance::kSharedNow));
+  for (const int frame : {0, 1})
     EXPECT_EQ(count(made, frame, Provenance::kTraced) + count(made, frame, Provenance::kSharedNow) +
                   count(made, frame, Provenance::kSharedBefore),
               kPixels);
-  EXPECT_EQ(provenance(made, 2).data, provenance(make_frames(telling(params), {2}, 1), 2).data);
+  EXPECT_EQ(provenance(made, 1).data, provenance(make_frames(telling(params), {1}, 1), 1).data);
 }
 
 TEST(Provenance, of_denoised_frames_is_that_of_the_frames_with_noise) {
