@@ -59,8 +59,8 @@ RenderedFrame ExactFrames::from_key(int frame) {
   rendered.pictures.film = film_;
   stage_.device.update(moment.resolved, pool_);
   const std::vector<std::uint8_t> unsettled = settled_.unsettled(blocks_, frame - key_);
-  rendered.report.rays = trace_blocks(stage_.shot(moment), trace_params(sampling_, stage_), unsettled, {pool_, context_},
-                                      rendered.pictures.film);
+  rendered.report.rays =
+      trace_blocks(stage_.shot(moment), trace_params(sampling_, stage_), unsettled, {pool_, context_}, rendered.pictures.film);
   rendered.pictures.aovs = wanted_aovs(sampling_);
   tell_copied(stage_.shot(moment), unsettled, rendered.pictures.aovs);
   rendered.report.frame = frame;

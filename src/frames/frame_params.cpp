@@ -34,7 +34,8 @@ void check_reuse(const CopySettled&, const Sampling& sampling) {
     throw usage_error("reuse", "copy knows pixels of Whitted's shading; path-traced ones have other noise in every frame",
                       "light, none or auto, or `integrator` whitted");
   if (!can_copy_settled(sampling))
-    throw usage_error("reuse", "alpha and extra layers but provenance are of every pixel of every frame: nothing is left to copy",
+    throw usage_error("reuse",
+                      "alpha and extra layers but provenance are of every pixel of every frame: nothing is left to copy",
                       "none or auto");
 }
 

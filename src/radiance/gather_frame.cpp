@@ -295,8 +295,8 @@ RayCounts gather_cached(const GatherSources& sources, const GatherParams& params
                          if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
                          if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
                          if (pictures.provenance)
-                           pictures.provenance->data[pixel] = static_cast<float>(
-                               provenance_of(block->luminance[e], gatherer.looked_up(e), params.effort.mix));
+                           pictures.provenance->data[pixel] =
+                               static_cast<float>(provenance_of(block->luminance[e], gatherer.looked_up(e), params.effort.mix));
                          const Vec3f radiance = block->radiance(e);
                          std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
                        }

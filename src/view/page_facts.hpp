@@ -44,7 +44,7 @@ struct PageFacts {
   Vec3d eye_mm{0.0};                 ///< where the display is meant to be seen from
   double depth_budget_mm = 0.0;
   bool has_depth = false;
-  bool has_provenance = false;  ///< of every pixel of the views
+  bool has_provenance = false;      ///< of every pixel of the views
   double disparity_scale_mm = 1.0;  ///< the scale of codes (view/disparity_codes.hpp)
   double frames_per_second = 25.0;
   std::vector<PageFrame> frames;

@@ -102,8 +102,7 @@ Image8 PageField::disparities(std::size_t frame) const {
   const Layered views = layered(frame);
   if (!views.field.depth)
     throw Error(file_of(frame).string(), "has no depth of its views, which the first frame has", "render with `aov` depth");
-  return in_quilt(
-      disparity_codes(*views.field.depth, facts_.axes.vergence, views.depth_scale, facts_.disparity_scale_mm));
+  return in_quilt(disparity_codes(*views.field.depth, facts_.axes.vergence, views.depth_scale, facts_.disparity_scale_mm));
 }
 
 Image8 PageField::provenance(std::size_t frame) const {

@@ -16,18 +16,18 @@
 namespace lippmann {
 
 enum class Aov : std::uint8_t {
-  kDepth,     ///< z in display mm (> 0 in front of the array)
-  kNormal,    ///< unit, world space, towards the ray
-  kId,        ///< index in Scene::instances
-  kPosition,  ///< world space
-  kRayDepth,  ///< mm along the ray from where it starts (resolved_z_front_mm): from the eye
-  kAlbedo,    ///< base colour, textures and vertex colours included
-  kMotion,    ///< see place_in_view; pixels to the right and down since the frame before
+  kDepth,       ///< z in display mm (> 0 in front of the array)
+  kNormal,      ///< unit, world space, towards the ray
+  kId,          ///< index in Scene::instances
+  kPosition,    ///< world space
+  kRayDepth,    ///< mm along the ray from where it starts (resolved_z_front_mm): from the eye
+  kAlbedo,      ///< base colour, textures and vertex colours included
+  kMotion,      ///< see place_in_view; pixels to the right and down since the frame before
   kProvenance,  ///< where the pixel came from: a number of Provenance
-  kDirect,    ///< path tracing only: what shines by itself and light that one surface has scattered
-  kIndirect,  ///< path tracing only: all other light; with kDirect it adds up to the film, but for rounding
-  kAlpha,     ///< share of the pixel's samples that hit something, what alpha covers by its share; the film is then free of
-              ///< the surroundings that the others would see
+  kDirect,      ///< path tracing only: what shines by itself and light that one surface has scattered
+  kIndirect,    ///< path tracing only: all other light; with kDirect it adds up to the film, but for rounding
+  kAlpha,       ///< share of the pixel's samples that hit something, what alpha covers by its share; the film is then free of
+                ///< the surroundings that the others would see
 };
 
 /// Where a pixel came from: the values of Aov::kProvenance. A pixel is missed if no point of another frame lands on it.
