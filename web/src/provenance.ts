@@ -11,7 +11,8 @@ export interface Provenance {
 
 /** By code; told apart by those who see no red or no green, too (Okabe and Ito, Color Universal Design). */
 const kColours = ["#d55e00", "#0072b2", "#009e73", "#f0e442", "#cc79a7", "#ffffff", "#56b4e9", "#4a3aa8"];
-const kStrength = 0.65;
+/** Of all origins at once; of the missed pixels alone, which are few and small. */
+const kStrength = { provenance: 0.65, missed: 0.95, none: 0 };
 
 const linearColour = (colour: string): number[] => [1, 3, 5].map((at) => linearFromCode(parseInt(colour.slice(at, at + 2), 16)));
 
@@ -19,7 +20,7 @@ const isShown = (origin: Origin | undefined, overlay: State["overlay"]): boolean
 
 /** Red, green, blue and strength of each of 8 codes. */
 export const tints = (field: Field, overlay: State["overlay"]): number[] =>
-  kColours.flatMap((colour, code) => [...linearColour(colour), isShown(field.provenance?.[code], overlay) ? kStrength : 0]);
+  kColours.flatMap((colour, code) => [...linearColour(colour), isShown(field.provenance?.[code], overlay) ? kStrength[overlay] : 0]);
 
 /** How many of the pixels have each code, as shares. A few rows at a time: quilts are large. */
 export function sharesOf(picture: ImageBitmap, origins: number): number[] {
