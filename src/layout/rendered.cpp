@@ -24,15 +24,15 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxReportBytes = std::uintmax_t{256} << 20;  // a frame takes about 600
 
-using Channel = std::array<std::string, 1>;
+using LayerChannel = std::array<std::string, 1>;
 
-bool has_channel(const fs::path& picture, const Channel& channel) {
+bool has_channel(const fs::path& picture, const LayerChannel& channel) {
   const std::vector<std::string> names = channel_names(picture);
   return std::find(names.begin(), names.end(), channel[0]) != names.end();
 }
 
 /// Of an EXR picture that has it, or of the file of layers beside the picture.
-std::optional<Image> rendered_layer(const fs::path& picture, const Channel& channel) {
+std::optional<Image> rendered_layer(const fs::path& picture, const LayerChannel& channel) {
   if (picture.extension() == ".exr" && has_channel(picture, channel)) return read_channels(picture, channel);
   static const TextPattern numbered("(?:frame|view)_([0-9]+).*");
   const auto found = numbered.match(picture.filename().string());
@@ -148,12 +148,12 @@ std::optional<Rendering> rendering_of(const fs::path& picture) {
 }
 
 std::optional<Image> rendered_depth(const fs::path& picture) {
-  static const Channel depth{"Z"};
+  static const LayerChannel depth{"Z"};
   return rendered_layer(picture, depth);
 }
 
 std::optional<Image> rendered_provenance(const fs::path& picture) {
-  static const Channel provenance{"provenance"};
+  static const LayerChannel provenance{"provenance"};
   return rendered_layer(picture, provenance);
 }
 
