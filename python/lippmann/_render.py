@@ -81,7 +81,7 @@ def frames(
     frames: which, counted from 0; None: all.
     layout: "views": of a slanted panel its quilt, else what lies behind its lenses; "native": the panel's own pixels.
     layers: of depth (mm, above 0 in front of the display), ray-depth, normal, position (both in the world), id, albedo, motion
-        (pixels since the frame before), direct, indirect. "disparity" asks for depth.
+        (pixels since the frame before), provenance (a code, docs/reuse.md), direct, indirect. "disparity" asks for depth.
     integrator: "path" (all light, by random paths) or "whitted" (quick: direct light, sharp shadows, mirrors). None: path, but
         whitted for scenes of formats that describe Whitted's shading, the built-in ones among them.
     spp: samples per pixel; None: 16 of paths, else 1. max_depth: path vertices; 0: the scene's. seed: of the random paths.

@@ -67,6 +67,7 @@ FrameReport DenoisedFrames::trace(int frame, const Moment& moment, Traced& made,
   } else {
     const FrameClock clock(pool_);
     stage_.device.update(moment.resolved, pool_);
+    set_provenance(Provenance::kTraced, film_size(stage_.shot(moment)), pictures.aovs);
     TraceParams trace = trace_params(sampling_, stage_);
     trace.frame = static_cast<std::uint32_t>(frame);
     report.frame = frame;

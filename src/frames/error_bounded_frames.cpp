@@ -145,6 +145,8 @@ bool ErrorBoundedFrames::predict_or_trace(int frame, const FrameInterval& interv
   if (outcome.holds) {
     RenderedFrame& made = films_[frame];
     made.pictures.film = std::move(image.film);
+    made.pictures.aovs = wanted_aovs(sampling_);
+    set_provenance(image.provenance, film_size(stage_.placed.optics), made.pictures.aovs);
     made.report = report;
     not_asked_for_[frame] = report;
   } else if (!context_.cancelled) {
@@ -178,6 +180,8 @@ RenderedFrame ErrorBoundedFrames::take(int frame) {
   const ForwardSource& source = keys_.at(frame);
   RenderedFrame rendered;
   rendered.pictures.film = source.image.film;
+  rendered.pictures.aovs = wanted_aovs(sampling_);
+  set_provenance(Provenance::kTraced, film_size(stage_.placed.optics), rendered.pictures.aovs);
   rendered.report = source.report;
   clock.add_to(rendered.report);
   return rendered;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "trace/pixels_of_blocks.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -56,8 +58,11 @@ RenderedFrame ExactFrames::from_key(int frame) {
   const Moment moment = stage_.moment_at(frame);
   rendered.pictures.film = film_;
   stage_.device.update(moment.resolved, pool_);
-  rendered.report.rays = trace_blocks(stage_.shot(moment), trace_params(sampling_, stage_),
-                                      settled_.unsettled(blocks_, frame - key_), {pool_, context_}, rendered.pictures.film);
+  const std::vector<std::uint8_t> unsettled = settled_.unsettled(blocks_, frame - key_);
+  rendered.report.rays =
+      trace_blocks(stage_.shot(moment), trace_params(sampling_, stage_), unsettled, {pool_, context_}, rendered.pictures.film);
+  rendered.pictures.aovs = wanted_aovs(sampling_);
+  tell_copied(stage_.shot(moment), unsettled, rendered.pictures.aovs);
   rendered.report.frame = frame;
   rendered.report.kind = "in-between";
   const std::uint64_t samples = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height) *
@@ -67,6 +72,14 @@ RenderedFrame ExactFrames::from_key(int frame) {
   clock.add_to(rendered.report);
   if (!reuse_.keyframes) judge(rendered.report);
   return rendered;
+}
+
+void ExactFrames::tell_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const {
+  set_provenance(Provenance::kCopied, film_size(shot), aovs);
+  if (!aovs.wants(Aov::kProvenance)) return;
+  std::vector<float>& codes = aovs[Aov::kProvenance].data;
+  for_each_pixel_of_blocks(shot, sampling_.order, unsettled,
+                           [&](std::uint32_t pixel) { codes[pixel] = static_cast<float>(Provenance::kTraced); });
 }
 
 /// Ends the key's span where it does not pay: where the span's frames will take about as long as full ones.

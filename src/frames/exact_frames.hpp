@@ -18,6 +18,8 @@ class ExactFrames final : public FrameMaker {
  private:
   RenderedFrame key(int frame);
   RenderedFrame from_key(int frame);
+  /// The layer of provenance, where it is wanted: what lies in settled blocks was copied.
+  void tell_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
   void judge(const FrameReport& in_between);
 
   Stage& stage_;

@@ -27,8 +27,13 @@ ForwardFrames::ForwardFrames(Stage& stage, const Sampling& sampling, const Inter
 RenderedFrame ForwardFrames::make(int frame) {
   keep_only_sources_of(frame);
   RenderedFrame rendered;
+  rendered.pictures.aovs = wanted_aovs(sampling_);
+  const auto tell_provenance = [&](const Source& source) {
+    set_provenance(source.image.provenance, film_size(stage_.placed.optics), rendered.pictures.aovs);
+  };
   const auto copy = [&](const Source& source) {
     const FrameClock clock(pool_);
+    tell_provenance(source);
     rendered.pictures.film = source.image.film;
     rendered.report = source.report;
     clock.add_to(rendered.report);
@@ -47,6 +52,7 @@ RenderedFrame ForwardFrames::make(int frame) {
       copy(add(between(frame, path.back(), true)));
     } else {
       Source made = between(frame, path.back(), false);
+      tell_provenance(made);
       rendered.pictures.film = std::move(made.image.film);
       rendered.report = made.report;
     }

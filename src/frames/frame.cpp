@@ -1,5 +1,6 @@
 #include "frames/frame.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -21,6 +22,18 @@ FrameAovs wanted_aovs(const Sampling& sampling) {
   for (const Aov aov : sampling.aov) aovs.want(aov);
   if (sampling.transparent) aovs.want(Aov::kAlpha);
   return aovs;
+}
+
+void set_provenance(Provenance all, Vec2i film_size, FrameAovs& aovs) {
+  if (!aovs.wants(Aov::kProvenance)) return;
+  aovs.allocate(Aov::kProvenance, film_size);
+  std::vector<float>& codes = aovs[Aov::kProvenance].data;
+  std::fill(codes.begin(), codes.end(), static_cast<float>(all));
+}
+
+void set_provenance(std::span<const std::uint8_t> of_pixels, Vec2i film_size, FrameAovs& aovs) {
+  set_provenance(Provenance::kTraced, film_size, aovs);
+  if (aovs.wants(Aov::kProvenance)) std::copy(of_pixels.begin(), of_pixels.end(), aovs[Aov::kProvenance].data.begin());
 }
 
 TraceParams trace_params(const Sampling& sampling, const Stage& stage) {
@@ -60,6 +73,7 @@ RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, co
 
   RenderedFrame rendered;
   rendered.pictures.aovs = wanted_aovs(sampling);
+  set_provenance(Provenance::kTraced, film_size(stage.shot(moment)), rendered.pictures.aovs);
   rendered.report.frame = frame;
   TraceParams trace = trace_params(sampling, stage);
   trace.frame = static_cast<std::uint32_t>(frame);

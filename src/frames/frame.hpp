@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <span>
 
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/parallel.hpp"
@@ -54,6 +56,12 @@ class FrameClock {
 
 /// Which layers a frame has to have.
 FrameAovs wanted_aovs(const Sampling& sampling);
+
+/// Where the layer of provenance is wanted: all pixels of the frame came from there.
+void set_provenance(Provenance all, Vec2i film_size, FrameAovs& aovs);
+
+/// Likewise, by pixel, values of Provenance; none: all were traced.
+void set_provenance(std::span<const std::uint8_t> of_pixels, Vec2i film_size, FrameAovs& aovs);
 
 /// How frames are traced. Quilts that displays show are seen as beams as wide as a view, unless `sampling` asks for something
 /// else.

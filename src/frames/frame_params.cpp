@@ -16,6 +16,11 @@ bool has_layer(const Sampling& sampling, Aov layer) {
   return std::find(sampling.aov.begin(), sampling.aov.end(), layer) != sampling.aov.end();
 }
 
+/// But for provenance, which whatever makes a frame tells, layers are of every pixel.
+bool has_layers_of_every_pixel(const Sampling& sampling) {
+  return std::any_of(sampling.aov.begin(), sampling.aov.end(), [](Aov layer) { return layer != Aov::kProvenance; });
+}
+
 /// What only paths have as parts.
 bool has_layers_of_paths(const Sampling& sampling) {
   return has_layer(sampling, Aov::kDirect) || has_layer(sampling, Aov::kIndirect);
@@ -29,7 +34,8 @@ void check_reuse(const CopySettled&, const Sampling& sampling) {
     throw usage_error("reuse", "copy knows pixels of Whitted's shading; path-traced ones have other noise in every frame",
                       "light, none or auto, or `integrator` whitted");
   if (!can_copy_settled(sampling))
-    throw usage_error("reuse", "extra layers and alpha are of every pixel of every frame: nothing is left to copy",
+    throw usage_error("reuse",
+                      "alpha and extra layers but provenance are of every pixel of every frame: nothing is left to copy",
                       "none or auto");
 }
 
@@ -60,7 +66,8 @@ void check_reuse(const Interpolate& how, const Sampling& sampling) {
   if (integrator_of(sampling) == Integrator::kPath)
     throw usage_error("reuse", "interpolate does not know path-traced frames", "none, light or auto, or `integrator` whitted");
   if (sampling.transparent) throw usage_error("transparent", "interpolated frames have no alpha", "`reuse` none with it");
-  if (!sampling.aov.empty()) throw usage_error("aov", "interpolated frames have no extra layers", "`reuse` none with it");
+  if (has_layers_of_every_pixel(sampling))
+    throw usage_error("aov", "interpolated frames have no extra layers but provenance", "`reuse` none with it");
   if (sampling.angular_filter == AngularFilter::kBox)
     throw usage_error("angular-filter", "points that are moved to be interpolated are those of one eye",
                       "`reuse` copy, light, none or auto");
@@ -92,7 +99,8 @@ bool can_share_light(const Sampling& sampling, const ShareLight& light) {
 }
 
 bool can_copy_settled(const Sampling& sampling) {
-  return integrator_of(sampling) == Integrator::kWhitted && sampling.aov.empty() && !sampling.transparent && !sampling.denoise;
+  return integrator_of(sampling) == Integrator::kWhitted && !has_layers_of_every_pixel(sampling) && !sampling.transparent &&
+         !sampling.denoise;
 }
 
 Reuse resolved_reuse(const FrameParams& params) {

@@ -24,9 +24,22 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxReportBytes = std::uintmax_t{256} << 20;  // a frame takes about 600
 
-bool has_depth(const fs::path& picture) {
+using LayerChannel = std::array<std::string, 1>;
+
+bool has_channel(const fs::path& picture, const LayerChannel& channel) {
   const std::vector<std::string> names = channel_names(picture);
-  return std::find(names.begin(), names.end(), "Z") != names.end();
+  return std::find(names.begin(), names.end(), channel[0]) != names.end();
+}
+
+/// Of an EXR picture that has it, or of the file of layers beside the picture.
+std::optional<Image> rendered_layer(const fs::path& picture, const LayerChannel& channel) {
+  if (picture.extension() == ".exr" && has_channel(picture, channel)) return read_channels(picture, channel);
+  static const TextPattern numbered("(?:frame|view)_([0-9]+).*");
+  const auto found = numbered.match(picture.filename().string());
+  if (!found) return std::nullopt;
+  const fs::path layers = picture.parent_path() / ("aov_" + found->groups[1] + ".exr");
+  if (!is_regular_file_there(layers) || !has_channel(layers, channel)) return std::nullopt;
+  return read_channels(layers, channel);
 }
 
 /// A JSON object.
@@ -89,6 +102,7 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   if (settings.contains("to") && settings["to"].is_string()) rendering.layout = settings["to"];
   if (settings.contains("mirror") && settings["mirror"].is_boolean()) rendering.mirrored = settings["mirror"];
   rendering.has_depth_layer = !settings.contains("aov") || lists(settings["aov"], "depth");
+  rendering.has_provenance = settings.contains("aov") && lists(settings["aov"], "provenance");
   rendering.frames_per_second = frame_rate_of(json);
   rendering.depth_scale = depth_scale_of(json);
   rendering.frames = frames_of(json);
@@ -134,14 +148,13 @@ std::optional<Rendering> rendering_of(const fs::path& picture) {
 }
 
 std::optional<Image> rendered_depth(const fs::path& picture) {
-  static const std::array<std::string, 1> depth{"Z"};
-  if (picture.extension() == ".exr" && has_depth(picture)) return read_channels(picture, depth);
-  static const TextPattern numbered("(?:frame|view)_([0-9]+).*");
-  const auto found = numbered.match(picture.filename().string());
-  if (!found) return std::nullopt;
-  const fs::path layers = picture.parent_path() / ("aov_" + found->groups[1] + ".exr");
-  if (!is_regular_file_there(layers) || !has_depth(layers)) return std::nullopt;
-  return read_channels(layers, depth);
+  static const LayerChannel depth{"Z"};
+  return rendered_layer(picture, depth);
+}
+
+std::optional<Image> rendered_provenance(const fs::path& picture) {
+  static const LayerChannel provenance{"provenance"};
+  return rendered_layer(picture, provenance);
 }
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// What lies beside a picture that `render` wrote: report.json, which says what its optics were, and the layer of depth.
+// What lies beside a picture that `render` wrote: report.json, which says what its optics were, and layers.
 #pragma once
 
 #include <filesystem>
@@ -23,6 +23,7 @@ struct Rendering {
   std::string layout = {};      ///< what `layout` or `to` asked for: integral, views, quilt, ...; empty: as their optics lie
   bool mirrored = false;        ///< left and right exchanged, to be printed on the back of a sheet
   bool has_depth_layer = true;  ///< else a layer of depth that lies there is of another render
+  bool has_provenance = false;  ///< likewise
   std::optional<double> frames_per_second = {};
   float depth_scale = 1.0f;  ///< shown depth / true depth: the parallax that the pictures were rendered with
   std::map<int, FrameFacts> frames = {};
@@ -44,5 +45,8 @@ std::optional<Rendering> readable_rendering(const std::filesystem::path& report)
 /// z in display mm, one channel, of the picture's size: of an EXR picture that has it, or of aov_0000.exr beside frame_0000...,
 /// aov_000.exr beside view_000... None if there is none. Throws Error as read_channels.
 std::optional<Image> rendered_depth(const std::filesystem::path& picture);
+
+/// Likewise, where its pixels came from: values of Provenance (lippmann/trace/aovs.hpp).
+std::optional<Image> rendered_provenance(const std::filesystem::path& picture);
 
 }  // namespace lippmann

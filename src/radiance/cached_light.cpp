@@ -54,6 +54,13 @@ Image* alpha_of(const CachedLightPictures& pictures) {
   return pictures.aovs && pictures.aovs->wants(Aov::kAlpha) ? &(*pictures.aovs)[Aov::kAlpha] : nullptr;
 }
 
+/// Null: not wanted; else all pixels are traced so far.
+Image* allocated_provenance(Vec2i film, const CachedLightPictures& pictures) {
+  if (!pictures.aovs || !pictures.aovs->wants(Aov::kProvenance)) return nullptr;
+  pictures.aovs->allocate(Aov::kProvenance, film);
+  return &(*pictures.aovs)[Aov::kProvenance];
+}
+
 /// A goal that needs more than so many times the paths that were asked for is missed.
 constexpr int kMostMorePaths = 64;
 
@@ -253,7 +260,7 @@ void CachedFrame::gather(bool provenance, const CachedLightPictures& pictures) {
   if (alpha) pictures.aovs->allocate(Aov::kAlpha, film_size(shot_));
   const RayCounts rays =
       gather_frame(cache_.sources(), {params_, effort(), provenance}, {}, {&before_, &history_.scatter, &expected_},
-                   {pool_, context_}, {pictures.film, alpha, pictures.noisy});
+                   {pool_, context_}, {pictures.film, alpha, pictures.noisy, allocated_provenance(film_size(shot_), pictures)});
   add(rays, counts_);
   rays_of_gather_ = rays.total();
 }
@@ -262,6 +269,7 @@ void CachedFrame::gather(bool provenance, const CachedLightPictures& pictures) {
 void CachedFrame::make_traced(const CachedLightGoal& goal, const CachedLightPictures& pictures) {
   TraceParams whole = params_;
   whole.spp = history_.path_samples;
+  allocated_provenance(film_size(shot_), pictures);
   add(trace_whole(whole, pictures), counts_);
   if (context_.cancelled) return;
   const FrameError found = measure_traced(whole, goal.error, !alpha_of(pictures), pictures.film);

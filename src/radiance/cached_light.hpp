@@ -31,7 +31,8 @@ struct CachedLightGoal {
 /// Where a frame goes.
 struct CachedLightPictures {
   Image& film;
-  FrameAovs* aovs = nullptr;    ///< alpha alone is filled, where it is wanted, which must be so for all frames of a history
+  /// Alpha and provenance alone are filled, where they are wanted; alpha must be for all frames of a history, or for none.
+  FrameAovs* aovs = nullptr;
   NoisyFrame* noisy = nullptr;  ///< receives what a denoiser wants to know beside the film, which stays without; else null
 };
 

@@ -165,8 +165,9 @@ void FinalGather::reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f li
 }
 
 void FinalGather::add_cached(const PathRay& ray, Vec3f radiance, const CachePoint& place) {
+  const float past = options_.provenance || options_.looked_up ? cache_.share_of_past(place) : 0.0f;
+  if (options_.looked_up) options_.looked_up[ray.pixel] += luminance(radiance) * Vec2f(1.0f - past, past);
   if (!options_.provenance) return add(ray.pixel, radiance, ray.depth + 1);
-  const float past = cache_.share_of_past(place);
   add(ray.pixel, luminance(radiance) * Vec3f(0.0f, 1.0f - past, past), ray.depth + 1);
 }
 

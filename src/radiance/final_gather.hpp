@@ -18,6 +18,9 @@ struct FinalGatherOptions {
   /// this frame, blue what it has from frames before.
   bool provenance = false;
   float* paths = nullptr;  ///< by slot, receives how many paths its sample was left to; null: nobody asks
+  /// By slot, luminance is added to it that was looked up: what the cache received in this frame, and what it has from frames
+  /// before. Null: nobody asks.
+  Vec2f* looked_up = nullptr;
 };
 
 /// State of one thread at a time.

@@ -100,11 +100,13 @@ class BlockGatherer {
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
         guides_(pictures.noisy ? std::make_unique<BlockGuides>(display_z(sources.shot.world_from_display)) : nullptr),
         gatherer_(scene_, sources.cells, sources.cache, path_params(params.trace), film(pictures),
-                  {params.effort.edges, params.provenance, left_to_paths_.data()}) {}
+                  {params.effort.edges, params.provenance, left_to_paths_.data(),
+                   pictures.provenance ? looked_up_.data() : nullptr}) {}
 
   /// Fills a block whose pixels are listed.
   void gather(BlockEstimates& block) {
     if (guides_) guides_->begin();
+    sum_looked_up_.fill(Vec2f(0.0f));
     block.alpha_weight = std::max(1.0f, error_ * error_ / (kAlphaError * kAlphaError));
     std::vector<Work> work;
     for (std::uint32_t s = 0; s < kFirstSamples; ++s)
@@ -128,6 +130,10 @@ class BlockGatherer {
 
   /// Writes the guides of the block that was gathered last.
   void write(const BlockEstimates& block, NoisyFrame& noisy) const { guides_->write(block, noisy); }
+
+  /// Of the block that was gathered last, by pixel of the block: luminance that was looked up (FinalGatherOptions::looked_up),
+  /// of all its samples. Known where provenance is asked for.
+  Vec2f looked_up(std::size_t e) const { return sum_looked_up_[e]; }
 
   RayCounts counts() const { return gatherer_.counts(); }
 
@@ -155,7 +161,8 @@ class BlockGatherer {
       const Vec3f radiance(light[0], light[1], light[2]);
       block.add(work[w].estimate, radiance, open_[w], left_to_paths_[w] > 0.0f);
       if (guides_) guides_->add(work[w].estimate, work[w].sample, w, radiance);
-      light[0] = light[1] = light[2] = open_[w] = left_to_paths_[w] = 0.0f;
+      sum_looked_up_[work[w].estimate] += looked_up_[w];
+      light[0] = light[1] = light[2] = open_[w] = left_to_paths_[w] = 0.0f, looked_up_[w] = Vec2f(0.0f);
     }
   }
 
@@ -164,6 +171,7 @@ class BlockGatherer {
   float error_;
   Image light_;
   std::array<float, BlockEstimates::kMost> open_{}, left_to_paths_{};
+  std::array<Vec2f, BlockEstimates::kMost> looked_up_{}, sum_looked_up_{};  ///< by slot, by pixel of the block
   PathScatter path_scatter_;
   std::unique_ptr<BlockGuides> guides_;  ///< null: nobody asks
   FinalGather gatherer_;
@@ -251,6 +259,13 @@ class ExpectedError {
   std::vector<double> sums_, counts_;
 };
 
+/// Where most of a pixel's light came from. all: its luminance; looked_up: as of BlockGatherer, of as many samples.
+Provenance provenance_of(float all, Vec2f looked_up, const PathMix& mix) {
+  const float gathered = mix.samples > 0 ? 1.0f - mix.weight : 1.0f;
+  if (gathered * (looked_up.x + looked_up.y) <= 0.5f * all) return Provenance::kTraced;
+  return looked_up.x >= looked_up.y ? Provenance::kSharedNow : Provenance::kSharedBefore;
+}
+
 RayCounts gather_cached(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
                         const GatherHistory& history, const Workers& workers, const GatheredPictures& pictures) {
   const Vec2i size = film_size(sources.shot);
@@ -279,6 +294,9 @@ RayCounts gather_cached(const GatherSources& sources, const GatherParams& params
                          const std::size_t pixel = block->pixel[e];
                          if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
                          if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
+                         if (pictures.provenance)
+                           pictures.provenance->data[pixel] =
+                               static_cast<float>(provenance_of(block->luminance[e], gatherer.looked_up(e), params.effort.mix));
                          const Vec3f radiance = block->radiance(e);
                          std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
                        }

@@ -56,6 +56,7 @@ struct GatheredPictures {
   Image& film;
   Image* alpha = nullptr;       ///< receives Aov::kAlpha, and the film is free of the surroundings; else null
   NoisyFrame* noisy = nullptr;  ///< whole frames only: receives what a denoiser wants to know beside the film; else null
+  Image* provenance = nullptr;  ///< receives Aov::kProvenance; else null
 };
 
 /// Fills pictures.film (3 channels, linear, the panel's size), or of it only the packets that are not 0 in `wanted` (by packet,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lippmann/trace/aovs.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -13,6 +15,19 @@ constexpr float kNearness = 0.7f;
 float weight_at(float position) { return 0.5f + kNearness * (position - 0.5f); }
 
 bool has_size(const Image& film, Vec2i size) { return film.width == size.x && film.height == size.y && film.channels == 3; }
+
+Provenance provenance_of_missed(MissedFill fill) {
+  constexpr Provenance kByFill[] = {Provenance::kFilled, Provenance::kRetraced, Provenance::kBlack};
+  return kByFill[static_cast<std::size_t>(fill)];
+}
+
+/// What is traced of a frame that was predicted.
+void tell_traced(std::span<const std::uint32_t> pixels, std::vector<std::uint8_t>& provenance) {
+  for (const std::uint32_t pixel : pixels) {
+    const bool missed = provenance[pixel] == static_cast<std::uint8_t>(Provenance::kFilled);
+    provenance[pixel] = static_cast<std::uint8_t>(missed ? Provenance::kRetraced : Provenance::kTraced);
+  }
+}
 
 /// The mean of equals has the same bits.
 void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& pool, Image& film) {
@@ -46,6 +61,13 @@ Image& InBetweenMaker::film_of(PointImage& frame) const {
   return frame.film;
 }
 
+void InBetweenMaker::tell_provenance(Provenance missed, PointImage& frame) const {
+  if (!params_.tells_provenance) return;
+  const auto pixels = static_cast<std::size_t>(film_size_.x) * static_cast<std::size_t>(film_size_.y);
+  frame.provenance.assign(pixels, static_cast<std::uint8_t>(Provenance::kInterpolated));
+  for (const std::uint32_t pixel : missed_) frame.provenance[pixel] = static_cast<std::uint8_t>(missed);
+}
+
 void InBetweenMaker::prepare(PointImage& frame, const ThreadPool& pool) const {
   if (sampler_) sampler_->find_contrast(frame, pool);
 }
@@ -62,6 +84,8 @@ InBetweenCounts InBetweenMaker::make(const BetweenFrames& between, bool as_sourc
   const SplatSource b{following, from_following, landed_following_, weight};
   average(a, b, sampler_ ? &*sampler_ : nullptr, pool, film_of(frame), missed_);
   if (as_source) average_points(a, b, pool, frame.points);
+
+  tell_provenance(provenance_of_missed(params_.fill), frame);
 
   InBetweenCounts counts;
   if (!missed_.empty()) {
@@ -94,6 +118,7 @@ void InBetweenMaker::predict(const BetweenFrames& between, const ThreadPool& poo
   average({previous, from_previous, landed_previous_, 0.0f}, b, sampler, pool, from_following_, missed_);
   blend(from_previous_, from_following_, weight_at(position), pool, film_of(frame));
 
+  tell_provenance(Provenance::kFilled, frame);
   counts.missed = missed_.size();
   if (!missed_.empty()) {
     const Motion to_previous = motion_between(groups_, frame.moment, previous.moment);
@@ -120,8 +145,13 @@ FloorOutcome InBetweenMaker::make_to_floor(const BetweenFrames& between, int num
                                            InBetweenCounts& counts) {
   predict(between, pool, frame, counts);
   const std::vector<float> costs = patches_->costs(between.previous.rays);
+  const TracePackets tracing = [&](std::span<const std::uint8_t> wanted, Image& film) {
+    trace(wanted, film);
+    for (std::size_t p = 0; params_.tells_provenance && p < wanted.size(); ++p)
+      if (wanted[p]) tell_traced(patches_->pixels(p), frame.provenance);
+  };
   const FloorOutcome outcome =
-      hold_floor(*params_.floor, {number, uncertainty_, *patches_, costs, encoding_}, learned, trace, pool, frame.film);
+      hold_floor(*params_.floor, {number, uncertainty_, *patches_, costs, encoding_}, learned, tracing, pool, frame.film);
   counts.retraced = outcome.retraced;
   return outcome;
 }

@@ -15,6 +15,8 @@
 
 namespace lippmann {
 
+enum class Provenance : std::uint8_t;
+
 enum class SplatSampling {
   kPixel,     ///< the colour of the point that lands on a pixel, wherever on it it lands (the paper's)
   kEpipolar,  ///< where colours change, that between samples (epipolar.hpp); arrays with whole pixels per lens only
@@ -26,6 +28,7 @@ struct ForwardParams {
   MissedFill fill = MissedFill::kInterpolate;
   std::optional<FloorParams> floor;       ///< for make_to_floor()
   RayOrder order = RayOrder::kViewTiles;  ///< in which pixels are traced; with a floor only
+  bool tells_provenance = false;          ///< made frames get PointImage::provenance
 };
 
 struct InBetweenCounts {
@@ -65,6 +68,8 @@ class InBetweenMaker {
 
  private:
   Image& film_of(PointImage& frame) const;
+  /// Of a frame of which missed_ were missed, which now come from `missed`.
+  void tell_provenance(Provenance missed, PointImage& frame) const;
   /// Fills frame.film and uncertainty_.
   void predict(const BetweenFrames& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 

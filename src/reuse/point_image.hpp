@@ -30,10 +30,11 @@ inline constexpr std::uint8_t kRightDiffers = 1, kLeftDiffers = 2;
 
 struct PointImage {
   Moment moment;
-  PrimaryPoints points;                ///< at `moment`; kNoObject: background, kMissedObject: none
-  Image film;                          ///< 3 channels, linear: the colour of every pixel
-  std::vector<std::uint8_t> contrast;  ///< by pixel, of the bits above; empty: not looked for
-  std::vector<std::uint32_t> rays;     ///< by block that is traced together (TouchedBlocks::rays); empty: not counted
+  PrimaryPoints points;                  ///< at `moment`; kNoObject: background, kMissedObject: none
+  Image film;                            ///< 3 channels, linear: the colour of every pixel
+  std::vector<std::uint8_t> contrast;    ///< by pixel, of the bits above; empty: not looked for
+  std::vector<std::uint8_t> provenance;  ///< by pixel, values of Provenance; empty: all were traced, or nobody asks
+  std::vector<std::uint32_t> rays;       ///< by block that is traced together (TouchedBlocks::rays); empty: not counted
 };
 
 }  // namespace lippmann

@@ -4,9 +4,9 @@
 
 namespace lippmann {
 
-bool FrameAovs::wants_any(bool light) const {
+bool FrameAovs::wants_any(AovOrigin origin) const {
   for (std::size_t i = 0; i < kAovs; ++i)
-    if (wanted[i] && is_light(static_cast<Aov>(i)) == light) return true;
+    if (wanted[i] && kAovInfos[i].origin == origin) return true;
   return false;
 }
 

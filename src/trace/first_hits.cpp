@@ -146,9 +146,10 @@ class FirstHits {
 }  // namespace
 
 void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs) {
-  if (!aovs.wants_any(false)) return;
+  if (!aovs.wants_any(AovOrigin::kFirstHit)) return;
   for (std::size_t a = 0; a < kAovs; ++a)
-    if (const auto aov = static_cast<Aov>(a); aovs.wants(aov) && !is_light(aov)) aovs.allocate(aov, film_size(shot));
+    if (const auto aov = static_cast<Aov>(a); aovs.wants(aov) && info_of(aov).origin == AovOrigin::kFirstHit)
+      aovs.allocate(aov, film_size(shot));
   const FirstHits hits(shot, step, aovs);
   trace_centres(shot, order, pool, hits);
 }

@@ -18,8 +18,8 @@ struct FrameStep {
   Affine3f world_from_display_before;
 };
 
-/// Fills the layers of `aovs` that are wanted and no light: one ray through the centre of every pixel. Without `step` nothing
-/// has moved. The same bits for any number of threads.
+/// Fills the layers of `aovs` that are wanted and of first hits: one ray through the centre of every pixel. Without `step`
+/// nothing has moved. The same bits for any number of threads.
 void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs);
 
 }  // namespace lippmann

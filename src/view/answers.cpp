@@ -14,6 +14,7 @@
 #include "image/webp.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
+#include "lippmann/optics/crosstalk.hpp"
 #include "view/field_json.hpp"
 #include "view/page_files.hpp"
 
@@ -22,6 +23,8 @@ namespace {
 
 /// While somebody waits for a picture: what making it takes counts, not what it weighs.
 constexpr int kServedEffort = 0;
+/// Of a sigma, in hundredths of a pixel.
+constexpr auto kMostCrosstalk = static_cast<std::size_t>(100.0 * kMaxBlurPx);
 constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run";
 
 PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
@@ -80,7 +83,8 @@ PagePicture encoded_picture(const Image8& picture, int effort) {
 
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort) {
   if (kind == "views") return encoded_picture(field.quilt(frame), effort);
-  return encoded_picture(kind == "depth" ? field.disparities(frame) : field.panel(frame), effort);
+  if (kind == "depth") return encoded_picture(field.disparities(frame), effort);
+  return encoded_picture(kind == "provenance" ? field.provenance(frame) : field.panel(frame), effort);
 }
 
 std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display) {
@@ -184,18 +188,26 @@ PageAnswer PageAnswers::run_order(std::string_view order) {
   }
 }
 
-/// FIELD/views/FRAME, FIELD/depth/FRAME, FIELD/panel/FRAME
+/// FIELD/KIND/FRAME, see page_picture(); FIELD/views/FRAME/SIGMA as eyes see them with crosstalk, in hundredths of a pixel.
 PageAnswer PageAnswers::picture(std::string_view path) {
   const std::optional<std::size_t> field = number_in(cut_part(path));
   const std::string_view kind = cut_part(path);
-  const std::optional<std::size_t> frame = number_in(path);
-  if (!field || !frame || *field >= fields_.size()) return unknown_path();
+  const std::size_t slash = path.find('/');
+  const bool blurs = slash != std::string_view::npos;
+  const std::optional<std::size_t> frame = number_in(path.substr(0, slash));
+  const std::optional<std::size_t> crosstalk = blurs ? number_in(path.substr(slash + 1)) : 0;
+  if (!field || !frame || !crosstalk || *field >= fields_.size()) return unknown_path();
   const PageField& shown = *fields_[*field];
-  const bool known = kind == "views" || kind == "panel" || (kind == "depth" && shown.facts().has_depth);
+  const bool known = kind == "views" || kind == "panel" || (kind == "depth" && shown.facts().has_depth) ||
+                     (kind == "provenance" && shown.facts().has_provenance);
+  const bool may_blur = kind == "views" && shown.facts().panel == PanelPicture::kOwn;
+  if (blurs && (!may_blur || *crosstalk < 1 || *crosstalk > kMostCrosstalk)) return unknown_path();
   if (!known || *frame >= shown.facts().frames.size()) return unknown_path();
   try {
-    const Bytes bytes = cache_.get(fmt::format("{}/{}/{}", *field, kind, *frame),
-                                   [&] { return page_picture(shown, kind, *frame, kServedEffort).bytes; });
+    const Bytes bytes = cache_.get(fmt::format("{}/{}/{}/{}", *field, kind, *frame, *crosstalk), [&] {
+      if (blurs) return encoded_picture(shown.quilt(*frame, 0.01 * static_cast<double>(*crosstalk)), kServedEffort).bytes;
+      return page_picture(shown, kind, *frame, kServedEffort).bytes;
+    });
     return {200, bytes->starts_with("RIFF") ? "image/webp" : "image/png", bytes};
   } catch (const Error& error) {
     return failed(error.what());

@@ -88,7 +88,7 @@ class PageAnswers {
   ByteCache cache_;
 };
 
-/// One of the pictures of a frame: what "views", "depth" or "panel" names, encoded for a page. Throws Error.
+/// One of the pictures of a frame: what "views", "depth", "provenance" or "panel" names, encoded for a page. Throws Error.
 struct PagePicture {
   std::string bytes, type;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lippmann/trace/aovs.hpp"
 #include "view/page_display.hpp"
 
 namespace lippmann {
@@ -54,6 +55,13 @@ Json panel_picture_json(const PageFacts& facts) {
   return json;
 }
 
+/// What the codes mean, by code.
+Json provenance_json() {
+  Json infos = Json::array();
+  for (const ProvenanceInfo& info : kProvenanceInfos) infos.push_back({{"name", info.name}, {"missed", info.missed}});
+  return infos;
+}
+
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
@@ -74,6 +82,7 @@ Json field_json(const PageFacts& facts) {
           {"eye_mm", {facts.eye_mm.x, facts.eye_mm.y, facts.eye_mm.z}},
           {"depth_budget_mm", finite_or_null(facts.depth_budget_mm)},
           {"depth", facts.has_depth},
+          {"provenance", facts.has_provenance ? provenance_json() : Json()},
           {"disparity_scale_mm", facts.disparity_scale_mm},
           {"frames_per_second", facts.frames_per_second},
           {"assumption", facts.assumption},

@@ -45,11 +45,11 @@ void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& fac
   facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
 }
 
-Image seen_by_eyes(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool) {
+Image seen_by_eyes(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, double crosstalk_px) {
   const Vec2i size = facts.view_size;
   const ViewGrid &grid = facts.grid, &tiles = facts.tiles;
   Image quilt(size.x * tiles.columns, size.y * tiles.rows, 3);
-  const EyeSampler sampler(rendered, SampleFilter::kLinear);
+  const EyeSampler sampler(rendered, SampleFilter::kLinear, crosstalk_px);
   pool.for_each(static_cast<std::size_t>(grid.count() * size.y), [&](std::size_t line) {
     const int view = static_cast<int>(line) / size.y, y = static_cast<int>(line) % size.y;
     const Viewer viewer = eye_of_view(facts, view);
@@ -85,10 +85,11 @@ Viewer eye_of_view(const PageFacts& facts, int view) {
   return {{facts.axes.across.slope(view % columns), facts.axes.up.slope(view / columns)}, facts.axes.vergence};
 }
 
-Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where) {
+Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where,
+                   double crosstalk_px) {
   const ViewLayout quilt{LayoutKind::kQuilt, facts.grid, facts.tiles};
   const std::optional<RenderedViews> views = rendered_views(rendered.optics);
-  if (!views) return to_codes(seen_by_eyes(rendered, facts, pool), Encoding::kSrgb);
+  if (!views) return to_codes(seen_by_eyes(rendered, facts, pool, crosstalk_px), Encoding::kSrgb);
   const Vec2i size(rendered.picture.width, rendered.picture.height);
   if (facts.panel == PanelPicture::kQuilt && size == picture_size(quilt, facts.view_size))
     return to_codes(rendered.picture, Encoding::kSrgb);

@@ -44,6 +44,7 @@ struct PageFacts {
   Vec3d eye_mm{0.0};                 ///< where the display is meant to be seen from
   double depth_budget_mm = 0.0;
   bool has_depth = false;
+  bool has_provenance = false;      ///< of every pixel of the views
   double disparity_scale_mm = 1.0;  ///< the scale of codes (view/disparity_codes.hpp)
   double frames_per_second = 25.0;
   std::vector<PageFrame> frames;
@@ -57,6 +58,9 @@ PageFacts page_facts(const Optics& optics);
 Viewer eye_of_view(const PageFacts& facts, int view);
 
 /// sRGB codes; facts.tiles of facts.view_size. `where` is named by the Error for a picture that is not of the optics' size.
-Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where);
+/// crosstalk_px: a sigma as of optics/crosstalk.hpp, with which eyes look; of views of whole pixels, which no eye looks at, it
+/// is not used.
+Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where,
+                   double crosstalk_px = 0.0);
 
 }  // namespace lippmann

@@ -15,6 +15,7 @@
 #include "lippmann/layout/arrangement.hpp"
 #include "lippmann/replay/eye_sampler.hpp"
 #include "view/disparity_codes.hpp"
+#include "view/views_provenance.hpp"
 #include "view/within_folder.hpp"
 
 namespace lippmann {
@@ -45,7 +46,21 @@ FormatOptions options_with_depth(const LightFieldHints& hints) {
   return options;
 }
 
+/// A code per pixel.
+Image8 grey(const Image& layer) {
+  Image8 codes{layer.width, layer.height, std::vector<unsigned char>(3 * layer.data.size())};
+  for (std::size_t i = 0; i < codes.rgb.size(); ++i)
+    codes.rgb[i] = static_cast<unsigned char>(std::clamp(layer.data[i / 3], 0.0f, 255.0f));
+  return codes;
+}
+
 }  // namespace
+
+struct PageField::Layered {
+  LightField field;
+  std::optional<Image> provenance;
+  double depth_scale;
+};
 
 PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
     : hints_(std::move(hints)),
@@ -58,9 +73,9 @@ PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
   facts_.assumption = frames_.assumption;
   facts_.frames = label_frames(frames_.files, readable_rendering(frames_.folder / "report.json").value_or(Rendering{}).frames);
   try {
-    facts_.has_depth = has_depth_beside(0);
+    find_layers();
   } catch (const Error& error) {
-    context.warning(fmt::format("Depth is left out: {}", error.what()));
+    context.warning(fmt::format("Depth is left out, and other layers: {}", error.what()));
   }
 }
 
@@ -73,27 +88,29 @@ PageField::PageField(const fs::path& folder, std::shared_ptr<const ComingFrames>
   facts_ = page_facts(rendering.optics);
   facts_.title = title_of(folder);
   facts_.frames_per_second = rendering.frames_per_second.value_or(facts_.frames_per_second);
-  facts_.has_depth = rendering.has_depth_layer && facts_.panel != PanelPicture::kOwn && facts_.grid.count() > 1;
+  const bool views_have_pixels = facts_.panel != PanelPicture::kOwn && facts_.grid.count() > 1;
+  facts_.has_depth = rendering.has_depth_layer && views_have_pixels;
+  facts_.has_provenance = rendering.has_provenance && views_have_pixels;
   for (const int frame : coming_->frames()) facts_.frames.push_back({fmt::format("{:04}", frame), {}});
 }
 
-Image8 PageField::quilt(std::size_t frame) const { return views_quilt(read(frame), facts_, pool_, file_of(frame).string()); }
+Image8 PageField::quilt(std::size_t frame, double crosstalk_px) const {
+  return views_quilt(read(frame), facts_, pool_, file_of(frame).string(), crosstalk_px);
+}
 
 Image8 PageField::disparities(std::size_t frame) const {
-  const fs::path file = file_of(frame);
-  require_within(root_, file);
-  const LightFieldSource source = light_field_source(file, hints_.from, options_with_depth(hints_));
-  const LightField field = source.format->read(file, source.options);
-  if (!field.depth || field.grid != facts_.grid || field.view_size != facts_.view_size)
-    throw Error(file.string(), "has no depth of its views, which the first frame has", "render with `aov` depth");
-  const double parallax = source.rendering ? source.rendering->depth_scale : 1.0;
-  const Image8 stack = disparity_codes(*field.depth, facts_.axes.vergence, parallax, facts_.disparity_scale_mm);
-  const ViewLayout quilt{LayoutKind::kQuilt, facts_.grid, facts_.tiles};
-  const Vec2i size = picture_size(quilt, facts_.view_size);
-  Image8 picture{size.x, size.y, std::vector<unsigned char>(static_cast<std::size_t>(size.x) * size.y * 3)};
-  const std::vector<std::uint32_t> pixels = pixels_of_views(quilt, facts_.view_size, size);
-  for (std::size_t i = 0; i < pixels.size(); ++i) std::copy_n(&stack.rgb[3 * i], 3, &picture.rgb[3 * std::size_t{pixels[i]}]);
-  return picture;
+  const Layered views = layered(frame);
+  if (!views.field.depth)
+    throw Error(file_of(frame).string(), "has no depth of its views, which the first frame has", "render with `aov` depth");
+  return in_quilt(disparity_codes(*views.field.depth, facts_.axes.vergence, views.depth_scale, facts_.disparity_scale_mm));
+}
+
+Image8 PageField::provenance(std::size_t frame) const {
+  const Layered views = layered(frame);
+  if (!views.provenance)
+    throw Error(file_of(frame).string(), "does not say where its pixels came from, as the first frame does",
+                "render with `aov` provenance");
+  return in_quilt(grey(*views.provenance));
 }
 
 Image8 PageField::panel(std::size_t frame) const { return to_codes(read(frame).picture, Encoding::kSrgb); }
@@ -110,13 +127,33 @@ RenderedPanel PageField::read(std::size_t frame) const {
   return coming_ ? find_light_field_frames(file, hints_).read(0) : frames_.read(frame);
 }
 
-bool PageField::has_depth_beside(std::size_t frame) const {
-  if (facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return false;
-  const fs::path& file = frames_.files[frame];
+/// Views of another frame's size have no layers.
+PageField::Layered PageField::layered(std::size_t frame) const {
+  const fs::path file = file_of(frame);
   require_within(root_, file);
   const LightFieldSource source = light_field_source(file, hints_.from, options_with_depth(hints_));
-  const LightField field = source.format->read(file, source.options);
-  return field.depth.has_value() && field.grid == facts_.grid && field.view_size == facts_.view_size;
+  Layered views{source.format->read(file, source.options), {}, source.rendering ? source.rendering->depth_scale : 1.0};
+  if (views.field.grid != facts_.grid || views.field.view_size != facts_.view_size)
+    views.field.depth.reset();
+  else if (source.rendering && source.rendering->has_provenance)
+    views.provenance = views_provenance(file, views.field);
+  return views;
+}
+
+void PageField::find_layers() {
+  if (facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return;
+  const Layered first = layered(0);
+  facts_.has_depth = first.field.depth.has_value();
+  facts_.has_provenance = first.provenance.has_value();
+}
+
+Image8 PageField::in_quilt(const Image8& stack) const {
+  const ViewLayout quilt{LayoutKind::kQuilt, facts_.grid, facts_.tiles};
+  const Vec2i size = picture_size(quilt, facts_.view_size);
+  Image8 picture{size.x, size.y, std::vector<unsigned char>(static_cast<std::size_t>(size.x) * size.y * 3)};
+  const std::vector<std::uint32_t> pixels = pixels_of_views(quilt, facts_.view_size, size);
+  for (std::size_t i = 0; i < pixels.size(); ++i) std::copy_n(&stack.rgb[3 * i], 3, &picture.rgb[3 * std::size_t{pixels[i]}]);
+  return picture;
 }
 
 }  // namespace lippmann

@@ -40,17 +40,24 @@ class PageField {
 
   // These are of the frame of that index, below facts().frames.size(). All throw Error naming the file; thread-safe.
 
-  /// sRGB codes; facts().tiles of facts().view_size.
-  Image8 quilt(std::size_t frame) const;
+  /// sRGB codes; facts().tiles of facts().view_size. With crosstalk (see views_quilt) as eyes see it through the panel's own.
+  Image8 quilt(std::size_t frame, double crosstalk_px = 0.0) const;
   /// Likewise, codes of disparity. Needs facts().has_depth.
   Image8 disparities(std::size_t frame) const;
+  /// Likewise, where each pixel came from: its number in Provenance, as red, green and blue. Needs facts().has_provenance.
+  Image8 provenance(std::size_t frame) const;
   /// sRGB codes of facts().panel_size.
   Image8 panel(std::size_t frame) const;
 
  private:
   RenderedPanel read(std::size_t frame) const;
   std::filesystem::path file_of(std::size_t frame) const;
-  bool has_depth_beside(std::size_t frame) const;
+  /// The views with all layers that are there.
+  struct Layered;
+  Layered layered(std::size_t frame) const;
+  /// Adds to the facts which layers the first frame has.
+  void find_layers();
+  Image8 in_quilt(const Image8& stack) const;
 
   LightFieldHints hints_;
   LightFieldFrames frames_;

@@ -67,6 +67,13 @@ std::string saved_index(std::string_view served) {
   return text.replace(at, kServed.size(), kScripts);
 }
 
+/// Whether a saved page has pictures of that kind: the panel's own where it does not follow from the views.
+bool needs(const PageFacts& facts, std::string_view kind) {
+  if (kind == "depth") return facts.has_depth;
+  if (kind == "provenance") return facts.has_provenance;
+  return kind == "views" || facts.panel == PanelPicture::kOwn;
+}
+
 }  // namespace
 
 SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& folder, const Context& context) {
@@ -75,10 +82,9 @@ SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const PageFacts& facts = fields[i]->facts();
     for (std::size_t frame = 0; frame < facts.frames.size(); ++frame)
-      for (const std::string_view kind : {"views", "depth", "panel"}) {
-        const bool has = kind == "views" || (kind == "depth" ? facts.has_depth : facts.panel == PanelPicture::kOwn);
+      for (const std::string_view kind : {"views", "depth", "provenance", "panel"}) {
         if (context.cancelled) return {};
-        if (has)
+        if (needs(facts, kind))
           page.write_picture(fmt::format("{}/{}/{}", i, kind, frame), page_picture(*fields[i], kind, frame, kSavedEffort));
       }
   }

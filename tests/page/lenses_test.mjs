@@ -2,7 +2,7 @@
 // 30), and the warning of flips.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { closeAfterEach, eyeOfView, grid, lenslets, lippmann, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, eyeOfView, grid, inFolder, lenslets, lippmann, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -27,6 +27,30 @@ test("a lenticular sheet, at a lens's last pixel too, beside which its neighbour
 test("an array of lenslets, across and up", () => compare("lenslets", lenslets, [[1, 1, 0.5], [0, 3, 0.75], [2.5, 1.3, 1.5]]));
 test("a quilt, whose outermost views have one neighbour", () => compare("quilt", quilt, [[6, 0, 1], [0, 0, 1.5], [9.7, 0, 3]]));
 test("a grid of cameras", () => compare("grid", grid, [[2, 2, 0.75], [4, 0, 1], [1.5, 2.5, 2]]));
+
+// Their views are not their pixels: the program computes what eyes see.
+const slanted = () => lippmann("render", "room", "--optics", "lenticular", "--size", "212x160", "--lens-pixels", "5.3", "--slant", "-9.46", "--frames", "0", "-o", "slanted", "-q");
+const hexagonal = () => lippmann("render", "room", "--optics", "microlens", "--packing", "hexagonal", "--size", "192x160", "--lens-pixels", "5", "--frames", "0", "-o", "hexagonal", "-q");
+test("a slanted panel", () => compare("slanted", slanted, [[2, 0, 0.4], [4, 0, 1.5]]));
+test("hexagonal lenslets", () => compare("hexagonal", hexagonal, [[2, 2, 0.5], [1, 3, 1.25]]));
+
+test("the program computes crosstalk when the slider is let go of, and saved pages have none for such panels", async () => {
+  slanted();
+  const asked = [];
+  const page = await open(await view("slanted"), { onRequest: (url) => asked.push(url) });
+  const slider = page.getByRole("slider", { name: "Crosstalk" });
+  const press = (kind, value) => slider.evaluate((input, [kind, value]) => ((input.value = value), input.dispatchEvent(new Event(kind, { bubbles: true }))), [kind, value]);
+  for (const value of ["0.5", "1"]) await press("input", value);
+  assert.match(await slider.evaluate((input) => input.closest(".row").querySelector("output").value), /^1.00.px/);
+  assert.equal(await page.evaluate(() => window.lippmann.state.crosstalk), 0);
+  await press("change", "1");
+  await page.waitForSelector('#stage[data-drawn="true"]');
+  assert.deepEqual(asked.filter((url) => /views\/0\/\d/.test(url)).map((url) => url.split("/").slice(-3).join("/")), ["views/0/100"]);
+  lippmann("view", "slanted", "--save", "slanted-page");
+  const saved = await open(`file://${inFolder("slanted-page")}/index.html#crosstalk=1`);
+  assert.equal(await saved.getByRole("slider", { name: "Crosstalk" }).isVisible(), false);
+  assert.deepEqual([...page.complaints, ...saved.complaints], []);
+});
 
 test("an eye that leaves the zone is warned of, with the share that replay says", async () => {
   sheet();

@@ -63,6 +63,8 @@ TEST_F(Answers, paths_that_lead_elsewhere_lead_nowhere) {
                            "/0/views/0/",
                            "/0/views/",
                            "/0/views",
+                           "/0/views/0/40",
+                           "/0/provenance/0",
                            "/0/views/3",
                            "/0/views/-1",
                            "/0/views/+1",

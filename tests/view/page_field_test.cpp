@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "image/exr.hpp"
 #include "image/png.hpp"
 #include "lippmann/image/picture_file.hpp"
 #include "lippmann/layout/convert.hpp"
@@ -59,6 +60,33 @@ TEST(PageField, frames_have_what_the_report_says_of_them) {
   EXPECT_EQ(json["across"]["beyond"], "next lens");
   EXPECT_EQ(json["frames"][2]["psnr_db"], 32.0);
   EXPECT_EQ(json["depth"], false);
+}
+
+// Pixel (x, y) of view v lies below lens x, the views from right to left.
+TEST(PageField, provenance_of_views_lies_where_their_pixels_do) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 2);
+  nlohmann::ordered_json report = nlohmann::ordered_json::parse(std::ifstream(dir / "report.json"));
+  report["settings"]["aov"] = {"provenance"};
+  std::ofstream(dir / "report.json") << report;
+  Image codes(16, 6, 1);
+  for (std::size_t i = 0; i < codes.data.size(); ++i) codes.data[i] = static_cast<float>(i % 8);
+  const ExrLayer layer{"", &codes, {"provenance"}, ExrSample::kHalf};
+  write_exr(dir / "aov_0000.exr", std::span(&layer, 1));
+  const auto fields = test::fields_of(dir.path());
+  const PageFacts& facts = fields[0]->facts();
+  ASSERT_TRUE(facts.has_provenance);
+  EXPECT_FALSE(facts.has_depth);
+  EXPECT_EQ(field_json(facts)["provenance"][3], (nlohmann::ordered_json{{"name", "missed, filled"}, {"missed", true}}));
+  const Image8 quilt = fields[0]->provenance(0);
+  for (int view = 0; view < 4; ++view)
+    for (int y = 0; y < 6; ++y)
+      for (int x = 0; x < 4; ++x) {
+        const Vec2i tile(view % 2 * 4, (1 - view / 2) * 6);
+        const auto at = static_cast<std::size_t>(3 * ((tile.y + y) * quilt.width + tile.x + x));
+        EXPECT_EQ(quilt.rgb[at], (y * 16 + x * 4 + 3 - view) % 8) << view << ": " << x << ", " << y;
+      }
+  EXPECT_THAT(test::error_message([&] { fields[0]->provenance(1); }), HasSubstr("does not say where its pixels came from"));
 }
 
 // A panel whose lenses have 5.3 pixels has no views of whole pixels: eyes look at it.

@@ -1,4 +1,5 @@
 // The controls beside the picture: native elements, so that keyboards and screen readers know them.
+import { asksForCrosstalk } from "./data";
 import { hasCrosstalk, neighbourShare, shareOfZone, slopeInZone, type Field } from "./field";
 import type { Live } from "./live";
 import { setUpGroups } from "./live_controls";
@@ -7,6 +8,7 @@ import { runGroup } from "./run_controls";
 import type { Run } from "./run";
 import type { State, Store } from "./state";
 import type { Tilt } from "./tilt";
+import type { Headset } from "./xr";
 
 export interface Shown {
   update: () => void;
@@ -31,18 +33,21 @@ interface SliderSettings {
   text?: (value: number) => string;
   set: (value: number) => void;
   reset?: () => void;
+  /** Set when it is let go of: the program has to compute what it asks for. */
+  late?: () => boolean;
   applies?: () => boolean;
 }
 
 export function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
   const id = `control-${nextId++}`;
   const input = element("input", { type: "range", id });
+  const text = settings.text ?? ((value: number) => `${rounded(value, 1)}${settings.unit ? `\u2009${settings.unit}` : ""}`);
   const output = element("output", { className: "value" });
   output.setAttribute("for", id);
-  input.addEventListener("input", () => settings.set(Number(input.value)));
+  input.addEventListener("input", () => (settings.late?.() ? (output.value = text(Number(input.value))) : settings.set(Number(input.value))));
+  input.addEventListener("change", () => settings.late?.() && settings.set(Number(input.value)));
   if (settings.reset) input.addEventListener("dblclick", settings.reset);
   const row = element("div", { className: "row" }, element("label", { htmlFor: id }, settings.label), output, input);
-  const text = settings.text ?? ((value: number) => `${rounded(value, 1)}${settings.unit ? `\u2009${settings.unit}` : ""}`);
   shown.push({
     update: () => {
       row.hidden = settings.applies !== undefined && !settings.applies();
@@ -112,6 +117,7 @@ export interface Actions {
   focusRange: () => [number, number];
   player: Player;
   tilt: Tilt;
+  headset: Headset;
   live: Live | null;
   run: Run | null;
 }
@@ -127,9 +133,9 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
       ...(actions.live ? setUpGroups(store, field, actions.live, shown) : []),
       actions.run ? runGroup(actions.run, shown) : null,
       fields.length > 1 ? compareGroup(store, shown) : null,
-      onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions.tilt, shown), shown),
+      onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions, shown), shown),
       onlyIf(() => hasViews() && store.state.show !== "display", focusGroup(store, actions, shown), shown),
-      pictureGroup(store, field, hasViews, shown),
+      pictureGroup(store, field, actions, hasViews, shown),
       actions.live ? null : playGroup(actions.player, shown),
       element(
         "div",
@@ -165,7 +171,20 @@ function tiltButton(tilt: Tilt, shown: Shown[]): HTMLElement {
   return row;
 }
 
-function eyeGroup(store: Store, field: Field, tilt: Tilt, shown: Shown[]): HTMLElement {
+/** A button only where there is a headset. */
+function headsetButton(headset: Headset, shown: Shown[]): HTMLElement {
+  const made = button("Enter VR", () => void headset.toggle());
+  const row = element("div", { className: "row" }, made);
+  shown.push({
+    update: () => {
+      row.hidden = !headset.isThere;
+      made.textContent = headset.isOn ? "Leave VR" : "Enter VR";
+    },
+  });
+  return row;
+}
+
+function eyeGroup(store: Store, field: Field, actions: Actions, shown: Shown[]): HTMLElement {
   const { state } = store;
   const showsOne = () => store.fields.length < 2 || state.compare === "first" || state.compare === "second";
   const slope = (axis: 0 | 1) => state.eye[axis] / state.eye[2];
@@ -206,7 +225,8 @@ function eyeGroup(store: Store, field: Field, tilt: Tilt, shown: Shown[]): HTMLE
       },
       shown,
     ),
-    tiltButton(tilt, shown),
+    tiltButton(actions.tilt, shown),
+    headsetButton(actions.headset, shown),
     choice("Two eyes", "stereo", [["off", "Off"], ["anaglyph", "Anaglyph, red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown, showsOne),
     slider({ label: "Eye separation", unit: "mm", applies: () => showsOne() && state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown),
   );
@@ -221,14 +241,15 @@ function focusGroup(store: Store, actions: Actions, shown: Shown[]): HTMLElement
   );
 }
 
-function pictureGroup(store: Store, field: Field, hasViews: () => boolean, shown: Shown[]): HTMLElement {
+function pictureGroup(store: Store, field: Field, actions: Actions, hasViews: () => boolean, shown: Shown[]): HTMLElement {
   const { state } = store;
   return group(
     "Picture",
     showChoice(store, hasViews, shown),
     choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown, () => field.depth),
     check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown, () => field.lens_samples.some(Boolean)),
-    slider({ label: "Crosstalk", applies: () => hasCrosstalk(field) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk }), reset: () => store.set({ crosstalk: 0 }) }, shown),
+    slider({ label: "Crosstalk", late: () => asksForCrosstalk(field), applies: () => (hasCrosstalk(field) || (asksForCrosstalk(field) && actions.live === null)) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk: Math.round(100 * crosstalk) / 100 }), reset: () => store.set({ crosstalk: 0 }) }, shown),
+    choice("Overlay", "overlay", [["none", "None"], ["provenance", "Where pixels came from"], ["missed", "Missed pixels"]], store, shown, () => field.provenance !== null && state.show !== "display"),
     check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown, () => field.across.views > 1),
     slider({ label: "Line, from the top", applies: () => state.line >= 0, range: () => [0, 1], value: () => state.line, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (line) => store.set({ line }) }, shown),
     slider({ label: "Exposure", applies: () => state.show !== "display", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown),

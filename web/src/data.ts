@@ -1,5 +1,5 @@
 // Where the page's data come from: a server, or scripts beside the page (pages that are opened from a disk may run those only).
-import { Refusal } from "./field";
+import { Refusal, type Field } from "./field";
 
 interface Waiting {
   resolve: (blob: Blob) => void;
@@ -59,6 +59,10 @@ export async function postText(path: string, body: string): Promise<string> {
   if (usesScripts()) throw new Refusal("A saved page cannot read calibrations: `lippmann play` does.");
   return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
+
+/** Whether the program computes what eyes see through crosstalk: where views of theirs are not the panel's pixels, and the
+ *  program is there. */
+export const asksForCrosstalk = (field: Field): boolean => !usesScripts() && field.panel.is === "own" && field.across.views * field.up.views > 1;
 
 /** What the program says of a scene that is set up. */
 export const readState = async (path: string): Promise<unknown> => (await answerOf(path)).json();

@@ -17,6 +17,12 @@ export interface Frame {
   pending?: boolean;
 }
 
+/** Where pixels may come from; their codes count these from 0. */
+export interface Origin {
+  name: string;
+  missed: boolean;
+}
+
 export interface Field {
   title: string;
   view_size: [number, number];
@@ -30,6 +36,8 @@ export interface Field {
   eye_mm: [number, number, number];
   depth_budget_mm: number | null;
   depth: boolean;
+  /** Null: nothing says where pixels came from. */
+  provenance: Origin[] | null;
   disparity_scale_mm: number;
   frames_per_second: number;
   assumption: string;
@@ -49,6 +57,9 @@ const areNumbers = (value: unknown, count: number): boolean =>
 const areSizes = (value: unknown): boolean =>
   areNumbers(value, 2) && (value as number[]).every((side) => side >= 1 && side <= 65536 && Number.isInteger(side));
 
+const areOrigins = (value: unknown): boolean =>
+  Array.isArray(value) && value.length <= 8 && value.every((one) => typeof one?.name === "string" && typeof one.missed === "boolean");
+
 function checkAxis(axis: Axis, name: string): void {
   require(typeof axis === "object" && axis !== null, `it has no "${name}"`);
   require(Number.isInteger(axis.views) && axis.views >= 1 && axis.views <= 65536, `"${name}" has no number of views`);
@@ -65,6 +76,8 @@ function checkField(field: Field): void {
   require(areNumbers(field.window_mm?.centre, 2) && areNumbers(field.window_mm?.size, 2), "it has no window");
   require(areNumbers(field.eye_mm, 3) && field.eye_mm[2] > 0, "it has no eye");
   require(Array.isArray(field.lens_samples) && areSizes(field.panel?.size), "it does not say what the panel shows");
+  field.provenance ??= null;
+  require(field.provenance === null || areOrigins(field.provenance), "it does not say what the codes of provenance are");
   require(isNumber(field.frames_per_second) && field.frames_per_second > 0, "it has no frame rate");
   require(Array.isArray(field.frames) && field.frames.length > 0, "it has no frames");
   require(field.frames.every((frame) => typeof frame?.label === "string"), "a frame has no label");

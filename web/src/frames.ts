@@ -1,17 +1,24 @@
 // Frames on the GPU: loaded when they are asked for or soon will be, the least recently used given up beyond a bound.
-import { loadPicture } from "./data";
+import { asksForCrosstalk, loadPicture } from "./data";
 import { Refusal, type Field } from "./field";
 import { samePanel } from "./display";
 import { pictureTexture, type Gl } from "./gl";
 import type { Interlacer } from "./interlace";
+import { sharesOf, type Provenance } from "./provenance";
+import { layerTiles, quiltTexture, type LayerTiles } from "./quilt";
 
-/** What a frame is loaded for: eyes need its views, the panel's picture may be one of its own, a display plays one of codes. */
-export type Use = "eye" | "panel" | "display";
+/** What a frame is loaded for: eyes need its views, the panel's picture may be one of its own, a display plays one of codes.
+ *  Eyes may look through crosstalk that the program computes, a sigma in hundredths of a pixel. */
+export type Use = "eye" | "panel" | "display" | `eye/${number}`;
 
 export interface LoadedFrame {
+  /** How views, depth and provenance lie in their textures. */
+  layer: LayerTiles;
   views: WebGLTexture;
   depth: WebGLTexture | null;
   panel: WebGLTexture | null;
+  /** Undefined: nobody has asked; null: it is on its way, or cannot be had. */
+  provenance?: Provenance | null;
   viewSize: [number, number];
   disparities: [number, number];
   bytes: number;
@@ -50,6 +57,12 @@ async function rangeOf(codes: ImageBitmap, scale: number): Promise<[number, numb
   return [least - margin, greatest + margin];
 }
 
+/** The end of the name of views. */
+const crosstalkOf = (use: Use): string => (use.startsWith("eye/") ? use.slice(3) : "");
+
+/** Pictures that are one tile. */
+const kWhole: [number, number] = [1, 1];
+
 /** What failed is asked for again after a while: it may have been rendered meanwhile. */
 const kRetryMs = 3000;
 
@@ -58,6 +71,7 @@ export class Frames {
   private readonly loading = new Map<string, Promise<LoadedFrame>>();
   private readonly failures = new Map<string, { error: Error; at: number }>();
   private bytes = 0;
+  private asked = 0;
   private pinned: string[] = [];
   private interlacer: Interlacer | null = null;
   /** Of a scene that is set up: the newest picture is shown, whatever frame is asked for. */
@@ -72,12 +86,21 @@ export class Frames {
     private readonly notice: (text: string) => void,
   ) {}
 
+  private key(field: number, frame: number, use: Use): string {
+    return `${field}/${frame}/${this.useFor(field, use)}`;
+  }
+
+  /** Only panels of their own need the program's help with crosstalk. */
+  private useFor(field: number, use: Use): Use {
+    return use.startsWith("eye/") && !asksForCrosstalk(this.fields[field]) ? "eye" : use;
+  }
+
   /** The frame, where it is there; else it is on its way, and `changed` is called when it is. Throws what loading it threw. */
   get(field: number, frame: number, use: Use): LoadedFrame | null {
     if (this.isLive) return this.live;
     const { label, pending } = this.fields[field].frames[frame];
     if (pending) throw new Refusal(`Frame ${label} is not rendered yet.`);
-    const key = `${field}/${frame}/${use}`;
+    const key = this.key(field, frame, use);
     const failure = this.failures.get(key);
     if (failure && performance.now() - failure.at < kRetryMs) throw failure.error;
     const found = this.loaded.get(key);
@@ -93,14 +116,15 @@ export class Frames {
   /** Shows pictures of a scene that is set up in place of those before. */
   async showLive(facts: Field, pictures: { views: Blob; depth: Blob | null; panel: Blob | null }): Promise<void> {
     const options: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
-    const decode = async (blob: Blob | null) => (blob ? this.fitted(await createImageBitmap(blob, options), options) : null);
-    const [views, depth, panel] = await Promise.all([decode(pictures.views), decode(pictures.depth), decode(pictures.panel)]);
+    const decode = async (blob: Blob | null, tiles: readonly [number, number]) => (blob ? this.fitted(await createImageBitmap(blob, options), options, tiles) : null);
+    const [views, depth, panel] = await Promise.all([decode(pictures.views, facts.tiles), decode(pictures.depth, facts.tiles), decode(pictures.panel, kWhole)]);
     if (!views) return;
     const disparities = depth ? await rangeOf(depth, facts.disparity_scale_mm) : this.guessedRange(facts);
     const before = this.live;
     this.live = {
-      views: pictureTexture(this.gl, views, "srgb"),
-      depth: depth && pictureTexture(this.gl, depth, "codes"),
+      layer: layerTiles(this.gl, views, facts.tiles),
+      views: quiltTexture(this.gl, views, facts.tiles, "srgb"),
+      depth: depth && quiltTexture(this.gl, depth, facts.tiles, "codes"),
       panel: panel && pictureTexture(this.gl, panel, "srgb"),
       viewSize: [views.width / facts.tiles[0], views.height / facts.tiles[1]],
       disparities,
@@ -120,9 +144,14 @@ export class Frames {
     return this.loading.size > 0;
   }
 
+  /** Whether what is laid over a picture is on its way. */
+  get isAsking(): boolean {
+    return this.asked > 0;
+  }
+
   /** The frame where it is there; nothing is loaded. */
   peek(field: number, frame: number, use: Use): LoadedFrame | null {
-    return this.isLive ? this.live : (this.loaded.get(`${field}/${frame}/${use}`) ?? null);
+    return this.isLive ? this.live : (this.loaded.get(this.key(field, frame, use)) ?? null);
   }
 
   /** What a display plays is made by this from now on. */
@@ -142,13 +171,13 @@ export class Frames {
 
   load(field: number, frame: number, use: Use): Promise<LoadedFrame | null> {
     if (this.isLive) return Promise.resolve(this.live);
-    const key = `${field}/${frame}/${use}`;
+    const key = this.key(field, frame, use);
     if (this.fields[field].frames[frame].pending) return Promise.resolve(null);
     const found = this.loaded.get(key);
     if (found) return Promise.resolve(found);
     let promise = this.loading.get(key);
     if (!promise) {
-      promise = use === "display" ? this.makePlayed(field, frame) : this.make(field, frame, use);
+      promise = use === "display" ? this.makePlayed(field, frame) : this.make(field, frame, this.useFor(field, use));
       this.loading.set(key, promise);
       promise
         .then((made) => this.keep(key, made))
@@ -175,7 +204,7 @@ export class Frames {
     this.loaded.delete(key);
     this.bytes -= frame.bytes;
     frame.givenUp = true;
-    for (const texture of new Set([frame.views, frame.depth, frame.panel])) if (texture) this.gl.deleteTexture(texture);
+    for (const texture of new Set([frame.views, frame.depth, frame.panel, frame.provenance?.texture ?? null])) if (texture) this.gl.deleteTexture(texture);
   }
 
   /** Interlaced as soon as it is there: that takes less memory than its views, and playing it no time. */
@@ -185,15 +214,17 @@ export class Frames {
     const interlacer = this.interlacer as Interlacer;
     const { display } = interlacer;
     const isOwn = samePanel(facts.panel.panel, display.panel) && facts.panel.size.join() === display.pixels.join();
-    const picture = isOwn ? await this.bitmap(`${field}/panel/${frame}`, label, facts.panel.size) : await this.bitmap(`${field}/views/${frame}`, label, this.quiltSize(facts));
+    const picture = isOwn ? await this.bitmap(`${field}/panel/${frame}`, label, facts.panel.size) : await this.quilt(`${field}/views/${frame}`, label, facts);
     if (interlacer !== this.interlacer) return picture.close(), this.makePlayed(field, frame);
-    const codes = pictureTexture(this.gl, picture, "codes");
+    const tiles = isOwn ? kWhole : facts.tiles;
+    const layer = layerTiles(this.gl, picture, tiles);
+    const codes = quiltTexture(this.gl, picture, tiles, "codes");
     const viewSize: [number, number] = [picture.width / facts.tiles[0], picture.height / facts.tiles[1]];
     picture.close();
-    const panel = isOwn ? interlacer.fromOwn(codes) : interlacer.fromViews(facts, codes, viewSize);
+    const panel = isOwn ? interlacer.fromOwn(codes) : interlacer.fromViews(facts, codes, viewSize, layer);
     this.gl.deleteTexture(codes);
     const [width, height] = display.pixels;
-    return { views: panel, depth: null, panel, viewSize, disparities: [0, 0], bytes: 4 * width * height, whole: Promise.resolve() };
+    return { layer: null, views: panel, depth: null, panel, viewSize, disparities: [0, 0], bytes: 4 * width * height, whole: Promise.resolve() };
   }
 
   private async make(field: number, frame: number, use: Use): Promise<LoadedFrame> {
@@ -201,17 +232,18 @@ export class Frames {
     const label = facts.frames[frame].label;
     const needsPanel = use === "panel" && facts.panel.is === "own";
     const [views, panel] = await Promise.all([
-      this.bitmap(`${field}/views/${frame}`, label, this.quiltSize(facts)),
+      this.quilt(`${field}/views/${frame}${crosstalkOf(use)}`, label, facts),
       needsPanel ? this.bitmap(`${field}/panel/${frame}`, label, facts.panel.size) : null,
     ]);
     const made: LoadedFrame = {
-      views: pictureTexture(this.gl, views, "srgb"),
+      layer: layerTiles(this.gl, views, facts.tiles),
+      views: quiltTexture(this.gl, views, facts.tiles, "srgb"),
       depth: null,
       panel: panel ? pictureTexture(this.gl, panel, "srgb") : null,
       viewSize: [views.width / facts.tiles[0], views.height / facts.tiles[1]],
       disparities: this.guessedRange(facts),
-      // Depth, which follows, counts from the beginning.
-      bytes: 4 * (views.width * views.height * (facts.depth ? 2 : 1) + (panel ? panel.width * panel.height : 0)),
+      // Depth, which follows, and provenance, which may, count from the beginning.
+      bytes: (facts.provenance ? views.width * views.height : 0) + 4 * (views.width * views.height * (facts.depth ? 2 : 1) + (panel ? panel.width * panel.height : 0)),
       whole: Promise.resolve(),
     };
     views.close();
@@ -224,9 +256,9 @@ export class Frames {
   private async addDepth(made: LoadedFrame, field: number, frame: number): Promise<void> {
     const facts = this.fields[field];
     try {
-      const depth = await this.bitmap(`${field}/depth/${frame}`, facts.frames[frame].label, this.quiltSize(facts));
+      const depth = await this.quilt(`${field}/depth/${frame}`, facts.frames[frame].label, facts);
       made.disparities = await rangeOf(depth, facts.disparity_scale_mm);
-      made.depth = pictureTexture(this.gl, depth, "codes");
+      made.depth = quiltTexture(this.gl, depth, facts.tiles, "codes");
       depth.close();
       if (made.givenUp) this.gl.deleteTexture(made.depth);
       this.changed();
@@ -235,17 +267,38 @@ export class Frames {
     }
   }
 
+  /** Asks for where the frame's pixels came from, unless that has been done. */
+  wantProvenance(made: LoadedFrame, field: number, frame: number): void {
+    if (made.provenance !== undefined) return;
+    made.provenance = null;
+    void this.addProvenance(made, field, frame);
+  }
+
+  private async addProvenance(made: LoadedFrame, field: number, frame: number): Promise<void> {
+    const facts = this.fields[field];
+    this.asked++;
+    try {
+      const codes = await this.quilt(`${field}/provenance/${frame}`, facts.frames[frame].label, facts);
+      if (!made.givenUp) made.provenance = { texture: quiltTexture(this.gl, codes, facts.tiles, "indices"), shares: sharesOf(codes, facts.provenance?.length ?? 0) };
+      codes.close();
+    } catch (error) {
+      this.notice(error instanceof Refusal ? error.message : `Frame ${facts.frames[frame].label}: where its pixels came from is damaged.`);
+    }
+    this.asked--;
+    this.changed();
+  }
+
   /** Without depth: twice the depth budget on either side. */
   private guessedRange(facts: Field): [number, number] {
     const budget = facts.depth_budget_mm ?? 0.2 * facts.window_mm.size[1];
     return [-2 * budget, 2 * budget].map((z) => z / Math.max(1 - z * facts.vergence_per_mm, 0.2)) as [number, number];
   }
 
-  private quiltSize(facts: Field): [number, number] {
-    return [facts.tiles[0] * facts.view_size[0], facts.tiles[1] * facts.view_size[1]];
+  private quilt(name: string, label: string, facts: Field): Promise<ImageBitmap> {
+    return this.bitmap(name, label, [facts.tiles[0] * facts.view_size[0], facts.tiles[1] * facts.view_size[1]], facts.tiles);
   }
 
-  private async bitmap(name: string, label: string, size: [number, number]): Promise<ImageBitmap> {
+  private async bitmap(name: string, label: string, size: [number, number], tiles = kWhole): Promise<ImageBitmap> {
     const blob = await loadPicture(name);
     const options: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
     let picture: ImageBitmap;
@@ -256,16 +309,18 @@ export class Frames {
     }
     if (picture.width !== size[0] || picture.height !== size[1])
       throw new Refusal(`Frame ${label}: its picture has ${picture.width}x${picture.height} pixels, and the description says ${size[0]}x${size[1]}.`);
-    return this.fitted(picture, options);
+    return this.fitted(picture, options, tiles);
   }
 
-  /** Quilts larger than the GPU takes are made smaller by a whole factor. */
-  private async fitted(picture: ImageBitmap, options: ImageBitmapOptions): Promise<ImageBitmap> {
+  /** Views (and panels) larger than the GPU takes are made smaller by a whole factor; quilts of several may be larger. */
+  private async fitted(picture: ImageBitmap, options: ImageBitmapOptions, tiles: readonly [number, number]): Promise<ImageBitmap> {
     const most = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) as number;
-    const by = Math.ceil(Math.max(picture.width, picture.height) / most);
+    const views = [picture.width / tiles[0], picture.height / tiles[1]];
+    const by = Math.ceil(Math.max(...views) / most);
     if (by <= 1) return picture;
     this.notice(`Shown at 1/${by} of its size: this device's GPU takes ${most} pixels a side.`);
-    const small = await createImageBitmap(picture, { ...options, resizeWidth: Math.floor(picture.width / by), resizeHeight: Math.floor(picture.height / by), resizeQuality: "pixelated" });
+    const [resizeWidth, resizeHeight] = views.map((side, i) => tiles[i] * Math.floor(side / by));
+    const small = await createImageBitmap(picture, { ...options, resizeWidth, resizeHeight, resizeQuality: "pixelated" });
     picture.close();
     return small;
   }

@@ -24,7 +24,14 @@ function compile(gl: Gl, kind: number, source: string): WebGLShader {
 
 export type Uniform = number | boolean | readonly number[] | { integers: readonly number[] } | { unit: number };
 
-/** A fragment shader that is run for every pixel of a rectangle. */
+/** All of what is drawn to. */
+const kCovering = `#version 300 es
+  void main() {
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
+    gl_Position = vec4(corner, 0.0, 1.0);
+  }`;
+
+/** A fragment shader that is run for every pixel of a rectangle, or of what a vertex shader makes of 3 or more corners. */
 export class Program {
   private readonly program: WebGLProgram;
   private readonly places = new Map<string, WebGLUniformLocation | null>();
@@ -32,12 +39,8 @@ export class Program {
   constructor(
     private readonly gl: Gl,
     fragment: string,
+    vertex = kCovering,
   ) {
-    const vertex = `#version 300 es
-      void main() {
-        vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
-        gl_Position = vec4(corner, 0.0, 1.0);
-      }`;
     this.program = gl.createProgram() as WebGLProgram;
     gl.attachShader(this.program, compile(gl, gl.VERTEX_SHADER, vertex));
     gl.attachShader(this.program, compile(gl, gl.FRAGMENT_SHADER, fragment));
@@ -46,11 +49,11 @@ export class Program {
       throw new Error(`program: ${gl.getProgramInfoLog(this.program)}`);
   }
 
-  draw(uniforms: Record<string, Uniform>): void {
+  draw(uniforms: Record<string, Uniform>, corners = 3): void {
     const gl = this.gl;
     gl.useProgram(this.program);
     for (const [name, value] of Object.entries(uniforms)) this.setUniform(name, value);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, corners);
   }
 
   private setUniform(name: string, value: Uniform): void {
@@ -66,6 +69,7 @@ export class Program {
       else gl.uniform2i(place, value.integers[0], value.integers[1]);
     } else if (value.length === 2) gl.uniform2fv(place, value);
     else if (value.length === 3) gl.uniform3fv(place, value);
+    else if (value.length === 16) gl.uniformMatrix4fv(place, false, value);
     else gl.uniform4fv(place, value);
   }
 }
@@ -76,11 +80,9 @@ export function bind(gl: Gl, unit: number, texture: WebGLTexture | null): { unit
   return { unit };
 }
 
-function setFilter(gl: Gl, filter: number): void {
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+export function setFilter(gl: Gl, filter: number, target: number = gl.TEXTURE_2D): void {
+  for (const key of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(target, key, filter);
+  for (const key of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(target, key, gl.CLAMP_TO_EDGE);
 }
 
 /** Its first row is the top one. Codes of sRGB become linear light where they are sampled; other codes stay what they are. */

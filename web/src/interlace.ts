@@ -7,17 +7,20 @@
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
 import { bind, CodeTarget, Program, wordTexture, type Gl, type Uniform } from "./gl";
+import { bindQuilt, kQuiltPlaces, type LayerTiles } from "./quilt";
 
 const kFilters = ["nearest", "linear", "gaussian", "as they are"] as const;
 type Filter = (typeof kFilters)[number];
 
-const shader = (filter: Filter): string => `#version 300 es
+const shader = (filter: Filter, layered: boolean): string => `#version 300 es
 #define FILTER ${kFilters.indexOf(filter)}
+#define LAYERED ${Number(layered)}
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp usampler2D;
-uniform sampler2D u_views;        // codes: the quilt, or the panel's own picture
+${kQuiltPlaces}
+uniform QUILT u_views;            // codes: the quilt, or the panel's own picture
 uniform usampler2D u_rows;        // red, green, blue of even pixels, of odd ones: upper and lower words; rows from the bottom
 uniform usampler2D u_columns;
 uniform ivec2 u_view_size, u_tiles, u_panel_size;
@@ -46,20 +49,24 @@ uvec2 view_of(ivec2 pixel, int channel) {
   return view_place(uvec2(~z.x + (z.y == 0u ? 1u : 0u), ~z.y + 1u));
 }
 
-ivec2 origin_of(int view) { return ivec2(view % u_tiles.x, u_tiles.y - 1 - view / u_tiles.x) * u_view_size; }
+vec3 origin_of(int view) {
+  return place_of_tile(vec2(view % u_tiles.x, u_tiles.y - 1 - view / u_tiles.x), vec2(u_view_size), vec2(u_tiles));
+}
+float code(vec3 origin, ivec2 at, int channel) { return texel_of(u_views, origin, vec2(at))[channel]; }
 
 float nearest(int view, ivec2 pixel, int channel) {
   ivec2 from_top = ivec2(pixel.x, u_panel_size.y - 1 - pixel.y);
-  return texelFetch(u_views, origin_of(view) + ((2 * from_top + 1) * u_view_size) / (2 * u_panel_size), 0)[channel];
+  return code(origin_of(view), ((2 * from_top + 1) * u_view_size) / (2 * u_panel_size), channel);
 }
 
 float bilinear(int view, ivec2 pixel, int channel) {
   vec2 from_top = vec2(pixel.x, u_panel_size.y - 1 - pixel.y) + 0.5;
   vec2 place = clamp(from_top * vec2(u_view_size) / vec2(u_panel_size) - 0.5, vec2(0.0), vec2(u_view_size - 1));
-  ivec2 at = ivec2(place), next = min(at + 1, u_view_size - 1), origin = origin_of(view);
+  ivec2 at = ivec2(place), next = min(at + 1, u_view_size - 1);
+  vec3 origin = origin_of(view);
   vec2 share = place - vec2(at);
-  float top = mix(texelFetch(u_views, origin + at, 0)[channel], texelFetch(u_views, origin + ivec2(next.x, at.y), 0)[channel], share.x);
-  float below = mix(texelFetch(u_views, origin + ivec2(at.x, next.y), 0)[channel], texelFetch(u_views, origin + next, 0)[channel], share.x);
+  float top = mix(code(origin, at, channel), code(origin, ivec2(next.x, at.y), channel), share.x);
+  float below = mix(code(origin, ivec2(at.x, next.y), channel), code(origin, next, channel), share.x);
   return mix(top, below, share.y);
 }
 
@@ -87,7 +94,7 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 codes;
 #if FILTER == 3
-  codes = texelFetch(u_views, ivec2(pixel.x, u_panel_size.y - 1 - pixel.y), 0).rgb;
+  codes = texel_of(u_views, vec3(0.0), vec2(pixel.x, u_panel_size.y - 1 - pixel.y)).rgb;
 #else
   for (int channel = 0; channel < 3; ++channel) {
     uvec2 place = view_of(pixel, channel);
@@ -128,7 +135,7 @@ export function rowPhases({ pixels, panel }: PanelDisplay): number[] {
 
 /** Makes frames of one panel. */
 export class Interlacer {
-  private readonly programs = new Map<Filter, Program>();
+  private readonly programs = new Map<string, Program>();
   private readonly rows: WebGLTexture;
   private readonly columns: WebGLTexture;
 
@@ -146,8 +153,9 @@ export class Interlacer {
   }
 
   /** The frame of a light field's views: codes, its first row the bottom one. */
-  fromViews(field: Field, views: WebGLTexture, viewSize: [number, number]): WebGLTexture {
-    return this.draw(this.display.filter, views, {
+  fromViews(field: Field, views: WebGLTexture, viewSize: [number, number], layer: LayerTiles): WebGLTexture {
+    return this.draw(this.display.filter, views, layer, {
+      u_layer_tiles: { integers: layer ?? field.tiles },
       u_view_size: { integers: viewSize.map(Math.floor) },
       u_tiles: { integers: field.tiles },
       u_count: { integers: [field.across.views] },
@@ -158,18 +166,19 @@ export class Interlacer {
 
   /** Of a picture that is the panel's already. */
   fromOwn(picture: WebGLTexture): WebGLTexture {
-    return this.draw("as they are", picture, {});
+    return this.draw("as they are", picture, null, {});
   }
 
-  private draw(filter: Filter, pictures: WebGLTexture, uniforms: Record<string, Uniform>): WebGLTexture {
+  private draw(filter: Filter, pictures: WebGLTexture, layer: LayerTiles, uniforms: Record<string, Uniform>): WebGLTexture {
     const gl = this.gl;
     const { pixels } = this.display;
-    const program = this.programs.get(filter) ?? new Program(gl, shader(filter));
-    this.programs.set(filter, program);
+    const key = `${filter}${layer ? ", layered" : ""}`;
+    const program = this.programs.get(key) ?? new Program(gl, shader(filter, layer !== null));
+    this.programs.set(key, program);
     const target = new CodeTarget(gl, pixels[0], pixels[1]);
     program.draw({
       ...uniforms,
-      u_views: bind(gl, 0, pictures),
+      u_views: bindQuilt(gl, 0, pictures, layer),
       u_rows: bind(gl, 1, this.rows),
       u_columns: bind(gl, 2, this.columns),
       u_panel_size: { integers: pixels },

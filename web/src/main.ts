@@ -9,11 +9,13 @@ import { orbitOf, planeDistance, planeRange, setOrbit, setPlaneDistance, setZoom
 import { codeFromLinear, openGl } from "./gl";
 import { steerFromOutside } from "./outside";
 import { Player } from "./player";
+import { showLegend } from "./provenance";
 import { Run, type RunState } from "./run";
 import { Renderer, useOf } from "./renderer";
 import { Store } from "./state";
 import { Tilt } from "./tilt";
 import { Timeline } from "./timeline";
+import { Headset, type HeadsetView } from "./xr";
 
 const byId = <Kind extends HTMLElement = HTMLElement>(id: string): Kind => document.getElementById(id) as Kind;
 
@@ -59,6 +61,7 @@ export class App {
   readonly timeline: Timeline;
   readonly player: Player;
   readonly tilt: Tilt;
+  readonly headset: Headset;
   readonly live: Live | null;
   readonly run: Run | null;
   private wanted = true;
@@ -89,12 +92,20 @@ export class App {
       () => this.store.touch(),
       (text) => this.notify("tilt", text),
     );
+    this.headset = new Headset(
+      gl,
+      fields[0],
+      (now, framebuffer, views) => this.drawHeadset(now, framebuffer, views),
+      () => this.hearOfHeadset(),
+      (text) => this.notify("headset", text),
+    );
     this.updateControls = makeControls(byId("controls"), this.store, {
       save: () => this.savePicture(),
       copy: () => void this.copyLink(),
       focusRange: () => this.focusRange(),
       player: this.player,
       tilt: this.tilt,
+      headset: this.headset,
       live: this.live,
       run: this.run,
     });
@@ -191,11 +202,31 @@ export class App {
 
   private tick(now: number): void {
     requestAnimationFrame((next) => this.tick(next));
+    if (this.headset.isOn) return;
     this.timeline.tick(now);
     if (this.fitCanvas()) this.wanted = true;
     if (!this.wanted) return;
     this.wanted = false;
     this.draw();
+  }
+
+  /** A headset has a clock and a picture of its own; the page waits meanwhile. */
+  private drawHeadset(now: number, framebuffer: WebGLFramebuffer | null, views: HeadsetView[]): void {
+    this.timeline.tick(now);
+    const { state } = this.store;
+    this.frames.pin(this.shown(), state.frame);
+    this.renderer.drawHeadset(state, framebuffer, views, this.ground());
+    void this.prefetch();
+  }
+
+  private hearOfHeadset(): void {
+    byId("stage").dataset.headset = String(this.headset?.isOn ?? false);
+    this.updateControls();
+    this.redraw();
+  }
+
+  private ground(): number[] {
+    return this.store.state.theme === "light" ? [0.93, 0.93, 0.93] : [0.055, 0.055, 0.06];
   }
 
   private fitCanvas(): boolean {
@@ -219,7 +250,7 @@ export class App {
     this.renderer.loupe = state.show === "panel" ? this.pointer : null;
     let drawn = false;
     try {
-      drawn = this.renderer.draw(state, state.theme === "light" ? [0.93, 0.93, 0.93] : [0.055, 0.055, 0.06]);
+      drawn = this.renderer.draw(state, this.ground());
       this.notify("frame", "");
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
@@ -227,7 +258,7 @@ export class App {
       drawn = true;
     }
     byId("bar").hidden = drawn;
-    byId("stage").dataset.drawn = String(drawn);
+    byId("stage").dataset.drawn = String(drawn && !this.frames.isAsking);
     byId("stage").dataset.frame = drawn ? String(this.live?.shownFrame ?? state.frame) : "";
 
     this.canvas.setAttribute("aria-label", this.spoken());
@@ -235,6 +266,7 @@ export class App {
     this.showZone();
     this.showValues();
     this.showScale();
+    this.showOrigins();
     this.showLine();
     void this.prefetch();
   }
@@ -307,9 +339,15 @@ export class App {
     }
   }
 
+  private showOrigins(): void {
+    const { state } = this.store;
+    const overlay = state.show === "display" ? "none" : state.overlay;
+    showLegend(byId("legend"), this.fields[this.shown()[0]], overlay, overlay === "none" ? null : this.renderer.originShares(state));
+  }
+
   /** PSNR of the second picture as it is seen, in codes. */
   private difference(): number {
-    const [first, second] = [0, 1].map((field) => this.renderer.picture(this.store.state, field, naturalSize(this.fields[0])));
+    const [first, second] = [0, 1].map((field) => this.renderer.picture({ ...this.store.state, overlay: "none" }, field, naturalSize(this.fields[0])));
     if (!first || !second) return NaN;
     let sum = 0;
     for (let i = 0; i < first.length; i++) sum += (first[i] - second[i]) ** 2;
@@ -516,7 +554,7 @@ export class App {
   /** Codes (RGBA, from the top) of what the eye sees of a light field in a picture of that size. */
   async picture(size: [number, number], field = 0): Promise<Uint8ClampedArray> {
     const { state } = this.store;
-    const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), "eye");
+    const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), useOf({ ...state, show: "eye" }));
     await frame?.whole;
     const codes = this.renderer.picture(state, field, size);
     if (!codes) throw new Refusal("The frame is not there yet.");

@@ -2,8 +2,11 @@
 import { disparityOfDepth, hasCrosstalk, naturalSize, type Axis, type Field } from "./field";
 import type { Frames, LoadedFrame, Use } from "./frames";
 import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
-import { eyeShader, kFrameShader, kPanelShader, screenShader, type ScreenMode, type Variant } from "./shaders";
+import { eyeShader, kFrameShader, kWindowShader, kWindowVertices, panelShader, screenShader, type ScreenMode, type Variant } from "./shaders";
+import { tints } from "./provenance";
+import { bindQuilt } from "./quilt";
 import type { State } from "./state";
+import type { HeadsetView } from "./xr";
 
 export interface Rectangle {
   left: number;
@@ -27,7 +30,8 @@ const kLoupeRadius = 92;
 /** Beyond the views' own samples a picture has nothing to show, but edges of lenses and of depth should not look coarse. */
 const kLeastLongSide = 800;
 
-export const useOf = (state: State): Use => state.show;
+/** Crosstalk is computed where nothing else is asked for. */
+export const useOf = (state: State): Use => (state.show === "eye" && state.crosstalk > 0 && state.aperture === 0 ? `eye/${Math.round(100 * state.crosstalk)}` : state.show);
 
 const axisOf = (axis: Axis): number[] => [axis.first, axis.step, axis.by === "angle" ? 1 : 0, kBeyond[axis.beyond]];
 
@@ -36,8 +40,9 @@ export class Renderer {
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
   loupe: Loupe | null = null;
   private readonly eyePrograms = new Map<string, Program>();
-  private readonly panelProgram: Program;
+  private readonly panelPrograms = new Map<string, Program>();
   private frameProgram: Program | null = null;
+  private windowProgram: Program | null = null;
   private readonly screenPrograms = new Map<ScreenMode, Program>();
   /** One picture that needs no second pass goes straight to the canvas, which takes software graphics half the time. */
   private direct = false;
@@ -49,7 +54,6 @@ export class Renderer {
     private readonly fields: Field[],
     private readonly frames: Frames,
   ) {
-    this.panelProgram = new Program(gl, kPanelShader);
     this.targets = [new Target(gl), new Target(gl), new Target(gl), new Target(gl)];
   }
 
@@ -72,6 +76,7 @@ export class Renderer {
     const shown = this.shownFields(state);
     const loaded = shown.map((field) => this.loaded(field, state));
     if (loaded.some((one) => !one)) return false;
+    shown.forEach((field, i) => this.wantOverlay(field, loaded[i] as LoadedFrame, state));
     if (state.show === "display") return this.drawFrame(loaded[0] as LoadedFrame);
     const stereo = shown.length === 1 && state.show === "eye" && state.stereo !== "off";
     const field = this.fields[shown[0]];
@@ -87,13 +92,36 @@ export class Renderer {
     }
     shown.forEach((one, i) => {
       const frame = loaded[i] as LoadedFrame;
-      if (state.show === "panel") this.drawPanel(this.targets[i], this.fields[one], frame);
+      if (state.show === "panel") this.drawPanel(this.targets[i], this.fields[one], frame, state);
       else if (stereo) this.drawPair(field, frame, state, size);
       else this.drawEye(this.targets[i], this.fields[one], frame, state, state.eye, size);
     });
     this.compose(state, stereo, ground);
     if (state.line >= 0 && state.show === "eye") this.drawLine(field, loaded[0] as LoadedFrame, state);
     return true;
+  }
+
+  /** Whether pictures of it are tinted by where pixels came from; what that takes is asked for. */
+  private wantOverlay(field: number, frame: LoadedFrame, state: State): void {
+    if (state.overlay !== "none" && state.show !== "display" && this.fields[field].provenance) this.frames.wantProvenance(frame, field, this.frameOf(field, state.frame));
+  }
+
+  private showsDifference(state: State): boolean {
+    return this.shownFields(state).length > 1 && state.compare === "difference";
+  }
+
+  private overlays(frame: LoadedFrame, state: State): boolean {
+    return state.overlay !== "none" && !this.showsDifference(state) && !!frame.provenance;
+  }
+
+  /** Of the first light field that is shown, the shares of origins in its frame; null: they are not there. */
+  originShares(state: State): number[] | null {
+    const field = this.shownFields(state)[0];
+    return this.frames.peek(field, this.frameOf(field, state.frame), useOf(state))?.provenance?.shares ?? null;
+  }
+
+  private overlayUniforms(field: Field, frame: LoadedFrame, state: State): Record<string, Uniform> {
+    return { u_provenance: bindQuilt(this.gl, 3, frame.provenance?.texture ?? frame.views, frame.layer), u_tints: tints(field, state.overlay) };
   }
 
   private loaded(field: number, state: State): LoadedFrame | null {
@@ -111,6 +139,37 @@ export class Renderer {
     this.frameProgram ??= new Program(gl, kFrameShader);
     this.frameProgram.draw({ u_frame: bind(gl, 0, frame.panel) });
     return true;
+  }
+
+  /** What the eyes of a headset see; the ground alone from behind the display, and where the frame is not there yet. */
+  drawHeadset(state: State, framebuffer: WebGLFramebuffer | null, views: HeadsetView[], ground: number[]): void {
+    const gl = this.gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.clearColor(ground[0], ground[1], ground[2], 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    const seen: State = { ...state, show: "eye" };
+    const [field] = this.shownFields(seen);
+    const frame = this.loaded(field, seen);
+    for (const view of views) if (frame && view.eye[2] > 1) this.drawWindow(this.fields[field], frame, seen, view);
+  }
+
+  private drawWindow(field: Field, frame: LoadedFrame, state: State, view: HeadsetView): void {
+    const gl = this.gl;
+    const { x, y, width, height } = view.viewport;
+    const target = this.targets[0];
+    this.drawEye(target, field, frame, state, view.eye, this.windowSize(field, Math.max(width, height)));
+    gl.bindFramebuffer(gl.FRAMEBUFFER, view.framebuffer);
+    gl.viewport(x, y, width, height);
+    this.windowProgram ??= new Program(gl, kWindowShader, kWindowVertices);
+    const uniforms = { u_clip_from_display: view.clipFromDisplay, u_window_centre: field.window_mm.centre, u_window_size: field.window_mm.size };
+    this.windowProgram.draw({ ...uniforms, u_first: bind(gl, 0, target.texture), u_exposure: 2 ** state.exposure }, 4);
+  }
+
+  /** As fine as the views, or as the headset can show. */
+  private windowSize(field: Field, shown: number): [number, number] {
+    const [width, height] = field.window_mm.size;
+    const scale = Math.min(shown, Math.max(...naturalSize(field), kLeastLongSide)) / Math.max(width, height);
+    return [Math.max(1, Math.round(width * scale)), Math.max(1, Math.round(height * scale))];
   }
 
   /** Codes (RGBA, from the top) of the canvas. */
@@ -162,9 +221,10 @@ export class Renderer {
   private fieldUniforms(field: Field, frame: LoadedFrame): Record<string, Uniform> {
     const gl = this.gl;
     return {
-      u_views: bind(gl, 0, frame.views),
-      u_depth: bind(gl, 1, frame.depth ?? frame.views),
-      u_panel: bind(gl, 2, frame.panel ?? frame.views),
+      u_views: bindQuilt(gl, 0, frame.views, frame.layer),
+      u_depth: bindQuilt(gl, 1, frame.depth ?? frame.views, frame.layer),
+      u_panel: bind(gl, 2, frame.panel),
+      u_layer_tiles: { integers: frame.layer ?? field.tiles },
       u_view_size: frame.viewSize,
       u_tiles: { integers: field.tiles },
       u_grid: { integers: [field.across.views, field.up.views] },
@@ -178,9 +238,9 @@ export class Renderer {
   }
 
   /** Made when it is first needed. */
-  private eyeProgram(field: Field, depth: boolean, task: Variant["task"], through: Partial<Variant> = {}): Program {
+  private eyeProgram(field: Field, frame: LoadedFrame, task: Variant["task"], through: Partial<Variant> = {}): Program {
     const byAngle = field.across.by === "angle" || field.up.by === "angle";
-    const variant: Variant = { byAngle, rows: field.up.views > 1, depth, task, screen: false, snap: false, crosstalk: false, budget: false, ...through };
+    const variant: Variant = { byAngle, rows: field.up.views > 1, depth: false, task, layered: frame.layer !== null, screen: false, snap: false, crosstalk: false, budget: false, overlay: false, ...through };
     const key = JSON.stringify(variant);
     const made = this.eyePrograms.get(key) ?? new Program(this.gl, eyeShader(variant));
     this.eyePrograms.set(key, made);
@@ -195,6 +255,7 @@ export class Renderer {
     const snap = field.lens_samples.map((lens) => (lens && state.lenses ? 1 : 0));
     return {
       ...this.fieldUniforms(field, frame),
+      ...(this.overlays(frame, state) ? this.overlayUniforms(field, frame, state) : {}),
       u_output_size: size,
       u_offset: [0, 0],
       u_exposure: 2 ** state.exposure,
@@ -226,7 +287,7 @@ export class Renderer {
     const task = state.aperture > 0 ? "refocus" : "eye";
     const crosstalk = task === "eye" && state.crosstalk > 0 && hasCrosstalk(field);
     const depth = task === "eye" && this.usesDepth(frame, state);
-    const program = this.eyeProgram(field, depth, task, { screen, snap: state.lenses, crosstalk, budget: depth && state.budget });
+    const program = this.eyeProgram(field, frame, task, { depth, screen, snap: state.lenses, crosstalk, budget: depth && state.budget, overlay: this.overlays(frame, state) });
     return [program, this.eyeUniforms(field, frame, state, eye, size)];
   }
 
@@ -236,7 +297,14 @@ export class Renderer {
     program.draw(uniforms);
   }
 
-  private drawPanel(target: Target, field: Field, frame: LoadedFrame): void {
+  private panelProgram(variant: Pick<Variant, "overlay" | "layered">): Program {
+    const key = JSON.stringify(variant);
+    const made = this.panelPrograms.get(key) ?? new Program(this.gl, panelShader(variant));
+    this.panelPrograms.set(key, made);
+    return made;
+  }
+
+  private drawPanel(target: Target, field: Field, frame: LoadedFrame, state: State): void {
     const { width, height } = this.place;
     const ratio = this.gl.canvas.width / (this.gl.canvas as HTMLCanvasElement).clientWidth;
     target.begin(width, height);
@@ -244,8 +312,10 @@ export class Renderer {
     const [w, h] = field.panel.size;
     const cell = field.panel.is === "integral" ? Math.max(field.across.views, field.up.views) : 8;
     const radius = kLoupeRadius * ratio;
-    this.panelProgram.draw({
+    const overlay = this.overlays(frame, state);
+    this.panelProgram({ overlay, layered: frame.layer !== null }).draw({
       ...this.fieldUniforms(field, frame),
+      ...(overlay ? this.overlayUniforms(field, frame, state) : {}),
       u_output_size: [width, height],
       u_panel_size: field.panel.size,
       u_kind: { integers: [kPanelKinds[field.panel.is]] },
@@ -294,7 +364,7 @@ export class Renderer {
     const size: [number, number] = [this.place.width, Math.max(8, Math.round(height * 0.18))];
     const target = this.targets[2];
     target.begin(...size);
-    this.eyeProgram(field, this.usesDepth(frame, state), "line").draw(this.eyeUniforms(field, frame, state, state.eye, size));
+    this.eyeProgram(field, frame, "line", { depth: this.usesDepth(frame, state), overlay: this.overlays(frame, state) }).draw(this.eyeUniforms(field, frame, state, state.eye, size));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(this.place.left, 0, ...size);
     this.screenProgram("first").draw({
@@ -318,7 +388,7 @@ export class Renderer {
 
   /** Linear light of what was drawn last, of one light field (or eye). */
   valueAt(which: 0 | 1, share: [number, number]): number[] {
-    if (this.direct && this.last) return this.valueOfEye(share);
+    if (this.last && (this.direct || (this.overlays(this.last.frame, this.last.state) && this.last.state.show === "eye"))) return this.valueOfEye(share);
     const target = this.targets[which];
     const x = Math.min(target.width - 1, Math.floor(share[0] * target.width));
     const y = Math.min(target.height - 1, Math.floor((1 - share[1]) * target.height));
@@ -326,7 +396,8 @@ export class Renderer {
   }
 
   private valueOfEye(share: [number, number]): number[] {
-    const { state, field, frame } = this.last as { state: State; field: Field; frame: LoadedFrame };
+    const { field, frame } = this.last as { state: State; field: Field; frame: LoadedFrame };
+    const state: State = { ...(this.last as { state: State }).state, overlay: "none" };
     const { width, height } = this.place;
     const x = Math.min(width - 1, Math.floor(share[0] * width));
     const y = Math.min(height - 1, Math.floor((1 - share[1]) * height));
@@ -348,7 +419,7 @@ export class Renderer {
     const target = this.targets[3];
     target.begin(steps, 1);
     const uniforms = this.eyeUniforms(field, frame, state, state.eye, [steps, 1]);
-    this.eyeProgram(field, frame.depth !== null, "find").draw({ ...uniforms, u_point: point });
+    this.eyeProgram(field, frame, "find", { depth: frame.depth !== null }).draw({ ...uniforms, u_point: point });
     const values = target.read(0, 0, steps, 1);
     const [least, greatest] = frame.disparities;
     let disparity = values[0];

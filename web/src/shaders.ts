@@ -5,19 +5,26 @@
 // in the views' own frame, in which view v has one slope S_v for all points. What lies at disparity w (a length; see
 // src/view/disparity_codes.hpp) on that line is seen by view v at s + (S - S_v) w. That holds for eyes at any distance.
 
+import { kQuiltPlaces } from "./quilt";
+
 const kCommon = `
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 
-uniform sampler2D u_views;    // the quilt, linear light
-uniform sampler2D u_depth;    // codes of disparity, as the quilt lies
+${kQuiltPlaces}
+uniform QUILT u_views;        // linear light
+uniform QUILT u_depth;        // codes of disparity, as the quilt lies
 uniform vec2 u_view_size;     // pixels
 uniform ivec2 u_tiles, u_grid;
 uniform vec2 u_window_centre, u_window_size;  // mm
 uniform vec4 u_across, u_up;  // first, step, 1: by angle, 0 stays / 1 repeats / 2 next lens
 uniform float u_vergence, u_disparity_scale;
 uniform vec3 u_eye;           // mm
+#if OVERLAY
+uniform QUILT u_provenance;      // codes, as the quilt lies
+uniform vec4 u_tints[8];         // by code: a colour and how strong it is
+#endif
 
 vec2 slope_at(vec2 s) { return u_eye.xy / u_eye.z - s * (1.0 / u_eye.z - u_vergence); }
 
@@ -48,20 +55,35 @@ bool inside(vec2 pixel) {
   return all(greaterThanEqual(pixel, vec2(-0.001))) && all(lessThanEqual(pixel, u_view_size + 0.001));
 }
 
-// In floats: software graphics divide integers one by one.
-vec2 tile_of(ivec2 view) {
+vec3 tile_of(ivec2 view) {
   float index = float(view.y * u_grid.x + view.x), columns = float(u_tiles.x);
   float row = floor((index + 0.5) / columns);
-  return vec2(index - row * columns, float(u_tiles.y) - 1.0 - row) * u_view_size;
+  return place_of_tile(vec2(index - row * columns, float(u_tiles.y) - 1.0 - row), u_view_size, vec2(u_tiles));
 }
+#if OVERLAY
+// The brightness of what is seen stays readable below its tint.
+vec3 with_origin(vec3 seen, vec3 tile, vec2 pixel) {
+  vec4 tint = u_tints[int(texel_of(u_provenance, tile, pixel).r * 255.0 + 0.5) & 7];
+  return mix(seen, tint.rgb * (0.2 + 0.8 * dot(seen, vec3(0.2126, 0.7152, 0.0722))), tint.a);
+}
+#endif
 vec3 in_view(ivec2 view, vec2 pixel) {
-  vec2 place = tile_of(view) + clamp(pixel, vec2(0.5), u_view_size - 0.5);
-  return texture(u_views, place / (u_view_size * vec2(u_tiles))).rgb;
+  vec3 tile = tile_of(view);
+  vec2 place = tile.xy + clamp(pixel, vec2(0.5), u_view_size - 0.5);
+#if LAYERED
+  vec3 seen = texture(u_views, vec3(place / (u_view_size * vec2(u_layer_tiles)), tile.z)).rgb;
+#else
+  vec3 seen = texture(u_views, place / (u_view_size * vec2(u_tiles))).rgb;
+#endif
+#if OVERLAY
+  seen = with_origin(seen, tile, clamp(floor(pixel), vec2(0.0), u_view_size - 1.0));
+#endif
+  return seen;
 }
 // -1e30: nothing is there.
 float disparity_in_view(ivec2 view, vec2 pixel) {
-  ivec2 place = ivec2(tile_of(view) + clamp(floor(pixel), vec2(0.0), u_view_size - 1.0));
-  vec2 bytes = floor(texelFetch(u_depth, place, 0).rg * 255.0 + 0.5);
+  vec2 at = clamp(floor(pixel), vec2(0.0), u_view_size - 1.0);
+  vec2 bytes = floor(texel_of(u_depth, tile_of(view), at).rg * 255.0 + 0.5);
   float code = bytes.x * 256.0 + bytes.y;
   if (code < 0.5) return -1e30;
   float t = (code - 1.0) / 32767.0 - 1.0;
@@ -83,6 +105,10 @@ export interface Variant {
   crosstalk: boolean;
   /** What the display shows sharply is tinted green, what it blurs red. */
   budget: boolean;
+  /** Tinted by where pixels came from. */
+  overlay: boolean;
+  /** Quilts in layers. */
+  layered: boolean;
 }
 
 const kTasks = ["eye", "refocus", "line", "find"];
@@ -96,6 +122,8 @@ const preamble = (variant: Variant): string => `#version 300 es
 #define SNAP ${Number(variant.snap)}
 #define CROSSTALK ${Number(variant.crosstalk)}
 #define BUDGET ${Number(variant.budget)}
+#define OVERLAY ${Number(variant.overlay)}
+#define LAYERED ${Number(variant.layered)}
 `;
 
 const kSrgb = `
@@ -322,8 +350,10 @@ void main() {
 `;
 
 /** What the panel behind the lenses shows, into linear light. */
-export const kPanelShader = `#version 300 es
+export const panelShader = ({ overlay, layered }: Pick<Variant, "overlay" | "layered">): string => `#version 300 es
 #define BY_ANGLE 0
+#define OVERLAY ${Number(overlay)}
+#define LAYERED ${Number(layered)}
 ${kCommon}
 uniform sampler2D u_panel;  // a picture of its own
 uniform vec2 u_output_size, u_panel_size;
@@ -340,7 +370,12 @@ vec3 panel_pixel(ivec2 p) {
     // A quilt's padding at the top and right is not sent.
     ivec2 q = p - ivec2(0, int(u_panel_size.y) - u_tiles.y * int(u_view_size.y));
     if (q.y < 0 || q.x >= u_tiles.x * int(u_view_size.x)) return vec3(0.0);
-    return texelFetch(u_views, q, 0).rgb;
+    vec2 column_row = floor((vec2(q) + 0.5) / u_view_size), pixel = vec2(q) - column_row * u_view_size;
+    vec3 tile = place_of_tile(column_row, u_view_size, vec2(u_tiles)), seen = texel_of(u_views, tile, pixel).rgb;
+#if OVERLAY
+    seen = with_origin(seen, tile, pixel);
+#endif
+    return seen;
   }
   // Lenses turn their pixels round: the rightmost is seen from the left, the topmost from below.
   ivec2 cell = p / u_grid, in_cell = p - cell * u_grid;
@@ -385,6 +420,28 @@ precision highp sampler2D;
 uniform sampler2D u_frame;
 out vec4 color;
 void main() { color = texelFetch(u_frame, ivec2(gl_FragCoord.xy), 0); }
+`;
+
+/** The display's window in a headset's picture: its corners, left and right, below and above. */
+export const kWindowVertices = `#version 300 es
+uniform mat4 u_clip_from_display;
+uniform vec2 u_window_centre, u_window_size;  // mm
+out vec2 share;
+void main() {
+  share = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  gl_Position = u_clip_from_display * vec4(u_window_centre + (share - 0.5) * u_window_size, 0.0, 1.0);
+}
+`;
+/** What an eye sees in it. */
+export const kWindowShader = `#version 300 es
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D u_first;
+uniform float u_exposure;
+in vec2 share;
+out vec4 color;
+${kSrgb}
+void main() { color = vec4(srgb(u_exposure * texture(u_first, share).rgb), 1.0); }
 `;
 
 /** From linear light to the screen: exposure, two eyes, two light fields, the epipolar-plane image. */

@@ -14,6 +14,8 @@ export interface State {
   crosstalk: number;
   exposure: number;
   line: number;
+  /** What is laid over the picture: where its pixels came from, or those alone which were missed. */
+  overlay: "none" | "provenance" | "missed";
   compare: "first" | "second" | "wipe" | "side-by-side" | "difference";
   wipe: number;
   scale: number;
@@ -29,6 +31,7 @@ const kWords: { [Key in keyof State]?: readonly string[] } = {
   show: ["eye", "panel", "display"],
   stereo: ["off", "anaglyph", "side-by-side", "top-bottom"],
   between: ["depth", "blend"],
+  overlay: ["none", "provenance", "missed"],
   compare: ["first", "second", "wipe", "side-by-side", "difference"],
   drag: ["eye", "turn", "plane"],
   theme: ["dark", "light"],
@@ -60,6 +63,7 @@ export function defaultState(fields: Field[], plays: boolean): State {
     crosstalk: 0,
     exposure: 0,
     line: -1,
+    overlay: "none",
     compare: fields.length > 1 ? "wipe" : "first",
     wipe: 0.5,
     scale: 32,

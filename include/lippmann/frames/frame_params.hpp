@@ -48,7 +48,8 @@ inline int samples_per_pixel(const Sampling& sampling) {
 /// parts of whole paths.
 bool can_share_light(const Sampling& sampling, const ShareLight& light = {});
 
-/// Whether frames sampled so can be copied where they stay as they are: Whitted's shading, and no layers beside the picture.
+/// Whether frames sampled so can be copied where they stay as they are: Whitted's shading, and no layers beside the picture but
+/// provenance.
 bool can_copy_settled(const Sampling& sampling);
 
 /// The kind of reuse that serves: as it is, and of AutoReuse what the sampling allows.

@@ -1,0 +1,18 @@
+// Which pixels lie in chosen blocks of a frame.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "lippmann/trace/ray_order.hpp"
+#include "trace/shot.hpp"
+
+namespace lippmann {
+
+/// Calls fn(pixel) for the pixels that trace_blocks() traces where it is given `wanted` (by block, as in TouchedBlocks); pixels
+/// are y * width + x, y from the first of the shot's rows.
+void for_each_pixel_of_blocks(const Shot& shot, RayOrder order, std::span<const std::uint8_t> wanted,
+                              const std::function<void(std::uint32_t)>& fn);
+
+}  // namespace lippmann

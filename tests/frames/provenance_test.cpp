@@ -1,0 +1,157 @@
+// The layer of provenance: where the pixels of a frame came from, told by every way of making frames without making any
+// differently.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "frames/made_frames.hpp"
+
+namespace lippmann::test {
+namespace {
+
+RenderParams telling(RenderParams params) {
+  params.sampling.aov.push_back(Aov::kProvenance);
+  return params;
+}
+
+const Image& provenance(const MadeFrames& made, int frame) { return made.frames.at(frame).pictures.aovs[Aov::kProvenance]; }
+
+/// How many pixels came from where.
+std::array<std::uint64_t, std::size(kProvenanceInfos)> count(const MadeFrames& made, int frame) {
+  std::array<std::uint64_t, std::size(kProvenanceInfos)> counts{};
+  for (const float code : provenance(made, frame).data) ++counts.at(static_cast<std::size_t>(code));
+  return counts;
+}
+
+std::uint64_t count(const MadeFrames& made, int frame, Provenance from) {
+  return count(made, frame)[static_cast<std::size_t>(from)];
+}
+
+constexpr std::uint64_t kPixels = 128 * 128;
+
+/// Frames with the layer; the films are those without it.
+MadeFrames told(const RenderParams& params, const std::vector<int>& frames, int threads = 2) {
+  const MadeFrames made = make_frames(telling(params), frames, threads);
+  EXPECT_EQ(made.films(), make_frames(params, frames).films());
+  for (const auto& [number, frame] : made.frames)
+    EXPECT_EQ(frame.pictures.aovs[Aov::kProvenance].data.size(), frame.pictures.film.data.size() / 3) << number;
+  return made;
+}
+
+RenderParams interpolated(const char* scene, ReuseParams how = {}) {
+  how.choice = ReuseChoice::kInterpolate;
+  how.keyframes = 16;
+  return with_reuse(small_scene(scene), how);
+}
+
+TEST(Provenance, of_traced_frames_is_traced) {
+  const MadeFrames made = told(small_scene(), {0, 1});
+  EXPECT_EQ(count(made, 1, Provenance::kTraced), kPixels);
+}
+
+// What was copied are the pixels that no ray was traced for: as many, and of them none differs from the key's.
+TEST(Provenance, of_copied_frames_says_which_pixels_were_copied) {
+  const MadeFrames made = told(with_reuse(small_scene(), {.choice = ReuseChoice::kCopy, .keyframes = 4}), frames_from(0, 3));
+  EXPECT_EQ(count(made, 0, Provenance::kTraced), kPixels);
+  for (const int frame : {1, 2, 3}) {
+    EXPECT_EQ(count(made, frame, Provenance::kCopied), made.report(frame).reused_pixels) << frame;
+    EXPECT_EQ(count(made, frame, Provenance::kTraced), made.report(frame).rays.primary) << frame;
+    EXPECT_GT(count(made, frame, Provenance::kCopied), 0u) << frame;
+    for (std::size_t value = 0; value < 3 * kPixels; ++value)
+      if (provenance(made, frame).data[value / 3] == static_cast<float>(Provenance::kCopied)) {
+        ASSERT_EQ(made.film(frame)[value], made.film(0)[value]) << frame << ", pixel " << value / 3;
+      }
+  }
+}
+
+TEST(Provenance, of_interpolated_frames_counts_the_missed_pixels_that_the_report_counts) {
+  const std::vector<std::pair<MissedFill, Provenance>> ways{{MissedFill::kInterpolate, Provenance::kFilled},
+                                                            {MissedFill::kRetrace, Provenance::kRetraced},
+                                                            {MissedFill::kBlack, Provenance::kBlack}};
+  for (const auto& [fill, expected] : ways) {
+    RenderParams params = interpolated("gears", {.fill = fill});
+    if (fill == MissedFill::kBlack) params.reuse.fill = {}, params.reuse.debug = DebugPicture::kMissed;
+    const MadeFrames made = told(params, {0, 8});
+    EXPECT_EQ(count(made, 0, Provenance::kTraced), kPixels);
+    EXPECT_GT(made.report(8).missed_pixels, 0u);
+    EXPECT_EQ(count(made, 8, expected), made.report(8).missed_pixels);
+    EXPECT_EQ(count(made, 8, Provenance::kInterpolated), kPixels - made.report(8).missed_pixels);
+  }
+}
+
+TEST(Provenance, of_black_pixels_is_missed) {
+  RenderParams params = interpolated("gears");
+  params.reuse.debug = DebugPicture::kMissed;
+  const MadeFrames made = told(params, {8});
+  for (std::size_t value = 0; value < 3 * kPixels; ++value)
+    if (provenance(made, 8).data[value / 3] == static_cast<float>(Provenance::kBlack)) {
+      ASSERT_EQ(made.film(8)[value], 0.0f) << value / 3;
+    }
+}
+
+TEST(Provenance, of_halved_frames_is_that_of_sources_too) {
+  const MadeFrames made = told(interpolated("gears", {.halving = true}), {4, 8});
+  for (const int frame : {4, 8})
+    EXPECT_EQ(count(made, frame, Provenance::kInterpolated) + count(made, frame, Provenance::kFilled), kPixels) << frame;
+}
+
+TEST(Provenance, of_frames_with_a_floor_says_what_was_traced) {
+  int predicted = 0;
+  for (const char* scene : {"room", "teapot"}) {
+    RenderParams params = with_reuse(small_scene(scene), {.choice = ReuseChoice::kInterpolate, .min_psnr_db = 32.0});
+    params.optics.lenses = {32, 0};
+    const MadeFrames made = told(params, frames_from(40, 48));
+    const auto pixels = static_cast<std::uint64_t>(made.pixels);
+    for (const auto& [number, frame] : made.frames) {
+      const std::uint64_t traced = count(made, number, Provenance::kTraced) + count(made, number, Provenance::kRetraced);
+      EXPECT_EQ(traced, frame.report.kind == "in-between" ? frame.report.retraced_pixels : pixels) << number;
+      EXPECT_EQ(traced + count(made, number, Provenance::kInterpolated) + count(made, number, Provenance::kFilled), pixels);
+      predicted += frame.report.kind == "in-between" ? 1 : 0;
+    }
+  }
+  EXPECT_GT(predicted, 0);  // else nothing has been tested
+}
+
+TEST(Provenance, of_shared_light_is_of_this_frame_at_first_and_of_frames_before_too_later) {
+  RenderParams params = small_scene();
+  params.sampling.integrator = Integrator::kPath;
+  params.sampling.spp = 32;
+  params.optics.fit_depth = false;
+  params.reuse = {};
+  const MadeFrames made = told(params, {0, 1}, 3);
+  for (const int frame : {0, 1}) ASSERT_EQ(made.report(frame).kind, "shared") << frame;
+  EXPECT_GT(count(made, 0, Provenance::kSharedNow), 500u);  // most of what is seen is lit by lamps, or is none of the teapot
+  EXPECT_EQ(count(made, 0, Provenance::kSharedBefore), 0u);
+  EXPECT_GT(count(made, 1, Provenance::kSharedBefore), 0u);
+  EXPECT_GT(count(made, 1, Provenance::kSharedNow), 0u);
+  for (const int frame : {0, 1})
+    EXPECT_EQ(count(made, frame, Provenance::kTraced) + count(made, frame, Provenance::kSharedNow) +
+                  count(made, frame, Provenance::kSharedBefore),
+              kPixels);
+  EXPECT_EQ(provenance(made, 1).data, provenance(make_frames(telling(params), {1}, 1), 1).data);
+}
+
+TEST(Provenance, of_denoised_frames_is_that_of_the_frames_with_noise) {
+  RenderParams params = small_scene();
+  params.optics.lenses = {8, 0};
+  params.sampling.integrator = Integrator::kPath;
+  params.sampling.spp = 4;
+  params.sampling.denoise = true;
+  const MadeFrames made = told(params, {1});
+  EXPECT_EQ(count(made, 1, Provenance::kTraced), provenance(made, 1).data.size());
+}
+
+// It leaves everything to reuse that is reused without it; other layers do not.
+TEST(Provenance, leaves_reuse_as_it_is) {
+  const FrameParams told{telling(small_scene()).sampling, AutoReuse{}};
+  EXPECT_STREQ(name_of(resolved_reuse(told)), "copy");
+  EXPECT_NO_THROW(check({told.sampling, CopySettled{}}));
+  EXPECT_NO_THROW(check({told.sampling, Interpolate{}}));
+  FrameParams more = told;
+  more.sampling.aov.push_back(Aov::kDepth);
+  EXPECT_STREQ(name_of(resolved_reuse(more)), "none");
+  EXPECT_ANY_THROW(check({more.sampling, Interpolate{}}));
+}
+
+}  // namespace
+}  // namespace lippmann::test

@@ -1,0 +1,69 @@
+// Quilts larger than the GPU takes lie in layers of whole tiles: the page shows the same.
+import assert from "node:assert/strict";
+import { readdirSync, writeFileSync } from "node:fs";
+import { test } from "node:test";
+import { closeAfterEach, eyeOfView, inFolder, lippmann, open, play, quilt, set, view } from "./support.mjs";
+
+closeAfterEach();
+
+/** A GPU that takes so many pixels a side. The quilt of 4x3 tiles has 384x384. */
+const limitedTo = (side) => `{
+  const original = WebGL2RenderingContext.prototype.getParameter;
+  WebGL2RenderingContext.prototype.getParameter = function (name) {
+    return name === this.MAX_TEXTURE_SIZE ? ${side} : original.call(this, name);
+  };
+  const store = WebGL2RenderingContext.prototype.texStorage3D;
+  window.layers = [];
+  WebGL2RenderingContext.prototype.texStorage3D = function (target, levels, format, width, height, depth) {
+    window.layers.push([width, height, depth]);
+    return store.call(this, target, levels, format, width, height, depth);
+  };
+}`;
+
+const codes = (page) => page.evaluate(async () => [...(await window.lippmann.picture(192, 192))]);
+const canvas = (page) => page.evaluate(() => [...window.lippmann.panel()]);
+/** GPUs place samples between texels to a 256th of a texel, counted from other places in a layer than in the whole. */
+const kLeastDb = 50;
+const psnr = (a, b) => -10 * Math.log10(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / a.length);
+const most = (a, b) => a.reduce((greatest, x, i) => Math.max(greatest, Math.abs(x - b[i])), 0);
+
+test("in layers it looks as in one texture", async () => {
+  quilt();
+  const address = await view("quilt");
+  const whole = await open(address);
+  const layered = await open(address, { script: limitedTo(220) });
+  const places = [[0, 0], [4.5, 0], [7.5, 0]];
+  for (const [across, up] of places)
+    for (const changes of [{ between: "depth", aperture: 0 }, { between: "blend" }, { aperture: 0.6, focus: 3 }]) {
+      const state = { eye: await eyeOfView(whole, across, up), ...changes };
+      await set(whole, state), await set(layered, state);
+      const alike = psnr(await codes(whole), await codes(layered));
+      console.log(`view ${across}, ${JSON.stringify(changes)}: ${alike.toFixed(1)} dB`);
+      assert.ok(alike >= kLeastDb, `view ${across}, ${JSON.stringify(changes)}: ${alike} dB`);
+    }
+  for (const page of [whole, layered]) await set(page, { show: "panel", aperture: 0 });
+  assert.equal(most(await canvas(whole), await canvas(layered)), 0, "what the panel shows");
+  // Tiles of 96x128: two across and one down.
+  assert.deepEqual(await layered.evaluate(() => window.layers), [[192, 128, 6], [192, 128, 6]]);
+  assert.equal(await layered.textContent("#notice"), "");
+  for (const page of [whole, layered]) assert.deepEqual(page.complaints, []);
+});
+
+test("a panel plays a quilt in layers code by code", async () => {
+  lippmann("render", "room", "--optics", "multiview", "--views", "8x6", "--size", "384x288", "--frames", "0", "--to", "quilt", "-o", "room", "-q");
+  const input = `room/${readdirSync(inFolder("room")).find((name) => /_qs8x6a.*\.png$/.test(name))}`;
+  const calibration = { pitch: 52.3, slope: -7.2, center: 0.37, DPI: 324, screenW: 203, screenH: 151, viewCone: 40 };
+  writeFileSync(inFolder("panel.json"), JSON.stringify(calibration));
+  for (const filter of ["nearest", "gaussian"]) {
+    const address = await play(input, "--display", "panel.json", "--filter", filter);
+    const [whole, layered] = [await open(address), await open(address, { script: limitedTo(210) })];
+    assert.equal(most(await canvas(whole), await canvas(layered)), 0, filter);
+    assert.ok((await layered.evaluate(() => window.layers)).length > 0);
+  }
+});
+
+test("views that are too large alone are made smaller, and the page says so", async () => {
+  const page = await open(await view("quilt"), { script: limitedTo(100) });
+  assert.match(await page.textContent("#notice"), /Shown at 1\/2 of its size: this device's GPU takes 100 pixels a side/);
+  assert.deepEqual(page.complaints, []);
+});

@@ -1,0 +1,88 @@
+// Where pixels came from, laid over the picture: the pixels that the render tells of are tinted and no others, and the legend
+// has their shares.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { closeAfterEach, eyeOfView, inFolder, lippmann, open, set, sheet, view } from "./support.mjs";
+
+closeAfterEach();
+
+const kPixels = 256 * 64;
+lippmann("render", "gears", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--frames", "0,8", "--reuse", "interpolate", "--keyframes", "16", "--aov", "provenance", "-o", "gears", "-q");
+const { frames } = JSON.parse(readFileSync(inFolder("gears/report.json")));
+const address = await view("gears");
+
+const legend = (page) => page.locator("#legend li").allTextContents();
+const picture = (page) => page.evaluate(async () => [...(await window.lippmann.picture(64, 64))]);
+/** The codes of all views of a frame, as the page is sent them: a row of 4 tiles or another arrangement, RGBA. */
+const codesOfView = (page, frame, view) => page.evaluate(async ([frame, view]) => {
+  const bitmap = await createImageBitmap(await (await fetch(`0/provenance/${frame}`)).blob(), { colorSpaceConversion: "none" });
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+  context.drawImage(bitmap, 0, 0);
+  const { tiles, view_size: size } = window.lippmann.fields[0];
+  const [column, row] = [view % tiles[0], tiles[1] - 1 - Math.floor(view / tiles[0])];
+  const data = context.getImageData(column * size[0], row * size[1], ...size).data;
+  return [...data].filter((_, i) => i % 4 === 0);
+}, [frame, view]);
+
+test("missed pixels are tinted, and no others", async () => {
+  const page = await open(address);
+  assert.equal(await page.locator("#legend").isVisible(), false);
+  await set(page, { frame: 1 });
+  let missed = 0;
+  for (const view of [0, 3]) {
+    const eye = await eyeOfView(page, view, 0);
+    await set(page, { eye, between: "blend", overlay: "none" });
+    const plain = await picture(page);
+    await set(page, { overlay: "missed" });
+    const tinted = await picture(page);
+    const codes = await codesOfView(page, 1, view);
+    codes.forEach((code, i) => {
+      const differs = [0, 1, 2].some((c) => plain[4 * i + c] !== tinted[4 * i + c]);
+      assert.equal(differs, code === 3, `view ${view}, pixel ${i} of code ${code}`);
+      missed += code === 3 ? 1 : 0;
+    });
+  }
+  assert.ok(missed > 0, "nothing was missed: nothing has been tested");
+  assert.deepEqual(page.complaints, []);
+});
+
+test("the legend has the shares of the frame that is shown", async () => {
+  const page = await open(address);
+  await set(page, { frame: 1, overlay: "provenance" });
+  const share = frames[1].missed_pixels / kPixels;
+  const text = (share) => `${(100 * share).toFixed(1)}\u2009%`;
+  assert.deepEqual(await legend(page), [`interpolated ${text(1 - share)}`, `missed, filled ${text(share)}`]);
+  await set(page, { overlay: "missed" });
+  assert.deepEqual(await legend(page), [`missed, filled ${text(share)}`]);
+  await set(page, { frame: 0 });
+  assert.deepEqual(await legend(page), ["missed 0.0\u2009%"]);
+  await set(page, { overlay: "provenance" });
+  assert.deepEqual(await legend(page), ["traced 100.0\u2009%"]);
+  await page.getByLabel("Overlay").selectOption("none");
+  assert.equal(await page.locator("#legend").isVisible(), false);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("the panel's picture is tinted too, and values below the pointer are not", async () => {
+  const page = await open(address);
+  await set(page, { frame: 1, overlay: "none" });
+  const value = await page.evaluate(() => window.lippmann.valueAt(0.5, 0.5));
+  await set(page, { overlay: "provenance" });
+  assert.deepEqual(await page.evaluate(() => window.lippmann.valueAt(0.5, 0.5)), value);
+  const panel = () => page.evaluate(() => [...window.lippmann.panel()]);
+  await set(page, { show: "panel" });
+  const tinted = await panel();
+  await set(page, { overlay: "none" });
+  assert.notDeepEqual(await panel(), tinted);
+});
+
+test("a saved page has it, and a light field that does not say it has no overlay", async () => {
+  lippmann("view", "gears", "--save", "saved");
+  const page = await open(`file://${inFolder("saved")}/index.html#frame=1&overlay=provenance`);
+  assert.equal((await legend(page)).length, 2);
+  sheet();
+  const other = await open(await view("sheet"));
+  assert.equal(await other.getByLabel("Overlay").isVisible(), false);
+  assert.deepEqual([...page.complaints, ...other.complaints], []);
+});

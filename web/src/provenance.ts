@@ -1,0 +1,59 @@
+// Where the pixels of a frame came from: colours and shares of each origin, and the legend that names them.
+import type { Field, Origin } from "./field";
+import { linearFromCode } from "./gl";
+import type { State } from "./state";
+
+export interface Provenance {
+  texture: WebGLTexture;
+  /** Of the pixels of all views, by origin; they add up to 1. */
+  shares: number[];
+}
+
+/** By code; told apart by those who see no red or no green, too (Okabe and Ito, Color Universal Design). */
+const kColours = ["#d55e00", "#0072b2", "#009e73", "#f0e442", "#cc79a7", "#ffffff", "#56b4e9", "#4a3aa8"];
+/** Of all origins at once; of the missed pixels alone, which are few and small. */
+const kStrength = { provenance: 0.65, missed: 0.95, none: 0 };
+
+const linearColour = (colour: string): number[] => [1, 3, 5].map((at) => linearFromCode(parseInt(colour.slice(at, at + 2), 16)));
+
+const isShown = (origin: Origin | undefined, overlay: State["overlay"]): boolean => origin !== undefined && (overlay === "provenance" || origin.missed);
+
+/** Red, green, blue and strength of each of 8 codes. */
+export const tints = (field: Field, overlay: State["overlay"]): number[] =>
+  kColours.flatMap((colour, code) => [...linearColour(colour), isShown(field.provenance?.[code], overlay) ? kStrength[overlay] : 0]);
+
+/** How many of the pixels have each code, as shares. A few rows at a time: quilts are large. */
+export function sharesOf(picture: ImageBitmap, origins: number): number[] {
+  const rows = Math.max(1, Math.min(picture.height, Math.floor((1 << 20) / picture.width)));
+  const context = new OffscreenCanvas(picture.width, rows).getContext("2d", { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D;
+  const counts = new Array<number>(origins).fill(0);
+  for (let top = 0; top < picture.height; top += rows) {
+    const height = Math.min(rows, picture.height - top);
+    context.drawImage(picture, 0, top, picture.width, height, 0, 0, picture.width, height);
+    const codes = context.getImageData(0, 0, picture.width, height).data;
+    for (let i = 0; i < codes.length; i += 4) counts[codes[i]]++;
+  }
+  return counts.map((count) => count / (picture.width * picture.height));
+}
+
+const percent = (share: number): string => (share > 0 && share < 0.001 ? "< 0.1\u2009%" : `${(100 * share).toFixed(1)}\u2009%`);
+
+function entry(colour: string, name: string, share: number): HTMLElement {
+  const item = document.createElement("li");
+  const swatch = document.createElement("i");
+  swatch.style.background = colour;
+  const value = document.createElement("span");
+  value.textContent = percent(share);
+  item.append(swatch, `${name} `, value);
+  return item;
+}
+
+/** Fills the legend with what there is in the frame. */
+export function showLegend(list: HTMLElement, field: Field, overlay: State["overlay"], shares: number[] | null): void {
+  const origins = field.provenance ?? [];
+  list.hidden = overlay === "none" || shares === null;
+  if (list.hidden || shares === null) return;
+  const entries = origins.flatMap((origin, code) => (shares[code] > 0 && isShown(origin, overlay) ? [entry(kColours[code], origin.name, shares[code])] : []));
+  if (entries.length === 0) entries.push(entry("transparent", "missed", 0));
+  list.replaceChildren(...entries);
+}
