@@ -31,9 +31,6 @@ Mesh room(float half) {
   return m;
 }
 
-/// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
-const Affine3f kNearby{Mat3f(0.1f), Vec3f(0.0f)};
-
 // ---- Furnaces: where light comes equally from everywhere, white things cannot be seen ----------------------------------
 
 TEST(PathTracer, white_spheres_of_any_roughness_vanish_in_a_white_furnace) {

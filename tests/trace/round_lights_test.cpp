@@ -13,9 +13,6 @@ namespace {
 
 using namespace test;
 
-/// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
-const Affine3f kNearby{Mat3f(0.1f), Vec3f(0.0f)};
-
 MetallicRoughness chalk() {
   MetallicRoughness m;
   m.metallic = 0.0f, m.roughness = 1.0f, m.specular = 0.0f;

@@ -181,6 +181,9 @@ inline Picture trace(const Scene& scene, const Optics& optics, TraceParams param
   return picture;
 }
 
+/// The eye of a single view at (0, 0, 1), looking at the square +-0.2 around the origin.
+inline const Affine3f kNearby{Mat3f(0.1f), Vec3f(0.0f)};
+
 /// Light by paths, spp samples a pixel.
 inline Picture trace_paths(const Scene& scene, const Optics& optics, int spp, TraceParams params = {}, int threads = 1,
                            const Affine3f& world_from_display = {}) {
