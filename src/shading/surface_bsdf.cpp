@@ -106,12 +106,6 @@ float ior_of_channel(float ior, float dispersion, int channel) {
   return std::max(1.0f, ior + static_cast<float>(channel - 1) * half_spread);
 }
 
-/// Whether some of the light is mirrored by a surface that is no thin wall, through which light is asked for at the smooth
-/// normal.
-bool has_gloss(const MetallicRoughness& m) {
-  return m.specular > 0.0f || m.metallic > 0.0f || m.transmission > 0.0f || m.clearcoat > 0.0f;
-}
-
 /// The facet's normal, of any length, on the viewer's side; shapes other than meshes have no other normal than theirs.
 Vec3f facet_of(const Maps& maps, const SeenPoint& p) {
   if (!maps.record) return p.normal;
@@ -160,12 +154,15 @@ Bsdf metal_rough_bsdf(const MetallicRoughness& m, Vec3f color, const Maps& maps,
   const auto mapped = [&](const TextureMap& map, float scale) {
     return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, p.normal, outer) : p.normal;
   };
-  const auto lifted = [&](Vec3f n) { return has_gloss(m) ? lifted_normal(n, facet_of(maps, p), p.view) : n; };
-  const Vec3f bent = lifted(mapped(m.normal_map, m.normal_scale)),
-              coat = lifted(mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale));
-  if (m.extensions)
-    return extended_bsdf(surface_at(m, color, maps), *m.extensions, maps, albedo, {bent, coat, p.view, p.entering}, channel);
-  return Bsdf(std::in_place_type<MetalRoughBsdf>, surface_at(m, color, maps), albedo, bent, coat, p.view, p.entering);
+  const MetalRoughSurface surface = surface_at(m, color, maps);
+  // Paint below gloss has most of its light by the given normal, which a lifted one would take from it.
+  const bool mirrors = surface.metallic > 0.0f || surface.transmission > 0.0f;
+  const auto lifted = [&](Vec3f n) { return lifted_normal(n, facet_of(maps, p), p.view); };
+  Vec3f bent = mapped(m.normal_map, m.normal_scale), coat = mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale);
+  if (mirrors) bent = lifted(bent);
+  if (m.clearcoat > 0.0f) coat = lifted(coat);
+  if (m.extensions) return extended_bsdf(surface, *m.extensions, maps, albedo, {bent, coat, p.view, p.entering}, channel);
+  return Bsdf(std::in_place_type<MetalRoughBsdf>, surface, albedo, bent, coat, p.view, p.entering);
 }
 
 }  // namespace lippmann
