@@ -44,7 +44,9 @@ test("in layers it looks as in one texture", async () => {
   for (const page of [whole, layered]) await set(page, { show: "panel", aperture: 0 });
   assert.equal(most(await canvas(whole), await canvas(layered)), 0, "what the panel shows");
   // Tiles of 96x128: two across and one down.
-  assert.deepEqual(await layered.evaluate(() => window.layers), [[192, 128, 6], [192, 128, 6]]);
+  const layers = await layered.evaluate(() => window.layers);
+  assert.deepEqual([...new Set(layers.map(String))], ["192,128,6"]);
+  assert.equal(layers.length % 2, 0, "colours and depth alike");
   assert.equal(await layered.textContent("#notice"), "");
   for (const page of [whole, layered]) assert.deepEqual(page.complaints, []);
 });

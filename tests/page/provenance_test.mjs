@@ -27,7 +27,7 @@ const codesOfView = (page, frame, view) => page.evaluate(async ([frame, view]) =
 
 test("missed pixels are tinted, and no others", async () => {
   const page = await open(address);
-  assert.equal(await page.locator("#legend").isVisible(), false);
+  await page.locator("#legend").waitFor({ state: "hidden" });
   await set(page, { frame: 1 });
   let missed = 0;
   for (const view of [0, 3]) {
