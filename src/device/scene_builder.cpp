@@ -334,7 +334,7 @@ void build_scene(const BuiltScene& built, const ResolvedScene& resolved, const S
                  const ThreadPool& pool) {
   pool.run([&] {
     SceneBuilder(built, resolved, materials, pool).build();
-    place_splats(built, resolved, pool);
+    place_splats(built, resolved);
   });
   built.geometry.reach = least_reach_of(built.geometry.records);
 }
@@ -344,7 +344,7 @@ void move_scene(const BuiltScene& built, const ResolvedScene& resolved, const Th
   move_planes(geometry, resolved);
   const auto moves = [&](const SplatSet& set) { return geometry.instance_moves[set.instance]; };
   if (std::any_of(geometry.splats.sets.begin(), geometry.splats.sets.end(), moves))
-    pool.run([&] { place_splats(built, resolved, pool); });
+    pool.run([&] { place_splats(built, resolved); });
   if (!embree.has_moving) return;
   for (const int id : embree.moving_records) {
     GeometryRecord& record = geometry.records[static_cast<std::size_t>(id)];

@@ -100,7 +100,7 @@ void fill_table(SplatTable& table, const Scene& scene, const ResolvedScene& reso
 
 }  // namespace
 
-void place_splats(const BuiltScene& built, const ResolvedScene& resolved, const ThreadPool&) {
+void place_splats(const BuiltScene& built, const ResolvedScene& resolved) {
   SplatTable& table = built.geometry.splats;
   if (table.sets.empty()) return;
   fill_table(table, *built.geometry.scene, resolved);

@@ -7,7 +7,7 @@
 namespace lippmann {
 
 /// Fills the table of splats, and Embree's scene of them, for where `resolved` has their nodes.
-void place_splats(const BuiltScene& built, const ResolvedScene& resolved, const ThreadPool& pool);
+void place_splats(const BuiltScene& built, const ResolvedScene& resolved);
 
 /// Adds what the active lanes, all of them sound, meet from tnear to tfar.
 void collect_splats(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatHits& hits);

@@ -144,11 +144,11 @@ TEST(BenchReplay, no_eye_of_25_sees_depth_inverted_and_near_layers_come_nearest_
 // One run for all that it gives: it takes seconds.
 TEST(BenchPaper, json_sums_up_its_frames_text_has_the_papers_figures_and_plots_are_drawn) {
   const TempDir dir;
-  if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  const bool draws = std::system("command -v gnuplot > /dev/null") == 0;
   bench::Request request = small_request("primitives", 4);
+  if (draws) request.plot = dir / "plots";
   std::string said;
-  request.csv = dir / "paper.csv", request.plot = dir / "plots",
-  request.say = [&](std::string_view line) { said += line, said += '\n'; };
+  request.csv = dir / "paper.csv", request.say = [&](std::string_view line) { said += line, said += '\n'; };
   const bench::Report report = run_benchmark("paper", request);
   EXPECT_EQ(report.passed_checks, 2 + 1 + 1 + 1 + 1);  // key frames of the five runs
   ASSERT_EQ(report.rows.size(), 5u);
@@ -172,11 +172,12 @@ TEST(BenchPaper, json_sums_up_its_frames_text_has_the_papers_figures_and_plots_a
   EXPECT_THAT(said, HasSubstr("primitives: frames 0 to 3\n"));
   EXPECT_THAT(report.text, HasSubstr("mean squared errors"));
   EXPECT_THAT(report.text, HasSubstr("67 %"));  // what table 2 has saved: 1 - 333 / 1024
-  EXPECT_GT(file_bytes(dir / "plots/psnr_primitives.png").size(), 1000u);
-  EXPECT_GT(file_bytes(dir / "plots/saving.png").size(), 1000u);
   const std::string csv = file_bytes(dir / "paper.csv");
   EXPECT_THAT(csv, testing::StartsWith("scene,keyframes,saving,paper_saving,psnr_db,paper_psnr_db,reproduced\nprimitives,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
+  if (!draws) GTEST_SKIP() << "no plots: gnuplot is not installed";
+  EXPECT_GT(file_bytes(dir / "plots/psnr_primitives.png").size(), 1000u);
+  EXPECT_GT(file_bytes(dir / "plots/saving.png").size(), 1000u);
 }
 
 TEST(BenchPaper, a_table_that_cannot_be_written_is_refused_before_anything_is_measured) {
