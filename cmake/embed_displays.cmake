@@ -1,4 +1,4 @@
-# Writes OUTPUT, the C++ source of preset_files() (src/display/presets.hpp), from the files FOLDER/*.toml.
+# Writes OUTPUT, the C++ source of preset_files() (src/display/presets.hpp), from the files FOLDER/*.toml; an OUTPUT that says the same stays as it is.
 file(GLOB files ${FOLDER}/*.toml)
 list(SORT files)
 set(entries "")
@@ -7,7 +7,7 @@ foreach(file IN LISTS files)
   file(READ ${file} text)
   string(APPEND entries "    {\"${name}\", R\"toml(${text})toml\"},\n")
 endforeach()
-file(WRITE ${OUTPUT} "// Made from data/displays by cmake/embed_displays.cmake.
+file(WRITE ${OUTPUT}.new "// Made from data/displays by cmake/embed_displays.cmake.
 #include \"display/presets.hpp\"
 
 namespace lippmann {
@@ -22,3 +22,5 @@ std::span<const PresetFile> preset_files() { return kPresets; }
 
 }  // namespace lippmann
 ")
+file(COPY_FILE ${OUTPUT}.new ${OUTPUT} ONLY_IF_DIFFERENT)
+file(REMOVE ${OUTPUT}.new)
