@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <system_error>
 #include <vector>
@@ -34,6 +35,8 @@ std::string tidy(const fs::path& path) {
   return text.empty() ? "." : text;
 }
 
+constexpr std::uintmax_t kMostBytesOfJob = std::uintmax_t{1} << 20;
+
 // ---- Reading --------------------------------------------------------------------------------------------------------
 
 /// The text that a flag would have for a TOML value; `where` is the key's place.
@@ -58,6 +61,8 @@ toml::table parse(const fs::path& file) {
   std::error_code problem;
   if (!fs::exists(file, problem)) throw Error(file.string(), "there is no such job file");
   if (!fs::is_regular_file(file, problem)) throw Error(file.string(), "is not a file", "a job in TOML");
+  if (fs::file_size(file, problem) > kMostBytesOfJob)
+    throw Error(file.string(), "is too large for a job", "a job in TOML of at most 1 MB");
   try {
     return toml::parse_file(file.string());
   } catch (const toml::parse_error& error) {

@@ -1,0 +1,33 @@
+// One file in memory under a path that readers of files open: it takes every input in turn.
+#pragma once
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace lippmann {
+
+class FileInMemory {
+ public:
+  FileInMemory() {
+    if (descriptor_ < 0) std::abort();
+  }
+  ~FileInMemory() { close(descriptor_); }
+  FileInMemory(const FileInMemory&) = delete;
+  FileInMemory& operator=(const FileInMemory&) = delete;
+
+  /// The path, whose file now holds these bytes and no others.
+  std::filesystem::path with(const unsigned char* data, std::size_t size) const {
+    if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, data, size, 0) != static_cast<ssize_t>(size)) std::abort();
+    return "/proc/self/fd/" + std::to_string(descriptor_);
+  }
+
+ private:
+  int descriptor_ = memfd_create("input", MFD_CLOEXEC);
+};
+
+}  // namespace lippmann

@@ -1,0 +1,28 @@
+// Feeds bytes to the page of figures, as a report.json or a benchmark's result. Whatever they are, they either throw Error or
+// give a page in which no name has become a script, a picture or a link.
+//
+// fuzz/report_seeds SEEDS && fuzz_report -dict=fuzz/report.dict CORPUS SEEDS; or scripts/fuzz report.
+#include <cstdlib>
+#include <iostream>
+
+#include "file_in_memory.hpp"
+#include "lippmann/core/error.hpp"
+#include "report/report_page.hpp"
+
+using namespace lippmann;
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  static const FileInMemory file;
+  std::string html;
+  try {
+    html = make_report_page({file.with(data, size)}, {}).html;
+  } catch (const Error&) {
+    return 0;
+  }
+  for (const char* foreign : {"<script", "<iframe", "<a ", "src=\"http"})
+    if (html.find(foreign) != std::string::npos) {
+      std::cerr << "the page has " << foreign << '\n';
+      std::abort();
+    }
+  return 0;
+}
