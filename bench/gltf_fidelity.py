@@ -1,19 +1,19 @@
 #!/usr/bin/python3
 """What glTF files look like here and in other renderers: each against the median of the others.
 
-  bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--only NAME ...] [--size N] [--spp N] [--tone CURVE] [--json] ...
+  bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--three] [--only NAME ...] [--size N] [--spp N] [--tone CURVE] [--json] ...
 
 Scenarios are those of a configuration in the form of glTF Render Fidelity's, or a folder's glTF files (bench/fidelity/scenarios.py). Each is rendered as one
 pinhole view and held against the reference pictures beside the configuration, and with --cycles against Cycles, which gets the same file, camera, light and number
 of samples, and the view transform "Standard" (bench/cycles/gltf_in_blender.py says what its surfaces are). --importer adds Blender's own import of
-the file. Prints PSNR and FLIP of each renderer against the median of the others and million samples per CPU second of both programs (of `spp` samples
-less those of an eighth of them, so that set-up does not count), how alike both programs' pictures could be at most for their noise, and writes DIR/fidelity.html with pictures side by side. What Cycles has rendered is kept in DIR, and
-used again until the file, the light or the numbers change. Needs python3-numpy; for --cycles and --importer, Debian's blender.
+the file, --three the path tracer three-gpu-pathtracer (npm ci in bench/fidelity/three; Chromium). Prints PSNR and FLIP of each renderer against the median of the others and million samples per CPU second of both programs (of `spp` samples
+less those of an eighth of them, so that set-up does not count), how alike both programs' pictures could be at most for their noise, and writes DIR/fidelity.html with pictures side by side. What others have rendered is kept in DIR, and
+used again until the file, the light or the numbers change. With two others or more it says how near these are to one another, and in how many scenarios ours is nearer to their
+median. Needs python3-numpy; for --cycles and --importer, Debian's blender.
 """
 
 import argparse
 import dataclasses
-import hashlib
 import json
 import math
 import pathlib
@@ -26,6 +26,7 @@ for part in ("cycles", "fidelity"):
 import fixtures  # noqa: E402
 import judge  # noqa: E402
 import one_file  # noqa: E402
+import others  # noqa: E402
 import page  # noqa: E402
 import peers  # noqa: E402
 import pictures  # noqa: E402
@@ -91,56 +92,26 @@ def ours(shot, spp, options):
     return out / "frame_0000.png", json.loads((out / "report.json").read_text())["frames"][0]["cpu_seconds"]
 
 
-def key_of(job, shot):
-    """Of all that a picture of Cycles follows from."""
-    parts = [json.dumps(job, sort_keys=True).encode(), shot.file.read_bytes(), shot.panorama.read_bytes() if shot.panorama else b""]
-    parts += [file.read_bytes() for file in sorted((HERE / "cycles").glob("*.py"))]
-    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()
-
-
-def job_of(shot, name, options):
-    """What Blender is asked for (scenario_inside_blender.py)."""
-    return {"file": str(shot.file), "panorama": shot.panorama and str(shot.panorama), "width": shot.width, "height": shot.height, "vertices": options.vertices,
-            "threads": options.threads, "skybox": shot.scenario.skybox, "own_surfaces": name == "importer", "camera": shot.camera,
-            "renders": [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]}
-
-
-def cycles(shot, name, options):
-    """Pictures' files and CPU seconds of an eighth of the samples and of all; kept from an earlier run where it was the same."""
-    job = job_of(shot, name, options)
-    kept, key = shot.folder / f"{name}.json", key_of(job, shot)
-    if kept.exists() and json.loads(kept.read_text())["key"] == key:
-        return json.loads(kept.read_text())["renders"]
-    file = shot.folder / f"{name}-job.json"
-    file.write_text(json.dumps(job))
-    renders = [json.loads(line) for line in peers.blender("scenario_inside_blender.py", [file.resolve()], "RENDER")]
-    kept.write_text(json.dumps({"key": key, "renders": renders}))
-    return renders
-
-
-def few(spp):
-    return max(1, spp // 8)
-
-
 def million_samples_per_second(shot, spp, seconds, few_seconds):
-    return (spp - few(spp)) * shot.width * shot.height / max(seconds - few_seconds, 1e-9) * 1e-6
+    return (spp - others.few(spp)) * shot.width * shot.height / max(seconds - few_seconds, 1e-9) * 1e-6
 
 
-def ours_and_cycles(shot, name, options):
-    """Files and CPU seconds of a picture of few samples and of one of all."""
+def few_and_all(shot, name, options):
+    """Files and CPU seconds of a picture of few samples and of one of all; no seconds where they say nothing of the renderer."""
     if name != "lippmann":
-        return [(pathlib.Path(r["out"]), r["cpu_seconds"]) for r in cycles(shot, name, options)]
-    return [ours(shot, spp, options) for spp in (few(options.spp), options.spp)]
+        return [(pathlib.Path(r["out"]), r["cpu_seconds"]) for r in others.RENDERERS[name](shot, options)]
+    return [ours(shot, spp, options) for spp in (others.few(options.spp), options.spp)]
 
 
 def rendered(shot, options):
     """{renderer: RGBA picture}, speeds and noise, and what is to be said of them."""
     named, notes, facts = {}, [], {}
     for name in ["lippmann", *options.peers]:
-        (less, few_seconds), (more, seconds) = ours_and_cycles(shot, name, options)
+        (less, few_seconds), (more, seconds) = few_and_all(shot, name, options)
         named[name] = pictures.read(more)
-        facts[f"{name}_speed"] = million_samples_per_second(shot, options.spp, seconds, few_seconds)
-        facts[f"{name}_noise"] = judge.noise(pictures.read(less), named[name], options.spp / few(options.spp))
+        if seconds is not None:
+            facts[f"{name}_speed"] = million_samples_per_second(shot, options.spp, seconds, few_seconds)
+        facts[f"{name}_noise"] = judge.noise(pictures.read(less), named[name], options.spp / others.few(options.spp))
     for name, file in shot.scenario.references.items():
         reference = pictures.shrunk(pictures.read(file), shot.width, shot.height)
         if reference is None:
@@ -158,15 +129,23 @@ def measure(scenario, options, out):
         print(f"{scenario.name}: no other renderer's picture; add goldens/{scenario.name}/RENDERER{scenarios.GOLDEN} or say --cycles", file=sys.stderr)
         return None
     judged = judge.judged(named)
-    row = {"scenario": scenario.name, "notes": notes, "noise_db": judge.noise_together(facts), **facts, "renderers": {name: {k: j[k] for k in ("psnr_db", "flip")} for name, j in judged.items()}}
+    row = {"scenario": scenario.name, "notes": notes, "noise_db": judge.noise_together(facts), "among_others_db": judge.among_others(named, "lippmann"), **facts, "renderers": {name: {k: j[k] for k in ("psnr_db", "flip")} for name, j in judged.items()}}
     out.add(row, judged, named)
     return row
 
 
 def line(row):
     each = "  ".join(f"{name} {j['psnr_db']:.2f} dB, {j['flip']:.4f}" for name, j in row["renderers"].items())
+    among = f"  the others among each other {row['among_others_db']:.2f} dB" if row["among_others_db"] is not None else ""
     noise = f"  noise alone {row['noise_db']:.2f} dB" if "cycles_speed" in row else ""
-    return f"{row['scenario']:24} {each}{noise}  {page.speed(row)}"
+    return f"{row['scenario']:24} {each}{among}{noise}  {page.speed(row)}"
+
+
+def sentence(rows):
+    """In how many scenarios ours is as near to the median of the others as these are to one another; empty where none has two others."""
+    told = [row for row in rows if row["among_others_db"] is not None]
+    near = sum(row["renderers"]["lippmann"]["psnr_db"] >= row["among_others_db"] for row in told)
+    return f"lippmann is as near to the median of the others as they are to one another in {near} of {len(told)} scenarios" if told else ""
 
 
 def without_infinity(value):
@@ -185,6 +164,7 @@ def parse():
     parser.add_argument("--only", nargs="+", metavar="NAME", help="these scenarios")
     parser.add_argument("--cycles", action="store_true")
     parser.add_argument("--importer", action="store_true")
+    parser.add_argument("--three", action="store_true")
     parser.add_argument("--environment", type=pathlib.Path, dest="panorama", help="of scenarios without lighting; default: a soft sky with a warm sun")
     parser.add_argument("--dark", action="store_true", help="files that have lamps get no panorama but a scenario's own")
     parser.add_argument("--size", type=int, default=256, help="the longer side of pictures is at most this")
@@ -196,9 +176,9 @@ def parse():
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args()
     options.out = options.out.resolve()
-    options.peers = [name for name in ("cycles", "importer") if getattr(options, name)]
+    options.peers = [name for name in others.RENDERERS if getattr(options, name)]
     if options.peers and options.tone != "none":
-        parser.error("--tone: beside Cycles, whose pictures have Blender's transform \"Standard\", only none compares")
+        parser.error("--tone: beside renderers whose pictures are plain sRGB, only none compares")
     return options
 
 
@@ -212,7 +192,7 @@ def chosen(options):
 
 def main():
     options = parse()
-    if options.peers and not peers.has_blender():
+    if {"cycles", "importer"} & set(options.peers) and not peers.has_blender() or "three" in options.peers and not others.has_three():
         return
     asked = chosen(options)
     options.out.mkdir(parents=True, exist_ok=True)
@@ -226,6 +206,8 @@ def main():
             rows.append(row)
             print(line(row), file=sys.stderr if options.json else sys.stdout, flush=True)
             out.write(options.out / "fidelity.html")
+    if sentence(rows):
+        print(sentence(rows), file=sys.stderr if options.json else sys.stdout)
     if options.json:
         print(json.dumps(without_infinity({"bench": "fidelity", "rows": rows}), indent=2))
 

@@ -37,14 +37,30 @@ def median_of(others):
     return np.round(np.median(np.stack(others), axis=0)).astype(np.uint8)
 
 
+def counted_pixels(named):
+    """Those that any of the pictures covers."""
+    counted = np.any([p[..., 3] > 0 for p in named.values()], axis=0)
+    if not counted.any():
+        raise SystemExit("no renderer's picture shows anything but the background: does the camera see the model?")
+    return counted
+
+
+def among_others(named, own):
+    """The PSNR that the others have against one another: of the mean square of each against the median of the rest of them. None of fewer than two."""
+    counted = counted_pixels(named)
+    flat = [pictures.before_grey(p) for name, p in named.items() if name != own]
+    if len(flat) < 2:
+        return None
+    rests = [median_of(flat[:i] + flat[i + 1:]) for i in range(len(flat))]
+    return decibels(float(np.mean([np.mean((p[counted].astype(float) - rest[counted])**2) for p, rest in zip(flat, rests)])))
+
+
 def judged(named):
     """{renderer: {"psnr_db", "flip", "map", "median"}} of {renderer: RGBA picture}, all of one size; needs two pictures or more.
 
     flip: the mean over what counts of the map (h, w) of differences, 0 to 1.
     """
-    counted = np.any([p[..., 3] > 0 for p in named.values()], axis=0)
-    if not counted.any():
-        raise SystemExit("no renderer's picture shows anything but the background: does the camera see the model?")
+    counted = counted_pixels(named)
     flat = {name: pictures.before_grey(p) for name, p in named.items()}
     rows = {}
     for name, picture in flat.items():

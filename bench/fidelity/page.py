@@ -39,11 +39,12 @@ def speed(row):
 
 def table(rows):
     renderers = sorted({name for row in rows for name in row["renderers"]}, key=lambda name: (name != "lippmann", name))
-    lines = ["<table><tr><th>scenario" + "".join(f"<th>{html.escape(r)}, dB<th>FLIP" for r in renderers) + "<th>noise alone, dB<th>million samples per CPU second"]
+    lines = ["<table><tr><th>scenario" + "".join(f"<th>{html.escape(r)}, dB<th>FLIP" for r in renderers) + "<th>the others among each other, dB<th>noise alone, dB<th>million samples per CPU second"]
     for row in rows:
         cells = [row["renderers"].get(r) for r in renderers]
         lines.append(f'<tr><td><a href="#{html.escape(row["scenario"])}">{html.escape(row["scenario"])}</a>' +
-                     "".join(f"<td>{decibels(c['psnr_db'])}<td>{c['flip']:.4f}" if c else "<td><td>" for c in cells) + f"<td>{decibels(row['noise_db']) if 'cycles_speed' in row else ''}<td>{speed(row)}")
+                     "".join(f"<td>{decibels(c['psnr_db'])}<td>{c['flip']:.4f}" if c else "<td><td>" for c in cells) +
+                     f"<td>{decibels(row['among_others_db']) if row['among_others_db'] is not None else ''}" + f"<td>{decibels(row['noise_db']) if 'cycles_speed' in row else ''}<td>{speed(row)}")
     return "\n".join(lines) + "</table>\n"
 
 

@@ -122,6 +122,15 @@ class Judge(unittest.TestCase):
         self.assertLess(judged["odd"]["psnr_db"], 14)
         self.assertGreater(judged["odd"]["flip"], 10 * judged["a"]["flip"])
 
+    def test_others_are_as_far_from_one_another_as_two_pictures_are(self):
+        named = {"ours": plain(RED), "a": plain((100, 100, 100)), "b": plain((110, 110, 110))}
+        self.assertAlmostEqual(judge.among_others(named, "ours"), 20 * math.log10(25.5), places=9)
+        self.assertIsNone(judge.among_others({"ours": plain(RED), "a": plain(RED)}, "ours"))
+
+    def test_of_three_others_each_is_held_against_the_median_of_two(self):
+        named = {"ours": plain(RED), "a": plain((100,) * 3), "b": plain((100,) * 3), "c": plain((110,) * 3)}
+        self.assertAlmostEqual(judge.among_others(named, "ours"), judge.decibels((5**2 + 5**2 + 10**2) / 3), places=9)
+
     def test_empty_background_does_not_count(self):
         a, b = plain(BLACK, 40, 0), plain(BLACK, 40, 0)
         a[:20], b[:20] = plain(WHITE)[:20], plain((245, 245, 245))[:20]
@@ -225,7 +234,7 @@ class Page(unittest.TestCase):
         named = {"lippmann": plain(RED, 20), "<other>": plain(BLUE, 20)}
         judged = judge.judged(named)
         out = page.Page()
-        out.add({"scenario": "a&b", "notes": ["left <out>"], "renderers": judged}, judged, named)
+        out.add({"scenario": "a&b", "notes": ["left <out>"], "among_others_db": None, "renderers": judged}, judged, named)
         with tempfile.TemporaryDirectory() as folder:
             out.write(Path(folder) / "p.html")
             text = (Path(folder) / "p.html").read_text()
