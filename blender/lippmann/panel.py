@@ -1,6 +1,7 @@
 """The panel in the render properties, and what its buttons do."""
 
 import subprocess
+import textwrap
 
 import bpy
 
@@ -77,6 +78,13 @@ def stop_viewing():
         ViewInPage.child = None
 
 
+def show_sentence(layout, text, width):
+    """A label of as many lines as the text needs: Blender cuts what is wider than the panel. Its letters are about 7 pixels wide."""
+    column = layout.column(align=True)
+    for index, line in enumerate(textwrap.wrap(text, max(20, int((width - 60) / 7)))):
+        column.label(text=line, icon="BLANK1" if index else "ERROR")
+
+
 class LIPPMANN_PT_light_field(bpy.types.Panel):
     bl_label = "Light Field"
     bl_space_type = "PROPERTIES"
@@ -103,7 +111,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
             column.prop(settings, name)
         layout.operator("lippmann.view", icon="URL")
         for warning in engine.last_warnings:
-            layout.label(text=warning, icon="ERROR")
+            show_sentence(layout, warning, context.region.width / context.preferences.system.ui_scale)
         if scene.view_settings.view_transform != "Standard":
             layout.label(text="Shown as " + scene.view_settings.view_transform + "; files are not", icon="INFO")
 

@@ -134,6 +134,11 @@ def mesh_of(instance, depsgraph):
     return mesh
 
 
+def emission_of(names):
+    """The Principled BSDF's emitted colour, which Blender 4.0 has renamed."""
+    return "Emission Color" if "Emission Color" in names else "Emission"
+
+
 def shining_area(light, report):
     """A mesh in place of an area light, with its radiance. The light's own blend of colour is kept; it shines along -Z alone, as Blender's does."""
     across = light.size
@@ -149,9 +154,8 @@ def shining_area(light, report):
     material.use_nodes = True
     material.use_backface_culling = True
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
-    emission = "Emission" if "Emission" in shader.inputs else "Emission Color"
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
-    shader.inputs[emission].default_value = (*light.color, 1.0)
+    shader.inputs[emission_of(shader.inputs)].default_value = (*light.color, 1.0)
     shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # as Cycles has it, not pi
     mesh.materials.append(material)
     report.warn("Area lights arrive as shining surfaces of their size, which are seen in the picture; Blender's are not.")
@@ -336,17 +340,22 @@ def keep_deforming(stage, things, report):
             above.append(other.parent)
 
 
-def export_gltf(stage, path, still, has_shape_keys):
-    """Blender's own exporter, with those of the options that this version knows."""
-    bpy.context.window.scene = stage
-    stage.frame_set(stage.frame_start)
-    bpy.context.view_layer.update()  # otherwise objects that are new stand at the origin
+def gltf_options(still, has_shape_keys, known):
+    """What the exporter is asked for, of the options that this version knows: strips of actions, for one, have had three names."""
     options = {"export_format": "GLB", "export_cameras": True, "export_lights": True, "export_apply": not has_shape_keys, "export_yup": True,
                "export_animations": not still, "export_frame_range": True, "export_force_sampling": True, "export_nla_strips": False,
                "export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_morph": True, "export_skins": True,
                "export_extras": True, "use_selection": False, "use_active_scene": True, "export_optimize_animation_size": False}
+    return {name: value for name, value in options.items() if name in known}
+
+
+def export_gltf(stage, path, still, has_shape_keys):
+    """Blender's own exporter."""
+    bpy.context.window.scene = stage
+    stage.frame_set(stage.frame_start)
+    bpy.context.view_layer.update()  # otherwise objects that are new stand at the origin
     known = bpy.ops.export_scene.gltf.get_rna_type().properties.keys()
-    bpy.ops.export_scene.gltf(filepath=path, **{name: value for name, value in options.items() if name in known})
+    bpy.ops.export_scene.gltf(filepath=path, **gltf_options(still, has_shape_keys, known))
 
 
 def plain_world(world):
