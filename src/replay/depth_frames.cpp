@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/folder.hpp"
+#include "layout/light_field_source.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_side_file.hpp"
 #include "layout/view_files.hpp"

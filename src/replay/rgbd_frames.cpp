@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "layout/light_field_source.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 #include "layout/rgbd_picture.hpp"
 
 namespace lippmann {

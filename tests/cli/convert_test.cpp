@@ -70,10 +70,11 @@ TEST(Convert, of_colours_and_depth_says_what_share_is_filled_and_what_is_assumed
 
 TEST(Convert, of_a_video_of_colours_and_depth_makes_what_its_frames_make) {
   const TempDir dir;
-  expect_done(dir, {"render", "room", "--size", "60x80", "--frames", "0-1", "--layout", "rgbd", "--video", "clip_rgbd.mkv",
-                    "--video-codec", "ffv1", "-o", "a"});
+  expect_done(dir, {"render", "room", "--size", "60x80", "--frames", "0-1", "--layout", "rgbd", "-o", "a"});
+  expect_done(dir, {"encode", "a", "clip_rgbd.mkv"});
   fs::copy_file(dir / "a/frame_0000_rgbd.png.json", dir / "clip_rgbd.mkv.json");
-  fs::copy_file(dir / "a/frame_0000_rgbd.png.json", dir / "a/frame_0001_rgbd.png.json", fs::copy_options::overwrite_existing);
+  fs::copy_file(dir / "a/frame_0000_rgbd.png.json", dir / "a/frame_0001_rgbd.png.json",
+                fs::copy_options::overwrite_existing);  // one range of depths for all of a video's frames
   const Words rest{"--to", "quilt", "--quilt", "3x1", "--views", "3x1"};
   const Json of_video = report_of(dir, Words{"convert", "clip_rgbd.mkv", "v"} + rest);
   const Json of_pictures = report_of(dir, Words{"convert", "a", "p"} + rest);
