@@ -9,8 +9,9 @@
 
 namespace lippmann {
 
-/// `file` has the side file that describes the picture, if any (layout/rgbd_side_file.hpp); `where` is what errors name. Throws Error
-/// where the picture's width is odd or its right half has colours. A picture whose depth is 0 everywhere is as far as the range goes.
+/// `file` has the side file that describes the picture, if any (layout/rgbd_side_file.hpp); `where` is what errors name. Throws
+/// Error where the picture's width is odd or its right half has colours. A picture whose depth is 0 everywhere is as far as the
+/// range goes.
 LightField light_field_of_rgbd(const Picture& picture, const std::filesystem::path& file, const std::string& where,
                                const FormatOptions& options);
 

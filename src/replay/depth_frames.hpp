@@ -1,4 +1,5 @@
-// RGB-D pictures and videos shown as light fields: views for a display, or two eyes' views, in any format (replay/depth_views.hpp).
+// RGB-D pictures and videos shown as light fields: views for a display, or two eyes' views, in any format
+// (replay/depth_views.hpp).
 #pragma once
 
 #include <filesystem>

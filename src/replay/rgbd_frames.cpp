@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "lippmann/layout/open_light_field.hpp"
 #include "layout/rgbd_picture.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 
 namespace lippmann {
 

@@ -18,8 +18,8 @@ struct RgbdFrame {
 
 class RgbdFrames {
  public:
-  /// `in`: a picture, a folder of frame_*_rgbd.png, or a video, whose side file describes all of its frames. Throws Error if there is
-  /// no such file, or no frame in the folder.
+  /// `in`: a picture, a folder of frame_*_rgbd.png, or a video, whose side file describes all of its frames. Throws Error if
+  /// there is no such file, or no frame in the folder.
   RgbdFrames(const std::filesystem::path& in, const FormatOptions& options);
 
   /// The next frame; none after the last one. Throws Error naming the file, and of videos the frame.
