@@ -83,8 +83,13 @@ def has_nodes_of_its_own(light):
 
 
 def say_of_lights(lights, still, report):
+    from . import ies  # which uses this module
+
     for light in lights:
-        if has_nodes_of_its_own(light):
+        profile = ies.profile_of(light)
+        if profile and profile[0] is ies.MISSING:
+            report.warn(f"The light profile of {light.name} is missing; it shines evenly.")
+        elif not profile and has_nodes_of_its_own(light):
             report.warn(f"The light {light.name} loses its nodes; its colour and power are kept.")
         if not still and is_animated(light):
             report.warn(f"The light {light.name} is animated; it stays as in the first frame.")

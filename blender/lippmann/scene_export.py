@@ -171,6 +171,7 @@ def sized(light):
         light["radius"] = light.shadow_soft_size
     if light.type == "SPOT":
         light["blend"] = light.spot_blend
+    importlib.import_module(f"{HERE.name}.ies").mark(light)
     return light
 
 
@@ -410,6 +411,7 @@ def main():
     importlib.import_module(f"{HERE.name}.losses").say(scene, request["still"], report)
     stage, zone, has_shape_keys = build_stage(scene, request, report)
     export_gltf(stage, request["glb"], request["still"], has_shape_keys)
+    importlib.import_module(f"{HERE.name}.ies").move_profiles(request["glb"])
     colour = plain_world(scene.world)
     if colour is None:
         write_panorama(scene.world, request["world"])

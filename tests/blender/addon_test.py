@@ -323,6 +323,32 @@ class AddOn(unittest.TestCase):
         self.assertFalse(any("size" in warning for warning in engine.last_warnings), engine.last_warnings)
         self.assertNotIn("radius", bpy.data.lights["POINT of mine"])  # which are the user's own
 
+    def test_a_lamp_s_light_profile_arrives_and_one_that_is_missing_is_said(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        text = bpy.data.texts.new("profile")
+        text.write("IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 1\n0 45 90\n0\n800 400 0\n")
+        for name, internal in (("measured", True), ("lost", False)):
+            light = bpy.data.lights.new(name, "POINT")
+            light.use_nodes, light.energy = True, 177.83
+            node = light.node_tree.nodes.new("ShaderNodeTexIES")
+            light.node_tree.links.new(node.outputs["Fac"], light.node_tree.nodes["Emission"].inputs["Strength"])
+            if internal:
+                node.ies, node.inputs["Strength"].default_value = text, 2.0
+            else:
+                node.mode, node.filepath = "EXTERNAL", "/nowhere/lamp.ies"
+            scene.collection.objects.link(bpy.data.objects.new(name, light))
+        bpy.ops.render.render()
+        document = gltf(self.folder)
+        lamp, = [node["extensions"] for node in document["nodes"] if "EXT_lights_ies" in node.get("extensions", {})]
+        self.assertNotIn("KHR_lights_punctual", lamp)
+        self.assertAlmostEqual(lamp["EXT_lights_ies"]["multiplier"], 2.0, places=4)
+        self.assertTrue(document["extensions"]["EXT_lights_ies"]["lights"][0]["name"].startswith("measured"))
+        self.assertFalse(any("ies" in light["extras"] for light in document["extensions"]["KHR_lights_punctual"]["lights"]))
+        said = " ".join(engine.last_warnings)
+        self.assertIn("profile of lost is missing", said)
+        self.assertNotIn("measured", said)
+        self.assertTrue(tool.pictures(self.folder / "still", 0))
+
     def test_a_tool_that_is_not_there_is_said(self):
         with self.assertRaisesRegex(tool.ToolError, "not at /nowhere/lippmann"):
             tool.find("/nowhere/lippmann")
