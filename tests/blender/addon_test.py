@@ -353,6 +353,11 @@ class AddOn(unittest.TestCase):
         with self.assertRaisesRegex(tool.ToolError, "not at /nowhere/lippmann"):
             tool.find("/nowhere/lippmann")
 
+    def test_what_a_child_says_last_is_told_without_its_prefix(self):
+        self.assertEqual(tool.last_message("Traceback\nerror: The scene shows nothing.\nquit"), "The scene shows nothing.")
+        self.assertEqual(tool.last_message('{"frame":1}\nlippmann: --spp: is 0; accepted: 1\n'), "--spp: is 0; accepted: 1")
+        self.assertIn("without a word", tool.last_message(""))
+
     def test_a_stopped_child_leaves_no_process(self):
         child = tool.Child(["sleep", "60"], self.folder / "log")
         child.stop()
