@@ -117,7 +117,9 @@ std::string formats_help() {
 void add_convert_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<ConvertOptions>();
   const Command command = root.add_command("convert", "Convert light fields from one format to another, without loss");
-  command.add_option("IN", options->in, "A picture or folder in the input format, or a folder of several: frame_0000, ...")
+  command
+      .add_option("IN", options->in,
+                  "A picture or folder in the input format, or a folder of several: frame_0000, ...; of RGB-D also a video")
       .required();
   command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
       .required();

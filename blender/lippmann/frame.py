@@ -63,7 +63,7 @@ def zone(scene):
     display = displays.chosen(scene)
     aspect = displays.aspect(display)
     placed = scene.lippmann.frame
-    if placed and placed.name in scene.objects:
+    if placed and scene in placed.users_scene:
         matrix, scale = rigid(placed.matrix_world)
         height = placed.lippmann.height * scale
     elif scene.camera and scene.camera.type == "CAMERA":

@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import shlex
+import sys
 import tempfile
 
 import bpy
@@ -34,14 +35,22 @@ def resolution(scene):
 
 def check(scene, still):
     """All that can be said before anything is started. Raises ToolError."""
-    zone_of = frames_of_displays.zone
-    zone_of(scene)
+    try:
+        _ = scene.name
+    except UnicodeDecodeError:
+        raise tool.ToolError("The scene's name is no UTF-8. Rename it.") from None
+    frames_of_displays.zone(scene)
     if scene.frame_start < 0 or (still and scene.frame_current < 0):
         raise tool.ToolError("Frames below 0 cannot be rendered. Move the animation to start at frame 0 or later.")
     if scene.lippmann.output == "native":
         panel = tuple(displays.chosen(scene)["pixels"])
         if resolution(scene) != panel:
             raise tool.ToolError(f"A native frame has the panel's {panel[0]} x {panel[1]} pixels. Press Match Resolution, and set 100 %.")
+
+
+def scripts_are_allowed():
+    """Whether the user lets files run Python, which drivers may have: the exporting Blender must show what this one shows, and trust no more."""
+    return bpy.context.preferences.filepaths.use_scripts_auto_execute or bool({"-y", "--enable-autoexec"} & set(sys.argv))
 
 
 def render_flags(scene):
@@ -103,7 +112,9 @@ class Job:
         self._video = settings.video and not self.still
 
     def _export_words(self):
-        return [bpy.app.binary_path, "-b", "--factory-startup", "-noaudio", "--python-exit-code", "1", "-P", HERE / "scene_export.py", "--", self._request]
+        scripts = "--enable-autoexec" if scripts_are_allowed() else "--disable-autoexec"
+        return [bpy.app.binary_path, "-b", "--factory-startup", "-noaudio", scripts, "--python-exit-code", "1", "-P", HERE / "scene_export.py", "--",
+                self._request]
 
     def _render_words(self):
         told = json.loads(self._told.read_text())

@@ -40,6 +40,14 @@ def figures(zone):
             ("LINES", [(0, 0, 0), ends[0], (0, 0, 0), ends[1], ends[0], eye, eye, ends[1]], ZONE)]
 
 
+def plain_shader():
+    """Blender's shader of one colour, whose name lost its "3D_" in version 4.0."""
+    try:
+        return gpu.shader.from_builtin("UNIFORM_COLOR")
+    except ValueError:
+        return gpu.shader.from_builtin("3D_UNIFORM_COLOR")
+
+
 def draw():
     scene = bpy.context.scene
     if scene.render.engine != "LIPPMANN" or not scene.lippmann.show_overlay or not bpy.context.space_data.overlay.show_overlays:
@@ -48,8 +56,7 @@ def draw():
         zone = frame.zone(scene)
     except tool.ToolError:
         return  # the panel says why
-    name = "UNIFORM_COLOR" if bpy.app.version >= (4, 0, 0) else "3D_UNIFORM_COLOR"
-    shader = gpu.shader.from_builtin(name)
+    shader = plain_shader()
     gpu.state.blend_set("ALPHA")
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(zone.world_from_frame)

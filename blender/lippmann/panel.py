@@ -1,6 +1,7 @@
 """The panel in the render properties, and what its buttons do."""
 
 import subprocess
+import textwrap
 
 import bpy
 
@@ -77,6 +78,17 @@ def stop_viewing():
         ViewInPage.child = None
 
 
+def panel_width(context):
+    return context.region.width / context.preferences.system.ui_scale
+
+
+def show_sentence(layout, text, width):
+    """A label of as many lines as the text needs: Blender cuts what is wider than the panel. Its letters are about 7 pixels wide."""
+    column = layout.column(align=True)
+    for index, line in enumerate(textwrap.wrap(text, max(20, int((width - 60) / 7)))):
+        column.label(text=line, icon="BLANK1" if index else "ERROR")
+
+
 class LIPPMANN_PT_light_field(bpy.types.Panel):
     bl_label = "Light Field"
     bl_space_type = "PROPERTIES"
@@ -97,17 +109,18 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         column.prop(settings, "calibration", text="Or a File")
         column.prop(settings, "output")
         column.operator("lippmann.match_resolution")
-        self._frame(scene, layout)
+        self._frame(context, layout)
         column = layout.column()
         for name in ("samples", "denoise", "full_depth", "folder", "resume", "video", "extra"):
             column.prop(settings, name)
         layout.operator("lippmann.view", icon="URL")
         for warning in engine.last_warnings:
-            layout.label(text=warning, icon="ERROR")
+            show_sentence(layout, warning, panel_width(context))
         if scene.view_settings.view_transform != "Standard":
             layout.label(text="Shown as " + scene.view_settings.view_transform + "; files are not", icon="INFO")
 
-    def _frame(self, scene, layout):
+    def _frame(self, context, layout):
+        scene = context.scene
         settings = scene.lippmann
         column = layout.column()
         column.prop(settings, "frame")
@@ -120,7 +133,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         try:
             zone, display = frame.zone(scene), displays.chosen(scene)
         except tool.ToolError as error:
-            layout.label(text=str(error), icon="ERROR")
+            show_sentence(layout, str(error), panel_width(context))
             return
         budget = display["depth_budget_mm"]
         box = layout.box().column()

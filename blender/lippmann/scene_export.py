@@ -22,7 +22,7 @@ from mathutils import Matrix
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOLID = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
-LOST = {"VOLUME": "volumes", "CURVES": "hair curves", "POINTCLOUD": "point clouds", "GPENCIL": "grease pencil", "LIGHT_PROBE": None, "SPEAKER": None}
+LOST = {"VOLUME": "volumes", "CURVES": "hair curves", "POINTCLOUD": "point clouds", "GPENCIL": "grease pencil", "GREASEPENCIL": "grease pencil", "LIGHT_PROBE": None, "SPEAKER": None}
 EYE = "lippmann-eye"
 
 
@@ -38,22 +38,37 @@ class Report:
 
 
 def load(request):
-    with bpy.data.libraries.load(request["library"]) as (there, here):
-        here.scenes = list(there.scenes)
-    scene = here.scenes[0]
+    """Opens what the user's Blender wrote. It is opened, not read as a library: Blender lists a library's names, and fails at those that are no UTF-8."""
+    bpy.ops.wm.open_mainfile(filepath=request["library"], load_ui=False)
+    scene = bpy.data.scenes[request["scene"]]
     bpy.context.window.scene = scene
     scene.lippmann.display = request["display"]
     scene.lippmann.calibration = request["calibration"]
     return scene
 
 
+def readable(thing):
+    try:
+        return isinstance(thing.name, str)
+    except UnicodeDecodeError:
+        return False
+
+
+def named_lists():
+    """Everything that has names: bones before the vertex groups, which Blender renames with them."""
+    yield from (armature.bones for armature in bpy.data.armatures)
+    yield from (thing.vertex_groups for thing in bpy.data.objects)
+    yield from (layers for mesh in bpy.data.meshes for layers in (mesh.uv_layers, mesh.color_attributes))
+    yield from (keys.key_blocks for keys in bpy.data.shape_keys)
+    yield from (tree.nodes for tree in [*bpy.data.node_groups, *(material.node_tree for material in bpy.data.materials if material.node_tree)])
+    yield from (getattr(bpy.data, kind.identifier) for kind in bpy.data.bl_rna.properties if kind.type == "COLLECTION")
+
+
 def name_everything(report):
     """Names that are no UTF-8, which Python cannot read, get others."""
-    for things in (bpy.data.objects, bpy.data.meshes, bpy.data.materials, bpy.data.images, bpy.data.lights, bpy.data.cameras, bpy.data.actions, bpy.data.armatures):
+    for things in named_lists():
         for index, thing in enumerate(things):
-            try:
-                _ = thing.name
-            except UnicodeDecodeError:
+            if not readable(thing):
                 thing.name = f"unnamed {index}"
                 report.warn("Names that are no UTF-8 were replaced.")
 
@@ -119,6 +134,11 @@ def mesh_of(instance, depsgraph):
     return mesh
 
 
+def emission_of(names):
+    """The Principled BSDF's emitted colour, which Blender 4.0 has renamed."""
+    return "Emission Color" if "Emission Color" in names else "Emission"
+
+
 def shining_area(light, report):
     """A mesh in place of an area light, with its radiance. The light's own blend of colour is kept; it shines along -Z alone, as Blender's does."""
     across = light.size
@@ -134,9 +154,8 @@ def shining_area(light, report):
     material.use_nodes = True
     material.use_backface_culling = True
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
-    emission = "Emission" if "Emission" in shader.inputs else "Emission Color"
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
-    shader.inputs[emission].default_value = (*light.color, 1.0)
+    shader.inputs[emission_of(shader.inputs)].default_value = (*light.color, 1.0)
     shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # as Cycles has it, not pi
     mesh.materials.append(material)
     report.warn("Area lights arrive as shining surfaces of their size, which are seen in the picture; Blender's are not.")
@@ -152,6 +171,7 @@ def sized(light):
         light["radius"] = light.shadow_soft_size
     if light.type == "SPOT":
         light["blend"] = light.spot_blend
+    importlib.import_module(f"{HERE.name}.ies").mark(light)
     return light
 
 
@@ -217,6 +237,14 @@ def set_keys(thing, matrix, frame):
             thing.keyframe_insert(channel, frame=frame)
 
 
+def curves_of(motion):
+    """The curves of an object's keys. Actions have layers from Blender 4.4 on, and from 5.0 on no curves of their own."""
+    if hasattr(motion.action, "fcurves"):
+        return list(motion.action.fcurves)
+    bags = [strip.channelbag(motion.action_slot) for layer in motion.action.layers for strip in layer.strips]
+    return [curve for bag in bags if bag for curve in bag.fcurves]
+
+
 def key_places(thing, places, frames, always=False):
     """Places the object, with keys at all frames where it moves or is not always there, or always."""
     thing.rotation_mode = "QUATERNION"
@@ -233,7 +261,7 @@ def key_places(thing, places, frames, always=False):
             thing.rotation_quaternion.negate()
             thing.keyframe_insert("rotation_quaternion", frame=frame)
         before = thing.rotation_quaternion.copy()
-    for curve in thing.animation_data.action.fcurves:
+    for curve in curves_of(thing.animation_data):
         for point in curve.keyframe_points:
             point.interpolation = "LINEAR"
 
@@ -246,12 +274,29 @@ def eye_of(zone, name):
     return bpy.data.objects.new(name, camera)
 
 
+def simulates(scene):
+    """Whether a frame depends on those before it."""
+    def moves(modifier):
+        grows = modifier.type == "PARTICLE_SYSTEM" and modifier.particle_system.settings.type == "EMITTER"
+        return grows or modifier.type in ("CLOTH", "SOFT_BODY", "FLUID", "DYNAMIC_PAINT")
+
+    return bool(scene.rigidbody_world) or any(moves(modifier) for thing in scene.objects for modifier in thing.modifiers)
+
+
+def play_up_to(scene, frame):
+    """Simulations that are not baked go frame by frame, from the scene's first one, as Blender plays them: a still would show their beginning."""
+    if simulates(scene):
+        for number in range(min(scene.frame_start, frame), frame):
+            scene.frame_set(number)
+
+
 def build_stage(scene, request, report):
     """A scene of what is to be exported, and the zone of its first frame."""
     frame_module = importlib.import_module(f"{HERE.name}.frame")
     first, last = request["frames"]
     frames = list(range(first, last + 1)) if request["still"] else list(range(first, last + 2))  # glTF leaves out the frame at the very end
     tracks, eyes, zone = Tracks(request["still"], report), {}, None
+    play_up_to(scene, first)
     for frame in frames:
         scene.frame_set(frame)
         bpy.context.view_layer.update()
@@ -296,17 +341,22 @@ def keep_deforming(stage, things, report):
             above.append(other.parent)
 
 
-def export_gltf(stage, path, still, has_shape_keys):
-    """Blender's own exporter, with those of the options that this version knows."""
-    bpy.context.window.scene = stage
-    stage.frame_set(stage.frame_start)
-    bpy.context.view_layer.update()  # otherwise objects that are new stand at the origin
+def gltf_options(still, has_shape_keys, known):
+    """What the exporter is asked for, of the options that this version knows: strips of actions, for one, have had three names."""
     options = {"export_format": "GLB", "export_cameras": True, "export_lights": True, "export_apply": not has_shape_keys, "export_yup": True,
                "export_animations": not still, "export_frame_range": True, "export_force_sampling": True, "export_nla_strips": False,
                "export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_morph": True, "export_skins": True,
                "export_extras": True, "use_selection": False, "use_active_scene": True, "export_optimize_animation_size": False}
+    return {name: value for name, value in options.items() if name in known}
+
+
+def export_gltf(stage, path, still, has_shape_keys):
+    """Blender's own exporter."""
+    bpy.context.window.scene = stage
+    stage.frame_set(stage.frame_start)
+    bpy.context.view_layer.update()  # otherwise objects that are new stand at the origin
     known = bpy.ops.export_scene.gltf.get_rna_type().properties.keys()
-    bpy.ops.export_scene.gltf(filepath=path, **{name: value for name, value in options.items() if name in known})
+    bpy.ops.export_scene.gltf(filepath=path, **gltf_options(still, has_shape_keys, known))
 
 
 def plain_world(world):
@@ -358,12 +408,16 @@ def main():
     name_everything(report)
     leave_out_missing_files(report)
     show_as_rendered(scene)
+    importlib.import_module(f"{HERE.name}.losses").say(scene, request["still"], report)
     stage, zone, has_shape_keys = build_stage(scene, request, report)
     export_gltf(stage, request["glb"], request["still"], has_shape_keys)
+    importlib.import_module(f"{HERE.name}.ies").move_profiles(request["glb"])
     colour = plain_world(scene.world)
     if colour is None:
         write_panorama(scene.world, request["world"])
     environment = request["world"] if colour is None else "none" if not any(colour) else ",".join(f"{channel:.7g}" for channel in colour)
+    if bpy.app.autoexec_fail:
+        report.warn("Drivers in Python did not run; start Blender with --enable-autoexec, or allow them in its preferences.")
     told = {"warnings": report.warnings, "environment": environment, "distance": zone.distance, "eye": EYE}
     pathlib.Path(request["report"]).write_text(json.dumps(told))
 

@@ -48,7 +48,7 @@ def last_message(text):
     """The error among what the tool wrote, without its prefix."""
     lines = [line.strip() for line in text.splitlines() if line.strip() and not line.startswith("{")]
     errors = [line for line in lines if re.match(r"(lippmann: )?error", line)]
-    return (errors or lines or ["The tool lippmann failed without a word."])[-1]
+    return re.sub(r"^(lippmann: )?(error: )?", "", (errors or lines or ["The tool lippmann failed without a word."])[-1])
 
 
 class Child:

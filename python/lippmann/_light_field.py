@@ -352,6 +352,7 @@ class LightField:
 
     def to_xarray(self) -> Any:
         """An xarray.Dataset: views, and depth and alpha where they are known, with the axes row, column, y, x, channel and the eyes' places.
+        Lengths have the attribute units, "mm"; the views say whether they are linear radiance (float32) or sRGB codes.
         Throws ImportError where xarray (python3-xarray) is not installed.
         """
         try:
@@ -359,15 +360,16 @@ class LightField:
         except ImportError:
             raise ImportError("xarray is not installed: apt install python3-xarray, or pip install xarray") from None
         axes = ("row", "column", "y", "x")
-        data: Dict[str, Any] = {"views": (axes + ("channel",), self.views)}
+        meaning = "linear radiance" if self.views.dtype == np.float32 else "sRGB codes"
+        data: Dict[str, Any] = {"views": (axes + ("channel",), self.views, {"long_name": meaning})}
         if self._views.depth is not None:
             data["depth"] = (axes, self.depth, {"units": "mm"})
         if self._is_transparent:
             data["alpha"] = (axes, self.alpha)
         places: Dict[str, Any] = {"channel": ["red", "green", "blue"]}
         if self._views.cameras is not None:
-            places["eye_x_mm"] = (axes[:2], self.eyes_mm[..., 0])
-            places["eye_y_mm"] = (axes[:2], self.eyes_mm[..., 1])
+            places["eye_x_mm"] = (axes[:2], self.eyes_mm[..., 0], {"units": "mm"})
+            places["eye_y_mm"] = (axes[:2], self.eyes_mm[..., 1], {"units": "mm"})
         return xarray.Dataset(data, places, {"row_0": "lowest", "column_0": "leftmost"})
 
     def _repr_html_(self) -> str:
@@ -379,7 +381,7 @@ class LightField:
         except Error:  # optics without views: the panel's picture is all there is
             return f"<lippmann.LightField: a panel of {self.picture.shape[1]}x{self.picture.shape[0]} pixels>"
         rows, columns, height, width = shape[:4]
-        return f"<lippmann.LightField: {rows} rows x {columns} columns of views, {width}x{height} pixels, {dtype}>"
+        return f"<lippmann.LightField: {rows} x {columns} views (rows x columns), {width}x{height} pixels, {dtype}>"
 
 
 def _crosstalk(value: Union[float, str]) -> float:

@@ -64,6 +64,13 @@ def _chosen(count: int, most: int) -> List[int]:
     return sorted({round(i) for i in np.linspace(0, count - 1, min(count, max(most, 1)))})
 
 
+def _shown_size(views: np.ndarray) -> str:
+    """The CSS size of a view: its longest side is _SIDE pixels, so that small views are seen, too."""
+    height, width = views.shape[2:4]
+    scale = _SIDE / max(height, width)
+    return f"width:{round(width * scale)}px;height:{round(height * scale)}px;image-rendering:{'pixelated' if scale > 2 else 'auto'}"
+
+
 def html_of(field: Any) -> str:
     """A page's part that needs nothing from elsewhere: pictures and two sliders."""
     try:
@@ -72,9 +79,10 @@ def html_of(field: Any) -> str:
         return f'<img alt="{field!r}" src="{_picture(_small(field.codes))}">'.replace("<lippmann", "&lt;lippmann")
     rows = _chosen(views.shape[0], 9 if views.shape[1] > 1 else _VIEWS)
     columns = _chosen(views.shape[1], _VIEWS // len(rows))
+    size = _shown_size(views)
     middle = len(rows) // 2, len(columns) // 2
     pictures = "".join(
-        f'<img style="display:{"inline" if (i, j) == middle else "none"}" src="{_picture(_codes(views, views[row, column]))}">'
+        f'<img style="display:{"inline" if (i, j) == middle else "none"};{size}" src="{_picture(_codes(views, views[row, column]))}">'
         for i, row in enumerate(rows)
         for j, column in enumerate(columns)
     )

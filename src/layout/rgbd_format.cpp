@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "layout/rgbd_name.hpp"
+#include "layout/rgbd_picture.hpp"
 #include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -78,23 +79,8 @@ RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, 
 
 LightField read_rgbd(const fs::path& path, const FormatOptions& options) {
   const Picture picture = read_picture(path);
-  const Vec2i size = size_of(picture), view(size.x / 2, size.y);
-  if (size.x % 2 != 0 || size.x < 2)
-    throw Error(path.string(), fmt::format("{} pixels across are not those of a picture and of its depth beside it", size.x),
-                "an even width: colours at the left, depth of the same size at the right");
-  const RgbdSideFile side = described_rgbd(path, options, view);
-  LightField field;
-  field.grid = {1, 1}, field.view_size = view, field.aspect = side.size_mm.x / side.size_mm.y;
-  field.stack = blank(picture, view);
-  std::vector<std::uint32_t> pixels;
-  for (int y = 0; y < view.y; ++y)
-    for (int x = 0; x < view.x; ++x) pixels.push_back(static_cast<std::uint32_t>(y * size.x + x));
-  move_pixels(picture, pixels, field.stack, {});
-  field.depth = read_greys(picture, view, path.string());
-  require_depth(*field.depth, path.string());
-  for (float& z : field.depth->data) z = static_cast<float>(depth_of_grey(side.coding, side.distance_mm, z));
-  const Vec2d pixel = side.size_mm / Vec2d(view);
-  field.cameras = ViewCameras{side.distance_mm, pixel, 0.5 * Vec2d(view), {side.eye_mm}};
+  LightField field = light_field_of_rgbd(picture, path, path.string(), options);
+  require_depth(read_greys(picture, field.view_size, path.string()), path.string());
   return field;
 }
 
@@ -162,6 +148,27 @@ std::vector<fs::path> write_rgbd(const LightField& field, const fs::path& path, 
 }
 
 }  // namespace
+
+LightField light_field_of_rgbd(const Picture& picture, const fs::path& file, const std::string& where,
+                               const FormatOptions& options) {
+  const Vec2i size = size_of(picture), view(size.x / 2, size.y);
+  if (size.x % 2 != 0 || size.x < 2)
+    throw Error(where, fmt::format("{} pixels across are not those of a picture and of its depth beside it", size.x),
+                "an even width: colours at the left, depth of the same size at the right");
+  const RgbdSideFile side = described_rgbd(file, options, view);
+  LightField field;
+  field.grid = {1, 1}, field.view_size = view, field.aspect = side.size_mm.x / side.size_mm.y;
+  field.stack = blank(picture, view);
+  std::vector<std::uint32_t> pixels;
+  for (int y = 0; y < view.y; ++y)
+    for (int x = 0; x < view.x; ++x) pixels.push_back(static_cast<std::uint32_t>(y * size.x + x));
+  move_pixels(picture, pixels, field.stack, {});
+  field.depth = read_greys(picture, view, where);
+  for (float& z : field.depth->data) z = static_cast<float>(depth_of_grey(side.coding, side.distance_mm, z));
+  const Vec2d pixel = side.size_mm / Vec2d(view);
+  field.cameras = ViewCameras{side.distance_mm, pixel, 0.5 * Vec2d(view), {side.eye_mm}};
+  return field;
+}
 
 LightFieldFormat rgbd_format() {
   return {"rgbd", "colours of the middle view, and its depth as grey to the right of them", false, true, read_rgbd, write_rgbd};

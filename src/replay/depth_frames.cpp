@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/folder.hpp"
 #include "layout/light_field_source.hpp"
@@ -13,6 +15,8 @@
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "replay/depth_views.hpp"
+#include "replay/rgbd_frames.hpp"
+#include "video/video_reader.hpp"
 
 namespace lippmann {
 namespace {
@@ -74,9 +78,9 @@ void warn_of_assumptions(const fs::path& first, const DepthFramesParams& params,
                   first.string(), range.far_mm, range.near_mm));
 }
 
-fs::path path_for(const DepthFramesParams& params, const LightFieldFormat& to, const fs::path& in, bool one,
+fs::path path_for(const DepthFramesParams& params, const LightFieldFormat& to, const fs::path& name, bool one,
                   const Picture& stack) {
-  fs::path path = one ? params.out : params.out / without_rgbd_name(in.filename()).stem();
+  fs::path path = one ? params.out : params.out / without_rgbd_name(name).stem();
   if (!to.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(stack);
   return path;
 }
@@ -96,26 +100,29 @@ bool is_rgbd(const fs::path& in) {
 
 DepthFrames convert_depth_frames(const DepthFramesParams& params, const Context& context) {
   const LightFieldFormat& to = find_format(params.to, "to");
-  const std::vector<fs::path> frames = light_fields_in(params.in, "rgbd");
-  const bool one = frames.size() == 1 && frames.front() == params.in;
+  if (is_video_name(params.out))
+    throw Error(params.out.string(), "is a video's name; frames are written as pictures",
+                "a folder, of which `lippmann encode` makes a video");
+  RgbdFrames frames(params.in, params.options);
+  const bool one = frames.is_one_picture();
   const ThreadPool pool(resolved_threads(context));
-  warn_of_assumptions(frames.front(), params, context);
+  warn_of_assumptions(frames.first(), params, context);
   FormatOptions writing = params.options;
   DepthFrames made;
   double filled = 0.0;
   const NewFolder folder(one ? params.out.parent_path() : params.out);
-  for (const fs::path& in : frames) {
-    if (context.cancelled) break;
-    const LightField source = rgbd_format().read(in, params.options);
+  int count = 0;
+  while (const std::optional<RgbdFrame> frame = context.cancelled ? std::nullopt : frames.next()) {
+    const LightField& source = frame->field;
     DepthViews views = views_from_depth(source, wanted_optics(source, params), params.depth_scale, pool);
     views.field.stack = with_samples_like(source.stack, std::get<Image>(std::move(views.field.stack)));
-    const NewFolder of_frame(to.is_folder ? path_for(params, to, in, one, source.stack) : fs::path());
-    for (fs::path& file : to.write(views.field, path_for(params, to, in, one, source.stack), writing))
-      made.written.push_back(std::move(file));
+    const fs::path path = path_for(params, to, frame->name, one, source.stack);
+    const NewFolder of_frame(to.is_folder ? path : fs::path());
+    for (fs::path& file : to.write(views.field, path, writing)) made.written.push_back(std::move(file));
     made.views = views.field.grid, made.view_size = views.field.view_size;
-    filled += views.filled_share;
+    filled += views.filled_share, ++count;
   }
-  made.filled_share = filled / static_cast<double>(std::max<std::size_t>(frames.size(), 1));
+  made.filled_share = filled / std::max(count, 1);
   return made;
 }
 

@@ -1,4 +1,5 @@
-// RGB-D pictures shown as light fields: views for a display, or two eyes' views, in any format (replay/depth_views.hpp).
+// RGB-D pictures and videos shown as light fields: views for a display, or two eyes' views, in any format
+// (replay/depth_views.hpp).
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,7 @@
 namespace lippmann {
 
 struct DepthFramesParams {
-  std::filesystem::path in;    ///< a picture, or a folder of frame_*_rgbd.png
+  std::filesystem::path in;    ///< a picture, a folder of frame_*_rgbd.png, or a video
   std::filesystem::path out;   ///< as of convert (layout/convert.hpp)
   std::string to;              ///< a format
   FormatOptions options = {};  ///< views: how many; display: whose quilt they are; depth_range and what is with it: of IN
@@ -28,7 +29,7 @@ struct DepthFrames {
   double filled_share = 0.0;  ///< the share of all pixels that show nothing of the picture and are filled
 };
 
-/// Whether a picture, or the first of a folder's frames, is RGB-D by its name or side file.
+/// Whether a picture or video, or the first of a folder's frames, is RGB-D by its name or side file.
 bool is_rgbd(const std::filesystem::path& in);
 
 /// Codes stay codes of as many bits. Says what is assumed of pictures without a side file. Throws Error naming the file or

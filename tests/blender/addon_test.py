@@ -7,14 +7,17 @@ import struct
 import subprocess
 import sys
 import tempfile
+import tomllib
+import types
 import unittest
+import unittest.mock
 
 import bpy
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import engine, frame, tool  # noqa: E402
+from lippmann import engine, frame, losses, overlay, scene_export, tool  # noqa: E402
 from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
@@ -44,6 +47,48 @@ def contrast(picture):
     values = np.empty(len(image.pixels), np.float32)
     image.pixels.foreach_get(values)
     return values.reshape(-1, image.channels)[:, :3].std()
+
+
+def add_figure(scene):
+    """A plane that a bone turns and a shape key raises, from frame 5 to 6."""
+    bpy.ops.object.armature_add()
+    skeleton = bpy.context.object
+    bone = skeleton.pose.bones[0]
+    bone.rotation_mode = "XYZ"
+    bpy.ops.mesh.primitive_plane_add()
+    figure = bpy.context.object
+    figure.modifiers.new("bent", "ARMATURE").object = skeleton
+    figure.vertex_groups.new(name="Bone").add(range(4), 1.0, "REPLACE")
+    figure.shape_key_add(name="Basis")
+    raised = figure.shape_key_add(name="raised")
+    for point in raised.data:
+        point.co.z += 1.0
+    for number, share in ((5, 0.0), (6, 1.0)):
+        bone.rotation_euler.x, raised.value = 1.5 * share, share
+        bone.keyframe_insert("rotation_euler", frame=number)
+        raised.keyframe_insert("value", frame=number)
+
+
+def add_missing_library(scene, folder):
+    """An object that is linked from a file which is there no more when the scene is opened again."""
+    thing = bpy.data.objects.new("guest", bpy.data.meshes["Cube"])
+    bpy.data.libraries.write(str(folder / "guests.blend"), {thing})
+    bpy.data.objects.remove(thing)
+    with bpy.data.libraries.load(str(folder / "guests.blend"), link=True) as (_, here):
+        here.objects = ["guest"]
+    scene.collection.objects.link(here.objects[0])
+    (folder / "guests.blend").unlink()
+
+
+def open_with_names_replaced(file, names):
+    """Saves the scene with other bytes for names, which must be as long, and opens it: Blender itself takes no name that is no UTF-8."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(file), compress=False)
+    data = file.read_bytes()
+    for old, new in names.items():
+        data = data.replace(old, new)
+    file.write_bytes(data)
+    bpy.ops.wm.open_mainfile(filepath=str(file))
+    return bpy.context.scene
 
 
 def failure(operator, **arguments):
@@ -83,15 +128,17 @@ class AddOn(unittest.TestCase):
         bpy.ops.mesh.primitive_plane_add()
         follower = bpy.context.object
         follower.constraints.new("COPY_LOCATION").target = cube
+        interrupted = jobs.Job(scene, False)
+        interrupted.frame(3)
+        interrupted.stop()  # as Esc does
+        before = [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)]
         bpy.ops.render.render(animation=True)
+        self.assertEqual(before, [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)])
         self.assertTrue(tool.pictures(self.folder / "animation", 3) and tool.pictures(self.folder / "animation", 4))
         self.assertTrue((self.folder / "blender_0004.png").is_file())
         document = gltf(self.folder)
         moved = {document["nodes"][channel["target"]["node"]]["name"] for motion in document["animations"] for channel in motion["channels"]}
         self.assertTrue(any(name.startswith("Plane") for name in moved), moved)
-        before = [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)]
-        bpy.ops.render.render(animation=True)
-        self.assertEqual(before, [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)])
 
     def test_a_frame_stands_at_the_camera_s_focus_and_at_objects(self):
         scene = new_scene(self.folder, "single")
@@ -157,6 +204,72 @@ class AddOn(unittest.TestCase):
         self.assertTrue(any("bark" in warning for warning in engine.last_warnings), engine.last_warnings)
         self.assertTrue(tool.pictures(self.folder / "still", 0))
 
+    def test_a_maker_s_animation_arrives_as_native_frames_and_a_video_and_what_is_lost_is_said(self):
+        folder = self.folder / "Käfer"
+        folder.mkdir()
+        scene = new_scene(folder, "native", samples=1, size=(48, 64))
+        (folder / "panel.toml").write_text('base = "looking-glass-portrait"\npixels = [48, 64]\n')
+        scene.lippmann.calibration, scene.lippmann.video = str(folder / "panel.toml"), True
+        scene.render.fps, scene.frame_start, scene.frame_end = 24, 5, 6
+        add_figure(scene)
+        add_missing_library(scene, folder)
+        checks = bpy.data.materials["Material"].node_tree
+        checks.links.new(checks.nodes.new("ShaderNodeTexChecker").outputs["Color"], checks.nodes["Principled BSDF"].inputs["Base Color"])
+        scene.camera.data.dof.use_dof = True
+        bpy.data.objects["Cube"].name, bpy.data.materials["Material"].name = "XKAEFERX", "XLACKX"
+        scene = open_with_names_replaced(folder / "größe.blend", {b"XKAEFERX": b"XK\xc4FERXX", b"XLACKX": b"XL\xc4CKX"})
+        scene.lippmann.folder = str(folder)
+        bpy.ops.render.render(animation=True)
+        pictures = [tool.pictures(folder / "animation", number)[0] for number in (5, 6)]
+        image = bpy.data.images.load(str(pictures[0]))
+        self.assertEqual(tuple(image.size), (48, 64))
+        self.assertNotEqual(pictures[0].read_bytes(), pictures[1].read_bytes())
+        self.assertTrue((folder / "animation" / "video.mp4").is_file())
+        document = gltf(folder)
+        self.assertEqual((len(document["skins"]), [len(m["primitives"][0]["targets"]) for m in document["meshes"] if "targets" in m["primitives"][0]]), (1, [1]))
+        joints = set(document["skins"][0]["joints"])
+        targets = [channel["target"] for motion in document["animations"] for channel in motion["channels"]]
+        self.assertTrue(any(target["path"] == "rotation" and target["node"] in joints for target in targets))
+        self.assertTrue(any(target["path"] == "weights" for target in targets))
+        said = " ".join(engine.last_warnings)
+        for words in ("no UTF-8", "guests.blend is missing", "Checker Texture", "Depth of field"):
+            self.assertIn(words, said)
+
+    def test_what_gltf_cannot_carry_of_materials_and_lights_is_said(self):
+        new_scene(self.folder, "single")
+        material = bpy.data.materials["Material"]
+        self.assertEqual(losses.lost_of_material(material), [])
+        tree = material.node_tree
+        shader, output = tree.nodes["Principled BSDF"], tree.get_output_node("ALL")
+        picture = tree.nodes.new("ShaderNodeTexImage")
+        tree.links.new(picture.outputs["Color"], shader.inputs["Base Color"])
+        tree.links.new(tree.nodes.new("ShaderNodeNormalMap").outputs["Normal"], shader.inputs["Normal"])
+        self.assertEqual(losses.lost_of_material(material), [])
+        tree.links.new(tree.nodes.new("ShaderNodeTexCoord").outputs["Object"], picture.inputs["Vector"])
+        tree.links.new(tree.nodes.new("ShaderNodeTexNoise").outputs["Fac"], output.inputs["Displacement"])
+        self.assertEqual(losses.lost_of_material(material), ["coordinates Object", "displacement"])
+        tree.links.new(tree.nodes.new("ShaderNodeMixShader").outputs[0], output.inputs["Surface"])
+        self.assertEqual(losses.lost_of_material(material), ["Mix Shader", "displacement"])
+        light = bpy.data.lights["Light"]
+        light.use_nodes = True
+        self.assertFalse(losses.has_nodes_of_its_own(light))
+        emission = light.node_tree.nodes["Emission"]
+        light.node_tree.links.new(light.node_tree.nodes.new("ShaderNodeTexIES").outputs["Fac"], emission.inputs["Strength"])
+        self.assertTrue(losses.has_nodes_of_its_own(light))
+        self.assertFalse(losses.is_animated(light))
+        light.keyframe_insert("energy", frame=1)
+        self.assertTrue(losses.is_animated(light))
+
+    def test_simulations_play_up_to_the_frame_of_a_still(self):
+        scene = new_scene(self.folder, "single")
+        scene.frame_start = 1
+        self.assertFalse(scene_export.simulates(scene))
+        bpy.context.view_layer.objects.active = bpy.data.objects["Cube"]
+        bpy.ops.rigidbody.object_add()
+        scene_export.play_up_to(scene, 12)
+        scene.frame_set(12)
+        self.assertLess(bpy.data.objects["Cube"].evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.translation.z, -0.5)
+
     def test_a_sky_of_nodes_becomes_a_panorama(self):
         scene = new_scene(self.folder, "single", samples=1)
         tree = scene.world.node_tree
@@ -210,14 +323,93 @@ class AddOn(unittest.TestCase):
         self.assertFalse(any("size" in warning for warning in engine.last_warnings), engine.last_warnings)
         self.assertNotIn("radius", bpy.data.lights["POINT of mine"])  # which are the user's own
 
+    def test_a_lamp_s_light_profile_arrives_and_one_that_is_missing_is_said(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        text = bpy.data.texts.new("profile")
+        text.write("IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 1\n0 45 90\n0\n800 400 0\n")
+        for name, internal in (("measured", True), ("lost", False)):
+            light = bpy.data.lights.new(name, "POINT")
+            light.use_nodes, light.energy = True, 177.83
+            node = light.node_tree.nodes.new("ShaderNodeTexIES")
+            light.node_tree.links.new(node.outputs["Fac"], light.node_tree.nodes["Emission"].inputs["Strength"])
+            if internal:
+                node.ies, node.inputs["Strength"].default_value = text, 2.0
+            else:
+                node.mode, node.filepath = "EXTERNAL", "/nowhere/lamp.ies"
+            scene.collection.objects.link(bpy.data.objects.new(name, light))
+        bpy.ops.render.render()
+        document = gltf(self.folder)
+        lamp, = [node["extensions"] for node in document["nodes"] if "EXT_lights_ies" in node.get("extensions", {})]
+        self.assertNotIn("KHR_lights_punctual", lamp)
+        self.assertAlmostEqual(lamp["EXT_lights_ies"]["multiplier"], 2.0, places=4)
+        self.assertTrue(document["extensions"]["EXT_lights_ies"]["lights"][0]["name"].startswith("measured"))
+        self.assertFalse(any("ies" in light["extras"] for light in document["extensions"]["KHR_lights_punctual"]["lights"]))
+        said = " ".join(engine.last_warnings)
+        self.assertIn("profile of lost is missing", said)
+        self.assertNotIn("measured", said)
+        self.assertTrue(tool.pictures(self.folder / "still", 0))
+
     def test_a_tool_that_is_not_there_is_said(self):
         with self.assertRaisesRegex(tool.ToolError, "not at /nowhere/lippmann"):
             tool.find("/nowhere/lippmann")
+
+    def test_what_a_child_says_last_is_told_without_its_prefix(self):
+        self.assertEqual(tool.last_message("Traceback\nerror: The scene shows nothing.\nquit"), "The scene shows nothing.")
+        self.assertEqual(tool.last_message('{"frame":1}\nlippmann: --spp: is 0; accepted: 1\n'), "--spp: is 0; accepted: 1")
+        self.assertIn("without a word", tool.last_message(""))
 
     def test_a_stopped_child_leaves_no_process(self):
         child = tool.Child(["sleep", "60"], self.folder / "log")
         child.stop()
         self.assertFalse(child.running())
+
+
+class Fake:
+    """An object with the attributes that a later Blender's has, for what Blender 3.4 cannot show."""
+
+    def __init__(self, **attributes):
+        self.__dict__.update(attributes)
+
+
+class LaterVersions(unittest.TestCase):
+    def test_curves_are_those_of_layered_actions_where_actions_have_none(self):
+        bag = Fake(fcurves=["x", "y"])
+        strip = Fake(channelbag=lambda slot: bag if slot == "mine" else None)
+        layered = Fake(layers=[Fake(strips=[strip])])
+        self.assertEqual(scene_export.curves_of(Fake(action=layered, action_slot="mine")), ["x", "y"])
+        self.assertEqual(scene_export.curves_of(Fake(action=layered, action_slot="other")), [])
+        self.assertEqual(scene_export.curves_of(Fake(action=Fake(fcurves=["z"]))), ["z"])
+
+    def test_the_exporter_is_asked_only_for_what_it_knows(self):
+        later = {"export_animation_mode", "export_anim_slide_to_zero", "export_animations", "export_vertex_color"}
+        self.assertEqual(scene_export.gltf_options(False, False, later),
+                         {"export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_animations": True})
+
+    def test_emission_has_either_name(self):
+        self.assertEqual(scene_export.emission_of({"Emission": 1, "Emission Strength": 1}), "Emission")
+        self.assertEqual(scene_export.emission_of({"Emission Color": 1, "Emission Strength": 1}), "Emission Color")
+
+    def test_the_overlay_s_shader_has_either_name(self):
+        for name in ("UNIFORM_COLOR", "3D_UNIFORM_COLOR"):
+            def built_in(wanted, known=name):
+                if wanted != known:
+                    raise ValueError(wanted)
+                return known
+            with unittest.mock.patch.object(overlay, "gpu", types.SimpleNamespace(shader=types.SimpleNamespace(from_builtin=built_in))):
+                self.assertEqual(overlay.plain_shader(), name)
+
+    def test_compositing_is_found_with_or_without_a_group_of_its_own(self):
+        self.assertTrue(losses.composites(Fake(compositing_node_group=Fake())))
+        self.assertFalse(losses.composites(Fake(compositing_node_group=None, use_nodes=True)))
+        self.assertTrue(losses.composites(Fake(use_nodes=True)))
+
+    def test_the_extension_s_manifest_agrees_with_the_add_on(self):
+        manifest = tomllib.loads((pathlib.Path(lippmann.__file__).parent / "blender_manifest.toml").read_text())
+        self.assertEqual(manifest["version"], ".".join(map(str, lippmann.bl_info["version"])))
+        self.assertEqual((manifest["id"], manifest["name"], manifest["type"]), ("lippmann", lippmann.bl_info["name"], "add-on"))
+        for text in (manifest["tagline"], *manifest["permissions"].values()):  # Blender refuses longer ones, and full stops
+            self.assertLessEqual(len(text), 64)
+            self.assertFalse(text.endswith("."))
 
 
 done = unittest.main(argv=["addon_test"], exit=False, verbosity=2)

@@ -68,6 +68,26 @@ TEST(Convert, of_colours_and_depth_says_what_share_is_filled_and_what_is_assumed
               HasSubstr("--depth-range"));
 }
 
+TEST(Convert, of_a_video_of_colours_and_depth_makes_what_its_frames_make) {
+  const TempDir dir;
+  expect_done(dir, {"render", "room", "--size", "60x80", "--frames", "0-1", "--layout", "rgbd", "-o", "a"});
+  expect_done(dir, {"encode", "a", "clip_rgbd.mkv"});
+  fs::copy_file(dir / "a/frame_0000_rgbd.png.json", dir / "clip_rgbd.mkv.json");
+  fs::copy_file(dir / "a/frame_0000_rgbd.png.json", dir / "a/frame_0001_rgbd.png.json",
+                fs::copy_options::overwrite_existing);  // one range of depths for all of a video's frames
+  const Words rest{"--to", "quilt", "--quilt", "3x1", "--views", "3x1"};
+  const Json of_video = report_of(dir, Words{"convert", "clip_rgbd.mkv", "v"} + rest);
+  const Json of_pictures = report_of(dir, Words{"convert", "a", "p"} + rest);
+  EXPECT_GT(of_video["filled_share"], 0.0);
+  EXPECT_EQ(of_video["filled_share"], of_pictures["filled_share"]);
+  ASSERT_EQ(of_video["files"].size(), of_pictures["files"].size());
+  for (std::size_t i = 0; i < of_video["files"].size(); ++i) {
+    const fs::path made = dir / of_video["files"][i].get<std::string>();
+    EXPECT_EQ(bytes_of(made), bytes_of(dir / "p" / made.filename())) << made;
+  }
+  expect_refusal(run_tool(dir, Words{"convert", "clip_rgbd.mkv", "v.mp4"} + rest), 1, "lippmann encode");
+}
+
 TEST(Convert, turns_depth_round_by_both_ways_and_precompensates) {
   const TempDir dir;
   expect_done(dir, small_teapot("0", "out"));

@@ -21,6 +21,27 @@ Words commands_of_readme() {
   return commands;
 }
 
+/// What follows a word at the start of a file's lines, without comments and spaces at the end.
+Words after_word(const fs::path& path, const std::string& word) {
+  std::ifstream file(path);
+  Words found;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with(word)) continue;
+    line = line.substr(word.size(), line.find('#') - word.size());
+    found.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
+  }
+  return found;
+}
+
+TEST(Readme, dockerfile_runs_its_two_commands_and_no_other) {
+  const fs::path root(LIPPMANN_SOURCE);
+  Words commands;
+  for (const std::string& script : after_word(root / "README.md", "scripts/")) commands.push_back("scripts/" + script);
+  EXPECT_EQ(commands.size(), 2u);
+  EXPECT_EQ(after_word(root / "Dockerfile", "RUN "), commands);
+  for (const std::string& command : commands) EXPECT_TRUE(fs::exists(root / command)) << command;
+}
+
 /// What one line runs: renders only check what they would make, unless something in the same line reads it.
 std::string quick(const std::string& line) {
   const bool alone = line.find("&&") == std::string::npos;

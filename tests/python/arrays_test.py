@@ -122,6 +122,12 @@ class Arrays(Case):
         self.assertIsInstance(data, xarray.Dataset)
         self.assertEqual(data.views.dims, ("row", "column", "y", "x", "channel"))
         self.assertSame(data.depth.values, field.depth)
+        self.assertSame(data.views.sel(channel="green").values, field.views[..., 1])
+        self.assertSame(data.eye_x_mm.values, field.eyes_mm[..., 0])
+        self.assertEqual((data.depth.units, data.eye_y_mm.units, data.views.long_name), ("mm", "mm", "linear radiance"))
+        self.assertEqual(data.mean(("row", "column")).views.dims, ("y", "x", "channel"))
+        codes = lippmann.LightField(np.zeros((1, 2, 4, 4, 3), np.uint8)).to_xarray()
+        self.assertEqual(codes.views.long_name, "sRGB codes")
 
     def test_what_xarray_is_given_has_an_axis_for_every_dimension(self):
         class Dataset:  # as far as its constructor checks
@@ -144,4 +150,5 @@ class Arrays(Case):
         self.assertEqual(html.count("<img"), 6)
         self.assertEqual(html.count('type="range"'), 2)
         self.assertNotIn("http", html)
-        self.assertEqual(html.count("display:inline\""), 1)
+        self.assertEqual(html.count("display:inline;"), 1)
+        self.assertEqual(html.count("width:320px;height:240px"), 6)  # small views are shown larger

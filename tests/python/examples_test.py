@@ -44,7 +44,7 @@ class Examples(Case):
     def test_convert_refocus(self):
         lippmann.render("room", small_grid(3, 3, (48, 64)), frame=9, layers=["depth"]).save(self.folder / "hci", "hci")
         said = self.run_example("convert_refocus.py", "hci", "stanford")
-        self.assertIn("3 rows x 3 columns of views, 64x48 pixels, uint8", said)
+        self.assertIn("3 x 3 views (rows x columns), 64x48 pixels, uint8", said)
         self.assertEqual(len(list((self.folder / "stanford").glob("out_*"))), 9)
 
     def test_native_frame(self):

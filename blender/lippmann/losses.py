@@ -1,0 +1,138 @@
+"""What of a Blender scene glTF cannot carry, one sentence each, so that the panel can say what a picture lacks.
+
+Blender's exporter reads one Principled BSDF or Emission right at the material's output, with image textures; nodes that compute colours are not evaluated.
+"""
+
+SHADERS = {"BSDF_PRINCIPLED", "EMISSION", "BACKGROUND"}
+CARRIED = {"TEX_IMAGE", "NORMAL_MAP", "MAPPING", "UVMAP", "TEX_COORD", "SEPARATE_COLOR", "SEPRGB", "RGB", "VALUE", "REROUTE", "VERTEX_COLOR", "MATH"}
+STRANDS = {"PATH", "HALO", "LINE"}
+MOVING = {"MOVIE", "SEQUENCE", "TILED"}
+
+
+def upstream(node):
+    """The nodes that a node's inputs come from, however far away."""
+    found, todo = [], [node]
+    while todo:
+        for socket in todo.pop().inputs:
+            for link in socket.links:
+                if link.from_node not in found:
+                    found.append(link.from_node)
+                    todo.append(link.from_node)
+    return found
+
+
+def source(socket):
+    """The node that a socket is linked to, past reroutes; None without one."""
+    while socket.links and socket.links[0].from_node.type == "REROUTE":
+        socket = socket.links[0].from_node.inputs[0]
+    return socket.links[0].from_node if socket.links else None
+
+
+def multiplies(node):
+    """Whether a node mixes by multiplication, which the exporter makes a factor of."""
+    return node.type in ("MIX", "MIX_RGB") and node.blend_type == "MULTIPLY"
+
+
+def lost_of_node(node):
+    """What is lost of a node below a shader, in words; None where nothing is."""
+    if node.type == "TEX_COORD":
+        others = [output.name for output in node.outputs if output.is_linked and output.name != "UV"]
+        return f"coordinates {', '.join(others)}" if others else None
+    if node.type == "TEX_IMAGE" and node.image and node.image.source in MOVING:
+        return f"{node.image.name}, which is no single picture"
+    return None if node.type in CARRIED or multiplies(node) else node.bl_label
+
+
+def lost_of_material(material):
+    """What is lost of a material, each thing once."""
+    output = material.node_tree.get_output_node("ALL") if material.use_nodes and material.node_tree else None
+    if output is None:
+        return []
+    shader = source(output.inputs["Surface"])
+    lost = [name.lower() for name in ("Volume", "Displacement") if output.inputs[name].is_linked]
+    if shader is None:
+        return lost
+    if shader.type not in SHADERS:
+        return [shader.bl_label, *lost]
+    return list(dict.fromkeys([words for words in map(lost_of_node, upstream(shader)) if words] + lost))
+
+
+def is_animated(thing):
+    """Whether keys or drivers change a datablock or its nodes."""
+    motions = [getattr(owner, "animation_data", None) for owner in (thing, getattr(thing, "node_tree", None)) if owner]
+    return any(motion and (motion.action or len(motion.drivers)) for motion in motions)
+
+
+def say_of_materials(materials, still, report):
+    for material in materials:
+        lost = lost_of_material(material)
+        if lost:
+            report.warn(f"The material {material.name} loses what glTF cannot carry: {', '.join(lost)}.")
+        if not still and is_animated(material):
+            report.warn(f"The material {material.name} is animated; it stays as in the first frame.")
+
+
+def has_nodes_of_its_own(light):
+    """Whether a light's nodes say more than its own colour and power."""
+    if not light.use_nodes or not light.node_tree:
+        return False
+    output = light.node_tree.get_output_node("ALL")
+    shader = source(output.inputs["Surface"]) if output else None
+    plain = shader and shader.type == "EMISSION" and not upstream(shader) and tuple(shader.inputs["Color"].default_value)[:3] == (1.0, 1.0, 1.0)
+    return not plain or shader.inputs["Strength"].default_value != 1.0
+
+
+def say_of_lights(lights, still, report):
+    from . import ies  # which uses this module
+
+    for light in lights:
+        profile = ies.profile_of(light)
+        if profile and profile[0] is ies.MISSING:
+            report.warn(f"The light profile of {light.name} is missing; it shines evenly.")
+        elif not profile and has_nodes_of_its_own(light):
+            report.warn(f"The light {light.name} loses its nodes; its colour and power are kept.")
+        if not still and is_animated(light):
+            report.warn(f"The light {light.name} is animated; it stays as in the first frame.")
+
+
+def say_of_objects(things, report):
+    for thing in things:
+        for modifier in thing.modifiers:
+            if modifier.type == "PARTICLE_SYSTEM" and modifier.particle_system.settings.render_type in STRANDS:
+                report.warn(f"Particles of {thing.name} that are strands or halos are left out.")
+        unseen = not getattr(thing, "visible_camera", True) or getattr(thing, "is_holdout", False) or getattr(thing, "is_shadow_catcher", False)
+        if unseen and thing.type != "LIGHT":  # which glTF shows to no camera, either
+            report.warn(f"{thing.name} is hidden from cameras, a holdout or a shadow catcher; it is shown like any other object.")
+
+
+def composites(scene):
+    """Whether Blender's compositor has nodes: from version 5.0 on in a group of the scene."""
+    if hasattr(scene, "compositing_node_group"):
+        return scene.compositing_node_group is not None
+    return scene.use_nodes
+
+
+def say_of_scene(scene, report):
+    camera = scene.camera
+    if camera and camera.type == "CAMERA" and camera.data.dof.use_dof:
+        report.warn("Depth of field is left out.")
+    if scene.render.use_motion_blur:
+        report.warn("Motion blur is left out.")
+    if getattr(scene.render, "use_freestyle", False):
+        report.warn("Freestyle's lines are left out.")
+    if scene.render.use_compositing and composites(scene):
+        report.warn("Compositing changes what Blender shows, not the tool's pictures.")
+
+
+def say(scene, still, report):
+    """All that is lost of what the scene's visible objects are made of. Call it after missing textures are gone."""
+    things = [thing for thing in scene.objects if not thing.hide_render]
+    shown = {thing.instance_collection for thing in things if thing.instance_collection}
+    things += [thing for collection in sorted(shown, key=lambda c: c.name) for thing in collection.all_objects]
+    materials = {slot.material: None for thing in things for slot in thing.material_slots if slot.material}
+    say_of_materials(materials, still, report)
+    say_of_lights({thing.data: None for thing in things if thing.type == "LIGHT"}, still, report)
+    say_of_objects(things, report)
+    say_of_scene(scene, report)
+    if not still and scene.world and is_animated(scene.world):
+        report.warn("The world is animated; it stays as in the first frame.")
