@@ -136,7 +136,7 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
       onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions, shown), shown),
       onlyIf(() => hasViews() && store.state.show !== "display", focusGroup(store, actions, shown), shown),
       pictureGroup(store, field, actions, hasViews, shown),
-      actions.live ? null : playGroup(actions.player, shown),
+      playGroup(actions.player, actions.live !== null, shown),
       element(
         "div",
         { className: "buttons" },
@@ -271,18 +271,20 @@ function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTML
   return row;
 }
 
-function playGroup(player: Player, shown: Shown[]): HTMLElement {
+function playGroup(player: Player, isLive: boolean, shown: Shown[]): HTMLElement {
   const fill = button("Full screen", () => void player.toggleFullScreen());
+  const second = button("Set up in another window", () => player.openSetUp());
   const value = element("output", { className: "value" });
   shown.push({
     update: () => {
       value.value = player.describe();
       fill.hidden = !player.isPlaying || !player.canFillScreen;
+      second.hidden = !player.isPlaying || !isLive;
     },
   });
   const calibration = button("Calibration\u2026", () => player.choose());
   calibration.title = "visual.json of the panel; it may be dropped on the page, too";
-  return group("Calibrated panel", element("div", { className: "row panel" }, value), element("div", { className: "buttons" }, fill, calibration));
+  return group("Calibrated panel", element("div", { className: "row panel" }, value), element("div", { className: "buttons" }, fill, second, calibration));
 }
 
 function compareGroup(store: Store, shown: Shown[]): HTMLElement {

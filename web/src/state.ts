@@ -104,12 +104,13 @@ export class Store {
   private readonly listeners: (() => void)[] = [];
   private addressTimer = 0;
 
-  /** plays: whether there is a display to play on. */
+  /** plays: whether there is a display to play on; beginsPlaying: whether it is what the page begins with. */
   constructor(
     readonly fields: Field[],
     public plays = false,
+    beginsPlaying = plays,
   ) {
-    this.defaults = defaultState(fields, plays);
+    this.defaults = defaultState(fields, beginsPlaying);
     this.state = { ...this.defaults };
     this.readAddress();
   }
