@@ -57,6 +57,7 @@ export class Live {
   private confirmed = 0;
   private sending = false;
   private shownId = 0;
+  private states = 0;
 
   constructor(
     readonly about: Choices,
@@ -97,6 +98,11 @@ export class Live {
     return !!state && !!picture && !this.sending && picture.id === this.shownId && picture.version === state.version && picture.pass === "final";
   }
 
+  /** Whether what has come is the first that the program says. */
+  get isNew(): boolean {
+    return this.states <= 1;
+  }
+
   /** The frame that another page has chosen, where this one asks for none; null: there is nothing to follow. */
   get othersFrame(): number | null {
     const { state } = this;
@@ -112,7 +118,7 @@ export class Live {
   }
 
   setFrame(frame: number): void {
-    if (frame === this.state?.frame && !this.waiting) return;
+    if (!this.state || (frame === this.state.frame && !this.waiting)) return;
     this.waiting = { ...this.waiting, frame };
     void this.send();
   }
@@ -188,6 +194,7 @@ export class Live {
 
   private take(state: LiveState): void {
     this.state = state;
+    this.states++;
     if (!this.sending && !this.waiting && state.version >= this.confirmed) this.wanted = {};
     this.notify("error", state.error);
   }

@@ -131,11 +131,11 @@ export class App {
   /** Of a scene that is set up: settings, pictures or a render are further than they were. */
   private hearOfScene(picture: boolean): void {
     const [field] = this.fields;
+    this.followOthers();
     if (this.eyeHome !== field.eye_mm.join()) {
       this.eyeHome = field.eye_mm.join();
       this.store.set({ eye: field.eye_mm });
     }
-    this.followOthers();
     byId("facts").textContent = `${describe({ ...field, depth: false })}${this.progress()}`;
     byId("facts").title = this.live?.state?.depth.summary ?? "";
     byId("stage").dataset.rest = String(this.live?.isAtRest);
@@ -143,10 +143,12 @@ export class App {
     this.updateControls();
   }
 
-  /** A panel's page shows what is set up in another one beside it: the frame, too. */
+  /** A panel's page shows what is set up in another one beside it: the frame, too. The program says with which frame a page
+   *  begins, unless its address does. */
   private followOthers(): void {
     const frame = this.live?.othersFrame ?? null;
-    if (frame !== null && !this.timeline.playing) this.store.set({ frame });
+    if (this.live?.isNew && this.store.state.frame > 0) this.live.setFrame(this.store.state.frame);
+    else if (frame !== null && !this.timeline.playing) this.store.set({ frame });
     if (this.live?.state) this.player.follow(this.live.state.display);
   }
 
