@@ -94,7 +94,7 @@ TEST(LiveScene, tells_the_panel_that_it_is_set_up_for) {
   scene.require_playable();
   EXPECT_EQ(scene.display()["pixels"], (Json{60, 45}));
   EXPECT_EQ(scene.display()["filter"], "gaussian");
-  scene.change({{"settings", {{"display", "microlens-1mm-4k"}, {"views", ""}}}});
+  scene.change({{"settings", {{"display", ""}, {"optics", "multiview"}}}});
   test::wait_for(scene, [](const Json& state) { return state["display"].is_null(); });
   const auto of_no_display = test::live_scene(test::small_room());
   EXPECT_TRUE(of_no_display->display().is_null());

@@ -127,16 +127,18 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   const shown: Shown[] = [];
   const { fields } = store;
   const field = fields[0];
+  const beginsOnPanel = actions.live?.about.plays ?? false;
   const hasViews = () => field.across.views * field.up.views > 1;
   parent.append(
     ...[
+      beginsOnPanel ? playGroup(actions.player, true, shown) : null,
       ...(actions.live ? setUpGroups(store, field, actions.live, shown) : []),
       actions.run ? runGroup(actions.run, shown) : null,
       fields.length > 1 ? compareGroup(store, shown) : null,
       onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions, shown), shown),
       onlyIf(() => hasViews() && store.state.show !== "display", focusGroup(store, actions, shown), shown),
       pictureGroup(store, field, actions, hasViews, shown),
-      playGroup(actions.player, actions.live !== null, shown),
+      beginsOnPanel ? null : playGroup(actions.player, actions.live !== null, shown),
       element(
         "div",
         { className: "buttons" },

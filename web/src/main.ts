@@ -78,7 +78,7 @@ export class App {
     run: RunState | null,
   ) {
     this.run = run && new Run(run, fields[0], () => this.hearOfRun(), (topic, text) => this.notify(topic, text));
-    this.store = new Store(fields, display !== null, display !== null && (about?.plays ?? true));
+    this.store = new Store(fields, display !== null, display !== null && (about?.plays ?? true), about !== null);
     const gl = openGl(this.canvas);
     this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
     this.renderer = new Renderer(gl, fields, this.frames);
@@ -236,7 +236,9 @@ export class App {
   }
 
   private hearOfHeadset(): void {
-    byId("stage").dataset.headset = String(this.headset?.isOn ?? false);
+    const isOn = this.headset?.isOn ?? false;
+    byId("stage").dataset.headset = String(isOn);
+    this.notify("in headset", isOn ? "The headset shows the light field, and this page waits. Leave VR comes back to it." : "");
     this.updateControls();
     this.redraw();
   }

@@ -135,7 +135,7 @@ export class Player {
     const { gl } = this;
     if (gl.drawingBufferWidth !== gl.canvas.width || gl.drawingBufferHeight !== gl.canvas.height)
       return `This device draws ${sizeText([gl.drawingBufferWidth, gl.drawingBufferHeight])} pixels at most, and the panel has ${sizeText(pixels)}.`;
-    if (!fills) return this.canFillScreen ? "Shown as a picture. On the panel's screen, F plays it pixel for pixel." : "Shown as a picture: this browser cannot fill the screen.";
+    if (!fills) return this.canFillScreen ? "Shown as a picture. On the panel's screen, \u201cFull screen\u201d or F plays it pixel for pixel." : "Shown as a picture: this browser cannot fill the screen.";
     const screen = [Math.round(window.innerWidth * ratio), Math.round(window.innerHeight * ratio)];
     const fits = screen.every((side, i) => Math.abs(side - pixels[i]) <= ratio);
     return fits ? "" : `This screen has ${sizeText(screen)} pixels, and the panel ${sizeText(pixels)}: move the window to the panel's screen.`;
