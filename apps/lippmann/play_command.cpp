@@ -1,5 +1,5 @@
-// `lippmann play IN --display CAL`: a light field on a calibrated panel, interlaced by the page in the browser; or a scene, which
-// is set up while the panel shows it.
+// `lippmann play IN --display CAL`: a light field on a calibrated panel, interlaced by the page in the browser; or a scene,
+// which is set up while the panel shows it.
 #include <fmt/core.h>
 
 #include <memory>
@@ -70,7 +70,8 @@ int run(const PlayOptions& options, Context& context) {
 void add_play_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<PlayOptions>();
   const Command command = root.add_command(
-      "play", "Play a light field on a calibrated panel, full screen in the browser, interlaced as it plays; or set up a scene on it");
+      "play",
+      "Play a light field on a calibrated panel, full screen in the browser, interlaced as it plays; or set up a scene on it");
   command.footer("Open the page on the panel's screen and press F; see docs/view.md.");
   command
       .add_option(
@@ -79,9 +80,10 @@ void add_play_command(const Command& root, Action& chosen) {
           "`lippmann render` takes them")
       .required();
   command
-      .add_option("--display", options->display,
-                  "The panel: its calibration .json (visual.json), a name (see: lippmann displays), or a .toml of your own; a job "
-                  "may name it, too")
+      .add_option(
+          "--display", options->display,
+          "The panel: its calibration .json (visual.json), a name (see: lippmann displays), or a .toml of your own; a job "
+          "may name it, too")
       .type_name("NAME|FILE");
   add_view_filter_flags(command, options->filter, "");
   add_page_server_flags(command, options->server);

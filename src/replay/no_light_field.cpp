@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using Entries = std::vector<fs::directory_entry>;
 
-constexpr const char* kFramesOrViews = "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads";
+constexpr const char* kFramesOrViews =
+    "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads";
 
 /// The name of the first entry whose name is such; empty: there is none.
 std::string first_name(const Entries& entries, bool (*is_such)(const fs::path&)) {
@@ -33,10 +34,12 @@ void refuse_folder(const fs::path& folder) {
     throw Error(folder.string(), fmt::format("there are no frames in it, but videos ({}), of which no views are read", video),
                 "the folder of frames that they were made of");
   if (fs::exists(folder / "job.toml"))
-    throw Error(folder.string(), "there are no frames in it, but a job that has not been rendered",
-                fmt::format("`lippmann render {0}` first, or `lippmann view {0}`, which sets it up", (folder / "job.toml").string()));
+    throw Error(
+        folder.string(), "there are no frames in it, but a job that has not been rendered",
+        fmt::format("`lippmann render {0}` first, or `lippmann view {0}`, which sets it up", (folder / "job.toml").string()));
   if (const std::string picture = first_name(entries, is_picture_name); !picture.empty())
-    throw Error(folder.string(), fmt::format("there are pictures in it ({}), but none is called as a frame or a view is", picture),
+    throw Error(folder.string(),
+                fmt::format("there are pictures in it ({}), but none is called as a frame or a view is", picture),
                 fmt::format("{}; a picture alone by its own name", kFramesOrViews));
 }
 
