@@ -4,10 +4,10 @@
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const tool = process.argv[2] ?? join(dirname(dirname(fileURLToPath(import.meta.url))), "build/release/lippmann");
+const tool = resolve(process.argv[2] ?? join(dirname(dirname(fileURLToPath(import.meta.url))), "build/release/lippmann"));
 const folder = mkdtempSync(join(tmpdir(), "lippmann-live-"));
 const server = spawn(tool, ["view", "room", "--integrator", "path", "--spp", "64", "--optics", "multiview", "--views", "8x6", "--size", "1024x768", "--port", "0"], { cwd: folder, stdio: ["ignore", "pipe", "ignore"] });
 const address = await new Promise((resolve) => server.stdout.once("data", (text) => resolve(String(text).trim())));

@@ -2,11 +2,11 @@
 // second, bytes.
 //   node bench/page_speed.mjs [LIPPMANN]     (needs chromium, and npm ci in tests/page)
 import { readdirSync, statSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
-process.env.LIPPMANN_TOOL = process.argv[2] ?? join(root, "build/release/lippmann");
+process.env.LIPPMANN_TOOL = resolve(process.argv[2] ?? join(root, "build/release/lippmann"));
 const { inFolder, lippmann, open, view, end } = await import(join(root, "tests/page/support.mjs"));
 
 const bytesOf = (folder) => readdirSync(folder, { withFileTypes: true }).reduce((sum, one) => sum + (one.isDirectory() ? bytesOf(join(folder, one.name)) : statSync(join(folder, one.name)).size), 0);

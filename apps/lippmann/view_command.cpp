@@ -1,8 +1,6 @@
 // `lippmann view IN [OTHER]`: a light field, or two beside each other, in the browser; or a scene, which is set up there.
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -13,7 +11,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/page_server.hpp"
-#include "apps/lippmann/param_flags.hpp"
+#include "apps/lippmann/scene_to_set_up.hpp"
 #include "job/job_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "live/live_page.hpp"
@@ -25,33 +23,14 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ViewOptions {
-  std::string in, other, save, job_file;
+  std::string in, other, save;
   LightFieldFlags field;
-  ParamFlags scene;
+  SceneToSetUpFlags scene;
   PageServerFlags server;
   int threads = 0;
 };
 
-/// What exists as a folder is a light field, whatever a built-in scene is called.
-bool is_scene(const std::string& in) {
-  constexpr std::array<std::string_view, 7> kEndings{".gltf", ".glb", ".dat", ".nff", ".obj", ".ply", ".toml"};
-  std::error_code ignored;
-  if (fs::is_directory(in, ignored)) return false;
-  return is_builtin_scene(in) ||
-         std::find(kEndings.begin(), kEndings.end(), fs::path(in).extension().string()) != kEndings.end();
-}
-
 // ---- A light field ------------------------------------------------------------------------------------------------------
-
-/// Flags that say how a scene is rendered say nothing of a light field.
-void refuse_scene_flags(const ViewOptions& options) {
-  if (!options.job_file.empty()) throw usage_error("--save-job", "is for scenes, and IN is a light field", "a scene");
-  for (const auto& [name, values] : options.scene.values)
-    if (!values.empty())
-      throw usage_error(
-          fmt::format("--{}", name), fmt::format("is for scenes, and {} is taken for a light field", options.in),
-          "a built-in name (see: lippmann scenes), a file (.gltf, .glb, .dat, .nff, .obj, .ply) or a job (.toml)");
-}
 
 std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, const Context& context) {
   std::vector<std::unique_ptr<PageField>> fields;
@@ -86,43 +65,20 @@ int watch(const ViewOptions& options, const Context& context) {
 
 // ---- A scene ------------------------------------------------------------------------------------------------------------
 
-void refuse_light_field_flags(const ViewOptions& options) {
-  constexpr const char* kAccepted = "a rendered folder";
-  if (!options.other.empty()) throw usage_error("OTHER", "is compared with a light field, and IN is a scene", kAccepted);
+int set_up(const ViewOptions& options, const Context& context) {
+  if (!options.other.empty())
+    throw usage_error("OTHER", "is compared with a light field, and IN is a scene", "a rendered folder");
   if (!options.save.empty())
     throw usage_error("--save", "needs a light field, and IN is a scene", "lippmann render SCENE --page");
-  if (!options.field.from.empty()) throw usage_error("--from", "is for light fields, and IN is a scene", kAccepted);
-  if (!options.field.report.empty()) throw usage_error("--report", "is for light fields, and IN is a scene", kAccepted);
-}
-
-/// Flags that a light field has, too.
-ParamFlags scene_flags(const ViewOptions& options) {
-  ParamFlags flags = options.scene;
-  flags.scene = options.in;
-  if (!options.field.views.empty()) flags.values["views"] = {options.field.views};
-  if (!options.field.quilt.empty()) flags.values["quilt"] = {options.field.quilt};
-  if (options.field.view_angle_deg) flags.values["view-angle"] = {fmt::format("{}", *options.field.view_angle_deg)};
-  if (options.threads > 0) flags.values["threads"] = {fmt::format("{}", options.threads)};
-  return flags;
-}
-
-/// SCENE.toml in the working folder.
-fs::path job_file_for(const ViewOptions& options, const RenderParams& params) {
-  if (!options.job_file.empty()) return options.job_file;
-  return fs::path(params.scene.name).stem().string() + ".toml";
-}
-
-int set_up(const ViewOptions& options, const Context& context) {
-  refuse_light_field_flags(options);
-  const RenderParams params = scene_flags(options).read();
-  auto scene = std::make_unique<LiveScene>(params, job_file_for(options, params), context.warn);
+  const RenderParams params = scene_params(options.in, options.scene, options.field, options.threads);
+  auto scene = std::make_unique<LiveScene>(params, job_file_for(options.scene, params), context.warn);
   return serve_page(std::make_unique<LiveAnswers>(std::move(scene)), options.server, context);
 }
 
 int run(const ViewOptions& options, Context& context) {
   context.threads = options.threads;
-  if (is_scene(options.in)) return set_up(options, context);
-  refuse_scene_flags(options);
+  if (is_scene_to_set_up(options.in)) return set_up(options, context);
+  refuse_scene_flags(options.in, options.scene);
   if (!options.save.empty()) return save(options, context);
   if (is_render_to_watch(options)) return watch(options, context);
   return serve_page(read_fields(options, context), std::nullopt, options.server, context);
@@ -147,15 +103,11 @@ void add_view_command(const Command& root, Action& chosen) {
       .add_option("--save", options->save,
                   "Instead, write the page with all its data into a folder that any web server serves, or a disk")
       .type_name("FOLDER");
-  command
-      .add_option("--save-job", options->job_file,
-                  "Of a scene: the job that Save on the page writes; default: SCENE.toml, or SCENE-2.toml where that is taken")
-      .type_name("FILE");
   add_light_field_flags(command, options->field);
   command.add_option("--report", options->field.report, "Path of report.json, if it is not beside the pictures")
       .type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
-  add_param_flags_beside(command, options->scene, {"views", "quilt", "view-angle", "threads", "resume"});
+  add_scene_to_set_up_flags(command, options->scene, {"views", "quilt", "view-angle", "threads", "resume"});
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

@@ -58,7 +58,7 @@ bool wants_all(const std::string& body) {
 
 Json LiveAnswers::field() const { return scene_->field(); }
 
-Json LiveAnswers::about() const { return {{"choices", choices_json()}}; }
+Json LiveAnswers::about() const { return {{"choices", choices_json()}, {"display", scene_->display()}, {"plays", plays_}}; }
 
 PageAnswer LiveAnswers::state_after(std::uint64_t serial) {
   const bool may_wait = waiting_.fetch_add(1) < kMostWaiting;

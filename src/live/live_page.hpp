@@ -18,10 +18,12 @@ namespace lippmann {
 
 class LiveAnswers : public LivePage {
  public:
-  explicit LiveAnswers(std::unique_ptr<LiveScene> scene) : scene_(std::move(scene)) {}
+  /// `plays`: whether the page begins with what a panel shows.
+  explicit LiveAnswers(std::unique_ptr<LiveScene> scene, bool plays = false) : scene_(std::move(scene)), plays_(plays) {}
 
   nlohmann::ordered_json field() const override;
   nlohmann::ordered_json about() const override;
+  InterlaceParams interlace() const override { return scene_->interlace(); }
   PageAnswer get(std::string_view path) override;
   PageAnswer post(std::string_view path, const std::string& body) override;
 
@@ -29,6 +31,7 @@ class LiveAnswers : public LivePage {
   PageAnswer state_after(std::uint64_t serial);
 
   std::unique_ptr<LiveScene> scene_;
+  bool plays_;
   std::atomic<int> waiting_{0};
 };
 

@@ -34,11 +34,18 @@ FrameParams params_of_one_frame(const RenderParams& params) {
   return made_as;
 }
 
+/// As the panel shows a film: only sub-pixels that were traced one by one are put together.
+PictureParams layout_of_panel(const Optics& optics) {
+  PictureParams as_shown;
+  if (sub_pixels_per_pixel(optics) > 1) as_shown.layout = PictureLayout::kNative;
+  return as_shown;
+}
+
 /// What a panel shows of a film that its optics were traced for, in codes.
 Image8 panel_codes(const LiveStage& live, RenderedFrame rendered) {
   const JobStage& stage = live.stage();
   const Optics& optics = stage.placed.optics;
-  const FrameLayout as_shown({}, optics, stage.display.get());
+  const FrameLayout as_shown(layout_of_panel(optics), optics, stage.display.get());
   develop_frame({as_shown, optics, tone_of(live.params().output.pictures), stage.scene.encoding,
                  crosstalk_to_undo(live.params(), optics, stage.display.get())},
                 rendered);

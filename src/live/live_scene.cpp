@@ -12,6 +12,7 @@
 #include "stage/depth_budget.hpp"
 #include "view/answers.hpp"
 #include "view/field_json.hpp"
+#include "view/page_display.hpp"
 
 namespace lippmann {
 namespace {
@@ -26,10 +27,21 @@ Json plane_json(double distance, double nearest, double farthest) {
   return {{"distance", distance}, {"nearest", nearest}, {"farthest", farthest}};
 }
 
+/// Slanted panels alone have a frame that is made of views.
+Json panel_json(const Display* display, const InterlaceParams& interlace) {
+  if (!display || display->kind != DisplayKind::kSlantedPanel) return nullptr;
+  return page_display_json({*display, interlace});
+}
+
 }  // namespace
 
-LiveScene::LiveScene(const RenderParams& base, std::filesystem::path job_file, std::function<void(std::string_view)> warn)
-    : context_(std::move(warn)), live_(LiveSettings(base).params(), context_), settings_(base), job_file_(std::move(job_file)) {
+LiveScene::LiveScene(const RenderParams& base, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
+                     const InterlaceParams& interlace)
+    : context_(std::move(warn)),
+      live_(LiveSettings(base).params(), context_),
+      interlace_(interlace),
+      settings_(base),
+      job_file_(std::move(job_file)) {
   context_.frame_progress = [this](double share) { share_ = share; };
   begin({settings_, version_});
   worker_ = std::thread([this] { work(); });
@@ -82,7 +94,8 @@ void LiveScene::begin(const Order& order) {
                                       world * (array.viewing_distance - array.depth_back))},
                  {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
                  {"view", array.how},
-                 {"light", stage.light}};
+                 {"light", stage.light},
+                 {"display", panel_json(stage.display.get(), interlace_)}};
   const std::lock_guard lock(mutex_);
   if (order.version != version_) return;
   facts_json_ = field_json(facts);
@@ -222,6 +235,16 @@ Json LiveScene::state_after(std::uint64_t serial, std::chrono::milliseconds pati
 Json LiveScene::field() const {
   const std::lock_guard lock(mutex_);
   return facts_json_;
+}
+
+Json LiveScene::display() const {
+  const std::lock_guard lock(mutex_);
+  return placement_.at("display");
+}
+
+void LiveScene::require_playable() const {
+  const std::lock_guard lock(mutex_);
+  require_one_row(facts_);
 }
 
 Bytes LiveScene::picture(std::string_view kind, std::uint64_t id) const {

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <thread>
 
+#include "lippmann/layout/interlace.hpp"
 #include "live/live_job_file.hpp"
 #include "live/live_passes.hpp"
 #include "live/live_render.hpp"
@@ -30,8 +31,10 @@ namespace lippmann {
 class LiveScene {
  public:
   /// Loads the scene, so that what cannot be shown is refused here, and begins to render. Jobs are saved to `job_file`
-  /// (LiveJobFile). `warn` hears what Context::warn does. Throws Error.
-  LiveScene(const RenderParams& base, std::filesystem::path job_file, std::function<void(std::string_view)> warn);
+  /// (LiveJobFile). `warn` hears what Context::warn does. `interlace`: how a panel that it is played on mixes views. Throws
+  /// Error.
+  LiveScene(const RenderParams& base, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
+            const InterlaceParams& interlace = {});
   ~LiveScene();
   LiveScene(const LiveScene&) = delete;
   LiveScene& operator=(const LiveScene&) = delete;
@@ -46,6 +49,13 @@ class LiveScene {
 
   /// The facts of the light field as the last picture has it.
   nlohmann::ordered_json field() const;
+
+  /// The slanted panel that the settings are for, as page_display_json has it; null: they are for another display, or for none.
+  nlohmann::ordered_json display() const;
+  const InterlaceParams& interlace() const { return interlace_; }
+
+  /// Throws a usage Error where the views are more than one row, of which no panel's frame is made.
+  void require_playable() const;
 
   /// "views", "depth" or "panel" of the picture of that number, while it is the last; null else.
   Bytes picture(std::string_view kind, std::uint64_t id) const;
@@ -94,6 +104,7 @@ class LiveScene {
   mutable std::condition_variable changed_;
   WorkerContext context_;  ///< cancelled by changes
   LiveStage live_;         ///< that thread's
+  const InterlaceParams interlace_;
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;

@@ -12,6 +12,7 @@
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/optics/viewing.hpp"
+#include "replay/no_light_field.hpp"
 
 namespace lippmann {
 namespace {
@@ -177,6 +178,7 @@ Optics assumed_optics(const LightField& field, std::optional<double> view_angle_
 }
 
 LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHints& hints) {
+  if (hints.from.empty()) refuse_what_is_no_light_field(in);
   LightFieldFrames frames;
   frames.files = light_fields_in(in, hints.from);
   const fs::path& first = frames.files.front();
@@ -186,6 +188,7 @@ LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHin
   if (!hints.report.empty()) return of_render(std::move(frames), read_rendering(hints.report), hints);
   if (!is_folder && hints.from.empty() && !has_rgbd_name(first)) {
     if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, hints);
+    require_picture_name(first);
     if (!parse_quilt_name(first) && !parse_stereo_name(first))
       throw Error(
           first.string(),

@@ -157,9 +157,14 @@ std::string PageAnswers::description() const {
       {{"lippmann", version()}, {"fields", nlohmann::ordered_json::array({live_->field()})}, {"live", live_->about()}}, -1);
 }
 
+InterlaceParams PageAnswers::interlace() const {
+  if (live_) return live_->interlace();
+  return display_ ? display_->interlace : InterlaceParams{};
+}
+
 PageAnswer PageAnswers::calibration(const std::string& text) const {
   try {
-    const PageDisplay dropped = dropped_calibration(text, display_ ? display_->interlace : InterlaceParams{});
+    const PageDisplay dropped = dropped_calibration(text, interlace());
     return answer_with(200, json_to_text(page_display_json(dropped), -1), "application/json");
   } catch (const Error& error) {
     return failed(error.what());

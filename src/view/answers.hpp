@@ -44,6 +44,7 @@ class LivePage {
 
   virtual nlohmann::ordered_json field() const = 0;  ///< field_json
   virtual nlohmann::ordered_json about() const = 0;  ///< what the page is told once
+  virtual InterlaceParams interlace() const = 0;     ///< how views are mixed on panels
   virtual PageAnswer get(std::string_view path) = 0;
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
@@ -75,6 +76,7 @@ class PageAnswers {
   PageAnswer answer_path(std::string_view path);
   PageAnswer answer_text(const PageRequest& request, std::string_view path);
   std::string description() const;
+  InterlaceParams interlace() const;
   PageAnswer calibration(const std::string& text) const;
   PageAnswer picture(std::string_view path);
   PageAnswer run_state(std::string_view path);

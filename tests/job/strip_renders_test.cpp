@@ -48,6 +48,7 @@ const std::vector<Settings>& kinds() {
       {{"optics", "multiview"}, {"views", "2x4"}, {"size", "64x160"}, {"lenses", "0"}, {"layout", "views"}},
       {{"optics", "microlens"}, {"size", "64x184"}, {"lenses", "8x23"}, {"aov", "normal"}, {"transparent", "true"}},
       {{"slant", "12"}, {"lens-pixels", "4.5"}, {"lenses", "0"}},
+      {{"aov", "provenance"}},
       {{"integrator", "path"}, {"spp", "4"}, {"aov", "motion"}, {"precompensate", "true"}, {"crosstalk", "0.4"}}};
   return all;
 }
@@ -102,8 +103,9 @@ TEST_F(StripRenders, by_units_in_any_order_are_finished_to_the_bytes_of_one_run)
 }
 
 TEST_F(StripRenders, of_shared_light_depend_on_the_number_of_strips_alone) {
-  const Settings light{{"integrator", "path"}, {"spp", "8"}, {"strips", "3"}};
+  const Settings light{{"integrator", "path"}, {"spp", "8"}, {"strips", "3"}, {"aov", "provenance"}};
   render(still("one", light));
+  EXPECT_TRUE(exists("one/aov_0003.exr"));
   for (const int unit : {2, 1, 3}) render_unit(still("units", light), unit, 3);
   ASSERT_TRUE(finish("units").report);
   EXPECT_TRUE(pictures("units") == pictures("one"));
@@ -128,8 +130,9 @@ TEST_F(StripRenders, of_an_animation_and_its_video_have_the_bytes_of_whole_frame
 }
 
 TEST_F(StripRenders, that_are_missing_or_damaged_are_named_and_a_resume_renders_these_alone) {
-  const RenderParams params = still("a", {{"strips", "6"}});
-  render(still("whole"));
+  const Settings layer{{"aov", "provenance"}};
+  const RenderParams params = still("a", layer + Settings{{"strips", "6"}});
+  render(still("whole", layer));
   render_unit(params, 1, 2);
   EXPECT_THAT(check("a").unfinished, ElementsAre(3));
   EXPECT_THAT(check("a").strips_left.at(3), ElementsAre(3, 4, 5));

@@ -82,6 +82,30 @@ TEST_F(UnitRenders, that_are_missing_or_damaged_are_named_and_a_resume_renders_t
   EXPECT_TRUE(finish("a").report) << "a second time";
 }
 
+// Which frames `copy` copies from is chosen anew in each run (docs/decisions/0050): its layers are not compared.
+TEST_F(UnitRenders, and_resumed_runs_tell_where_pixels_came_from_as_one_run_does) {
+  const std::vector<Settings> ways{{{"reuse", "interpolate"}, {"keyframes", "4"}},
+                                   {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},
+                                   {{"integrator", "path"}, {"spp", "8"}},
+                                   {{"reuse", "none"}}};
+  for (std::size_t way = 0; way < ways.size(); ++way) {
+    SCOPED_TRACE(way);
+    const auto film = [&](const std::string& folder) {
+      const Settings small{{"size", "64x16"}, {"lenses", "8x2"}, {"frames", "8-19"}, {"aov", "provenance"}};
+      return job("teapot", folder + std::to_string(way), small + ways[way]);
+    };
+    render(film("whole"));
+    const Files whole = pictures_below(dir_ / ("whole" + std::to_string(way)));
+    ASSERT_EQ(whole.size(), 24u);
+    render(film("resumed"));
+    for (const char* lost : {"/frame_0010.png", "/aov_0013.exr"}) fs::remove(film("resumed").output.folder + lost);
+    EXPECT_EQ(kept(resume(film("resumed"))), 10u);
+    EXPECT_TRUE(pictures_below(film("resumed").output.folder) == whole);
+    for (const int unit : {3, 1, 2}) render_unit(film("units"), unit, 3);
+    EXPECT_TRUE(pictures_below(film("units").output.folder) == whole);
+  }
+}
+
 TEST_F(UnitRenders, in_folders_of_their_own_are_joined) {
   for (const int unit : {1, 2}) render_unit(teapot("part" + std::to_string(unit), "0-3"), unit, 2);
   EXPECT_THAT(finish("all", {dir_ / "part1"}).to_render, ElementsAre(2, 3));

@@ -40,6 +40,8 @@ TEST_F(LivePages, description_names_what_may_be_chosen) {
   EXPECT_EQ(fields["fields"][0]["across"]["views"], 4);
   EXPECT_THAT(fields["live"]["choices"]["tone"].dump(), HasSubstr("agx"));
   EXPECT_THAT(fields["live"]["choices"]["display"].dump(), HasSubstr("portrait"));
+  EXPECT_TRUE(fields["live"]["display"].is_null());
+  EXPECT_EQ(fields["live"]["plays"], false);
 }
 
 TEST_F(LivePages, strangers_change_nothing) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <fstream>
 
 #include "job/job_file.hpp"
 #include "live/live_support.hpp"
@@ -61,6 +62,51 @@ TEST(LiveScene, lenses_and_another_cone_are_those_of_the_render) {
   params.optics.lenses = {12, 0};
   params.optics.lens_pixels = {4, 0};
   expect_render(params, {{"settings", {{"view-angle", "35"}}}});
+}
+
+/// A calibration in a folder; the job's display.
+std::string calibrated_panel(const TempDir& dir) {
+  const std::filesystem::path file = dir.path() / "visual.json";
+  std::ofstream(file) << R"({"pitch":52.3,"slope":-7.2,"center":0.37,"DPI":324,"screenW":60,"screenH":45,"viewCone":40})";
+  return file.string();
+}
+
+TEST(LiveScene, a_calibrated_panels_own_frames_are_those_of_the_render) {
+  const TempDir dir;
+  RenderParams params = test::small_room();
+  params.optics = {};
+  params.optics.display = calibrated_panel(dir);
+  params.output.pictures.layout = PictureLayout::kNative;
+  expect_render(params, {{"settings", {{"orbit", "10"}}}});
+  const auto scene = test::live_scene(params);
+  test::wait_for_rest(*scene);
+  EXPECT_EQ(test::shown_picture(*scene, "panel").width, 60);
+}
+
+TEST(LiveScene, tells_the_panel_that_it_is_set_up_for) {
+  const TempDir dir;
+  RenderParams params = test::small_room();
+  params.optics = {};
+  params.optics.display = calibrated_panel(dir);
+  params.optics.views = {4, 1};
+  params.optics.size = {64, 16};
+  LiveScene scene(params, dir.path() / "job.toml", [](std::string_view) {}, {ViewFilter::kGaussian, 0.8});
+  scene.require_playable();
+  EXPECT_EQ(scene.display()["pixels"], (Json{60, 45}));
+  EXPECT_EQ(scene.display()["filter"], "gaussian");
+  scene.change({{"settings", {{"display", ""}, {"optics", "multiview"}}}});
+  test::wait_for(scene, [](const Json& state) { return state["display"].is_null(); });
+  const auto of_no_display = test::live_scene(test::small_room());
+  EXPECT_TRUE(of_no_display->display().is_null());
+}
+
+TEST(LiveScene, of_rows_of_views_is_played_on_no_panel) {
+  RenderParams params = test::small_room();
+  params.optics.views = {2, 2};
+  params.optics.camera_grid = true;
+  params.optics.size = {64, 64};
+  const auto scene = test::live_scene(params);
+  EXPECT_THAT(test::error_message([&] { scene->require_playable(); }), HasSubstr("2x2 views"));
 }
 
 TEST(LiveScene, hexagonal_lenses_which_have_no_views_of_whole_pixels_are_those_of_the_render) {

@@ -1,6 +1,6 @@
 // What is damaged or missing is said in words, and the rest goes on.
 import assert from "node:assert/strict";
-import { cpSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { closeAfterEach, inFolder, lippmann, open, set, sheet, view } from "./support.mjs";
@@ -51,4 +51,32 @@ test("pictures of another size than the description says are refused", async () 
 test("folders that hold no light field are refused before anything is served", async () => {
   await assert.rejects(view("saved"), /there are no frames in it/);
   await assert.rejects(view("missing"), /there is no such file or folder/);
+  const folders = { nothing: [], videos: ["a.mp4"], jobs: ["job.toml"], others: ["ein Bild.png"] };
+  for (const [name, files] of Object.entries(folders)) {
+    mkdirSync(inFolder(name));
+    for (const file of files) writeFileSync(inFolder(`${name}/${file}`), "nothing");
+  }
+  await assert.rejects(view("nothing"), /nothing: is empty/);
+  await assert.rejects(view("videos"), /videos \(a\.mp4\), of which no views are read/);
+  await assert.rejects(view("videos/a.mp4"), /is a video/);
+  await assert.rejects(view("jobs"), /`lippmann render jobs\/job\.toml` first/);
+  await assert.rejects(view("others"), /pictures in it \(ein Bild\.png\), but none is called/);
+  await assert.rejects(view("others/ein Bild.png"), /nothing says what this picture is/);
+  writeFileSync(inFolder("text.txt"), "no picture");
+  await assert.rejects(view("text.txt"), /is no picture/);
+  writeFileSync(inFolder("wrong.toml"), 'scene = "room"\nzom = 2\n');
+  await assert.rejects(view("wrong.toml"), /wrong\.toml:2: there is no key 'zom', did you mean 'zoom'/);
+});
+
+test("a folder with spaces and umlauts, and a view of one pixel, are shown", async () => {
+  cpSync(inFolder("sheet"), inFolder("B\u00fchne mit Licht"), { recursive: true });
+  const page = await open(await view("B\u00fchne mit Licht"));
+  assert.equal(await page.locator("#title").textContent(), "B\u00fchne mit Licht");
+  const pixel = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGOIqtAAAAIqAPt5WLeaAAAAAElFTkSuQmCC";
+  writeFileSync(inFolder("tiny_qs1x1a1.png"), Buffer.from(pixel, "base64"));
+  const tiny = await open(await view("tiny_qs1x1a1.png"));
+  assert.match(await tiny.locator("#facts").textContent(), /1 view of 1\u00d71/);
+  const codes = await tiny.evaluate(async () => [...(await window.lippmann.picture(1, 1))]);
+  assert.equal(codes.length, 4);
+  assert.deepEqual([...page.complaints, ...tiny.complaints], []);
 });

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
+import { differenceFrom, drop } from "./panel.mjs";
 import { closeAfterEach, grid, inFolder, lippmann, open, play, sheet, view } from "./support.mjs";
 
 closeAfterEach();
@@ -17,29 +18,6 @@ const calibration = (name, values) => {
   return `${name}.json`;
 };
 const cells = [-1, 1].map((side) => ({ ROffsetX: 0.31 * side, ROffsetY: 0.17, GOffsetX: -0.21, GOffsetY: 0.05 * side, BOffsetX: 0.02, BOffsetY: -0.33 }));
-
-/** The greatest difference of a channel between the page's panel and a file, and the share of channels that differ at all. */
-export async function differenceFrom(page, file) {
-  const url = `data:image/png;base64,${readFileSync(inFolder(file)).toString("base64")}`;
-  return page.evaluate(async (url) => {
-    const bytes = Uint8Array.from(atob(url.split(",")[1]), (c) => c.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }), { colorSpaceConversion: "none" });
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-    const context = canvas.getContext("2d");
-    context.drawImage(bitmap, 0, 0);
-    const wanted = context.getImageData(0, 0, bitmap.width, bitmap.height).data;
-    const shown = window.lippmann.panel();
-    const { width, height } = document.querySelector("#canvas");
-    if (width !== bitmap.width || height !== bitmap.height) throw new Error(`the canvas has ${width}x${height} pixels, the file ${bitmap.width}x${bitmap.height}`);
-    let most = 0, differ = 0;
-    for (let i = 0; i < wanted.length; i++) {
-      const by = Math.abs(wanted[i] - shown[i]);
-      most = Math.max(most, by);
-      if (by > 0) differ++;
-    }
-    return { most, differ: differ / wanted.length };
-  }, url);
-}
 
 async function compare(name, input, display, flags = [], reading = []) {
   lippmann("convert", input, `${name}.png`, ...reading, "--to", "native", "--display", display, ...flags);
@@ -112,17 +90,6 @@ test("frames play in a loop, of which all is loaded once", async () => {
   await page.waitForSelector('#stage[data-frame="2"]');
   assert.deepEqual(await differenceFrom(page, "loop.png"), { most: 0, differ: 0 });
 });
-
-/** Drops a file on the page. */
-const drop = (page, name, text) =>
-  page.evaluate(
-    ([name, text]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([text], name, { type: "application/json" }));
-      window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-    },
-    [name, text],
-  );
 
 test("a calibration that is dropped on the page is read by the program", async () => {
   const display = calibration("dropped-panel", { center: 0.81 });

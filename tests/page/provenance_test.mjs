@@ -64,6 +64,29 @@ test("the legend has the shares of the frame that is shown", async () => {
   assert.deepEqual(page.complaints, []);
 });
 
+/** A picture of codes of which a few pixels alone differ, as the program would send it. */
+const codesWith = (page, code, pixels) => page.evaluate(async ([code, pixels]) => {
+  const { tiles, view_size: size } = window.lippmann.fields[0];
+  const canvas = new OffscreenCanvas(tiles[0] * size[0], tiles[1] * size[1]);
+  const context = canvas.getContext("2d");
+  context.fillStyle = "#000000";
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.fillStyle = `rgb(${code}, ${code}, ${code})`;
+  context.fillRect(0, 0, pixels, 1);
+  const bytes = new Uint8Array(await (await canvas.convertToBlob({ type: "image/png" })).arrayBuffer());
+  return btoa(String.fromCharCode(...bytes));
+}, [code, pixels]);
+
+test("what is not all is not called all", async () => {
+  const page = await open(address);
+  const body = Buffer.from(await codesWith(page, 3, 3), "base64");
+  await page.route("**/0/provenance/1", (route) => route.fulfill({ contentType: "image/png", body }));
+  await set(page, { frame: 1, overlay: "provenance" });
+  await page.locator("#legend li").nth(1).waitFor();
+  assert.deepEqual(await legend(page), ["traced 99.9\u2009%", "missed, filled < 0.1\u2009%"]);
+  await page.unroute("**/0/provenance/1");
+});
+
 test("the panel's picture is tinted too, and values below the pointer are not", async () => {
   const page = await open(address);
   await set(page, { frame: 1, overlay: "none" });

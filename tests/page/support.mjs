@@ -73,6 +73,13 @@ export function begin(...words) {
 
 export const inFolder = (name) => join(folder, name);
 
+/** The one file of a folder whose name is like that. */
+export function only(name, pattern) {
+  const found = readdirSync(inFolder(name)).filter((file) => pattern.test(file));
+  if (found.length !== 1) throw new Error(`${name} has ${found.length} files like ${pattern}: ${found}`);
+  return found[0];
+}
+
 /** Serves light fields; its address. */
 export const view = (...words) => serve("view", ...words);
 /** Serves one to be played on a panel. */

@@ -127,16 +127,18 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   const shown: Shown[] = [];
   const { fields } = store;
   const field = fields[0];
+  const beginsOnPanel = actions.live?.about.plays ?? false;
   const hasViews = () => field.across.views * field.up.views > 1;
   parent.append(
     ...[
+      beginsOnPanel ? playGroup(actions.player, true, shown) : null,
       ...(actions.live ? setUpGroups(store, field, actions.live, shown) : []),
       actions.run ? runGroup(actions.run, shown) : null,
       fields.length > 1 ? compareGroup(store, shown) : null,
       onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions, shown), shown),
       onlyIf(() => hasViews() && store.state.show !== "display", focusGroup(store, actions, shown), shown),
       pictureGroup(store, field, actions, hasViews, shown),
-      actions.live ? null : playGroup(actions.player, shown),
+      beginsOnPanel ? null : playGroup(actions.player, actions.live !== null, shown),
       element(
         "div",
         { className: "buttons" },
@@ -271,18 +273,20 @@ function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTML
   return row;
 }
 
-function playGroup(player: Player, shown: Shown[]): HTMLElement {
+function playGroup(player: Player, isLive: boolean, shown: Shown[]): HTMLElement {
   const fill = button("Full screen", () => void player.toggleFullScreen());
+  const second = button("Set up in another window", () => player.openSetUp());
   const value = element("output", { className: "value" });
   shown.push({
     update: () => {
       value.value = player.describe();
       fill.hidden = !player.isPlaying || !player.canFillScreen;
+      second.hidden = !player.isPlaying || !isLive;
     },
   });
   const calibration = button("Calibration\u2026", () => player.choose());
   calibration.title = "visual.json of the panel; it may be dropped on the page, too";
-  return group("Calibrated panel", element("div", { className: "row panel" }, value), element("div", { className: "buttons" }, fill, calibration));
+  return group("Calibrated panel", element("div", { className: "row panel" }, value), element("div", { className: "buttons" }, fill, second, calibration));
 }
 
 function compareGroup(store: Store, shown: Shown[]): HTMLElement {

@@ -57,6 +57,13 @@ async function rangeOf(codes: ImageBitmap, scale: number): Promise<[number, numb
   return [least - margin, greatest + margin];
 }
 
+/** What the program sends of a scene that is set up. */
+interface LivePictures {
+  views: Blob;
+  depth: Blob | null;
+  panel: Blob | null;
+}
+
 /** The end of the name of views. */
 const crosstalkOf = (use: Use): string => (use.startsWith("eye/") ? use.slice(3) : "");
 
@@ -77,6 +84,11 @@ export class Frames {
   /** Of a scene that is set up: the newest picture is shown, whatever frame is asked for. */
   isLive = false;
   private live: LoadedFrame | null = null;
+  /** The same as a panel plays it, made while the panel is what is shown; null: it is not made. */
+  private livePlayed: LoadedFrame | null = null;
+  private livePictures: { facts: Field; pictures: LivePictures } | null = null;
+  private isPlayed = false;
+  private isRemaking = false;
 
   constructor(
     private readonly gl: Gl,
@@ -97,7 +109,7 @@ export class Frames {
 
   /** The frame, where it is there; else it is on its way, and `changed` is called when it is. Throws what loading it threw. */
   get(field: number, frame: number, use: Use): LoadedFrame | null {
-    if (this.isLive) return this.live;
+    if (this.isLive) return this.getLive(use);
     const { label, pending } = this.fields[field].frames[frame];
     if (pending) throw new Refusal(`Frame ${label} is not rendered yet.`);
     const key = this.key(field, frame, use);
@@ -113,14 +125,41 @@ export class Frames {
     return null;
   }
 
+  private getLive(use: Use): LoadedFrame | null {
+    this.isPlayed = use === "display";
+    if (!this.isPlayed) return this.live;
+    const facts = this.livePictures?.facts;
+    if (facts && facts.up.views > 1) throw new Refusal(`The scene is set up for ${facts.up.views} rows of views, and a panel shows one.`);
+    if (!this.livePlayed) void this.remakeLive();
+    return this.livePlayed;
+  }
+
+  /** The newest pictures once more, for a panel that has just been asked for. */
+  private async remakeLive(): Promise<void> {
+    if (this.isRemaking || !this.livePictures) return;
+    this.isRemaking = true;
+    await this.showLive(this.livePictures.facts, this.livePictures.pictures);
+    this.isRemaking = false;
+    this.changed();
+  }
+
+  /** Interlaced from views of any pass, or the panel's own picture, which is there when the frame is as rendered. */
+  private playedLive(facts: Field, views: ImageBitmap, panel: ImageBitmap | null): LoadedFrame | null {
+    if (!this.isPlayed || !this.interlacer || facts.up.views > 1) return null;
+    return this.played(facts, panel && this.isOwnPicture(facts) ? null : views, panel);
+  }
+
   /** Shows pictures of a scene that is set up in place of those before. */
-  async showLive(facts: Field, pictures: { views: Blob; depth: Blob | null; panel: Blob | null }): Promise<void> {
+  async showLive(facts: Field, pictures: LivePictures): Promise<void> {
+    const shown = (this.livePictures = { facts, pictures });
     const options: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
     const decode = async (blob: Blob | null, tiles: readonly [number, number]) => (blob ? this.fitted(await createImageBitmap(blob, options), options, tiles) : null);
     const [views, depth, panel] = await Promise.all([decode(pictures.views, facts.tiles), decode(pictures.depth, facts.tiles), decode(pictures.panel, kWhole)]);
     if (!views) return;
     const disparities = depth ? await rangeOf(depth, facts.disparity_scale_mm) : this.guessedRange(facts);
-    const before = this.live;
+    if (shown !== this.livePictures) return [views, depth, panel].forEach((picture) => picture?.close());
+    const before = [this.live, this.livePlayed];
+    this.livePlayed = this.playedLive(facts, views, panel);
     this.live = {
       layer: layerTiles(this.gl, views, facts.tiles),
       views: quiltTexture(this.gl, views, facts.tiles, "srgb"),
@@ -132,7 +171,7 @@ export class Frames {
       whole: Promise.resolve(),
     };
     for (const picture of [views, depth, panel]) picture?.close();
-    for (const texture of before ? [before.views, before.depth, before.panel] : []) if (texture) this.gl.deleteTexture(texture);
+    before.forEach((one) => one && this.deleteTextures(one));
   }
 
   /** These are not given up, whatever the bound says. */
@@ -161,6 +200,8 @@ export class Frames {
     this.failures.clear();
     this.interlacer?.dispose();
     this.interlacer = interlacer;
+    if (this.livePlayed) this.deleteTextures(this.livePlayed);
+    this.livePlayed = null;
   }
 
   /** How many frames of a field fit. */
@@ -204,7 +245,17 @@ export class Frames {
     this.loaded.delete(key);
     this.bytes -= frame.bytes;
     frame.givenUp = true;
+    this.deleteTextures(frame);
+  }
+
+  private deleteTextures(frame: LoadedFrame): void {
     for (const texture of new Set([frame.views, frame.depth, frame.panel, frame.provenance?.texture ?? null])) if (texture) this.gl.deleteTexture(texture);
+  }
+
+  /** Whether what the light field's panel shows is what the panel that is played on shows. */
+  private isOwnPicture(facts: Field): boolean {
+    const display = this.interlacer?.display;
+    return !!display && samePanel(facts.panel.panel, display.panel) && facts.panel.size.join() === display.pixels.join();
   }
 
   /** Interlaced as soon as it is there: that takes less memory than its views, and playing it no time. */
@@ -212,18 +263,25 @@ export class Frames {
     const facts = this.fields[field];
     const label = facts.frames[frame].label;
     const interlacer = this.interlacer as Interlacer;
-    const { display } = interlacer;
-    const isOwn = samePanel(facts.panel.panel, display.panel) && facts.panel.size.join() === display.pixels.join();
+    const isOwn = this.isOwnPicture(facts);
     const picture = isOwn ? await this.bitmap(`${field}/panel/${frame}`, label, facts.panel.size) : await this.quilt(`${field}/views/${frame}`, label, facts);
     if (interlacer !== this.interlacer) return picture.close(), this.makePlayed(field, frame);
-    const tiles = isOwn ? kWhole : facts.tiles;
+    const made = this.played(facts, isOwn ? null : picture, isOwn ? picture : null);
+    picture.close();
+    return made;
+  }
+
+  /** The frame of the panel that is played on: of views, or where there are none, its own picture. */
+  private played(facts: Field, views: ImageBitmap | null, own: ImageBitmap | null): LoadedFrame {
+    const interlacer = this.interlacer as Interlacer;
+    const picture = (views ?? own) as ImageBitmap;
+    const tiles = views ? facts.tiles : kWhole;
     const layer = layerTiles(this.gl, picture, tiles);
     const codes = quiltTexture(this.gl, picture, tiles, "codes");
     const viewSize: [number, number] = [picture.width / facts.tiles[0], picture.height / facts.tiles[1]];
-    picture.close();
-    const panel = isOwn ? interlacer.fromOwn(codes) : interlacer.fromViews(facts, codes, viewSize, layer);
+    const panel = views ? interlacer.fromViews(facts, codes, viewSize, layer) : interlacer.fromOwn(codes);
     this.gl.deleteTexture(codes);
-    const [width, height] = display.pixels;
+    const [width, height] = interlacer.display.pixels;
     return { layer: null, views: panel, depth: null, panel, viewSize, disparities: [0, 0], bytes: 4 * width * height, whole: Promise.resolve() };
   }
 

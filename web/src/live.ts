@@ -1,6 +1,7 @@
 // A scene that is set up live: what the program says of it, its newest pictures, and what is asked of it (docs/view.md lists the
 // keys). Settings are texts by the names of `lippmann render`'s flags.
 import { loadPicture, postText, readState } from "./data";
+import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
 import type { Frames } from "./frames";
 import { pause } from "./pause";
@@ -28,6 +29,8 @@ export interface LiveState {
   depth: { budget_mm: number | null; summary: string };
   view: string;
   light: string;
+  /** The calibrated panel that the settings are for; null: they are for no such panel. */
+  display: PanelDisplay | null;
   picture: { id: number; version: number; frame: number; pass: string; view_size: [number, number]; depth: boolean; panel: boolean; field: Omit<Field, "frames"> } | null;
   saved: string;
   render: Rendered | null;
@@ -35,6 +38,9 @@ export interface LiveState {
 
 export interface Choices {
   choices: Record<string, string[]>;
+  display: PanelDisplay | null;
+  /** Whether the page begins with what that panel shows. */
+  plays: boolean;
 }
 
 interface Changes {
@@ -51,6 +57,7 @@ export class Live {
   private confirmed = 0;
   private sending = false;
   private shownId = 0;
+  private states = 0;
 
   constructor(
     readonly about: Choices,
@@ -91,6 +98,17 @@ export class Live {
     return !!state && !!picture && !this.sending && picture.id === this.shownId && picture.version === state.version && picture.pass === "final";
   }
 
+  /** Whether what has come is the first that the program says. */
+  get isNew(): boolean {
+    return this.states <= 1;
+  }
+
+  /** The frame that another page has chosen, where this one asks for none; null: there is nothing to follow. */
+  get othersFrame(): number | null {
+    const { state } = this;
+    return !state || this.sending || this.waiting || state.version < this.confirmed ? null : state.frame;
+  }
+
   set(settings: Record<string, string | null>): void {
     for (const [name, value] of Object.entries(settings)) if (value !== null) this.wanted[name] = value;
     this.notify("asked", "");
@@ -100,7 +118,7 @@ export class Live {
   }
 
   setFrame(frame: number): void {
-    if (frame === this.state?.frame && !this.waiting) return;
+    if (!this.state || (frame === this.state.frame && !this.waiting)) return;
     this.waiting = { ...this.waiting, frame };
     void this.send();
   }
@@ -176,6 +194,7 @@ export class Live {
 
   private take(state: LiveState): void {
     this.state = state;
+    this.states++;
     if (!this.sending && !this.waiting && state.version >= this.confirmed) this.wanted = {};
     this.notify("error", state.error);
   }

@@ -78,14 +78,14 @@ export class App {
     run: RunState | null,
   ) {
     this.run = run && new Run(run, fields[0], () => this.hearOfRun(), (topic, text) => this.notify(topic, text));
-    this.store = new Store(fields, display !== null);
+    this.store = new Store(fields, display !== null, display !== null && (about?.plays ?? true), about !== null);
     const gl = openGl(this.canvas);
     this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
     this.renderer = new Renderer(gl, fields, this.frames);
     this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
     this.live = about && new Live(about, fields[0], this.frames, (picture) => this.hearOfScene(picture), (topic, text) => this.notify(topic, text));
     this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text));
-    if (display) this.player.playOn(display);
+    if (display) this.beginPlaying(display);
     this.tilt = new Tilt(
       () => [0, 1].map((axis) => this.store.state.eye[axis] / this.store.state.eye[2]) as [number, number],
       ([x, y]) => this.moveEye(shareOfZone(fields[0].across, x), shareOfZone(fields[0].up, y)),
@@ -114,8 +114,14 @@ export class App {
     this.listen();
     this.head();
     if (this.run) this.beginRun();
-    if (this.player.isPlaying) this.timeline.toggle();
+    if (this.player.isPlaying && !this.live) this.timeline.toggle();
     requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** The panel of a scene that is set up may change with it. */
+  private beginPlaying(display: PanelDisplay): void {
+    if (this.live) this.player.follow(display);
+    else this.player.playOn(display);
   }
 
   redraw(): void {
@@ -125,6 +131,7 @@ export class App {
   /** Of a scene that is set up: settings, pictures or a render are further than they were. */
   private hearOfScene(picture: boolean): void {
     const [field] = this.fields;
+    this.followOthers();
     if (this.eyeHome !== field.eye_mm.join()) {
       this.eyeHome = field.eye_mm.join();
       this.store.set({ eye: field.eye_mm });
@@ -134,6 +141,15 @@ export class App {
     byId("stage").dataset.rest = String(this.live?.isAtRest);
     if (picture) this.redraw();
     this.updateControls();
+  }
+
+  /** A panel's page shows what is set up in another one beside it: the frame, too. The program says with which frame a page
+   *  begins, unless its address does. */
+  private followOthers(): void {
+    const frame = this.live?.othersFrame ?? null;
+    if (this.live?.isNew && this.store.state.frame > 0) this.live.setFrame(this.store.state.frame);
+    else if (frame !== null && !this.timeline.playing) this.store.set({ frame });
+    if (this.live?.state) this.player.follow(this.live.state.display);
   }
 
   /** The first picture is one that is there. */
@@ -220,7 +236,9 @@ export class App {
   }
 
   private hearOfHeadset(): void {
-    byId("stage").dataset.headset = String(this.headset?.isOn ?? false);
+    const isOn = this.headset?.isOn ?? false;
+    byId("stage").dataset.headset = String(isOn);
+    this.notify("in headset", isOn ? "The headset shows the light field, and this page waits. Leave VR comes back to it." : "");
     this.updateControls();
     this.redraw();
   }
@@ -278,7 +296,7 @@ export class App {
 
   private shownText(): string {
     const { state } = this.store;
-    if (state.show === "display") return `played on ${this.player.describe()}. F fills the screen, space plays.`;
+    if (state.show === "display") return `played on ${this.player.describe()}. F fills the screen, ${this.live ? "arrow keys do what dragging does, " : ""}space plays.`;
     const eye = state.eye.map((x) => x.toFixed(0)).join(", ");
     return `${state.show === "panel" ? "what the panel shows" : `seen from ${eye} millimetres`}. Arrow keys move the eye, space plays.`;
   }
@@ -539,8 +557,8 @@ export class App {
   /** Moves the eye, or before the panel's picture the loupe. */
   private arrow(across: number, up: number, x: number, y: number): void {
     const { show, drag } = this.store.state;
-    if (show === "eye" && this.live && drag === "turn") return setOrbit(this.live, orbitOf(this.live)[0] + 5 * x, orbitOf(this.live)[1] - 5 * y);
-    if (show === "eye" && this.live && drag === "plane") return this.movePlane(planeDistance(this.live), -0.02 * y);
+    if (show !== "panel" && this.live && drag === "turn") return setOrbit(this.live, orbitOf(this.live)[0] + 5 * x, orbitOf(this.live)[1] - 5 * y);
+    if (show !== "panel" && this.live && drag === "plane") return this.movePlane(planeDistance(this.live), -0.02 * y);
     if (show === "eye") this.moveEye(across, up);
     if (show !== "panel") return;
     const { left, top, width, height } = this.renderer.place;
@@ -598,7 +616,8 @@ async function start(): Promise<void> {
     const json = await loadFields();
     const fields = readFields(json);
     const { display, live, run } = json as { display?: unknown; live?: Choices; run?: RunState };
-    const app = new App(fields, display ? readDisplay(display) : null, live ?? null, run ?? null);
+    const panel = display ?? live?.display;
+    const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null);
     steerFromOutside(app);
   } catch (error) {
     fail(error);

@@ -1,5 +1,5 @@
 // Playing on a panel: which one, full screen, and its pixels one by one on the pixels of the screen.
-import { readCalibration, type PanelDisplay } from "./display";
+import { readCalibration, readDisplay, type PanelDisplay } from "./display";
 import { Refusal } from "./field";
 import type { Frames } from "./frames";
 import type { Gl } from "./gl";
@@ -19,6 +19,9 @@ const sizeText = ([width, height]: readonly number[]): string => `${width}\u00d7
 
 export class Player {
   display: PanelDisplay | null = null;
+  /** The panel that the program has named last, as text. */
+  private named = "";
+  private isDropped = false;
 
   constructor(
     private readonly gl: Gl,
@@ -39,13 +42,33 @@ export class Player {
   /** Throws a Refusal for a panel that this device cannot draw, or views that no panel's frame is made of. */
   playOn(display: PanelDisplay): void {
     const { up, title } = this.store.fields[0];
-    if (this.frames.isLive) throw new Refusal("A scene that is set up is not played: render it with `--display`, and play that.");
-    if (up.views > 1) throw new Refusal(`${title} has ${up.views} rows of views, and a panel shows one: \`lippmann convert --keep\` takes one of several.`);
+    if (up.views > 1 && !this.frames.isLive) throw new Refusal(`${title} has ${up.views} rows of views, and a panel shows one: \`lippmann convert --keep\` takes one of several.`);
+    this.takeDisplay(display);
+    this.store.set({ show: "display" });
+    this.store.touch();
+  }
+
+  private takeDisplay(display: PanelDisplay): void {
     this.frames.playOn(new Interlacer(this.gl, display), playedBudget());
     this.display = display;
     this.store.plays = true;
-    this.store.set({ show: "display" });
+  }
+
+  /** Of a scene that is set up, the panel that it is set up for, which may be played on; null: it is none. A calibration that
+   *  was dropped on the page stays. */
+  follow(display: PanelDisplay | null): void {
+    const named = JSON.stringify(display);
+    if (named === this.named || this.isDropped) return;
+    this.named = named;
+    if (display) this.takeDisplay(readDisplay(display));
+    else this.stop();
     this.store.touch();
+  }
+
+  private stop(): void {
+    this.display = null;
+    this.store.set({ show: this.store.state.show === "display" ? "eye" : this.store.state.show });
+    this.store.plays = false;
   }
 
   /** A file that was dropped on the page or chosen: a calibration. */
@@ -54,6 +77,7 @@ export class Player {
     try {
       if (file.size > kMostCalibrationBytes) throw new Refusal("It is larger than 1 MB, and no calibration.");
       this.playOn(await readCalibration(await file.text()));
+      this.isDropped = true;
     } catch (error) {
       this.notify("calibration", `${file.name} cannot be used: ${error instanceof Refusal ? error.message : String(error)}`);
     }
@@ -83,6 +107,11 @@ export class Player {
     }
   }
 
+  /** The same scene once more, as eyes see it: this page stays on the panel. */
+  openSetUp(): void {
+    window.open(`${location.href.split("#")[0]}#show=eye`, "_blank", "popup,width=1200,height=800");
+  }
+
   describe(): string {
     return this.display ? `${this.display.name}, ${sizeText(this.display.pixels)}` : "none";
   }
@@ -106,7 +135,7 @@ export class Player {
     const { gl } = this;
     if (gl.drawingBufferWidth !== gl.canvas.width || gl.drawingBufferHeight !== gl.canvas.height)
       return `This device draws ${sizeText([gl.drawingBufferWidth, gl.drawingBufferHeight])} pixels at most, and the panel has ${sizeText(pixels)}.`;
-    if (!fills) return this.canFillScreen ? "Shown as a picture. On the panel's screen, F plays it pixel for pixel." : "Shown as a picture: this browser cannot fill the screen.";
+    if (!fills) return this.canFillScreen ? "Shown as a picture. On the panel's screen, \u201cFull screen\u201d or F plays it pixel for pixel." : "Shown as a picture: this browser cannot fill the screen.";
     const screen = [Math.round(window.innerWidth * ratio), Math.round(window.innerHeight * ratio)];
     const fits = screen.every((side, i) => Math.abs(side - pixels[i]) <= ratio);
     return fits ? "" : `This screen has ${sizeText(screen)} pixels, and the panel ${sizeText(pixels)}: move the window to the panel's screen.`;

@@ -36,7 +36,12 @@ export function sharesOf(picture: ImageBitmap, origins: number): number[] {
   return counts.map((count) => count / (picture.width * picture.height));
 }
 
-const percent = (share: number): string => (share > 0 && share < 0.001 ? "< 0.1\u2009%" : `${(100 * share).toFixed(1)}\u2009%`);
+/** What there is a little of is not left out, and what is not all is not called all. */
+function percent(share: number): string {
+  if (share > 0 && share < 0.001) return "< 0.1\u2009%";
+  const shown = share < 1 ? Math.min(share, 0.999) : share;
+  return `${(100 * shown).toFixed(1)}\u2009%`;
+}
 
 function entry(colour: string, name: string, share: number): HTMLElement {
   const item = document.createElement("li");

@@ -81,14 +81,15 @@ vec3 in_view(ivec2 view, vec2 pixel) {
   return seen;
 }
 // -1e30: nothing is there.
-float disparity_in_view(ivec2 view, vec2 pixel) {
+float disparity_in_tile(vec3 tile, vec2 pixel) {
   vec2 at = clamp(floor(pixel), vec2(0.0), u_view_size - 1.0);
-  vec2 bytes = floor(texel_of(u_depth, tile_of(view), at).rg * 255.0 + 0.5);
+  vec2 bytes = floor(texel_of(u_depth, tile, at).rg * 255.0 + 0.5);
   float code = bytes.x * 256.0 + bytes.y;
   if (code < 0.5) return -1e30;
   float t = (code - 1.0) / 32767.0 - 1.0;
   return u_disparity_scale * t / max(1.0 - abs(t), 1e-6);
 }
+float disparity_in_view(ivec2 view, vec2 pixel) { return disparity_in_tile(tile_of(view), pixel); }
 `;
 
 /** What is compiled into a program, so that it does no work that it does not need: software graphics run every branch. */
@@ -147,14 +148,17 @@ uniform float u_budget;         // mm on either side of the plane
 out vec4 color;
 
 // Along the line of sight, front to back, the first disparity at which the view has a surface; .y: whether it is seen there.
+// What all steps have in common is computed before them: they are most of the time that an eye takes.
 vec2 meet(ivec2 view, vec2 s, vec2 apart) {
+  vec3 tile = tile_of(view);
+  vec2 start = pixel_of(s), per_disparity = apart * vec2(1.0, -1.0) * u_view_size / u_window_size;
   float range = u_disparities.y - u_disparities.x;
-  vec2 moves = abs(apart) * range * u_view_size / u_window_size;
+  vec2 moves = abs(per_disparity) * range;
   int steps = clamp(int(ceil(max(moves.x, moves.y))), 1, 40);
   float step_w = range / float(steps), before = 0.0, w = u_disparities.y;
   for (int i = 0; i <= 40; ++i) {
     if (i > steps) break;
-    float at = max(disparity_in_view(view, pixel_of(s + apart * w)), u_disparities.x);
+    float at = max(disparity_in_tile(tile, start + per_disparity * w), u_disparities.x);
     float behind = at - w;
     if (behind >= -1e-4 * range) {
       if (i == 0) return vec2(at, 1.0);

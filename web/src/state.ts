@@ -48,7 +48,7 @@ const kRanges: { [Key in keyof State]?: readonly [number, number] } = {
   speed: [0.05, 16],
 };
 
-export function defaultState(fields: Field[], plays: boolean): State {
+export function defaultState(fields: Field[], plays: boolean, isSetUp = false): State {
   const field = fields[0];
   return {
     frame: 0,
@@ -69,7 +69,8 @@ export function defaultState(fields: Field[], plays: boolean): State {
     scale: 32,
     speed: 1,
     loop: true,
-    drag: "eye",
+    // On a panel there is no eye to move.
+    drag: plays && isSetUp ? "turn" : "eye",
     budget: false,
     theme: "dark",
   };
@@ -104,12 +105,14 @@ export class Store {
   private readonly listeners: (() => void)[] = [];
   private addressTimer = 0;
 
-  /** plays: whether there is a display to play on. */
+  /** plays: whether there is a display to play on; beginsPlaying: whether it is what the page begins with; isSetUp: of a scene. */
   constructor(
     readonly fields: Field[],
     public plays = false,
+    beginsPlaying = plays,
+    isSetUp = false,
   ) {
-    this.defaults = defaultState(fields, plays);
+    this.defaults = defaultState(fields, beginsPlaying, isSetUp);
     this.state = { ...this.defaults };
     this.readAddress();
   }

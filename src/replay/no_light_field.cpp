@@ -1,0 +1,61 @@
+#include "replay/no_light_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+#include "core/folder_entries.hpp"
+#include "layout/frame_names.hpp"
+#include "layout/light_field_source.hpp"
+#include "lippmann/core/error.hpp"
+#include "video/video_reader.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using Entries = std::vector<fs::directory_entry>;
+
+constexpr const char* kFramesOrViews =
+    "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads";
+
+/// The name of the first entry whose name is such; empty: there is none.
+std::string first_name(const Entries& entries, bool (*is_such)(const fs::path&)) {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return is_such(entry.path()); });
+  return found == entries.end() ? std::string() : found->path().filename().string();
+}
+
+void refuse_folder(const fs::path& folder) {
+  const Entries entries = entries_of(folder);
+  if (entries.empty()) throw Error(folder.string(), "is empty: there are no frames in it, and no views", kFramesOrViews);
+  if (const std::string video = first_name(entries, is_video_name); !video.empty())
+    throw Error(folder.string(), fmt::format("there are no frames in it, but videos ({}), of which no views are read", video),
+                "the folder of frames that they were made of");
+  if (fs::exists(folder / "job.toml"))
+    throw Error(
+        folder.string(), "there are no frames in it, but a job that has not been rendered",
+        fmt::format("`lippmann render {0}` first, or `lippmann view {0}`, which sets it up", (folder / "job.toml").string()));
+  if (const std::string picture = first_name(entries, is_picture_name); !picture.empty())
+    throw Error(folder.string(),
+                fmt::format("there are pictures in it ({}), but none is called as a frame or a view is", picture),
+                fmt::format("{}; a picture alone by its own name", kFramesOrViews));
+}
+
+}  // namespace
+
+void refuse_what_is_no_light_field(const fs::path& in) {
+  std::error_code ignored;
+  if (!fs::is_directory(in, ignored)) {
+    if (is_video_name(in)) throw Error(in.string(), "is a video, of which no views are read", "the frames that it was made of");
+    return;
+  }
+  if (light_field_frames(in, "").empty() && !is_light_field_folder(in)) refuse_folder(in);
+}
+
+void require_picture_name(const fs::path& file) {
+  if (!is_picture_name(file)) throw Error(file.string(), "is no picture", "a picture, a folder of frames or views, or a scene");
+}
+
+}  // namespace lippmann
