@@ -6,7 +6,8 @@
 
 namespace lippmann {
 
-/// Asks for huge pages for memory that is reserved and not yet written; no effect where there are none, or below some megabytes.
+/// Asks for huge pages for memory that is reserved and not yet written; no effect where there are none, or below some
+/// megabytes.
 void prefer_huge_pages(void* memory, std::size_t bytes);
 
 /// Room for `count` values, in huge pages where possible.

@@ -95,7 +95,8 @@ std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timelin
   for (int i = 0; i < count; ++i) {
     const int samples = (spp - i + count - 1) / count;
     const double middle = (samples_before + 0.5 * samples) / spp - 0.5;
-    times.push_back({timeline.time(frame) + static_cast<double>(sampling.shutter) * middle / timeline.frames_per_second, {i, count}});
+    times.push_back(
+        {timeline.time(frame) + static_cast<double>(sampling.shutter) * middle / timeline.frames_per_second, {i, count}});
     samples_before += samples;
   }
   return times;

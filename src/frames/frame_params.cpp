@@ -85,7 +85,8 @@ void check_reuse(const Interpolate& how, const Sampling& sampling) {
     throw usage_error("reuse", "interpolate does not know path-traced frames", "none, light or auto, or `integrator` whitted");
   refuse_shutter(sampling);
   if (sampling.lens.is_open())
-    throw usage_error(name_of_opening(sampling.lens), "blurs with depth, and points that are moved to be interpolated are sharp",
+    throw usage_error(name_of_opening(sampling.lens),
+                      "blurs with depth, and points that are moved to be interpolated are sharp",
                       "`reuse` copy, light, none or auto");
   if (sampling.transparent) throw usage_error("transparent", "interpolated frames have no alpha", "`reuse` none with it");
   if (has_layers_of_every_pixel(sampling))
@@ -132,7 +133,8 @@ void check_sampling(const Sampling& sampling) {
   if (samples_per_pixel(sampling) < 2)
     throw usage_error("denoise", "the noise of one sample cannot be told", "`spp` of 2 or more with it");
   if (sampling.lens.is_open() || sampling.shutter > 0.0f)
-    throw usage_error("denoise", "averages what one surface looks like, and a pixel with depth of field or motion blur is of many",
+    throw usage_error("denoise",
+                      "averages what one surface looks like, and a pixel with depth of field or motion blur is of many",
                       "no `aperture`, `f-number` or `shutter` with it");
 }
 

@@ -26,7 +26,8 @@ constexpr std::uint32_t kPlacesSalt = 0x706c6163u;
 class SampleSource {
  public:
   SampleSource(const Shot& shot, const TraceParams& params)
-      : rays_(shot.optics, shot.world_from_display, SubPixel{params.seed, kMostGatherSamples, params.angular_filter, params.lens}),
+      : rays_(shot.optics, shot.world_from_display,
+              SubPixel{params.seed, kMostGatherSamples, params.angular_filter, params.lens}),
         seed_(hash(params.seed, params.frame, kPlacesSalt)),
         width_(static_cast<std::uint32_t>(film_size(shot.optics).x)),
         first_pixel_(lippmann::first_pixel(shot.optics, shot.rows)) {}

@@ -24,12 +24,12 @@ class ThinLens {
   void spread(const LensLanes& lanes, RayPacket& rays) const;
 
  private:
-  float radius_;              ///< in the display's mm
+  float radius_;  ///< in the display's mm
   std::uint32_t seed_;
-  Vec3f right_, up_;          ///< world vectors of 1 mm of the lens
-  Vec3f forward_;             ///< unit length
-  float origin_share_;        ///< of a step on the lens, by which rays move in the plane where they start
-  float inverse_focus_;       ///< 1 / distance from the eyes to the focal plane, in the world
+  Vec3f right_, up_;     ///< world vectors of 1 mm of the lens
+  Vec3f forward_;        ///< unit length
+  float origin_share_;   ///< of a step on the lens, by which rays move in the plane where they start
+  float inverse_focus_;  ///< 1 / distance from the eyes to the focal plane, in the world
 };
 
 }  // namespace lippmann

@@ -18,8 +18,8 @@ class FrameTracer {
       : scene_(shot.device.shaded()),
         params_(params),
         beam_(shot.optics, shot.world_from_display, params.spp),
-        source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter, params.lens},
-                shot.rows),
+        source_(shot.optics, shot.world_from_display, params.order,
+                SubPixel{params.seed, params.spp, params.angular_filter, params.lens}, shot.rows),
         sinks_{&film},
         film_(parts) {
     film_.all = film.data.data();

@@ -26,7 +26,7 @@ struct TraceParams {
   int spp = 1;                                          ///< samples per pixel; above 1 stratified over the pixel's area
   int max_depth = 6;                                    ///< path vertices: 1 = no mirrors
   AngularFilter angular_filter = AngularFilter::kNone;  ///< how views are filtered; has an effect above 1 sample per pixel
-  ViewLens lens{};  ///< by its aperture (lens_by_aperture)
+  ViewLens lens{};                                      ///< by its aperture (lens_by_aperture)
   std::uint32_t seed = 0;   ///< decides where in pixels samples lie, in every frame alike: what stands still must not flicker
   std::uint32_t frame = 0;  ///< paths: other frames have other noise
   float clamp_indirect = 0.0f;  ///< paths: > 0: no indirect contribution to a sample is brighter; loses light

@@ -5,8 +5,8 @@
 // back as a series of bounces, each with the facets' mean reflectance F); E. Turquin, "Practical multiple scattering
 // compensation for microfacet models", 2019 (it has the shape of the lobe of one scattering: a factor).
 //
-// Of what is left between the facets, a share e leaves with each further bounce: F e + F (1 - e) F e + ... = F e / (1 - F (1 - e)).
-// The factor is 1 + (1 - E) / E of that, E the albedo of one scattering where F = 1.
+// Of what is left between the facets, a share e leaves with each further bounce: F e + F (1 - e) F e + ... = F e / (1 - F (1 -
+// e)). The factor is 1 + (1 - E) / E of that, E the albedo of one scattering where F = 1.
 //
 // We deviate: e = 0.25 + 0.95 E in place of the mean of E, fitted to walks from facet to facet (E. Heitz et al.,
 // "Multiple-Scattering Microfacet BSDFs with the Smith Model", SIGGRAPH 2016). Albedos are within 4 % of theirs, and within 1 %

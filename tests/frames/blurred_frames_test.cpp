@@ -19,7 +19,8 @@ TEST(Exposure, times_are_the_middles_of_their_samples_shares) {
   const auto times = exposure_times({.spp = 4, .shutter = 0.5f}, timeline, 3);
   ASSERT_EQ(times.size(), 4u);
   // 0.3 s, and half of 0.1 s in four parts around it.
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(times[i].seconds, 0.3 + 0.05 * ((0.5 + static_cast<double>(i)) / 4 - 0.5), 1e-12);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(times[i].seconds, 0.3 + 0.05 * ((0.5 + static_cast<double>(i)) / 4 - 0.5), 1e-12);
 }
 
 // 33 samples at 32 times: two at the first, one at each of the others.
@@ -113,7 +114,8 @@ TEST(DepthOfField, light_that_is_shared_is_seen_through_the_lens_too) {
     params.sampling.integrator = Integrator::kPath, params.sampling.spp = 64, params.sampling.seed = seed;
     return make_frames(params, {0});
   };
-  const MadeFrames traced = frames(ReuseChoice::kNone, 1), other = frames(ReuseChoice::kNone, 2), shared = frames(ReuseChoice::kLight, 1);
+  const MadeFrames traced = frames(ReuseChoice::kNone, 1), other = frames(ReuseChoice::kNone, 2),
+                   shared = frames(ReuseChoice::kLight, 1);
   EXPECT_GE(psnr_between(traced, shared, 0), psnr_between(traced, other, 0) - 1.0);
 }
 

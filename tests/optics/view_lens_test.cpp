@@ -6,8 +6,8 @@
 namespace lippmann {
 namespace {
 
-// A view 360 mm wide from 500 mm away is that of a focal length of 36 x 500 / 360 = 50 mm; at f/2 the lens is 25 mm wide. Where a
-// millimetre of the display is 2 mm of the scene, these are 12.5 mm of the display.
+// A view 360 mm wide from 500 mm away is that of a focal length of 36 x 500 / 360 = 50 mm; at f/2 the lens is 25 mm wide. Where
+// a millimetre of the display is 2 mm of the scene, these are 12.5 mm of the display.
 TEST(ViewLens, an_f_number_is_an_aperture_in_scenes_in_metres) {
   Optics view;
   view.panel = {720, 400, 0.5f};
@@ -29,7 +29,8 @@ TEST(ViewLens, only_views_have_eyes_that_a_lens_may_be_put_in) {
     optics.model = model;
     EXPECT_TRUE(can_have_view_lens(optics));
   }
-  for (const OpticsModel& model : {OpticsModel(LenticularSheet{}), OpticsModel(MicrolensArray{}), OpticsModel(SlantedPanel{})}) {
+  for (const OpticsModel& model :
+       {OpticsModel(LenticularSheet{}), OpticsModel(MicrolensArray{}), OpticsModel(SlantedPanel{})}) {
     optics.model = model;
     EXPECT_FALSE(can_have_view_lens(optics));
   }

@@ -59,10 +59,10 @@ struct Focus {
 
 class ThinLensEdge : public testing::TestWithParam<Focus> {};
 
-// A circle of confusion A |z - f| / (D - z) wide in the plane z = f is D / (D - f) times that on the display. Across an edge its
-// light falls as a disc's does: the variance of a uniform disc of diameter c along one axis is c^2 / 16. Differences of pixels,
-// each the mean over its width, add 1/6 px^2. An eye at e sees the edge (X, z) on the display at e (1 - m) + X m, m = D / (D - z),
-// whatever the lens.
+// A circle of confusion A |z - f| / (D - z) wide in the plane z = f is D / (D - f) times that on the display. Across an edge
+// its light falls as a disc's does: the variance of a uniform disc of diameter c along one axis is c^2 / 16. Differences of
+// pixels, each the mean over its width, add 1/6 px^2. An eye at e sees the edge (X, z) on the display at e (1 - m) + X m, m = D
+// / (D - z), whatever the lens.
 TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   const auto [z, f, aperture] = GetParam();
   const double circle_px = aperture * std::abs(z - f) / (kDistance - z) * kDistance / (kDistance - f) / kPitch;
@@ -79,7 +79,8 @@ TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   }
 }
 
-// Behind the display and in front of it; with the focus on it, in front of it and behind it: circles of 20, 20, 33 and 20 pixels.
+// Behind the display and in front of it; with the focus on it, in front of it and behind it: circles of 20, 20, 33 and 20
+// pixels.
 INSTANTIATE_TEST_SUITE_P(Depths, ThinLensEdge,
                          testing::Values(Focus{-20.0f, 0.0f, 4.0f}, Focus{10.0f, 0.0f, 2.0f}, Focus{-20.0f, 5.0f, 4.0f},
                                          Focus{5.0f, -10.0f, 3.0f}));

@@ -73,8 +73,8 @@ double walked_albedo(float cosine, float alpha, double f0) {
   return sum / kWalks;
 }
 
-// The fitted formula is within 3 % in these directions, of which the walks' own noise is up to 0.5 %. A factor of 1 + F0 (1 - E)
-// / E instead is 16 % too bright at roughness 1 and F0 = 0.5, and 9 % at 0.2 and 0.8.
+// The fitted formula is within 3 % in these directions, of which the walks' own noise is up to 0.5 %. A factor of 1 + F0 (1 -
+// E) / E instead is 16 % too bright at roughness 1 and F0 = 0.5, and 9 % at 0.2 and 0.8.
 TEST(GgxAlbedo, of_coloured_metals_is_that_of_walks_from_facet_to_facet) {
   for (const float roughness : {0.5f, 0.8f, 1.0f})
     for (const float cosine : {0.999f, 0.7f})

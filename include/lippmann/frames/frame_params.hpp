@@ -24,7 +24,7 @@ struct Sampling {
   std::optional<AngularFilter> angular_filter{};  ///< none: kBox for several samples of a display's quilt, see PlacedOptics
   ViewLens lens{};                                ///< of views: depth of field; 2 or more samples per pixel
   float shutter = 0.0f;  ///< motion blur: open for this share of the time from frame to frame, around the frame's; 0 to 1
-  int max_depth = 0;                              ///< path vertices; 0: the scene's own limit
+  int max_depth = 0;     ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
   float clamp_indirect = 0.0f;  ///< paths: the brightest indirect contribution to a sample; 0: any
   bool denoise = false;         ///< paths: frames are filtered (denoise/denoiser.hpp)

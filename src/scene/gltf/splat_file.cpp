@@ -26,7 +26,8 @@ std::string leading_json(const std::filesystem::path& path, std::uint64_t limit)
   std::uint32_t chunk = 0;
   std::memcpy(&chunk, start.data() + 12, sizeof chunk);
   std::error_code error;
-  const std::uint64_t size = std::filesystem::file_size(path, error), wanted = binary ? std::min<std::uint64_t>(chunk, size) : size;
+  const std::uint64_t size = std::filesystem::file_size(path, error),
+                      wanted = binary ? std::min<std::uint64_t>(chunk, size) : size;
   if (error || wanted > limit) return {};
   file.clear();
   file.seekg(binary ? static_cast<std::streamoff>(start.size()) : 0);

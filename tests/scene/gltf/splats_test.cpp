@@ -145,7 +145,8 @@ TEST_F(SplatFiles, that_cannot_be_read_are_none) {
   cut.resize(200);
   EXPECT_FALSE(is_splat_file(write("cut.glb", cut)));
   EXPECT_FALSE(is_splat_file(write("text.gltf", test::contents_of("KHR_gaussian_splatting"))));
-  EXPECT_FALSE(is_splat_file(write("odd.gltf", test::contents_of(R"({"meshes": [{"primitives": ["KHR_gaussian_splatting"]}]})"))));
+  EXPECT_FALSE(
+      is_splat_file(write("odd.gltf", test::contents_of(R"({"meshes": [{"primitives": ["KHR_gaussian_splatting"]}]})"))));
   EXPECT_FALSE(is_splat_file(write("empty.glb", {})));
   EXPECT_FALSE(is_splat_file((dir_ / "none.glb").string()));
 }
