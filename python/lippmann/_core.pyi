@@ -211,6 +211,8 @@ class Sampling:
     seed: int
     denoise: bool
     transparent: bool
+    shutter: float
+    def set_lens(self, aperture_mm: float, f_number: float, focal_plane_mm: float) -> None: ...
 
 class Reuse:
     def __init__(self, name: str, keyframes: Optional[int], min_psnr_db: Optional[float]) -> None: ...

@@ -56,6 +56,10 @@ def frames(
     max_depth: int = 0,
     seed: int = 0,
     denoise: bool = False,
+    aperture_mm: float = 0.0,
+    f_number: float = 0.0,
+    focal_plane_mm: float = 0.0,
+    shutter: float = 0.0,
     reuse: str = "auto",
     keyframes: Optional[int] = None,
     min_psnr: Optional[float] = None,
@@ -86,6 +90,9 @@ def frames(
         whitted for scenes of formats that describe Whitted's shading, the built-in ones among them.
     spp: samples per pixel; None: 16 of paths, else 1. max_depth: path vertices; 0: the scene's. seed: of the random paths.
     denoise: takes noise out of path-traced frames.
+    aperture_mm, or f_number (of a camera with a sensor 36 mm wide, in scenes in metres): depth of field for views: the diameter
+        of the lens that each is seen through. focal_plane_mm: what is sharp, in front of the display's plane. 2 or more spp.
+    shutter: motion blur, over this share of the time from frame to frame (0 to 1). 2 or more spp.
     reuse: auto, none, copy, light, interpolate (docs/reuse.md); keyframes, min_psnr (dB): of it, where they have a meaning.
     fit_depth: scenes that are deeper than the display resolves are shown less deep. None: as `lippmann render`: not for views of
         one's own.
@@ -119,6 +126,9 @@ def frames(
     key = integer(seed, "seed", 0, (1 << 32) - 1)
     every = None if keyframes is None else integer(keyframes, "keyframes", 1, 1 << 20)
     floor = None if min_psnr is None else number(min_psnr, "min_psnr", 1.0, 100.0)
+    opening = number(aperture_mm, "aperture_mm", 0.0, 1e6), number(f_number, "f_number", 0.0, 1e6)
+    focal_plane = number(focal_plane_mm, "focal_plane_mm", -1e6, 1e6)
+    open_share = number(shutter, "shutter", 0.0, 1.0)
     workers = integer(threads, "threads", 0, 4096)
     choice(light, "light", ("auto", "none"))
     core.check()
@@ -134,6 +144,8 @@ def frames(
     sampling = _core.Sampling(paths)
     sampling.spp, sampling.max_depth, sampling.seed = samples, depth_limit, key
     sampling.denoise, sampling.transparent = bool(denoise), bool(transparent)
+    sampling.set_lens(*opening, focal_plane)
+    sampling.shutter = open_share
     sampling.want_layers(wanted)
     made = _core.Frames(core, placement, sampling, _core.Reuse(reuse, every, floor), workers)
     return Animation(made, which, shown, progress)

@@ -212,7 +212,11 @@ void bind_frame_params(py::module_& module) {
       .def_readwrite("max_depth", &Sampling::max_depth)
       .def_readwrite("seed", &Sampling::seed)
       .def_readwrite("denoise", &Sampling::denoise)
-      .def_readwrite("transparent", &Sampling::transparent);
+      .def_readwrite("transparent", &Sampling::transparent)
+      .def_readwrite("shutter", &Sampling::shutter)
+      .def("set_lens", [](Sampling& sampling, float aperture_mm, float f_number, float focal_plane_mm) {
+        sampling.lens = {aperture_mm, f_number, focal_plane_mm};
+      });
   py::class_<ChosenReuse>(module, "Reuse")
       .def(py::init([](const std::string& name, const std::optional<int>& keyframes, const std::optional<double>& min_psnr_db) {
         return ChosenReuse{reuse_named(name, keyframes, min_psnr_db)};

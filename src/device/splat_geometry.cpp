@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/huge_pages.hpp"
 #include "scene/splats.hpp"
 
 namespace lippmann {
@@ -74,12 +75,24 @@ LIPPMANN_MULTIVERSION int meet_splat(const WorldSplat& splat, const int* valid, 
   return meet_in_lanes(splat, valid, words, n, meeting);
 }
 
+/// Its harmonics, which nothing has looked at since the last packet that met it: they come while the rays go on.
+void fetch_colour(const SplatTable& table, const WorldSplat& splat) {
+  constexpr std::size_t kCacheLine = 64;
+  const Splats& splats = *table.sets[splat.set].splats;
+  const std::size_t bytes = harmonics_of(splats.degree) * sizeof(Vec3f);
+  const auto* first = reinterpret_cast<const char*>(splats.harmonics.data()) + splat.source * bytes;
+  for (std::size_t at = 0; at < bytes; at += kCacheLine) __builtin_prefetch(first + at);
+}
+
 void collect_splat(const RTCIntersectFunctionNArguments* args) {
   const auto& table = *static_cast<const SplatTable*>(args->geometryUserPtr);
   auto* words = reinterpret_cast<float*>(args->rayhit);
   const unsigned n = args->N;
+  // The next ones on the curve are the likeliest to be met next. (Beyond the table's end nothing is read.)
+  for (unsigned ahead = 1; ahead <= 2; ++ahead) __builtin_prefetch(table.splats.data() + args->primID + ahead);
   SplatMeeting meeting;
   if (!meet_splat(table.splats[args->primID], args->valid, words, n, meeting)) return;
+  fetch_colour(table, table.splats[args->primID]);
   SplatHits& hits = *reinterpret_cast<SplatContext*>(args->context)->hits;
   const auto* lane = reinterpret_cast<const unsigned*>(words + 10 * n);
   float* t_far = words + 8 * n;
@@ -87,8 +100,15 @@ void collect_splat(const RTCIntersectFunctionNArguments* args) {
     if (meeting.met[i]) t_far[i] = hits.add(lane[i], {meeting.t[i], meeting.alpha[i], 1.0f, args->primID}, t_far[i]);
 }
 
+std::size_t splats_in(const SplatTable& table) {
+  std::size_t count = 0;
+  for (const SplatSet& set : table.sets) count += set.splats->centers.size();
+  return count;
+}
+
 void fill_table(SplatTable& table, const Scene& scene, const ResolvedScene& resolved) {
   table.splats.clear();
+  reserve_huge(table.splats, splats_in(table));
   for (std::uint32_t s = 0; s < table.sets.size(); ++s) {
     SplatSet& set = table.sets[s];
     const Affine3f place = resolved.of(scene.instances[set.instance].node);

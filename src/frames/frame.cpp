@@ -43,6 +43,7 @@ TraceParams trace_params(const Sampling& sampling, const Stage& stage) {
   trace.max_depth = sampling.max_depth > 0 ? sampling.max_depth : stage.scene.max_depth;
   trace.seed = sampling.seed;
   trace.angular_filter = angular_filter(sampling, stage.placed);
+  trace.lens = lens_by_aperture(sampling.lens, stage.placed.optics, stage.placed.units_per_mm);
   trace.clamp_indirect = sampling.clamp_indirect;
   return trace;
 }
@@ -50,8 +51,10 @@ TraceParams trace_params(const Sampling& sampling, const Stage& stage) {
 Stage::Stage(Scene described, FittedArray fitted, PlacedOptics of_array, Integrator integrator, const ThreadPool& pool)
     : scene(std::move(described)), array(std::move(fitted)), placed(std::move(of_array)), device(scene, pool, integrator) {}
 
-Moment Stage::moment_at(int frame) const {
-  Moment moment{evaluate(scene, scene.timeline.time(frame)), {}};
+Moment Stage::moment_at(int frame) const { return moment_at_time(scene.timeline.time(frame)); }
+
+Moment Stage::moment_at_time(double seconds) const {
+  Moment moment{evaluate(scene, seconds), {}};
   moment.world_from_display = world_from_display(array, placed.units_per_mm, moment.resolved);
   return moment;
 }
@@ -63,6 +66,40 @@ void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& 
   std::optional<FrameStep> step;
   if (before) step.emplace(FrameStep{moment.resolved, before->resolved, before->world_from_display});
   find_first_hits(stage.shot(moment), sampling.order, step ? &*step : nullptr, pool, aovs);
+}
+
+namespace {
+
+/// Times in the exposure share a frame's samples among them: more would cost more updates of the scene than they show.
+constexpr int kMostTimes = 32;
+
+/// At the time of each of these shares of the samples, in turn.
+RayCounts trace_exposure(Stage& stage, const Sampling& sampling, const TraceParams& trace, const Workers& workers,
+                         const FrameTargets& into) {
+  RayCounts rays;
+  for (const ExposureTime& time : exposure_times(sampling, stage.scene.timeline, static_cast<int>(trace.frame))) {
+    if (workers.context.cancelled) break;
+    const Moment moment = stage.moment_at_time(time.seconds);
+    stage.device.update(moment.resolved, workers.pool);
+    add(trace_frame(stage.shot(moment), trace, workers, into, time.share), rays);
+  }
+  return rays;
+}
+
+}  // namespace
+
+std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timeline& timeline, int frame) {
+  const int spp = samples_per_pixel(sampling), count = std::min(spp, kMostTimes);
+  std::vector<ExposureTime> times;
+  int samples_before = 0;
+  for (int i = 0; i < count; ++i) {
+    const int samples = (spp - i + count - 1) / count;
+    const double middle = (samples_before + 0.5 * samples) / spp - 0.5;
+    times.push_back(
+        {timeline.time(frame) + static_cast<double>(sampling.shutter) * middle / timeline.frames_per_second, {i, count}});
+    samples_before += samples;
+  }
+  return times;
 }
 
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
@@ -77,8 +114,13 @@ RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, co
   rendered.report.frame = frame;
   TraceParams trace = trace_params(sampling, stage);
   trace.frame = static_cast<std::uint32_t>(frame);
-  rendered.report.rays = trace_frame(stage.shot(moment), trace, {pool, context},
-                                     {rendered.pictures.film, &rendered.pictures.aovs, nullptr, touched});
+  const FrameTargets targets{rendered.pictures.film, &rendered.pictures.aovs, nullptr, touched};
+  if (sampling.shutter > 0.0f) {
+    rendered.report.rays = trace_exposure(stage, sampling, trace, {pool, context}, targets);
+    stage.device.update(moment.resolved, pool);  // layers of first hits are of the frame's own time
+  } else {
+    rendered.report.rays = trace_frame(stage.shot(moment), trace, {pool, context}, targets);
+  }
   if (!context.cancelled) add_first_hits(stage, sampling, moment, frame, pool, rendered.pictures.aovs);
   clock.add_to(rendered.report);
   return rendered;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/parallel.hpp"
@@ -33,6 +34,7 @@ struct Stage {
 
   /// Where everything is in a frame.
   Moment moment_at(int frame) const;
+  Moment moment_at_time(double seconds) const;
 
   /// What is rendered of the moment that the device scene was moved to.
   Shot shot(const Moment& moment) const { return {device, placed.optics, moment.world_from_display, rows}; }
@@ -53,6 +55,15 @@ class FrameClock {
   Clock::time_point start_ = Clock::now();
   double cpu_start_;
 };
+
+/// One of the times that a frame with motion blur is exposed at, and the samples that are traced then.
+struct ExposureTime {
+  double seconds = 0.0;
+  SampleShare share;
+};
+
+/// The samples of a pixel in their order, spread evenly over the time that the shutter is open.
+std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timeline& timeline, int frame);
 
 /// Which layers a frame has to have.
 FrameAovs wanted_aovs(const Sampling& sampling);

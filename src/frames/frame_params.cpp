@@ -1,6 +1,9 @@
 #include "lippmann/frames/frame_params.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "lippmann/core/error.hpp"
@@ -11,6 +14,9 @@ namespace {
 
 /// Fewer paths a pixel leave nothing to be saved.
 constexpr int kLeastPaths = 8;
+
+/// Beyond it, squares of lengths come near to what floats hold.
+constexpr float kMostApertureMm = 1e6f;
 
 bool has_layer(const Sampling& sampling, Aov layer) {
   return std::find(sampling.aov.begin(), sampling.aov.end(), layer) != sampling.aov.end();
@@ -26,10 +32,21 @@ bool has_layers_of_paths(const Sampling& sampling) {
   return has_layer(sampling, Aov::kDirect) || has_layer(sampling, Aov::kIndirect);
 }
 
+/// The member that opens the lens.
+const char* name_of_opening(const ViewLens& lens) { return lens.aperture_mm > 0.0f ? "aperture" : "f-number"; }
+
 void check_reuse(const AutoReuse&, const Sampling&) {}
 void check_reuse(const TraceAll&, const Sampling&) {}
 
+/// What frames share or move is of one time.
+void refuse_shutter(const Sampling& sampling) {
+  if (sampling.shutter > 0.0f)
+    throw usage_error("shutter", "blurs what moves, and frames that take from each other are each of one time",
+                      "`reuse` none or auto with it");
+}
+
 void check_reuse(const CopySettled&, const Sampling& sampling) {
+  refuse_shutter(sampling);
   if (integrator_of(sampling) == Integrator::kPath)
     throw usage_error("reuse", "copy knows pixels of Whitted's shading; path-traced ones have other noise in every frame",
                       "light, none or auto, or `integrator` whitted");
@@ -46,6 +63,7 @@ void check_reuse(const ShareLight& light, const Sampling& sampling) {
     throw usage_error("quality-at", "eye means nothing with `time-budget`, which takes what time allows", "one of the two");
   if (!(light.crosstalk_px >= 0.0 && light.crosstalk_px <= kMaxBlurPx))
     throw usage_error("crosstalk", "is no sigma of neighbours that are seen", "0 to 8 pixels or views");
+  refuse_shutter(sampling);
   if (can_share_light(sampling, light)) return;
   if (integrator_of(sampling) != Integrator::kPath)
     throw usage_error("reuse", "only paths share light", "`integrator` path with it, or copy, interpolate, none or auto");
@@ -65,6 +83,11 @@ std::string against_floor(const Interpolate& how) {
 void check_reuse(const Interpolate& how, const Sampling& sampling) {
   if (integrator_of(sampling) == Integrator::kPath)
     throw usage_error("reuse", "interpolate does not know path-traced frames", "none, light or auto, or `integrator` whitted");
+  refuse_shutter(sampling);
+  if (sampling.lens.is_open())
+    throw usage_error(name_of_opening(sampling.lens),
+                      "blurs with depth, and points that are moved to be interpolated are sharp",
+                      "`reuse` copy, light, none or auto");
   if (sampling.transparent) throw usage_error("transparent", "interpolated frames have no alpha", "`reuse` none with it");
   if (has_layers_of_every_pixel(sampling))
     throw usage_error("aov", "interpolated frames have no extra layers but provenance", "`reuse` none with it");
@@ -76,7 +99,32 @@ void check_reuse(const Interpolate& how, const Sampling& sampling) {
                       "one of the two");
 }
 
+void check_lens(const ViewLens& lens) {
+  if (!(lens.aperture_mm >= 0.0f && lens.aperture_mm <= kMostApertureMm))
+    throw usage_error("aperture", fmt::format("is {} mm", lens.aperture_mm), fmt::format("0 to {} mm", kMostApertureMm));
+  if (!(lens.f_number >= 0.0f && std::isfinite(lens.f_number)))
+    throw usage_error("f-number", fmt::format("is {}", lens.f_number), "a number above 0, or 0 for a pinhole");
+  if (lens.aperture_mm > 0.0f && lens.f_number > 0.0f)
+    throw usage_error("f-number", "and `aperture` both say how wide the lens is", "one of the two");
+  if (!std::isfinite(lens.focal_plane_mm))
+    throw usage_error("focal-plane", fmt::format("is {} mm", lens.focal_plane_mm), "a number of millimetres");
+  if (lens.focal_plane_mm != 0.0f && !lens.is_open())
+    throw usage_error("focal-plane", "means nothing for a pinhole, to which all is sharp", "`aperture` or `f-number` with it");
+}
+
+void check_several_samples(const char* field, const char* problem, const Sampling& sampling) {
+  if (samples_per_pixel(sampling) < 2) throw usage_error(field, problem, "`spp` of 2 or more with it");
+}
+
+void check_shutter(const Sampling& sampling) {
+  if (!(sampling.shutter >= 0.0f && sampling.shutter <= 1.0f))
+    throw usage_error("shutter", fmt::format("is {}", sampling.shutter), "a share of the time from frame to frame, 0 to 1");
+  if (sampling.shutter > 0.0f) check_several_samples("shutter", "one sample is of one time", sampling);
+}
+
 void check_sampling(const Sampling& sampling) {
+  check_lens(sampling.lens);
+  check_shutter(sampling);
   const bool paths = integrator_of(sampling) == Integrator::kPath;
   if (has_layers_of_paths(sampling) && !paths)
     throw usage_error("aov", "direct and indirect are parts of the light that paths find", "`integrator` path with them");
@@ -84,6 +132,34 @@ void check_sampling(const Sampling& sampling) {
   if (!paths) throw usage_error("denoise", "only paths have noise", "`integrator` path with it");
   if (samples_per_pixel(sampling) < 2)
     throw usage_error("denoise", "the noise of one sample cannot be told", "`spp` of 2 or more with it");
+  if (sampling.lens.is_open() || sampling.shutter > 0.0f)
+    throw usage_error("denoise",
+                      "averages what one surface looks like, and a pixel with depth of field or motion blur is of many",
+                      "no `aperture`, `f-number` or `shutter` with it");
+}
+
+/// Where the lens is open.
+void check_lens(const Sampling& sampling, const Optics& optics) {
+  const char* const field = name_of_opening(sampling.lens);
+  if (!can_have_view_lens(optics))
+    throw usage_error(field,
+                      "only views have eyes that a lens may be put in: pixels below lenses have directions of their own, and "
+                      "blur with depth as those lenses do",
+                      "`optics` single or multiview");
+  check_several_samples(field, "one sample passes one point of the lens", sampling);
+  if (!(sampling.lens.focal_plane_mm < viewing_distance_mm(optics)))
+    throw usage_error("focal-plane", fmt::format("at {} mm lies behind the viewer", sampling.lens.focal_plane_mm),
+                      fmt::format("less than the viewing distance, {} mm", viewing_distance_mm(optics)));
+}
+
+void check_angular_filter(const Sampling& sampling, const Optics& optics) {
+  constexpr const char* kField = "angular-filter";
+  if (!view_tiles(optics))
+    throw usage_error(kField,
+                      "only views have eyes to be spread: below lenses, the samples of a pixel are seen from all of its "
+                      "directions anyway",
+                      "`optics` multiview, or `spp` alone");
+  check_several_samples(kField, "one sample is seen from one eye", sampling);
 }
 
 }  // namespace
@@ -94,13 +170,13 @@ const char* name_of(const Reuse& reuse) {
 }
 
 bool can_share_light(const Sampling& sampling, const ShareLight& light) {
-  return integrator_of(sampling) == Integrator::kPath && !has_layers_of_paths(sampling) &&
+  return integrator_of(sampling) == Integrator::kPath && !has_layers_of_paths(sampling) && sampling.shutter <= 0.0f &&
          (samples_per_pixel(sampling) >= kLeastPaths || light.min_psnr_db || light.time_budget_s);
 }
 
 bool can_copy_settled(const Sampling& sampling) {
   return integrator_of(sampling) == Integrator::kWhitted && !has_layers_of_every_pixel(sampling) && !sampling.transparent &&
-         !sampling.denoise;
+         !sampling.denoise && sampling.shutter <= 0.0f;
 }
 
 Reuse resolved_reuse(const FrameParams& params) {
@@ -117,15 +193,8 @@ void check(const FrameParams& params) {
 
 void check(const FrameParams& params, const Optics& optics) {
   check(params);
-  if (params.sampling.angular_filter != AngularFilter::kBox) return;
-  constexpr const char* kField = "angular-filter";
-  if (!view_tiles(optics))
-    throw usage_error(kField,
-                      "only views have eyes to be spread: below lenses, the samples of a pixel are seen from all of its "
-                      "directions anyway",
-                      "`optics` multiview, or `spp` alone");
-  if (samples_per_pixel(params.sampling) == 1)
-    throw usage_error(kField, "one sample is seen from one eye", "`spp` of 2 or more with it");
+  if (params.sampling.lens.is_open()) check_lens(params.sampling, optics);
+  if (params.sampling.angular_filter == AngularFilter::kBox) check_angular_filter(params.sampling, optics);
 }
 
 }  // namespace lippmann

@@ -390,6 +390,20 @@ std::vector<ParamInfo> rendering_rows() {
            "Multiview: the samples of a pixel are seen from one eye (none), or from half-way to one neighbour to half-way to "
            "the "
            "other (box): what lies beyond the depth budget blurs and does not double; default: box for quilts of a --display"}),
+      row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::aperture_mm, number<float>(0.0, 1e6),
+          {"aperture", "Rendering", "MM",
+           "Depth of field, for single views and quilts: the diameter of the lens that each view is seen through, in the "
+           "display's millimetres; 0: a pinhole"}),
+      row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::f_number, number<float>(0.0, 1e6),
+          {"f-number", "Rendering", "N",
+           "The same as on a camera with a sensor 36 mm wide, as in Blender, in scenes whose unit is the metre; 0: a pinhole"}),
+      row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::focal_plane_mm, number<float>(-1e6, 1e6),
+          {"focal-plane", "Rendering", "MM",
+           "What is sharp with depth of field: so far in front of the display's plane (see --focus), below 0 behind it"}),
+      row(ParamKind::kNumber, &P::sampling, &Sampling::shutter, number<float>(0.0, 1.0),
+          {"shutter", "Rendering", "SHARE",
+           "Motion blur: the samples of a pixel are spread over this share of the time from frame to frame, around the "
+           "frame's; 0.5 as in Blender; 0: off"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::max_depth, integer<int>(0, 1024),
           {"max-depth", "Rendering", "N", "The most vertices that a path may have; 1: no mirrors; 0: the scene's own limit"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::seed,

@@ -106,10 +106,10 @@ void check_floor(const RenderParams& params) {
 }
 
 std::string whole_paths_sentence(const RenderParams& params) {
-  Sampling without_layers = params.sampling;
-  without_layers.aov.clear();
-  if (params.reuse.choice != ReuseChoice::kAuto || can_share_light(params.sampling) || !can_share_light(without_layers))
-    return "";
+  Sampling plain = params.sampling;
+  plain.aov.clear(), plain.shutter = 0.0f;
+  if (params.reuse.choice != ReuseChoice::kAuto || can_share_light(params.sampling) || !can_share_light(plain)) return "";
+  if (params.sampling.shutter > 0.0f) return "--shutter makes every frame one of several times: no light is shared";
   return "--aov direct and indirect are parts of whole paths: no light is shared";
 }
 

@@ -78,6 +78,7 @@ std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& fa
   Sampling sampling = params.sampling;
   sampling.spp = uses_paths(params) ? kCoarsePaths : 1;
   sampling.angular_filter = AngularFilter::kNone;
+  sampling.lens = {};
   Image film;
   trace_frame({stage.device, rays, moment.world_from_display}, trace_params(sampling, stage), {live.pool(), context}, {film});
   if (context.cancelled) return std::nullopt;

@@ -26,7 +26,8 @@ constexpr std::uint32_t kPlacesSalt = 0x706c6163u;
 class SampleSource {
  public:
   SampleSource(const Shot& shot, const TraceParams& params)
-      : rays_(shot.optics, shot.world_from_display, SubPixel{params.seed, kMostGatherSamples, params.angular_filter}),
+      : rays_(shot.optics, shot.world_from_display,
+              SubPixel{params.seed, kMostGatherSamples, params.angular_filter, params.lens}),
         seed_(hash(params.seed, params.frame, kPlacesSalt)),
         width_(static_cast<std::uint32_t>(film_size(shot.optics).x)),
         first_pixel_(lippmann::first_pixel(shot.optics, shot.rows)) {}
@@ -38,11 +39,16 @@ class SampleSource {
   void fill(CameraPacket& packet) const {
     alignas(64) float px[kLanes], py[kLanes];
     place_samples(packet, px, py);
+    fill_pinholes(px, py, packet);
+    if (rays_.lens().is_open()) rays_.lens().spread({packet.stream, packet.sample}, packet.rays.ray);
+  }
+
+ private:
+  void fill_pinholes(const float* px, const float* py, CameraPacket& packet) const {
     if (rays_.eyes() == 1) return fill_rays(rays_.of(0), px, py, {}, packet.rays.ray);
     for (int i = 0; i < kLanes; ++i) fill_rays(rays_.of(static_cast<int>(packet.sample[i])), px, py, {i, 1}, packet.rays.ray);
   }
 
- private:
   /// Where on the panel samples lie: other places in every frame, as the frame before is to know of edges that this one misses.
   void place_samples(const CameraPacket& packet, float* px, float* py) const {
     const std::uint32_t seed = seed_, width = width_;

@@ -21,8 +21,8 @@ constexpr int kPlaces = 16;
 CacheUpdater::CacheUpdater(const Shot& shot, const TraceParams& params)
     : scene_(shot.device.shaded()),
       params_(params),
-      source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, kPlaces, AngularFilter::kNone},
-              shot.rows) {}
+      source_(shot.optics, shot.world_from_display, params.order,
+              SubPixel{params.seed, kPlaces, AngularFilter::kNone, params.lens}, shot.rows) {}
 
 std::size_t UpdateRound::records() const {
   std::size_t count = 0;

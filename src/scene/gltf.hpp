@@ -47,4 +47,7 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options, c
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, const LoadOptions& options,
                  const Context& context, const GltfLimits& limits = {});
 
+/// Whether all meshes of a file are splats (KHR_gaussian_splatting), and there are some. What cannot be read is none.
+bool is_gltf_of_splats(const std::filesystem::path& path);
+
 }  // namespace lippmann

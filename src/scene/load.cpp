@@ -169,7 +169,8 @@ bool is_physical_format(const std::string& name) {
 
 bool is_splat_file(const std::string& name) {
   const Format* format = find_builtin(name) ? nullptr : find_format(name);
-  return format && format->load == load_ply_file && is_ply_of_splats(name);
+  if (!format || !format->is_physical) return false;
+  return format->load == load_ply_file ? is_ply_of_splats(name) : format->load == load_gltf_file && is_gltf_of_splats(name);
 }
 
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/huge_pages.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -57,7 +59,7 @@ std::uint64_t place_on_curve(Vec3f center, const Bounds3f& box) {
 template <class T>
 void reorder(std::vector<T>& values, const std::vector<std::pair<std::uint64_t, std::size_t>>& order, std::size_t each) {
   std::vector<T> sorted;
-  sorted.reserve(values.size());
+  reserve_huge(sorted, values.size());
   for (const auto& [place, i] : order)
     for (std::size_t k = 0; k < each; ++k) sorted.push_back(values[i * each + k]);
   values = std::move(sorted);

@@ -1,5 +1,7 @@
 #include "trace/packet_source.hpp"
 
+#include <algorithm>
+
 #include "core/random.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -46,9 +48,18 @@ Vec2f SubPixel::position(std::uint32_t pixel, int sample) const {
   return glm::min(Vec2f(unit_float(x + shift_x), unit_float(reversed_bits(s) + shift_y)), Vec2f(1.0f - 1.0f / 256.0f));
 }
 
-SampleRays::SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel) {
+SampleRays::SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel)
+    : lens_(optics, world_from_display, sub_pixel.lens, sub_pixel.seed) {
   for (const Vec2f shift : eye_shifts(optics, sub_pixel.angular_filter, sub_pixel.samples))
     eyes_.emplace_back(with_eyes_shifted(optics, shift), world_from_display);
+}
+
+void SampleRays::fill(int sample, const float* px, const float* py, const std::uint32_t* pixel, RayPacket& rays) const {
+  fill_rays(of(sample), px, py, {}, rays);
+  if (!lens_.is_open()) return;
+  std::uint32_t samples[kLanes];
+  std::fill_n(samples, kLanes, static_cast<std::uint32_t>(sample));
+  lens_.spread({pixel, samples}, rays);
 }
 
 void fill_rays(const RayGenerator& generator, const float* px, const float* py, LaneRange lanes, RayPacket& rays) {
@@ -109,7 +120,7 @@ int PacketSource::fill(int strip, int packet, int sample, RayPacket& rays, LaneM
       const Vec2f offset = sub_pixel_.position(pixel[i], sample) - Vec2f(0.5f);
       px[i] += offset.x, py[i] += offset.y;
     }
-  fill_rays(rays_.of(sample), px, py, {}, rays);
+  rays_.fill(sample, px, py, pixel, rays);
   return count;
 }
 

@@ -4,20 +4,23 @@
 #include <vector>
 
 #include "lippmann/optics/angular_filter.hpp"
+#include "lippmann/optics/view_lens.hpp"
 #include "optics/ray_generator.hpp"
 #include "trace/camera_packet.hpp"
 #include "trace/film_rows.hpp"
 #include "trace/strip_order.hpp"
+#include "trace/thin_lens.hpp"
 
 namespace lippmann {
 
 /// Where in its pixel sample s of n lies, each in [0, 1): the centre for n = 1; else the s-th of n points of a Hammersley set,
 /// shifted (modulo 1) by a hash of seed and pixel, so that neighbours are decorrelated and each pixel is evenly covered. And
-/// from which eye of its view it is seen, the same for all pixels.
+/// from which eye of its view it is seen, the same for all pixels, and through which lens.
 struct SubPixel {
   std::uint32_t seed = 0;
   int samples = 1;
   AngularFilter angular_filter = AngularFilter::kNone;
+  ViewLens lens{};
 
   Vec2f position(std::uint32_t pixel, int sample) const;
 };
@@ -28,9 +31,14 @@ class SampleRays {
   SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel);
   const RayGenerator& of(int sample) const { return eyes_[eyes_.size() > 1 ? static_cast<std::size_t>(sample) : 0]; }
   std::size_t eyes() const { return eyes_.size(); }
+  /// Through its own point of the lens, sixteen rays of one sample number of these pixels of the whole film.
+  void fill(int sample, const float* px, const float* py, const std::uint32_t* pixel, RayPacket& rays) const;
+  /// Rays that fill_rays() has made with of() have yet to go through it.
+  const ThinLens& lens() const { return lens_; }
 
  private:
   std::vector<RayGenerator> eyes_;
+  ThinLens lens_;
 };
 
 /// The lanes whose rays a generator makes.

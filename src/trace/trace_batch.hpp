@@ -19,7 +19,7 @@ namespace lippmann {
 /// Packets whose rays are all shaded before what follows from them is traced, sample by sample.
 struct Batch {
   std::span<const int> packets;
-  int first_sample = 0, end_sample = 1;
+  int first_sample = 0, end_sample = 1, step = 1;
 };
 
 struct PacketSinks {
@@ -42,7 +42,7 @@ template <class Packets, class Integrator>
 void trace_batch(const ShadedScene& scene, Packets&& packets, const Batch& batch, Integrator& integrator,
                  const PacketSinks& sinks = {}) {
   CameraPacket packet;
-  for (int sample = batch.first_sample; sample < batch.end_sample; ++sample) {
+  for (int sample = batch.first_sample; sample < batch.end_sample; sample += batch.step) {
     if constexpr (requires { integrator.begin(sample); }) integrator.begin(sample);
     for (const int p : batch.packets) {
       if (!packets.fill(p, sample, packet)) continue;

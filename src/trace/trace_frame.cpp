@@ -18,11 +18,17 @@ class FrameTracer {
       : scene_(shot.device.shaded()),
         params_(params),
         beam_(shot.optics, shot.world_from_display, params.spp),
-        source_(shot.optics, shot.world_from_display, params.order, SubPixel{params.seed, params.spp, params.angular_filter},
-                shot.rows),
+        source_(shot.optics, shot.world_from_display, params.order,
+                SubPixel{params.seed, params.spp, params.angular_filter, params.lens}, shot.rows),
         sinks_{&film},
         film_(parts) {
     film_.all = film.data.data();
+  }
+
+  /// Of the samples, only these. Others than the first add to what is in the film.
+  void take(SampleShare share) {
+    share_ = share;
+    if (!share.is_first()) sinks_.film = nullptr;
   }
 
   void capture_to(const PointCapture* points) { sinks_.points = points; }
@@ -36,8 +42,9 @@ class FrameTracer {
   }
 
   RayCounts trace(const FrameWork& work, const Workers& workers) const {
-    return trace_strips(static_cast<std::size_t>(source_.strips()), workers, Progress::kTold,
-                        [&](std::size_t strip) { return trace_strip(work, strip, workers.context); });
+    return trace_strips(
+        static_cast<std::size_t>(source_.strips()), workers, Progress::kTold,
+        [&](std::size_t strip) { return trace_strip(work, strip, workers.context); }, share_);
   }
 
  private:
@@ -51,7 +58,7 @@ class FrameTracer {
       for_each_batch(work, strip, source_.packets_per_strip(), [&](std::span<const int> batch, std::size_t block) {
         if (context.cancelled) return;
         const std::uint64_t rays_before = integrator.counts().total();
-        trace_batch(scene_, packets, {batch, 0, params_.spp}, integrator, sinks_);
+        trace_batch(scene_, packets, {batch, share_.first, params_.spp, share_.step}, integrator, sinks_);
         if (!probe) return;
         touched_->lowest_horizon[block] = probe->take();
         touched_->rays[block] = static_cast<std::uint32_t>(integrator.counts().total() - rays_before);
@@ -65,18 +72,22 @@ class FrameTracer {
   PacketSource source_;
   PacketSinks sinks_;
   PathFilm film_;
+  SampleShare share_;
   const TouchProbe* probe_ = nullptr;
   TouchedBlocks* touched_ = nullptr;
 };
 
-/// Where the parts of the light go that are wanted.
-PathFilm allocated_light(Vec2i film_size, FrameAovs& aovs) {
+constexpr Aov kLayersOfLight[] = {Aov::kDirect, Aov::kIndirect, Aov::kAlpha};
+
+void allocate_light(Vec2i film_size, FrameAovs& aovs) {
+  for (const Aov aov : kLayersOfLight)
+    if (aovs.wants(aov)) aovs.allocate(aov, film_size);
+}
+
+/// Where the parts of the light go that are wanted, allocated before.
+PathFilm light_in(FrameAovs& aovs) {
   PathFilm film;
-  const auto part = [&](Aov aov) -> float* {
-    if (!aovs.wants(aov)) return nullptr;
-    aovs.allocate(aov, film_size);
-    return aovs[aov].data.data();
-  };
+  const auto part = [&](Aov aov) { return aovs.wants(aov) ? aovs[aov].data.data() : nullptr; };
   film.direct = part(Aov::kDirect), film.indirect = part(Aov::kIndirect), film.open = part(Aov::kAlpha);
   return film;
 }
@@ -106,7 +117,8 @@ RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const W
   const Vec2i size = film_size(shot);
   noisy.film = Image(size.x, size.y, 3);
   clear_guides(size, noisy);
-  PathFilm film = allocated_light(size, aovs);
+  allocate_light(size, aovs);
+  PathFilm film = light_in(aovs);
   film.noise = noisy.noise.data.data(), film.seen = noisy.seen.data.data();
   const FirstSurfaces surfaces{noisy.albedo.data.data(), noisy.normal.data.data(), noisy.z.data.data(), noisy.met.data.data(),
                                display_z(shot.world_from_display)};
@@ -116,13 +128,16 @@ RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const W
   return counts;
 }
 
-RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into) {
+RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into,
+                      SampleShare share) {
   const ShadedScene& scene = shot.device.shaded();
   const Vec2i size = film_size(shot);
   const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   into.film.width = size.x, into.film.height = size.y, into.film.channels = 3;
   into.film.data.resize(3 * pixels);
-  FrameTracer tracer(shot, params, into.film, into.aovs ? allocated_light(size, *into.aovs) : PathFilm{});
+  if (into.aovs && share.is_first()) allocate_light(size, *into.aovs);
+  FrameTracer tracer(shot, params, into.film, into.aovs ? light_in(*into.aovs) : PathFilm{});
+  tracer.take(share);
   std::optional<PointCapture> capture;
   if (into.points) {
     into.points->resize(pixels);
@@ -136,7 +151,7 @@ RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers
     tracer.probe_with(*probe, *into.touched);
   }
   const RayCounts counts = tracer.trace({}, workers);
-  if (into.aovs) finish_alpha(params.spp, *into.aovs);
+  if (into.aovs && share.is_last()) finish_alpha(params.spp, *into.aovs);
   NoIntegrator none;
   if (capture && !along) trace_centres(shot, params.order, workers.pool, none, {nullptr, &*capture});
   return counts;

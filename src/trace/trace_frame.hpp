@@ -11,10 +11,12 @@
 #include "lippmann/image/image.hpp"
 #include "lippmann/optics/angular_filter.hpp"
 #include "lippmann/optics/optics.hpp"
+#include "lippmann/optics/view_lens.hpp"
 #include "lippmann/trace/aovs.hpp"
 #include "lippmann/trace/ray_counts.hpp"
 #include "lippmann/trace/ray_order.hpp"
 #include "trace/primary_points.hpp"
+#include "trace/sample_share.hpp"
 #include "trace/shot.hpp"
 
 namespace lippmann {
@@ -24,6 +26,7 @@ struct TraceParams {
   int spp = 1;                                          ///< samples per pixel; above 1 stratified over the pixel's area
   int max_depth = 6;                                    ///< path vertices: 1 = no mirrors
   AngularFilter angular_filter = AngularFilter::kNone;  ///< how views are filtered; has an effect above 1 sample per pixel
+  ViewLens lens{};                                      ///< by its aperture (lens_by_aperture)
   std::uint32_t seed = 0;   ///< decides where in pixels samples lie, in every frame alike: what stands still must not flicker
   std::uint32_t frame = 0;  ///< paths: other frames have other noise
   float clamp_indirect = 0.0f;  ///< paths: > 0: no indirect contribution to a sample is brighter; loses light
@@ -38,7 +41,10 @@ struct FrameTargets {
 };
 
 /// Traces a frame. The same bits for any number of threads. Returns early, film unfinished, when the context is cancelled.
-RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into);
+/// share: of the samples, all of which weigh as much; the first share clears the film, others add to it, in order, and with the
+/// last the film and its layers of light are done. Points and touched blocks are of all samples only.
+RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into,
+                      SampleShare share = {});
 
 /// Traces the blocks of a frame for which `wanted` (by block, as in TouchedBlocks) is not 0, to the same bits as trace_frame;
 /// `film` has that size already, and what lies in other blocks stays as it is.

@@ -49,13 +49,11 @@ OrderedPixels in_ray_order(Pixels pixels, const Optics& optics, RayOrder ray_ord
 struct PixelRays {
   PixelRays(const Shot& shot, const SubPixel& where)
       : sub_pixel(where),
-        centre(shot.optics, shot.world_from_display),
         samples(shot.optics, shot.world_from_display, where),
         width(static_cast<std::uint32_t>(film_size(shot).x)),
         first_pixel(lippmann::first_pixel(shot.optics, shot.rows)) {}
 
   SubPixel sub_pixel;
-  RayGenerator centre;
   SampleRays samples;
   std::uint32_t width;
   std::uint32_t first_pixel;  ///< the number in the whole film of the first one that is rendered
@@ -83,7 +81,7 @@ struct PixelPackets {
       const Vec2f offset = sub_pixel.position(pixel, sample) - Vec2f(0.5f);
       px[i] += offset.x, py[i] += offset.y;
     }
-    fill_rays(sub_pixel.samples == 1 ? from.centre : from.samples.of(sample), px, py, {0, kLanes}, into.rays.ray);
+    from.samples.fill(sample, px, py, into.stream, into.rays.ray);
     return true;
   }
 };
@@ -96,7 +94,7 @@ RayCounts trace_pixels(const Shot& shot, const TraceParams& params, Pixels pixel
   const ShadedScene& scene = shot.device.shaded();
   const OrderedPixels ordered = in_ray_order(pixels, shot.optics, params.order);
   const BeamFootprint beam(shot.optics, shot.world_from_display, params.spp);
-  const PixelRays samples(shot, {params.seed, params.spp, params.angular_filter});
+  const PixelRays samples(shot, {params.seed, params.spp, params.angular_filter, params.lens});
   const PixelRays centres(shot, {});
   std::optional<PointCapture> capture;
   if (points) capture.emplace(scene, inverse(shot.world_from_display), *points);

@@ -53,7 +53,7 @@ Vec2f GgxAlbedo::single(float cosine, float alpha) const {
 Vec3f GgxAlbedo::mean(float alpha, Vec3f f0, Vec3f f90) const {
   const TablePlace r(std::sqrt(alpha), kSize);
   const Vec4f m = glm::mix(mean_[r.index], mean_[r.index + 1], r.share);
-  return f0 * m.x + f90 * m.y + f0 * (f0 * m.z + f90 * m.w);
+  return f0 * m.x + f90 * m.y + of_more_bounces(m.x + m.y, f0, f90) * (f0 * m.z + f90 * m.w);
 }
 
 }  // namespace lippmann

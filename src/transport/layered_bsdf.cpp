@@ -245,7 +245,7 @@ void LayeredBsdf::add_coat(Vec3f light, BsdfValue& value) const {
   const Vec3f h = glm::normalize(coat_view_ + light);
   const float cosine = glm::dot(coat_view_, h);
   const float fresnel = kCoatReflectance + (1.0f - kCoatReflectance) * schlick_weight(cosine);
-  const Vec3f factor = GgxAlbedo::compensation(albedo_.single(coat_view_.z, coat_alpha_), Vec3f(kCoatReflectance));
+  const Vec3f factor = GgxAlbedo::compensation(albedo_.single(coat_view_.z, coat_alpha_), Vec3f(kCoatReflectance), Vec3f(1.0f));
   value.cosine_f += factor * (surface_.base.clearcoat * fresnel * ggx.distribution(h) * ggx.masking(coat_view_, light) /
                               (4.0f * coat_view_.z));
   value.density += shares_.coat * ggx.visible_density(coat_view_, h) / (4.0f * cosine);

@@ -172,7 +172,7 @@ void MetalRoughBsdf::add_coat(Vec3f light, BsdfValue& value) const {
   const Vec3f h = half_vector(coat_view_, light);
   const float cosine = glm::dot(coat_view_, h), edge = schlick_weight(cosine);
   const float fresnel = kCoatF0 + (1.0f - kCoatF0) * edge;
-  const Vec3f factor = GgxAlbedo::compensation(albedo_.single(coat_view_.z, coat_alpha_), Vec3f(kCoatF0));
+  const Vec3f factor = GgxAlbedo::compensation(albedo_.single(coat_view_.z, coat_alpha_), Vec3f(kCoatF0), Vec3f(1.0f));
   value.cosine_f += factor * (coat_ * fresnel * ggx.distribution(h) * ggx.masking(coat_view_, light) / (4.0f * coat_view_.z));
   value.density += shares_.coat * ggx.visible_density(coat_view_, h) / (4.0f * cosine);
 }

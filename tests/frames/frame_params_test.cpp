@@ -66,6 +66,40 @@ TEST(FrameParams, sampling_that_a_kind_of_reuse_does_not_know_is_refused) {
   EXPECT_EQ(refused({{.angular_filter = AngularFilter::kBox}, Interpolate{}}), "angular-filter");
 }
 
+TEST(FrameParams, blur_that_means_nothing_is_refused) {
+  EXPECT_EQ(refused({{.spp = 4, .lens = {.aperture_mm = -1.0f}}, TraceAll{}}), "aperture");
+  EXPECT_EQ(refused({{.spp = 4, .lens = {.f_number = -1.0f}}, TraceAll{}}), "f-number");
+  EXPECT_EQ(refused({{.spp = 4, .lens = {.aperture_mm = 1.0f, .f_number = 2.0f}}, TraceAll{}}), "f-number");
+  EXPECT_EQ(refused({{.spp = 4, .lens = {.focal_plane_mm = 10.0f}}, TraceAll{}}), "focal-plane");
+  EXPECT_EQ(refused({{.spp = 4, .lens = {.aperture_mm = 1.0f}}, Interpolate{}}), "aperture");
+  EXPECT_EQ(refused({{.spp = 4, .shutter = 1.5f}, TraceAll{}}), "shutter");
+  EXPECT_EQ(refused({{.spp = 1, .shutter = 0.5f}, TraceAll{}}), "shutter");
+  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .spp = 4, .shutter = 0.5f, .denoise = true}, TraceAll{}}), "denoise");
+  for (const Reuse& reuse : {Reuse(CopySettled{}), Reuse(Interpolate{})})
+    EXPECT_EQ(refused({{.spp = 4, .shutter = 0.5f}, reuse}), "shutter");
+  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .spp = 32, .shutter = 0.5f}, ShareLight{}}), "shutter");
+  EXPECT_EQ(refused({{.spp = 4, .shutter = 0.5f}, {}}), "");
+  EXPECT_STREQ(name_of(resolved_reuse({{.spp = 4, .shutter = 0.5f}, {}})), "none");
+}
+
+TEST(FrameParams, a_lens_needs_views_several_samples_and_a_focus_in_front_of_the_eyes) {
+  Optics quilt, sheet;
+  quilt.model = MultiView{.distance_mm = 300.0f};
+  sheet.model = LenticularSheet{};
+  const auto refused_by = [](const Optics& optics, int spp, float focal_plane) {
+    try {
+      check({{.spp = spp, .lens = {.aperture_mm = 4.0f, .focal_plane_mm = focal_plane}}, TraceAll{}}, optics);
+    } catch (const Error& error) {
+      return error.where();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused_by(quilt, 4, 100.0f), "");
+  EXPECT_EQ(refused_by(quilt, 1, 100.0f), "aperture");
+  EXPECT_EQ(refused_by(quilt, 4, 300.0f), "focal-plane");
+  EXPECT_EQ(refused_by(sheet, 4, 0.0f), "aperture");
+}
+
 TEST(FrameParams, what_takes_from_a_floor_what_it_promises_is_refused) {
   EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0}}), "");
   EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0, .fill = MissedFill::kRetrace}}), "fill");

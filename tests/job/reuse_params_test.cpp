@@ -125,6 +125,13 @@ TEST(ReuseParams, layers_of_whole_paths_keep_light_from_being_shared_and_that_is
   EXPECT_EQ(whole_paths_sentence(params), "") << "nobody wants to share any";
 }
 
+TEST(ReuseParams, motion_blur_has_every_frame_traced_and_that_is_said) {
+  RenderParams params = said(ReuseChoice::kAuto, Integrator::kPath);
+  params.sampling.shutter = 0.5f;
+  EXPECT_STREQ(name_of(frame_params(params).reuse), "none");
+  EXPECT_THAT(whole_paths_sentence(params), HasSubstr("--shutter"));
+}
+
 TEST(ReuseParams, other_layers_alpha_and_denoising_leave_light_shared) {
   for (const Sampling& more : {Sampling{.aov = {Aov::kDepth}}, Sampling{.transparent = true}, Sampling{.denoise = true}}) {
     RenderParams params = said(ReuseChoice::kAuto, Integrator::kPath);

@@ -125,7 +125,8 @@ Vec3d reference_radiance(const std::vector<ReferenceHit>& hits, bool is_linear) 
   return sum;
 }
 
-Image reference_picture(const Splats& splats, const Affine3f& place, const Optics& optics) {
+/// wall_z: of a black wall that hides what is farther along a ray; rays come from above it.
+Image reference_picture(const Splats& splats, const Affine3f& place, const Optics& optics, double wall_z = -1e9) {
   const PacketSource source(optics, {}, RayOrder::kRows, SubPixel{});
   const Vec2i size = film_size(optics);
   Image picture(size.x, size.y, 3);
@@ -137,8 +138,9 @@ Image reference_picture(const Splats& splats, const Affine3f& place, const Optic
         if (!packet.active.lane[i]) continue;
         const RayPacket& r = packet.rays.ray;
         const Vec3d d = glm::normalize(Vec3d(r.dir_x[i], r.dir_y[i], r.dir_z[i]));
-        const Vec3d light =
-            reference_radiance(reference_hits(splats, place, {r.org_x[i], r.org_y[i], r.org_z[i]}, d), splats.is_linear);
+        std::vector<ReferenceHit> hits = reference_hits(splats, place, {r.org_x[i], r.org_y[i], r.org_z[i]}, d);
+        std::erase_if(hits, [&](const ReferenceHit& hit) { return static_cast<double>(r.org_z[i]) + hit.t * d.z < wall_z; });
+        const Vec3d light = reference_radiance(hits, splats.is_linear);
         for (int c = 0; c < 3; ++c)
           picture.data[3 * packet.target[i] + static_cast<std::size_t>(c)] = static_cast<float>(light[c]);
       }
@@ -290,6 +292,39 @@ TEST(Splat, clouds_are_as_the_reference_has_them) {
 
 TEST(Splat, clouds_behind_lenses_are_as_the_reference_has_them) {
   expect_like_reference(random_cloud(7, 200, 3, false), {}, lenticular_view(), 55.0);
+}
+
+Optics hexagonal_view() {
+  Optics optics;
+  optics.panel = {48, 44, 4.0f / 48};
+  optics.model = MicrolensArray{.packing = LensPacking::kHexagonal, .lens_pitch_mm = 0.5f, .gap_mm = 1.0f};
+  optics.z_front_mm = 10.0f;
+  return optics;
+}
+
+/// Three film pixels to a panel pixel, each with its own ray.
+Optics slanted_view() {
+  Optics optics;
+  optics.panel = {16, 32, 4.0f / 32};
+  optics.model = SlantedPanel{.periods = 6.3, .distance_mm = 10.0f};
+  return optics;
+}
+
+TEST(Splat, clouds_behind_hexagons_and_on_slanted_panels_are_as_the_reference_has_them) {
+  for (const Optics& optics : {hexagonal_view(), slanted_view()})
+    expect_like_reference(random_cloud(10, 200, 2, false), {}, optics, 55.0);
+}
+
+TEST(Splat, a_wall_hides_what_is_behind_it_behind_every_kind_of_lens) {
+  const Splats cloud = random_cloud(11, 200, 1, true);
+  SmallScene s;
+  add_splats(s, cloud);
+  s.add(square(50.0f, 0.25f), s.material(glowing(Vec3f(0.0f))));
+  for (const Optics& optics : {lenticular_view(), hexagonal_view(), slanted_view()}) {
+    const Image reference = reference_picture(cloud, {}, optics, 0.25), without = reference_picture(cloud, {}, optics);
+    EXPECT_LE(psnr_of(without, reference), 30.0) << "the wall is seen";
+    EXPECT_GE(psnr_of(trace(s.scene, optics, {}, 2).film, reference), 55.0);
+  }
 }
 
 TEST(Splat, nodes_turn_and_stretch_them) {

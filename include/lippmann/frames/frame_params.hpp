@@ -9,6 +9,7 @@
 #include "lippmann/frames/reuse.hpp"
 #include "lippmann/optics/angular_filter.hpp"
 #include "lippmann/optics/optics.hpp"
+#include "lippmann/optics/view_lens.hpp"
 #include "lippmann/trace/aovs.hpp"
 #include "lippmann/trace/integrator.hpp"
 #include "lippmann/trace/ray_order.hpp"
@@ -21,7 +22,9 @@ struct Sampling {
   RayOrder order = RayOrder::kViewTiles;
   int spp = 0;                                    ///< samples per pixel; 0: 1, of paths kPathSamples
   std::optional<AngularFilter> angular_filter{};  ///< none: kBox for several samples of a display's quilt, see PlacedOptics
-  int max_depth = 0;                              ///< path vertices; 0: the scene's own limit
+  ViewLens lens{};                                ///< of views: depth of field; 2 or more samples per pixel
+  float shutter = 0.0f;  ///< motion blur: open for this share of the time from frame to frame, around the frame's; 0 to 1
+  int max_depth = 0;     ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
   float clamp_indirect = 0.0f;  ///< paths: the brightest indirect contribution to a sample; 0: any
   bool denoise = false;         ///< paths: frames are filtered (denoise/denoiser.hpp)
@@ -45,11 +48,11 @@ inline int samples_per_pixel(const Sampling& sampling) {
 }
 
 /// Whether frames sampled so can share light: paths, enough of them (or as many as `light` asks for), and no layers that are
-/// parts of whole paths.
+/// parts of whole paths, and no motion blur, which is of several times.
 bool can_share_light(const Sampling& sampling, const ShareLight& light = {});
 
-/// Whether frames sampled so can be copied where they stay as they are: Whitted's shading, and no layers beside the picture but
-/// provenance.
+/// Whether frames sampled so can be copied where they stay as they are: Whitted's shading, no layers beside the picture but
+/// provenance, and no motion blur.
 bool can_copy_settled(const Sampling& sampling);
 
 /// The kind of reuse that serves: as it is, and of AutoReuse what the sampling allows.

@@ -30,7 +30,7 @@ Scene load_scene(const std::string& name, const LoadOptions& options, const Cont
 /// built-in scene, and none of the formats that describe Whitted's shading (Tachyon, NFF).
 bool is_physical_format(const std::string& name);
 
-/// Whether `name` is a PLY file of splats (3D Gaussians), by its header. What cannot be read is none.
+/// Whether `name` is a file of splats (3D Gaussians) alone, PLY by its header or glTF by its JSON. What cannot be read is none.
 bool is_splat_file(const std::string& name);
 
 /// Checks every index, size and number of a scene (finite vertices, triangle indices, parents before children, radii > 0).

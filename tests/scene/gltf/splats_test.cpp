@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "lippmann/scene/load.hpp"
 #include "scene/gltf/gltf_builder.hpp"
 #include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
 
 namespace lippmann {
 namespace {
@@ -15,6 +17,7 @@ using test::error_message;
 using test::GltfBuilder;
 using test::Json;
 using test::parse;
+using test::TempDir;
 using testing::HasSubstr;
 
 constexpr const char* kPrefix = "KHR_gaussian_splatting:";
@@ -108,6 +111,44 @@ TEST(GltfSplats, what_is_missing_or_unknown_is_refused) {
   SplatDocument triangles;
   triangles.primitive["mode"] = 4;
   EXPECT_THAT(error(triangles), HasSubstr("POINTS"));
+}
+
+class SplatFiles : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const test::Contents& contents) const {
+    std::ofstream(dir_ / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(contents.data()), static_cast<std::streamsize>(contents.size()));
+    return (dir_ / name).string();
+  }
+
+  TempDir dir_;
+};
+
+GltfBuilder splats_alone() {
+  SplatDocument document;
+  GltfBuilder builder = document.builder();
+  builder.add_mesh(document.primitive);
+  return builder;
+}
+
+TEST_F(SplatFiles, with_nothing_else_are_told_by_their_json) {
+  const GltfBuilder alone = splats_alone();
+  EXPECT_TRUE(is_splat_file(write("alone.glb", alone.glb())));
+  EXPECT_TRUE(is_splat_file(write("alone.gltf", test::contents_of(alone.document().dump()))));
+  GltfBuilder mixed = alone;
+  mixed.add_triangle();
+  EXPECT_FALSE(is_splat_file(write("mixed.glb", mixed.glb())));
+}
+
+TEST_F(SplatFiles, that_cannot_be_read_are_none) {
+  test::Contents cut = splats_alone().glb();
+  cut.resize(200);
+  EXPECT_FALSE(is_splat_file(write("cut.glb", cut)));
+  EXPECT_FALSE(is_splat_file(write("text.gltf", test::contents_of("KHR_gaussian_splatting"))));
+  EXPECT_FALSE(
+      is_splat_file(write("odd.gltf", test::contents_of(R"({"meshes": [{"primitives": ["KHR_gaussian_splatting"]}]})"))));
+  EXPECT_FALSE(is_splat_file(write("empty.glb", {})));
+  EXPECT_FALSE(is_splat_file((dir_ / "none.glb").string()));
 }
 
 }  // namespace

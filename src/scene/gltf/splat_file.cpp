@@ -1,0 +1,76 @@
+// Told by the JSON alone, before anything else of a file is read: what of it is binary may be gigabytes.
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "lippmann/core/error.hpp"
+#include "scene/gltf.hpp"
+#include "scene/gltf/json.hpp"
+
+namespace lippmann {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view kSplatExtension = "KHR_gaussian_splatting";
+
+/// The JSON of a file: the first chunk of a .glb, or all of it. As much as there is where it ends early.
+std::string leading_json(const std::filesystem::path& path, std::uint64_t limit) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 20> start{};  // a .glb's header and that of its first chunk
+  file.read(start.data(), start.size());
+  const bool binary = file && std::string_view(start.data(), 4) == "glTF";
+  std::uint32_t chunk = 0;
+  std::memcpy(&chunk, start.data() + 12, sizeof chunk);
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(path, error),
+                      wanted = binary ? std::min<std::uint64_t>(chunk, size) : size;
+  if (error || wanted > limit) return {};
+  file.clear();
+  file.seekg(binary ? static_cast<std::streamoff>(start.size()) : 0);
+  std::string text(static_cast<std::size_t>(wanted), '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  return text;
+}
+
+/// An array that a document may have; empty where it has none.
+const Json& array_of(const Json& object, const char* name) {
+  static const Json kNone = Json::array();
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return found != object.end() && found->is_array() ? *found : kNone;
+}
+
+bool is_of_splats(const Json& primitive) {
+  return primitive.is_object() && primitive.contains("extensions") && primitive["extensions"].is_object() &&
+         primitive["extensions"].contains(kSplatExtension);
+}
+
+bool is_of_splats_alone(const Json& document) {
+  bool any = false;
+  for (const Json& mesh : array_of(document, "meshes"))
+    for (const Json& primitive : array_of(mesh, "primitives")) {
+      if (!is_of_splats(primitive)) return false;
+      any = true;
+    }
+  return any;
+}
+
+}  // namespace
+
+bool is_gltf_of_splats(const std::filesystem::path& path) {
+  const GltfLimits limits;
+  const std::string text = leading_json(path, limits.file_bytes);
+  if (text.find(kSplatExtension) == std::string::npos) return false;
+  try {
+    const Context quiet;
+    return is_of_splats_alone(gltf::parse_json(text, limits, gltf::Report(path.string(), quiet)));
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace lippmann

@@ -1,0 +1,123 @@
+// Depth of field and motion blur of whole frames.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "frames/frame.hpp"
+#include "frames/made_frames.hpp"
+#include "lippmann/frames/renderer.hpp"
+#include "trace/small_scene.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+TEST(Exposure, times_are_the_middles_of_their_samples_shares) {
+  Timeline timeline;
+  timeline.frames_per_second = 10.0;
+  const auto times = exposure_times({.spp = 4, .shutter = 0.5f}, timeline, 3);
+  ASSERT_EQ(times.size(), 4u);
+  // 0.3 s, and half of 0.1 s in four parts around it.
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(times[i].seconds, 0.3 + 0.05 * ((0.5 + static_cast<double>(i)) / 4 - 0.5), 1e-12);
+}
+
+// 33 samples at 32 times: two at the first, one at each of the others.
+TEST(Exposure, times_with_more_samples_stand_for_more_of_the_exposure) {
+  Timeline timeline;
+  timeline.frames_per_second = 1.0;
+  const auto times = exposure_times({.spp = 33, .shutter = 1.0f}, timeline, 0);
+  ASSERT_EQ(times.size(), 32u);
+  EXPECT_NEAR(times[0].seconds, 1.0 / 33 - 0.5, 1e-12);
+  EXPECT_NEAR(times[1].seconds, 2.5 / 33 - 0.5, 1e-12);
+  EXPECT_NEAR(times[31].seconds, 32.5 / 33 - 0.5, 1e-12);
+}
+
+constexpr int kWidth = 64;
+
+/// A single view of 64 pixels, 1 scene unit each; light to the left of an edge that moves 25 units to the right in a second.
+struct MovingEdge {
+  MovingEdge() {
+    const int node = s.moving_node(Vec3f(0.0f), Vec3f(25.0f, 0.0f, 0.0f));
+    Mesh left = square(500.0f, 0.0f);
+    for (Vec3f& position : left.positions) position.x -= 500.0f;
+    s.add(left, s.material(glowing(Vec3f(1.0f))), node);
+    s.scene.timeline.frame_count = 3;
+    s.scene.timeline.frames_per_second = 2.5;
+    placement.placed.optics.panel = {kWidth, 8, 1.0f};
+    placement.placed.optics.model = SingleView{100.0f, {0.0f, 0.0f}};
+  }
+
+  RenderedFrame frame(const Sampling& sampling, int threads = 2) const {
+    Context context;
+    context.threads = threads;
+    return *Renderer(s.scene, placement, {sampling, {}}, context).frame(1);
+  }
+
+  SmallScene s;
+  Placement placement;
+};
+
+// In frame 1, at 0.4 s, the edge is at 10, and moves by 10 from frame to frame: open for half of that, it is a ramp of 5
+// pixels. Variance 25 / 12, and 1/6 for the widths of pixels. 32 times step by 0.16 pixels; 64 samples count areas to 2/64.
+TEST(Exposure, an_edge_that_moves_is_a_ramp_as_long_as_its_way_while_the_shutter_is_open) {
+  const Image film = MovingEdge().frame({.spp = 64, .shutter = 0.5f}).pictures.film;
+  double place = 0.0, variance = 0.0;
+  std::vector<double> steps;
+  for (int x = 1; x < kWidth; ++x) steps.push_back(static_cast<double>(film.pixel(x - 1, 4)[0] - film.pixel(x, 4)[0]));
+  for (std::size_t i = 0; i < steps.size(); ++i) place += steps[i] * static_cast<double>(i + 1);
+  for (std::size_t i = 0; i < steps.size(); ++i) variance += steps[i] * std::pow(static_cast<double>(i + 1) - place, 2.0);
+  EXPECT_NEAR(place, 0.5 * kWidth + 10.0, 0.1);
+  EXPECT_NEAR(variance, 25.0 / 12 + 1.0 / 6, 0.2);
+}
+
+TEST(Exposure, gives_the_same_bits_for_any_number_of_threads) {
+  const Sampling sampling{.integrator = Integrator::kPath, .spp = 5, .lens = {.aperture_mm = 4.0f}, .shutter = 1.0f};
+  const MovingEdge edge;
+  EXPECT_EQ(edge.frame(sampling, 1).pictures.film.data, edge.frame(sampling, 3).pictures.film.data);
+}
+
+TEST(Exposure, alpha_is_the_share_of_all_times) {
+  const RenderedFrame frame = MovingEdge().frame({.spp = 32, .shutter = 1.0f, .transparent = true});
+  // From 5 to 15 pixels right of the middle: half of the time each, at most a pixel and a time more or less.
+  EXPECT_NEAR(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 + 10], 0.5f, 0.15f);
+  EXPECT_EQ(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 - 4], 1.0f);
+  EXPECT_EQ(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 + 20], 0.0f);
+}
+
+RenderParams blurred_view(ReuseChoice reuse) {
+  RenderParams params;
+  params.scene.name = "room";
+  params.optics.kind = OpticsKind::kMultiview;
+  params.optics.views = {2, 1};
+  params.optics.size = {128, 48};
+  params.sampling.lens.aperture_mm = 20.0f;
+  params.reuse.choice = reuse;
+  return params;
+}
+
+TEST(DepthOfField, copied_frames_are_traced_ones_to_the_bit) {
+  const auto films = [](ReuseChoice reuse) {
+    RenderParams params = blurred_view(reuse);
+    params.scene.name = "teapot";
+    params.sampling.spp = 3;
+    return make_frames(params, frames_from(3, 6)).films();
+  };
+  EXPECT_EQ(films(ReuseChoice::kCopy), films(ReuseChoice::kNone));
+}
+
+// Two renders of 64 paths differ by their noise; frames that share light are as near to each of them as these to one another.
+TEST(DepthOfField, light_that_is_shared_is_seen_through_the_lens_too) {
+  const auto frames = [](ReuseChoice reuse, std::uint32_t seed) {
+    RenderParams params = blurred_view(reuse);
+    params.sampling.integrator = Integrator::kPath, params.sampling.spp = 64, params.sampling.seed = seed;
+    return make_frames(params, {0});
+  };
+  const MadeFrames traced = frames(ReuseChoice::kNone, 1), other = frames(ReuseChoice::kNone, 2),
+                   shared = frames(ReuseChoice::kLight, 1);
+  EXPECT_GE(psnr_between(traced, shared, 0), psnr_between(traced, other, 0) - 1.0);
+}
+
+}  // namespace
+}  // namespace lippmann

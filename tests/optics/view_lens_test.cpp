@@ -1,0 +1,40 @@
+// Apertures of f-numbers, and which optics may have them.
+#include "lippmann/optics/view_lens.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lippmann {
+namespace {
+
+// A view 360 mm wide from 500 mm away is that of a focal length of 36 x 500 / 360 = 50 mm; at f/2 the lens is 25 mm wide. Where
+// a millimetre of the display is 2 mm of the scene, these are 12.5 mm of the display.
+TEST(ViewLens, an_f_number_is_an_aperture_in_scenes_in_metres) {
+  Optics view;
+  view.panel = {720, 400, 0.5f};
+  view.model = SingleView{500.0f, {0.0f, 0.0f}};
+  const ViewLens lens = lens_by_aperture({0.0f, 2.0f, -7.0f}, view, 0.002f);
+  EXPECT_FLOAT_EQ(lens.aperture_mm, 12.5f);
+  EXPECT_EQ(lens.f_number, 0.0f);
+  EXPECT_EQ(lens.focal_plane_mm, -7.0f);
+}
+
+TEST(ViewLens, an_aperture_stays_as_it_is) {
+  const ViewLens lens = lens_by_aperture({3.0f, 0.0f, 0.0f}, Optics{.panel = {}, .model = MultiView{}}, 0.002f);
+  EXPECT_EQ(lens.aperture_mm, 3.0f);
+}
+
+TEST(ViewLens, only_views_have_eyes_that_a_lens_may_be_put_in) {
+  Optics optics;
+  for (const OpticsModel& model : {OpticsModel(SingleView{}), OpticsModel(MultiView{})}) {
+    optics.model = model;
+    EXPECT_TRUE(can_have_view_lens(optics));
+  }
+  for (const OpticsModel& model :
+       {OpticsModel(LenticularSheet{}), OpticsModel(MicrolensArray{}), OpticsModel(SlantedPanel{})}) {
+    optics.model = model;
+    EXPECT_FALSE(can_have_view_lens(optics));
+  }
+}
+
+}  // namespace
+}  // namespace lippmann

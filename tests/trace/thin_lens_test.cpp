@@ -1,0 +1,160 @@
+// Depth of field: views seen through lenses in place of pinholes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "trace/small_scene.hpp"
+#include "trace/trace_pixels.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace test;
+
+constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1, kEdge = 0.03;
+constexpr int kViews = 3, kWidth = 120, kHeight = 4, kSamples = 256;
+
+/// Three eyes 0.8 mm apart.
+Optics camera_row() {
+  Optics optics;
+  optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};
+  optics.model = MultiView{.columns = kViews, .rows = 1, .distance_mm = kDistance, .baseline_mm = kBaseline};
+  return optics;
+}
+
+/// Light to the left of x = 0.03, in the plane at depth z.
+Scene edge_at(float z) {
+  SmallScene s;
+  Mesh left = square(50.0f, z);
+  for (Vec3f& position : left.positions) position.x -= 50.0f - static_cast<float>(kEdge);
+  s.add(left, s.material(glowing(Vec3f(1.0f))));
+  return s.scene;
+}
+
+TraceParams through(const ViewLens& lens, int spp = kSamples) {
+  TraceParams params;
+  params.spp = spp, params.lens = lens;
+  return params;
+}
+
+struct Edge {
+  double place_px, variance_px2;
+};
+
+/// Where light falls to dark in the second row of a view, and how the steps of that fall spread.
+Edge edge_in_view(const Picture& picture, int view) {
+  std::vector<double> steps;
+  for (int x = 1; x < kWidth; ++x) steps.push_back(picture.at(view * kWidth + x - 1, 1).x - picture.at(view * kWidth + x, 1).x);
+  Edge edge{0.0, 0.0};
+  for (std::size_t i = 0; i < steps.size(); ++i) edge.place_px += steps[i] * static_cast<double>(i + 1);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    edge.variance_px2 += steps[i] * std::pow(static_cast<double>(i + 1) - edge.place_px, 2.0);
+  return edge;
+}
+
+struct Focus {
+  float z, focal_plane, aperture;
+};
+
+class ThinLensEdge : public testing::TestWithParam<Focus> {};
+
+// A circle of confusion A |z - f| / (D - z) wide in the plane z = f is D / (D - f) times that on the display. Across an edge
+// its light falls as a disc's does: the variance of a uniform disc of diameter c along one axis is c^2 / 16. Differences of
+// pixels, each the mean over its width, add 1/6 px^2. An eye at e sees the edge (X, z) on the display at e (1 - m) + X m, m = D
+// / (D - z), whatever the lens.
+TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
+  const auto [z, f, aperture] = GetParam();
+  const double circle_px = aperture * std::abs(z - f) / (kDistance - z) * kDistance / (kDistance - f) / kPitch;
+  const double m = kDistance / (kDistance - z);
+  const Picture blurred = trace(edge_at(z), camera_row(), through({aperture, 0.0f, f}), 2);
+  for (int view = 0; view < kViews; ++view) {
+    const double eye = kBaseline * (view - 1), place = 0.5 * kWidth + (eye * (1.0 - m) + kEdge * m) / kPitch;
+    const Edge edge = edge_in_view(blurred, view);
+    // A pixel's share of the lens is counted by 256 samples that are stratified over it: 16 x 16 cells, of which the edge cuts
+    // about 20, each to within its own area. That is a standard deviation of 0.5 sqrt(20) / 256 = 0.01 a pixel; with c pixels
+    // in the ramp the place is good to 0.01 sqrt(c), here at most 0.06, three times which is allowed.
+    EXPECT_NEAR(edge.place_px, place, 0.2) << view;
+    EXPECT_NEAR(edge.variance_px2, circle_px * circle_px / 16.0 + 1.0 / 6.0, 0.03 * circle_px * circle_px / 16.0 + 0.1) << view;
+  }
+}
+
+// Behind the display and in front of it; with the focus on it, in front of it and behind it: circles of 20, 20, 33 and 20
+// pixels.
+INSTANTIATE_TEST_SUITE_P(Depths, ThinLensEdge,
+                         testing::Values(Focus{-20.0f, 0.0f, 4.0f}, Focus{10.0f, 0.0f, 2.0f}, Focus{-20.0f, 5.0f, 4.0f},
+                                         Focus{5.0f, -10.0f, 3.0f}));
+
+TEST(ThinLens, what_lies_in_the_focal_plane_is_as_sharp_as_through_a_pinhole) {
+  for (const float z : {0.0f, -8.0f, 6.0f}) {
+    const Image sharp = trace(edge_at(z), camera_row(), through({}, 16)).film;
+    const Image focused = trace(edge_at(z), camera_row(), through({4.0f, 0.0f, z}, 16)).film;
+    // The same places but for rounding, by which a sample next to the edge may pass it: 1/16.
+    for (std::size_t i = 0; i < sharp.data.size(); ++i) ASSERT_NEAR(focused.data[i], sharp.data[i], 1.5f / 16.0f) << i;
+  }
+}
+
+TEST(ThinLens, a_closed_one_is_a_pinhole_to_the_bit) {
+  const SmallScene s = busy_scene(3);
+  TraceParams pinhole;
+  pinhole.spp = 4;
+  EXPECT_EQ(trace(s.scene, camera_row(), through({0.0f, 0.0f, 5.0f}, 4)).film.data,
+            trace(s.scene, camera_row(), pinhole).film.data);
+}
+
+// Every point of the lens sees a plate that is parallel to it as large as any other does, so that a picture that holds all of
+// the blurred plate has as much light as a sharp one. 16 samples in each of 64 x 64 pixels: the sharp one counts the plate's
+// area to 0.1 %, the other one, at random, to sqrt(4 rim pixels x 30 wide x 0.25 / 16) / 1024 = 0.2 %, three times which is
+// allowed.
+TEST(ThinLens, blur_keeps_the_light) {
+  SmallScene s;
+  s.add(square(2.0f, -10.0f), s.material(glowing(Vec3f(1.0f))));
+  const Optics view = single_view(64);
+  const double sharp = mean(trace(s.scene, view, through({}, 16)).film);
+  const double blurred = mean(trace(s.scene, view, through({0.8f, 0.0f, 0.0f}, 16)).film);
+  EXPECT_GT(sharp, 0.1);
+  EXPECT_NEAR(blurred / sharp, 1.0, 0.007);
+}
+
+TEST(ThinLens, gives_the_same_bits_for_any_number_of_threads) {
+  const SmallScene s = busy_scene(7);
+  const TraceParams params = through({1.5f, 0.0f, 1.0f}, 8);
+  EXPECT_EQ(trace(s.scene, camera_row(), params, 1).film.data, trace(s.scene, camera_row(), params, 4).film.data);
+}
+
+TEST(ThinLens, single_pixels_are_traced_to_the_same_bits) {
+  SmallScene s = busy_scene(5);
+  const ThreadPool pool(2);
+  const Context context;
+  DeviceScene device(s.scene, pool);
+  device.update(evaluate(s.scene, 0.0), pool);
+  TraceParams params = through({2.0f, 0.0f, -1.0f}, 5);
+  params.max_depth = s.scene.max_depth;
+  Image whole;
+  trace_frame({device, camera_row(), {}}, params, {pool, context}, {whole});
+  Image pixels(whole.width, whole.height, 3);
+  std::vector<std::uint32_t> all(static_cast<std::size_t>(whole.width * whole.height));
+  std::iota(all.begin(), all.end(), 0u);
+  trace_pixels({device, camera_row(), {}}, params, all, {pool, context}, pixels, nullptr);
+  EXPECT_EQ(pixels.data, whole.data);
+}
+
+TEST(ThinLens, samples_in_shares_make_the_same_frame) {
+  SmallScene s = busy_scene(5);
+  const ThreadPool pool(2);
+  const Context context;
+  DeviceScene device(s.scene, pool);
+  device.update(evaluate(s.scene, 0.0), pool);
+  TraceParams params = through({2.0f, 0.0f, -1.0f}, 7);
+  params.max_depth = s.scene.max_depth;
+  Image whole, shares(1, 1, 3);
+  trace_frame({device, camera_row(), {}}, params, {pool, context}, {whole});
+  for (int first = 0; first < 3; ++first)
+    trace_frame({device, camera_row(), {}}, params, {pool, context}, {shares}, {first, 3});
+  ASSERT_EQ(shares.data.size(), whole.data.size());
+  for (std::size_t i = 0; i < whole.data.size(); ++i)
+    ASSERT_NEAR(shares.data[i], whole.data[i], 1e-5f) << i;  // sums of seven, in another order
+}
+
+}  // namespace
+}  // namespace lippmann
