@@ -74,6 +74,30 @@ class Transparency(Case):
         self.assertWrong("transparent", lippmann.render, "room", SMALL_PANEL, layout="native", transparent=True)
 
 
+class Blur(Case):
+    def alpha(self, **options):
+        options.setdefault("spp", 64)
+        grid = small_grid(1, 2, (32, 32), baseline_mm=2)
+        return lippmann.render(ball(), grid, transparent=True, light="none", fit_depth=False, **options).alpha
+
+    def test_a_lens_blurs_edges_out_of_focus_and_keeps_what_they_cover(self):
+        def soft(alpha):
+            return int(((alpha > 0.02) & (alpha < 0.98)).sum())
+
+        sharp, focused = self.alpha(), self.alpha(aperture_mm=40)
+        blurred = self.alpha(aperture_mm=40, focal_plane_mm=100)
+        self.assertLess(soft(focused), 1.5 * soft(sharp))  # the ball stands in the display's plane
+        self.assertGreater(soft(blurred), 2 * soft(sharp))
+        self.assertAlmostEqual(float(blurred.mean()), float(sharp.mean()), delta=0.01)
+
+    def test_what_cannot_be_blurred_is_refused(self):
+        for name, value in (("aperture_mm", -1), ("f_number", -1), ("shutter", 1.5)):
+            with self.assertRaisesRegex(lippmann.Error, name):
+                self.alpha(**{name: value})
+        with self.assertRaisesRegex(lippmann.Error, "spp"):
+            self.alpha(aperture_mm=4, spp=1)
+
+
 class Surroundings(Case):
     def seen(self, **options):
         return lippmann.render(ball(), small_grid(1, 1, (16, 16)), spp=1, **options).views[0, 0, 0, 0]
