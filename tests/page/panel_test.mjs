@@ -100,10 +100,11 @@ test("a calibration that is dropped on the page is read by the program", async (
   await page.waitForFunction(() => window.lippmann.state.show === "display");
   await page.waitForSelector('#stage[data-drawn="true"]');
   assert.equal((await differenceFrom(page, "dropped.png")).most, 0);
-  await drop(page, "visual.json", readFileSync(inFolder(calibration("second-panel", { center: 0.2 })), "utf8"));
-  lippmann("convert", quilts[0], "second.png", "--to", "native", "--display", "second-panel.json");
-  await page.waitForFunction(() => document.querySelector("#stage").dataset.drawn === "true");
-  await page.waitForTimeout(500);
+  lippmann("convert", quilts[0], "second.png", "--to", "native", "--display", calibration("second-panel", { center: 0.2, serial: "LKG-second" }));
+  await drop(page, "visual.json", readFileSync(inFolder("second-panel.json"), "utf8"));
+  await page.getByText(/LKG-second/).waitFor();
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await page.waitForSelector('#stage[data-drawn="true"]');
   assert.equal((await differenceFrom(page, "second.png")).most, 0);
   assert.deepEqual(page.complaints, []);
 });
