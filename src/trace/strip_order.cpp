@@ -22,14 +22,13 @@ void append_rows(std::vector<StripPixel>& out, int width, int height) {
 }
 
 /// Tiles of 4 x 4 samples of one view (lens steps n.x, n.y), lens rows that fit into the strip. For single and multi-view
-/// pictures (n = 1 x 1) these are plain 4 x 4 tiles, one below the other: a row of them would pass many views before it comes
-/// back to what the tiles above have seen.
+/// pictures (n = 1 x 1) these are plain 4 x 4 tiles.
 void append_view_tiles(std::vector<StripPixel>& out, Vec2i n, int width, int height) {
   constexpr int kTile = 4;
   for (int v = 0; v < n.y; ++v)
     for (int u = 0; u < n.x; ++u)
-      for (int x = u; x < width; x += kTile * n.x)
-        for (int y = v; y < height; y += kTile * n.y)
+      for (int y = v; y < height; y += kTile * n.y)
+        for (int x = u; x < width; x += kTile * n.x)
           append_down(out, x, std::min(width, x + kTile * n.x), n.x, y, std::min(height, y + kTile * n.y), n.y);
 }
 
