@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { begin, inFolder, lippmann, open, view } from "./support.mjs";
 
 const kFrames = 8;
-const job = (folder) => ["render", "room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--layout", "quilt", "--aov", "depth", "--integrator", "path", "--spp", "160", "--reuse", "none", "--frames", `0-${kFrames - 1}`, "-o", folder, "-q"];
+const job = (folder) => ["render", "room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--layout", "quilt", "--aov", "depth", "--integrator", "path", "--spp", "48", "--reuse", "none", "--frames", `0-${kFrames - 1}`, "-o", folder, "-q"];
 const frames = (folder) => readdirSync(inFolder(folder)).filter((name) => /^(frame|aov)_/.test(name)).sort();
 const pictures = (folder) => frames(folder).filter((name) => name.endsWith(".png"));
 const isStopped = (page) => page.waitForFunction(() => window.lippmann?.run.state === "stopped", null, { timeout: 60000 });
