@@ -13,6 +13,7 @@ from ._optics import Display, Optics, camera_grid, display as _display
 from ._scene import Scene, choose_camera, load, surround
 
 _PATHS = 16  # samples per pixel of paths where nobody says, as of `lippmann render`
+_SPLATS = 4  # of files of splats alone, which are light already
 
 Progress = Callable[[int, float], Any]
 
@@ -87,8 +88,10 @@ def frames(
     layers: of depth (mm, above 0 in front of the display), ray-depth, normal, position (both in the world), id, albedo, motion
         (pixels since the frame before), provenance (a code, docs/reuse.md), direct, indirect. "disparity" asks for depth.
     integrator: "path" (all light, by random paths) or "whitted" (quick: direct light, sharp shadows, mirrors). None: path, but
-        whitted for scenes of formats that describe Whitted's shading, the built-in ones among them.
-    spp: samples per pixel; None: 16 of paths, else 1. max_depth: path vertices; 0: the scene's. seed: of the random paths.
+        whitted for scenes of formats that describe Whitted's shading, the built-in ones among them, and for files of splats
+        alone.
+    spp: samples per pixel; None: 16 of paths, 4 of files of splats alone, else 1. max_depth: path vertices; 0: the scene's.
+        seed: of the random paths.
     denoise: takes noise out of path-traced frames.
     aperture_mm, or f_number (of a camera with a sensor 36 mm wide, in scenes in metres): depth of field for views: the diameter
         of the lens that each is seen through. focal_plane_mm: what is sharp, in front of the display's plane. 2 or more spp.
@@ -108,20 +111,21 @@ def frames(
     progress: called as progress(frame, share) about every 50 ms, in this thread; what it raises stops the render.
     """
     if isinstance(scene, Scene):
-        core, physical = scene._core.copy(), scene._physical
+        core, kind = scene._core.copy(), scene._kind
     else:
         loaded = load(scene)
-        core, physical = loaded._core, loaded._physical
+        core, kind = loaded._core, loaded._kind
     reuse = choice(reuse, "reuse", ("auto", "none", "copy", "light", "interpolate"))
     if integrator is None:
-        paths = physical and reuse != "interpolate"
+        paths, usual_spp = kind == "physical" and reuse != "interpolate", _SPLATS if kind == "splats" else 0
     else:
         paths = choice(integrator, "integrator", ("path", "whitted")) == "path"
+        usual_spp = 0
     wanted = _layers(layers)
     which = _which(frames, core.frame_count)
     if progress is not None and not callable(progress):
         raise Error("progress", f"is {progress!r}", "a function of frame and share")
-    samples = (_PATHS if paths else 0) if spp is None else integer(spp, "spp", 1, 1 << 20)
+    samples = (_PATHS if paths else usual_spp) if spp is None else integer(spp, "spp", 1, 1 << 20)
     depth_limit = integer(max_depth, "max_depth", 0, 1 << 16)
     key = integer(seed, "seed", 0, (1 << 32) - 1)
     every = None if keyframes is None else integer(keyframes, "keyframes", 1, 1 << 20)
@@ -135,7 +139,7 @@ def frames(
     choose_camera(core, camera)
     if environment is not None:
         surround(core, environment, environment_strength, environment_rotation_deg, "environment_")
-    elif light == "auto" and (not paths or physical):
+    elif light == "auto" and (not paths or kind != "whitted"):
         core.add_missing_light(paths)
     native = choice(layout, "layout", ("views", "native")) == "native"
     if native and transparent:

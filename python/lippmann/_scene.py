@@ -115,13 +115,14 @@ class Scene:
     def __init__(self, name: str = "scene", *, frames: int = 1, frames_per_second: float = 25.0) -> None:
         count = integer(frames, "frames", 1, 1 << 20)
         self._core = _core.Scene(text(name, "name"), count, positive(frames_per_second, "frames_per_second", 1e4))
-        self._physical = True
+        self._kind = "physical"
         self._materials: Dict[Any, Tuple[Any, int]] = {}
 
     @classmethod
-    def _of(cls, core: Any, physical: bool) -> "Scene":
+    def _of(cls, core: Any, kind: str) -> "Scene":
+        """kind: what its format describes, which decides what a render computes: "physical", "whitted" or "splats"."""
         scene = cls.__new__(cls)
-        scene._core, scene._physical, scene._materials = core, physical, {}
+        scene._core, scene._kind, scene._materials = core, kind, {}
         return scene
 
     # ---- What it is ----------------------------------------------------------------------------------------------------
@@ -157,7 +158,7 @@ class Scene:
 
     def copy(self) -> "Scene":
         """A scene of its own with the same contents. Handles of objects stay with the one that made them."""
-        return Scene._of(self._core.copy(), self._physical)
+        return Scene._of(self._core.copy(), self._kind)
 
     def __repr__(self) -> str:
         count = self.frame_count
@@ -472,7 +473,8 @@ def load(
         text(animation, "animation"),
         integer(texture_memory_mb, "texture_memory_mb", 1, 1 << 20) << 20,
     )
-    return Scene._of(core, _core.is_physical_format(where))
+    kind = "splats" if _core.is_splat_file(where) else "physical" if _core.is_physical_format(where) else "whitted"
+    return Scene._of(core, kind)
 
 
 # ---- Cameras and surroundings --------------------------------------------------------------------------------------------

@@ -261,6 +261,7 @@ void bind_scene(py::module_& module) {
   bind_elements(scene);
   module.def("load_scene", &load);
   module.def("is_physical_format", &is_physical_format);
+  module.def("is_splat_file", &is_splat_file);
   module.def("builtin_scenes", &builtin_scene_lines);
 }
 

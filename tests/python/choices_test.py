@@ -18,6 +18,26 @@ def ball(color=(0.5, 0.25, 1.0), **more):
     return scene
 
 
+def write_splats(path):
+    """Three splats in the usual layout of PLY files."""
+    names = "x y z f_dc_0 f_dc_1 f_dc_2 opacity scale_0 scale_1 scale_2 rot_0 rot_1 rot_2 rot_3".split()
+    header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + "".join(f"property float {n}\n" for n in names)
+    rows = [[x, 0, 0, 1, x, 0, 2, -1, -1, -1, 1, 0, 0, 0] for x in (-0.5, 0, 0.5)]
+    path.write_bytes(header.encode() + b"end_header\n" + np.array(rows, "<f4").tobytes())
+
+
+class Splats(Case):
+    def test_files_of_them_alone_are_rendered_as_by_the_tool_without_paths(self):
+        write_splats(self.folder / "cloud.ply")
+        scene = lippmann.load(self.folder / "cloud.ply")
+        default = lippmann.render(scene, small_grid(1, 2), fit_depth=False).codes
+        self.assertSame(default, lippmann.render(scene, small_grid(1, 2), fit_depth=False, integrator="whitted", spp=4).codes)
+        self.assertFalse(np.array_equal(default, lippmann.render(scene, small_grid(1, 2), fit_depth=False, integrator="whitted").codes))
+        self.assertGreater(int(default.max()), 100)
+        tool("render", "cloud.ply", "--optics", "single", "--size", "32x32", "--frames", "0", "-o", "out", "-q", cwd=self.folder)
+        self.assertIn("spp = 4", (self.folder / "out/job.toml").read_text())
+
+
 class Transparency(Case):
     def rendered(self, scene=None, **options):
         options.setdefault("spp", 4)
