@@ -1,20 +1,12 @@
 // What tests of panels that are played on share: the codes of the page's panel beside a file, and calibrations that are dropped.
-import { readFileSync } from "node:fs";
-import { inFolder } from "./support.mjs";
+import { codesOf, inFolder } from "./support.mjs";
 
 /** The greatest difference of a channel between the page's panel and a file, and the share of channels that differ at all. */
 export async function differenceFrom(page, file) {
-  const url = `data:image/png;base64,${readFileSync(inFolder(file)).toString("base64")}`;
-  return page.evaluate(async (url) => {
-    const bytes = Uint8Array.from(atob(url.split(",")[1]), (c) => c.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }), { colorSpaceConversion: "none" });
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-    const context = canvas.getContext("2d");
-    context.drawImage(bitmap, 0, 0);
-    const wanted = context.getImageData(0, 0, bitmap.width, bitmap.height).data;
+  return page.evaluate(({ width, height, data: wanted }) => {
     const shown = window.lippmann.panel();
-    const { width, height } = document.querySelector("#canvas");
-    if (width !== bitmap.width || height !== bitmap.height) throw new Error(`the canvas has ${width}x${height} pixels, the file ${bitmap.width}x${bitmap.height}`);
+    const canvas = document.querySelector("#canvas");
+    if (canvas.width !== width || canvas.height !== height) throw new Error(`the canvas has ${canvas.width}x${canvas.height} pixels, the file ${width}x${height}`);
     let most = 0, differ = 0;
     for (let i = 0; i < wanted.length; i++) {
       const by = Math.abs(wanted[i] - shown[i]);
@@ -22,7 +14,7 @@ export async function differenceFrom(page, file) {
       if (by > 0) differ++;
     }
     return { most, differ: differ / wanted.length };
-  }, url);
+  }, await codesOf(page, inFolder(file)));
 }
 
 /** Drops a file on the page. */

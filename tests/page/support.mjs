@@ -129,21 +129,27 @@ export async function set(page, changes) {
   await page.waitForSelector('#stage[data-drawn="true"]');
 }
 
-/** PSNR in dB of the page's picture of an eye beside a file. */
-export async function psnrBeside(page, file) {
+/** A file's codes, as a handle of what the page has: { width, height, data } with red, green, blue and alpha. */
+export function codesOf(page, file) {
   const url = `data:image/png;base64,${readFileSync(file).toString("base64")}`;
-  return page.evaluate(async (url) => {
+  return page.evaluateHandle(async (url) => {
     const bytes = Uint8Array.from(atob(url.split(",")[1]), (c) => c.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }), { colorSpaceConversion: "none" });
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
     const context = canvas.getContext("2d");
     context.drawImage(bitmap, 0, 0);
-    const wanted = context.getImageData(0, 0, bitmap.width, bitmap.height).data;
-    const seen = await window.lippmann.picture(bitmap.width, bitmap.height);
+    return context.getImageData(0, 0, bitmap.width, bitmap.height);
+  }, url);
+}
+
+/** PSNR in dB of the page's picture of an eye beside a file. */
+export async function psnrBeside(page, file) {
+  return page.evaluate(async ({ width, height, data: wanted }) => {
+    const seen = await window.lippmann.picture(width, height);
     let sum = 0;
     for (let i = 0; i < wanted.length; i++) sum += (wanted[i] - seen[i]) ** 2;
     return sum === 0 ? 200 : 10 * Math.log10((255 ** 2 * 0.75 * wanted.length) / sum);
-  }, url);
+  }, await codesOf(page, file));
 }
 
 /** What `lippmann replay` computes; the file. */

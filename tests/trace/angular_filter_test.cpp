@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "trace/edge.hpp"
 #include "trace/small_scene.hpp"
 #include "trace/trace_pixels.hpp"
 
@@ -45,21 +46,6 @@ TEST(AngularFilter, what_lies_in_the_plane_of_the_display_stays_as_it_is) {
   EXPECT_EQ(trace(edge_at(0.0f), camera_row(), filtered(16)).film.data, trace(edge_at(0.0f), camera_row(), plain).film.data);
 }
 
-struct Edge {
-  double place_px, variance_px2;
-};
-
-/// Where light falls to dark in the second row of a view, and how the steps of that fall spread.
-Edge edge_in_view(const Picture& picture, int view) {
-  std::vector<double> steps;
-  for (int x = 1; x < kWidth; ++x) steps.push_back(picture.at(view * kWidth + x - 1, 1).x - picture.at(view * kWidth + x, 1).x);
-  Edge edge{0.0, 0.0};
-  for (std::size_t i = 0; i < steps.size(); ++i) edge.place_px += steps[i] * static_cast<double>(i + 1);
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    edge.variance_px2 += steps[i] * std::pow(static_cast<double>(i + 1) - edge.place_px, 2.0);
-  return edge;
-}
-
 // Seen from an eye at e, the edge at (X, z) is in the plane at e (1 - m) + X m, m = D / (D - z). At z = -20, m = 1/2: from eye
 // to eye it moves by 0.4 mm = 4 pixels. Spread over a view's share it is a ramp of 4 pixels: variance 16 / 12. Differences of
 // pixels, each the mean over its width, share every place of it out to the two whole numbers beside it: 1 / 6 more.
@@ -71,10 +57,11 @@ TEST(AngularFilter, far_edges_become_ramps_from_one_view_s_edge_to_the_next) {
     const double eye = kBaseline * (view - 2), place = 0.5 * kWidth + (0.5 * eye + 0.5 * 0.03) / kPitch;
     // A pixel's 256 samples count an area to within 2/256 of it, and six pixels make the ramp: 12/256, and as far from its
     // middle as they lie for the variance (2 x (2.5 + 1.5 + 0.5) x 2/256). Here less than half of that.
-    EXPECT_NEAR(edge_in_view(sharp, view).place_px, place, 0.01) << view;
-    EXPECT_NEAR(edge_in_view(ramp, view).place_px, place, 0.02) << view;
-    EXPECT_LE(edge_in_view(sharp, view).variance_px2, 0.25 + 0.01) << view;  // at most 1/4, wherever within a pixel it lies
-    EXPECT_NEAR(edge_in_view(ramp, view).variance_px2, 16.0 / 12 + 1.0 / 6, 0.04) << view;
+    EXPECT_NEAR(edge_in(sharp, view * kWidth, kWidth).place_px, place, 0.01) << view;
+    EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).place_px, place, 0.02) << view;
+    EXPECT_LE(edge_in(sharp, view * kWidth, kWidth).variance_px2, 0.25 + 0.01)
+        << view;  // at most 1/4, wherever within a pixel it lies
+    EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).variance_px2, 16.0 / 12 + 1.0 / 6, 0.04) << view;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "trace/edge.hpp"
 #include "trace/small_scene.hpp"
 #include "trace/trace_pixels.hpp"
 
@@ -38,21 +39,6 @@ TraceParams through(const ViewLens& lens, int spp = kSamples) {
   return params;
 }
 
-struct Edge {
-  double place_px, variance_px2;
-};
-
-/// Where light falls to dark in the second row of a view, and how the steps of that fall spread.
-Edge edge_in_view(const Picture& picture, int view) {
-  std::vector<double> steps;
-  for (int x = 1; x < kWidth; ++x) steps.push_back(picture.at(view * kWidth + x - 1, 1).x - picture.at(view * kWidth + x, 1).x);
-  Edge edge{0.0, 0.0};
-  for (std::size_t i = 0; i < steps.size(); ++i) edge.place_px += steps[i] * static_cast<double>(i + 1);
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    edge.variance_px2 += steps[i] * std::pow(static_cast<double>(i + 1) - edge.place_px, 2.0);
-  return edge;
-}
-
 struct Focus {
   float z, focal_plane, aperture;
 };
@@ -70,7 +56,7 @@ TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   const Picture blurred = trace(edge_at(z), camera_row(), through({aperture, 0.0f, f}), 2);
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 1), place = 0.5 * kWidth + (eye * (1.0 - m) + kEdge * m) / kPitch;
-    const Edge edge = edge_in_view(blurred, view);
+    const Edge edge = edge_in(blurred, view * kWidth, kWidth);
     // A pixel's share of the lens is counted by 256 samples that are stratified over it: 16 x 16 cells, of which the edge cuts
     // about 20, each to within its own area. That is a standard deviation of 0.5 sqrt(20) / 256 = 0.01 a pixel; with c pixels
     // in the ramp the place is good to 0.01 sqrt(c), here at most 0.06, three times which is allowed.

@@ -1,0 +1,27 @@
+// Where light falls to dark in a row of pixels, for tests of what blurs edges.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "trace/small_scene.hpp"
+
+namespace lippmann::test {
+
+struct Edge {
+  double place_px, variance_px2;
+};
+
+/// Of the fall from light to dark in the second row of a picture's pixels first ... first + width - 1: its place, counted from
+/// `first`, and how its steps spread.
+inline Edge edge_in(const Picture& picture, int first, int width) {
+  std::vector<double> steps;
+  for (int x = first + 1; x < first + width; ++x) steps.push_back(picture.at(x - 1, 1).x - picture.at(x, 1).x);
+  Edge edge{0.0, 0.0};
+  for (std::size_t i = 0; i < steps.size(); ++i) edge.place_px += steps[i] * static_cast<double>(i + 1);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    edge.variance_px2 += steps[i] * std::pow(static_cast<double>(i + 1) - edge.place_px, 2.0);
+  return edge;
+}
+
+}  // namespace lippmann::test
