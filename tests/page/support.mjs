@@ -24,9 +24,11 @@ try {
 }
 
 export const folder = mkdtempSync(join(tmpdir(), "lippmann-page-"));
+// Draws on the processor, or, with LIPPMANN_ANGLE=vulkan or gl-egl, on a graphics card.
+const angle = process.env.LIPPMANN_ANGLE ?? "swiftshader";
 const browser = await playwright.chromium.launch({
   executablePath: chromiumPath,
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  args: ["--no-sandbox", "--use-gl=angle", `--use-angle=${angle}`, "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
 });
 const servers = [];
 const opened = [];

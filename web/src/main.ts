@@ -8,6 +8,7 @@ import { Live, type Choices } from "./live";
 import { orbitOf, planeDistance, planeRange, setOrbit, setPlaneDistance, setZoom } from "./live_controls";
 import { codeFromLinear, openGl } from "./gl";
 import { steerFromOutside } from "./outside";
+import { Pace } from "./pace";
 import { Player } from "./player";
 import { showLegend } from "./provenance";
 import { Run, type RunState } from "./run";
@@ -65,6 +66,7 @@ export class App {
   readonly live: Live | null;
   readonly run: Run | null;
   private wanted = true;
+  private readonly pace = new Pace();
   private pointer: { x: number; y: number } | null = null;
   private notices = new Map<string, string>();
   private prefetching = false;
@@ -221,9 +223,10 @@ export class App {
     if (this.headset.isOn) return;
     this.timeline.tick(now);
     if (this.fitCanvas()) this.wanted = true;
-    if (!this.wanted) return;
+    if (!this.wanted && !this.pace.rests()) return;
     this.wanted = false;
-    this.draw();
+    const divisor = this.pace.draws(now);
+    this.draw(this.store.state.show === "eye" ? divisor : 1);
   }
 
   /** A headset has a clock and a picture of its own; the page waits meanwhile. */
@@ -249,26 +252,30 @@ export class App {
 
   private fitCanvas(): boolean {
     document.body.classList.toggle("plays", this.player.isPlaying);
-    if (this.player.isPlaying) return this.player.fit(this.canvas);
+    if (this.player.isPlaying) {
+      const changed = this.player.fit(this.canvas);
+      this.renderer.screen = [this.canvas.width, this.canvas.height];
+      return changed;
+    }
     this.canvas.style.width = this.canvas.style.height = "";
     this.notify("screen", "");
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
-    if (this.canvas.width === width && this.canvas.height === height) return false;
-    this.canvas.width = width;
-    this.canvas.height = height;
-    return true;
+    const [before, above] = this.renderer.screen;
+    this.renderer.screen = [width, height];
+    return before !== width || above !== height;
   }
 
-  private draw(): void {
+  /** With so many times fewer pixels than the screen has in a row, and in a column. */
+  private draw(divisor = 1): void {
     const { state } = this.store;
     document.documentElement.dataset.theme = state.theme;
     this.frames.pin(this.shown(), state.frame);
     this.renderer.loupe = state.show === "panel" ? this.pointer : null;
     let drawn = false;
     try {
-      drawn = this.renderer.draw(state, this.ground());
+      drawn = this.renderer.draw(state, this.ground(), divisor);
       this.notify("frame", "");
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
@@ -276,7 +283,8 @@ export class App {
       drawn = true;
     }
     byId("bar").hidden = drawn;
-    byId("stage").dataset.drawn = String(drawn && !this.frames.isAsking);
+    byId("stage").dataset.drawn = String(drawn && divisor === 1 && !this.frames.isAsking);
+    byId("stage").dataset.divisor = String(divisor);
     byId("stage").dataset.frame = drawn ? String(this.live?.shownFrame ?? state.frame) : "";
 
     this.canvas.setAttribute("aria-label", this.spoken());
@@ -323,7 +331,7 @@ export class App {
     line.hidden = state.line < 0 || state.show !== "eye";
     if (line.hidden) return;
     const { left, top, width, height } = this.renderer.place;
-    const ratio = this.canvas.clientWidth / this.canvas.width;
+    const ratio = this.canvas.clientWidth / this.renderer.screen[0];
     line.style.left = `${this.canvas.offsetLeft + left * ratio}px`;
     line.style.top = `${this.canvas.offsetTop + (top + state.line * height) * ratio}px`;
     line.style.width = `${width * ratio}px`;
@@ -413,7 +421,8 @@ export class App {
 
   private at(event: PointerEvent | WheelEvent): { x: number; y: number } {
     const box = this.canvas.getBoundingClientRect();
-    return { x: ((event.clientX - box.left) / box.width) * this.canvas.width, y: ((event.clientY - box.top) / box.height) * this.canvas.height };
+    const [width, height] = this.renderer.screen;
+    return { x: ((event.clientX - box.left) / box.width) * width, y: ((event.clientY - box.top) / box.height) * height };
   }
 
   private listen(): void {
@@ -466,7 +475,7 @@ export class App {
   private graspedAt(x: number, y: number): Drag["what"] {
     const { state } = this.store;
     const { left, top, width, height } = this.renderer.place;
-    const near = 14 * (this.canvas.width / this.canvas.clientWidth);
+    const near = 14 * (this.renderer.screen[0] / this.canvas.clientWidth);
     if (this.shown().length > 1 && state.compare === "wipe" && Math.abs(x - left - state.wipe * width) < near) return "wipe";
     if (state.line >= 0 && Math.abs(y - top - state.line * height) < near) return "line";
     return this.live ? state.drag : "eye";

@@ -36,8 +36,12 @@ export const useOf = (state: State): Use => (state.show === "eye" && state.cross
 const axisOf = (axis: Axis): number[] => [axis.first, axis.step, axis.by === "angle" ? 1 : 0, kBeyond[axis.beyond]];
 
 export class Renderer {
-  /** Where the picture is on the canvas, in its pixels from the top left. */
+  /** The canvas' size, in pixels, when it is as fine as the screen. */
+  screen: [number, number] = [1, 1];
+  /** Where the picture is on it, from the top left. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
+  /** Likewise, on the canvas as it is now. */
+  private drawn: Rectangle = this.place;
   loupe: Loupe | null = null;
   private readonly eyePrograms = new Map<string, Program>();
   private readonly panelPrograms = new Map<string, Program>();
@@ -71,8 +75,9 @@ export class Renderer {
     return state.compare === "second" ? [1] : [0, 1];
   }
 
-  /** Whether all that the state wants was there; the canvas is left as it was where not. */
-  draw(state: State, ground: number[]): boolean {
+  /** Whether all that the state wants was there; the canvas is left as it was where not. For speed the canvas may
+   *  have fewer pixels than the screen: so many times fewer in a row, and in a column. */
+  draw(state: State, ground: number[], divisor = 1): boolean {
     const shown = this.shownFields(state);
     const loaded = shown.map((field) => this.loaded(field, state));
     if (loaded.some((one) => !one)) return false;
@@ -82,8 +87,10 @@ export class Renderer {
     const field = this.fields[shown[0]];
     this.layOut(field, state, stereo, shown.length > 1);
     const two = stereo || shown.length > 1;
-    const size = this.pictureSize(field, state, two);
-    this.direct = !two && state.show === "eye" && size[0] === this.place.width && size[1] === this.place.height;
+    this.resize(divisor);
+    const whole = this.pictureSize(field, state, two);
+    const size = whole.map((side) => Math.max(1, Math.round(side / divisor))) as [number, number];
+    this.direct = !two && state.show === "eye" && whole[0] === this.place.width && whole[1] === this.place.height;
     this.last = { state: { ...state }, field, frame: loaded[0] as LoadedFrame };
     if (this.direct) {
       this.drawDirectly(field, loaded[0] as LoadedFrame, state, ground);
@@ -194,9 +201,18 @@ export class Renderer {
     });
   }
 
-  /** Fits the picture, or both, into the canvas; an epipolar-plane image goes below it. */
+  /** Of the canvas; the page stretches it over the same place. */
+  private resize(divisor: number): void {
+    const { canvas } = this.gl, scaled = (length: number) => Math.round(length / divisor);
+    const [width, height] = this.screen.map((side) => Math.max(1, scaled(side)));
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    const { left, top } = this.place;
+    this.drawn = { left: scaled(left), top: scaled(top), width: Math.max(1, scaled(this.place.width)), height: Math.max(1, scaled(this.place.height)) };
+  }
+
+  /** Fits the picture, or both, onto the screen; an epipolar-plane image goes below it. */
   private layOut(field: Field, state: State, stereo: boolean, compared: boolean): void {
-    const { width, height } = this.gl.canvas;
+    const [width, height] = this.screen;
     const room = height * (state.line >= 0 && state.show === "eye" ? 0.8 : 1);
     const [w, h] = state.show === "panel" ? field.panel.size : field.window_mm.size;
     const wide = (stereo && state.stereo === "side-by-side") || (compared && state.compare === "side-by-side");
@@ -272,7 +288,7 @@ export class Renderer {
 
   private drawDirectly(field: Field, frame: LoadedFrame, state: State, ground: number[]): void {
     const gl = this.gl;
-    const { left, top, width, height } = this.place;
+    const { left, top, width, height } = this.drawn;
     const bottom = gl.canvas.height - top - height;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
@@ -350,10 +366,10 @@ export class Renderer {
     let mode: ScreenMode = "first";
     if (stereo) mode = kStereoModes[state.stereo];
     else if (this.shownFields(state).length > 1) mode = kCompareModes[state.compare];
-    const place = this.place;
+    const drawn = this.drawn;
     this.screenProgram(mode).draw({
       ...this.screenUniforms(state, ground),
-      u_place: [place.left, height - place.top - place.height, place.width, place.height],
+      u_place: [drawn.left, height - drawn.top - drawn.height, drawn.width, drawn.height],
     });
   }
 
@@ -361,16 +377,17 @@ export class Renderer {
   private drawLine(field: Field, frame: LoadedFrame, state: State): void {
     const gl = this.gl;
     const { width, height } = gl.canvas;
-    const size: [number, number] = [this.place.width, Math.max(8, Math.round(height * 0.18))];
+    const { left, width: across } = this.drawn;
+    const size: [number, number] = [across, Math.max(8, Math.round(height * 0.18))];
     const target = this.targets[2];
     target.begin(...size);
     this.eyeProgram(field, frame, "line", { depth: this.usesDepth(frame, state), overlay: this.overlays(frame, state) }).draw(this.eyeUniforms(field, frame, state, state.eye, size));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(this.place.left, 0, ...size);
+    gl.viewport(left, 0, ...size);
     this.screenProgram("first").draw({
       ...this.screenUniforms(state, [0, 0, 0]),
       u_first: bind(gl, 0, target.texture),
-      u_place: [this.place.left, 0, ...size],
+      u_place: [left, 0, ...size],
     });
     gl.viewport(0, 0, width, height);
   }

@@ -18,9 +18,10 @@ function answer(request, response) {
   fs.createReadStream(file).pipe(response);
 }
 
-/** Without a graphics card too. */
+/** Draws on the processor, or, with LIPPMANN_ANGLE=vulkan or gl-egl, on a graphics card. */
 function launch() {
-  return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+  const graphics = ["--use-gl=angle", `--use-angle=${process.env.LIPPMANN_ANGLE ?? "swiftshader"}`, "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+  return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", ...graphics] });
 }
 
 async function open(browser, port) {

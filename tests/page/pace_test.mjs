@@ -1,0 +1,72 @@
+// Where graphics are slow, what moves is drawn coarsely, and finely again once it rests.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { closeAfterEach, open, sheet, view } from "./support.mjs";
+
+closeAfterEach();
+sheet();
+const address = await view("sheet");
+
+/** Every frame of the screen seems to have taken so many times as long. */
+const slowed = (times) => `
+  const inTime = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (then) => inTime((now) => then(${times} * now));`;
+
+/** The eye goes from one side to the other; by what the sides of pictures were divided. */
+const move = (page, pictures) =>
+  page.evaluate(async (pictures) => {
+    const [x, y, z] = window.lippmann.fields[0].eye_mm, divisors = [];
+    for (let i = 0; i <= pictures; i++) {
+      window.lippmann.set({ eye: [x + 20 * (i / pictures), y, z] });
+      await new Promise(requestAnimationFrame);
+      divisors.push(Number(document.getElementById("stage").dataset.divisor));
+    }
+    return divisors;
+  }, pictures);
+
+const atRest = (page) => page.waitForSelector('#stage[data-drawn="true"][data-divisor="1"]');
+const canvas = (page) => page.evaluate(() => document.querySelector("canvas").toDataURL());
+
+test("a movement on slow graphics is coarse but for its first picture, and its end as sharp as without", async () => {
+  const page = await open(address, { script: slowed(20) });
+  const divisors = await move(page, 30);
+  await atRest(page);
+  const moved = await canvas(page);
+  assert.equal(divisors[0], 1);
+  assert.equal(divisors.at(-1), 4, String(divisors));
+  await page.evaluate(() => window.lippmann.set({ exposure: 1 }));
+  await page.waitForTimeout(300);
+  await page.evaluate(() => window.lippmann.set({ exposure: 0 }));
+  await atRest(page);
+  assert.equal(await canvas(page), moved);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("a coarse picture shows the same, by fewer pixels", async () => {
+  const page = await open(address, { script: slowed(20) });
+  await move(page, 30);
+  const divisor = await page.evaluate(async () => {
+    window.codes = () => {
+      const canvas = document.querySelector("canvas"), [width, height] = [canvas.clientWidth, canvas.clientHeight];
+      const context = new OffscreenCanvas(width, height).getContext("2d");
+      context.drawImage(canvas, 0, 0, width, height);
+      return context.getImageData(0, 0, width, height).data;
+    };
+    window.lippmann.set({ eye: [...window.lippmann.fields[0].eye_mm] });
+    await new Promise(requestAnimationFrame);
+    window.coarse = window.codes();
+    return document.getElementById("stage").dataset.divisor;
+  });
+  assert.equal(divisor, "4");
+  await atRest(page);
+  const psnr = await page.evaluate(() => {
+    const fine = window.codes();
+    return 10 * Math.log10((255 ** 2 * fine.length) / fine.reduce((sum, code, i) => sum + (code - window.coarse[i]) ** 2, 0));
+  });
+  assert.ok(psnr > 22 && psnr < 60, `${psnr} dB`);
+});
+
+test("quick graphics draw all pictures finely", async () => {
+  const page = await open(address, { script: slowed(1e-3) });
+  assert.deepEqual(new Set(await move(page, 30)), new Set([1]));
+});
