@@ -38,8 +38,8 @@ double seconds_of(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Tells ThreadSanitizer what it cannot see in TBB, which is built without it, as this file therefore is too: tasks come after what
-/// was done before they were begun, and before what is done once all have ended.
+/// Tells ThreadSanitizer what it cannot see in TBB, which is built without it, as this file therefore is too: tasks come after
+/// what was done before they were begun, and before what is done once all have ended.
 class TaskOrder {
  public:
 #ifdef LIPPMANN_THREAD_SANITIZER
@@ -51,9 +51,9 @@ class TaskOrder {
  private:
   char begun_ = 0, ended_ = 0;
 #else
-  static void begin() {}
-  static void end() {}
-  static void all_ended() {}
+  void begin() {}
+  void end() {}
+  void all_ended() {}
 #endif
 };
 
@@ -62,24 +62,26 @@ class TaskOrder {
 class CpuMeter : public tbb::task_scheduler_observer {
  public:
   explicit CpuMeter(tbb::task_arena& arena) : task_scheduler_observer(arena) { observe(true); }
-  ~CpuMeter() override { observe(false); }
+  /// Waits for workers that are entering or leaving.
+  ~CpuMeter() override {
+    observe(false);
+    order_.all_ended();
+  }
 
   void on_scheduler_entry(bool is_worker) override {
     if (!is_worker) return;
+    order_.begin();
     Visit visit{};
     pthread_getcpuclockid(pthread_self(), &visit.clock);
     visit.start = seconds_of(visit.clock);
-    const std::lock_guard lock(mutex_);
-    inside_[pthread_self()] = visit;
+    enter(visit);
+    order_.end();
   }
 
   void on_scheduler_exit(bool is_worker) override {
     if (!is_worker) return;
-    const std::lock_guard lock(mutex_);
-    const auto visit = inside_.find(pthread_self());
-    if (visit == inside_.end()) return;
-    left_ += seconds_of(visit->second.clock) - visit->second.start;
-    inside_.erase(visit);
+    leave();
+    order_.end();
   }
 
   double seconds() const {
@@ -94,6 +96,21 @@ class CpuMeter : public tbb::task_scheduler_observer {
     clockid_t clock;
     double start;
   };
+
+  void enter(const Visit& visit) {
+    const std::lock_guard lock(mutex_);
+    inside_[pthread_self()] = visit;
+  }
+
+  void leave() {
+    const std::lock_guard lock(mutex_);
+    const auto visit = inside_.find(pthread_self());
+    if (visit == inside_.end()) return;
+    left_ += seconds_of(visit->second.clock) - visit->second.start;
+    inside_.erase(visit);
+  }
+
+  TaskOrder order_;
   mutable std::mutex mutex_;
   std::map<pthread_t, Visit> inside_;
   double left_ = 0.0;
