@@ -23,6 +23,7 @@ class Zone:
     distance: float    # from the plane to the viewer
     budget: float      # sharp this far in front and behind
     cone: float        # full angle of the viewing zone
+    per_mm: float      # of a millimetre of the display
 
 
 def rigid(matrix):
@@ -74,7 +75,7 @@ def zone(scene):
         raise tool.ToolError("The light-field frame has no size. Scale it up, or set its height.")
     per_mm = height / display["size_mm"][1]
     return Zone(matrix, height * aspect, height, display["viewing_distance_mm"] * per_mm, display["depth_budget_mm"] * per_mm,
-                math.radians(display["view_cone_deg"]))
+                math.radians(display["view_cone_deg"]), per_mm)
 
 
 def add(context):

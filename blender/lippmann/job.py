@@ -120,7 +120,8 @@ class Job:
         told = json.loads(self._told.read_text())
         self.warnings = told["warnings"]
         frames = ["--frames", "0" if self.still else f"{self.first}-{self.last}"]
-        words = [self.tool, "render", self._glb, *self._flags, "--camera", told["eye"], "--focus", f"{told['distance']:.9g}", "--environment",
+        blur = [word for name, value in zip(told["blur"][::2], told["blur"][1::2]) if name not in self._flags for word in (name, value)]
+        words = [self.tool, "render", self._glb, *blur, *self._flags, "--camera", told["eye"], "--focus", f"{told['distance']:.9g}", "--environment",
                  told["environment"], *frames, "--fps", f"{self._fps:.9g}", "--progress", "json", "-o", self.pictures_folder]
         words += ["--video", self.pictures_folder / "video.mp4"] if self._video else []
         resumes = self._resume and (self.pictures_folder / "job.toml").is_file()

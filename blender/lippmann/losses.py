@@ -3,6 +3,8 @@
 Blender's exporter reads one Principled BSDF or Emission right at the material's output, with image textures; nodes that compute colours are not evaluated.
 """
 
+from . import exposure
+
 SHADERS = {"BSDF_PRINCIPLED", "EMISSION", "BACKGROUND"}
 CARRIED = {"TEX_IMAGE", "NORMAL_MAP", "MAPPING", "UVMAP", "TEX_COORD", "SEPARATE_COLOR", "SEPRGB", "RGB", "VALUE", "REROUTE", "VERTEX_COLOR", "MATH"}
 STRANDS = {"PATH", "HALO", "LINE"}
@@ -112,12 +114,10 @@ def composites(scene):
     return scene.use_nodes
 
 
-def say_of_scene(scene, report):
-    camera = scene.camera
-    if camera and camera.type == "CAMERA" and camera.data.dof.use_dof:
-        report.warn("Depth of field is left out.")
-    if scene.render.use_motion_blur:
-        report.warn("Motion blur is left out.")
+def say_of_scene(scene, still, report):
+    for lost in (exposure.lost_of_lens(scene), exposure.lost_of_shutter(scene, still)):
+        if lost:
+            report.warn(lost)
     if getattr(scene.render, "use_freestyle", False):
         report.warn("Freestyle's lines are left out.")
     if scene.render.use_compositing and composites(scene):
@@ -133,6 +133,6 @@ def say(scene, still, report):
     say_of_materials(materials, still, report)
     say_of_lights({thing.data: None for thing in things if thing.type == "LIGHT"}, still, report)
     say_of_objects(things, report)
-    say_of_scene(scene, report)
+    say_of_scene(scene, still, report)
     if not still and scene.world and is_animated(scene.world):
         report.warn("The world is animated; it stays as in the first frame.")

@@ -291,11 +291,11 @@ def play_up_to(scene, frame):
 
 
 def build_stage(scene, request, report):
-    """A scene of what is to be exported, and the zone of its first frame."""
-    frame_module = importlib.import_module(f"{HERE.name}.frame")
+    """A scene of what is to be exported, the zone of its first frame, and what the camera blurs as flags of the tool."""
+    frame_module, exposure = (importlib.import_module(f"{HERE.name}.{name}") for name in ("frame", "exposure"))
     first, last = request["frames"]
     frames = list(range(first, last + 1)) if request["still"] else list(range(first, last + 2))  # glTF leaves out the frame at the very end
-    tracks, eyes, zone = Tracks(request["still"], report), {}, None
+    tracks, eyes, lenses, zone = Tracks(request["still"], report), {}, [], None
     play_up_to(scene, first)
     for frame in frames:
         scene.frame_set(frame)
@@ -303,6 +303,7 @@ def build_stage(scene, request, report):
         now = frame_module.zone(scene)
         zone = zone or now
         eyes[frame] = now.world_from_frame @ Matrix.Translation((0.0, 0.0, zone.distance))
+        lenses.append(exposure.lens(scene, now))
         tracks.gather(frame)
     stage = bpy.data.scenes.new("stage")
     render = stage.render
@@ -319,7 +320,8 @@ def build_stage(scene, request, report):
     keep_deforming(stage, tracks.kept.values(), report)
     if not tracks.places and not tracks.kept:
         raise RuntimeError("The scene shows nothing that could be rendered: it has no visible mesh, curve, text or light.")
-    return stage, zone, any(getattr(thing.data, "shape_keys", None) for thing in tracks.kept.values())
+    blur = exposure.lens_flags(lenses, report) + exposure.shutter_flags(scene, request["still"])
+    return stage, zone, any(getattr(thing.data, "shape_keys", None) for thing in tracks.kept.values()), blur
 
 
 def keep_deforming(stage, things, report):
@@ -409,7 +411,7 @@ def main():
     leave_out_missing_files(report)
     show_as_rendered(scene)
     importlib.import_module(f"{HERE.name}.losses").say(scene, request["still"], report)
-    stage, zone, has_shape_keys = build_stage(scene, request, report)
+    stage, zone, has_shape_keys, blur = build_stage(scene, request, report)
     export_gltf(stage, request["glb"], request["still"], has_shape_keys)
     importlib.import_module(f"{HERE.name}.ies").move_profiles(request["glb"])
     colour = plain_world(scene.world)
@@ -418,7 +420,7 @@ def main():
     environment = request["world"] if colour is None else "none" if not any(colour) else ",".join(f"{channel:.7g}" for channel in colour)
     if bpy.app.autoexec_fail:
         report.warn("Drivers in Python did not run; start Blender with --enable-autoexec, or allow them in its preferences.")
-    told = {"warnings": report.warnings, "environment": environment, "distance": zone.distance, "eye": EYE}
+    told = {"warnings": report.warnings, "environment": environment, "distance": zone.distance, "eye": EYE, "blur": blur}
     pathlib.Path(request["report"]).write_text(json.dumps(told))
 
 

@@ -27,6 +27,14 @@ test("damaged descriptions are refused in words", async () => {
   assert.match(await failureOf("null", (write) => write("fields.js", "lippmann_fields(null)")), /lists no light field/);
 });
 
+const drawsIn = (page, milliseconds) =>
+  page.evaluate(async (milliseconds) => {
+    let draws = 0;
+    new MutationObserver(() => draws++).observe(document.getElementById("stage"), { attributes: true, attributeFilter: ["data-divisor"] });
+    await new Promise((done) => setTimeout(done, milliseconds));
+    return draws;
+  }, milliseconds);
+
 test("a damaged frame is named, and others are shown", async () => {
   cpSync(inFolder("sheet"), inFolder("damaged"), { recursive: true });
   const page = await open(await view("damaged"));
@@ -36,6 +44,8 @@ test("a damaged frame is named, and others are shown", async () => {
   await fresh.waitForFunction(() => document.querySelector("#notice").textContent.includes("frame_0003.png"));
   await set(fresh, { frame: 5 });
   await fresh.waitForFunction(() => document.querySelector("#notice").textContent === "");
+  await fresh.waitForTimeout(1000);
+  assert.ok((await drawsIn(fresh, 1000)) <= 2, "it is not asked for again and again");
   void page;
 });
 

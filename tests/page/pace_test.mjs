@@ -70,3 +70,13 @@ test("quick graphics draw all pictures finely", async () => {
   const page = await open(address, { script: slowed(1e-3) });
   assert.deepEqual(new Set(await move(page, 30)), new Set([1]));
 });
+
+test("a pointer over the picture moves nothing", async () => {
+  const page = await open(address, { script: slowed(20) });
+  await move(page, 30);
+  await atRest(page);
+  for (let i = 0; i < 30; i++) {
+    await page.mouse.move(100 + 5 * i, 150);
+    assert.equal(await page.getAttribute("#stage", "data-divisor"), "1");
+  }
+});

@@ -113,8 +113,8 @@ export class Frames {
     const { label, pending } = this.fields[field].frames[frame];
     if (pending) throw new Refusal(`Frame ${label} is not rendered yet.`);
     const key = this.key(field, frame, use);
-    const failure = this.failures.get(key);
-    if (failure && performance.now() - failure.at < kRetryMs) throw failure.error;
+    const failure = this.failureOf(key);
+    if (failure) throw failure;
     const found = this.loaded.get(key);
     if (found) {
       this.loaded.delete(key);
@@ -123,6 +123,12 @@ export class Frames {
     }
     void this.load(field, frame, use);
     return null;
+  }
+
+  /** What loading it threw lately. */
+  private failureOf(key: string): Error | null {
+    const failure = this.failures.get(key);
+    return failure && performance.now() - failure.at < kRetryMs ? failure.error : null;
   }
 
   private getLive(use: Use): LoadedFrame | null {
@@ -213,7 +219,7 @@ export class Frames {
   load(field: number, frame: number, use: Use): Promise<LoadedFrame | null> {
     if (this.isLive) return Promise.resolve(this.live);
     const key = this.key(field, frame, use);
-    if (this.fields[field].frames[frame].pending) return Promise.resolve(null);
+    if (this.fields[field].frames[frame].pending || this.failureOf(key)) return Promise.resolve(null);
     const found = this.loaded.get(key);
     if (found) return Promise.resolve(found);
     let promise = this.loading.get(key);

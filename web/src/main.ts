@@ -66,6 +66,7 @@ export class App {
   readonly live: Live | null;
   readonly run: Run | null;
   private wanted = true;
+  private moved = false;
   private readonly pace = new Pace();
   private pointer: { x: number; y: number } | null = null;
   private notices = new Map<string, string>();
@@ -111,7 +112,10 @@ export class App {
       live: this.live,
       run: this.run,
     });
-    this.store.listen(() => this.redraw());
+    this.store.listen(() => {
+      this.moved = true;
+      this.redraw();
+    });
     this.store.listen(() => this.live?.setFrame(this.store.state.frame));
     this.listen();
     this.head();
@@ -225,7 +229,8 @@ export class App {
     if (this.fitCanvas()) this.wanted = true;
     if (!this.wanted && !this.pace.rests()) return;
     this.wanted = false;
-    const divisor = this.pace.draws(now);
+    const divisor = this.pace.draws(now, this.moved);
+    this.moved = false;
     this.draw(this.store.state.show === "eye" ? divisor : 1);
   }
 

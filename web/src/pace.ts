@@ -6,7 +6,7 @@ const kGoal = 33;
 const kSlow = 40;
 const kFast = 20;
 const kCoarsest = 4;
-/** Frames of the screen in which nothing was drawn, until it rests. A video has some between its own. */
+/** Frames of the screen in which nothing has moved, until it rests. A video has some between its own. */
 const kRest = 8;
 /** As many pictures that came fast say that finer ones may be tried. */
 const kProof = 20;
@@ -21,20 +21,26 @@ export class Pace {
   private at = 0;
   private intervals: number[] = [];
 
-  /** A frame of the screen in which nothing has changed. Whether a coarse picture has rested, and is to be drawn again. */
+  /** A frame of the screen in which nothing is drawn. Whether a coarse picture has rested, and is to be drawn again. */
   rests(): boolean {
     this.quiet = Math.min(this.quiet + 1, kRest);
     return this.quiet === kRest && this.divisor > 1;
   }
 
-  /** A picture is drawn at a time in ms; what its sides are to be divided by. The first of a movement is as fine as one at rest. */
-  draws(now: number): number {
+  /** A picture is drawn at a time in ms, because what is shown moves or for another reason; what its sides are to be divided by.
+   *  The first of a movement is as fine as one at rest. */
+  draws(now: number, moves: boolean): number {
     const isFirst = this.quiet === kRest;
-    if (isFirst) this.tooFine = 0;
-    else if (this.quiet === 0 && this.divisor === this.needed) this.learn(now - this.at);
-    this.quiet = 0;
-    this.at = now;
-    this.divisor = isFirst ? 1 : this.needed;
+    if (!moves) {
+      this.quiet = Math.min(this.quiet + 1, kRest);
+    } else {
+      if (isFirst) this.tooFine = 0;
+      else if (this.quiet === 0 && this.divisor === this.needed) this.learn(now - this.at);
+      this.quiet = 0;
+      this.at = now;
+    }
+    if (isFirst) this.divisor = 1;
+    else if (moves) this.divisor = this.needed;
     return this.divisor;
   }
 

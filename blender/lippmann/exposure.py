@@ -1,0 +1,61 @@
+"""What a camera's lens and shutter blur, as flags of `lippmann render` (docs/displays.md, "Depth of field and motion blur")."""
+
+from . import displays, frame
+
+
+def has_eyes(scene):
+    """Whether the output is what single eyes see, which can be lenses; pixels of lens arrays and of native frames have directions of their own."""
+    output = scene.lippmann.output
+    return output == "single" or (output != "native" and displays.chosen(scene)["kind"] == "slanted-panel")
+
+
+def lost_of_lens(scene):
+    """Why the camera's depth of field is left out; None where it is not, or there is none."""
+    camera = scene.camera
+    if not (camera and camera.type == "CAMERA" and camera.data.dof.use_dof):
+        return None
+    if camera.data.type != "PERSP":
+        return "Depth of field is left out: the camera is not perspective."
+    if not has_eyes(scene):
+        return "Depth of field is left out: the display's lenses blur with depth themselves."
+    if scene.lippmann.denoise:
+        return "Depth of field is left out: it does not go with Denoise."
+    return "Depth of field is left out: it takes 2 samples or more." if scene.lippmann.samples < 2 else None
+
+
+def lost_of_shutter(scene, still):
+    """Why motion blur is left out; None where it is not, or there is none."""
+    if not scene.render.use_motion_blur:
+        return None
+    if still:
+        return "Motion blur is left out: a still is of one moment."
+    if scene.lippmann.denoise:
+        return "Motion blur is left out: it does not go with Denoise."
+    return "Motion blur is left out: it takes 2 samples or more." if scene.lippmann.samples < 2 else None
+
+
+def lens(scene, zone):
+    """The diameter of the viewer's eye and the depth that is sharp, in the display's millimetres: what is near the display's plane blurs as it
+    does in the camera, which may be nearer to the plane or farther away than the viewer. None: all is sharp."""
+    camera = scene.camera
+    if lost_of_lens(scene) or not (camera and camera.type == "CAMERA" and camera.data.dof.use_dof):
+        return None
+    turned, _ = frame.rigid(camera.matrix_world)
+    to_plane = -(turned.inverted() @ zone.world_from_frame.translation).z
+    if to_plane <= 0.0 or camera.data.dof.aperture_fstop <= 0.0:
+        return None
+    diameter = 1e-3 * camera.data.lens / camera.data.dof.aperture_fstop  # of Cycles: a lens' millimetres are thousandths of the scene's units
+    return diameter * zone.distance / to_plane / zone.per_mm, (to_plane - frame.focus_distance(camera)) / zone.per_mm
+
+
+def lens_flags(lenses, report):
+    """Of what `lens` says of every frame; the tool knows one lens for all."""
+    first = lenses[0]
+    if any((one is None) != (first is None) or (one and max(abs(a - b) for a, b in zip(one, first)) > 0.01 * max(first[0], 1.0)) for one in lenses):
+        report.warn("The camera's lens changes; it stays as in the first frame.")
+    return ["--aperture", f"{first[0]:.6g}", "--focal-plane", f"{first[1]:.6g}"] if first else []
+
+
+def shutter_flags(scene, still):
+    blurs = scene.render.use_motion_blur and not lost_of_shutter(scene, still)
+    return ["--shutter", f"{min(scene.render.motion_blur_shutter, 1.0):.6g}"] if blurs else []
