@@ -6,6 +6,7 @@
 #include <jpeglib.h>
 // clang-format on
 #include <png.h>
+#include <webp/encode.h>
 
 namespace lippmann::test {
 
@@ -47,6 +48,14 @@ std::vector<unsigned char> encode_jpeg(int width, int height, int channels, cons
   std::vector<unsigned char> file(bytes, bytes + size);
   std::free(bytes);
   jpeg_destroy_compress(&jpeg);
+  return file;
+}
+
+std::vector<unsigned char> encode_webp(int width, int height, const std::vector<std::uint8_t>& samples) {
+  std::uint8_t* bytes = nullptr;
+  const std::size_t size = WebPEncodeLosslessRGBA(samples.data(), width, height, 4 * width, &bytes);
+  std::vector<unsigned char> file(bytes, bytes + size);
+  WebPFree(bytes);
   return file;
 }
 

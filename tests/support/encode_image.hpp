@@ -1,4 +1,4 @@
-// Encodes small pictures of 8 bits as PNG or JPEG, for tests of readers.
+// Encodes small pictures of 8 bits as PNG, JPEG or WebP, for tests of readers.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,8 @@ std::vector<unsigned char> encode_png(int width, int height, int channels, const
 /// `channels`: 1 grey, 3 RGB, 4 CMYK (as Adobe stores it: inverted). Progressive where it is said.
 std::vector<unsigned char> encode_jpeg(int width, int height, int channels, const std::vector<std::uint8_t>& samples,
                                        bool progressive = false);
+
+/// RGBA, without loss.
+std::vector<unsigned char> encode_webp(int width, int height, const std::vector<std::uint8_t>& samples);
 
 }  // namespace lippmann::test

@@ -133,5 +133,27 @@ TEST(MeshMaterial, vertex_colours_multiply_base_colour_and_texture) {
   EXPECT_NEAR(render(mesh, s, row_of({51})).left, 0.5f * 0.5f * 0.2f, 1e-5f);
 }
 
+/// Of brushed metal before a lamp, by paths: brushed along x, turned by an angle.
+Picture brushed(float strength, float turned, const Texture* map = nullptr) {
+  SmallScene s;
+  MetallicRoughness metal;
+  metal.roughness = 0.5f;
+  Anisotropy& brush = metal.extensions.emplace().anisotropy;
+  brush.strength = strength, brush.rotation = turned;
+  if (map) s.scene.textures.push_back(*map), brush.map.texture = 0;
+  s.add(square(2, 0), s.material(metal));
+  s.point_light({2, 1, 3}, Vec3f(20.0f));
+  return test::trace_paths(s.scene, single_view(16), 1);
+}
+
+TEST(MeshMaterial, map_turns_and_weakens_the_brush_of_a_metal) {
+  Texture map = row_of({0});
+  map.rgba = {128, 255, 128, 255};  // a quarter turn, half the strength
+  const Picture by_map = brushed(1.0f, 0.0f, &map), by_numbers = brushed(0.5f, 1.5707964f), along = brushed(0.5f, 0.0f);
+  EXPECT_NEAR(by_map.at(8, 8).x / by_numbers.at(8, 8).x, 1.0f, 0.02f);
+  EXPECT_NEAR(by_map.at(12, 3).x / by_numbers.at(12, 3).x, 1.0f, 0.02f);
+  EXPECT_GT(std::abs(along.at(8, 8).x / by_numbers.at(8, 8).x - 1.0f), 0.1f);
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -15,6 +15,7 @@ namespace {
 
 using test::encode_jpeg;
 using test::encode_png;
+using test::encode_webp;
 using test::error_message;
 using test::GltfBuilder;
 using test::Json;
@@ -153,6 +154,42 @@ MetallicRoughness surface_of(const GltfBuilder& b) {
   const Scene scene = parse(b);
   validate(scene, "a.glb");
   return std::get<MetallicRoughness>(scene.materials.at(0).surface);
+}
+
+TEST(GltfMaterial, webp_is_taken_in_place_of_the_picture_for_readers_that_do_not_know_it) {
+  GltfBuilder b = textured(four_colours());
+  b.add("images", {{"bufferView", b.add_view(encode_webp(2, 1, {1, 2, 3, 255, 4, 5, 6, 128}))}, {"mimeType", "image/webp"}});
+  b.root["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
+  EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
+  b.root["textures"][0].erase("source");  // readers that do not know it get none
+  EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
+}
+
+TEST(GltfMaterial, glossiness_in_a_map_s_alpha_becomes_roughness) {
+  GltfBuilder b = textured(encode_png(2, 1, 4, {200, 100, 50, 255, 200, 100, 50, 0}));
+  b.root["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"] = {{"glossinessFactor", 0.6},
+                                                                               {"specularGlossinessTexture", {{"index", 0}}}};
+  const Scene scene = parse(b);
+  const auto& s = std::get<MetallicRoughness>(scene.materials[0].surface);
+  EXPECT_EQ(s.roughness, 1.0f);  // all of it stands in the map
+  ASSERT_GE(s.metallic_roughness_map.texture, 0);
+  const Texture& rough = scene.textures[static_cast<std::size_t>(s.metallic_roughness_map.texture)];
+  EXPECT_EQ(rough.rgba[1], 102);  // 255 (1 - 0.6)
+  EXPECT_EQ(rough.rgba[5], 255);
+  const Texture& reflectance = scene.textures[static_cast<std::size_t>(s.specular_color_map.texture)];
+  EXPECT_TRUE(reflectance.srgb);
+  EXPECT_THAT(std::vector(reflectance.rgba.begin(), reflectance.rgba.begin() + 3), ElementsAre(200, 100, 50));
+}
+
+TEST(GltfMaterial, anisotropy_s_map_holds_numbers_not_colours) {
+  GltfBuilder b = textured(four_colours());
+  b.root["materials"][0]["extensions"]["KHR_materials_anisotropy"] = {{"anisotropyStrength", 0.5},
+                                                                     {"anisotropyTexture", {{"index", 0}}}};
+  const Scene scene = parse(b);
+  const auto& s = std::get<MetallicRoughness>(scene.materials[0].surface);
+  ASSERT_TRUE(s.extensions);
+  ASSERT_GE(s.extensions->anisotropy.map.texture, 0);
+  EXPECT_FALSE(scene.textures[static_cast<std::size_t>(s.extensions->anisotropy.map.texture)].srgb);
 }
 
 TEST(GltfMaterial, one_image_is_a_texture_of_colours_and_a_texture_of_data) {
