@@ -18,13 +18,22 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import lamps  # noqa: E402
 import one_file  # noqa: E402
 
-np.bool = bool  # the importer of Blender 3.4 asks for a name that newer numpy has dropped
+if not hasattr(np, "bool"):
+    np.bool = bool  # the importer of Blender 3.4 asks for a name that numpy had dropped for a while
 
 LAYERS = {"KHR_materials_sheen", "KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_diffuse_transmission",
           "KHR_materials_dispersion", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"}
 GLOSS = {"specularTexture", "specularColorFactor", "specularColorTexture"}  # of KHR_materials_specular
 ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # at which the light below a gloss is tabulated where a texture says the roughness
 COAT_IOR = 1.5
+LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight", "Clearcoat": "Coat Weight", "Clearcoat Roughness": "Coat Roughness",
+         "Clearcoat Normal": "Coat Normal"}  # sockets of the Principled surface from Blender 4.0 on
+
+
+def socket(node, key):
+    """An input by its number or name; by its later name where it has that."""
+    later = LATER.get(key)
+    return node.inputs[later if later and later in node.inputs else key]
 
 
 def below_gloss(roughness, f0, stops=24):
@@ -68,15 +77,15 @@ class Surface:
 
     def input(self, name):
         """Of the importer's surface: what is linked to it, else its value."""
-        socket = self.principled.inputs[name]
-        if socket.is_linked:
-            return socket.links[0].from_socket
-        value = socket.default_value
+        given = socket(self.principled, name)
+        if given.is_linked:
+            return given.links[0].from_socket
+        value = given.default_value
         return value if isinstance(value, float) else tuple(value)[:3]
 
     def normal(self, name="Normal"):
-        socket = self.principled.inputs[name]
-        return socket.links[0].from_socket if socket.is_linked else None
+        given = socket(self.principled, name)
+        return given.links[0].from_socket if given.is_linked else None
 
     def node(self, kind, inputs, output=0, **fields):
         node = self.tree.nodes.new(kind)
@@ -86,9 +95,9 @@ class Surface:
             if value is None:
                 continue
             if isinstance(value, bpy.types.NodeSocket):
-                self.tree.links.new(value, node.inputs[key])
+                self.tree.links.new(value, socket(node, key))
             else:
-                node.inputs[key].default_value = (*value, 1.0) if isinstance(value, (list, tuple)) and len(value) == 3 else value
+                socket(node, key).default_value = (*value, 1.0) if isinstance(value, (list, tuple)) and len(value) == 3 else value
         return node.outputs[output] if node.outputs else None
 
     def math(self, operation, a, b):
@@ -119,7 +128,8 @@ class Surface:
     def plastic(self):
         """Fresnel's share is of facets: the gloss of a black Principled surface, and below it what that leaves."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        gloss = self.gloss(Base_Color=[0, 0, 0], Specular=f0 / 0.08)
+        of_ior = LATER["Specular"] in self.principled.inputs  # a share of twice what the index of refraction reflects, not of 0.08
+        gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
 
     def left(self, f0):

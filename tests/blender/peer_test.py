@@ -95,7 +95,7 @@ class Peer(unittest.TestCase):
         g.doc["materials"][0].update(alphaMode="MASK", alphaCutoff=0.3)
         self.load(g)
         cuts = [n for n in reaches(self.output(self.meshes()[0]), "MATH") if n.operation == "LESS_THAN"]
-        self.assertEqual([round(n.inputs[1].default_value, 6) for n in cuts], [0.3])
+        self.assertEqual({round(n.inputs[1].default_value, 6) for n in cuts}, {0.3})  # from Blender 4 on the importer cuts, too
 
 
 done = unittest.main(argv=["peer_test"], exit=False, verbosity=2)
