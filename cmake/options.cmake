@@ -47,6 +47,11 @@ function(lippmann_part name)
   lippmann_may_join(lippmann_${name})
 endfunction()
 
+set(LIPPMANN_TEST_TIMEOUT 300)
+if(LIPPMANN_SANITIZE)
+  set(LIPPMANN_TEST_TIMEOUT 3000)
+endif()
+
 # lippmann_test(NAME SOURCES ... DEPENDS ...): one GoogleTest program, its tests known to ctest under their own names.
 function(lippmann_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS" ${ARGN})
@@ -55,5 +60,5 @@ function(lippmann_test name)
   lippmann_use_precompiled(${name} lippmann_test_headers)
   lippmann_may_join(${name})
   # A loaded machine may take far longer than the 5 s that CMake gives a program to list its tests.
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
 endfunction()

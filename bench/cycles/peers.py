@@ -12,11 +12,12 @@ import one_file
 
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = "/usr/bin:/bin"  # Blender's Python is Debian's, whatever else there is
+BLENDER = os.environ.get("BLENDER", "blender")  # of another version, say
 
 
 def has_blender():
     """Says so where there is none."""
-    if shutil.which("blender", path=PATH):
+    if shutil.which(BLENDER, path=PATH):
         return True
     print("skipped: Blender is not installed (apt-get install blender)", file=sys.stderr)
     return False
@@ -24,7 +25,7 @@ def has_blender():
 
 def blender(script, words, mark):
     """Runs a script of this folder inside Blender; what follows `mark` on the lines of its output that begin with that."""
-    command = ["blender", "-b", "--python-exit-code", "1", "-P", HERE / script, "--", *words]
+    command = [BLENDER, "-b", "--python-exit-code", "1", "-P", HERE / script, "--", *words]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, env={**os.environ, "PATH": PATH})
     found = [line.removeprefix(mark).strip() for line in done.stdout.splitlines() if line.startswith(mark)]
     if done.returncode or not found:

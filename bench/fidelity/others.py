@@ -55,6 +55,8 @@ def in_blender(name):
     def pictures_of(shot, options):
         renders = [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]
         job = {**job_of(shot, options), "own_surfaces": name == "importer", "renders": renders}
+        if peers.BLENDER != "blender":
+            job["blender"] = peers.BLENDER
         render = lambda file: [json.loads(line) for line in peers.blender("scenario_inside_blender.py", [file], "RENDER")]
         return kept(shot, name, job, sorted((HERE.parent / "cycles").glob("*.py")), render)
 

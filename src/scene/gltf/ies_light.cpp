@@ -28,7 +28,7 @@ class ProfileReader {
 
  private:
   std::optional<Light> read(int profile) {
-    const tinygltf::Value& from = document_.model.extensions.at(kExtension).Get("lights").Get(profile);
+    const tinygltf::Value& from = profile_at(profile);
     const std::string where = std::string(kExtension) + "." + element("lights", static_cast<std::size_t>(profile));
     const std::optional<std::string> text = text_of(from, where);
     if (!text) return std::nullopt;
@@ -40,6 +40,14 @@ class ProfileReader {
     light.web = static_cast<int>(scene_.webs.size());
     scene_.webs.push_back(std::move(ies.web));
     return light;
+  }
+
+  /// tinygltf leaves out what is empty, lists of it too.
+  const tinygltf::Value& profile_at(int profile) const {
+    static const tinygltf::Value kNone;
+    const tinygltf::Value& extension = document_.model.extensions.at(kExtension);
+    const tinygltf::Value& all = extension.Has("lights") ? extension.Get("lights") : kNone;
+    return all.IsArray() ? all.Get(profile) : kNone;
   }
 
   std::optional<std::string> text_of(const tinygltf::Value& from, const std::string& where) {
