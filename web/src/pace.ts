@@ -3,7 +3,7 @@
 
 /** Milliseconds between pictures that are drawn in every frame of the screen. */
 const kGoal = 33;
-const kSlow = 40;
+const kSlow = 45;
 const kFast = 20;
 const kCoarsest = 4;
 /** Frames of the screen in which nothing has moved, until it rests. A video has some between its own. */
