@@ -213,8 +213,13 @@ class Teller {
 
   void remove_strips_of(const fs::path& folder, int frame) {
     if (strips_ == 1) return;
-    for (const int part : parts_of({frame}, strips_)) finished_parts_.erase({folder, part});
+    forget_strips_of(folder, frame);
     remove_strips(folder, frame, strips_);
+    forget_strips_of(folder, frame);  // of which another task may have finished one meanwhile, and it is gone, too
+  }
+
+  void forget_strips_of(const fs::path& folder, int frame) {
+    for (const int part : parts_of({frame}, strips_)) finished_parts_.erase({folder, part});
   }
 
   bool make(const Work& work, int frame, RenderFolder& folder, RenderReport& report) {

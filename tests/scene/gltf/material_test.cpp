@@ -168,7 +168,7 @@ TEST(GltfMaterial, webp_is_taken_in_place_of_the_picture_for_readers_that_do_not
 TEST(GltfMaterial, glossiness_in_a_map_s_alpha_becomes_roughness) {
   GltfBuilder b = textured(encode_png(2, 1, 4, {200, 100, 50, 255, 200, 100, 50, 0}));
   b.root["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"] = {{"glossinessFactor", 0.6},
-                                                                               {"specularGlossinessTexture", {{"index", 0}}}};
+                                                                                 {"specularGlossinessTexture", {{"index", 0}}}};
   const Scene scene = parse(b);
   const auto& s = std::get<MetallicRoughness>(scene.materials[0].surface);
   EXPECT_EQ(s.roughness, 1.0f);  // all of it stands in the map
@@ -184,7 +184,7 @@ TEST(GltfMaterial, glossiness_in_a_map_s_alpha_becomes_roughness) {
 TEST(GltfMaterial, anisotropy_s_map_holds_numbers_not_colours) {
   GltfBuilder b = textured(four_colours());
   b.root["materials"][0]["extensions"]["KHR_materials_anisotropy"] = {{"anisotropyStrength", 0.5},
-                                                                     {"anisotropyTexture", {{"index", 0}}}};
+                                                                      {"anisotropyTexture", {{"index", 0}}}};
   const Scene scene = parse(b);
   const auto& s = std::get<MetallicRoughness>(scene.materials[0].surface);
   ASSERT_TRUE(s.extensions);
