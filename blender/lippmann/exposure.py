@@ -9,10 +9,16 @@ def has_eyes(scene):
     return output == "single" or (output != "native" and displays.chosen(scene)["kind"] == "slanted-panel")
 
 
+def focused_camera(scene):
+    """The scene's camera if it has depth of field, else None."""
+    camera = scene.camera
+    return camera if camera and camera.type == "CAMERA" and camera.data.dof.use_dof else None
+
+
 def lost_of_lens(scene):
     """Why the camera's depth of field is left out; None where it is not, or there is none."""
-    camera = scene.camera
-    if not (camera and camera.type == "CAMERA" and camera.data.dof.use_dof):
+    camera = focused_camera(scene)
+    if camera is None:
         return None
     if camera.data.type != "PERSP":
         return "Depth of field is left out: the camera is not perspective."
@@ -37,8 +43,8 @@ def lost_of_shutter(scene, still):
 def lens(scene, zone):
     """The diameter of the viewer's eye and the depth that is sharp, in the display's millimetres: what is near the display's plane blurs as it
     does in the camera, which may be nearer to the plane or farther away than the viewer. None: all is sharp."""
-    camera = scene.camera
-    if lost_of_lens(scene) or not (camera and camera.type == "CAMERA" and camera.data.dof.use_dof):
+    camera = focused_camera(scene)
+    if camera is None or lost_of_lens(scene):
         return None
     turned, _ = frame.rigid(camera.matrix_world)
     to_plane = -(turned.inverted() @ zone.world_from_frame.translation).z
@@ -48,14 +54,24 @@ def lens(scene, zone):
     return diameter * zone.distance / to_plane / zone.per_mm, (to_plane - frame.focus_distance(camera)) / zone.per_mm
 
 
+def are_alike(one, other):
+    """Whether two lenses differ by no more than a hundredth of their width or of a millimetre, which nobody sees."""
+    if one is None or other is None:
+        return one is other
+    return max(abs(a - b) for a, b in zip(one, other)) <= 0.01 * max(other[0], 1.0)
+
+
 def lens_flags(lenses, report):
     """Of what `lens` says of every frame; the tool knows one lens for all."""
     first = lenses[0]
-    if any((one is None) != (first is None) or (one and max(abs(a - b) for a, b in zip(one, first)) > 0.01 * max(first[0], 1.0)) for one in lenses):
+    if not all(are_alike(one, first) for one in lenses):
         report.warn("The camera's lens changes; it stays as in the first frame.")
     return ["--aperture", f"{first[0]:.6g}", "--focal-plane", f"{first[1]:.6g}"] if first else []
 
 
-def shutter_flags(scene, still):
-    blurs = scene.render.use_motion_blur and not lost_of_shutter(scene, still)
-    return ["--shutter", f"{min(scene.render.motion_blur_shutter, 1.0):.6g}"] if blurs else []
+def shutter_flags(scene, still, report):
+    if not scene.render.use_motion_blur or lost_of_shutter(scene, still):
+        return []
+    if scene.render.motion_blur_shutter > 1.0:
+        report.warn("The shutter is open for longer than a frame; a whole frame is blurred.")
+    return ["--shutter", f"{min(scene.render.motion_blur_shutter, 1.0):.6g}"]

@@ -320,7 +320,7 @@ def build_stage(scene, request, report):
     keep_deforming(stage, tracks.kept.values(), report)
     if not tracks.places and not tracks.kept:
         raise RuntimeError("The scene shows nothing that could be rendered: it has no visible mesh, curve, text or light.")
-    blur = exposure.lens_flags(lenses, report) + exposure.shutter_flags(scene, request["still"])
+    blur = exposure.lens_flags(lenses, report) + exposure.shutter_flags(scene, request["still"], report)
     return stage, zone, any(getattr(thing.data, "shape_keys", None) for thing in tracks.kept.values()), blur
 
 

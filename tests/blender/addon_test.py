@@ -256,6 +256,10 @@ class AddOn(unittest.TestCase):
         self.assertAlmostEqual(job["focal-plane"], 2.0 * per_unit, delta=1e-3 * per_unit)  # the camera focuses 8 units away, 2 before the plane
         self.assertAlmostEqual(job["aperture"], 0.04 / 0.5 * portrait["viewing_distance_mm"] / 10.0, delta=1e-3)  # the viewer's share of the plane's 10 units
         self.assertEqual(job["shutter"], 0.25)
+        scene.render.motion_blur_shutter, scene.lippmann.resume = 1.5, False
+        bpy.ops.render.render(animation=True)
+        self.assertIn("The shutter is open for longer than a frame; a whole frame is blurred.", engine.last_warnings)
+        self.assertEqual(tomllib.loads((self.folder / "animation" / "job.toml").read_text())["shutter"], 1)
         bpy.ops.render.render()
         self.assertIn("Motion blur is left out: a still is of one moment.", engine.last_warnings)
 

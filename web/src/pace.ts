@@ -1,7 +1,8 @@
-// How finely pictures are drawn. Graphics that run on the processor take a fifth of a second for an eye that sees by depth: while
+// How finely pictures are drawn. Graphics that run on the processor take a tenth of a second for an eye that sees by depth: while
 // what is shown moves, its pictures are then coarser, so that it moves smoothly, and fine again once it rests.
 
-/** Milliseconds between pictures that are drawn in every frame of the screen. */
+/** Milliseconds between pictures that are drawn in every frame of the screen: what is aimed at, what is too slow (more than on a
+ *  screen of 24 pictures a second), and what leaves time for finer ones. */
 const kGoal = 33;
 const kSlow = 45;
 const kFast = 20;
