@@ -8,14 +8,13 @@
 #include <tbb/task_scheduler_observer.h>
 #include <time.h>
 #include <xmmintrin.h>
-#ifdef LIPPMANN_THREAD_SANITIZER
-#include <sanitizer/tsan_interface.h>
-#endif
 
 #include <algorithm>
 #include <map>
 #include <mutex>
 #include <thread>
+
+#include "core/task_order.hpp"
 
 namespace lippmann {
 
@@ -37,25 +36,6 @@ double seconds_of(clockid_t clock) {
   clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
-
-/// Tells ThreadSanitizer what it cannot see in TBB, which is built without it, as this file therefore is too: tasks come after
-/// what was done before they were begun, and before what is done once all have ended.
-class TaskOrder {
- public:
-#ifdef LIPPMANN_THREAD_SANITIZER
-  TaskOrder() { __tsan_release(&begun_); }
-  void begin() { __tsan_acquire(&begun_); }
-  void end() { __tsan_release(&ended_); }
-  void all_ended() { __tsan_acquire(&ended_); }
-
- private:
-  char begun_ = 0, ended_ = 0;
-#else
-  void begin() {}
-  void end() {}
-  void all_ended() {}
-#endif
-};
 
 /// Adds up the CPU time that worker threads spend inside an arena. A worker that is inside is read through its thread's clock,
 /// which lives as long as the thread: no thread ends before it has left.

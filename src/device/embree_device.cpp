@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
+#include "device/builder_tasks.hpp"
+
 namespace lippmann {
 namespace {
 
 bool watch(void* memory, ssize_t bytes, bool /*post*/) {
+  const BuilderCall call;
   static_cast<EmbreeMemory*>(memory)->add(bytes);
   return true;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "device/builder_tasks.hpp"
 #include "device/embree_scene.hpp"
 #include "device/posed_mesh.hpp"
 #include "device/shadow_filter.hpp"
@@ -72,8 +73,8 @@ class SceneBuilder {
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) add_instance(static_cast<std::uint32_t>(i));
     attach_tables(geometry_.fixed_tables, embree_.fixed_primitives, embree_.fixed.get(), embree_.has_fixed);
     attach_tables(geometry_.moving_tables, embree_.moving_primitives, embree_.moving.get(), embree_.has_moving);
-    rtcCommitScene(embree_.fixed.get());
-    rtcCommitScene(embree_.moving.get());
+    commit_scene(embree_.fixed);
+    commit_scene(embree_.moving);
     check_embree(device, "building the scene", embree_.memory);
   }
 
@@ -156,7 +157,7 @@ class SceneBuilder {
     if (!mesh_scene) {
       mesh_scene = make_scene(embree_.device.get(), RTC_SCENE_FLAG_NONE);
       rtcAttachGeometryByID(mesh_scene.get(), make_triangles(mesh, index).get(), 0);
-      rtcCommitScene(mesh_scene.get());
+      commit_scene(mesh_scene);
     }
     EmbreeGeometry geometry(rtcNewGeometry(embree_.device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
     rtcSetGeometryInstancedScene(geometry.get(), mesh_scene.get());
@@ -360,7 +361,7 @@ void move_scene(const BuiltScene& built, const ResolvedScene& resolved, const Th
     store_vertices(posed.mesh, embree.posed[p]);
   }
   move_tables(geometry.moving_tables, embree.moving_primitives, *geometry.scene, resolved);
-  pool.run([&] { rtcCommitScene(embree.moving.get()); });
+  pool.run([&] { commit_scene(embree.moving); });
   check_embree(embree.device.get(), "moving the scene", embree.memory);
 }
 

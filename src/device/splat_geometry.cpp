@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/huge_pages.hpp"
+#include "device/builder_tasks.hpp"
 #include "scene/splats.hpp"
 
 namespace lippmann {
@@ -25,6 +26,7 @@ std::optional<WorldSplat> world_splat(const SplatSet& set, std::uint32_t set_ind
 }
 
 void splat_bounds(const RTCBoundsFunctionArguments* args) {
+  const BuilderCall call;
   const auto& table = *static_cast<const SplatTable*>(args->geometryUserPtr);
   const WorldSplat& splat = table.splats[args->primID];
   glm::dmat3 to_splat;
@@ -134,7 +136,7 @@ void place_splats(const BuiltScene& built, const ResolvedScene& resolved) {
   built.embree.splats = EmbreeScene(rtcNewScene(device));
   rtcSetSceneFlags(built.embree.splats.get(), RTC_SCENE_FLAG_ROBUST);
   rtcAttachGeometry(built.embree.splats.get(), geometry.get());
-  rtcCommitScene(built.embree.splats.get());
+  commit_scene(built.embree.splats);
   check_embree(device, "building the splats", built.embree.memory);
 }
 

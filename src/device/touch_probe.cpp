@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "device/builder_tasks.hpp"
 #include "device/embree_scene.hpp"
 
 namespace lippmann {
@@ -59,6 +60,7 @@ struct TouchProbe::Boxes {
 };
 
 void TouchProbe::Boxes::bounds(const RTCBoundsFunctionArguments* args) {
+  const BuilderCall call;
   const Box& box = static_cast<const Box*>(args->geometryUserPtr)[args->primID];
   *args->bounds_o = {box.lower.x, box.lower.y, box.lower.z, 0.0f, box.upper.x, box.upper.y, box.upper.z, 0.0f};
 }
@@ -80,7 +82,7 @@ void TouchProbe::Boxes::commit(RTCDevice device) {
   rtcCommitGeometry(geometry.get());
   scene = EmbreeScene(rtcNewScene(device));
   rtcAttachGeometry(scene.get(), geometry.get());
-  rtcCommitScene(scene.get());
+  commit_scene(scene);
 }
 
 TouchProbe::TouchProbe(const RayScene& scene, const std::vector<HorizonBox>& boxes) : boxes_(std::make_unique<Boxes>()) {

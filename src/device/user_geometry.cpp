@@ -1,10 +1,13 @@
 #include "device/user_geometry.hpp"
 
+#include "device/builder_tasks.hpp"
+
 namespace lippmann {
 namespace {
 
 template <class Primitive>
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
+  const BuilderCall call;
   const auto& table = *static_cast<const PrimitiveTable<Primitive>*>(args->geometryUserPtr);
   Bounds3f b = bounds(table.primitives[args->primID]);
   const Vec3f size = b.size();

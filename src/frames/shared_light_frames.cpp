@@ -36,7 +36,7 @@ void tell_errors(const CachedLightReport& light, FrameReport& report) {
 }  // namespace
 
 SharedLightFrames::SharedLightFrames(Stage& stage, const Sampling& sampling, const ShareLight& reuse, const ThreadPool& pool,
-                                     const Context& context)
+                                     const Context& context, LightHistory history)
     : stage_(stage),
       sampling_(sampling),
       reuse_(reuse),
@@ -44,7 +44,7 @@ SharedLightFrames::SharedLightFrames(Stage& stage, const Sampling& sampling, con
       context_(context),
       swept_(stage.scene, -1),
       tracer_(stage.device),
-      segment_(stage.rows == FilmRows{} ? kSegment : 1) {}
+      segment_(stage.rows == FilmRows{} && history == LightHistory::kSegment ? kSegment : 1) {}
 
 RenderedFrame SharedLightFrames::make(int frame) {
   RenderedFrame rendered;

@@ -7,10 +7,16 @@
 
 namespace lippmann {
 
+/// Which frames share light.
+enum class LightHistory {
+  kSegment,  ///< those of a segment
+  kFrame,    ///< none: a frame asks for no others, and costs more than most of a segment
+};
+
 class SharedLightFrames final : public FrameMaker {
  public:
   SharedLightFrames(Stage& stage, const Sampling& sampling, const ShareLight& reuse, const ThreadPool& pool,
-                    const Context& context);
+                    const Context& context, LightHistory history = LightHistory::kSegment);
 
   RenderedFrame make(int frame) override;
 

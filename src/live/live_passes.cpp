@@ -6,6 +6,7 @@
 
 #include "folder/develop_frame.hpp"
 #include "frames/frame_maker.hpp"
+#include "frames/shared_light_frames.hpp"
 #include "image/tone.hpp"
 #include "job/reuse_params.hpp"
 #include "job/test_pattern.hpp"
@@ -27,13 +28,6 @@ constexpr int kCoarsePaths = 4;
 
 bool uses_paths(const RenderParams& params) { return integrator_of(params.sampling) == Integrator::kPath; }
 
-/// One frame alone: pixels that could be copied from others are traced, to the same bits and without a search for them.
-FrameParams params_of_one_frame(const RenderParams& params) {
-  FrameParams made_as = frame_params(params);
-  if (std::holds_alternative<CopySettled>(resolved_reuse(made_as))) made_as.reuse = TraceAll{};
-  return made_as;
-}
-
 /// As the panel shows a film: only sub-pixels that were traced one by one are put together.
 PictureParams layout_of_panel(const Optics& optics) {
   PictureParams as_shown;
@@ -52,17 +46,19 @@ Image8 panel_codes(const LiveStage& live, RenderedFrame rendered) {
   return to_codes(rendered.pictures.film, stage.scene.encoding);
 }
 
-std::optional<LivePictures> pictures_made_as(LiveStage& live, const PageFacts& facts, int frame, const FrameParams& made_as,
-                                             const Context& context) {
-  JobStage& stage = live.stage();
-  check(made_as, stage.placed.optics);
-  const auto maker = live.params().scene.name == kTestPattern ? make_pattern_frames(stage, live.pool())
-                                                              : make_frame_maker(stage, made_as, live.pool(), context);
-  RenderedFrame rendered = maker->make(frame);
-  if (context.cancelled) return std::nullopt;
+LivePictures pictures_of(RenderedFrame rendered, const LiveStage& live, const PageFacts& facts) {
   Image8 panel = panel_codes(live, std::move(rendered));
-  Image8 views = views_quilt({stage.placed.optics, to_linear(panel)}, facts, live.pool(), "preview");
-  return LivePictures{facts.view_size, std::move(views), std::move(panel)};
+  Image8 views = views_quilt({live.stage().placed.optics, to_linear(panel)}, facts, live.pool(), "preview");
+  return {facts.view_size, std::move(views), std::move(panel)};
+}
+
+/// Frames before it, which the render would share light with, have no part in it: some moments' wait for a draft of any frame.
+std::unique_ptr<FrameMaker> draft_maker(LiveStage& live, const FrameParams& draft, const Context& context) {
+  const Reuse reuse = reuse_for(live.stage().scene, draft);
+  if (const auto* light = std::get_if<ShareLight>(&reuse))
+    return std::make_unique<SharedLightFrames>(live.stage(), draft.sampling, *light, live.pool(), context,
+                                               LightHistory::kFrame);
+  return make_frame_maker(live.stage(), draft, live.pool(), context);
 }
 
 }  // namespace
@@ -92,11 +88,17 @@ std::optional<LivePictures> draft_pictures(LiveStage& live, const PageFacts& fac
   FrameParams draft{params.sampling, AutoReuse{}};
   draft.sampling.spp = kDraftSamples;
   draft.sampling.denoise = false;
-  return pictures_made_as(live, facts, frame, draft, context);
+  draft.sampling.aov.clear();
+  check(draft, live.stage().placed.optics);
+  RenderedFrame drawn = draft_maker(live, draft, context)->make(frame);
+  if (context.cancelled) return std::nullopt;
+  return pictures_of(std::move(drawn), live, facts);
 }
 
-std::optional<LivePictures> finished_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context) {
-  return pictures_made_as(live, facts, frame, params_of_one_frame(live.params()), context);
+std::optional<LivePictures> finished_pictures(LiveStage& live, const PageFacts& facts, int frame) {
+  std::optional<RenderedFrame> rendered = live.frame(frame);
+  if (!rendered) return std::nullopt;
+  return pictures_of(std::move(*rendered), live, facts);
 }
 
 Image8 depth_picture(LiveStage& live, const PageFacts& facts, Vec2i view_size, int frame) {

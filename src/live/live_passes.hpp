@@ -29,7 +29,7 @@ std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& fa
 std::optional<LivePictures> draft_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context);
 
 /// The codes that a render's 8-bit pictures hold. Throws Error for parameters that contradict each other.
-std::optional<LivePictures> finished_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context);
+std::optional<LivePictures> finished_pictures(LiveStage& live, const PageFacts& facts, int frame);
 
 /// The disparity codes (view/disparity_codes.hpp) of views of that size, in a quilt. Needs facts.has_depth.
 Image8 depth_picture(LiveStage& live, const PageFacts& facts, Vec2i view_size, int frame);

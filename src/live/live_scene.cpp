@@ -134,7 +134,7 @@ void LiveScene::make(const Order& order) {
     if (const auto draft = draft_pictures(live_, facts, frame, context_)) publish(order, "draft", *draft, depth);
   pass("final");
   if (!context_.cancelled)
-    if (const auto whole = finished_pictures(live_, facts, frame, context_)) publish(order, "final", *whole, depth);
+    if (const auto whole = finished_pictures(live_, facts, frame)) publish(order, "final", *whole, depth);
   if (!context_.cancelled) end(order, "", true);
 }
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <variant>
 
 #include "job/job_file.hpp"
+#include "job/reuse_params.hpp"
 #include "job/test_pattern.hpp"
 
 namespace lippmann {
@@ -19,6 +21,13 @@ std::string scene_key(const RenderParams& params) {
   return job_text(key, {});
 }
 
+/// One frame alone: pixels that could be copied from others are traced, to the same bits and without a search for them.
+FrameParams params_of_one_frame(const RenderParams& params) {
+  FrameParams made_as = frame_params(params);
+  if (std::holds_alternative<CopySettled>(resolved_reuse(made_as))) made_as.reuse = TraceAll{};
+  return made_as;
+}
+
 }  // namespace
 
 LiveStage::LiveStage(const RenderParams& params, const Context& context)
@@ -28,11 +37,28 @@ LiveStage::LiveStage(const RenderParams& params, const Context& context)
       stage_(std::make_unique<JobStage>(params, pool_, context)) {}
 
 void LiveStage::set(const RenderParams& params) {
+  if (job_text(params, {}) == job_text(params_, {})) return;
+  maker_.reset();
   if (scene_key(params) == scene_key(params_))
     stage_->place(params);
   else
     stage_ = std::make_unique<JobStage>(params, pool_, context_);
   params_ = params;
+}
+
+std::optional<RenderedFrame> LiveStage::frame(int frame) {
+  if (!maker_ || frame <= last_frame_) {
+    const FrameParams made_as = params_of_one_frame(params_);
+    check(made_as, stage_->placed.optics);
+    maker_.reset();
+    maker_ = params_.scene.name == kTestPattern ? make_pattern_frames(*stage_, pool_)
+                                                : make_frame_maker(*stage_, made_as, pool_, context_);
+  }
+  last_frame_ = frame;
+  RenderedFrame made = maker_->make(frame);
+  if (!context_.cancelled) return made;
+  maker_.reset();  // what it keeps is unfinished, too
+  return std::nullopt;
 }
 
 PageFacts LiveStage::facts() const {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "frames/frame_maker.hpp"
 #include "job/job_stage.hpp"
 #include "job/params.hpp"
 #include "lippmann/core/context.hpp"
@@ -26,6 +28,11 @@ class LiveStage {
   const JobStage& stage() const { return *stage_; }
   const ThreadPool& pool() const { return pool_; }
 
+  /// A frame as `lippmann render` makes it. What frames share is kept while nothing but the frame changes, and best where they
+  /// are asked for in ascending order. None where the context was cancelled meanwhile. Throws Error for parameters that
+  /// contradict each other.
+  std::optional<RenderedFrame> frame(int frame);
+
   /// What a page needs to know of a light field behind its optics, with the scene's title, frames and depth.
   PageFacts facts() const;
 
@@ -34,6 +41,8 @@ class LiveStage {
   ThreadPool pool_;
   RenderParams params_;
   std::unique_ptr<JobStage> stage_;
+  std::unique_ptr<FrameMaker> maker_;  ///< of these params; null: there is none yet
+  int last_frame_ = 0;                 ///< that it made
 };
 
 }  // namespace lippmann

@@ -26,7 +26,8 @@ struct SetupOutcome {
 /// other light that they blur. What has not helped is not tried again.
 class SetupSearch {
  public:
-  explicit SetupSearch(bool has_sky) : may_ask_sky_(has_sky) {}
+  /// first_rounds: of the first setup.
+  SetupSearch(bool has_sky, int first_rounds) : may_ask_sky_(has_sky) { current_.rounds = first_rounds; }
 
   const CacheSetup& current() const { return current_; }
 

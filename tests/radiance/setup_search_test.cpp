@@ -6,16 +6,26 @@
 namespace lippmann {
 namespace {
 
+constexpr int kFirst = 4;
+
 TEST(SetupSearch, what_is_good_enough_ends_the_search) {
-  SetupSearch search(true);
+  SetupSearch search(true, kFirst);
   EXPECT_EQ(search.current().rounds, 4);
   EXPECT_FALSE(search.go_on({true, 0.5f, 0.1f}));
   ASSERT_TRUE(search.good());
   EXPECT_EQ(search.good()->rounds, 4);
 }
 
+TEST(SetupSearch, begins_with_the_rounds_that_it_is_told_and_few_have_to_be_far_better) {
+  SetupSearch search(true, 2);
+  EXPECT_EQ(search.current().rounds, 2);
+  EXPECT_TRUE(search.go_on({true, 0.9f, 0.5f}));
+  EXPECT_EQ(search.current().rounds, 4);
+  EXPECT_FALSE(SetupSearch(true, 2).go_on({true, 0.9f, 0.3f}));
+}
+
 TEST(SetupSearch, cells_that_make_most_of_the_error_are_fed_more_though_frames_are_good) {
-  SetupSearch search(true);
+  SetupSearch search(true, kFirst);
   EXPECT_TRUE(search.go_on({true, 0.9f, 0.6f}));
   EXPECT_EQ(search.current().rounds, 8);
   EXPECT_FALSE(search.go_on({true, 0.8f, 0.6f}));
@@ -23,7 +33,7 @@ TEST(SetupSearch, cells_that_make_most_of_the_error_are_fed_more_though_frames_a
 }
 
 TEST(SetupSearch, far_from_good_four_times_the_updates_are_tried_at_once) {
-  SetupSearch search(true);
+  SetupSearch search(true, kFirst);
   ASSERT_TRUE(search.go_on({false, 8.0f, 1.0f}));
   EXPECT_EQ(search.current().rounds, 16);
   ASSERT_TRUE(search.go_on({false, 3.0f, 1.0f}));
@@ -31,7 +41,7 @@ TEST(SetupSearch, far_from_good_four_times_the_updates_are_tried_at_once) {
 }
 
 TEST(SetupSearch, updates_go_on_as_long_as_they_help) {
-  SetupSearch search(false);
+  SetupSearch search(false, kFirst);
   float excess = 3.9f;
   int rounds = 4;
   for (; search.current().rounds < 64; excess *= 0.5f) {
@@ -43,11 +53,11 @@ TEST(SetupSearch, updates_go_on_as_long_as_they_help) {
 }
 
 TEST(SetupSearch, light_that_comes_straight_from_lamps_is_never_cached) {
-  EXPECT_EQ(SetupSearch(true).current().lights_from, LightGroup::kSky);
+  EXPECT_EQ(SetupSearch(true, kFirst).current().lights_from, LightGroup::kSky);
 }
 
 TEST(SetupSearch, the_sky_is_asked_where_updates_do_not_help_and_cells_shrink_where_that_does_not) {
-  SetupSearch search(true);
+  SetupSearch search(true, kFirst);
   for (int i = 0; i < 2; ++i) ASSERT_TRUE(search.go_on({false, 4.0f, 1.0f}));
   EXPECT_EQ(search.current().rounds, 16);
   ASSERT_TRUE(search.go_on({false, 4.0f, 1.0f}));
@@ -60,14 +70,14 @@ TEST(SetupSearch, the_sky_is_asked_where_updates_do_not_help_and_cells_shrink_wh
 }
 
 TEST(SetupSearch, cells_shrink_where_there_is_no_sky_to_ask) {
-  SetupSearch search(false);
+  SetupSearch search(false, kFirst);
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(search.go_on({false, 4.0f, 1.0f}));
   EXPECT_EQ(search.current().lights_from, LightGroup::kSky);
   EXPECT_EQ(search.current().cell, 0.5f);
 }
 
 TEST(SetupSearch, come_to_an_end_when_nothing_helps) {
-  SetupSearch search(true);
+  SetupSearch search(true, kFirst);
   int tried = 1;
   while (search.go_on({false, 4.0f, 1.0f})) ASSERT_LT(++tried, 10);
   EXPECT_FALSE(search.good());

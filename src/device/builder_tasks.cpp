@@ -1,0 +1,25 @@
+#include "device/builder_tasks.hpp"
+
+#include "core/task_order.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Of all builders: what calls back knows its scene's data, not who builds it.
+TaskOrder& order() {
+  static TaskOrder order;
+  return order;
+}
+
+}  // namespace
+
+void commit_scene(const EmbreeScene& scene) {
+  order().all_begin();
+  rtcCommitScene(scene.get());
+  order().all_ended();
+}
+
+BuilderCall::BuilderCall() { order().begin(); }
+BuilderCall::~BuilderCall() { order().end(); }
+
+}  // namespace lippmann

@@ -1,0 +1,92 @@
+// The stage of a scene that is looked at: frames are those of the render, and take no longer than they have to.
+#include "live/live_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "live/live_passes.hpp"
+#include "live/live_support.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Enough samples for frames to share light, and for a draft of fewer.
+RenderParams room_of_paths() {
+  RenderParams params = test::small_room();
+  params.sampling.integrator = Integrator::kPath;
+  params.sampling.spp = 24;
+  params.threads = 1;  // progress never goes back within a frame
+  return params;
+}
+
+/// Counts how often a frame is begun, as the progress of frames tells it.
+class BegunFrames {
+ public:
+  explicit BegunFrames(Context& context) {
+    context.frame_progress = [this](double share) {
+      if (share <= last_) ++begun_;
+      last_ = share;
+    };
+  }
+
+  /// Since it was asked last.
+  int count() { return std::exchange(begun_, 0); }
+
+ private:
+  int begun_ = 0;
+  double last_ = 2.0;
+};
+
+struct Looked {
+  Context context;
+  BegunFrames begun{context};
+  LiveStage live{room_of_paths(), context};
+};
+
+TEST(LiveStage, frames_that_follow_are_the_same_as_alone_and_need_none_before_them_anew) {
+  Looked looked, other;
+  ASSERT_TRUE(looked.live.frame(4));
+  EXPECT_GE(looked.begun.count(), 5);
+  const auto followed = looked.live.frame(6), alone = other.live.frame(6);
+  EXPECT_LT(looked.begun.count(), 5);
+  EXPECT_GE(other.begun.count(), 7);
+  ASSERT_TRUE(followed && alone);
+  EXPECT_EQ(followed->pictures.film.data, alone->pictures.film.data);
+}
+
+TEST(LiveStage, frames_are_the_same_whatever_was_asked_for_or_cancelled_before) {
+  Looked looked, other;
+  const auto wanted = other.live.frame(2);
+  ASSERT_TRUE(looked.live.frame(5));
+  looked.context.cancelled = true;
+  EXPECT_FALSE(looked.live.frame(6));
+  looked.context.cancelled = false;
+  const auto made = looked.live.frame(2);
+  ASSERT_TRUE(wanted && made);
+  EXPECT_EQ(made->pictures.film.data, wanted->pictures.film.data);
+}
+
+TEST(LiveStage, other_parameters_make_other_frames) {
+  Looked looked;
+  const auto before = looked.live.frame(0);
+  RenderParams params = room_of_paths();
+  looked.live.set(params);
+  params.scene.view.orbit = {30.0f, 0.0f};
+  looked.live.set(params);
+  const auto turned = looked.live.frame(1);
+  const auto back = looked.live.frame(0);
+  ASSERT_TRUE(before && turned && back);
+  EXPECT_NE(back->pictures.film.data, before->pictures.film.data);
+}
+
+TEST(LiveDraft, of_a_late_frame_needs_none_before_it) {
+  Looked looked;
+  ASSERT_TRUE(draft_pictures(looked.live, looked.live.facts(), 12, looked.context));
+  const int begun = looked.begun.count();
+  EXPECT_GE(begun, 1);
+  EXPECT_LT(begun, 6);
+}
+
+}  // namespace
+}  // namespace lippmann
