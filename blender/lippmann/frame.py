@@ -1,5 +1,6 @@
 """The light-field frame: an empty whose XY plane is the display's, its +Z towards the viewer. Where it stands, and what is sharp there.
 
+Without one the display stands before the scene's camera: at its focus where it has depth of field, else amid what it sees.
 Depths follow docs/displays.md: a display of height H mm that is h units high in the scene has H / h mm per unit, its viewer at the viewing distance D, and
 resolves depth within the budget b on either side; both are figures of `lippmann displays --json`.
 """
@@ -11,6 +12,10 @@ import bpy
 from mathutils import Matrix, Vector
 
 from . import displays, tool
+
+LINES = 9          # of sight, across and up
+UNFOCUSED = 10.0   # units to the plane where a camera sees nothing: Blender's own focus
+_seen = {}         # what was asked last, since the scene has changed
 
 
 @dataclass
@@ -32,6 +37,17 @@ def rigid(matrix):
     return Matrix.Translation(place) @ turn.to_matrix().to_4x4(), abs(scale.y)
 
 
+def placed(scene):
+    """The scene's frame; None: there is none, or it has been taken out of the scene."""
+    thing = scene.lippmann.frame
+    return thing if thing and scene in thing.users_scene else None
+
+
+def is_focused(camera):
+    """Whether its focus is something that somebody chose: without depth of field it is what Blender's version began with, 0 or 10 units."""
+    return camera.data.dof.use_dof or camera.data.dof.focus_object is not None
+
+
 def focus_distance(camera):
     """From the camera to what it is focused on, along its view."""
     focused = camera.data.dof
@@ -49,26 +65,94 @@ def fitted_side(camera, distance):
     return distance * (data.sensor_height if data.sensor_fit == "VERTICAL" else data.sensor_width) / data.lens
 
 
-def at_focus(camera, aspect):
-    """The transform and the height of what the camera frames at its focus, in pictures of this aspect (width over height). A shift moves the
+def framed(camera, aspect, distance):
+    """The transform and the height of what the camera frames at a distance, in pictures of this aspect (width over height). A shift moves the
     frame aside: the display's viewer stands before its middle, not where the camera is."""
-    data, distance = camera.data, focus_distance(camera)
+    data = camera.data
     side = fitted_side(camera, distance)
     is_height = data.sensor_fit == "VERTICAL" or (data.sensor_fit == "AUTO" and aspect < 1.0)
     turned, _ = rigid(camera.matrix_world)
     return turned @ Matrix.Translation((data.shift_x * side, data.shift_y * side, -distance)), side if is_height else side / aspect
 
 
-def zone(scene):
-    """The zone of the scene's frame or, without one, of its camera's focus. Raises ToolError."""
+def sight_lines(camera, aspect):
+    """Rays through what the camera frames, evenly spread: start and direction in world space, and how near to the middle, 1 to 0."""
+    middle, height = framed(camera, aspect, 1.0)
+    away = middle.to_3x3() @ Vector((0.0, 0.0, -1.0))
+    steps = [(i + 0.5) / LINES - 0.5 for i in range(LINES)]
+    for x in steps:
+        for y in steps:
+            target = middle @ Vector((x * height * aspect, y * height, 0.0))
+            start = camera.matrix_world.translation if camera.data.type == "PERSP" else target - away
+            yield start, (target - start).normalized(), (1.0 - 2.0 * abs(x)) * (1.0 - 2.0 * abs(y))
+
+
+def median(weighted):
+    """The value that half of the weight lies below; of pairs of a value and its weight."""
+    weighted = sorted(weighted)
+    left = 0.5 * sum(weight for _, weight in weighted)
+    for value, weight in weighted:
+        left -= weight
+        if left <= 0.0:
+            return value
+
+
+def seen_distance(scene, aspect):
+    """From the camera to what it sees, along its view: of half of it, the middle of the picture counting most. Where nothing is seen, its focus."""
+    camera, depsgraph = scene.camera, bpy.context.evaluated_depsgraph_get()
+    to_camera = rigid(camera.matrix_world)[0].inverted()
+    seen = []
+    for start, direction, weight in sight_lines(camera, aspect):
+        is_met, place, *_ = scene.ray_cast(depsgraph, start, direction)
+        if is_met:
+            seen.append((-(to_camera @ place).z, weight))
+    if seen:
+        return max(median(seen), 1e-4)
+    return focus_distance(camera) if focus_distance(camera) > camera.data.clip_start else UNFOCUSED
+
+
+@bpy.app.handlers.persistent
+def forget_what_is_seen(*_):
+    _seen.clear()
+
+
+HANDLERS = ("depsgraph_update_post", "load_post", "undo_post", "redo_post")
+
+
+def register():
+    for name in HANDLERS:
+        getattr(bpy.app.handlers, name).append(forget_what_is_seen)
+
+
+def unregister():
+    for name in HANDLERS:
+        getattr(bpy.app.handlers, name).remove(forget_what_is_seen)
+
+
+def plane_distance(scene):
+    """From the camera to the display's plane where no frame is set: its focus, or what it sees now. Raises ToolError."""
+    camera = scene.camera
+    if is_focused(camera):
+        return focus_distance(camera)
+    aspect = displays.aspect(displays.chosen(scene))
+    key = (scene.name, scene.frame_current, camera.name, aspect, *(number for row in camera.matrix_world for number in row))
+    if key not in _seen:
+        _seen.clear()
+        _seen[key] = seen_distance(scene, aspect)
+    return _seen[key]
+
+
+def zone(scene, distance=None):
+    """The zone of the scene's frame or, without one, of a plane before its camera. distance: from the camera to that plane, where it has no focus of its
+    own; None: what it sees there now decides, which takes rays and so no render's thread. Raises ToolError."""
     display = displays.chosen(scene)
     aspect = displays.aspect(display)
-    placed = scene.lippmann.frame
-    if placed and scene in placed.users_scene:
-        matrix, scale = rigid(placed.matrix_world)
-        height = placed.lippmann.height * scale
+    thing = placed(scene)
+    if thing:
+        matrix, scale = rigid(thing.matrix_world)
+        height = thing.lippmann.height * scale
     elif scene.camera and scene.camera.type == "CAMERA":
-        matrix, height = at_focus(scene.camera, aspect)
+        matrix, height = framed(scene.camera, aspect, distance if distance and not is_focused(scene.camera) else plane_distance(scene))
     else:
         raise tool.ToolError("The scene has neither a light-field frame nor a camera. Add one of them.")
     if not height > 1e-9:

@@ -7,10 +7,8 @@ other, which have no angles above 180 degrees. Others arrive mirrored.
 """
 
 import base64
-import json
 import math
 import pathlib
-import struct
 
 import bpy
 
@@ -18,7 +16,6 @@ from . import losses
 
 LUMENS_PER_WATT = 177.83  # as Cycles has it, of white light
 MISSING = object()        # a lamp whose file is not there
-JSON_CHUNK = 0x4E4F534A
 QUARTER_TURN = [0.0, 0.0, -math.sqrt(0.5), math.sqrt(0.5)]  # about the lamp's axis
 
 
@@ -52,7 +49,7 @@ def mark(light):
         light["ies"], light["ies_multiplier"], light["ies_color"] = profile
 
 
-def moved(document):
+def move_profiles(document):
     """Whether any profiles were moved from the extras of a document's lights to their nodes, in place of the lights."""
     lights = document.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
     profiles, turned = [], []
@@ -74,17 +71,3 @@ def moved(document):
         document["extensions"]["EXT_lights_ies"] = {"lights": profiles}
         document.setdefault("extensionsUsed", []).append("EXT_lights_ies")
     return bool(profiles)
-
-
-def move_profiles(path):
-    """Rewrites a .glb file in which lamps were marked; other files stay as they are."""
-    file = pathlib.Path(path)
-    data = file.read_bytes()
-    length = struct.unpack_from("<I", data, 12)[0]
-    document = json.loads(data[20:20 + length])
-    if not moved(document):
-        return
-    words = json.dumps(document).encode()
-    words += b" " * (-len(words) % 4)
-    rest = data[20 + length:]
-    file.write_bytes(data[:8] + struct.pack("<III", 20 + len(words) + len(rest), len(words), JSON_CHUNK) + words + rest)

@@ -39,7 +39,7 @@ def check(scene, still):
         _ = scene.name
     except UnicodeDecodeError:
         raise tool.ToolError("The scene's name is no UTF-8. Rename it.") from None
-    frames_of_displays.zone(scene)
+    frames_of_displays.zone(scene, distance=1.0)
     if scene.frame_start < 0 or (still and scene.frame_current < 0):
         raise tool.ToolError("Frames below 0 cannot be rendered. Move the animation to start at frame 0 or later.")
     if scene.lippmann.output == "native":
@@ -105,7 +105,7 @@ class Job:
         self._glb = self.folder / "scene.glb"
         self._request.write_text(json.dumps({
             "library": str(library), "scene": scene.name, "display": settings.display, "calibration": bpy.path.abspath(settings.calibration) if settings.calibration else "",
-            "frames": [self.first, self.last], "still": self.still, "glb": str(self._glb), "world": str(self.folder / "world.exr"), "report": str(self._told)}))
+            "frames": [self.first, self.last], "still": self.still, "bake": settings.bake, "glb": str(self._glb), "world": str(self.folder / "world.exr"), "report": str(self._told)}))
         self._flags = render_flags(scene)
         self._fps = scene.render.fps / scene.render.fps_base
         self._resume = settings.resume and not self.still

@@ -65,9 +65,9 @@ def is_animated(thing):
     return any(motion and (motion.action or len(motion.drivers)) for motion in motions)
 
 
-def say_of_materials(materials, still, report):
+def say_of_materials(materials, still, baked, report):
     for material in materials:
-        lost = lost_of_material(material)
+        lost = [words for words in lost_of_material(material) if words not in baked.get(material, ())]
         if lost:
             report.warn(f"The material {material.name} loses what glTF cannot carry: {', '.join(lost)}.")
         if not still and is_animated(material):
@@ -124,13 +124,13 @@ def say_of_scene(scene, still, report):
         report.warn("Compositing changes what Blender shows, not the tool's pictures.")
 
 
-def say(scene, still, report):
-    """All that is lost of what the scene's visible objects are made of. Call it after missing textures are gone."""
+def say(scene, still, baked, report):
+    """All that is lost of what the scene's visible objects are made of. Call it after missing textures are gone. baked: {material: words} of what is not."""
     things = [thing for thing in scene.objects if not thing.hide_render]
     shown = {thing.instance_collection for thing in things if thing.instance_collection}
     things += [thing for collection in sorted(shown, key=lambda c: c.name) for thing in collection.all_objects]
     materials = {slot.material: None for thing in things for slot in thing.material_slots if slot.material}
-    say_of_materials(materials, still, report)
+    say_of_materials(materials, still, baked, report)
     say_of_lights({thing.data: None for thing in things if thing.type == "LIGHT"}, still, report)
     say_of_objects(things, report)
     say_of_scene(scene, still, report)

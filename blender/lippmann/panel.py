@@ -43,7 +43,7 @@ class PlaceAtFocus(Operator):
         camera = context.scene.camera
         if not camera:
             raise tool.ToolError("The scene has no camera.")
-        matrix, height = frame.at_focus(camera, displays.aspect(displays.chosen(context.scene)))
+        matrix, height = frame.framed(camera, displays.aspect(displays.chosen(context.scene)), frame.focus_distance(camera))
         frame.place(context.scene.lippmann.frame or frame.add(context), matrix, height)
 
 
@@ -111,7 +111,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         column.operator("lippmann.match_resolution")
         self._frame(context, layout)
         column = layout.column()
-        for name in ("samples", "denoise", "full_depth", "folder", "resume", "video", "extra"):
+        for name in ("samples", "denoise", "full_depth", "bake", "folder", "resume", "video", "extra"):
             column.prop(settings, name)
         layout.operator("lippmann.view", icon="URL")
         for warning in engine.last_warnings:

@@ -295,12 +295,14 @@ def build_stage(scene, request, report):
     frame_module, exposure = (importlib.import_module(f"{HERE.name}.{name}") for name in ("frame", "exposure"))
     first, last = request["frames"]
     frames = list(range(first, last + 1)) if request["still"] else list(range(first, last + 2))  # glTF leaves out the frame at the very end
-    tracks, eyes, lenses, zone = Tracks(request["still"], report), {}, [], None
+    tracks, eyes, lenses, zone, distance = Tracks(request["still"], report), {}, [], None, None
     play_up_to(scene, first)
     for frame in frames:
         scene.frame_set(frame)
         bpy.context.view_layer.update()
-        now = frame_module.zone(scene)
+        if distance is None and not frame_module.placed(scene) and scene.camera and scene.camera.type == "CAMERA":
+            distance = frame_module.plane_distance(scene)  # an animation keeps it, as a lens keeps its focus
+        now = frame_module.zone(scene, distance)
         zone = zone or now
         eyes[frame] = now.world_from_frame @ Matrix.Translation((0.0, 0.0, zone.distance))
         lenses.append(exposure.lens(scene, now))
@@ -410,10 +412,13 @@ def main():
     name_everything(report)
     leave_out_missing_files(report)
     show_as_rendered(scene)
-    importlib.import_module(f"{HERE.name}.losses").say(scene, request["still"], report)
+    importlib.import_module(f"{HERE.name}.materials").simplify_all(bpy.data.materials, report)
     stage, zone, has_shape_keys, blur = build_stage(scene, request, report)
+    baked = importlib.import_module(f"{HERE.name}.baking").bake(stage, report) if request["bake"] else {}
+    importlib.import_module(f"{HERE.name}.losses").say(scene, request["still"], baked, report)
     export_gltf(stage, request["glb"], request["still"], has_shape_keys)
-    importlib.import_module(f"{HERE.name}.ies").move_profiles(request["glb"])
+    glb, ies, materials = (importlib.import_module(f"{HERE.name}.{name}") for name in ("glb", "ies", "materials"))
+    glb.rewrite(request["glb"], (ies.move_profiles, materials.take_gloss_away))
     colour = plain_world(scene.world)
     if colour is None:
         write_panorama(scene.world, request["world"])

@@ -34,6 +34,7 @@ class SceneSettings(bpy.types.PropertyGroup):
     full_depth: BoolProperty(name="All of the depth", description="Show all of the scene's depth, blurred where the display cannot resolve it; "
                              "otherwise a scene that is too deep is shown less deep")
     resume: BoolProperty(name="Resume", default=True, description="Ctrl-F12 keeps the frames that an earlier, interrupted render of the same scene has finished")
+    bake: BoolProperty(name="Bake", default=True, description="Make pictures of what nodes compute: procedural textures, bumps, colours. Takes a second or two for each mesh")
     video: BoolProperty(name="Video", description="Ctrl-F12 also writes a video of the frames")
     folder: StringProperty(name="Folder", subtype="DIR_PATH", default="//lippmann/", description="Where the pictures, the video and the exported scene are written")
     show_overlay: BoolProperty(name="Show in viewport", default=True, description="Draw the frame, its sharp depth and its viewing zone")

@@ -1,5 +1,5 @@
-// What ThreadSanitizer cannot see of tasks in libraries that are built without it: they come after what was done before they were
-// begun, and before what is done once all have ended.
+// What ThreadSanitizer cannot see of tasks in libraries that are built without it: they come after what was done before they
+// were begun, and before what is done once all have ended.
 #pragma once
 
 // Of sources that are watched, and of one that says itself that it is not (core/CMakeLists.txt).

@@ -23,6 +23,8 @@ from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
 
+WHITE = (1.0, 1.0, 1.0, 1.0)
+
 
 def new_scene(folder, output, samples=16, size=(60, 80)):
     """Blender's own first scene: a cube, a lamp, a camera."""
@@ -40,6 +42,16 @@ def new_scene(folder, output, samples=16, size=(60, 80)):
 def gltf(folder):
     data = (pathlib.Path(folder) / "scene.glb").read_bytes()
     return json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
+
+
+def positions(folder, channel):
+    """The translations of a channel of the exported scene's first animation, one a row."""
+    data, document = (pathlib.Path(folder) / "scene.glb").read_bytes(), gltf(folder)
+    sampler = document["animations"][0]["samplers"][channel["sampler"]]
+    accessor = document["accessors"][sampler["output"]]
+    view = document["bufferViews"][accessor["bufferView"]]
+    start = 20 + struct.unpack_from("<I", data, 12)[0] + 8 + view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+    return np.frombuffer(data, np.float32, 3 * accessor["count"], start).reshape(-1, 3)
 
 
 def contrast(picture):
@@ -100,6 +112,40 @@ def failure(operator, **arguments):
     return ""
 
 
+class Material:
+    """A material that a test makes of nodes, and what of it arrives in glTF."""
+
+    def __init__(self, name):
+        self.material = bpy.data.materials.new(name)
+        self.material.use_nodes = True
+        self.tree = self.material.node_tree
+        self.tree.nodes.clear()
+        self.output = self.node("ShaderNodeOutputMaterial")
+
+    def node(self, kind, **values):
+        node = self.tree.nodes.new(kind)
+        for name, value in values.items():
+            node.inputs[name.replace("_", " ")].default_value = value
+        return node
+
+    def feed(self, source, node, name, output=0):
+        self.tree.links.new(source.outputs[output], node.inputs[name])
+        return node
+
+    def shows(self, shader):
+        self.feed(shader, self.output, "Surface")
+        return self.material
+
+
+def arrived(scene, folder, materials):
+    """{name: material in glTF} of a scene in which a small plane has each."""
+    for index, material in enumerate(materials):
+        bpy.ops.mesh.primitive_plane_add(size=0.1, location=(0.2 * index, 0.0, 0.0))
+        bpy.context.object.data.materials.append(material)
+    bpy.ops.render.render()
+    return {material["name"]: material for material in gltf(folder)["materials"]}
+
+
 class AddOn(unittest.TestCase):
     def setUp(self):
         self._folder = tempfile.TemporaryDirectory()
@@ -117,7 +163,7 @@ class AddOn(unittest.TestCase):
         self.assertEqual((len(preview), len(views)), (1, 3))
         told = subprocess.run([os.environ["LIPPMANN_TOOL"], "compare", preview[0], views[1], "--json"], capture_output=True, check=True)
         self.assertGreater(json.loads(told.stdout)["mean"]["ssim"], 0.99)
-        self.assertGreater(contrast(preview[0]), 0.1)  # two blank pictures would be alike, too
+        self.assertGreater(contrast(preview[0]), 0.05)  # two blank pictures would be alike, too
 
     def test_an_animation_has_its_frames_moves_by_constraints_and_resumes(self):
         scene = new_scene(self.folder, "quilt", samples=1, size=(80, 60))
@@ -152,6 +198,45 @@ class AddOn(unittest.TestCase):
         self.assertLess(frame.zone(scene).world_from_frame.translation.length, 1e-5)
         self.assertAlmostEqual(scene.lippmann.frame.lippmann.height, 2.4, places=5)
 
+    def test_without_depth_of_field_the_plane_stands_amid_what_the_camera_sees(self):
+        scene = new_scene(self.folder, "single")
+        camera, cube = scene.camera, bpy.data.objects["Cube"]
+
+        def plane():
+            bpy.context.view_layer.update()
+            return -(camera.matrix_world.inverted() @ frame.zone(scene).world_from_frame.translation).z
+
+        camera.data.dof.focus_distance = 0.0  # as in files of old versions
+        self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)  # somewhere on the cube
+        camera.location = 3.0 * camera.location
+        self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)
+        camera.data.type, camera.data.ortho_scale = "ORTHO", 4.0
+        self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)
+        camera.data.dof.use_dof, camera.data.dof.focus_distance = True, 5.0
+        self.assertAlmostEqual(plane(), 5.0, places=4)
+        camera.data.dof.use_dof = False
+        bpy.data.objects.remove(cube)
+        self.assertAlmostEqual(plane(), 5.0, places=4)  # nothing is seen
+        camera.data.dof.focus_distance = 0.0
+        self.assertAlmostEqual(plane(), frame.UNFOCUSED, places=4)
+
+    def test_an_animation_keeps_the_distance_that_its_first_frame_has(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        scene.frame_start, scene.frame_end = 1, 2
+        cube = bpy.data.objects["Cube"]
+        away = (scene.camera.matrix_world.translation - cube.location).normalized()
+        for number in (1, 2):
+            cube.location = -8.0 * (number - 1) * away
+            cube.keyframe_insert("location", frame=number)
+        bpy.ops.render.render(animation=True)
+        eyes = [node for node in gltf(self.folder)["nodes"] if "camera" in node]
+        self.assertEqual(len(eyes), 1)
+        moved = [channel for channel in gltf(self.folder)["animations"][0]["channels"] if "camera" in gltf(self.folder)["nodes"][channel["target"]["node"]]]
+        places = [positions(self.folder, channel) for channel in moved if channel["target"]["path"] == "translation"]
+        self.assertTrue(places)
+        for track in places:
+            self.assertLess(np.abs(track - track[0]).max(), 1e-5)
+
     def test_the_focus_frames_what_the_camera_frames_whatever_its_sensor_and_shift(self):
         scene = new_scene(self.folder, "single")
         camera = scene.camera
@@ -165,7 +250,7 @@ class AddOn(unittest.TestCase):
                     corners = [np.array(corner) for corner in camera.data.view_frame(scene=scene)]
                     corners = [corner * (-5.0 / corner[2] if kind == "PERSP" else 1.0) for corner in corners]
                     lower, upper = np.min(corners, axis=0), np.max(corners, axis=0)
-                    matrix, tall = frame.at_focus(camera, width / height)
+                    matrix, tall = frame.framed(camera, width / height, frame.focus_distance(camera))
                     middle = camera.matrix_world.inverted() @ matrix.translation
                     case = (kind, fit, width, height)
                     self.assertAlmostEqual(tall, upper[1] - lower[1], places=4, msg=case)
@@ -287,6 +372,125 @@ class AddOn(unittest.TestCase):
         self.assertFalse(losses.is_animated(light))
         light.keyframe_insert("energy", frame=1)
         self.assertTrue(losses.is_animated(light))
+
+    def test_shaders_that_are_like_a_principled_one_arrive_as_that(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        red, blue = (0.8, 0.1, 0.1, 1.0), (0.1, 0.2, 0.8, 1.0)
+        made = []
+        m = Material("diffuse")
+        made.append(m.shows(m.node("ShaderNodeBsdfDiffuse", Color=red)))
+        m = Material("glossy")
+        made.append(m.shows(m.node("ShaderNodeBsdfGlossy", Color=blue, Roughness=0.3)))
+        m = Material("glass")
+        made.append(m.shows(m.node("ShaderNodeBsdfGlass", Color=WHITE, Roughness=0.0, IOR=1.33)))
+        m = Material("veil")  # a quarter of it is there
+        mixture = m.node("ShaderNodeMixShader", Fac=0.25)
+        m.tree.links.new(m.node("ShaderNodeBsdfTransparent").outputs[0], mixture.inputs[1])
+        m.tree.links.new(m.node("ShaderNodeBsdfDiffuse", Color=red).outputs[0], mixture.inputs[2])
+        made.append(m.shows(mixture))
+        m = Material("lamp")
+        both = m.node("ShaderNodeAddShader")
+        m.tree.links.new(m.node("ShaderNodeEmission", Color=blue, Strength=2.0).outputs[0], both.inputs[0])
+        m.tree.links.new(m.node("ShaderNodeBsdfDiffuse", Color=red).outputs[0], both.inputs[1])
+        made.append(m.shows(both))
+        m = Material("lacquer")
+        coat = m.feed(m.node("ShaderNodeFresnel", IOR=1.5), m.node("ShaderNodeMixShader"), "Fac")
+        m.tree.links.new(m.node("ShaderNodeBsdfDiffuse", Color=red).outputs[0], coat.inputs[1])
+        m.tree.links.new(m.node("ShaderNodeBsdfGlossy", Color=WHITE, Roughness=0.1).outputs[0], coat.inputs[2])
+        made.append(m.shows(coat))
+        m = Material("computed")  # of constants
+        half = m.node("ShaderNodeMixRGB", Fac=0.5, Color1=red, Color2=blue)
+        made.append(m.shows(m.feed(half, m.node("ShaderNodeBsdfPrincipled", Roughness=0.7), "Base Color")))
+        arrive = arrived(scene, self.folder, made)
+
+        def factors(name):
+            return arrive[name].get("pbrMetallicRoughness", {})
+
+        def assert_colour(name, colour):
+            for got, wanted in zip(factors(name)["baseColorFactor"], colour):
+                self.assertAlmostEqual(got, wanted, places=5, msg=name)
+
+        assert_colour("diffuse", red)
+        self.assertEqual((factors("diffuse")["metallicFactor"], arrive["diffuse"]["extensions"]["KHR_materials_specular"]["specularFactor"]), (0, 0))
+        assert_colour("glossy", blue)
+        self.assertAlmostEqual(factors("glossy")["roughnessFactor"], 0.3, places=5)
+        self.assertEqual(factors("glossy").get("metallicFactor", 1), 1)
+        self.assertEqual(arrive["glass"]["extensions"]["KHR_materials_transmission"]["transmissionFactor"], 1)
+        self.assertAlmostEqual(arrive["glass"]["extensions"]["KHR_materials_ior"]["ior"], 1.33, places=5)
+        assert_colour("veil", (*red[:3], 0.25))
+        self.assertEqual(arrive["veil"]["alphaMode"], "BLEND")
+        assert_colour("lamp", red)
+        shines = np.array(arrive["lamp"]["emissiveFactor"]) * arrive["lamp"]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"]
+        self.assertLess(np.abs(shines - 2.0 * np.array(blue[:3])).max(), 1e-5)
+        assert_colour("lacquer", red)
+        self.assertAlmostEqual(factors("lacquer")["roughnessFactor"], 0.1, places=5)
+        self.assertNotIn("KHR_materials_specular", arrive["lacquer"].get("extensions", {}))  # 0.04, as by default
+        assert_colour("computed", 0.5 * (np.array(red) + blue))
+        self.assertEqual(engine.last_warnings, [])
+
+    def test_groups_are_taken_apart_and_what_nothing_is_like_is_said(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        group = bpy.data.node_groups.new("paint", "ShaderNodeTree")
+        begin, end, shader = (group.nodes.new(kind) for kind in ("NodeGroupInput", "NodeGroupOutput", "ShaderNodeBsdfPrincipled"))
+        if hasattr(group, "interface"):
+            group.interface.new_socket("Paint", in_out="INPUT", socket_type="NodeSocketColor")
+            group.interface.new_socket("Surface", in_out="OUTPUT", socket_type="NodeSocketShader")
+        else:
+            group.inputs.new("NodeSocketColor", "Paint")
+            group.outputs.new("NodeSocketShader", "Surface")
+        group.links.new(begin.outputs[0], shader.inputs["Base Color"])
+        group.links.new(shader.outputs[0], end.inputs[0])
+        shader.inputs["Roughness"].default_value = 0.35
+        made = []
+        for name, colour in (("red", (0.8, 0.1, 0.1, 1.0)), ("blue", (0.1, 0.1, 0.8, 1.0))):
+            m = Material(name)
+            painted = m.node("ShaderNodeGroup")
+            painted.node_tree = group
+            painted.inputs[0].default_value = colour
+            made.append(m.shows(painted))
+        m = Material("strange")
+        made.append(m.shows(m.node("ShaderNodeBsdfHair")))
+        m = Material("varied")
+        mixture = m.feed(m.node("ShaderNodeTexNoise"), m.node("ShaderNodeMixShader"), "Fac")
+        for index, kind in ((1, "ShaderNodeBsdfDiffuse"), (2, "ShaderNodeBsdfGlossy")):
+            m.tree.links.new(m.node(kind).outputs[0], mixture.inputs[index])
+        made.append(m.shows(mixture))
+        arrive = arrived(scene, self.folder, made)
+        for name, blue in (("red", 0.1), ("blue", 0.8)):
+            self.assertAlmostEqual(arrive[name]["pbrMetallicRoughness"]["baseColorFactor"][2], blue, places=5)
+            self.assertAlmostEqual(arrive[name]["pbrMetallicRoughness"]["roughnessFactor"], 0.35, places=5)
+        said = " ".join(engine.last_warnings)
+        self.assertIn("strange loses what glTF cannot carry: Hair BSDF", said)
+        self.assertIn("varied arrives without a mixture that varies", said)
+        self.assertEqual(len(engine.last_warnings), 2)
+
+    def test_what_nodes_compute_arrives_as_pictures_the_same_in_every_export(self):
+        scene = new_scene(self.folder, "single", samples=4)
+        m = Material("wood")
+        shader = m.node("ShaderNodeBsdfPrincipled")
+        m.feed(m.node("ShaderNodeTexChecker", Color1=(0.9, 0.05, 0.05, 1.0), Color2=(0.05, 0.05, 0.9, 1.0), Scale=3.0), shader, "Base Color")
+        m.feed(m.node("ShaderNodeTexNoise"), shader, "Roughness")
+        bump = m.feed(m.node("ShaderNodeTexNoise", Scale=20.0), m.node("ShaderNodeBump"), "Height")
+        m.feed(bump, shader, "Normal")
+        cube = bpy.data.objects["Cube"]
+        cube.material_slots[0].material = m.shows(shader)
+        cube.data.materials.append(bpy.data.materials.new("plain"))
+        cube.data.polygons[0].material_index = 1
+        bpy.ops.render.render()
+        first = (self.folder / "scene.glb").read_bytes()
+        wood = next(one for one in gltf(self.folder)["materials"] if one["name"].startswith("wood"))
+        places = {wood["pbrMetallicRoughness"]["baseColorTexture"].get("texCoord", 0), wood["pbrMetallicRoughness"]["metallicRoughnessTexture"].get("texCoord", 0),
+                  wood["normalTexture"].get("texCoord", 0)}
+        self.assertEqual(places, {1})  # the cube's own coordinates come first
+        self.assertEqual([words for words in engine.last_warnings if "wood" in words],
+                         ["The material wood arrives with pictures of 1024 x 1024 pixels in place of: Checker Texture, Noise Texture, Bump."])
+        image = bpy.data.images.load(str(tool.pictures(self.folder / "still", 0)[0]))
+        values = np.array(image.pixels[:]).reshape(-1, 4)
+        red, blue = ((values[:, one] > 0.3) & (values[:, other] < 0.5 * values[:, one]) for one, other in ((0, 2), (2, 0)))
+        self.assertGreater(min(red.sum(), blue.sum()), 50)
+        bpy.ops.render.render()
+        self.assertEqual((self.folder / "scene.glb").read_bytes(), first)  # so that a render can be resumed
+        self.assertEqual([layer.name for layer in cube.data.uv_layers], ["UVMap"])  # the user's own scene stays as it is
 
     def test_simulations_play_up_to_the_frame_of_a_still(self):
         scene = new_scene(self.folder, "single")

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+"""What .blend files show the display's viewer, by Blender's Cycles and by the add-on: PSNR of 8-bit codes, FLIP, and what the add-on says is lost on the way.
+
+  bench/blender_scenes.py FILE_OR_FOLDER ... [--out DIR] [--size N] [--samples N] [--tool FILE] [--json]
+
+Both get the same file, frame, eye, samples and view transform (bench/cycles/blend_inside_blender.py). Materials that the exporter does not know, world and lamps come as
+docs/blender.md says: a low figure beside a warning tells what that warning costs. Writes DIR/scenes.html with pictures side by side. Needs python3-numpy and Blender (BLENDER names another).
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+for part in ("cycles", "fidelity"):
+    sys.path.insert(0, str(HERE / part))
+import judge  # noqa: E402
+import page  # noqa: E402
+import peers  # noqa: E402
+import pictures  # noqa: E402
+
+
+def files_of(paths):
+    for path in paths:
+        yield from sorted(path.rglob("*.blend")) if path.is_dir() else [path]
+
+
+def rendered(file, options):
+    """{"scene", "said", "refused"} and, where there are pictures, {"cycles", "lippmann"}."""
+    folder = (options.out / file.stem).resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in ("cycles.png", "ours.png", "told.json"):
+        (folder / name).unlink(missing_ok=True)
+    job = folder / "job.json"
+    job.write_text(json.dumps({"folder": str(folder), "size": options.size, "samples": options.samples, "addon": str(HERE.parent / "blender")}))
+    command = [peers.BLENDER, "-b", "--factory-startup", "-noaudio", file, "--python", HERE / "cycles/blend_inside_blender.py", "--", job]
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace", env={**os.environ, "PATH": peers.PATH, "LIPPMANN_TOOL": str(options.tool.resolve())})
+    if not (folder / "told.json").exists():
+        return {"scene": file.stem, "said": [], "refused": "Blender: " + (done.stderr or done.stdout).strip().splitlines()[-1]}
+    row = {"scene": file.stem, **json.loads((folder / "told.json").read_text())}
+    if not row["refused"]:
+        row |= {"cycles": pictures.read(folder / "cycles.png"), "lippmann": pictures.read(folder / "ours.png")}
+    return row
+
+
+def judged(row):
+    """With the figures of ours beside Cycles'."""
+    if "cycles" not in row:
+        return row
+    ours = judge.judged({"cycles": row["cycles"], "lippmann": row["lippmann"]})["lippmann"]
+    light = [float(row[name][..., :3].mean()) for name in ("lippmann", "cycles")]
+    return row | {"psnr_db": ours["psnr_db"], "flip": ours["flip"], "light": light[0] / max(light[1], 1e-3), "map": ours["map"]}
+
+
+def figures(row):
+    return f'{page.decibels(row["psnr_db"])} dB, FLIP {row["flip"]:.3f}, mean code {row["light"]:.2f} of Cycles\'' if "map" in row else row["refused"]
+
+
+def html_page(rows):
+    parts = [page.HEAD.replace("glTF fidelity", "Blender scenes")]
+    for row in rows:
+        parts.append(f'<h2>{page.html.escape(row["scene"])}</h2><p>{page.html.escape(figures(row))}</p>')
+        if "map" in row:
+            shown = ((name, row[name]) for name in ("cycles", "lippmann"))
+            parts.append('<div class="row">' + "".join(f"<figure><figcaption>{name}</figcaption>{page.shown(codes)}</figure>" for name, codes in shown) +
+                         f'<figure><figcaption>FLIP</figcaption>{page.shown(page.heat(row["map"]))}</figure></div>')
+        parts.append("<ul>" + "".join(f"<li>{page.html.escape(text)}" for text in row["said"]) + "</ul>")
+    return "\n".join(parts)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="+", type=pathlib.Path)
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("blender-scenes"))
+    parser.add_argument("--size", type=int, default=192, help="pixels of the longer side")
+    parser.add_argument("--samples", type=int, default=256, help="paths a pixel, of both")
+    parser.add_argument("--tool", type=pathlib.Path, default=HERE.parent / "build/release/lippmann")
+    parser.add_argument("--json", action="store_true")
+    options = parser.parse_args()
+    if not peers.has_blender():
+        return 0
+    rows = []
+    for file in files_of(options.files):
+        rows.append(judged(rendered(file, options)))
+        print(f'{rows[-1]["scene"]:32} {figures(rows[-1])}', file=sys.stderr if options.json else sys.stdout, flush=True)
+        (options.out / "scenes.html").write_text(html_page(rows))
+    if options.json:
+        print(json.dumps([{key: value for key, value in row.items() if key not in ("cycles", "lippmann", "map")} for row in rows], indent=1))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

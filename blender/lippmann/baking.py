@@ -1,0 +1,193 @@
+"""Colours, roughness and bumps that nodes compute, as pictures: glTF knows image textures alone (losses.py).
+
+Cycles bakes them, once for each mesh of the stage, into a layout of its own that no two faces share. The mesh gets materials of its own with these pictures.
+"""
+
+from dataclasses import dataclass
+
+import bpy
+
+from . import losses
+from . import materials as of_nodes
+
+LAYER = "lippmann"       # the layout of what is baked
+MOST_FACES = 300_000     # unwrapping takes longer than rendering where there are more
+MOST_LAYERS = 8          # that Blender's meshes have
+MANY, MOST = 24, 256     # pictures: beyond the first they are small, beyond the second there are none
+LARGE, SMALL = 1024, 256  # pixels across
+SAMPLES = 4
+
+
+@dataclass
+class Job:
+    """What is to be baked of a mesh."""
+
+    thing: object
+    slots: dict  # index of a material -> {input: what it is made of, in words}
+
+    def inputs(self):
+        return sorted({name for inputs in self.slots.values() for name in inputs})
+
+
+def kinds():
+    """Inputs that are baked, and whether they are colours."""
+    return {"Base Color": True, "Emission": True, "Roughness": False, "Metallic": False, "Normal": False}
+
+
+def lost_by_input(material):
+    """{input: words} of a material whose nodes below the shader the exporter does not know."""
+    output = material.node_tree.get_output_node("ALL") if material and material.use_nodes and material.node_tree else None
+    shader = losses.source(output.inputs["Surface"]) if output else None
+    if shader is None or shader.type != "BSDF_PRINCIPLED":
+        return {}
+    found = {}
+    for name in kinds():
+        socket = of_nodes.input_of(shader, name)
+        source = losses.source(socket) if socket else None
+        words = [losses.lost_of_node(node) for node in ([source, *losses.upstream(source)] if source else [])]
+        if any(words):
+            found[name] = list(dict.fromkeys(word for word in words if word))
+    return found
+
+
+def jobs_of(stage):
+    """Of the first object that shows each mesh."""
+    jobs, seen = [], set()
+    for thing in stage.objects:
+        if thing.type != "MESH" or thing.data in seen or not thing.data.polygons:
+            continue
+        seen.add(thing.data)
+        used = {polygon.material_index for polygon in thing.data.polygons}
+        slots = {index: lost_by_input(slot.material) for index, slot in enumerate(thing.material_slots) if index in used}
+        slots = {index: inputs for index, inputs in slots.items() if inputs}
+        if slots:
+            jobs.append(Job(thing, slots))
+    return jobs
+
+
+def is_small_enough(job):
+    return len(job.thing.data.polygons) <= MOST_FACES and len(job.thing.data.uv_layers) < MOST_LAYERS
+
+
+def unwrap(thing):
+    layers = thing.data.uv_layers
+    active = layers.active.name if layers.active else ""
+    shown = next((layer.name for layer in layers if layer.active_render), "")
+    name = layers.new(name=LAYER, do_init=False).name
+    layers.active = layers[name]
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.uv.smart_project(island_margin=0.01)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    return name, active, shown
+
+
+def target(tree, image):
+    """The node that the bake writes to."""
+    node = tree.nodes.new("ShaderNodeTexImage")
+    node.image = image
+    for other in tree.nodes:
+        other.select = False
+    node.select, tree.nodes.active = True, node
+
+
+def shining(material, name, image):
+    """A material that shines with what an input is fed with; for "Normal", the material itself."""
+    copy = material.copy()
+    tree = copy.node_tree
+    if name != "Normal":
+        output = tree.get_output_node("ALL")
+        socket = of_nodes.input_of(losses.source(output.inputs["Surface"]), name)
+        light = tree.nodes.new("ShaderNodeEmission")
+        of_nodes.put(of_nodes.value_of(socket), light.inputs["Color"], tree)
+        tree.links.new(light.outputs[0], output.inputs["Surface"])
+    target(tree, image)
+    return copy
+
+
+def blank(image):
+    material = bpy.data.materials.new("blank")
+    material.use_nodes = True
+    target(material.node_tree, image)
+    return material
+
+
+def baked_picture(job, name, size):
+    """The picture of one input, of all the mesh's materials."""
+    is_colour = kinds()[name]
+    image = bpy.data.images.new(f"{job.thing.data.name} {name}", size, size, alpha=False, is_data=not is_colour)
+    own = [slot.material for slot in job.thing.material_slots]
+    for index, slot in enumerate(job.thing.material_slots):
+        slot.material = shining(own[index], name, image) if name in job.slots.get(index, {}) else blank(image)
+    bpy.ops.object.bake(type="NORMAL" if name == "Normal" else "EMIT", normal_space="TANGENT", margin=4, use_clear=True, target="IMAGE_TEXTURES")
+    for slot, material in zip(job.thing.material_slots, own):
+        bpy.data.materials.remove(slot.material)
+        slot.material = material
+    image.pack()
+    return image
+
+
+def show_picture(tree, shader, name, image, layer):
+    """Feeds an input with a picture in the form that the exporter knows."""
+    picture, place = tree.nodes.new("ShaderNodeTexImage"), tree.nodes.new("ShaderNodeUVMap")
+    picture.image, place.uv_map = image, layer
+    tree.links.new(place.outputs[0], picture.inputs["Vector"])
+    socket = of_nodes.input_of(shader, name)
+    if name == "Normal":
+        turned = tree.nodes.new("ShaderNodeNormalMap")
+        turned.uv_map = layer
+        tree.links.new(picture.outputs["Color"], turned.inputs["Color"])
+        tree.links.new(turned.outputs[0], socket)
+    elif kinds()[name]:
+        tree.links.new(picture.outputs["Color"], socket)
+    else:
+        parts = tree.nodes.new("ShaderNodeSeparateColor")
+        tree.links.new(picture.outputs["Color"], parts.inputs[0])
+        tree.links.new(parts.outputs[{"Roughness": 1, "Metallic": 2}[name]], socket)
+
+
+def bake_job(job, stage, size):
+    for thing in stage.objects:
+        thing.select_set(thing == job.thing)
+    bpy.context.view_layer.objects.active = job.thing
+    layer, active, shown = unwrap(job.thing)
+    pictures = {name: baked_picture(job, name, size) for name in job.inputs()}
+    for index, inputs in job.slots.items():
+        material = job.thing.material_slots[index].material.copy()
+        tree = material.node_tree
+        shader = losses.source(tree.get_output_node("ALL").inputs["Surface"])
+        for name in inputs:
+            show_picture(tree, shader, name, pictures[name], layer)
+        job.thing.material_slots[index].material = material
+    layers = job.thing.data.uv_layers
+    if active:
+        layers.active, layers[shown or active].active_render = layers[active], True
+
+
+def bake(stage, report):
+    """Gives meshes of the stage pictures in place of nodes. Returns {material: words} of what arrives so."""
+    jobs = [job for job in jobs_of(stage) if is_small_enough(job)]
+    count, arrived = 0, {}
+    total = sum(len(job.inputs()) for job in jobs)
+    if not jobs:
+        return arrived
+    size = LARGE if total <= MANY else SMALL
+    scene_before = bpy.context.window.scene
+    room = bpy.data.scenes.new("baking")
+    room.render.engine, room.cycles.samples, room.cycles.use_denoising, room.cycles.device = "CYCLES", SAMPLES, False, "CPU"
+    bpy.context.window.scene = room
+    for job in jobs:
+        if count + len(job.inputs()) > MOST:
+            report.warn(f"Only the first {count} pictures of what nodes compute were baked.")
+            break
+        count += len(job.inputs())
+        materials = {index: job.thing.material_slots[index].material for index in job.slots}
+        room.collection.objects.link(job.thing)
+        bake_job(job, room, size)
+        room.collection.objects.unlink(job.thing)
+        for index, inputs in job.slots.items():
+            arrived.setdefault(materials[index], []).extend(word for words in inputs.values() for word in words)
+    bpy.context.window.scene = scene_before
+    for material, words in arrived.items():
+        report.warn(f"The material {material.name} arrives with pictures of {size} x {size} pixels in place of: {', '.join(dict.fromkeys(words))}.")
+    return arrived
