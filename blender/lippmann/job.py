@@ -12,7 +12,7 @@ import tempfile
 
 import bpy
 
-from . import displays, frame as frames_of_displays, tool
+from . import displays, exposure, frame as frames_of_displays, tool
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -64,7 +64,7 @@ def render_flags(scene):
     if settings.output == "native" and display["kind"] != "slanted-panel":
         optics = []  # a lens array's own frame is its integral image
     flags = ["--display", displays.argument(scene), *optics, "--spp", settings.samples]
-    flags += ["--denoise"] if settings.denoise else []
+    flags += ["--denoise"] if exposure.denoises(scene) else []
     flags += ["--full-depth"] if settings.full_depth else []
     try:
         return flags + shlex.split(settings.extra)

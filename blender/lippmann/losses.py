@@ -115,7 +115,7 @@ def composites(scene):
 
 
 def say_of_scene(scene, still, report):
-    for lost in (exposure.lost_of_lens(scene), exposure.lost_of_shutter(scene, still)):
+    for lost in (exposure.lost_of_denoise(scene), exposure.lost_of_lens(scene), exposure.lost_of_shutter(scene, still)):
         if lost:
             report.warn(lost)
     if getattr(scene.render, "use_freestyle", False):

@@ -322,6 +322,15 @@ class AddOn(unittest.TestCase):
         for words in (*(["no UTF-8"] if bpy.app.version < (4, 0, 0) else []), "guests.blend is missing", "Checker Texture", "display's lenses blur with depth"):
             self.assertIn(words, said)
 
+    def test_denoise_is_left_out_of_native_frames_which_have_no_views_and_said(self):
+        scene = new_scene(self.folder, "native", samples=2)
+        (self.folder / "visual.json").write_text('{"pitch":52.3,"slope":-7.2,"center":0.37,"DPI":324,"screenW":60,"screenH":80,"viewCone":40}')
+        scene.lippmann.calibration, scene.lippmann.denoise = str(self.folder / "visual.json"), True
+        scene.render.resolution_x, scene.render.resolution_y = 60, 80
+        bpy.ops.render.render()
+        self.assertTrue((self.folder / "still" / "frame_0000.png").is_file())
+        self.assertTrue(any("Denoise is left out" in words for words in engine.last_warnings), engine.last_warnings)
+
     def test_the_camera_s_lens_and_shutter_blur_what_the_tool_renders(self):
         scene = new_scene(self.folder, "quilt", samples=2, size=(336, 336))
         camera, cube = scene.camera.data, bpy.data.objects["Cube"]
