@@ -25,6 +25,8 @@ import pictures  # noqa: E402
 
 def files_of(paths):
     for path in paths:
+        if not path.exists():
+            raise SystemExit(f"{path}: there is no such file or folder")
         yield from sorted(path.rglob("*.blend")) if path.is_dir() else [path]
 
 

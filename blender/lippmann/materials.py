@@ -14,6 +14,7 @@ PLAIN_F0 = 0.08  # normal reflectance of Specular 1
 BLACK, WHITE = (0.0, 0.0, 0.0, 1.0), (1.0, 1.0, 1.0, 1.0)
 NOT_COPIED = {"rna_type", "type", "location", "location_absolute", "width", "height", "name", "label", "parent", "select", "inputs", "outputs", "dimensions", "internal_links", "show_options",
               "show_preview", "show_texture", "hide", "bl_idname"}
+PARTS_OF_NODES = ("image_user", "texture_mapping", "color_mapping")
 
 
 def input_of(shader, name):
@@ -329,14 +330,18 @@ def surface_of(socket):
 # ---- Groups ------------------------------------------------------------------------------------------------------------------------
 
 def copy_properties(of, to):
-    for name in of.bl_rna.properties.keys():
+    for name, kind in of.bl_rna.properties.items():
         if name in NOT_COPIED:
             continue
         value = getattr(of, name)
         if name == "color_ramp":
             copy_ramp(value, to.color_ramp)
-        elif not of.bl_rna.properties[name].is_readonly:
+        elif hasattr(value, "curves"):
+            copy_curves(value, to.mapping)
+        elif not kind.is_readonly:
             setattr(to, name, value)
+        elif name in PARTS_OF_NODES:
+            copy_properties(value, getattr(to, name))
 
 
 def copy_ramp(of, to):
@@ -345,6 +350,15 @@ def copy_ramp(of, to):
         to.elements.new(1.0)
     for element, other in zip(to.elements, of.elements):
         element.position, element.color = other.position, other.color
+
+
+def copy_curves(of, to):
+    for curve, other in zip(to.curves, of.curves):
+        while len(curve.points) < len(other.points):
+            curve.points.new(0.0, 0.0)
+        for point, another in zip(curve.points, other.points):
+            point.location, point.handle_type = another.location, another.handle_type
+    to.update()
 
 
 def copy_node(node, tree):

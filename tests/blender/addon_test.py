@@ -18,7 +18,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import displays, engine, frame, losses, overlay, scene_export, tool  # noqa: E402
+from lippmann import displays, engine, frame, losses, materials, overlay, scene_export, tool  # noqa: E402
 from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
@@ -500,6 +500,37 @@ class AddOn(unittest.TestCase):
         bpy.ops.render.render()
         self.assertEqual((self.folder / "scene.glb").read_bytes(), first)  # so that a render can be resumed
         self.assertEqual([layer.name for layer in cube.data.uv_layers], ["UVMap"])  # the user's own scene stays as it is
+
+    def test_what_is_copied_of_a_group_is_the_same(self):
+        group = bpy.data.node_groups.new("pattern", "ShaderNodeTree")
+        ramp, curves, noise, end = (group.nodes.new(kind) for kind in ("ShaderNodeValToRGB", "ShaderNodeRGBCurve", "ShaderNodeTexNoise", "NodeGroupOutput"))
+        if hasattr(group, "interface"):
+            group.interface.new_socket("Colour", in_out="OUTPUT", socket_type="NodeSocketColor")
+        else:
+            group.outputs.new("NodeSocketColor", "Colour")
+        ramp.color_ramp.interpolation = "CONSTANT"
+        ramp.color_ramp.elements.new(0.4).color = (1.0, 0.0, 0.0, 1.0)
+        curves.mapping.curves[3].points.new(0.5, 0.8)
+        noise.texture_mapping.scale = (2.0, 3.0, 4.0)
+        noise.inputs["Scale"].default_value = 7.0
+        group.links.new(noise.outputs[0], ramp.inputs[0])
+        group.links.new(ramp.outputs[0], curves.inputs["Color"])
+        group.links.new(curves.outputs[0], end.inputs[0])
+        m = Material("patterned")
+        node = m.node("ShaderNodeGroup")
+        node.node_tree = group
+        m.shows(m.feed(node, m.node("ShaderNodeBsdfDiffuse"), "Color"))
+        materials.take_groups_apart(m.tree)
+        by_kind = {node.type: node for node in m.tree.nodes}
+        self.assertNotIn("GROUP", by_kind)
+        copied = by_kind["VALTORGB"].color_ramp
+        self.assertEqual([(round(e.position, 3), tuple(e.color)) for e in copied.elements], [(round(e.position, 3), tuple(e.color)) for e in ramp.color_ramp.elements])
+        self.assertEqual(copied.interpolation, "CONSTANT")
+        self.assertEqual([tuple(p.location) for p in by_kind["CURVE_RGB"].mapping.curves[3].points], [tuple(p.location) for p in curves.mapping.curves[3].points])
+        self.assertEqual(tuple(by_kind["TEX_NOISE"].texture_mapping.scale), (2.0, 3.0, 4.0))
+        self.assertEqual(by_kind["TEX_NOISE"].inputs["Scale"].default_value, 7.0)
+        self.assertEqual(by_kind["BSDF_DIFFUSE"].inputs["Color"].links[0].from_node.type, "CURVE_RGB")
+        self.assertEqual(by_kind["CURVE_RGB"].inputs["Color"].links[0].from_node.type, "VALTORGB")
 
     def test_simulations_play_up_to_the_frame_of_a_still(self):
         scene = new_scene(self.folder, "single")
