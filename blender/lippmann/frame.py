@@ -14,6 +14,7 @@ from mathutils import Matrix, Vector
 from . import displays, tool
 
 LINES = 9          # of sight, across and up
+MOST_HIDDEN = 16   # things that a line passes
 UNFOCUSED = 10.0   # units to the plane where a camera sees nothing: Blender's own focus
 _seen = {}         # what was asked last, since the scene has changed
 
@@ -97,14 +98,24 @@ def median(weighted):
             return value
 
 
+def first_met(scene, depsgraph, start, direction):
+    """Where a ray meets something that renders show; None where it meets nothing, or passes many things that they do not."""
+    for _ in range(MOST_HIDDEN):
+        is_met, place, _, _, thing, _ = scene.ray_cast(depsgraph, start, direction)
+        if not is_met or not thing.hide_render:
+            return place if is_met else None
+        start = place + 1e-4 * max(1.0, (place - start).length) * direction
+    return None
+
+
 def seen_distance(scene, aspect):
     """From the camera to what it sees, along its view: of half of it, the middle of the picture counting most. Where nothing is seen, its focus."""
     camera, depsgraph = scene.camera, bpy.context.evaluated_depsgraph_get()
     to_camera = rigid(camera.matrix_world)[0].inverted()
     seen = []
     for start, direction, weight in sight_lines(camera, aspect):
-        is_met, place, *_ = scene.ray_cast(depsgraph, start, direction)
-        if is_met:
+        place = first_met(scene, depsgraph, start, direction)
+        if place is not None:
             seen.append((-(to_camera @ place).z, weight))
     if seen:
         return max(median(seen), 1e-4)

@@ -122,7 +122,11 @@ def deforms(thing):
 def mesh_of(instance, depsgraph):
     """A mesh of what the instance shows, with the materials that its object gives it; None where it has no faces."""
     shown = instance.object
-    mesh = bpy.data.meshes.new_from_object(shown, preserve_all_data_layers=True, depsgraph=depsgraph)
+    evaluated = shown.original.evaluated_get(depsgraph)
+    if shown.data.as_pointer() == evaluated.data.as_pointer():
+        mesh = bpy.data.meshes.new_from_object(shown, preserve_all_data_layers=True, depsgraph=depsgraph)
+    else:  # what a curve or geometry nodes have made lies beside their object, which Blender must not be asked for again
+        mesh = bpy.data.meshes.new_from_object(shown)
     if not mesh.polygons:
         return None
     for index, slot in enumerate(shown.material_slots):
@@ -205,6 +209,8 @@ class Tracks:
             original = shown.original
             if shown.hide_render or not instance.show_self or shown.type in ("EMPTY", "CAMERA", "ARMATURE", "LATTICE"):
                 continue
+            if shown.type in SOLID and shown.type != "MESH":
+                continue  # a mesh of it follows
             if not self.still and not instance.is_instance and deforms(original):
                 self.kept[original.name_full] = original
                 continue
@@ -319,15 +325,27 @@ def build_stage(scene, request, report):
     eye = eye_of(zone, EYE)
     stage.collection.objects.link(eye)
     key_places(eye, eyes, frames, always=not request["still"])  # so that animations in which nothing moves have their length, too
-    keep_deforming(stage, tracks.kept.values(), report)
+    keep_deforming(stage, tracks.kept.values())
     if not tracks.places and not tracks.kept:
         raise RuntimeError("The scene shows nothing that could be rendered: it has no visible mesh, curve, text or light.")
     blur = exposure.lens_flags(lenses, report) + exposure.shutter_flags(scene, request["still"], report)
     return stage, zone, any(getattr(thing.data, "shape_keys", None) for thing in tracks.kept.values()), blur
 
 
-def keep_deforming(stage, things, report):
-    """Links objects that deform, and all that they hang on, to the stage; of parents that are meshes only their place counts."""
+def lose_shape(thing):
+    """Leaves of a parent only its place: what it looks like is on the stage already, or not to be seen."""
+    if thing.type == "MESH":
+        thing.data = bpy.data.meshes.new("place")
+        return
+    thing.data = thing.data.copy()
+    if thing.type == "FONT":
+        thing.data.body = " "
+    else:
+        (thing.data.elements if thing.type == "META" else thing.data.splines).clear()
+
+
+def keep_deforming(stage, things):
+    """Links objects that deform, and all that they hang on, to the stage."""
     def link(thing):
         if thing.name not in stage.collection.objects:
             stage.collection.objects.link(thing)
@@ -340,7 +358,7 @@ def keep_deforming(stage, things, report):
             if other is None:
                 continue
             if other.type in SOLID and not deforms(other):
-                report.warn(f"{thing.name} deforms and hangs on {other.name}, which is exported twice, in the same place.")
+                lose_shape(other)
             link(other)
             above.append(other.parent)
 

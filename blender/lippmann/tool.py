@@ -44,11 +44,11 @@ def ask(tool, *words):
     return json.loads(done.stdout)
 
 
-def last_message(text):
-    """The error among what the tool wrote, without its prefix."""
+def last_message(text, silent="The tool lippmann failed without a word."):
+    """The error among what a program wrote, without its prefix; `silent` where it wrote nothing."""
     lines = [line.strip() for line in text.splitlines() if line.strip() and not line.startswith("{")]
     errors = [line for line in lines if re.match(r"(lippmann: )?error", line)]
-    return re.sub(r"^(lippmann: )?(error: )?", "", (errors or lines or ["The tool lippmann failed without a word."])[-1])
+    return re.sub(r"^(lippmann: )?(error: )?", "", (errors or lines or [silent])[-1])
 
 
 class Child:
@@ -59,6 +59,7 @@ class Child:
         self.share = 0.0
         self.lines = []
         self._log = open(log, "ab")
+        self._words = words
         try:
             self._process = subprocess.Popen([os.fspath(word) for word in words], stdin=subprocess.DEVNULL, stdout=self._log,
                                              stderr=subprocess.PIPE, env=environment)
@@ -112,7 +113,7 @@ class Child:
         """Raises what went wrong; to be called once it no longer runs."""
         self._close()
         if self._process.returncode:
-            raise ToolError(last_message("\n".join(self.lines)))
+            raise ToolError(last_message("\n".join(self.lines), f"{pathlib.Path(self._words[0]).name} ended with code {self._process.returncode} and without a word; see {self._log.name}."))
 
 
 def pictures(folder, frame):

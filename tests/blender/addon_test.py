@@ -212,6 +212,9 @@ class AddOn(unittest.TestCase):
         self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)
         camera.data.type, camera.data.ortho_scale = "ORTHO", 4.0
         self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)
+        bpy.ops.mesh.primitive_plane_add(size=4.0, location=0.5 * camera.location)
+        bpy.context.object.hide_render = True
+        self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)
         camera.data.dof.use_dof, camera.data.dof.focus_distance = True, 5.0
         self.assertAlmostEqual(plane(), 5.0, places=4)
         camera.data.dof.use_dof = False
@@ -531,6 +534,67 @@ class AddOn(unittest.TestCase):
         self.assertEqual(by_kind["TEX_NOISE"].inputs["Scale"].default_value, 7.0)
         self.assertEqual(by_kind["BSDF_DIFFUSE"].inputs["Color"].links[0].from_node.type, "CURVE_RGB")
         self.assertEqual(by_kind["CURVE_RGB"].inputs["Color"].links[0].from_node.type, "VALTORGB")
+
+    def test_text_curves_and_what_geometry_nodes_make_arrive_once_each(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        bpy.data.objects.remove(bpy.data.objects["Cube"])
+        made = {"word": lambda: bpy.ops.object.text_add(), "ring": lambda: bpy.ops.curve.primitive_bezier_circle_add(),
+                "ball": lambda: bpy.ops.surface.primitive_nurbs_surface_sphere_add(), "drop": lambda: bpy.ops.object.metaball_add()}
+        paint = Material("paint")
+        paint = paint.shows(paint.node("ShaderNodeBsdfDiffuse", Color=(0.8, 0.1, 0.1, 1.0)))
+        for name, make in made.items():
+            make()
+            bpy.context.object.name = name
+            bpy.context.object.data.materials.append(paint)
+        bpy.data.objects["ring"].data.bevel_depth = 0.1
+        self.add_sprinkled_plane()
+        bpy.ops.render.render()
+        document = gltf(self.folder)
+        shapes = {}
+        for node in document["nodes"]:
+            if "mesh" in node:
+                mesh = document["meshes"][node["mesh"]]
+                faces = sum(document["accessors"][part["indices"]]["count"] // 3 for part in mesh["primitives"])
+                shapes.setdefault(faces, []).append({document["materials"][part["material"]]["name"] for part in mesh["primitives"] if "material" in part})
+        counts = sorted(len(alike) for alike in shapes.values())
+        self.assertEqual(counts, [1, 1, 1, 1, 4], shapes)  # on each corner of the plane an icosahedron, and nothing of the plane itself
+        self.assertEqual(len(shapes[20]), 4)
+        self.assertEqual(sum(names == [{"paint"}] for names in shapes.values()), 4)
+        self.assertEqual(engine.last_warnings, [])
+
+    def add_sprinkled_plane(self):
+        bpy.ops.mesh.primitive_plane_add()
+        nodes = bpy.data.node_groups.new("sprinkle", "GeometryNodeTree")
+        if hasattr(nodes, "interface"):
+            nodes.interface.new_socket("Geometry", in_out="INPUT", socket_type="NodeSocketGeometry")
+            nodes.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
+        else:
+            nodes.inputs.new("NodeSocketGeometry", "Geometry")
+            nodes.outputs.new("NodeSocketGeometry", "Geometry")
+        begin, end, points, ball = (nodes.nodes.new(kind) for kind in ("NodeGroupInput", "NodeGroupOutput", "GeometryNodeInstanceOnPoints", "GeometryNodeMeshIcoSphere"))
+        nodes.links.new(begin.outputs[0], points.inputs["Points"])
+        nodes.links.new(ball.outputs[0], points.inputs["Instance"])
+        nodes.links.new(points.outputs[0], end.inputs[0])
+        bpy.context.object.modifiers.new("sprinkle", "NODES").node_group = nodes
+
+    def test_a_hidden_parent_of_a_figure_stays_hidden_in_animations(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        scene.frame_start, scene.frame_end = 5, 6
+        add_figure(scene)
+        figure, cube = bpy.data.objects["Plane"], bpy.data.objects["Cube"]
+        bpy.ops.object.text_add(location=(0.0, 0.0, 2.0))
+        word = bpy.context.object
+        figure.parent, cube.parent = cube, word
+        cube.location.x = 0.5
+        for hidden in (False, True):
+            cube.hide_render = word.hide_render = hidden
+            scene.lippmann.resume = False
+            bpy.ops.render.render(animation=True)
+            document = gltf(self.folder)
+            shown = [node for node in document["nodes"] if "mesh" in node]
+            self.assertEqual(sum("skin" in node for node in shown), 1)
+            self.assertEqual(len(shown), 1 if hidden else 3, [node["name"] for node in shown])  # the figure; with it the cube and the word, once each
+            self.assertEqual(engine.last_warnings, [])
 
     def test_simulations_play_up_to_the_frame_of_a_still(self):
         scene = new_scene(self.folder, "single")
