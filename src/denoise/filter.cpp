@@ -115,7 +115,7 @@ namespace {
 /// Gathers what other views and frames show of one pixel's point.
 class Gatherer {
  public:
-  Gatherer(const ViewGeometry& views, const Texel& texel) : views_(views), a_(texel), size_(views.view_size()) {
+  Gatherer(const ViewGeometry& views, const Texel& texel) : a_(texel), size_(views.view_size()) {
     mean_.add(a_.light, a_.variance, 1.0f);
   }
 
@@ -140,7 +140,6 @@ class Gatherer {
   Estimate finished() const { return mean_.finished(); }
 
  private:
-  const ViewGeometry& views_;
   const Texel& a_;
   Vec2i size_;
   Mean mean_;

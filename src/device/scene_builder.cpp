@@ -341,7 +341,8 @@ void build_scene(const BuiltScene& built, const ResolvedScene& resolved, const S
 }
 
 void move_scene(const BuiltScene& built, const ResolvedScene& resolved, const ThreadPool& pool) {
-  auto& [geometry, embree] = built;
+  SceneGeometry& geometry = built.geometry;
+  RayScene::Embree& embree = built.embree;
   move_planes(geometry, resolved);
   const auto moves = [&](const SplatSet& set) { return geometry.instance_moves[set.instance]; };
   if (std::any_of(geometry.splats.sets.begin(), geometry.splats.sets.end(), moves))

@@ -134,7 +134,7 @@ TEST(LiveScene, a_change_ends_what_is_under_way) {
   const auto start = std::chrono::steady_clock::now();
   scene->change({{"settings", {{"integrator", "whitted"}, {"spp", "1"}}}});
   test::wait_for_rest(*scene);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(2));
 }
 
 TEST(LiveScene, settings_that_make_no_picture_are_said_and_make_no_job) {
