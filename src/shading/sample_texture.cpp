@@ -28,7 +28,7 @@ LIPPMANN_INLINE Color load(const std::uint16_t* texels, std::int32_t index) {
   // Four codes interleaved with zeros are four 32-bit integers: two instructions on any x86-64.
   Pair packed{};
   std::memcpy(&packed, texels + 4 * static_cast<std::ptrdiff_t>(index), 8);
-  const auto words = __builtin_shuffle(reinterpret_cast<Code>(packed), Code{}, Code{0, 8, 1, 9, 2, 10, 3, 11});
+  const auto words = __builtin_shufflevector(reinterpret_cast<Code>(packed), Code{}, 0, 8, 1, 9, 2, 10, 3, 11);
   return __builtin_convertvector(reinterpret_cast<Word>(words), Color);
 }
 

@@ -21,11 +21,30 @@ struct QueueView {
 using Register = float __attribute__((vector_size(4 * kLanes)));
 using Indices = std::int32_t __attribute__((vector_size(4 * kLanes)));
 
+#ifdef __clang__  // which has no word for it; only fuzzers are built with clang
+Register picked_of(const Register& first, const Register& second, const Indices& index) {
+  Register picked;
+  for (int k = 0; k < kLanes; ++k) {
+    const std::int32_t i = index[k] & (2 * kLanes - 1);
+    picked[k] = i < kLanes ? first[i] : second[i - kLanes];
+  }
+  return picked;
+}
+#else
+LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second, const Indices& index) {
+  return __builtin_shuffle(first, second, index);
+}
+#endif
+
 /// to[k] = from[index[k]] for 16 words: one instruction of AVX-512, where a loop would become sixteen loads.
 LIPPMANN_INLINE void pick(const void* from, const Indices& index, void* to) {
   Register source;
   std::memcpy(&source, from, sizeof(source));
+#ifdef __clang__
+  const Register picked = picked_of(source, source, index);
+#else
   const Register picked = __builtin_shuffle(source, index);
+#endif
   std::memcpy(to, &picked, sizeof(picked));
 }
 
@@ -34,7 +53,7 @@ LIPPMANN_INLINE void pick_of_two(const float* from, const Indices& index, float*
   Register first, second;
   std::memcpy(&first, from, sizeof(first));
   std::memcpy(&second, from + kLanes, sizeof(second));
-  const Register picked = __builtin_shuffle(first, second, index);
+  const Register picked = picked_of(first, second, index);
   std::memcpy(to, &picked, sizeof(picked));
 }
 
