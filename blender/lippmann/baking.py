@@ -166,7 +166,11 @@ def bake_job(job, stage, size):
 
 def bake(stage, report):
     """Gives meshes of the stage pictures in place of nodes. Returns {material: words} of what arrives so."""
-    jobs = [job for job in jobs_of(stage) if is_small_enough(job)]
+    jobs = jobs_of(stage)
+    for job in jobs:
+        if not is_small_enough(job):
+            report.warn(f"What nodes compute on {job.thing.name} is lost: it has too many faces or layouts to be baked.")
+    jobs = [job for job in jobs if is_small_enough(job)]
     count, arrived = 0, {}
     total = sum(len(job.inputs()) for job in jobs)
     if not jobs:

@@ -17,9 +17,19 @@ NOT_COPIED = {"rna_type", "type", "location", "location_absolute", "width", "hei
 PARTS_OF_NODES = ("image_user", "texture_mapping", "color_mapping")
 
 
+def name_among(inputs, name):
+    """What this version calls a Principled BSDF's input; None: it has none."""
+    return next((one for one in NAMES.get(name, (name,)) if one in inputs), None)
+
+
 def input_of(shader, name):
     """A Principled BSDF's input, whatever this version calls it; None: it has none."""
-    return next((shader.inputs[one] for one in NAMES.get(name, (name,)) if one in shader.inputs), None)
+    found = name_among(shader.inputs, name)
+    return shader.inputs[found] if found else None
+
+
+def luminance(colour):
+    return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]
 
 
 def link_of(socket):
@@ -102,7 +112,23 @@ def constant(socket):
     value = CONSTANTS[output.node.type](output.node) if output.node.type in CONSTANTS else None
     if value is None or isinstance(value, tuple) == (socket.type in ("RGBA", "VECTOR")):
         return value
-    return as_colour(value) if socket.type == "RGBA" else 0.2126 * value[0] + 0.7152 * value[1] + 0.0722 * value[2] if isinstance(value, tuple) else None
+    if socket.type == "RGBA":
+        return as_colour(value)
+    return luminance(value) if isinstance(value, tuple) else None
+
+
+def is_white(socket):
+    value = constant(socket)
+    return isinstance(value, tuple) and value[:3] == (1.0, 1.0, 1.0)
+
+
+def kept_side(node):
+    """The side of a mixture of colours that comes out as it is; None: neither does."""
+    share, a, b = mix_inputs(node)
+    weight, multiplies = constant(share), node.blend_type == "MULTIPLY"
+    if weight == 0.0 or (multiplies and is_white(b)):
+        return a
+    return b if weight == 1.0 and (node.blend_type == "MIX" or (multiplies and is_white(a))) else None
 
 
 def value_of(socket):
@@ -111,17 +137,8 @@ def value_of(socket):
     if found is not None:
         return found
     output = link_of(socket)
-    if output.node.type in ("MIX_RGB", "MIX") and mix_inputs(output.node):
-        share, a, b = mix_inputs(output.node)
-        weight, other = constant(share), constant(b)
-        kept = a if weight == 0.0 or (output.node.blend_type == "MULTIPLY" and other and min(other[:3]) == max(other[:3]) == 1.0) else None
-        if weight == 1.0 and output.node.blend_type == "MIX":
-            kept = b
-        if weight == 1.0 and output.node.blend_type == "MULTIPLY" and constant(a) and min(constant(a)[:3]) == max(constant(a)[:3]) == 1.0:
-            kept = b
-        if kept is not None:
-            return value_of(kept)
-    return output
+    kept = kept_side(output.node) if output.node.type in ("MIX_RGB", "MIX") and mix_inputs(output.node) else None
+    return value_of(kept) if kept else output
 
 
 def is_constant(value):
@@ -146,10 +163,6 @@ class Surface:
 
     def is_transparent(self):
         return self.own is None and self.values.get("Alpha") == 0.0
-
-
-def luminance(colour):
-    return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]
 
 
 def of_values(node, near=(), **values):
@@ -285,14 +298,13 @@ def constant_mixture(first, second, share):
     values, near = {**larger.values}, [*first.near, *second.near]
     if first.own or second.own:
         return Surface(values, larger.own, [*near, "a mixture of shaders"])
-    exact = is_new(first, Metallic=0.0, Specular=0.0) and is_new(second, Metallic=1.0)
     for name in set(first.values) | set(second.values):
         defaults = {"Metallic": 0.0, "Specular": 0.5, "Transmission": 0.0, "Alpha": 1.0, "Emission": BLACK, "Emission Strength": 1.0, "IOR": 1.45}
         blended = blended_value(first.values.get(name, defaults.get(name)), second.values.get(name, defaults.get(name)), share)
         if blended is not None:
             values[name] = blended
-    if exact:
-        values["Roughness"] = second.values["Roughness"]
+    if is_new(first, Metallic=0.0, Specular=0.0) and is_new(second, Metallic=1.0):
+        values["Roughness"] = second.values["Roughness"]  # the only one that shows
     return Surface(values, None, [*near, "a mixture of shaders"])
 
 

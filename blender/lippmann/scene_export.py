@@ -138,11 +138,6 @@ def mesh_of(instance, depsgraph):
     return mesh
 
 
-def emission_of(names):
-    """The Principled BSDF's emitted colour, which Blender 4.0 has renamed."""
-    return "Emission Color" if "Emission Color" in names else "Emission"
-
-
 def shining_area(light, report):
     """A mesh in place of an area light, with its radiance. The light's own blend of colour is kept; it shines along -Z alone, as Blender's does."""
     across = light.size
@@ -159,7 +154,7 @@ def shining_area(light, report):
     material.use_backface_culling = True
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
-    shader.inputs[emission_of(shader.inputs)].default_value = (*light.color, 1.0)
+    importlib.import_module(f"{HERE.name}.materials").input_of(shader, "Emission").default_value = (*light.color, 1.0)
     shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # as Cycles has it, not pi
     mesh.materials.append(material)
     report.warn("Area lights arrive as shining surfaces of their size, which are seen in the picture; Blender's are not.")

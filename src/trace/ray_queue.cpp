@@ -30,21 +30,19 @@ Register picked_of(const Register& first, const Register& second, const Indices&
   }
   return picked;
 }
+Register picked_of(const Register& source, const Indices& index) { return picked_of(source, source, index); }
 #else
 LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second, const Indices& index) {
   return __builtin_shuffle(first, second, index);
 }
+LIPPMANN_INLINE Register picked_of(const Register& source, const Indices& index) { return __builtin_shuffle(source, index); }
 #endif
 
 /// to[k] = from[index[k]] for 16 words: one instruction of AVX-512, where a loop would become sixteen loads.
 LIPPMANN_INLINE void pick(const void* from, const Indices& index, void* to) {
   Register source;
   std::memcpy(&source, from, sizeof(source));
-#ifdef __clang__
-  const Register picked = picked_of(source, source, index);
-#else
-  const Register picked = __builtin_shuffle(source, index);
-#endif
+  const Register picked = picked_of(source, index);
   std::memcpy(to, &picked, sizeof(picked));
 }
 
