@@ -60,7 +60,8 @@ test("the legend has the shares of the frame that is shown", async () => {
   await set(page, { overlay: "provenance" });
   assert.deepEqual(await legend(page), ["traced 100.0\u2009%"]);
   await page.getByLabel("Overlay").selectOption("none");
-  assert.equal(await page.locator("#legend").isVisible(), false);
+  // What a select box changes is drawn with the next frame; only set() waits for that.
+  await page.locator("#legend").waitFor({ state: "hidden" });
   assert.deepEqual(page.complaints, []);
 });
 
