@@ -102,9 +102,10 @@ def say_of_objects(things, report):
         for modifier in thing.modifiers:
             if modifier.type == "PARTICLE_SYSTEM" and modifier.particle_system.settings.render_type in STRANDS:
                 report.warn(f"Particles of {thing.name} that are strands or halos are left out.")
-        unseen = not getattr(thing, "visible_camera", True) or getattr(thing, "is_holdout", False) or getattr(thing, "is_shadow_catcher", False)
-        if unseen and thing.type != "LIGHT":  # which glTF shows to no camera, either
-            report.warn(f"{thing.name} is hidden from cameras, a holdout or a shadow catcher; it is shown like any other object.")
+        if thing.type != "LIGHT" and (thing.is_holdout or thing.is_shadow_catcher):
+            report.warn(f"{thing.name} is a holdout or a shadow catcher; it is shown like any other object.")
+        if not (thing.visible_diffuse and thing.visible_glossy and thing.visible_transmission):
+            report.warn(f"{thing.name} is hidden from some of the rays that surfaces scatter; they meet it all the same.")
 
 
 def composites(scene):

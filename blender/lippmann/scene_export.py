@@ -157,7 +157,6 @@ def shining_area(light, report):
     importlib.import_module(f"{HERE.name}.materials").input_of(shader, "Emission").default_value = (*light.color, 1.0)
     shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # as Cycles has it, not pi
     mesh.materials.append(material)
-    report.warn("Area lights arrive as shining surfaces of their size, which are seen in the picture; Blender's are not.")
     return mesh
 
 
@@ -172,6 +171,20 @@ def sized(light):
         light["blend"] = light.spot_blend
     importlib.import_module(f"{HERE.name}.ies").mark(light)
     return light
+
+
+def unmet_by(instance):
+    """What rays do not meet, as custom properties, which glTF's exporter writes as extras (docs/gltf.md). Area lights are in no light's way."""
+    things = [instance.object.original] + ([instance.parent.original] if instance.is_instance and instance.parent else [])
+    is_area = things[0].type == "LIGHT" and things[0].data.type == "AREA"
+    unmet = {}
+    if things[0].type == "LIGHT" and not is_area:
+        return unmet  # it is no mesh
+    if not all(thing.visible_camera for thing in things):
+        unmet["visible_to_camera"] = 0
+    if not all(thing.visible_shadow for thing in things) or is_area:
+        unmet["casts_shadow"] = 0
+    return unmet
 
 
 def shape_of(instance, depsgraph, report):
@@ -194,7 +207,7 @@ class Tracks:
 
     def __init__(self, still, report):
         self.still, self.report = still, report
-        self.places, self.shapes, self.kept, self.outlines = {}, {}, {}, {}
+        self.places, self.shapes, self.kept, self.outlines, self.unmet = {}, {}, {}, {}, {}
 
     def gather(self, frame):
         depsgraph = bpy.context.evaluated_depsgraph_get()
@@ -208,6 +221,7 @@ class Tracks:
                 continue  # a mesh of it follows
             if not self.still and not instance.is_instance and deforms(original):
                 self.kept[original.name_full] = original
+                mark(original, unmet_by(instance))
                 continue
             parent = instance.parent.original.name_full if instance.is_instance and instance.parent else ""
             key = (original.name_full, parent, tuple(instance.persistent_id) if instance.is_instance else ())
@@ -216,6 +230,7 @@ class Tracks:
                 if data not in meshes:
                     meshes[data] = shape_of(instance, depsgraph, self.report)
                 self.shapes[key] = meshes[data]
+                self.unmet[key] = unmet_by(instance)
             if self.shapes[key] is not None:
                 self.places.setdefault(key, {})[frame] = instance.matrix_world.copy()
                 self.watch(key, shown)
@@ -229,6 +244,11 @@ class Tracks:
         first = self.outlines.setdefault(key, points)
         if len(first) != len(points) or not np.allclose(first, points, atol=1e-5):
             self.report.warn(f"{key[0]} changes its shape by a modifier or a simulation; it keeps the shape of the first frame.")
+
+
+def mark(thing, properties):
+    for name, value in properties.items():
+        thing[name] = value
 
 
 def set_keys(thing, matrix, frame):
@@ -291,30 +311,49 @@ def play_up_to(scene, frame):
             scene.frame_set(number)
 
 
+def show(scene, frame):
+    scene.frame_set(frame)
+    bpy.context.view_layer.update()
+
+
+def frames_of(request, is_blurred):
+    """Those that have keys: glTF leaves out the frame at the very end, and the shutter opens before the first one."""
+    first, last = request["frames"]
+    if request["still"]:
+        return list(range(first, last + 1))
+    return list(range(max(first - 1, 0) if is_blurred else first, last + 2))
+
+
 def build_stage(scene, request, report):
     """A scene of what is to be exported, the zone of its first frame, and what the camera blurs as flags of the tool."""
     frame_module, exposure = (importlib.import_module(f"{HERE.name}.{name}") for name in ("frame", "exposure"))
-    first, last = request["frames"]
-    frames = list(range(first, last + 1)) if request["still"] else list(range(first, last + 2))  # glTF leaves out the frame at the very end
-    tracks, eyes, lenses, zone, distance = Tracks(request["still"], report), {}, [], None, None
+    shutter = exposure.shutter_flags(scene, request["still"], report)
+    frames = frames_of(request, bool(shutter))
+    first = request["frames"][0]
+    if shutter and first == 0:
+        report.warn("Frame 0 is blurred by what follows it alone: glTF has no time before it.")
+    tracks, eyes, lenses = Tracks(request["still"], report), {}, []
     play_up_to(scene, first)
+    show(scene, first)
+    distance = None
+    if not frame_module.placed(scene) and scene.camera and scene.camera.type == "CAMERA":
+        distance = frame_module.plane_distance(scene)  # an animation keeps it, as a lens keeps its focus
+    zone = frame_module.zone(scene, distance)
     for frame in frames:
-        scene.frame_set(frame)
-        bpy.context.view_layer.update()
-        if distance is None and not frame_module.placed(scene) and scene.camera and scene.camera.type == "CAMERA":
-            distance = frame_module.plane_distance(scene)  # an animation keeps it, as a lens keeps its focus
+        show(scene, frame)
         now = frame_module.zone(scene, distance)
-        zone = zone or now
         eyes[frame] = now.world_from_frame @ Matrix.Translation((0.0, 0.0, zone.distance))
-        lenses.append(exposure.lens(scene, now))
+        if frame >= first:
+            lenses.append(exposure.lens(scene, now))
         tracks.gather(frame)
     stage = bpy.data.scenes.new("stage")
     render = stage.render
     render.fps, render.fps_base = scene.render.fps, scene.render.fps_base
     render.resolution_x, render.resolution_y = max(1, round(1e4 * zone.width / zone.height)), 10000
-    stage.frame_start, stage.frame_end = (0, 0) if request["still"] else (first, last + 1)
+    stage.frame_start, stage.frame_end = (0, 0) if request["still"] else (frames[0], frames[-1])
     for key, places in tracks.places.items():
         thing = bpy.data.objects.new(key[0], tracks.shapes[key])
+        mark(thing, tracks.unmet[key])
         stage.collection.objects.link(thing)
         key_places(thing, places, frames)
     eye = eye_of(zone, EYE)
@@ -323,7 +362,7 @@ def build_stage(scene, request, report):
     keep_deforming(stage, tracks.kept.values())
     if not tracks.places and not tracks.kept:
         raise RuntimeError("The scene shows nothing that could be rendered: it has no visible mesh, curve, text or light.")
-    blur = exposure.lens_flags(lenses, report) + exposure.shutter_flags(scene, request["still"], report)
+    blur = exposure.lens_flags(lenses, report) + shutter
     return stage, zone, any(getattr(thing.data, "shape_keys", None) for thing in tracks.kept.values()), blur
 
 

@@ -9,14 +9,15 @@
 
 namespace lippmann {
 
-/// The number that `text` is, whole; none for anything else around it.
+/// The number that `text` is, whole; none for anything else around it. -0 is 0: written as TOML it would be a whole number,
+/// which knows no sign.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   T value{};
   const char* end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(text.data(), end, value);
   if (problem != std::errc() || stop != end) return std::nullopt;
-  return value;
+  return value == T{} ? T{} : value;
 }
 
 /// A whole number, lowest ... highest. Throws a usage Error at `where` that says what would be accepted.

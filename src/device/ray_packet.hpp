@@ -48,6 +48,9 @@ inline constexpr unsigned kPlaneId = 0x80000000u;
 /// Geometry ids from here on name visible lights.
 inline constexpr unsigned kLightId = 0xC0000000u;
 
+/// Bits of RayPacket::mask: a ray meets geometries whose mask has one of its bits. Other rays meet all.
+inline constexpr unsigned kCameraRay = 1, kShadowRay = 2;
+
 /// Whether the rays of a packet go about the same way.
 enum class Coherence { kCoherent, kIncoherent };
 

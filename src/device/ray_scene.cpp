@@ -39,6 +39,11 @@ LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size
   }
 }
 
+/// Makes rays of cameras blind to what is hidden from these.
+LIPPMANN_INLINE void hide(const LaneMask& of_cameras, RayPacket& rays) {
+  LIPPMANN_FOR_LANES(i) rays.mask[i] = of_cameras.lane[i] != 0 ? kCameraRay : ~0u;
+}
+
 /// Whether any ray's line comes as close to a visible light as its radius: a small part of the work of meeting it, and most
 /// packets see no light.
 LIPPMANN_INLINE int points_at(const WorldSphere ball, const RayPacket& rays) {
@@ -105,6 +110,10 @@ SceneGeometry geometry_of(const Scene& scene, const ResolvedScene& resolved) {
   geometry.scene = &scene;
   geometry.tachyon = scene.encoding == Encoding::kTachyonTruncate;
   geometry.instance_moves = moving_instances(scene);
+  for (const Instance& instance : scene.instances) {
+    geometry.hides_from_cameras |= instance.hidden_from_cameras;
+    geometry.hides_from_shadows |= instance.casts_no_shadow;
+  }
   geometry.visible_lights = visible_lights_of(scene, resolved);
   geometry.any_visible_light = std::any_of(geometry.visible_lights.begin(), geometry.visible_lights.end(),
                                            [](const WorldSphere& light) { return light.radius > 0.0f; });
@@ -132,8 +141,9 @@ void RayScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
   move_scene({*this, *embree_}, resolved, pool);
 }
 
-void RayScene::trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence) const {
+void RayScene::trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence, const LaneMask* of_cameras) const {
   clear_hits(packet);
+  if (of_cameras && hides_from_cameras) hide(*of_cameras, packet.ray);
   if (!planes.empty()) meet_planes(planes.data(), planes.size(), active, packet);
   const LaneMask sound = sound_lanes(packet.ray, reach, active);
   if (embree_->has_fixed) intersect(embree_->fixed.get(), embree_->native_width, sound, packet, coherence);
@@ -154,6 +164,7 @@ void RayScene::trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& t
   active = sound_lanes(rays, reach, active);
   LaneMask lit = active;
   if (!planes.empty() && !cross_planes(planes.data(), planes.size(), active, rays, transmittance.white, lit)) return;
+  if (hides_from_shadows) std::fill_n(rays.mask, kLanes, kShadowRay);
   ShadowContext context;
   context.geometry = this;
   std::copy_n(transmittance.white.lane, kLanes, context.transmittance);

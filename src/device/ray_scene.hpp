@@ -30,8 +30,9 @@ class RayScene : public SceneGeometry {
   /// Moves everything to where `resolved` has it.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
-  /// The nearest hit of each active lane: tfar becomes its distance, and stays where there is none.
-  void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence) const;
+  /// The nearest hit of each active lane: tfar becomes its distance, and stays where there is none. of_cameras: the lanes whose
+  /// rays come from cameras, with nothing but holes on their way, and do not meet what is hidden from these; null: none.
+  void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence, const LaneMask* of_cameras = nullptr) const;
 
   /// Sets tfar of active lanes to -inf where something opaque lies between tnear and tfar, and multiplies their transmittance
   /// by what see-through surfaces let pass: `white` is read and written, the tint begins anew. Takes lanes whose rays are no

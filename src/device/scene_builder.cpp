@@ -140,6 +140,7 @@ class SceneBuilder {
     if (glm::determinant(place.linear) < 0.0f)  // mirrored: the order of corners tells the outer side, as the normals do
       for (auto& triangle : world->triangles) std::swap(triangle[1], triangle[2]);
     const EmbreeGeometry geometry = make_triangles(*world, index);
+    set_rays_met(geometry.get(), index);
     const auto id = static_cast<unsigned>(geometry_.records.size());
     rtcAttachGeometryByID(embree_.fixed.get(), geometry.get(), id);
     embree_.has_fixed = true;
@@ -161,6 +162,7 @@ class SceneBuilder {
     }
     EmbreeGeometry geometry(rtcNewGeometry(embree_.device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
     rtcSetGeometryInstancedScene(geometry.get(), mesh_scene.get());
+    set_rays_met(geometry.get(), index);
     GeometryRecord record;
     record.placed = true;
     record.instance = index;
@@ -195,8 +197,18 @@ class SceneBuilder {
       filter_shadows(geometry.get(), *caster);
       embree_.shadow_casters.push_back(std::move(caster));
     }
+    rtcSetGeometryMask(geometry.get(), ~0u);  // of Embree 4, a geometry's own mask has one bit
     rtcCommitGeometry(geometry.get());
     return geometry;
+  }
+
+  /// Which rays meet the instance.
+  void set_rays_met(RTCGeometry geometry, std::uint32_t index) const {
+    const Instance& instance = scene_.instances[index];
+    const unsigned hidden_from =
+        (instance.hidden_from_cameras ? kCameraRay : 0u) | (instance.casts_no_shadow ? kShadowRay : 0u);
+    rtcSetGeometryMask(geometry, ~hidden_from);
+    rtcCommitGeometry(geometry);
   }
 
   void add_posed(const Mesh& mesh, std::uint32_t index, bool moving) {
@@ -210,6 +222,7 @@ class SceneBuilder {
       for (auto& triangle : posed->mesh.triangles) std::swap(triangle[1], triangle[2]);
     pose_vertices(pose, *posed, pool_);
     EmbreeGeometry geometry = make_triangles(posed->mesh, index);
+    set_rays_met(geometry.get(), index);
     posed->record = static_cast<std::uint32_t>(geometry_.records.size());
     if (moving) {
       rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_REFIT);

@@ -122,6 +122,7 @@ EmbreeGeometry make(RTCDevice device, PrimitiveTable<Primitive>& table, RTCInter
   rtcSetGeometryBoundsFunction(geometry.get(), bounds_callback<Primitive>, nullptr);
   rtcSetGeometryIntersectFunction(geometry.get(), intersect_function);
   rtcSetGeometryOccludedFunction(geometry.get(), occluded_function);
+  rtcSetGeometryMask(geometry.get(), ~0u);
   rtcCommitGeometry(geometry.get());
   return geometry;
 }

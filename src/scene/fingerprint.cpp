@@ -238,8 +238,8 @@ class SceneFingerprint {
     add_each(animations);
   }
   void add(const Instance& instance) {
-    const auto& [name, shape, material, node, skin] = instance;
-    add_all(shape, material, node, skin);
+    const auto& [name, shape, material, node, skin, hidden_from_cameras, casts_no_shadow] = instance;
+    add_all(shape, material, node, skin, hidden_from_cameras, casts_no_shadow);
   }
 
   Fingerprint print_;

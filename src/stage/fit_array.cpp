@@ -92,7 +92,7 @@ std::string camera_name(const Camera& camera) {
 enum class Part { kSubject, kBackdrop, kAll };
 
 bool is_part(const Subject& subject, std::size_t instance, Part part) {
-  if (part == Part::kAll) return true;
+  if (part == Part::kAll) return subject.roles[instance] != InstanceRole::kUnseen;
   return subject.roles[instance] == (part == Part::kSubject ? InstanceRole::kSubject : InstanceRole::kBackdrop);
 }
 
@@ -455,14 +455,11 @@ FittedArray place(const Setting& setting, const ViewWish& wish) {
 
 /// What is named, or what is found where it matters: a display that the scene places shows what it shows.
 Subject wanted_subject(const Scene& scene, const ViewWish& wish) {
-  Subject subject{std::vector<InstanceRole>(scene.instances.size(), InstanceRole::kSubject)};
-  if (!wish.fit_to.empty()) {
-    const std::vector<bool> meant = instances_named(scene, wish.fit_to, "fit-to");
-    for (std::size_t i = 0; i < meant.size(); ++i)
-      if (!meant[i]) subject.roles[i] = InstanceRole::kGround;
-    return subject;
-  }
-  return scene.display ? subject : find_subject(scene);
+  if (wish.fit_to.empty()) return scene.display ? whole_scene(scene) : find_subject(scene);
+  Subject subject;
+  for (const bool meant : instances_named(scene, wish.fit_to, "fit-to"))
+    subject.roles.push_back(meant ? InstanceRole::kSubject : InstanceRole::kGround);
+  return subject;
 }
 
 }  // namespace

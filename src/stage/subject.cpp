@@ -37,9 +37,9 @@ class Peeling {
  public:
   explicit Peeling(const Scene& scene) : scene_(scene) {
     measure();
-    roles_.assign(scene.instances.size(), InstanceRole::kSubject);
+    roles_ = whole_scene(scene).roles;
     for (std::size_t i = 0; i < bounds_.size(); ++i)
-      if (!bounds_[i].empty()) left_.push_back(i);
+      if (roles_[i] == InstanceRole::kSubject && !bounds_[i].empty()) left_.push_back(i);
   }
 
   std::vector<InstanceRole> run() {
@@ -182,8 +182,15 @@ class Peeling {
 
 }  // namespace
 
-bool Subject::has_surroundings() const {
-  return std::any_of(roles.begin(), roles.end(), [](InstanceRole role) { return role != InstanceRole::kSubject; });
+bool is_surrounding(InstanceRole role) { return role == InstanceRole::kGround || role == InstanceRole::kBackdrop; }
+
+bool Subject::has_surroundings() const { return std::any_of(roles.begin(), roles.end(), is_surrounding); }
+
+Subject whole_scene(const Scene& scene) {
+  Subject subject;
+  for (const Instance& instance : scene.instances)
+    subject.roles.push_back(instance.hidden_from_cameras ? InstanceRole::kUnseen : InstanceRole::kSubject);
+  return subject;
 }
 
 std::vector<int> sampled_frames(const Timeline& timeline) {
@@ -202,7 +209,7 @@ std::string list_surroundings(const Scene& scene, const Subject& subject) {
   std::vector<std::string> names;
   std::size_t unnamed = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    if (subject.contains(i)) continue;
+    if (!is_surrounding(subject.roles[i])) continue;
     const std::string& name = scene.instances[i].name;
     if (name.empty())
       ++unnamed;

@@ -22,7 +22,11 @@ enum class InstanceRole {
   kSubject,
   kGround,    ///< ground and ceilings: in a picture they reach from the subject to the far distance
   kBackdrop,  ///< walls, sky, domes
+  kUnseen,    ///< hidden from cameras
 };
+
+/// Whether it is seen beside the subject.
+bool is_surrounding(InstanceRole role);
 
 struct Subject {
   std::vector<InstanceRole> roles;  ///< per instance
@@ -32,6 +36,9 @@ struct Subject {
 
 /// The frames at which a scene's animation is looked at, at most 63 of them: 0 and every n-th from there.
 std::vector<int> sampled_frames(const Timeline& timeline);
+
+/// All that is seen is subject.
+Subject whole_scene(const Scene& scene);
 
 /// The subject over the whole animation. Without anything finite but surroundings: everything.
 Subject find_subject(const Scene& scene);

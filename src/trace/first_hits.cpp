@@ -53,7 +53,7 @@ class FirstHits {
       for (int i = 0; i < kLanes; ++i)
         if (active.lane[i]) rays.tnear[i] = rays.tfar[i] + surface.t_near[i];
       std::copy_n(packet.reach.lane, kLanes, rays.tfar);
-      scene_.trace(active, packet.rays, Coherence::kIncoherent);
+      scene_.trace(active, packet.rays, Coherence::kIncoherent, &active);
     }
   }
   void finish() const {}

@@ -8,8 +8,9 @@ namespace {
 /// Things are told apart by this many of the lowest bits of their records: nearly always enough, and no table to keep.
 constexpr std::size_t kBuckets = 64;
 
-/// Up to 16 rays into a packet; lanes beyond them get the last one's and are inactive.
-void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active) {
+/// Up to 16 rays into a packet; lanes beyond them get the last one's and are inactive. of_cameras: those that only holes have
+/// been in the way of.
+void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active, LaneMask& of_cameras) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const PathRay& ray = rays[std::min(i, count - 1)];
     packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y, packet.ray.org_z[i] = ray.origin.z;
@@ -17,6 +18,7 @@ void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, Lan
     packet.ray.tnear[i] = ray.t_near;
     packet.ray.tfar[i] = kInfinity;
     active.lane[i] = i < count ? -1 : 0;
+    of_cameras.lane[i] = ray.has_met_nothing() ? -1 : 0;
   }
 }
 
@@ -61,9 +63,10 @@ PathWave::PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays)
       packets_(packets_of(rays.size())),
       met_(std::make_unique_for_overwrite<RayHitPacket[]>(packets_)),
       order_(std::make_unique_for_overwrite<std::uint32_t[]>(rays.size())) {
+  LaneMask of_cameras;
   for (std::size_t p = 0; p < packets_; ++p) {
-    load_rays(&rays[p * kLanes], std::min<std::size_t>(kLanes, rays.size() - p * kLanes), met_[p], active_);
-    scene.trace(active_, met_[p], Coherence::kIncoherent);
+    load_rays(&rays[p * kLanes], std::min<std::size_t>(kLanes, rays.size() - p * kLanes), met_[p], active_, of_cameras);
+    scene.trace(active_, met_[p], Coherence::kIncoherent, &of_cameras);
   }
   sort();
 }

@@ -48,7 +48,7 @@ void trace_batch(const ShadedScene& scene, Packets&& packets, const Batch& batch
       if (!packets.fill(p, sample, packet)) continue;
       if (sinks.film && sample == batch.first_sample) clear_pixels(packet, *sinks.film);
       std::copy_n(packet.rays.ray.tfar, kLanes, packet.reach.lane);
-      scene.trace(packet.active, packet.rays, Coherence::kCoherent);
+      scene.trace(packet.active, packet.rays, Coherence::kCoherent, &packet.active);
       if (sinks.points) sinks.points->store(packet);
       integrator.primary(packet);
     }

@@ -121,6 +121,13 @@ void see_lights(const std::vector<WhittedLight>& lights, const RayHitPacket& pac
   }
 }
 
+/// The lanes whose rays have met nothing but holes since the lens.
+LaneMask still_open(const Bundle& bundle) {
+  LaneMask lanes;
+  LIPPMANN_FOR_LANES(i) lanes.lane[i] = bundle.open[i] > 0.0f ? -1 : 0;
+  return lanes;
+}
+
 /// At the end of a path, branch `first` + lane shows the background. Tachyon's: what lies straight ahead, and whole.
 LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayPacket& rays, const Branches& branches,
                                         int first, bool tachyon, Lanes3& radiance) {
@@ -187,7 +194,8 @@ void WhittedTracer::finish() {
     for (std::size_t first = 0; first < wave_.size(); first += kLanes) {
       wave_.load(first, packet, bundle, active);
       if (log_) log_->push_back(logged(packet.ray, active, Coherence::kIncoherent));
-      scene_.trace(active, packet, Coherence::kIncoherent);
+      const LaneMask of_cameras = still_open(bundle);
+      scene_.trace(active, packet, Coherence::kIncoherent, &of_cameras);
       if (probe_) probe_->add(packet.ray, active);
       shade(packet, active, bundle, depth);
     }
@@ -275,7 +283,7 @@ void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, boo
     return;
   }
   if (surface_.any_see_through) refract(packet, branches);
-  if (film_.open && surface_.any_see_through) keep_holes_open(scene_, surface_, branches);
+  if ((film_.open || scene_.hides_from_cameras) && surface_.any_see_through) keep_holes_open(scene_, surface_, branches);
   int entry[Branches::kCount + kLanes] = {};
   const int count = list_branches(surface_, entry);
   next_.append(surface_, packet, bundle, branches, entry, count);

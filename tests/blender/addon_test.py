@@ -354,10 +354,13 @@ class AddOn(unittest.TestCase):
         frame.place(frame.add(bpy.context), scene.camera.matrix_world @ mathutils.Matrix.Translation((0.0, 0.0, -10.0)), 2.0)
         scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 0.25
         scene.frame_start, scene.frame_end = 1, 2
-        for number in (1, 2):
+        for number in range(4):
             cube.location.x = number
             cube.keyframe_insert("location", frame=number)
         bpy.ops.render.render(animation=True)
+        document = gltf(self.folder)
+        moved = next(c for c in document["animations"][0]["channels"] if document["nodes"][c["target"]["node"]]["name"].startswith("Cube") and c["target"]["path"] == "translation")
+        np.testing.assert_allclose(positions(self.folder, moved)[[0, -1], 0], (0.0, 3.0), atol=1e-5)  # the shutter is open before the first frame and after the last
         self.assertEqual([words for words in engine.last_warnings if "blur" in words.lower() or "depth of field" in words.lower()], [])
         job = tomllib.loads((self.folder / "animation" / "job.toml").read_text())
         portrait = next(one for one in displays.known() if one["name"] == "looking-glass-portrait")
@@ -633,12 +636,29 @@ class AddOn(unittest.TestCase):
         strengths = [m["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] for m in document["materials"] if "emissiveFactor" in m]
         self.assertEqual(len(strengths), 1)
         self.assertAlmostEqual(strengths[0], 100.0 / (4.0 * 2.0 * 2.0), places=4)
+        area = next(node for node in document["nodes"] if node["name"].startswith("area"))
+        self.assertEqual(area["extras"], {"visible_to_camera": 0, "casts_shadow": 0})
+        self.assertFalse(any("rea light" in warning for warning in engine.last_warnings), engine.last_warnings)
         self.assertEqual(len([n for n in document["nodes"] if "mesh" in n]), 1 + 7 + 1 + 1 + 1, [n["name"] for n in document["nodes"]])
         bent = next(mesh for mesh in document["meshes"] if mesh["name"].startswith("Suzanne"))
         bounds = document["accessors"][bent["primitives"][0]["attributes"]["POSITION"]]
         straight = [max(v.co[axis] for v in monkey.data.vertices) for axis in range(3)]
         self.assertAlmostEqual(bounds["max"][0], straight[0], places=3)  # it bends about x
         self.assertGreater(abs(bounds["max"][2] + min(v.co.y for v in monkey.data.vertices)), 0.1)  # glTF's z is Blender's -y
+
+    def test_ray_visibility_arrives_and_what_of_it_is_lost_is_said(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        cube = bpy.data.objects["Cube"]
+        cube.visible_camera = False
+        bpy.ops.mesh.primitive_monkey_add()
+        monkey = bpy.context.object
+        monkey.visible_shadow = monkey.visible_glossy = False
+        bpy.ops.render.render()
+        extras = {node["name"].split(".")[0]: node.get("extras") for node in gltf(self.folder)["nodes"]}
+        self.assertEqual(extras["Suzanne"], {"casts_shadow": 0}, extras)
+        self.assertEqual(extras["Cube"], {"visible_to_camera": 0}, extras)
+        self.assertEqual([w for w in engine.last_warnings if "rays that surfaces scatter" in w], [f"{monkey.name} is hidden from some of the rays that surfaces scatter; they meet it all the same."])
+        self.assertNotIn("casts_shadow", monkey.keys())  # which is the user's own
 
     def test_lamps_arrive_with_their_sizes(self):
         scene = new_scene(self.folder, "single", samples=1)

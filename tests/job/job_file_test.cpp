@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "job/params_table.hpp"
@@ -75,6 +76,14 @@ TEST(JobFile, written_and_read_gives_the_same_params) {
     write_job(dir / "job.toml", params);
     EXPECT_EQ(all_values(read(dir / "job.toml")), all_values(params));
   }
+}
+
+TEST(JobFile, zero_has_no_sign) {
+  const test::TempDir dir;
+  const RenderParams params = read(write(dir / "signed.toml", "scene = \"teapot\"\nexposure = -0.0\n"));
+  EXPECT_FALSE(std::signbit(params.output.pictures.exposure_ev));
+  write_job(dir / "job.toml", params);
+  EXPECT_EQ(all_values(read(dir / "job.toml")), all_values(params));
 }
 
 TEST(JobFile, values_may_be_toml_numbers_flags_and_lists) {

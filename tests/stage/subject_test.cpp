@@ -142,6 +142,18 @@ TEST(Subject, ground_below_a_desk_is_left_out) {
   EXPECT_EQ(list_surroundings(scene, find_subject(scene)), "'Plane'");
 }
 
+TEST(Subject, what_is_hidden_from_cameras_is_neither_subject_nor_surroundings) {
+  Scene scene;
+  add_box(scene, "cup", {-1, 0, -1}, {1, 1, 1});
+  const std::size_t softbox = add_sheet(scene, "softbox", {-9, 5, -9}, {18, 0, 0}, {0, 0, 18});
+  scene.instances[softbox].hidden_from_cameras = true;
+  const Subject subject = find_subject(scene);
+  EXPECT_TRUE(subject.contains(0));
+  EXPECT_FALSE(subject.contains(softbox));
+  EXPECT_FALSE(subject.has_surroundings());
+  EXPECT_EQ(list_surroundings(scene, subject), "");
+}
+
 TEST(Subject, walls_and_ceiling_of_a_room_are_left_out) {
   for (const bool with_ceiling : {false, true}) {
     Scene scene;

@@ -84,6 +84,8 @@ class InstanceReader {
             material_of(material_in(mesh.primitives[i], variant_, element(id), document_.report), materials_, scene_);
         instance.shape = shape_of(id, skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
         instance.skin = skin;
+        instance.hidden_from_cameras = denies(node, "visible_to_camera");
+        instance.casts_no_shadow = denies(node, "casts_shadow");
       }
       instance.name = node.name.empty() ? mesh.name : node.name;
       if (instance.shape < 0) continue;

@@ -98,6 +98,12 @@ void refuse_cycles(const tinygltf::Model& model, const std::vector<int>& parents
 
 }  // namespace
 
+bool denies(const tinygltf::Node& node, const char* name) {
+  if (!node.extras.Has(name)) return false;
+  const tinygltf::Value& value = node.extras.Get(name);
+  return value.IsBool() ? !value.Get<bool>() : value.IsNumber() && value.GetNumberAsDouble() == 0.0;
+}
+
 NodeMap read_nodes(Document& document, Scene& scene) {
   const tinygltf::Model& model = document.model;
   const std::vector<int> parents = find_parents(model, document.report);

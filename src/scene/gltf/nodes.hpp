@@ -15,6 +15,9 @@ struct NodeMap {
   std::vector<int> scene_node;  ///< by node of the file; -1: not in the default scene
 };
 
+/// Whether the node's `extras` have false of that name, or 0, which Blender has in its place.
+bool denies(const tinygltf::Node& node, const char* name);
+
 /// Fills scene.nodes. Throws Error where a node has two parents, is its own ancestor or has no proper transform.
 NodeMap read_nodes(Document& document, Scene& scene);
 

@@ -58,7 +58,9 @@ class Checker {
   }
 
   static bool is_of_another_kind(const Json& value, const Property& property) {
-    return property.need == kIfOfThisKind && !(property.kind == Kind::kObject ? value.is_object() : value.is_number());
+    if (property.need != kIfOfThisKind) return false;
+    if (property.kind == Kind::kObject) return !value.is_object();
+    return !value.is_number() && !(property.kind == Kind::kFlag && value.is_boolean());
   }
 
   [[noreturn]] void fail(const Path& path, const std::string& problem, const std::string& accepted = {}) const {
@@ -84,6 +86,8 @@ class Checker {
       case Kind::kBool:
         if (!value.is_boolean()) fail(path, "is not true or false");
         return;
+      case Kind::kFlag:
+        return;  // is_of_another_kind has looked
       case Kind::kString:
         return check_string(value, property, path);
       case Kind::kNumber:

@@ -15,6 +15,7 @@ namespace lippmann::gltf::schema {
 
 enum class Kind {
   kBool,
+  kFlag,  ///< true, false, or a number in their place
   kString,
   kStrings,
   kNumber,
@@ -55,6 +56,7 @@ constexpr double kHalfPi = 1.5707963267948966;
 constexpr double kPi = 3.1415927;  // a float's, rounded up
 
 constexpr Property boolean(std::string_view name) { return {.name = name, .kind = Kind::kBool}; }
+constexpr Property flag(std::string_view name) { return {.name = name, .kind = Kind::kFlag, .need = kIfOfThisKind}; }
 constexpr Property string(std::string_view name, Need need = kOptional, std::string_view choices = {}) {
   return {.name = name, .kind = Kind::kString, .need = need, .choices = choices};
 }
@@ -355,6 +357,7 @@ constexpr Property kNodeExtensions[] = {
     object("EXT_mesh_gpu_instancing", kInstancing),
     object("KHR_lights_punctual", kNodeLight),
 };
+constexpr Property kNodeExtras[] = {flag("visible_to_camera"), flag("casts_shadow")};
 constexpr Property kNode[] = {
     string("name"),
     indices("children", "nodes"),
@@ -367,6 +370,7 @@ constexpr Property kNode[] = {
     numbers("translation", 3),
     numbers("weights", 0),
     object("extensions", kNodeExtensions),
+    object("extras", kNodeExtras, kIfOfThisKind),
 };
 constexpr Property kScene[] = {string("name"), indices("nodes", "nodes")};
 

@@ -283,6 +283,23 @@ TEST(GltfMesh, tangents_are_read_where_a_normal_map_needs_them) {
   EXPECT_THAT(parse_mesh(b).tangents, ElementsAre(Vec4f(1, 0, 0, 1), Vec4f(0, 1, 0, -1), Vec4f(0, 0, 1, 1)));
 }
 
+TEST(GltfMesh, extras_of_nodes_hide_it_from_cameras_and_take_its_shadow) {
+  const auto shown_by = [](const Json& extras) {
+    GltfBuilder b;
+    b.add_node({{"mesh", b.add_triangle()}, {"extras", extras}});
+    return parse(b).instances.at(0);
+  };
+  EXPECT_TRUE(shown_by({{"visible_to_camera", 0}}).hidden_from_cameras);
+  EXPECT_FALSE(shown_by({{"visible_to_camera", 0}}).casts_no_shadow);
+  EXPECT_TRUE(shown_by({{"visible_to_camera", false}}).hidden_from_cameras);
+  EXPECT_TRUE(shown_by({{"casts_shadow", false}}).casts_no_shadow);
+  for (const Json& shown : {Json(1), Json(true), Json("0"), Json(nullptr)}) {
+    EXPECT_FALSE(shown_by({{"visible_to_camera", shown}}).hidden_from_cameras) << shown;
+    EXPECT_FALSE(shown_by({{"casts_shadow", shown}}).casts_no_shadow) << shown;
+  }
+  EXPECT_FALSE(shown_by("visible_to_camera").hidden_from_cameras);
+}
+
 TEST(GltfMesh, result_passes_validation) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});
