@@ -57,6 +57,7 @@ std::shared_ptr<const Denoiser::Frame> Denoiser::prepare(const DenoiserInput& in
       t.albedo = rgb(input.albedo, p) / t.met;
     }
   });
+  clip_outliers(impl_->views, pool, to.texels);
   make_guides(impl_->views, pool, to.texels);
   return frame;
 }

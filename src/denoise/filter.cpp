@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace lippmann {
 namespace {
@@ -18,6 +19,16 @@ constexpr float kRelativeSpread = 0.02f;  ///< as a share of the light itself: d
 constexpr float kLeastWeight = 1e-4f;
 
 constexpr int kViewReach = 3;
+
+// What counts as a pixel that a single path has lit.
+constexpr float kOneHalf = 0.4f;       ///< so much of its light, at least, is in one half of its samples alone
+constexpr float kBrighter = 2.0f;      ///< than its neighbours
+constexpr float kSameMaterial = 4.0f;  ///< material_difference, at most
+constexpr int kLeastNeighbours = 8;    ///< that are to know better
+
+/// What is known of another pixel counts for less where its variance is more than so many times a pixel's own: else the edge of
+/// a highlight, of which nothing is known, would be taken into all that lies around.
+constexpr float kInfluence = 16.0f;
 
 /// Light may differ from a pixel's own by so much of the variance that it is told to have, which is about twice of what it has
 /// (NoisyFrame::noise); sums over 49 pixels are known to about a quarter.
@@ -38,6 +49,12 @@ float light_difference(Vec3f a, float variance_a, Vec3f b, float variance_b) {
   const float variance = variance_a + variance_b;
   const float visible = square(kRelativeSpread) * (squared_length(a) + squared_length(b)) + 1e-10f;
   return std::max(0.0f, squared_length(a - b) - variance) / (square(kLightSpread) * variance + visible);
+}
+
+/// How much another pixel counts by how well it is known.
+float influence(float variance, float of_other) {
+  constexpr float kNoNoise = 1e-10f;
+  return std::min(1.0f, kInfluence * (variance + kNoNoise) / (of_other + kNoNoise));
 }
 
 float weight_of(float difference) { return difference < 18.0f ? std::exp(-0.5f * difference) : 0.0f; }
@@ -85,6 +102,40 @@ class PlaneOf {
 };
 
 }  // namespace
+
+namespace {
+
+/// The squared light of the brightest pixel but one of the same material within 7 x 7; infinite where these are too few.
+float light_around(const std::vector<Texel>& texels, Vec2i size, int x, int y, std::size_t index) {
+  constexpr int kReach = 3;
+  float brightest = 0.0f, second = 0.0f;
+  int neighbours = 0;
+  for (int j = std::max(0, y - kReach); j <= std::min(size.y - 1, y + kReach); ++j)
+    for (int i = std::max(0, x - kReach); i <= std::min(size.x - 1, x + kReach); ++i) {
+      const std::size_t other = index + static_cast<std::ptrdiff_t>(j - y) * size.x + (i - x);
+      const Texel& b = texels[other];
+      if (other == index || !(b.met > 0.0f) || material_difference(texels[index], b) >= kSameMaterial) continue;
+      const float light = squared_length(b.light);
+      second = std::max(second, std::min(brightest, light));
+      brightest = std::max(brightest, light);
+      ++neighbours;
+    }
+  return neighbours < kLeastNeighbours ? std::numeric_limits<float>::infinity() : second;
+}
+
+}  // namespace
+
+void clip_outliers(const ViewGeometry& views, const ThreadPool& pool, std::vector<Texel>& texels) {
+  std::vector<float> share(texels.size(), 1.0f);
+  for_each_pixel(views, pool, [&](int, int x, int y, std::size_t index) {
+    const Texel& a = texels[index];
+    const float light = squared_length(a.light);
+    if (!(a.met > 0.0f) || a.variance < square(kOneHalf) * light) return;
+    const float around = light_around(texels, views.view_size(), x, y, index);
+    if (light > square(kBrighter) * around) share[index] = std::sqrt(around / light);
+  });
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i].light *= share[i], texels[i].variance *= square(share[i]);
+}
 
 void make_guides(const ViewGeometry& views, const ThreadPool& pool, std::vector<Texel>& texels) {
   constexpr int kReach = 2;
@@ -193,7 +244,7 @@ std::vector<Estimate> smooth(const ViewGeometry& views, const std::vector<Texel>
         const Estimate &p = light[index], &q = light[other];
         const float w = part * weight_of(material_difference(a, b) + plane.difference(b, Vec2f(i, j), view) +
                                          light_difference(p.light, p.variance, q.light, q.variance));
-        mean.add(q.light, q.variance, w);
+        mean.add(q.light, q.variance, w * influence(p.variance, q.variance));
       }
     smoothed[index] = mean.finished();
   });

@@ -33,6 +33,11 @@ struct TexelFrame {
   std::vector<Vec3f> seen, albedo_factor;      ///< picture = seen + factor x light
 };
 
+/// Pixels that a rare bright path has lit, which is in one half of their samples and in no other pixel around but one of the
+/// same material, become as bright as that one: it says nothing of how much light there is, and would stay as a white dot or
+/// be spread as a blot.
+void clip_outliers(const ViewGeometry& views, const ThreadPool& pool, std::vector<Texel>& texels);
+
 /// Averages light and variance over 5 x 5 neighbours of the same surface: Texel::guide; the variances of single pixels, each
 /// known from two numbers, become those of their neighbourhood.
 void make_guides(const ViewGeometry& views, const ThreadPool& pool, std::vector<Texel>& texels);

@@ -98,6 +98,44 @@ TEST(Denoiser, what_no_noise_explains_is_not_blurred) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-4f) << i;
 }
 
+/// The light farthest from 1 of all pixels more than `away` columns from column `x`.
+float farthest_from_one(const Image& film, int x, int away) {
+  float farthest = 0.0f;
+  for (int j = 0; j < kHeight; ++j)
+    for (int i = 0; i < kWidth; ++i)
+      if (std::abs(i - x) > away) farthest = std::max(farthest, std::abs(film.pixel(i, j)[0] - 1.0f));
+  return farthest;
+}
+
+TEST(Denoiser, a_pixel_that_one_path_has_lit_is_no_dot_and_no_blot) {
+  Made made;
+  made.set(36, 8, 41.0f, 1.0f);
+  EXPECT_LT(farthest_from_one(denoised(made), 0, -1), 0.01f);
+}
+
+TEST(Denoiser, a_bright_pixel_that_all_paths_have_lit_stays) {
+  Made made;
+  made.set(36, 8, 21.0f, 21.0f);
+  EXPECT_NEAR(denoised(made).pixel(36, 8)[0], 21.0f, 0.1f);
+}
+
+TEST(Denoiser, a_bright_pixel_alone_on_its_material_stays) {
+  Made made;
+  made.set(36, 8, 41.0f, 1.0f);
+  made.normal.pixel(36, 8)[0] = 1.0f, made.normal.pixel(36, 8)[2] = 0.0f;
+  EXPECT_GT(denoised(made).pixel(36, 8)[0], 10.0f);
+}
+
+/// 3 x 3 pixels of a highlight, each of which some paths meet and others do not.
+TEST(Denoiser, the_edge_of_a_highlight_is_not_taken_into_its_surroundings) {
+  Made made;
+  for (int j = 7; j <= 9; ++j)
+    for (int i = 35; i <= 37; ++i) made.set(i, j, (i + j) % 2 == 0 ? 80.0f : 1.0f, (i + j) % 2 == 0 ? 1.0f : 80.0f);
+  const Image film = denoised(made);
+  EXPECT_GT(film.pixel(36, 8)[0], 10.0f);
+  EXPECT_LT(farthest_from_one(film, 36, 5), 0.05f);
+}
+
 TEST(Denoiser, textures_stay_sharp_below_noisy_light) {
   Made made = noisy(2);
   for (int y = 0; y < kHeight; ++y)
