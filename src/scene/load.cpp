@@ -88,6 +88,18 @@ std::string meant_builtin(const fs::path& path) {
   return did_you_mean(path.string(), names);
 }
 
+/// What Blender reads is named, with how it gets here.
+[[noreturn]] void refuse_format(const fs::path& path) {
+  constexpr std::string_view kOfBlender[] = {".usd", ".usda", ".usdc", ".usdz", ".abc", ".fbx", ".dae", ".stl"};
+  const std::string extension = lower_extension(path);
+  if (extension == ".blend")
+    throw Error(path.string(), "is a file of Blender", "a render by its add-on (docs/blender.md), or a .glb that it exports");
+  if (std::find(std::begin(kOfBlender), std::end(kOfBlender), extension) != std::end(kOfBlender))
+    throw Error(path.string(), "is a scene format that Blender reads",
+                "a .glb of it: blender -b --python to_glb.py -- SCENE FILE.glb (docs/scenes.md, \"Other formats\")");
+  throw Error(path.string(), "is not a scene format that is known", accepted_names());
+}
+
 void require_readable_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -124,7 +136,7 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
   const Format* format = find_format(path);
   require_readable_file(path);
   require_folder(options.asset_root);
-  if (!format) throw Error(path.string(), "is not a scene format that is known", accepted_names());
+  if (!format) refuse_format(path);
   if (options.camera_path && !format->takes_camera_path)
     throw usage_error("camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
   if (!options.animation.empty() && !format->has_animations)

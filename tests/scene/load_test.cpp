@@ -26,6 +26,17 @@ TEST(LoadScene, missing_file_is_named) {
   EXPECT_THAT(error_of_loading("/nowhere/a.dat"), HasSubstr("/nowhere/a.dat: there is no such file"));
 }
 
+TEST(LoadScene, formats_that_blender_reads_are_refused_with_the_way_here) {
+  const test::TempDir dir;
+  for (const char* name : {"a.usdz", "b.FBX", "c.blend", "d.xyz"}) std::ofstream(dir / name) << "a scene";
+  EXPECT_THAT(error_of_loading((dir / "a.usdz").string()),
+              HasSubstr("is a scene format that Blender reads; accepted: a .glb of it"));
+  EXPECT_THAT(error_of_loading((dir / "b.FBX").string()), HasSubstr("to_glb.py"));
+  EXPECT_THAT(error_of_loading((dir / "c.blend").string()),
+              HasSubstr("is a file of Blender; accepted: a render by its add-on"));
+  EXPECT_THAT(error_of_loading((dir / "d.xyz").string()), HasSubstr("is not a scene format that is known"));
+}
+
 TEST(LoadScene, misspelt_builtin_name_is_suggested) {
   EXPECT_THAT(error_of_loading("teapott"), HasSubstr("teapott: there is no such file, did you mean 'teapot'?"));
 }
