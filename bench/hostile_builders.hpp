@@ -23,6 +23,7 @@ Scene textured_room();
 // Spaces, and things that move as a whole: hostile_spaces.cpp.
 Scene flight_through_room();
 Scene walker();
+Scene turntable();
 Scene furnished_room();
 
 }  // namespace lippmann::bench

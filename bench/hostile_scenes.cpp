@@ -63,6 +63,7 @@ const std::vector<HostileScene>& hostile_scenes() {
       three_views("thin", "rods and wires of 1/4 to 1 pixel, moving slowly: no pixel shows one surface", thin_things),
       three_views("flight", "the array itself flies through a room: every pixel shows something else", flight_through_room),
       three_views("walker", "a skinned mesh bends and walks: no part of it is rigid", walker),
+      three_views("turntable", "boxes on a disc turn in a hall that stands still", turntable),
       three_views("textured", "checkers of 2-pixel squares and grain everywhere: light must be told from colour",
                   textured_room),
       three_views("furnished", "a ceiling that has bounced light only, while a door and a cart move in the sun",

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "bench/benchmarks.hpp"
-#include "bench/hostile_parts.hpp"
 #include "bench/light_rows.hpp"
 #include "bench/sample_survey.hpp"
 #include "bench/timing.hpp"
@@ -25,30 +24,11 @@ const std::vector<std::string> kSurveyedRows{
     "turntable",  "walker",    "flight", "teapot",  "room",  "small-balls", "tree", "bar-sun",  "bar-lamp", "fast-lamp",
     "fast-point", "tiny-lamp", "flash",  "mirrors", "glass", "gloss",       "thin", "textured", "furnished"};
 
-/// Boxes on a disc that turns by 4 degrees a frame, in a hall with a lamp and a point-like light.
-Scene turntable() {
-  Scene scene = empty_scene("turntable");
-  add_room(scene, painted_room(scene));
-  add_lamp(scene, {0.0f, 1.98f, 0.0f}, 0.25f, Vec3f(9.0f, 8.5f, 7.5f));
-  add_point_light(scene, Vec3f(1.5f), add_node(scene, -1, {0.9f, 1.6f, 1.5f}));
-  const int table = add_node(scene, -1);
-  turn(scene, table, kUp, [](float frame) { return radians(4.0f) * frame; });
-  const int blue = add_material(scene, glossy({0.2f, 0.4f, 0.7f}, 0.4f)),
-            brown = add_material(scene, matte({0.7f, 0.4f, 0.2f}));
-  show(scene, box_mesh({0.0f, 0.05f, 0.0f}, {0.8f, 0.1f, 0.8f}), brown, table);
-  show(scene, box_mesh({-0.15f, 0.45f, 0.0f}, {0.3f, 0.7f, 0.3f}), blue, table);
-  show(scene, box_mesh({0.2f, 0.25f, 0.1f}, {0.2f, 0.3f, 0.2f}), brown, table);
-  look_at(scene, {0.0f, 0.7f, 0.0f}, 0.0f, radians(8.0f), 1.6f, 3.6f);
-  return scene;
-}
-
 LightCase survey_case(const std::string& name, Request request, const Context& context) {
   if (request.view_pixels == 0) request.view_pixels = request.quick ? kQuickSurveyViewPixels : kSurveyViewPixels;
   request.quick = false;  // it means fewer frames, too
-  request.scenes = {name == "turntable" ? "gloss" : name};
-  LightCase result = light_cases(request, context).front();
-  if (name == "turntable") result.name = result.scene = name, result.build = turntable;
-  return result;
+  request.scenes = {name};
+  return light_cases(request, context).front();
 }
 
 void add(const SegmentCount& more, SegmentCount& sum) { sum.all += more.all, sum.untouched += more.untouched; }
