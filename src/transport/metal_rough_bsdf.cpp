@@ -64,10 +64,14 @@ void MetalRoughBsdf::set_gloss(const MetalRoughSurface& s, float dielectric) {
   // Each part's own compensation: of the dielectric and of the metal. Their sum is carried by one lobe; its factor is the
   // mean, weighted by what they send.
   const Vec2f single = single_albedo(view_.z, alpha_);
-  dielectric_albedo_ = GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_);
-  gloss_albedo_ = dielectric * dielectric_albedo_ + s.metallic * GgxAlbedo::directional(single, s.base_color, Vec3f(1.0f));
+  if (dielectric > 0.0f) {
+    dielectric_albedo_ = GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_);
+    gloss_albedo_ = dielectric * dielectric_albedo_;
+  }
+  if (s.metallic > 0.0f) gloss_albedo_ += s.metallic * GgxAlbedo::directional(single, s.base_color, Vec3f(1.0f));
   const Vec3f uncompensated = gloss_f0_ * single.x + gloss_f90_ * single.y;
   for (int c = 0; c < 3; ++c) gloss_compensation_[c] = uncompensated[c] > 0.0f ? gloss_albedo_[c] / uncompensated[c] : 1.0f;
+  if (!(dielectric > 0.0f)) return;
 
   const Vec3f mean = smooth(alpha_) ? dielectric_f0_ * (20.0f / 21.0f) + dielectric_f90_ / 21.0f
                                     : albedo_.mean(alpha_, dielectric_f0_, dielectric_f90_);
@@ -130,17 +134,16 @@ MetalRoughBsdf MetalRoughBsdf::without_diffuse() const {
   return rest;
 }
 
-Vec3f MetalRoughBsdf::gloss_f(Vec3f light) const {
+/// The density is Ggx::visible_density's, of whose parts the value has most.
+void MetalRoughBsdf::add_gloss(Vec3f light, BsdfValue& value) const {
   const Ggx ggx{alpha_};
   const Vec3f h = half_vector(view_, light);
-  const float edge = schlick_weight(glm::dot(view_, h));
-  const Vec3f fresnel = gloss_f0_ + (gloss_f90_ - gloss_f0_) * edge;
-  return fresnel * gloss_compensation_ * (ggx.distribution(h) * ggx.masking(view_, light) / (4.0f * view_.z * light.z));
-}
-
-float MetalRoughBsdf::gloss_density(Vec3f light) const {
-  const Vec3f h = half_vector(view_, light);
-  return Ggx{alpha_}.visible_density(view_, h) / (4.0f * glm::dot(view_, h));
+  const float cosine = glm::dot(view_, h), facets = ggx.distribution(h), hidden = ggx.lambda(view_);
+  const Vec3f fresnel = gloss_f0_ + (gloss_f90_ - gloss_f0_) * schlick_weight(cosine);
+  const float seen_from_both = 1.0f / (1.0f + hidden + ggx.lambda(light)), seen = 1.0f / (1.0f + hidden);
+  const Vec3f f = fresnel * gloss_compensation_ * (facets * seen_from_both / (4.0f * view_.z * light.z));
+  value.cosine_f += below_coat_ * light.z * f;
+  value.density += shares_.gloss * (seen * std::max(0.0f, cosine) * facets / view_.z / (4.0f * cosine));
 }
 
 void MetalRoughBsdf::add_glass(Vec3f light, BsdfValue& value) const {
@@ -184,10 +187,7 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   if (light.z > 0.0f) {
     value.cosine_f = below_coat_ * light.z * diffuse_f(light);
     value.density = shares_.diffuse * light.z * (1.0f / kPi);
-    if (shares_.gloss > 0.0f && !smooth(alpha_)) {
-      value.cosine_f += below_coat_ * light.z * gloss_f(light);
-      value.density += shares_.gloss * gloss_density(light);
-    }
+    if (shares_.gloss > 0.0f && !smooth(alpha_)) add_gloss(light, value);
   }
   if (glass_share_ > 0.0f && !smooth(alpha_) && light.z != 0.0f) add_glass(light, value);
   if (coat_ > 0.0f && !smooth(coat_alpha_)) add_coat(coat_frame_.to_local(light_world), value);

@@ -62,9 +62,8 @@ class MetalRoughBsdf {
   void scale_shares();
   Vec2f single_albedo(float cosine, float alpha) const;
 
-  float gloss_density(Vec3f light) const;
-  Vec3f gloss_f(Vec3f light) const;
   Vec3f diffuse_f(Vec3f light) const;
+  void add_gloss(Vec3f light, BsdfValue& value) const;
   void add_glass(Vec3f light, BsdfValue& value) const;
   void add_coat(Vec3f light, BsdfValue& value) const;
   bool draw(float lobe, Vec2f u, BsdfSample& s) const;
