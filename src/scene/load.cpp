@@ -96,7 +96,7 @@ std::string meant_builtin(const fs::path& path) {
     throw Error(path.string(), "is a file of Blender", "a render by its add-on (docs/blender.md), or a .glb that it exports");
   if (std::find(std::begin(kOfBlender), std::end(kOfBlender), extension) != std::end(kOfBlender))
     throw Error(path.string(), "is a scene format that Blender reads",
-                "a .glb of it: blender -b --python to_glb.py -- SCENE FILE.glb (docs/scenes.md, \"Other formats\")");
+                "a .glb of it, which Blender makes by to_glb.py (docs/scenes.md, \"Other formats\")");
   throw Error(path.string(), "is not a scene format that is known", accepted_names());
 }
 
