@@ -21,8 +21,8 @@ constexpr float kLeastWeight = 1e-4f;
 constexpr int kViewReach = 3;
 
 // What counts as a pixel that a single path has lit.
-constexpr float kOneHalf = 0.4f;       ///< so much of its light, at least, is in one half of its samples alone
-constexpr float kBrighter = 2.0f;      ///< than its neighbours
+constexpr float kOneHalf = 0.4f;   ///< its noise over its light, at least: 0.4 where 70 % of it is in one half of its samples
+constexpr float kBrighter = 2.0f;  ///< than its neighbours
 constexpr float kSameMaterial = 4.0f;  ///< material_difference, at most
 constexpr int kLeastNeighbours = 8;    ///< that are to know better
 

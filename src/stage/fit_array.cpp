@@ -456,9 +456,14 @@ FittedArray place(const Setting& setting, const ViewWish& wish) {
 /// What is named, or what is found where it matters: a display that the scene places shows what it shows.
 Subject wanted_subject(const Scene& scene, const ViewWish& wish) {
   if (wish.fit_to.empty()) return scene.display ? whole_scene(scene) : find_subject(scene);
-  Subject subject;
-  for (const bool meant : instances_named(scene, wish.fit_to, "fit-to"))
-    subject.roles.push_back(meant ? InstanceRole::kSubject : InstanceRole::kGround);
+  const std::vector<bool> meant = instances_named(scene, wish.fit_to, "fit-to");
+  Subject subject = whole_scene(scene);
+  for (std::size_t i = 0; i < meant.size(); ++i) {
+    if (meant[i])
+      subject.roles[i] = InstanceRole::kSubject;
+    else if (subject.contains(i))
+      subject.roles[i] = InstanceRole::kGround;
+  }
   return subject;
 }
 

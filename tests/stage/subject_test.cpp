@@ -152,6 +152,9 @@ TEST(Subject, what_is_hidden_from_cameras_is_neither_subject_nor_surroundings) {
   EXPECT_FALSE(subject.contains(softbox));
   EXPECT_FALSE(subject.has_surroundings());
   EXPECT_EQ(list_surroundings(scene, subject), "");
+  ViewWish cup;
+  cup.fit_to = "cup";
+  EXPECT_FALSE(fit_array(scene, 1.0f, cup).leaves_out_surroundings);
 }
 
 TEST(Subject, walls_and_ceiling_of_a_room_are_left_out) {
