@@ -72,11 +72,21 @@ bool can_be_replayed(const RenderReport& report) {
   return !is_single_view(report.optics) && !report.params.output.pictures.mirror;
 }
 
+/// Whether the denoiser takes such frames.
+bool could_be_denoised(const Sampling& sampling, const Optics& optics) {
+  const bool has_views = view_tiles(optics) || whole_pixels_per_lens(optics).x > 0;
+  return has_views && samples_per_pixel(sampling) > 1 && !sampling.lens.is_open() && sampling.shutter <= 0.0f;
+}
+
 /// With what the pictures were made, and what makes better ones.
-std::string describe_paths(const RenderParams& params) {
-  const int samples = samples_per_pixel(params.sampling);
-  return fmt::format("path traced with {} samples a pixel{}", samples,
-                     samples < kPathSamples ? fmt::format("; --spp {} for less noise", kPathSamples) : "");
+std::string describe_paths(const Sampling& sampling, const Optics& optics) {
+  const int samples = samples_per_pixel(sampling);
+  std::string made = fmt::format("path traced with {} sample{} a pixel{}", samples, samples == 1 ? "" : "s",
+                                 sampling.denoise ? ", denoised" : "");
+  if (samples >= kPathSamples) return made;
+  if (!sampling.denoise && could_be_denoised(sampling, optics))
+    return made + fmt::format("; --denoise takes their noise out, --spp {} lessens it", kPathSamples);
+  return made + fmt::format("; --spp {} for less noise", kPathSamples);
 }
 
 std::string describe_depth(const ShownDepth& shown, const Optics& optics, float depth_scale) {
@@ -87,8 +97,8 @@ std::string describe_depth(const ShownDepth& shown, const Optics& optics, float 
 void print_line(std::string_view name, const std::string& value) { fmt::print("  {:<9} {}\n", name, value); }
 
 /// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
-void print_choices(const RenderParams& params, const std::string& light, const std::string& view) {
-  if (integrator_of(params.sampling) == Integrator::kPath) print_line("shading", describe_paths(params));
+void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
+  if (integrator_of(sampling) == Integrator::kPath) print_line("shading", describe_paths(sampling, optics));
   if (!light.empty()) print_line("light", light);
   if (!view.empty()) print_line("view", view);
 }
@@ -134,7 +144,7 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
       print_line("in 3D", program + " view " + shell_word(folder.string()));
     }
   }
-  print_choices(report.params, report.light, report.view);
+  print_choices(report.params.sampling, report.optics, report.light, report.view);
   if (const auto done = precompensation_of(report))
     print_line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
                                         describe_bound(done->clipped_share, done->largest_residual)));
@@ -191,7 +201,7 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   print_line("files", first_and_last(frame_name(plan.names, plan.frames.front()), frame_name(plan.names, plan.frames.back())));
   print_line("size", fmt::format("about {}{} (an estimate); pictures before compression: {}", bytes_text(sizes.all()),
                                  describe_parts(sizes), bytes_text(static_cast<double>(bytes))));
-  print_choices(params, plan.stage.light, plan.stage.array.how);
+  print_choices(params.sampling, placed.optics, plan.stage.light, plan.stage.array.how);
   if (placed.depth_scale < 1.0f || !shown.fits()) print_line("depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
 

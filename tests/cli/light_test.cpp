@@ -17,7 +17,7 @@ Words small_paths(const std::string& folder) {
 /// As small_paths, with enough samples for soft light to be shared, which in so small a picture just pays at full depth.
 Words small_shared(const std::string& folder, const std::string& frames) {
   return {"render", "teapot", "--full-depth", "--lenses", "16",       "--integrator", "path",
-          "--spp",  "32",     "--frames",     frames,     "--output", folder};
+          "--spp",  "64",     "--frames",     frames,     "--output", folder};
 }
 
 TEST(Light, frames_that_are_traced_although_light_could_be_shared_say_so) {
@@ -72,7 +72,11 @@ TEST(Light, the_summary_says_how_many_samples_were_taken_and_what_makes_less_noi
   const auto summary = [&](const Words& flags) {
     return run_tool(dir, Words{"render", "plain.obj", "--lenses", "4", "--frames", "0"} + flags).out;
   };
-  EXPECT_THAT(summary({}), HasSubstr("path traced with 16 samples a pixel; --spp 64 for less noise\n"));
+  EXPECT_THAT(summary({}),
+              HasSubstr("path traced with 16 samples a pixel; --denoise takes their noise out, --spp 64 lessens it\n"));
+  EXPECT_THAT(summary({"--denoise"}), HasSubstr("path traced with 16 samples a pixel, denoised; --spp 64 for less noise\n"));
+  EXPECT_THAT(summary({"--shutter", "0.5"}), HasSubstr("path traced with 16 samples a pixel; --spp 64 for less noise\n"));
+  EXPECT_THAT(summary({"--spp", "1"}), HasSubstr("path traced with 1 sample a pixel; --spp 64 for less noise\n"));
   EXPECT_THAT(summary({"--spp", "64"}), HasSubstr("path traced with 64 samples a pixel\n"));
   EXPECT_THAT(summary({"--integrator", "whitted"}), testing::Not(HasSubstr("path traced")));
 }
