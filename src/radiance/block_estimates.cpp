@@ -8,9 +8,10 @@
 namespace lippmann {
 namespace {
 
-/// What all samples of a pixel may have missed: about 1 / (samples + 2) of its area, as bright as a pixel beside it. Such
-/// misses count as this much of their square, found by trial.
-constexpr float kMissed = 0.05f;
+/// What all samples of a pixel may have missed: about 1 / (samples + 2) of its area, as bright as a pixel beside it. How much
+/// of its square such a miss counts as: of the pixels beside another brightness, about one in three has the edge within. Two
+/// samples of every second of these agree, of eight those of one in seven, and then the more they are, the less lies beyond.
+LIPPMANN_INLINE float share_missed(float samples) { return 0.05f + 1.1f / (samples * samples); }
 /// A difference of luminance that is not seen.
 constexpr float kSlight = 0.05f;
 /// With fewer samples a pixel has no say in how many more it gets: its neighbours and the frame before have. Else those whose
@@ -20,9 +21,9 @@ constexpr float kOwnSamples = 8.0f;
 /// And then, for the same reason, its neighbours count as so many samples of its own. What is met by one sample in twenty, as a
 /// lamp that few samples choose, takes more than 8 to be sure of.
 constexpr float kNeighbours = 64.0f;
-/// Errors of n evenly spread samples fall about as n^-kFall: for the least error of all pixels together, their number grows as
-/// the power 2 / (1 + kFall) of how much they scatter.
-constexpr float kFall = 1.6f, kGrowth = 1.0f / (1.0f + kFall);
+/// For the least error of all pixels together, the number of their samples grows as the power 2 / (1 + kErrorFall) of how much
+/// these scatter.
+constexpr float kGrowth = 1.0f / (1.0f + kErrorFall);
 
 /// Luminance above it, as far as codes tell it apart: white is white, and black black.
 constexpr float kBlack = 0.003f;
@@ -82,10 +83,12 @@ LIPPMANN_MULTIVERSION void encode(BlockEstimates& block) {
   }
 }
 
-LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& block) {
+LIPPMANN_MULTIVERSION void find_wanted(float have, float error, float worst, BlockEstimates& block) {
   const auto size = static_cast<int>(block.size), count = static_cast<int>(whole_packets(block.size));
-  const float weight = kMissed * fast_pow(have, kFall), inverse = 1.0f / (error * error);
+  const float weight = share_missed(have) * fast_pow(have, kErrorFall);
+  const float inverse = 1.0f / (error * error), of_worst = 1.0f / worst;
   const bool has_say = have >= kOwnSamples;
+  const int across = block.across;
   const float own_share = has_say ? have / (have + kNeighbours) : 0.0f;
 #pragma GCC ivdep
   for (int e = 0; e < count; ++e) {
@@ -94,7 +97,7 @@ LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& 
     const float* clear = block.clear + kLanes + e;
     float around = 0.0f, level = 0.0f, known = 0.0f, clear_around = 0.0f, edge = 0.0f;
     float least = std::numeric_limits<float>::max(), most = 0.0f;
-    for (const int step : {-1, 1, -kLanes, kLanes}) {
+    for (const int step : {-1, 1, -across, across}) {
       const bool inside = (e + step >= 0) & (e + step < size);
       around += inside ? scatter[step] : 0.0f;
       level += inside ? shown(mean[step]) : 0.0f;
@@ -108,7 +111,7 @@ LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& 
     // What the pixel is taken to be like: itself, once it has a say, or else what is around it, as it is shown: a mean with
     // what is overexposed would be white.
     const float like = has_say ? mean[0] : level, clear_like = has_say ? clear[0] : clear_around;
-    for (const int step : {-1, 1, -kLanes, kLanes}) {
+    for (const int step : {-1, 1, -across, across}) {
       const bool inside = (e + step >= 0) & (e + step < size);
       edge = std::max(edge, inside ? std::abs(clear[step] - clear_like) : 0.0f);
     }
@@ -120,7 +123,12 @@ LIPPMANN_MULTIVERSION void find_wanted(float have, float error, BlockEstimates& 
     variance = std::max(std::max(variance, block.before[e]), std::numeric_limits<float>::min());
     // Their paths are as good as independent: errors fall as the root of their number, and not faster.
     const float of_paths = std::sqrt(inverse * block.path_scatter * block.left_to_paths[e] / block.samples[e]);
-    block.wanted[e] = std::max(fast_pow(variance * inverse, kGrowth), of_paths);
+    // Noise is no edge: it scatters by more than neighbours differ by, and is to be as strong as the mean allows.
+    const float high = has_say ? std::max(most, mean[0]) : most, low = has_say ? std::min(least, mean[0]) : least;
+    const float step = fast_code_of(high) - fast_code_of(low), of_step = std::min(0.25f * step * step, kEdgeScatter);
+    const float of_edge = std::max(std::min(variance, of_step) * of_worst, std::numeric_limits<float>::min());
+    const float of_light = std::max(fast_pow(variance * inverse, kGrowth), fast_pow(of_edge, 1.0f / kErrorFall));
+    block.wanted[e] = std::max(of_light, of_paths);
   }
 }
 

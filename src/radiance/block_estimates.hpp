@@ -9,6 +9,12 @@ namespace lippmann {
 /// Codes from 0 to 1 scatter by no more, squared, whatever their slope makes of a bright sample.
 inline constexpr float kMostScatter = 0.25f;
 
+/// Errors of n samples that are spread evenly over a pixel, squared, fall about as n^-kErrorFall.
+inline constexpr float kErrorFall = 1.6f;
+/// What scatters by more is an edge, and is given no more samples than one that scatters by this much, to be within
+/// GatherEffort::worst.
+inline constexpr float kEdgeScatter = 0.025f;
+
 /// An array per quantity; pixels lie in the order of rays. Scatter and errors are as sRGB's codes (0 ... 1) have them.
 struct BlockEstimates {
   static constexpr std::size_t kMost = kPacketsPerBlock * kLanes;
@@ -17,6 +23,7 @@ struct BlockEstimates {
   using PaddedValues = float[kLanes + kMost + kLanes];
 
   std::size_t size = 0;
+  int across = kLanes;        ///< the pixels beside one lie so many before and after it, or next to it; kLanes at most
   float alpha_weight = 1.0f;  ///< what squared errors of alpha count beside those of light
   float path_scatter = 0.0f;  ///< how much a sample that is left to paths scatters, as `scatter`; 0: not known
   alignas(64) std::uint32_t pixel[kMost];
@@ -60,6 +67,7 @@ class PathScatter {
 /// What a pixel's samples have may have missed an edge, which those around then know of: by how much they scatter, or as they
 /// are brighter or darker, and the frame before, too.
 /// Pixels whose samples were left to paths scatter by block.path_scatter at least, whatever their own have met.
-void find_wanted(float have, float error, BlockEstimates& block);
+/// worst: the squared error that a single pixel may be expected to have at most; infinite: any.
+void find_wanted(float have, float error, float worst, BlockEstimates& block);
 
 }  // namespace lippmann

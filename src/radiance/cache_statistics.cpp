@@ -20,6 +20,10 @@ constexpr float kLongestHistory = 2048.0f;
 constexpr float kContradiction = 3.0f;
 /// Few samples say little of how much they scatter, and of what may have changed: the larger cell around counts as so many.
 constexpr float kPrior = 8.0f;
+/// Where all of few samples were dark, a cell is not sure to be black: how bright the larger one is counts as so many.
+constexpr float kPriorLevel = 16.0f;
+/// What a larger cell says of how much cells differ counts as so many of them at most (prior_cells()).
+constexpr float kMostPriorCells = 16.0f;
 /// Samples scatter alike in proportion to the light: the larger cell around says more of it than a cell's own samples, of which
 /// a single one may be all.
 constexpr float kPriorScatter = 200.0f;
@@ -28,6 +32,12 @@ constexpr float kNone = 1e-20f;
 /// So much of the light along rays that pass what moves, or that arrive at another angle, changes from frame to frame: most of
 /// them meet the same thing again, and others make up for those.
 constexpr float kChanging = 0.5f;
+
+/// How many cells it counts as, what the cell around a larger one says of how much the cells within that larger one differ: as
+/// many as make it as certain as they themselves are. The latter are few, and one that is far off by bad luck would seem to
+/// know better. By how much chance alone makes them differ, over what is expected: `chance`. What is expected may be wrong by
+/// twice itself.
+float prior_cells(float chance) { return std::min(0.5f * squared(1.0f + chance), kMostPriorCells); }
 
 float fourth_root(float x) { return std::sqrt(std::sqrt(std::max(x, 0.0f))); }
 
@@ -172,11 +182,13 @@ float RadianceCache::level(const Cell& cell, const Cell* parent) {
 
 /// Means of the cells of a size, and how much their samples scatter: as those of all cells within the same larger one.
 void RadianceCache::find_scatter(const SlotsOfShards& slots, const SlotsOfShards* wider, const ThreadPool& pool) {
-  for_each_of_size(pool, slots, [](Cell& cell, Slot& slot) {
+  for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) {
     Moments all = cell.past;
     all.add(cell.now);
     cell.samples = all.count;
-    cell.luminance = luminance(all.mean), cell.root = all.root;
+    cell.luminance = luminance(all.mean);
+    const Cell* parent = parent_of(cell);
+    cell.root = parent ? (all.count * all.root + kPriorLevel * parent->root) / (all.count + kPriorLevel) : all.root;
     cell.scatter = {all.variance(), all.root_variance()};
     slot.light = cell.own = all.mean;
     cell.drawn = 0.0f, cell.shift = Vec3f(0.0f);
@@ -224,19 +236,22 @@ void RadianceCache::find_spreads(const SlotsOfShards& slots, const SlotsOfShards
   sum_into_parents(
       slots, wider, pool,
       [](const Cell& cell, const Slot& slot, const Cell& parent) {
-        if (!cell.has_wider) return std::array<float, 4>{};
+        if (!cell.has_wider) return std::array<float, 5>{};
         const float share = std::min(1.0f, cell.samples / std::max(parent.samples, 1.0f));
         return std::array{cell.samples * squared(luminance(slot.light) - luminance(cell.wider)),
                           cell.samples * squared(cell.luminance - parent.luminance), cell.scatter.light * (1.0f - share),
-                          cell.samples};
+                          cell.samples, 1.0f};
       },
-      [this](Cell& parent, const std::array<float, 4>& sums) {
-        const auto [squares, from_mean, chance, count] = sums;
+      [this](Cell& parent, const std::array<float, 5>& sums) {
+        const auto [squares, from_mean, chance, count, cells] = sums;
         const float found = count > 0.0f ? std::max(0.0f, squares - chance) / count : 0.0f;
         parent.relief = count > 0.0f ? std::max(0.0f, from_mean - chance) / count : 0.0f;
-        // Light that changes evenly differs a quarter as much over half the distance.
         const Cell* wider_still = parent_of(parent);
-        parent.spread = wider_still ? (count * found + kPrior * 0.25f * wider_still->spread) / (count + kPrior) : found;
+        // Light that changes evenly differs a quarter as much over half the distance.
+        const float expected = wider_still ? 0.25f * wider_still->spread : found;
+        const float of_cells = prior_cells(chance / std::max(count * expected, kNone)) * count / std::max(cells, 1.0f);
+        const float prior = std::max(kPrior, of_cells);
+        parent.spread = (count * found + prior * expected) / (count + prior);
       });
 }
 

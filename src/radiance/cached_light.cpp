@@ -89,7 +89,7 @@ class CachedFrame {
 
  private:
   void learn_from(const FrameErrors& former);
-  GatherEffort effort() { return {error(), history_.plan->edges, history_.plan->mix}; }
+  GatherEffort effort() { return {error(), history_.plan->edges, history_.plan->mix, history_.plan->worst}; }
   float& error() { return before_.empty() ? history_.plan->error_alone : history_.plan->error; }
   void gather(bool provenance, const CachedLightPictures& pictures);
   enum class Mending { kNone, kGood, kFailed };

@@ -19,8 +19,13 @@ namespace {
 constexpr float kBlockSides = 8.0f;
 /// Means of patches may err by so many times what those of paths do, or of pixels that err each by itself: 3 decibels.
 constexpr float kBlockLoss = 2.0f;
+/// No edge is expected to err by more than so many times what the mean may, squared: 3 decibels.
+constexpr float kWorstOverMean = 2.0f;
 /// Not to be below the goal by bad luck of the measurement.
 constexpr float kMargin = 0.9f, kMixMargin = 0.85f;
+/// PathErrors::exponent where it was not measured. That of noise alone, 1, would let a few paths that are mixed in spoil
+/// pixels.
+constexpr float kLikelyExponent = 1.2f;
 /// What rounding to 8-bit codes adds by itself, (1 / 255)^2 / 12: to be better than that would be a waste.
 constexpr float kInvisible = 1.28e-6f;
 /// Half a code: means of patches that err by less look the same on any display.
@@ -155,6 +160,14 @@ void GatherMeasure::set_goal(const PixelError& of_paths) {
   goal_.blocks = std::max(kBlockLoss * of_block, kInvisibleBlock);
 }
 
+/// Edges are to be as smooth as those of paths, but not where most pixels are worse than that. An eye that sees neighbours as
+/// one has no edges of pixels.
+float GatherMeasure::worst_pixel() const {
+  if (asked_.at_eye) return std::numeric_limits<float>::infinity();
+  const float of_edges = asked_.squared ? 0.0f : kEdgeScatter / std::pow(static_cast<float>(trace_.spp), kErrorFall);
+  return std::max(of_edges, kWorstOverMean * goal_.pixels);
+}
+
 /// Twice as many paths as a full render has: halves of a render would not do, as evenly spread samples are better than two sets
 /// of half as many.
 void GatherMeasure::trace_patches(int fewer) {
@@ -285,9 +298,10 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
   FrameError measured;
   double rays_of_fine = 0.0;
   EdgesToPaths edges = EdgesToPaths::kNone;
+  const float worst = worst_pixel();
   while (!coarse || !fine) {
     const float error = std::ldexp(kCoarsest, -next_trial_);
-    measured = gather(sources, {.error = error, .edges = edges}, {});
+    measured = gather(sources, {.error = error, .edges = edges, .worst = worst}, {});
     const Trial found{error, measured.pixels, measured};
     if (found.squared_error <= enough) {
       fine = found, rays_of_fine = rays_of_last_;
@@ -295,7 +309,7 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
       if (!coarse) --next_trial_;
     } else {
       if (coarse && blocks_need_cells(*coarse, measured, goal_.blocks)) {
-        GatherPlan plan{error, error, edges, {}, 1.0f, measured, rays_of_last_ / rays_of_paths_};
+        GatherPlan plan{error, error, edges, {}, worst, 1.0f, measured, rays_of_last_ / rays_of_paths_};
         refine_for_blocks(sources, plan);
         return plan;
       }
@@ -313,7 +327,7 @@ std::optional<GatherPlan> GatherMeasure::plan(const GatherSources& sources) {
   }
   if (rays_of_fine > kLargestShare * rays_of_paths_) return std::nullopt;
   const float error = coarse ? error_between(*coarse, *fine, enough) : fine->error;
-  GatherPlan plan{error, error, edges, {}, coarse ? error_of_cells(*coarse, *fine) / enough : 0.0f, measured};
+  GatherPlan plan{error, error, edges, {}, worst, coarse ? error_of_cells(*coarse, *fine) / enough : 0.0f, measured};
   if (coarse) plan.expected.pixels = enough, plan.expected.blocks = blocks_between(*coarse, *fine, error);
   plan.share_of_rays = rays_of_fine / rays_of_paths_;
   refine_for_blocks(sources, plan);
@@ -331,9 +345,9 @@ PathErrors GatherMeasure::path_errors() const {
   return PathErrors::with({of_paths_.squared, of_single_paths_.squared / kBlockPixels}, trace_.spp, path_exponent());
 }
 
-/// By what halves of the sets err, and a whole picture; 1 where there are no halves.
+/// By what halves of the sets err, and a whole picture.
 float GatherMeasure::path_exponent() const {
-  if (!(of_halves_ > 0.0f && of_single_paths_.squared > 0.0f)) return 1.0f;
+  if (!(of_halves_ > 0.0f && of_single_paths_.squared > 0.0f)) return kLikelyExponent;
   const float times = static_cast<float>(trace_.spp) / static_cast<float>(samples_of_half_);
   return std::clamp(std::log(of_halves_ / of_single_paths_.squared) / std::log(times), 1.0f, 2.0f);
 }
@@ -376,7 +390,7 @@ void GatherMeasure::plan_frames_in_a_row(const GatherSources& sources, GatherPla
 
 /// The error of frames that know the one before, if those that do not need `alone` to be good enough.
 float GatherMeasure::error_in_a_row(const GatherSources& sources, const GatherEffort& alone, float enough) {
-  const auto with = [&](float error) { return GatherEffort{error, alone.edges, alone.mix}; };
+  const auto with = [&](float error) { return GatherEffort{error, alone.edges, alone.mix, alone.worst}; };
   Scatter scatter;
   gather(sources, alone, {nullptr, &scatter}, 1);
   const Scatter before = smoothed(scatter, sources.shot.optics, pool_);

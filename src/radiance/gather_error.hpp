@@ -6,6 +6,7 @@
 // in them, light that is wrong does not.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "radiance/eye_error.hpp"
@@ -38,11 +39,12 @@ struct GatherPlan {
   float error_alone = 0.01f;  ///< and where not
   EdgesToPaths edges = EdgesToPaths::kNone;
   PathMix mix{};
+  float worst = std::numeric_limits<float>::infinity();  ///< GatherEffort::worst
   float of_cells = 0.0f;       ///< share of the error that frames may have, which no number of samples would take away
   FrameError expected;         ///< the frame's errors
   double share_of_rays = 1.0;  ///< its rays over those that paths take
-  GatherEffort effort() const { return {error, edges, mix}; }
-  GatherEffort effort_alone() const { return {error_alone, edges, mix}; }
+  GatherEffort effort() const { return {error, edges, mix, worst}; }
+  GatherEffort effort_alone() const { return {error_alone, edges, mix, worst}; }
 };
 
 /// What a frame is measured on.
@@ -130,6 +132,7 @@ class GatherMeasure {
   void trace_patches(int fewer);
   void set_goal(const PixelError& of_paths);
   double share_of_independent() const;
+  float worst_pixel() const;
   void set_pixels(const PixelError& single, const PixelError& at_eye, FrameError& error) const;
   PixelError difference(const std::vector<float>& a, const std::vector<float>& b) const;
   Codes codes_of_halves(const std::vector<float>& first, const std::vector<float>& second) const;

@@ -103,6 +103,7 @@ class BlockGatherer {
       : scene_(sources.shot.device.shaded()),
         samples_(samples),
         error_(params.effort.error),
+        worst_(params.effort.worst),
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
         guides_(pictures.noisy ? std::make_unique<BlockGuides>(display_z(sources.shot.world_from_display)) : nullptr),
         gatherer_(scene_, sources.cells, sources.cache, path_params(params.trace), film(pictures),
@@ -124,7 +125,7 @@ class BlockGatherer {
       encode(block);
       if (have == kFirstSamples) path_scatter_.add(block);
       block.path_scatter = path_scatter_.mean();
-      find_wanted(n, error_, block);
+      find_wanted(n, error_, worst_, block);
       for (std::uint32_t e = 0; e < block.size; ++e)
         if (block.samples[e] == n && block.wanted[e] > n)
           for (std::uint32_t s = have; s < 2 * have; ++s) work.push_back({e, s});
@@ -174,7 +175,7 @@ class BlockGatherer {
 
   const ShadedScene& scene_;
   const SampleSource& samples_;
-  float error_;
+  float error_, worst_;
   Image light_;
   std::array<float, BlockEstimates::kMost> open_{}, left_to_paths_{};
   std::array<Vec2f, BlockEstimates::kMost> looked_up_{}, sum_looked_up_{};  ///< by slot, by pixel of the block
@@ -235,7 +236,7 @@ namespace {
 /// The pixels of a block, or of its wanted packets alone. before: by pixel of the frame; empty: not known.
 void list_pixels(const PacketSource& source, std::size_t strip, std::size_t block, std::span<const std::uint8_t> wanted,
                  const Scatter& before, BlockEstimates& estimates) {
-  estimates.size = 0;
+  estimates.size = 0, estimates.across = source.across();
   const int first = static_cast<int>(block) * kPacketsPerBlock;
   const auto of_strip = strip * static_cast<std::size_t>(source.packets_per_strip());
   for (int p = first; p < std::min(source.packets_per_strip(), first + kPacketsPerBlock); ++p)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 
 #include "radiance/final_gather.hpp"
@@ -16,6 +17,9 @@ struct GatherEffort {
   float error = 0.01f;  ///< standard deviation of a sample, as sRGB's codes (0 ... 1) have it, at which one is enough
   EdgesToPaths edges = EdgesToPaths::kNone;
   PathMix mix{};
+  /// What a single pixel may be expected to err by at most, squared. The mean is least where few pixels err by much, and jagged
+  /// edges are what eyes see first.
+  float worst = std::numeric_limits<float>::infinity();
 };
 
 struct GatherParams {

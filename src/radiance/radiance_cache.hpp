@@ -153,7 +153,7 @@ class RadianceCache {
     PossibleChange possible_change_now;  ///< mean of what `now` holds
     PossibleChange possible_change;      ///< the same, with what larger cells say of it
     float samples = 0.0f;
-    float root = 0.0f;      ///< mean fourth root of the luminance
+    float root = 0.0f;      ///< mean fourth root of the luminance, of few samples drawn to that of the larger cell
     Scatter scatter;        ///< scatter of one sample
     Scatter relative;       ///< the same over the cell's level
     Scatter within;         ///< and the scatter of one sample about the mean of its cell, in the cells within this one

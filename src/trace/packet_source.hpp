@@ -64,6 +64,9 @@ class PacketSource {
   /// Packets of a full strip; a lower last strip has as many, some lanes or whole packets of them inactive.
   int packets_per_strip() const { return packets_; }
 
+  /// StripOrder::across.
+  int across() const { return order_.across; }
+
   /// How many lanes of a packet there are; none, too, of packets that the strip does not have.
   int lanes(int strip, int packet) const;
 

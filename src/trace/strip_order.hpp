@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "device/lanes.hpp"
 #include "lippmann/optics/optics.hpp"
 #include "lippmann/trace/ray_order.hpp"
 
@@ -24,6 +25,8 @@ struct StripPixel {
 
 struct StripOrder {
   int strip_height = 16;  ///< rows; the last strip may be lower
+  int across =
+      kLanes;  ///< so much further on lies, as a rule, the neighbour in the next column of the same view; kLanes at most
   std::vector<StripPixel>
       pixels;  ///< every pixel of a full strip once; a lower last strip skips those with y beyond its height
 };

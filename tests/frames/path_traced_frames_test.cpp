@@ -17,7 +17,7 @@ RenderParams paths(int lenses, int spp, const char* name = "teapot") {
 
 /// Enough samples for soft light to be shared, which in so small a picture just pays at full depth.
 RenderParams shared_light(const ReuseParams& goal = {}, const char* name = "teapot") {
-  RenderParams params = paths(16, 32, name);
+  RenderParams params = paths(16, 64, name);
   params.optics.fit_depth = false;
   return with_reuse(params, goal);
 }

@@ -115,7 +115,7 @@ TEST(Provenance, of_frames_with_a_floor_says_what_was_traced) {
 TEST(Provenance, of_shared_light_is_of_this_frame_at_first_and_of_frames_before_too_later) {
   RenderParams params = small_scene();
   params.sampling.integrator = Integrator::kPath;
-  params.sampling.spp = 32;
+  params.sampling.spp = 64;
   params.optics.fit_depth = false;
   params.reuse = {};
   const MadeFrames made = told(params, {0, 1}, 3);

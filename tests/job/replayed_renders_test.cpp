@@ -93,7 +93,8 @@ double error_at_eyes(const Files& reference, const Files& test, const fs::path& 
 /// What a frame is told with: its lower bound holds for 95 % of all frames.
 double deviation_db(double told_db, double least_db) { return (told_db - least_db) / 1.645; }
 
-// The reference's own noise, of 512 samples, is a sixteenth of that of 32: 0.3 dB at most.
+// The reference's own noise, of 512 samples, is a sixteenth of that of 32 paths: the frame seems 0.3 dB worse than it is where
+// it is as good as these, and more where it is better.
 TEST_F(ReplayedRenders, frames_that_share_light_tell_what_eyes_see_of_their_errors) {
   const RenderReport told = render(job("room", "paths", kSeenPaths + Settings{{"crosstalk", "15%"}, {"reuse", "light"}}));
   render(job("room", "many", kSeenPaths + Settings{{"reuse", "none"}, {"seed", "9"}, {"spp", "512"}}));
@@ -106,7 +107,7 @@ TEST_F(ReplayedRenders, frames_that_share_light_tell_what_eyes_see_of_their_erro
         psnr_db(error_at_eyes(files_in(dir_ / "reference", ".png"), files_in(dir_ / "test", ".png"), dir_.path()));
     const double told_db = crosstalk ? *frame.estimated_psnr_at_eye_db : *frame.estimated_psnr_db,
                  least_db = crosstalk ? *frame.psnr_at_eye_at_least_db : *frame.psnr_at_least_db;
-    EXPECT_NEAR(told_db, true_db, 2.0 * deviation_db(told_db, least_db)) << crosstalk;
+    EXPECT_NEAR(told_db - 0.3, true_db, 2.0 * deviation_db(told_db, least_db)) << crosstalk;
     EXPECT_LT(deviation_db(told_db, least_db), 0.75) << crosstalk;
   }
   EXPECT_GT(*frame.estimated_psnr_at_eye_db, *frame.estimated_psnr_db + 0.5);

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include "core/random.hpp"
 
@@ -12,7 +14,7 @@ namespace lippmann {
 namespace {
 
 constexpr std::size_t kPixels = 40;  // two packets and a half
-constexpr float kError = 0.01f;
+constexpr float kError = 0.01f, kAnyError = std::numeric_limits<float>::infinity();
 
 /// Grey pixels, `samples` of 0.2 each.
 std::unique_ptr<BlockEstimates> even(int samples) {
@@ -26,7 +28,7 @@ std::unique_ptr<BlockEstimates> even(int samples) {
 
 void look(BlockEstimates& block, float have) {
   encode(block);
-  find_wanted(have, kError, block);
+  find_wanted(have, kError, kAnyError, block);
 }
 
 /// The code of sRGB's curve above its toe.
@@ -66,7 +68,7 @@ TEST(BlockEstimates, pixels_that_are_left_to_paths_want_what_all_of_these_scatte
   const float of_seven = block->scatter[kLanes + 7];
   EXPECT_NEAR(scatter.mean(), of_seven / 2.5f, 1e-3f * of_seven);  // shares of 1, 1 and 1/2
   block->path_scatter = scatter.mean();
-  find_wanted(2.0f, kError, *block);
+  find_wanted(2.0f, kError, kAnyError, *block);
   EXPECT_NEAR(block->wanted[20], std::sqrt(scatter.mean()) / kError, 1e-3f * block->wanted[20]);
   EXPECT_NEAR(block->wanted[30], std::sqrt(0.5f * scatter.mean()) / kError, 1e-3f * block->wanted[30]);
   EXPECT_LT(block->wanted[25], 0.01f);
@@ -132,7 +134,7 @@ TEST(BlockEstimates, pixels_beside_another_brightness_may_have_missed_an_edge) {
   look(*block, 8.0f);
   const double beside = static_cast<double>(block->mean[kLanes + 20]);
   const double error = code(0.2 + (beside - 0.2) / 10.0) - code(0.2);
-  const double missed = 0.05 * std::pow(8.0, 1.6) * error * error;
+  const double missed = (0.05 + 1.1 / 64.0) * std::pow(8.0, 1.6) * error * error;
   const double around = share_of_neighbours(8) * 0.25 * static_cast<double>(block->scatter[kLanes + 20]);
   EXPECT_GT(missed, 0.1 * around);
   const double expected = std::pow((missed + around) / (kError * kError), 1.0 / 2.6);
@@ -148,9 +150,50 @@ TEST(BlockEstimates, pixels_beside_overexposed_ones_may_have_missed_an_edge) {
     for (int s = 0; s < 2; ++s) block->add(e, Vec3f(e == 19 || e == 21 ? 14.0f : 0.2f));
   look(*block, 2.0f);
   const double brighter = 1.0 - code(0.6), darker = code(0.6) - code(0.5);
-  const double missed = 0.05 * std::pow(2.0, 1.6) * (brighter * brighter + darker * darker);
+  const double missed = (0.05 + 1.1 / 4.0) * std::pow(2.0, 1.6) * (brighter * brighter + darker * darker);
   const double expected = std::pow(missed / (kError * kError), 1.0 / 2.6);
   EXPECT_NEAR(static_cast<double>(block->wanted[20]), expected, 0.01 * expected);
+}
+
+/// Three packets of 64 samples a pixel: dark below lane 5, bright above it, half of each in lane 5.
+std::unique_ptr<BlockEstimates> edge_between(float dark, float bright) {
+  auto block = std::make_unique<BlockEstimates>();
+  for (std::uint32_t e = 0; e < 3 * kLanes; ++e) {
+    block->push_back(e, 0.0f);
+    const int lane = static_cast<int>(e) % kLanes;
+    for (int s = 0; s < 64; ++s) block->add(e, Vec3f(lane < 5 || (lane == 5 && s % 2) ? dark : bright));
+  }
+  encode(*block);
+  return block;
+}
+
+// What scatters by s^2 errs by s^2 / n^1.6 with n samples: half of 64 samples that are d brighter than the others, by d / 2.
+// The mean of all pixels would want a sample or two.
+TEST(BlockEstimates, no_edge_is_expected_to_err_by_more_than_the_worst_may) {
+  constexpr float kCoarse = 0.5f, kWorst = 4e-5f;
+  constexpr std::size_t kEdge = kLanes + 5;
+  const auto slight = edge_between(0.2f, 0.22f), strong = edge_between(0.2f, 0.8f);
+  for (BlockEstimates* block : {slight.get(), strong.get()}) {
+    find_wanted(64.0f, kCoarse, kAnyError, *block);
+    EXPECT_LT(block->wanted[kEdge], 2.0f);
+    find_wanted(64.0f, kCoarse, kWorst, *block);
+    EXPECT_LT(block->wanted[kLanes + 12], 0.1f);
+  }
+  // Its neighbours on both sides scatter by nothing, and count 64 samples of 128.
+  const double step = code(0.22) - code(0.2), own = 0.25 * step * step;
+  EXPECT_LT(slight->wanted[kEdge], std::pow(own / static_cast<double>(kWorst), 1.0 / 1.6));
+  EXPECT_GT(slight->wanted[kEdge], std::pow(0.7 * own / static_cast<double>(kWorst), 1.0 / 1.6));
+  EXPECT_NEAR(strong->wanted[kEdge], std::pow(kEdgeScatter / kWorst, 1.0f / 1.6f), 0.5f);  // 56
+}
+
+// Noise, however strong, is no edge: half of the samples of every pixel are bright.
+TEST(BlockEstimates, noise_without_an_edge_may_err_by_more) {
+  auto block = even(0);
+  for (std::size_t e = 0; e < kPixels; ++e)
+    for (int s = 0; s < 64; ++s) block->add(e, Vec3f(s % 2 ? 0.8f : 0.2f));
+  encode(*block);
+  find_wanted(64.0f, 0.5f, 4e-5f, *block);
+  EXPECT_LT(block->wanted[20], 2.0f);
 }
 
 struct Sampled {
@@ -158,7 +201,7 @@ struct Sampled {
 };
 
 /// 400 blocks of 40 pixels that get as many samples as is found, from draw().
-Sampled sample_blocks(float error, const auto& draw) {
+Sampled sample_blocks(float error, float worst, const auto& draw) {
   constexpr int kBlocks = 400;
   Sampled sampled;
   for (int b = 0; b < kBlocks; ++b) {
@@ -167,7 +210,7 @@ Sampled sample_blocks(float error, const auto& draw) {
       for (int s = 0; s < 2; ++s) block->add(e, Vec3f(draw()));
     for (float have = 2.0f; have < 64.0f; have *= 2.0f) {
       encode(*block);
-      find_wanted(have, error, *block);
+      find_wanted(have, error, worst, *block);
       for (std::size_t e = 0; e < kPixels; ++e)
         if (block->samples[e] == have && block->wanted[e] > have)
           for (int s = 0; s < static_cast<int>(have); ++s) block->add(e, Vec3f(draw()));
@@ -191,19 +234,23 @@ auto random_numbers(std::uint32_t stream) {
 // One sample in twenty is bright, as where few choose the lamp that counts: whether a pixel has met it among its first eight
 // must not decide how many more it gets. Deviation of a sample 0.21, of the mean of 8 of each below 0.0006.
 TEST(BlockEstimates, light_that_few_samples_bring_is_not_lost) {
-  auto random = random_numbers(9);
-  const Sampled sampled = sample_blocks(0.02f, [&] { return random() < 0.05f ? 1.0f : 0.02f; });
-  EXPECT_GT(sampled.most, 8.0);
-  EXPECT_NEAR(sampled.mean, 0.069, 0.04 * 0.069);
+  for (const auto& [error, worst] : {std::pair(0.02f, kAnyError), std::pair(0.2f, 2e-4f)}) {
+    auto random = random_numbers(9);
+    const Sampled sampled = sample_blocks(error, worst, [&] { return random() < 0.05f ? 1.0f : 0.02f; });
+    EXPECT_GT(sampled.most, 8.0);
+    EXPECT_NEAR(sampled.mean, 0.069, 0.04 * 0.069) << error;
+  }
 }
 
 // A bright thing that covers an eighth of every pixel of a row, sampled at random. The mean of all pixels is right whatever
 // they are given: deviation of a sample 0.33; of n samples at least 2, that of the mean below 0.0019.
 TEST(BlockEstimates, small_bright_things_lose_no_light) {
-  auto random = random_numbers(7);
-  const Sampled sampled = sample_blocks(0.03f, [&] { return random() < 0.125f ? 1.0f : 0.0f; });
-  EXPECT_GT(sampled.most, 4.0);  // it was decided
-  EXPECT_NEAR(sampled.mean, 0.125, 4.0 * 0.0019);
+  for (const auto& [error, worst] : {std::pair(0.03f, kAnyError), std::pair(0.3f, 2e-3f)}) {
+    auto random = random_numbers(7);
+    const Sampled sampled = sample_blocks(error, worst, [&] { return random() < 0.125f ? 1.0f : 0.0f; });
+    EXPECT_GT(sampled.most, 4.0);  // it was decided
+    EXPECT_NEAR(sampled.mean, 0.125, 4.0 * 0.0019) << error;
+  }
 }
 
 TEST(BlockEstimates, the_frame_before_is_believed_where_it_says_more) {
