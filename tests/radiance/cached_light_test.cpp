@@ -304,8 +304,8 @@ double block_error(const Image& film, const Image& truth) {
 
 TEST(CachedLight, what_cells_are_wrong_about_averages_out_with_that_of_a_few_paths) {
   const SmallScene s = mirror_box();
-  const Optics optics = single_view(112);
-  const Frames frames = cached(s.scene, optics, {2}, {.seed = 2}, 1, {});  // with others, or fewer pixels, all is traced
+  const Optics optics = single_view(128);  // with fewer pixels it depends on the seed whether all is traced
+  const Frames frames = cached(s.scene, optics, {2}, {}, 1, {});
   ASSERT_FALSE(frames.reports.back().traced);
   const auto paths = trace_paths(s.scene, optics, 64);
   EXPECT_LT(frames.reports.back().rays.total(), 0.9 * static_cast<double>(paths.counts.total()));
