@@ -22,7 +22,7 @@ constexpr float kContradiction = 3.0f;
 constexpr float kPrior = 8.0f;
 /// Where all of few samples were dark, a cell is not sure to be black: how bright the larger one is counts as so many.
 constexpr float kPriorLevel = 16.0f;
-/// What a larger cell says of how much cells differ counts as so many of them at most (prior_cells()).
+/// What a larger cell says of how much cells differ counts as so many of them at most (prior_cells()), found by trial.
 constexpr float kMostPriorCells = 16.0f;
 /// Samples scatter alike in proportion to the light: the larger cell around says more of it than a cell's own samples, of which
 /// a single one may be all.

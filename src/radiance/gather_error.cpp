@@ -19,7 +19,7 @@ namespace {
 constexpr float kBlockSides = 8.0f;
 /// Means of patches may err by so many times what those of paths do, or of pixels that err each by itself: 3 decibels.
 constexpr float kBlockLoss = 2.0f;
-/// No edge is expected to err by more than so many times what the mean may, squared: 3 decibels.
+/// No edge is expected to err by more than so many times what the mean may, squared (3 decibels), found by trial.
 constexpr float kWorstOverMean = 2.0f;
 /// Not to be below the goal by bad luck of the measurement.
 constexpr float kMargin = 0.9f, kMixMargin = 0.85f;

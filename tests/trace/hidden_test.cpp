@@ -107,9 +107,7 @@ TEST(Hidden, it_shines) {
   SmallScene s;
   s.scene.max_depth = 2;
   s.add(square(3, -1), s.material(matte(Vec3f(1.0f))));
-  MetallicRoughness shining;
-  shining.emissive = Vec3f(2.0f);
-  const int lamp = s.add(square(0.5f, 2), s.material(shining), s.node({Mat3f({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}), {0, 0, 4}}));
+  const int lamp = add_lamp_facing_down(s, 0.5f, 2, Vec3f(2.0f));
   const float floor = seen(s, Integrator::kPath, 256).at(4, 16).x;
   EXPECT_GT(floor, 0.01f);
   Instance& instance = s.scene.instances[static_cast<std::size_t>(lamp)];

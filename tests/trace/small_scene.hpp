@@ -115,6 +115,14 @@ inline Mesh square(float half, float z) {
   return m;
 }
 
+/// A square in the plane z = `z`, as square() has it, that shines towards -z alone. Returns the object id.
+inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light) {
+  MetallicRoughness shining;
+  shining.emissive = light;
+  const Affine3f turned{Mat3f({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}), {0, 0, z}};
+  return s.add(square(half, 0), s.material(shining), s.node(turned));
+}
+
 /// Matte, mirroring and glass spheres at places that follow from the seed, on a long box, under one light: rays of every kind.
 /// Materials 0, 1 and 2, in this order.
 inline SmallScene busy_scene(unsigned seed) {
