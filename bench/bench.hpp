@@ -28,6 +28,7 @@ struct Request {
   bool large = false;                         ///< pictures of 3840 x 2160 pixels too
   bool quick = false;                         ///< small and few, to see that it works
   int reference_spp = 0;                      ///< samples of references; 0: the benchmark's own choice
+  int seeds = 0;                              ///< how many histories of each row; 0: the benchmark's own choice
   std::string references;                     ///< folder where they are kept; empty: the user's cache
   std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
   bool denoise = false;                       ///< frames of both sides are denoised

@@ -19,6 +19,7 @@ Report measure_replay(const Request& request, const Context& context);
 Report measure_resolve(const Request& request, const Context& context);
 Report measure_reuse(const Request& request, const Context& context);
 Report measure_samples(const Request& request, const Context& context);
+Report measure_seeds(const Request& request, const Context& context);
 Report measure_spheres(const Request& request, const Context& context);
 Report measure_tachyon(const Request& request, const Context& context);
 

@@ -73,6 +73,7 @@ class LightBench {
         rows_(rows_to_compare(stage_.placed.optics, wanted.row_share)),
         views_(neighbouring_views(stage_.placed.optics, rows_)),
         blocks_(view_blocks(stage_.placed.optics, rows_)) {
+    if (settings.seed) reuse_params_.sampling.seed = *settings.seed;
     frame_params(reuse_params_);  // refuses contradictions
     run_.width = stage_.placed.optics.panel.width, run_.height = stage_.placed.optics.panel.height;
     run_.compared_pixels = rows_.size() * static_cast<std::size_t>(run_.width);

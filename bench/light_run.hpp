@@ -6,6 +6,7 @@
 // number.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -36,9 +37,10 @@ struct LightCase {
 
 struct LightSettings {
   std::filesystem::path references;
-  std::filesystem::path pictures;  ///< a folder for pictures of the compared frames (light_pictures.hpp); empty: none
-  bool denoise = false;            ///< frames of both ways to render
-  bool without_full = false;       ///< renders with reuse alone: figures of the full render mean nothing
+  std::filesystem::path pictures;       ///< a folder for pictures of the compared frames (light_pictures.hpp); empty: none
+  bool denoise = false;                 ///< frames of both ways to render
+  bool without_full = false;            ///< renders with reuse alone: figures of the full render mean nothing
+  std::optional<std::uint32_t> seed{};  ///< of what is rendered with reuse; none: the row's
   std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
 };
 

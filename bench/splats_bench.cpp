@@ -128,7 +128,7 @@ float passed_by_all(const ShadedScene& scene, const LaneRay& ray) {
   return left < kDark ? 0.0f : left;
 }
 
-using Packets = std::vector<CameraPacket>;
+using CameraPackets = std::vector<CameraPacket>;
 
 PacketSource camera_rays(const Placement& placement, const Scene& scene) {
   const ResolvedScene resolved = evaluate(scene, 0.0);
@@ -136,8 +136,8 @@ PacketSource camera_rays(const Placement& placement, const Scene& scene) {
                       RayOrder::kViewTiles, SubPixel{});
 }
 
-Packets packets_of_strip(const PacketSource& source, int strip) {
-  Packets packets;
+CameraPackets packets_of_strip(const PacketSource& source, int strip) {
+  CameraPackets packets;
   for (int p = 0; p < source.packets_per_strip(); ++p)
     if (CameraPacket packet; StripPackets{source, strip}.fill(p, 0, packet)) packets.push_back(packet);
   return packets;
@@ -145,7 +145,7 @@ Packets packets_of_strip(const PacketSource& source, int strip) {
 
 /// A few rays let pass what all splats together let pass.
 void check_rays(const ShadedScene& scene, const PacketSource& source) {
-  const Packets packets = packets_of_strip(source, source.strips() / 2);
+  const CameraPackets packets = packets_of_strip(source, source.strips() / 2);
   SplatHits hits;
   SplatLight light;
   for (std::size_t p = 0; p < packets.size(); p += packets.size() / 16 + 1) {
@@ -162,7 +162,7 @@ void check_rays(const ShadedScene& scene, const PacketSource& source) {
 double seconds_of_hits(const ShadedScene& scene, const PacketSource& source) {
   double total = 0.0;
   for (int strip = 0; strip < source.strips(); ++strip) {
-    Packets packets = packets_of_strip(source, strip);
+    CameraPackets packets = packets_of_strip(source, strip);
     total += seconds([&] {
       for (CameraPacket& packet : packets) scene.trace(packet.active, packet.rays, Coherence::kCoherent);
     });

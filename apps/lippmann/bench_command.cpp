@@ -180,6 +180,9 @@ void add_bench_command(const Command& root, Action& chosen) {
                                          "Samples per pixel of the reference pictures; 0: 2048, for hostile rows 1024")
                              .type_name("N")
                              .range(0, 1 << 20));
+  own("--seeds", command.add_option("--seeds", request.seeds, "Histories of each row, with other random numbers; 0: 4")
+                     .type_name("N")
+                     .range(0, 1000));
   own("--references", command
                           .add_option("--references", request.references,
                                       "The folder that keeps the reference pictures; default: lippmann/references in the "

@@ -1,4 +1,5 @@
 // The figures of path-traced light with reuse, on a few small frames: what must be so whatever is saved.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -116,6 +117,24 @@ TEST(BenchLight, hostile_row_has_its_figures_and_bars) {
   EXPECT_NEAR(row["full_mean_light"].get<double>(), 1.0, 0.05);
   for (const char* what : {"reference", "full", "reuse", "error", "block_error"})
     EXPECT_TRUE(std::filesystem::exists(dir / "pictures" / (std::string("bar-lamp_0002_") + what + ".png"))) << what;
+}
+
+TEST(BenchSeeds, rows_are_rendered_with_other_random_numbers_against_the_same_references) {
+  const TempDir dir;
+  bench::Request request = quick_request({"turntable"});
+  request.references = dir / "references", request.seeds = 2;
+  const bench::Report report = run_benchmark("seeds", request);
+  const Json& rows = report.rows;
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_NE(rows[0]["seed"], rows[1]["seed"]);
+  EXPECT_NE(rows[0]["psnr_db"], rows[1]["psnr_db"]);
+  EXPECT_NE(rows[0]["rays"], rows[1]["rays"]);
+  EXPECT_NEAR(rows[0]["mean_light"].get<double>(), rows[1]["mean_light"].get<double>(), 0.05);
+  EXPECT_THAT(report.text, testing::HasSubstr("turntable"));
+  EXPECT_THAT(report.text, testing::HasSubstr(fmt::format("({:.2f})", std::min(rows[0]["worst_psnr_db"].get<double>(),
+                                                                               rows[1]["worst_psnr_db"].get<double>()))));
+  request.seeds = 1;
+  EXPECT_EQ(run_benchmark("seeds", request).rows[0]["psnr_db"], rows[0]["psnr_db"]);
 }
 
 TEST(BenchEstimates, tells_of_every_frame_how_far_its_psnr_is_from_what_is_told) {
