@@ -149,7 +149,7 @@ void CachedFrame::learn_from(const FrameErrors& former) {
 
 /// A frame from the cache, if it errs by no more than it may; else a traced one. Whether it is the former.
 bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPictures& pictures) {
-  GatherMeasure measure(shot_, params_, goal.error, cache_.is_first() ? kCheckingFirst : kChecking, before_, pool_);
+  GatherMeasure measure(shot_, params_, goal.error, cache_.is_first() ? kCheckingFirst : kChecking, before_, {pool_, context_});
   const FrameErrors former = history_.errors;
   const bool was_mixed = history_.plan->mix.samples > 0;
   learn_from(former);
@@ -294,7 +294,7 @@ int CachedFrame::path_samples(const CachedLightGoal& goal, int samples, float fo
 /// shows_all: the surroundings, too, as the paths do that it is compared with.
 FrameError CachedFrame::measure_traced(const TraceParams& whole, const ErrorGoal& goal, bool shows_all, const Image& film) {
   MeasuredPixels where = choose_pixels(film, kWatching, {}, hash(params_.seed, params_.frame));
-  const PixelMeasure measure(shot_, whole, std::move(where), shows_all ? 1 : 2, pool_);
+  const PixelMeasure measure(shot_, whole, std::move(where), shows_all ? 1 : 2, {pool_, context_});
   add(measure.counts(), counts_);
   const PixelError single = shows_all ? measure.of_paths(film) : measure.of_paths();
   const EyeBlur blur(shot_.optics, goal.crosstalk_px);

@@ -102,11 +102,11 @@ Vec3d EyeWeights::of_pair(std::uint32_t pixel, Vec2i step) const {
 }
 
 EyeMeasure::EyeMeasure(const EyeWeights& weights, const PixelMeasure& pixels, const Shot& shot, const TraceParams& trace,
-                       const ThreadPool& pool)
+                       const Workers& workers)
     : pixels_(pixels), own_(own_weights(weights, pixels)), of_(pixels.where().pixels.size()) {
   if (!weights.blur().blurs()) return;
   draw_partners(weights, hash(trace.seed, trace.frame, 0x65796573u));
-  trace_partners(shot, trace, pool);
+  trace_partners(shot, trace, workers);
 }
 
 /// A pixel's neighbours are drawn by how much is seen of them together with it. Those that fall on the pixel itself, or beyond
@@ -132,12 +132,11 @@ void EyeMeasure::draw_partners(const EyeWeights& weights, std::uint32_t seed) {
           static_cast<std::size_t>(std::lower_bound(partners_.begin(), partners_.end(), drawn[p][i]) - partners_.begin());
 }
 
-void EyeMeasure::trace_partners(const Shot& shot, TraceParams trace, const ThreadPool& pool) {
-  const Context quiet;  // a few pixels are no progress of the frame
+void EyeMeasure::trace_partners(const Shot& shot, TraceParams trace, const Workers& workers) {
   Image film(film_size(shot.optics).x, film_size(shot.optics).y, 3);
   trace.seed = hash(trace.seed, trace.frame, 0x65796570u);
   trace.spp = static_cast<int>(std::bit_floor(std::max(1u, static_cast<unsigned>(trace.spp) / kPartners)));
-  add(trace_pixels(shot, trace, partners_, {pool, quiet}, film), counts_);
+  add(trace_pixels(shot, trace, partners_, workers, film), counts_);
   light_ = shown_light_at(film, partners_);
 }
 

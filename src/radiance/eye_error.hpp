@@ -37,7 +37,7 @@ class EyeMeasure {
  public:
   /// Traces neighbours of those pixels, if an eye sees any.
   EyeMeasure(const EyeWeights& weights, const PixelMeasure& pixels, const Shot& shot, const TraceParams& trace,
-             const ThreadPool& pool);
+             const Workers& workers);
 
   /// The error of paths with trace.spp samples, which err independently. Of a measure with two sets.
   PixelError of_paths() const;
@@ -54,7 +54,7 @@ class EyeMeasure {
     Vec3d weight;
   };
   void draw_partners(const EyeWeights& weights, std::uint32_t seed);
-  void trace_partners(const Shot& shot, TraceParams trace, const ThreadPool& pool);
+  void trace_partners(const Shot& shot, TraceParams trace, const Workers& workers);
   double of_neighbours(std::size_t pixel, int channel, const std::vector<float>& light) const;
 
   const PixelMeasure& pixels_;

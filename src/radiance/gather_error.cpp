@@ -122,14 +122,14 @@ class MeanError {
 }  // namespace
 
 GatherMeasure::GatherMeasure(const Shot& shot, const TraceParams& trace, const ErrorGoal& goal, const MeasuredPlaces& places,
-                             const Scatter& likely, const ThreadPool& pool)
+                             const Scatter& likely, const Workers& workers)
     : shot_(shot),
       trace_(trace),
       asked_(goal),
       blur_(shot.optics, goal.crosstalk_px),
       measured_(places),
       seed_(hash(trace.seed, trace.frame, places.salt)),
-      pool_(pool) {
+      workers_(workers.silent()) {
   const PacketSource source(shot.optics, shot.world_from_display, trace.order, SubPixel{}, shot.rows);
   patches_ = choose_patches(source, places.patches, likely, seed_);
   trace_patches(places.fewer);
@@ -142,11 +142,11 @@ double GatherMeasure::share_of_independent() const { return asked_.at_eye ? blur
 
 void GatherMeasure::choose_pixels_of(const Image& film, const Scatter& scatter) {
   if (pixels_ || !measured_.with_pixels()) return;
-  pixels_.emplace(shot_, trace_, choose_pixels(film, measured_.pixels, scatter, seed_), 2, pool_);
+  pixels_.emplace(shot_, trace_, choose_pixels(film, measured_.pixels, scatter, seed_), 2, workers_);
   add(pixels_->counts(), counts_);
   of_single_paths_ = pixels_->of_paths();
   if (blur_.blurs()) {
-    eye_.emplace(EyeWeights(blur_, film, pool_), *pixels_, shot_, trace_, pool_);
+    eye_.emplace(EyeWeights(blur_, film, workers_.pool), *pixels_, shot_, trace_, workers_);
     add(eye_->counts(), counts_);
   }
   set_goal(asked_.at_eye && eye_ ? eye_->of_paths() : of_single_paths_);
@@ -171,7 +171,6 @@ float GatherMeasure::worst_pixel() const {
 /// Twice as many paths as a full render has: halves of a render would not do, as evenly spread samples are better than two sets
 /// of half as many.
 void GatherMeasure::trace_patches(int fewer) {
-  const Context quiet;  // a few patches are no progress of the frame
   Image film(film_size(shot_).x, film_size(shot_).y, 3);
   TraceParams params = trace_;
   params.spp = fewer_samples(trace_.spp, fewer);
@@ -179,7 +178,7 @@ void GatherMeasure::trace_patches(int fewer) {
   if (in_halves) params.spp = (params.spp + 1) / 2;
   const auto trace_with = [&](std::uint32_t seed_of_set) {
     params.seed = seed_of_set;
-    add(trace_packets(shot_, params, patches_.wanted, {pool_, quiet}, film), counts_);
+    add(trace_packets(shot_, params, patches_.wanted, workers_, film), counts_);
   };
   for (std::uint32_t set = 0; set < 2; ++set) {
     trace_with(hash(seed_, 0x70617468u, set));
@@ -281,11 +280,10 @@ FrameError GatherMeasure::at_least_some(FrameError error) const {
 
 FrameError GatherMeasure::gather(const GatherSources& sources, const GatherEffort& effort, const GatherHistory& history,
                                  std::uint32_t frame) {
-  const Context quiet;
   Image film;
   TraceParams trace = trace_;
   trace.frame += frame;
-  const RayCounts rays = gather_frame(sources, {trace, effort}, patches_.wanted, history, {pool_, quiet}, {film});
+  const RayCounts rays = gather_frame(sources, {trace, effort}, patches_.wanted, history, workers_, {film});
   add(rays, counts_);
   rays_of_last_ = static_cast<double>(rays.total());
   last_ = error_of_patches(film);
@@ -393,7 +391,7 @@ float GatherMeasure::error_in_a_row(const GatherSources& sources, const GatherEf
   const auto with = [&](float error) { return GatherEffort{error, alone.edges, alone.mix, alone.worst}; };
   Scatter scatter;
   gather(sources, alone, {nullptr, &scatter}, 1);
-  const Scatter before = smoothed(scatter, sources.shot.optics, pool_);
+  const Scatter before = smoothed(scatter, sources.shot.optics, workers_.pool);
   Trial fine{alone.error, gather(sources, alone, {&before, nullptr}).pixels};
   while (fine.squared_error <= enough && fine.error < kCoarsest) {
     const Trial coarse{2.0f * fine.error, gather(sources, with(2.0f * fine.error), {&before, nullptr}).pixels};
@@ -417,7 +415,7 @@ GatherMeasure::Timed GatherMeasure::plan_within(const GatherSources& sources, do
     const Clock::time_point start = Clock::now();
     const FrameError measured = gather(sources, {.error = error}, {&before, &scatter});
     const double taken = std::chrono::duration<double>(Clock::now() - start).count() / patches_.of_frame;
-    before = smoothed(scatter, sources.shot.optics, pool_);
+    before = smoothed(scatter, sources.shot.optics, workers_.pool);
     const GatherPlan found{.error = error, .error_alone = error, .expected = measured};
     if (taken > seconds) {
       if (trial == 0) return {found, true};

@@ -67,7 +67,7 @@ class GatherMeasure {
  public:
   /// likely: as choose_patches has it. All arguments outlive it.
   GatherMeasure(const Shot& shot, const TraceParams& trace, const ErrorGoal& goal, const MeasuredPlaces& places,
-                const Scatter& likely, const ThreadPool& pool);
+                const Scatter& likely, const Workers& workers);
 
   /// Chooses the pixels that are measured one by one, by a picture of the frame and how much its samples scattered, if there
   /// are any to be and they are not chosen yet. Before it no goal is known but one that was asked for.
@@ -152,7 +152,7 @@ class GatherMeasure {
   EyeBlur blur_;
   MeasuredPlaces measured_;
   std::uint32_t seed_;
-  const ThreadPool& pool_;
+  Workers workers_;  ///< silent: what is measured is no progress of the frame
   MeasuredPatches patches_;
   Codes paths_[2];
   std::optional<PixelMeasure> pixels_;

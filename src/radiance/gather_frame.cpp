@@ -287,30 +287,28 @@ RayCounts gather_cached(const GatherSources& sources, const GatherParams& params
   const Scatter unknown;
   const Scatter& before = history.before ? *history.before : unknown;
   ExpectedError expected(static_cast<std::size_t>(source.strips()));
-  const RayCounts rays =
-      trace_strips(static_cast<std::size_t>(source.strips()), workers, wanted.empty() ? Progress::kTold : Progress::kSilent,
-                   [&](std::size_t strip) {
-                     BlockGatherer gatherer(sources, samples, params, pictures);
-                     const auto block = std::make_unique<BlockEstimates>();
-                     for (std::size_t b = 0; b < blocks_in(source.packets_per_strip()) && !workers.context.cancelled; ++b) {
-                       list_pixels(source, strip, b, wanted, before, *block);
-                       if (block->size == 0) continue;
-                       gatherer.gather(*block);
-                       expected.add(strip, *block);
-                       for (std::size_t e = 0; e < block->size; ++e) {
-                         const std::size_t pixel = block->pixel[e];
-                         if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
-                         if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
-                         if (pictures.provenance)
-                           pictures.provenance->data[pixel] =
-                               static_cast<float>(provenance_of(block->luminance[e], gatherer.looked_up(e), params.effort.mix));
-                         const Vec3f radiance = block->radiance(e);
-                         std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
-                       }
-                       if (pictures.noisy) gatherer.write(*block, *pictures.noisy);
-                     }
-                     return gatherer.counts();
-                   });
+  const RayCounts rays = trace_strips(static_cast<std::size_t>(source.strips()), workers, [&](std::size_t strip) {
+    BlockGatherer gatherer(sources, samples, params, pictures);
+    const auto block = std::make_unique<BlockEstimates>();
+    for (std::size_t b = 0; b < blocks_in(source.packets_per_strip()) && !workers.context.cancelled; ++b) {
+      list_pixels(source, strip, b, wanted, before, *block);
+      if (block->size == 0) continue;
+      gatherer.gather(*block);
+      expected.add(strip, *block);
+      for (std::size_t e = 0; e < block->size; ++e) {
+        const std::size_t pixel = block->pixel[e];
+        if (history.now) (*history.now)[pixel] = block->scatter[kLanes + e];
+        if (pictures.alpha) pictures.alpha->data[pixel] = block->alpha(e);
+        if (pictures.provenance)
+          pictures.provenance->data[pixel] =
+              static_cast<float>(provenance_of(block->luminance[e], gatherer.looked_up(e), params.effort.mix));
+        const Vec3f radiance = block->radiance(e);
+        std::copy_n(&radiance.x, 3, film.data.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+      }
+      if (pictures.noisy) gatherer.write(*block, *pictures.noisy);
+    }
+    return gatherer.counts();
+  });
   if (history.expected) *history.expected = expected.mean();
   return rays;
 }
@@ -340,23 +338,22 @@ void mix_into(NoisyFrame& noisy, const NoisyFrame& more, float weight) {
 
 /// Paths with random numbers of their own, so that their errors have nothing to do with those of what they are mixed into.
 RayCounts mix_paths_into(const GatherSources& sources, const GatherParams& params, std::span<const std::uint8_t> wanted,
-                         const ThreadPool& pool, const GatheredPictures& pictures) {
+                         const Workers& workers, const GatheredPictures& pictures) {
   TraceParams trace = params.trace;
   trace.spp = params.effort.mix.samples;
   trace.seed = hash(trace.seed, 0x6d697865u);
-  const Context quiet;  // the frame's progress has been told
   NoisyFrame paths;
   FrameAovs layers;
   if (pictures.alpha) layers.want(Aov::kAlpha);
   RayCounts rays;
   if (pictures.noisy) {
-    rays = trace_noisy_frame(sources.shot, trace, {pool, quiet}, paths, layers);
+    rays = trace_noisy_frame(sources.shot, trace, workers, paths, layers);
     if (trace.spp == 1) paths.noise = difference(paths.film, pictures.film);  // one sample has no halves
   } else if (wanted.empty()) {
-    rays = trace_frame(sources.shot, trace, {pool, quiet}, {paths.film, &layers});
+    rays = trace_frame(sources.shot, trace, workers, {paths.film, &layers});
   } else {
     paths.film = pictures.film;  // outside of `wanted` nothing changes
-    rays = trace_packets(sources.shot, trace, wanted, {pool, quiet}, paths.film);
+    rays = trace_packets(sources.shot, trace, wanted, workers, paths.film);
   }
   if (params.provenance) show_as_traced(paths.film);
   const float weight = params.effort.mix.weight;
@@ -372,7 +369,7 @@ RayCounts gather_frame(const GatherSources& sources, const GatherParams& params,
                        const GatherHistory& history, const Workers& workers, const GatheredPictures& pictures) {
   RayCounts rays = gather_cached(sources, params, wanted, history, workers, pictures);
   if (params.effort.mix.samples > 0 && !workers.context.cancelled)
-    add(mix_paths_into(sources, params, wanted, workers.pool, pictures), rays);
+    add(mix_paths_into(sources, params, wanted, workers.silent(), pictures), rays);  // the frame's progress has been told
   return rays;
 }
 

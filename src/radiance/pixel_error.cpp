@@ -8,14 +8,13 @@
 
 namespace lippmann {
 
-PixelMeasure::PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredPixels where, int sets, const ThreadPool& pool)
+PixelMeasure::PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredPixels where, int sets, const Workers& workers)
     : where_(std::move(where)) {
-  const Context quiet;  // a few pixels are no progress of the frame
   Image film(film_size(shot).x, film_size(shot).y, 3);
   TraceParams params = trace;
   for (int set = 0; set < sets; ++set) {
     params.seed = hash(trace.seed, trace.frame, 0x70697865u + static_cast<std::uint32_t>(set));
-    add(trace_pixels(shot, params, where_.pixels, {pool, quiet}, film), counts_);
+    add(trace_pixels(shot, params, where_.pixels, workers, film), counts_);
     light_.push_back(light_at(film, where_.pixels));
     sets_.push_back(codes_at(film, where_.pixels));
   }

@@ -14,7 +14,7 @@ struct PixelError {
 /// Fewer paths for more pixels would tell less, as sRGB's curve makes noise darker.
 class PixelMeasure {
  public:
-  PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredPixels where, int sets, const ThreadPool& pool);
+  PixelMeasure(const Shot& shot, const TraceParams& trace, MeasuredPixels where, int sets, const Workers& workers);
 
   /// The error of paths with trace.spp samples: half the squared difference of both sets.
   PixelError of_paths() const;

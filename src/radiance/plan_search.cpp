@@ -38,7 +38,7 @@ PlanSearch::PlanSearch(const Shot& shot, const TraceParams& params, const Cached
       goal_(goal),
       workers_(workers),
       cache_(cache),
-      measure_(shot_, params, goal.error, kPlanning, {}, workers.pool) {}
+      measure_(shot_, params, goal.error, kPlanning, {}, workers) {}
 
 RayCounts PlanSearch::counts() const {
   RayCounts counts = measure_.counts();
@@ -101,7 +101,7 @@ double PlanSearch::seconds_for_pixels(double seconds) const {
 
 /// Among many setups one is good by chance where it was tried: only what is good elsewhere, too, is taken.
 void PlanSearch::confirm(SetupOutcome& outcome) {
-  if (!fresh_) fresh_.emplace(shot_, params_, goal_.error, kConfirming, Scatter{}, workers_.pool);
+  if (!fresh_) fresh_.emplace(shot_, params_, goal_.error, kConfirming, Scatter{}, workers_);
   const FrameError& may = measure_.goal();
   const FrameError found = fresh_->check(cache_.sources(), plan_->effort_alone(), {});
   FrameError& expected = plan_->expected;

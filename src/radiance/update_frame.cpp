@@ -40,7 +40,7 @@ UpdateRound CacheUpdater::update(const UpdateTarget& target, int round, const Ch
   const auto strips = static_cast<std::size_t>(source_.strips());
   UpdateRound made;
   made.strips.resize(strips);
-  made.rays = trace_strips(strips, {target.pool, target.context}, Progress::kSilent,
+  made.rays = trace_strips(strips, {target.pool, target.context, Progress::kSilent},
                            [&](std::size_t strip) { return update_strip(target, strip, round, choice, made.strips[strip]); });
   std::vector<std::span<const RadianceRecord>> records;
   records.reserve(strips);

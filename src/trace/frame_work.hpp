@@ -54,20 +54,17 @@ void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_st
   }
 }
 
-enum class Progress { kSilent, kTold };
-
 /// Adds up what trace(strip) returns for every strip. Strips that are not begun when the context is cancelled are left out.
 /// share: of the frame whose progress is told.
 template <class Trace>
-RayCounts trace_strips(std::size_t strips, const Workers& workers, Progress progress, const Trace& trace,
-                       SampleShare share = {}) {
+RayCounts trace_strips(std::size_t strips, const Workers& workers, const Trace& trace, SampleShare share = {}) {
   std::vector<RayCounts> counts(strips);
   std::atomic<std::size_t> done{0};
   const Context& context = workers.context;
   workers.pool.for_each(strips, [&](std::size_t strip) {
     if (!context.cancelled) counts[strip] = trace(strip);
     const std::size_t finished = ++done;
-    if (progress == Progress::kTold && context.frame_progress)
+    if (workers.progress == Progress::kTold && context.frame_progress)
       context.frame_progress(share.progress(static_cast<double>(finished) / static_cast<double>(strips)));
   });
   RayCounts total;

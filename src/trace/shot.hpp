@@ -21,10 +21,15 @@ struct Shot {
 /// The size of what is rendered.
 inline Vec2i film_size(const Shot& shot) { return film_size(shot.optics, shot.rows); }
 
-/// Who works, and who may say stop.
+enum class Progress { kSilent, kTold };
+
+/// Who works, who may say stop, and whether that work is progress of the frame.
 struct Workers {
   const ThreadPool& pool;
   const Context& context;
+  Progress progress = Progress::kTold;
+  /// For what is done besides the frame. It is stopped just as well.
+  Workers silent() const { return {pool, context, Progress::kSilent}; }
 };
 
 }  // namespace lippmann

@@ -43,7 +43,7 @@ class FrameTracer {
 
   RayCounts trace(const FrameWork& work, const Workers& workers) const {
     return trace_strips(
-        static_cast<std::size_t>(source_.strips()), workers, Progress::kTold,
+        static_cast<std::size_t>(source_.strips()), workers,
         [&](std::size_t strip) { return trace_strip(work, strip, workers.context); }, share_);
   }
 

@@ -101,11 +101,12 @@ RayCounts trace_pixels(const Shot& shot, const TraceParams& params, Pixels pixel
   const bool along = capture && params.spp == 1;
   const auto trace = [&](const PixelPackets& packets, int spp, auto& integrator, const PacketSinks& sinks) {
     for_each_batch({}, 0, static_cast<int>(packets_of(packets.pixels.size())), [&](std::span<const int> batch, std::size_t) {
+      if (workers.context.cancelled) return;
       trace_batch(scene, packets, {batch, 0, spp}, integrator, sinks);
     });
   };
   const PathFilm light{.all = film.data.data()};
-  return trace_strips(ordered.begin.size() - 1, workers, Progress::kSilent, [&](std::size_t strip) {
+  return trace_strips(ordered.begin.size() - 1, workers.silent(), [&](std::size_t strip) {
     const std::size_t first = ordered.begin[strip];
     const Pixels of_strip = Pixels(ordered.pixels).subspan(first, ordered.begin[strip + 1] - first);
     const RayCounts counts = with_integrator({scene, beam, params, light}, [&](auto& integrator) {

@@ -46,13 +46,13 @@ class SeenSky : public testing::Test {
   Shot shot() const { return {device_, optics_, {}}; }
 
   PixelMeasure pixels(const Image& film) const {
-    return {shot(), params_, choose_pixels(film, {1u << 20, 1, 1}, {}, 7), 2, pool_};
+    return {shot(), params_, choose_pixels(film, {1u << 20, 1, 1}, {}, 7), 2, {pool_, context_}};
   }
 
   EyeWeights weights(const Image& film, double sigma_px) const { return {EyeBlur(optics_, sigma_px), film, pool_}; }
 
   EyeMeasure at_eye(const Image& film, double sigma_px, const PixelMeasure& pixels) const {
-    return {weights(film, sigma_px), pixels, shot(), params_, pool_};
+    return {weights(film, sigma_px), pixels, shot(), params_, {pool_, context_}};
   }
 
   /// `film` with codes that are wrong by `step` in views of even number and by `odd_step` in the others.

@@ -29,7 +29,7 @@ class SkyScene {
   GatherMeasure measure(std::uint32_t frame = 0, const MeasuredPlaces& places = kPlanning) const {
     TraceParams params = params_;
     params.frame = frame;
-    return {{device_, optics_, world_}, params, ErrorGoal{}, places, {}, pool_};
+    return {{device_, optics_, world_}, params, ErrorGoal{}, places, {}, {pool_, context_}};
   }
 
   std::optional<GatherPlan> plan_with(const RadianceCache& cache, GatherMeasure& measure) const {
@@ -40,6 +40,7 @@ class SkyScene {
     return measure.check({{device_, optics_, world_}, cells_, cache}, {.error = 0.002f}, {});
   }
   const RadianceCache& cache() const { return cache_; }
+  void stop() const { context_.cancelled = true; }
 
  private:
   static SmallScene scene_below(float light) {
@@ -52,7 +53,7 @@ class SkyScene {
   }
 
   ThreadPool pool_{1};
-  Context context_;
+  mutable Context context_;
   SmallScene s_;
   Optics optics_ = single_view(64);
   Affine3f world_;
@@ -110,6 +111,19 @@ TEST(GatherMeasure, pixels_are_not_refined_where_cells_are_wrong) {
   EXPECT_EQ(plan->of_cells, 1.0f);
   EXPECT_GT(plan->expected.blocks, 3.0f * wrong.goal().blocks);
   EXPECT_GE(plan->error, 0.005f);
+}
+
+// A plan may take as many paths as half a frame: whoever stops a render does not wait for them.
+TEST(GatherMeasure, a_render_that_is_stopped_traces_no_more_patches) {
+  const SkyScene scene(0.6f);
+  GatherMeasure whole = scene.measure();
+  EXPECT_GT(whole.counts().total(), 0u);
+  scene.stop();
+  GatherMeasure none = scene.measure();
+  EXPECT_EQ(none.counts().total(), 0u);
+  const std::uint64_t before = whole.counts().total();
+  scene.plan_with(scene.cache(), whole);
+  EXPECT_EQ(whole.counts().total(), before);
 }
 
 TEST(GatherMeasure, every_frame_holds_out_other_pixels) {

@@ -85,7 +85,7 @@ class SkyPixels : public testing::Test {
   }
 
   PixelMeasure measure(const Image& film, int sets) const {
-    return {{device_, optics_, {}}, params_, choose_pixels(film, {1u << 20, 1, 1}, {}, 7), sets, pool_};
+    return {{device_, optics_, {}}, params_, choose_pixels(film, {1u << 20, 1, 1}, {}, 7), sets, {pool_, context_}};
   }
 
  private:
