@@ -113,7 +113,7 @@ void FinalGather::add_points(const ShadingPoint& point, const Bsdf& bsdf, const 
 void FinalGather::shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray,
                         ShadowQueue& queue) {
   const BsdfValue value = bsdf.evaluate(light.direction);
-  if (!is_possible(point, light.direction, value.transmitted)) return;
+  if (!may_shine(point, light.direction, value.transmitted)) return;
   const Vec3f radiance = ray.throughput * (value.cosine_f + bsdf.highlight(light.direction)) * light.radiance;
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) queue.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
@@ -141,11 +141,11 @@ void FinalGather::add_rounds(const Asking& asking) {
 
 void FinalGather::add_light(const LightSample& light, bool is_diffuse, const Asking& asking) {
   const ShadingPoint& point = asking.point;
-  const bool behind = glm::dot(point.facet, light.direction) < 0.0f;
+  const bool rises = point.rises_to(light.direction), behind = point.is_behind(light.direction) && !rises;
   Vec3f weight(0.0f);
   if (is_diffuse && !behind) weight += asking.albedo * asking.bsdf.evaluate_diffuse(light.direction).cosine_f;
   if (light.is_lamp && !behind) weight += asking.bsdf.highlight(light.direction);
-  if (asking.gloss) {
+  if (asking.gloss && !rises) {
     const BsdfValue value = asking.gloss->evaluate(light.direction);
     if (value.density > 0.0f && behind == value.transmitted)
       weight += value.cosine_f * power_heuristic(light.density, value.density);

@@ -71,6 +71,7 @@ LIPPMANN_MULTIVERSION int reflect_light(const PhongVertices& at, Vec3f irradianc
     f.z[i] = phong.diffuse.z[i] * cosine;
   }
   if (phong.any_highlight) add_highlight(s, phong, view, aimed, f);
+  const bool any_lifted = aimed.any_lifted;
   int count = 0;
   LIPPMANN_FOR_LANES(i) {
     radiance.x[i] = paths.throughput.x[i] * f.x[i] * (irradiance.x * aimed.strength[i]);
@@ -79,9 +80,10 @@ LIPPMANN_MULTIVERSION int reflect_light(const PhongVertices& at, Vec3f irradianc
     const float sum = radiance.x[i] + radiance.y[i] + radiance.z[i];
     const float before =
         s.facet.x[i] * aimed.rays.dir_x[i] + s.facet.y[i] * aimed.rays.dir_y[i] + s.facet.z[i] * aimed.rays.dir_z[i];
-    // Not behind the facet, whatever the smooth normal says; and neither nothing nor what is no number.
+    const bool rises = any_lifted & (aimed.lifted.lane[i] != 0);
+    // Behind the facet only where the smooth surface rises above it; and neither nothing nor what is no number.
     const bool arrives =
-        (lanes.lane[i] != 0) & (aimed.active.lane[i] != 0) & !(before < 0.0f) & (sum > 0.0f) & (sum < kInfinity);
+        (lanes.lane[i] != 0) & (aimed.active.lane[i] != 0) & (!(before < 0.0f) | rises) & (sum > 0.0f) & (sum < kInfinity);
     aimed.active.lane[i] = arrives ? -1 : 0;
     count += arrives ? 1 : 0;
   }

@@ -37,6 +37,29 @@ LIPPMANN_INLINE void dim(ShadowPacket& shadow, int i, float factor) {
   shadow.arriving[i] *= factor;
 }
 
+/// Whether any light comes from behind a facet that its smooth normal sees it from.
+LIPPMANN_INLINE int find_setting(const SurfacePacket& s, ShadowPacket& shadow) {
+  int any = 0;
+  LIPPMANN_FOR_LANES(i) {
+    const float behind =
+        s.facet.x[i] * shadow.rays.dir_x[i] + s.facet.y[i] * shadow.rays.dir_y[i] + s.facet.z[i] * shadow.rays.dir_z[i];
+    const int sets = (s.hit.lane[i] != 0) & (behind < 0.0f) & (shadow.arriving[i] > 0.0f) ? -1 : 0;
+    shadow.lifted.lane[i] = sets;
+    any |= sets;
+  }
+  return any;
+}
+
+/// Rays to lights that are about to set start from the smooth surface.
+void lift_rays(const SurfacePacket& s, ShadowPacket& shadow) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (!shadow.lifted.lane[i]) continue;
+    const Vec3f lift = smooth_lift(s, i);
+    shadow.rays.org_x[i] += lift.x, shadow.rays.org_y[i] += lift.y, shadow.rays.org_z[i] += lift.z;
+    if (lift == Vec3f(0.0f)) shadow.lifted.lane[i] = 0;
+  }
+}
+
 /// Weakens by Tachyon's cone: linear in the angle.
 void dim_by_angle(const WhittedLight& light, ShadowPacket& shadow) {
   for (int i = 0; i < kLanes; ++i) {
@@ -134,6 +157,8 @@ void add_tinted(const Lanes3& tint, const LaneMask& active, const Lanes3& light,
 LIPPMANN_MULTIVERSION int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float least_light,
                                        ShadowPacket& shadow) {
   aim(light, surface, shadow);
+  shadow.any_lifted = surface.any_smooth && find_setting(surface, shadow) != 0;
+  if (shadow.any_lifted) lift_rays(surface, shadow);
   if (light.linear_cone) dim_by_angle(light, shadow);
   if (light.web) dim_by_web(light, shadow);
   if (light.attenuates) dim_by_distance(light.attenuation, shadow);

@@ -23,7 +23,9 @@ struct ShadowPacket {
   ShadowPacket() { make_ready(rays); }
 
   alignas(64) RayPacket rays;
-  LaneMask active;              ///< lanes whose surface faces the light within its range and cone
+  LaneMask active;  ///< lanes whose surface faces the light within its range and cone
+  LaneMask lifted;  ///< lanes whose rays start from the smooth surface (smooth_lift.hpp); set where
+  bool any_lifted = false;
   Lanes strength;               ///< what distance and cone leave of the light at the point, for active lanes
   Lanes arriving;               ///< strength x N.L, for active lanes
   Transmittance transmittance;  ///< 1; once traced, how much of the light passes in lanes that it does not end

@@ -55,11 +55,12 @@ class WallMesh final : public OpenMesh {
   /// From where the shadow ray comes.
   static SeenPoint seen(const ShadowHit& hit) {
     const Mesh& mesh = *hit.record.mesh;
-    const bool behind = glm::dot(hit.record.normal_from_mesh * hit.facet, hit.direction) > 0.0f;
+    const Vec3f facet = hit.record.normal_from_mesh * hit.facet;
+    const bool behind = glm::dot(facet, hit.direction) > 0.0f;
     const Vec3f smooth =
         mesh.normals.empty() ? hit.facet : interpolate(mesh.normals, mesh.triangles[hit.triangle], hit.barycentric);
     const Vec3f normal = glm::normalize(hit.record.normal_from_mesh * smooth);
-    return {behind ? -normal : normal, -hit.direction, !behind};
+    return {behind ? -normal : normal, -hit.direction, !behind, behind ? -facet : facet};
   }
 
   Vec3f color_at(const ShadowHit& hit) const {

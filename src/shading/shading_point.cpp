@@ -17,6 +17,10 @@ const GeometryRecord* mesh_record(const ShadedScene& scene, const SurfacePacket&
   return record.kind == GeometryKind::kMesh ? &record : nullptr;
 }
 
+bool lets_through(const MetallicRoughness& m) {
+  return m.transmission > 0.0f || (m.extensions && m.extensions->diffuse_transmission.share > 0.0f);
+}
+
 /// Where the light is that has gone through the surface.
 std::uint16_t medium_behind(const SurfaceExtensions& extensions, const ShadedScene& scene, const SurfacePacket& surface,
                             int i) {
@@ -31,12 +35,15 @@ ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surfac
   ShadingPoint p;
   p.position = surface.position.get(i);
   p.facet = surface.facet.get(i);
+  p.normal = surface.normal.get(i);
+  if (surface.any_smooth) p.smooth = &surface, p.lane = i;
   p.base_color = surface.color.get(i);
   p.emission = surface.emission.get(i);
   p.t_near = surface.t_near[i];
   if (const auto* m = std::get_if<MetallicRoughness>(&material_of(scene, surface, i).surface)) {
     p.coverage = surface.opacity[i];
     p.scatters = !m->unlit;
+    if (lets_through(*m)) p.smooth = nullptr;
     if (m->unlit) p.emission += p.base_color;
     if (m->extensions) {
       p.behind = medium_behind(*m->extensions, scene, surface, i);
@@ -69,7 +76,8 @@ Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const Surface
     return Bsdf(std::in_place_type<PhongBsdf>, p, normal, view, entering);
   }
   const Maps maps{scene.textures, mesh_record(scene, surface, i), packet.hit.primID[i], {packet.hit.u[i], packet.hit.v[i]}};
-  return metal_rough_bsdf(*m, color, maps, scene.path->albedo, {normal, view, entering}, surface.color_channel[i]);
+  return metal_rough_bsdf(*m, color, maps, scene.path->albedo, {normal, view, entering, surface.facet.get(i)},
+                          surface.color_channel[i]);
 }
 
 }  // namespace lippmann

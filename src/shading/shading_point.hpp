@@ -8,7 +8,10 @@ namespace lippmann {
 
 struct ShadingPoint {
   Vec3f position{0.0f};
-  Vec3f facet{0.0f};  ///< normal of the facet, of any length, towards the viewer
+  Vec3f facet{0.0f};                      ///< normal of the facet, of any length, towards the viewer
+  Vec3f normal{0.0f};                     ///< smooth, unit length, on the same side
+  const SurfacePacket* smooth = nullptr;  ///< whose lane this is, where a mesh is to look smooth and lets no light through
+  int lane = 0;
   Vec3f emission{0.0f};
   Vec3f base_color{0.0f};              ///< textures looked up
   float coverage = 1.0f;               ///< the rest of the light passes as if nothing were here
@@ -17,6 +20,13 @@ struct ShadingPoint {
   std::uint16_t behind = kSameMedium;  ///< the medium that light is in which has gone through the surface
   bool disperses = false;              ///< each colour goes its own way
   bool is_wall = false;                ///< thin, and shadow rays pass it where it is smooth
+
+  bool is_behind(Vec3f direction) const { return glm::dot(facet, direction) < 0.0f; }
+  /// Whether a lamp in that direction, behind the facet, still shines on the smooth surface, which is as far away as lift().
+  bool rises_to(Vec3f direction) const {
+    return smooth && is_behind(direction) && glm::dot(normal, direction) > 0.0f && lift() != Vec3f(0.0f);
+  }
+  Vec3f lift() const { return smooth_lift(*smooth, lane); }
 };
 
 /// Lane i of surfaces that were hit (of scenes made for paths).

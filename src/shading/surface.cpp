@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "shading/smooth_lift.hpp"
 #include "shading/surface_material.hpp"
 
 namespace lippmann {
@@ -184,6 +185,22 @@ std::uint32_t hit_instance(const ShadedScene& scene, const RayHitPacket& packet,
   return record.kind == GeometryKind::kMesh ? record.instance : (*record.instance_of_primitive)[packet.hit.primID[i]];
 }
 
+Vec3f smooth_lift(const SurfacePacket& s, int i) {
+  if (!s.any_smooth || s.record[i] >= kPlaneId) return Vec3f(0.0f);
+  const GeometryRecord& record = s.scene->records[s.record[i]];
+  if (record.kind != GeometryKind::kMesh || record.mesh->normals.empty()) return Vec3f(0.0f);
+  const Mesh& mesh = *record.mesh;
+  const auto& hit = s.packet->hit;
+  const auto& [a, b, c] = mesh.triangles[hit.primID[i]];
+  // Normals may point to the other side of the facets than their corners go round.
+  const bool inverted = glm::dot(Vec3f(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]), mesh.normals[a]) < 0.0f;
+  const Vec3f lift = smooth_lift({{mesh.positions[a], mesh.positions[b], mesh.positions[c]},
+                                  {mesh.normals[a], mesh.normals[b], mesh.normals[c]},
+                                  {1.0f - hit.u[i] - hit.v[i], hit.u[i], hit.v[i]}},
+                                 (s.entering.lane[i] != 0) != inverted ? 1.0f : -1.0f);
+  return record.placed ? record.world_from_mesh.linear * lift : lift;
+}
+
 void evaluate_geometry(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, SurfacePacket& s) {
   place_hits(packet, active, scene.secondary_t_near, s);
   LaneMask left = s.hit, group;
@@ -195,10 +212,13 @@ void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, con
                        const BeamFootprint& beam, SurfacePacket& s, const LaneMask* spread) {
   const PacketBeams beams{beam, path_length, spread};
   place_hits(packet, active, scene.secondary_t_near, s);
-  s.any_highlight = s.any_mirror = s.any_see_through = false;
+  s.any_highlight = s.any_mirror = s.any_see_through = s.any_smooth = false;
+  s.scene = &scene, s.packet = &packet;
   LaneMask left = s.hit, group;
   for (int first; s.any_hit && (first = take_group(s.record, left, group)) >= 0;) {
     const GeometryRecord* record = evaluate_record(scene, s.record[first], packet, group, s);
+    // Tachyon's pictures are what they are.
+    s.any_smooth |= record && record->kind == GeometryKind::kMesh && !record->mesh->normals.empty() && !scene.tachyon;
     const std::uint32_t material = scene.material_of_instance[s.instance[first]];
     if (!record || record->one_material)
       evaluate_material(scene, scene.materials.materials[material], record, packet, beams, group, s);

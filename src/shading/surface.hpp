@@ -23,7 +23,10 @@ struct SurfacePacket {
   Lanes3 color, ambient, emission;  ///< ambient: radiance per colour
   Lanes diffuse, highlight, highlight_size, highlight_cutoff, highlight_tint;
   Lanes mirror, mirror_tint, opacity, ior;
-  std::uint8_t color_channel[kLanes];  ///< the one of R, G, B that the path carries; set where the surface disperses
+  const ShadedScene* scene = nullptr;    ///< whose surfaces these are, and
+  const RayHitPacket* packet = nullptr;  ///< where it was hit; as long as that lives
+  std::uint8_t color_channel[kLanes];    ///< the one of R, G, B that the path carries; set where the surface disperses
+  bool any_smooth = false;               ///< meshes with normals of their own
   bool any_highlight = false, any_mirror = false, any_see_through = false;
 };
 
@@ -34,6 +37,10 @@ std::uint32_t hit_instance(const ShadedScene& scene, const RayHitPacket& packet,
 /// ray's origin, per lane. `beam` filters textures, to one sample's share of a pixel, in the lanes of `spread` to a whole one.
 void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, const Lanes& path_length,
                        const BeamFootprint& beam, SurfacePacket& surface, const LaneMask* spread = nullptr);
+
+/// From the point of lane i to the smooth surface that its facet stands for (smooth_lift.hpp), the null vector where there is
+/// none; after evaluate_surfaces. Seldom asked for, and therefore not among what is evaluated of every point.
+Vec3f smooth_lift(const SurfacePacket& surface, int i);
 
 /// Only position, normal and instance, for object buffers and point images.
 void evaluate_geometry(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, SurfacePacket& surface);

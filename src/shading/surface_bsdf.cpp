@@ -106,20 +106,10 @@ float ior_of_channel(float ior, float dispersion, int channel) {
   return std::max(1.0f, ior + static_cast<float>(channel - 1) * half_spread);
 }
 
-/// The facet's normal, of any length, on the viewer's side; shapes other than meshes have no other normal than theirs.
-Vec3f facet_of(const Maps& maps, const SeenPoint& p) {
-  if (!maps.record) return p.normal;
-  const Mesh& mesh = *maps.record->mesh;
-  const auto& [a, b, c] = mesh.triangles[maps.triangle];
-  const Mat3f linear = maps.record->placed ? maps.record->world_from_mesh.linear : Mat3f(1.0f);
-  const Vec3f facet =
-      glm::cross(linear * (mesh.positions[b] - mesh.positions[a]), linear * (mesh.positions[c] - mesh.positions[a]));
-  return glm::dot(facet, p.view) < 0.0f ? -facet : facet;
-}
-
 /// The directions that a surface looks into.
 struct Facing {
-  Vec3f normal, coat, view;
+  MetalRoughBsdf::Normals normals;
+  Vec3f view;
   bool entering;
 };
 
@@ -128,14 +118,14 @@ struct Facing {
   const bool bends = !e.volume || e.volume->is_solid;
   if (bends && e.dispersion > 0.0f && base.transmission > 0.0f) base.ior = ior_of_channel(base.ior, e.dispersion, channel);
   if (!is_layered(e))
-    return Bsdf(std::in_place_type<MetalRoughBsdf>, base, albedo, facing.normal, facing.coat, facing.view, facing.entering);
+    return Bsdf(std::in_place_type<MetalRoughBsdf>, base, albedo, facing.normals, facing.view, facing.entering);
+  const Vec3f normal = facing.normals.diffuse;
   LayeredSurface s = layered_surface(base, e, maps);
   Vec3f along(0.0f);
   float strength = e.anisotropy.strength;
-  if (strength > 0.0f)
-    along = anisotropy_direction(e.anisotropy, maps, facing.normal, facing.entering ? 1.0f : -1.0f, strength);
+  if (strength > 0.0f) along = anisotropy_direction(e.anisotropy, maps, normal, facing.entering ? 1.0f : -1.0f, strength);
   if (along != Vec3f(0.0f)) s.anisotropy = strength;
-  return Bsdf(std::in_place_type<LayeredBsdf>, s, albedo, facing.normal, along, facing.coat, facing.view, facing.entering);
+  return Bsdf(std::in_place_type<LayeredBsdf>, s, albedo, normal, along, facing.normals.coat, facing.view, facing.entering);
 }
 
 }  // namespace
@@ -155,14 +145,16 @@ Bsdf metal_rough_bsdf(const MetallicRoughness& m, Vec3f color, const Maps& maps,
     return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, p.normal, outer) : p.normal;
   };
   const MetalRoughSurface surface = surface_at(m, color, maps);
+  const auto lifted = [&](Vec3f n) { return lifted_normal(n, p.facet, p.view); };
+  MetalRoughBsdf::Normals normals;
+  normals.diffuse = normals.gloss = mapped(m.normal_map, m.normal_scale);
+  normals.coat = mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale);
+  if (surface.metallic > 0.0f || surface.specular > 0.0f || surface.transmission > 0.0f) normals.gloss = lifted(normals.gloss);
   // Paint below gloss has most of its light by the given normal, which a lifted one would take from it.
-  const bool mirrors = surface.metallic > 0.0f || surface.transmission > 0.0f;
-  const auto lifted = [&](Vec3f n) { return lifted_normal(n, facet_of(maps, p), p.view); };
-  Vec3f bent = mapped(m.normal_map, m.normal_scale), coat = mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale);
-  if (mirrors) bent = lifted(bent);
-  if (m.clearcoat > 0.0f) coat = lifted(coat);
-  if (m.extensions) return extended_bsdf(surface, *m.extensions, maps, albedo, {bent, coat, p.view, p.entering}, channel);
-  return Bsdf(std::in_place_type<MetalRoughBsdf>, surface, albedo, bent, coat, p.view, p.entering);
+  if (surface.metallic > 0.0f || surface.transmission > 0.0f) normals.diffuse = normals.gloss;
+  if (m.clearcoat > 0.0f) normals.coat = lifted(normals.coat);
+  if (m.extensions) return extended_bsdf(surface, *m.extensions, maps, albedo, {normals, p.view, p.entering}, channel);
+  return Bsdf(std::in_place_type<MetalRoughBsdf>, surface, albedo, normals, p.view, p.entering);
 }
 
 }  // namespace lippmann

@@ -84,6 +84,7 @@ struct SeenPoint {
   Vec3f normal;   ///< smooth, unit length, on the viewer's side
   Vec3f view;     ///< unit length, towards the viewer
   bool entering;  ///< the viewer is on the outer side
+  Vec3f facet;    ///< normal of the facet, of any length, on the viewer's side
 };
 
 /// The BSDF of glTF's surfaces. color: with what textures and vertices make of it; channel: of R, G, B the one that a path is

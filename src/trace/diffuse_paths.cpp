@@ -12,9 +12,10 @@ void PathIntegrator::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf,
           lights().sample({from, LightGroup::kEnd}, {point.position, bsdf.normal()}, numbers.pick, numbers.on_light)) {
     const BsdfValue value = bsdf.evaluate_diffuse(light->direction);
     if (before) watch_turning(point.position, bsdf.normal(), *light, *before, ray);
-    const float share = power_heuristic(light->density, value.density) / light->density;
+    const float share =
+        power_heuristic(light->density, point.rises_to(light->direction) ? 0.0f : value.density) / light->density;
     const Vec3f radiance = ray.throughput * value.cosine_f * light->radiance * share;
-    if (glm::dot(point.facet, light->direction) > 0.0f && radiance != Vec3f(0.0f) && is_finite(radiance))
+    if (may_shine(point, light->direction, value.transmitted) && radiance != Vec3f(0.0f) && is_finite(radiance))
       shadow_rays_.push(point, *light, radiance, ray.pixel, ray.depth + 1);
   }
   BsdfSample sample;

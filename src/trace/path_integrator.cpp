@@ -58,18 +58,23 @@ void PathIntegrator::vertex(const RayHitPacket& packet, int i, const PathRay& ra
 void PathIntegrator::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u) {
   const std::optional<LightSample> light = lights().sample({point.position, bsdf.lit_side()}, pick, u);
   if (!light) return;
-  Vec3f radiance;
   const BsdfValue value = bsdf.evaluate(light->direction);
-  if (!is_possible(point, light->direction, value.transmitted)) return;
-  if (light->is_point()) {
-    radiance = (value.cosine_f + bsdf.highlight(light->direction)) * light->radiance;
-  } else {
-    radiance = value.cosine_f * light->radiance * (power_heuristic(light->density, value.density) / light->density);
-    if (light->is_lamp) radiance += bsdf.highlight(light->direction) * light->radiance / light->density;
-  }
+  if (!may_shine(point, light->direction, value.transmitted)) return;
+  Vec3f radiance = light->is_point() ? (value.cosine_f + bsdf.highlight(light->direction)) * light->radiance
+                                     : from_wide_light(point, bsdf, *light, value);
   radiance *= ray.throughput;
   if (radiance == Vec3f(0.0f) || !is_finite(radiance)) return;
   shadow_rays_.push(point, *light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
+}
+
+/// No path goes behind the facet by itself. There light is asked for alone, which is too noisy for gloss.
+Vec3f PathIntegrator::from_wide_light(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light,
+                                      const BsdfValue& value) {
+  const Vec3f per_density = light.radiance / light.density;
+  Vec3f f = value.cosine_f * power_heuristic(light.density, value.density);
+  if (point.rises_to(light.direction)) f = bsdf.diffuse_albedo() * bsdf.evaluate_diffuse(light.direction).cosine_f;
+  if (light.is_lamp) f += bsdf.highlight(light.direction);
+  return f * per_density;
 }
 
 void PathIntegrator::trace_shadow_rays() {

@@ -58,6 +58,7 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
   void draw_numbers(const PathRay* rays);
   void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u);
+  static Vec3f from_wide_light(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const BsdfValue& value);
   Vec3f clamped(Vec3f radiance, int depth) const;
 
   const TouchProbe* probe_ = nullptr;  ///< null: nothing is watched

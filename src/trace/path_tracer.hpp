@@ -95,7 +95,12 @@ class PathTracer {
 
   /// Behind the facet there is only what is transmitted, whatever the smooth normal says, and before it only what is not.
   static bool is_possible(const ShadingPoint& point, Vec3f direction, bool transmitted) {
-    return (glm::dot(point.facet, direction) < 0.0f) == transmitted;
+    return point.is_behind(direction) == transmitted;
+  }
+
+  /// The same of light that is asked for: to lamps that are about to set, rays start from the smooth surface.
+  static bool may_shine(const ShadingPoint& point, Vec3f direction, bool transmitted) {
+    return is_possible(point, direction, transmitted) || (!transmitted && point.rises_to(direction));
   }
 
   /// Russian roulette: false ends the path; else its throughput makes up for those that end.

@@ -2,6 +2,17 @@
 
 namespace lippmann {
 
+/// Starts the ray from the smooth surface, to the same place of the light; returns how far that is.
+float ShadowQueue::lift(const ShadingPoint& point, float distance, ShadowRay& ray) {
+  const Vec3f up = point.lift();
+  ray.origin += up;
+  if (distance == kInfinity) return distance;
+  const Vec3f way = distance * ray.direction - up;
+  const float from_there = glm::length(way);
+  if (from_there > 0.0f) ray.direction = way / from_there;
+  return from_there;
+}
+
 std::size_t ShadowQueue::fill_packet(std::size_t first) {
   const std::size_t count = std::min<std::size_t>(kLanes, rays_.size() - first);
   for (std::size_t i = 0; i < kLanes; ++i) {

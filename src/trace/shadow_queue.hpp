@@ -25,7 +25,8 @@ class ShadowQueue {
     ray.origin = point.position, ray.direction = light.direction;
     ray.radiance = radiance;
     ray.t_near = point.t_near;
-    ray.t_far = light.is_point() || light.distance == kInfinity ? light.distance : light.distance - point.t_near;
+    const float distance = point.rises_to(light.direction) ? lift(point, light.distance, ray) : light.distance;
+    ray.t_far = light.is_point() || distance == kInfinity ? distance : distance - point.t_near;
     ray.pixel = pixel, ray.depth = depth;
   }
 
@@ -66,6 +67,7 @@ class ShadowQueue {
   }
 
  private:
+  static float lift(const ShadingPoint& point, float distance, ShadowRay& ray);
   std::size_t fill_packet(std::size_t first);
   std::size_t trace_packet(const ShadedScene& scene, std::size_t first);
   bool arrives(int i) const { return packet_.active.lane[i] && packet_.rays.tfar[i] >= 0.0f; }

@@ -31,14 +31,18 @@ Vec3f half_vector(Vec3f a, Vec3f b) { return glm::normalize(a + b); }
 
 }  // namespace
 
-MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albedo, Vec3f normal, Vec3f coat_normal, Vec3f view,
+MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albedo, const Normals& normals, Vec3f view,
                                bool entering)
     : albedo_(albedo),
-      frame_(normal),
-      view_(lift(frame_.to_local(view))),
+      frame_(normals.diffuse),
+      gloss_frame_(frame_),
+      glossy_apart_(normals.gloss != normals.diffuse),
+      view_(0.0f),
       alpha_(squared(s.roughness)),
       coat_alpha_(squared(s.clearcoat_roughness)),
       eta_(entering ? s.ior : 1.0f / s.ior) {
+  if (glossy_apart_) gloss_frame_ = Frame(normals.gloss);
+  view_ = lift(gloss_frame_.to_local(view));
   const float dielectric = (1.0f - s.metallic) * (1.0f - s.transmission);
   glass_share_ = (1.0f - s.metallic) * s.transmission;
   glass_ = s.base_color;
@@ -53,7 +57,7 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
   else
     diffuse_color_ = dielectric * s.base_color;
   if (s.clearcoat > 0.0f) {
-    coat_frame_ = Frame(coat_normal);
+    coat_frame_ = Frame(normals.coat);
     coat_view_ = lift(coat_frame_.to_local(view));
     set_coat(s);
   }
@@ -181,14 +185,14 @@ void MetalRoughBsdf::add_coat(Vec3f light, BsdfValue& value) const {
 }
 
 BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
-  const Vec3f light = frame_.to_local(light_world);
+  const Vec3f local = frame_.to_local(light_world), light = local_to_gloss(light_world, local);
   BsdfValue value;
-  value.transmitted = light.z < 0.0f;
-  if (light.z > 0.0f) {
-    value.cosine_f = below_coat_ * light.z * diffuse_f(light);
-    value.density = shares_.diffuse * light.z * (1.0f / kPi);
-    if (shares_.gloss > 0.0f && !smooth(alpha_)) add_gloss(light, value);
+  value.transmitted = local.z < 0.0f && light.z < 0.0f;
+  if (local.z > 0.0f) {
+    value.cosine_f = below_coat_ * local.z * diffuse_f(local);
+    value.density = shares_.diffuse * local.z * (1.0f / kPi);
   }
+  if (light.z > 0.0f && shares_.gloss > 0.0f && !smooth(alpha_)) add_gloss(light, value);
   if (glass_share_ > 0.0f && !smooth(alpha_) && light.z != 0.0f) add_glass(light, value);
   if (coat_ > 0.0f && !smooth(coat_alpha_)) add_coat(coat_frame_.to_local(light_world), value);
   return value;
@@ -217,7 +221,7 @@ bool MetalRoughBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
     s.direction = frame_.to_world(sample_cosine(u));
     return true;
   }
-  if (lobe < below_glass) return sample_mirror(frame_, view_, alpha_, below_coat_ * gloss_albedo_ / shares_.gloss, u, s);
+  if (lobe < below_glass) return sample_mirror(gloss_frame_, view_, alpha_, below_coat_ * gloss_albedo_ / shares_.gloss, u, s);
   if (lobe < below_coat) return sample_glass((lobe - below_glass) / shares_.glass, u, s);
   return shares_.coat > 0.0f &&
          sample_mirror(coat_frame_, coat_view_, coat_alpha_, Vec3f((1.0f - below_coat_) / shares_.coat), u, s);

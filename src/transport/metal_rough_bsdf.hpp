@@ -29,10 +29,15 @@ struct MetalRoughSurface {
 
 class MetalRoughBsdf {
  public:
-  /// normal: shading normal on the viewer's side; coat_normal: that of the clear coat; view: unit, towards the viewer, on the
-  /// side of both; entering: the viewer is outside.
+  /// By what each part goes, unit length, on the viewer's side. The gloss's normal faces the view, the diffuse part's need not.
+  struct Normals {
+    Vec3f diffuse, gloss, coat;
+  };
+  /// view: unit, towards the viewer; entering: he is outside.
+  MetalRoughBsdf(const MetalRoughSurface& surface, const GgxAlbedo& albedo, const Normals& normals, Vec3f view, bool entering);
   MetalRoughBsdf(const MetalRoughSurface& surface, const GgxAlbedo& albedo, Vec3f normal, Vec3f coat_normal, Vec3f view,
-                 bool entering);
+                 bool entering)
+      : MetalRoughBsdf(surface, albedo, Normals{normal, normal, coat_normal}, view, entering) {}
 
   /// Light from `light` (unit, away from the surface) to the viewer, Dirac's lobes left out.
   BsdfValue evaluate(Vec3f light) const;
@@ -62,6 +67,7 @@ class MetalRoughBsdf {
   void scale_shares();
   Vec2f single_albedo(float cosine, float alpha) const;
 
+  Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_frame_.to_local(world) : local; }
   Vec3f diffuse_f(Vec3f light) const;
   void add_gloss(Vec3f light, BsdfValue& value) const;
   void add_glass(Vec3f light, BsdfValue& value) const;
@@ -71,8 +77,9 @@ class MetalRoughBsdf {
   bool sample_glass(float decision, Vec2f u, BsdfSample& s) const;
 
   const GgxAlbedo& albedo_;
-  Frame frame_, coat_frame_;  ///< the coat's are set where there is one
-  Vec3f view_, coat_view_;    ///< local
+  Frame frame_, gloss_frame_, coat_frame_;  ///< the coat's are set where there is one
+  bool glossy_apart_;                       ///< the gloss has a frame of its own
+  Vec3f view_, coat_view_;                  ///< local to gloss_frame_ and coat_frame_
   float alpha_, coat_alpha_;
   float eta_;
   Vec3f diffuse_color_{0.0f};                         ///< albedo, the gloss's share taken out
