@@ -58,6 +58,7 @@ int run(const EncodeOptions& options, Context& context) {
   const fs::path out = video_path(options.out, frames);
   const NewFolder folder(out.parent_path());
   remove_stale_temporaries(out.parent_path().empty() ? fs::path(".") : out.parent_path(), out.filename());
+  warn_of_mixed_rows(out, video, {}, context);
   const int count = static_cast<int>(frames.size());
   std::optional<Progress> progress;
   if (!options.result.quiet)

@@ -373,7 +373,10 @@ class Animation {
     if (const std::string sentence = sharp_eye_sentence(made_as_.reuse, optics()); !sentence.empty())
       context_.warning(sentence);
     if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
-    for (const VideoFile& video : videos_) make_room_for_video(video, film_size(optics()));
+    for (const VideoFile& video : videos_) {
+      make_room_for_video(video, layout_.picture_size());
+      warn_of_mixed_rows(video.path, video.options, layout_.picture_size(), context_);
+    }
     return open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
   }
 
