@@ -85,6 +85,11 @@ int run(const ConvertOptions& options, const Context& context) {
   if (options.to == "stereo" && options.from != "stereo" && options.keep.empty() && options.crop.empty())
     return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
   const Converted converted = convert(options.in, options.out, params_of(options));
+  if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && !from_rgbd)
+    context.warning(
+        "each frame has a range of depths of its own, so that grey means another depth from frame to frame: --depth-range "
+        "gives "
+        "all of them one");
   if (converted.lacks_cameras)
     context.warning("nothing says what cameras saw these views: no parameters, depth or disparity (render writes report.json)");
   if (converted.lacks_depth && options.to != "stanford")
