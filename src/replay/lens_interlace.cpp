@@ -81,17 +81,16 @@ class LensInterlacer {
     const Vec2d at = window_.pixel_at(through, field_.view_size);
     const SamplePair x(at.x, field_.view_size.x), y(at.y, field_.view_size.y);
     for (int c = 0; c < 3; ++c) {
-      const auto in_row = [&](int row) {
-        return std::lerp(sample(view, x.at, row, c), sample(view, x.next, row, c), x.share);
-      };
+      const auto in_row = [&](int row) { return std::lerp(sample(view, x.at, row, c), sample(view, x.next, row, c), x.share); };
       out[c] = nearest_code<Sample>(std::lerp(in_row(y.at), in_row(y.next), y.share));
     }
   }
 
   double sample(int view, int x, int y, int c) const {
-    const std::size_t row = static_cast<std::size_t>(view) * static_cast<std::size_t>(field_.view_size.y) + static_cast<std::size_t>(y);
-    return static_cast<double>(
-        views_[3 * (row * static_cast<std::size_t>(field_.view_size.x) + static_cast<std::size_t>(x)) + static_cast<std::size_t>(c)]);
+    const std::size_t row =
+        static_cast<std::size_t>(view) * static_cast<std::size_t>(field_.view_size.y) + static_cast<std::size_t>(y);
+    return static_cast<double>(views_[3 * (row * static_cast<std::size_t>(field_.view_size.x) + static_cast<std::size_t>(x)) +
+                                      static_cast<std::size_t>(c)]);
   }
 
   const LightField& field_;
@@ -123,8 +122,8 @@ Optics lens_views(const Display& display, const std::optional<ViewGrid>& views) 
   const Vec2d pixel = display_window(lenses).size / Vec2d(view);
   MultiView eyes{grid.columns, grid.rows};
   eyes.distance_mm = viewing_distance_mm(lenses);
-  eyes.baseline_mm = 2.0f * eyes.distance_mm * std::tan(0.5f * viewing_zone(lenses)) /
-                     static_cast<float>(std::max(grid.columns, grid.rows));
+  eyes.baseline_mm =
+      2.0f * eyes.distance_mm * std::tan(0.5f * viewing_zone(lenses)) / static_cast<float>(std::max(grid.columns, grid.rows));
   eyes.pixel_height = static_cast<float>(pixel.y / pixel.x);
   return {{view.x * grid.columns, view.y * grid.rows, static_cast<float>(pixel.x)}, eyes};
 }

@@ -34,7 +34,7 @@ HalfSpace normalized(Vec3f normal, float offset) {
 }
 
 /// All that lies before the eye and between the sides of the window.
-ConvexRegion region_of(const EyeAtWindow& view) {
+ConvexRegion region_before(const EyeAtWindow& view) {
   const Vec3f eye = view.eye_mm;
   ConvexRegion region{{{0.0f, 0.0f, -1.0f}, eye.z}};
   for (const int axis : {0, 1})
@@ -51,7 +51,11 @@ ConvexRegion region_of(const EyeAtWindow& view) {
 class SeenMoment {
  public:
   SeenMoment(const Scene& scene, const ResolvedScene& resolved, const Affine3f& display_from_world, const EyeAtWindow& view)
-      : scene_(scene), resolved_(resolved), display_from_world_(display_from_world), view_(view), region_(region_of(view)) {}
+      : scene_(scene),
+        resolved_(resolved),
+        display_from_world_(display_from_world),
+        view_(view),
+        region_(region_before(view)) {}
 
   /// Adds one instance; what cannot make the reach longer is not looked at closely.
   void add(const Instance& instance, DepthReach& reach) const {
@@ -67,7 +71,8 @@ class SeenMoment {
   void add_planes(const Planes& planes, const Instance& instance, DepthReach& reach) const {
     const Affine3f display_from_node = display_from_world_ * resolved_.of(instance.node);
     const Mat3f of_normals = glm::transpose(glm::inverse(display_from_node.linear));
-    for (const Plane& plane : planes) add_plane(transform_point(display_from_node, plane.point), of_normals * plane.normal, reach);
+    for (const Plane& plane : planes)
+      add_plane(transform_point(display_from_node, plane.point), of_normals * plane.normal, reach);
   }
 
   void add_plane(Vec3f point, Vec3f normal, DepthReach& reach) const {

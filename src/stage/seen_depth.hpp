@@ -1,7 +1,7 @@
 // From where to where an eye sees something through a window, over a whole animation.
 //
-// It is a matter of the scene alone: of all frames of its timeline, whichever are rendered. Meshes are exact, other shapes count
-// as the boxes around them (stage/seen_bounds.hpp), and so does what stands behind something else.
+// It is a matter of the scene alone: of all frames of its timeline, whichever are rendered. Meshes are exact, other shapes
+// count as the boxes around them (stage/seen_bounds.hpp), and so does what stands behind something else.
 #pragma once
 
 #include <optional>

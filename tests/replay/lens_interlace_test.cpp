@@ -20,7 +20,7 @@ namespace lippmann {
 namespace {
 
 /// 80 x 6 pixels of 1 mm behind ten upright lenses of 8 mm, seen from a metre.
-Display small_sheet() {
+Display sheet_of_ten() {
   Display sheet;
   sheet.name = "sheet", sheet.kind = DisplayKind::kLenticularSheet;
   sheet.pixels = {80, 6}, sheet.dpi = 25.4, sheet.view_cone_deg = 30.0, sheet.viewing_distance_mm = 1000.0;
@@ -44,7 +44,8 @@ LightField coded(const Display& display, const std::function<int(int view, int x
   Image16 stack{field.view_size.x, field.view_size.y * field.grid.count(), {}};
   for (int v = 0; v < field.grid.count(); ++v)
     for (int y = 0; y < field.view_size.y; ++y)
-      for (int x = 0; x < field.view_size.x; ++x) stack.rgb.insert(stack.rgb.end(), 3, static_cast<std::uint16_t>(code(v, x, y)));
+      for (int x = 0; x < field.view_size.x; ++x)
+        stack.rgb.insert(stack.rgb.end(), 3, static_cast<std::uint16_t>(code(v, x, y)));
   field.stack = std::move(stack);
   return field;
 }
@@ -57,16 +58,16 @@ Image16 behind_lenses(const LightField& field, const Display& display, int threa
 int code_at(const Image16& picture, int x, int y) { return picture.rgb[3 * static_cast<std::size_t>(y * picture.width + x)]; }
 
 TEST(LensInterlace, there_are_as_many_views_as_pixels_below_a_lens_with_a_sample_for_each_lens) {
-  const Optics optics = lens_views(small_sheet(), {});
+  const Optics optics = lens_views(sheet_of_ten(), {});
   EXPECT_EQ(view_tiles(optics)->columns, 9) << "8.12 pixels to a cell";
   EXPECT_EQ(view_tiles(optics)->rows, 1);
   EXPECT_EQ(film_size(optics), Vec2i(90, 6));
-  EXPECT_EQ(view_tiles(lens_views(small_sheet(), ViewGrid{20, 1}))->columns, 20);
-  EXPECT_THAT(test::error_message([] { lens_views(small_sheet(), ViewGrid{81, 1}); }), testing::HasSubstr("fewer views"));
+  EXPECT_EQ(view_tiles(lens_views(sheet_of_ten(), ViewGrid{20, 1}))->columns, 20);
+  EXPECT_THAT(test::error_message([] { lens_views(sheet_of_ten(), ViewGrid{81, 1}); }), testing::HasSubstr("fewer views"));
 }
 
 TEST(LensInterlace, pixel_below_a_lens_shows_the_view_on_the_other_side_of_it) {
-  const Image16 picture = behind_lenses(coded(small_sheet(), [](int view, int, int) { return view; }), small_sheet());
+  const Image16 picture = behind_lenses(coded(sheet_of_ten(), [](int view, int, int) { return view; }), sheet_of_ten());
   const double cell = cell_mm();
   int compared = 0;
   for (int i = 0; i < 80; ++i) {
@@ -81,7 +82,7 @@ TEST(LensInterlace, pixel_below_a_lens_shows_the_view_on_the_other_side_of_it) {
 
 TEST(LensInterlace, pixel_shows_the_sample_at_its_lens_and_its_row) {
   const Image16 picture =
-      behind_lenses(coded(small_sheet(), [](int, int x, int y) { return 1000 * x + 10 * y; }), small_sheet());
+      behind_lenses(coded(sheet_of_ten(), [](int, int x, int y) { return 1000 * x + 10 * y; }), sheet_of_ten());
   const double cell = cell_mm();
   // The viewer sees the panel through a window of the sheet that is narrower by V / (V + g), which the ten samples fill.
   const double window = 80.0 * 1000.0 / (1000.0 + gap_mm());
@@ -94,7 +95,7 @@ TEST(LensInterlace, pixel_shows_the_sample_at_its_lens_and_its_row) {
 }
 
 TEST(LensInterlace, lenses_that_hold_no_whole_pixels_slanted_and_hexagonal_ones_are_filled) {
-  Display display = small_sheet();
+  Display display = sheet_of_ten();
   const auto brightness = [](int, int, int) { return 4000; };
   display.lenses.slant_deg = 9.46, display.lenses.pitch_mm = 7.3;
   EXPECT_THAT(behind_lenses(coded(display, brightness), display).rgb, testing::Each(4000));
@@ -117,8 +118,8 @@ TEST(LensInterlace, picture_in_the_plane_of_the_sheet_is_the_same_from_everywher
   source.depth = Image(80, 6, 1);
   source.cameras = {1000.0, Vec2d(1.0), Vec2d(40, 3), {{0, 0}}};
   const ThreadPool pool(1);
-  DepthViews views = views_from_depth(source, lens_views(small_sheet(), {}), 1.0, pool);
-  const Picture picture = interlace_behind_lenses(views.field, small_sheet(), pool);
+  DepthViews views = views_from_depth(source, lens_views(sheet_of_ten(), {}), 1.0, pool);
+  const Picture picture = interlace_behind_lenses(views.field, sheet_of_ten(), pool);
   const auto& film = std::get<Image>(picture);
   for (const int i : {0, 7, 15, 20, 60, 65, 72, 79})  // away from the edge, which views of ten samples have soft
     EXPECT_NEAR(film.pixel(i, 2)[0], i < 40 ? 0.0 : 1.0, 1e-3) << i;
