@@ -151,7 +151,8 @@ void add_convert_command(const Command& root, Action& chosen) {
       .type_name("WxH+X+Y");
   command.add_option("--bits", options->bits, "Bits per sample of PPM files; default: as read").range(8, 16);
   command.add_option("--display", options->display,
-                     "The display that a native frame belongs to: a name (see: lippmann displays), a calibration .json, or a "
+                     "The display that a native frame belongs to, or that RGB-D pictures are shown on: a name (see: lippmann "
+                     "displays), a calibration .json, or a "
                      ".toml of your own");
   add_view_filter_flags(command, options->filter, " for --to native");
   add_orthoscopic_flags(command, options->orthoscopic);
