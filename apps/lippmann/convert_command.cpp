@@ -85,6 +85,11 @@ int run(const ConvertOptions& options, const Context& context) {
   if (options.to == "stereo" && options.from != "stereo" && options.keep.empty() && options.crop.empty())
     return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
   const Converted converted = convert(options.in, options.out, params_of(options));
+  if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && !from_rgbd)
+    context.warning(
+        "each frame has a range of depths of its own, so that grey means another depth from frame to frame: --depth-range "
+        "gives "
+        "all of them one");
   if (converted.lacks_cameras)
     context.warning("nothing says what cameras saw these views: no parameters, depth or disparity (render writes report.json)");
   if (converted.lacks_depth && options.to != "stanford")
@@ -146,7 +151,8 @@ void add_convert_command(const Command& root, Action& chosen) {
       .type_name("WxH+X+Y");
   command.add_option("--bits", options->bits, "Bits per sample of PPM files; default: as read").range(8, 16);
   command.add_option("--display", options->display,
-                     "The display that a native frame belongs to: a name (see: lippmann displays), a calibration .json, or a "
+                     "The display that a native frame belongs to, or that RGB-D pictures are shown on: a name (see: lippmann "
+                     "displays), a calibration .json, or a "
                      ".toml of your own");
   add_view_filter_flags(command, options->filter, " for --to native");
   add_orthoscopic_flags(command, options->orthoscopic);

@@ -2,32 +2,17 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann::app {
-namespace {
-
-/// NEAR:FAR
-DepthRange read_depth_range(const std::string& text) {
-  DepthRange range;
-  int read = 0;
-  if (std::sscanf(text.c_str(), "%lf:%lf%n", &range.near_mm, &range.far_mm, &read) != 2 ||
-      read != static_cast<int>(text.size()) || !(range.far_mm < range.near_mm && range.near_mm - range.far_mm < 1e9))
-    throw usage_error("--depth-range", "'" + text + "' is no range of depths",
-                      "NEAR:FAR in mm, above 0 in front of the screen, such as 10:-30");
-  return range;
-}
-
-}  // namespace
-
 void DepthFlags::add_to(FormatOptions& options) const {
-  if (!range.empty()) options.depth_range = read_depth_range(range);
+  if (!range.empty()) options.depth_range = read_depth_range(range, "--depth-range");
   if (!coding.empty()) options.even_in_depth = coding == "depth";
   if (near_black) options.near_black = true;
 }

@@ -58,6 +58,7 @@ int run(const EncodeOptions& options, Context& context) {
   const fs::path out = video_path(options.out, frames);
   const NewFolder folder(out.parent_path());
   remove_stale_temporaries(out.parent_path().empty() ? fs::path(".") : out.parent_path(), out.filename());
+  warn_of_mixed_rows(out, video, {}, context);
   const int count = static_cast<int>(frames.size());
   std::optional<Progress> progress;
   if (!options.result.quiet)
@@ -67,6 +68,7 @@ int run(const EncodeOptions& options, Context& context) {
   });
   progress.reset();
   if (!whole) return 1;
+  describe_depth_of(frames, out, context);
   const auto bytes = fs::file_size(out);
   if (options.result.json)
     print_json(nlohmann::ordered_json{{"file", out.string()}, {"frames", count}, {"bytes", bytes}});
@@ -86,7 +88,7 @@ void add_encode_command(const Command& root, Action& chosen) {
       .add_option(
           "OUT", options->out,
           "The video: .mp4 (H.264; HEVC above 4096 pixels a side), .mov, .webm (VP9), .mkv (FFV1, lossless); frames that are "
-          "quilts or stereo pictures give it the end of their name")
+          "quilts, stereo or RGB-D pictures give it the end of their name")
       .required();
   command.add_option("--codec", options->codec, "h264, hevc, vp9, av1 or ffv1; default: by OUT's ending and size")
       .type_name("NAME");

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "apps/lippmann/build_facts.hpp"
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/interrupt.hpp"
@@ -51,7 +52,7 @@ int run_command(const CommandLine& command_line, const Action& chosen, Context& 
 int run(int argc, char** argv) {
   check_stack_limit();
   CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
-                           std::string("lippmann ") + version());
+                           fmt::format("lippmann {}\n{}", version(), build_facts()));
   const Command root = command_line.root();
   Action chosen;
   add_render_command(root, chosen, called_as(argc, argv));

@@ -10,10 +10,13 @@
 
 #include "core/loaded_module.hpp"
 #include "core/number_text.hpp"
+#include "distribute/ranks_module_file.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {
+
+constexpr ModuleName kRanksModule{"liblippmann_mpi.so", "lippmann_mpi_module", "renders that mpirun starts", "lippmann-mpi"};
 
 /// The first of these variables that holds a number.
 int number_of(std::initializer_list<const char*> names) {
@@ -34,11 +37,12 @@ int threads_of_rank(int cpus, int cpus_online, int local_ranks) {
   return cpus < cpus_online ? cpus : std::max(1, cpus / std::max(1, local_ranks));
 }
 
+bool is_ranks_module_installed() { return is_module_installed(kRanksModule); }
+
 std::unique_ptr<Ranks> join_ranks() {
   if (rank_count() <= 1) return nullptr;
   using Join = Ranks*();
-  const auto* join = static_cast<Join* const*>(
-      load_module({"liblippmann_mpi.so", "lippmann_mpi_module", "renders that mpirun starts", "lippmann-mpi"}, kRanksVersion));
+  const auto* join = static_cast<Join* const*>(load_module(kRanksModule, kRanksVersion));
   std::unique_ptr<Ranks> ranks((*join)());
   if (ranks->size() != rank_count())
     throw Error("MPI", fmt::format("{} processes were started together and find {}", rank_count(), ranks->size()),

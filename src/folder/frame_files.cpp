@@ -144,7 +144,7 @@ std::vector<fs::path> write_light_field_files(const FrameFiles& files, int frame
   if (files.format != PictureFormat::kExr) field.stack = codes_of(files, std::get<Image>(field.stack));
   const fs::path path = files.folder / frame_name(files.names, frame);
   if (files.names.is_folder) make_frame_folder(path);
-  return format.write(field, path, {});
+  return format.write(field, path, files.writing);
 }
 
 }  // namespace lippmann

@@ -22,6 +22,7 @@ struct FrameFiles {
   Encoding encoding = Encoding::kSrgb;
   double pixels_per_mm = 0.0;            ///< stated by TIFF files; 0: not known
   std::vector<ExrAttribute> about = {};  ///< attributes of EXR files
+  FormatOptions writing = {};            ///< what the formats of light fields are told
 };
 
 /// "png", "tif" or "exr".

@@ -74,6 +74,13 @@ PictureParams with_layout(PictureParams params) {
   return params;
 }
 
+void refuse_depth_params(const PictureParams& params) {
+  const bool is_rgbd = params.to == kRgbdFormat;
+  refuse_without(is_rgbd, params.depth.range.has_value(), "depth-range", "`layout` rgbd");
+  refuse_without(is_rgbd, params.depth.linear.has_value(), "depth-coding", "`layout` rgbd");
+  refuse_without(is_rgbd, params.depth.near_black, "near-black", "`layout` rgbd");
+}
+
 /// Left and right exchanged.
 Image mirrored(const Image& image) {
   Image mirror(image.width, image.height, image.channels);
@@ -97,6 +104,7 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
   const bool is_stereo = layout == PictureLayout::kStereo;
   refuse_without(is_stereo, params.stereo.packing != StereoPacking::kSideBySide, "stereo", "`layout` stereo");
   refuse_without(is_stereo, params.stereo.right_first, "right-first", "`layout` stereo");
+  refuse_depth_params(params);
   mirrors_ = params.mirror;
   if (display) pixels_per_mm_ = 1.0 / display->pixel_mm();
   if (params.pseudoscopic) {
@@ -142,7 +150,8 @@ void FrameLayout::use_format(const LightFieldFormat& format, const Optics& optic
   const ViewLayout film = is_single_view(optics) ? ViewLayout{LayoutKind::kStack, {1, 1}, {}} : film_layout(optics, "to");
   light_field_ = &format;
   names_.is_folder = format.is_folder;
-  if (layout_named(std::string(format.name)) == PictureLayout::kRgbd) names_.suffix = kRgbdEnding;
+  is_rgbd_ = format.name == kRgbdFormat;
+  if (is_rgbd_) names_.suffix = kRgbdEnding;
   if (format_ == PictureFormat::kTiff) throw usage_error("format", "light fields hold no TIFF pictures", "png, png16 or exr");
   view_size_ = view_size(film, film_, "to");
   if (format.is_folder) pictures_per_frame_ = film.grid.count();
@@ -176,6 +185,7 @@ void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
 
 Vec2i FrameLayout::picture_size() const {
   if (stereo_) return stereo_size_;
+  if (is_rgbd_) return {2 * view_size_.x, view_size_.y};
   if (light_field_) return light_field_->is_folder ? view_size_ : film_;
   if (sub_pixels_) return {film_.x / 3, film_.y};
   if (!arrangement_) return film_;
@@ -184,6 +194,7 @@ Vec2i FrameLayout::picture_size() const {
 
 std::filesystem::path FrameLayout::video_path(const std::filesystem::path& plain) const {
   if (stereo_) return with_stereo_name(plain, *stereo_);
+  if (is_rgbd_) return with_rgbd_name(plain);
   return quilt_ ? with_quilt_name(plain, *quilt_) : plain;
 }
 

@@ -34,12 +34,15 @@ class FrameLayout {
   const LightFieldFormat* light_field() const { return light_field_; }
 
   /// Whether each frame is one picture, as videos want it.
-  bool is_picture() const { return names_.views == 0 && !light_field_; }
+  bool is_picture() const { return names_.views == 0 && (!light_field_ || is_rgbd_); }
+
+  /// Whether it is one view with its depth beside it.
+  bool is_rgbd() const { return is_rgbd_; }
 
   /// How many pictures of picture_size() a frame has.
   int pictures_per_frame() const { return pictures_per_frame_; }
 
-  /// Where a video of these pictures goes: a quilt's says so in its name, and a stereo video.
+  /// Where a video of these pictures goes: a quilt's says so in its name, a stereo video, and RGB-D.
   std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
   /// For quilts: tiles and the display's aspect.
@@ -86,7 +89,7 @@ class FrameLayout {
   std::optional<StereoLayout> stereo_;
   std::vector<std::uint32_t> stereo_pixels_;  ///< for each pixel of the picture, the film's pixel that it shows
   Vec2i stereo_size_{0, 0};
-  bool sub_pixels_ = false, mirrors_ = false;
+  bool sub_pixels_ = false, mirrors_ = false, is_rgbd_ = false;
   double pixels_per_mm_ = 0.0;
 };
 

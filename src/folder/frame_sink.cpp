@@ -12,6 +12,7 @@
 #include "folder/frame_files.hpp"
 #include "image/read_image.hpp"
 #include "layout/quilt_side_file.hpp"
+#include "layout/rgbd_side_file.hpp"
 #include "lippmann/image/encode.hpp"
 
 namespace lippmann {
@@ -43,8 +44,8 @@ struct FrameSink::Impl {
   Impl(const Settings& s, RenderFolder& f)
       : settings(s),
         folder(f),
-        files{f.path(), s.layout.names(), s.layout.format(), s.pictures.exr_pixels, s.encoding, s.layout.pixels_per_mm(),
-              s.about},
+        files{f.path(),   s.layout.names(),         s.layout.format(), s.pictures.exr_pixels,
+              s.encoding, s.layout.pixels_per_mm(), s.about,           s.writing},
         queue(writing_threads(s.threads), queue_capacity(s.threads)) {
     for (const VideoFile& video : s.videos) videos.push_back(std::make_unique<VideoWriter>(video.path, video.options));
   }
@@ -54,6 +55,7 @@ struct FrameSink::Impl {
   const FrameFiles files;
   std::vector<std::unique_ptr<VideoWriter>> videos;
   std::map<int, Precompensation> precompensated;
+  int first_frame = -1;  ///< of the videos; -1: there is none yet
   std::atomic<std::int64_t> write_nanoseconds{0};
   BackgroundQueue queue;  ///< last: its threads use what is above
 
@@ -61,7 +63,9 @@ struct FrameSink::Impl {
   FileRecords write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     Image as_traced = develop(rendered);
-    const FileRecords records = records_of(files.folder, write_files(rendered));
+    const std::vector<std::filesystem::path> written = write_files(rendered);
+    const FileRecords records = records_of(files.folder, written);
+    if (settings.layout.light_field() && !videos.empty()) rendered.pictures.codes = read_image8(written.front());
     if (settings.done_with)
       settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(rendered.pictures.film));
     rendered.pictures.film = {};
@@ -73,7 +77,7 @@ struct FrameSink::Impl {
 
   /// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
   bool needs_codes() const {
-    if (settings.layout.light_field()) return false;  // views have codes of their own: they are not where they are in the film
+    if (settings.layout.light_field()) return false;  // its picture has codes of its own, which videos read back
     return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
   }
 
@@ -104,6 +108,12 @@ struct FrameSink::Impl {
     return written;
   }
 
+  /// All frames have one range, so that the side file of any of them is the video's.
+  void describe_depth(const std::filesystem::path& video) const {
+    const auto frame = picture_paths(files.folder, files.names, first_frame).front();
+    if (const std::optional<RgbdSideFile> side = read_rgbd_side_file(frame)) write_rgbd_side_file(video, *side);
+  }
+
   /// Videos beside pictures that keep the light.
   Image8 toned_codes(const Tone& tone, Image film) const {
     apply_tone(tone, film);
@@ -131,6 +141,7 @@ FrameSink::~FrameSink() = default;
 void FrameSink::add(RenderedFrame rendered) {
   const auto shared = std::make_shared<RenderedFrame>(std::move(rendered));
   const auto files = std::make_shared<FileRecords>();
+  if (impl_->first_frame < 0) impl_->first_frame = shared->report.frame;
   impl_->queue.submit([impl = impl_.get(), shared, files] { *files = impl->write(*shared); },
                       [impl = impl_.get(), shared, files] {
                         impl->record(shared->report, *files);
@@ -140,6 +151,7 @@ void FrameSink::add(RenderedFrame rendered) {
 
 void FrameSink::add_kept(int frame) {
   if (impl_->videos.empty()) return;
+  if (impl_->first_frame < 0) impl_->first_frame = frame;
   const auto codes = std::make_shared<Image8>();
   const auto path = picture_paths(impl_->files.folder, impl_->files.names, frame).front();
   impl_->queue.submit([codes, path] { *codes = read_image8(path); },
@@ -151,6 +163,8 @@ void FrameSink::wait() { impl_->queue.finish(); }
 void FrameSink::finish_videos() {
   const TimedWork timed(impl_->write_nanoseconds);
   for (const auto& video : impl_->videos) video->finish();
+  if (!impl_->settings.layout.is_rgbd()) return;
+  for (const VideoFile& video : impl_->settings.videos) impl_->describe_depth(video.path);
 }
 
 const std::map<int, Precompensation>& FrameSink::precompensated() const { return impl_->precompensated; }

@@ -36,6 +36,7 @@ class FrameSink {
     Encoding encoding = Encoding::kSrgb;           ///< how the scene's values become codes
     std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
     std::vector<VideoFile> videos = {};
+    FormatOptions writing = {};                 ///< what the formats of light fields are told
     std::vector<ExrAttribute> about = {};       ///< attributes of EXR files
     int threads = 1;                            ///< that render; a share as many again write
     std::function<void(Image)> done_with = {};  ///< is given the film of every written frame, on any thread; may be empty

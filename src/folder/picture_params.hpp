@@ -6,6 +6,7 @@
 
 #include "core/extent.hpp"
 #include "image/tone.hpp"
+#include "lippmann/layout/depth_coding.hpp"
 #include "lippmann/layout/stereo.hpp"
 
 namespace lippmann {
@@ -14,6 +15,13 @@ namespace lippmann {
 enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint, kStereo, kRgbd };
 enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 enum class ExrPixels { kHalf, kFloat };
+
+/// How the grey of kRgbd means depth.
+struct DepthParams {
+  std::optional<DepthRange> range;   ///< none: what the scene shows over its animation (job/rgbd_options.hpp)
+  std::optional<DepthScale> linear;  ///< what grey is linear in; none: disparity
+  bool near_black = false;
+};
 
 struct PictureParams {
   float exposure_ev = 0.0f;             ///< for pictures in codes and for videos; EXR stays as the light is
@@ -24,6 +32,7 @@ struct PictureParams {
   bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
   Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
   StereoLayout stereo;                  ///< for kStereo
+  DepthParams depth;                    ///< for kRgbd
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
 };

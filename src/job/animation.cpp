@@ -28,6 +28,7 @@
 #include "job/job_stage.hpp"
 #include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
+#include "job/rgbd_options.hpp"
 #include "job/stripped_frames.hpp"
 #include "job/test_pattern.hpp"
 #include "job/undo_crosstalk.hpp"
@@ -228,6 +229,7 @@ class Animation {
             stage_.scene.encoding,
             crosstalk_,
             videos,
+            writing_,
             about_render(params_.scene.name, optics(), stage_.placed.depth_scale),
             pool_.threads(),
             [&maker](Image film) { maker.recycle(std::move(film)); },
@@ -342,6 +344,8 @@ class Animation {
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
       throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
+    if (!params_.output.video.empty() && layout_.is_rgbd() && layout_.format() == PictureFormat::kExr)
+      throw usage_error("video", "is made of the pictures, which have to hold codes of depth", "`format` png or png16");
     if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
       throw usage_error("video", "is made of the pictures of all parts, which have to hold its codes", "`format` png");
     see_crosstalk();
@@ -349,6 +353,7 @@ class Animation {
     check_strips_of(params_, made_as_, optics());
     check_memory();
     crosstalk_ = crosstalk_to_undo(params_, optics(), stage_.display.get());
+    if (layout_.is_rgbd()) writing_ = rgbd_options(params_.output.pictures.depth, stage_, pool_);
   }
 
   void check_memory() const {
@@ -373,7 +378,10 @@ class Animation {
     if (const std::string sentence = sharp_eye_sentence(made_as_.reuse, optics()); !sentence.empty())
       context_.warning(sentence);
     if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
-    for (const VideoFile& video : videos_) make_room_for_video(video, film_size(optics()));
+    for (const VideoFile& video : videos_) {
+      make_room_for_video(video, layout_.picture_size());
+      warn_of_mixed_rows(video.path, video.options, layout_.picture_size(), context_);
+    }
     return open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
   }
 
@@ -493,6 +501,7 @@ class Animation {
   const std::vector<int> frames_;      ///< of these parts
   const FrameLayout layout_;
   std::optional<double> crosstalk_;  ///< to be undone
+  FormatOptions writing_;            ///< what the format of light fields is told
   std::string job_;
   std::vector<VideoFile> videos_;
   fs::path folder_;

@@ -57,6 +57,16 @@ std::optional<float> read_distance(std::string_view text, const std::string& whe
 
 std::string write_distance(std::optional<float> distance_mm) { return distance_mm ? fmt::format("{}", *distance_mm) : "auto"; }
 
+DepthRange read_depth_range(std::string_view text, const std::string& where) {
+  const std::size_t colon = text.find(':');
+  const auto near = parse_number<double>(text.substr(0, colon));
+  const auto far = colon == std::string_view::npos ? std::nullopt : parse_number<double>(text.substr(colon + 1));
+  if (!near || !far || !(*far < *near && *near - *far < 1e9))
+    throw usage_error(where, fmt::format("'{}' is no range of depths", text),
+                      "NEAR:FAR in mm, above 0 in front of the screen, such as 10:-30");
+  return {*near, *far};
+}
+
 std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == text) return i;

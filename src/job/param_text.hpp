@@ -12,6 +12,7 @@
 
 #include "core/extent.hpp"
 #include "core/number_text.hpp"
+#include "lippmann/layout/depth_coding.hpp"
 
 namespace lippmann {
 
@@ -27,6 +28,9 @@ std::string write_extent(const Extent<float>& extent);
 /// Millimetres > 0, "inf", or "auto" (none).
 std::optional<float> read_distance(std::string_view text, const std::string& where);
 std::string write_distance(std::optional<float> distance_mm);
+
+/// NEAR:FAR, mm, far below near.
+DepthRange read_depth_range(std::string_view text, const std::string& where);
 
 /// One name of a list of choices, its index; the list is what the Error offers.
 std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where);

@@ -38,6 +38,7 @@ constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provena
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "views", "native", "print", "stereo", "rgbd"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
+constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"};
 /// The layers that `aov` takes; alpha comes with `transparent`.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
@@ -269,6 +270,30 @@ ParamInfo right_first_row() {
   return row_of(ParamKind::kFlag, flag(),
                 {"right-first", "Files", "", "Layout stereo: the right eye's view at the left, on top, or in the first row"},
                 &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::right_first);
+}
+
+ParamInfo depth_range_row() {
+  const Codec<std::optional<DepthRange>> range{
+      [](std::string_view value, const std::string& where) { return std::optional(read_depth_range(value, where)); },
+      [](const std::optional<DepthRange>& value) {
+        return value ? fmt::format("{}:{}", value->near_mm, value->far_mm) : std::string();
+      }};
+  return row_of(ParamKind::kText, range,
+                {"depth-range", "Files", "NEAR:FAR",
+                 "Layout rgbd: the depths of the nearest and the farthest grey of all frames, in mm, above 0 in front of the "
+                 "screen; default: from the nearest to the farthest that the scene shows over its whole animation"},
+                &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::range);
+}
+
+ParamInfo depth_coding_row() {
+  return row_of(ParamKind::kText, optional_choice<DepthScale>(kDepthScaleNames),
+                {"depth-coding", "Files", "SCALE", "Layout rgbd: what grey is linear in, disparity (default) or depth"},
+                &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::linear);
+}
+
+ParamInfo near_black_row() {
+  return row_of(ParamKind::kFlag, flag(), {"near-black", "Files", "", "Layout rgbd: black is near; default: white is"},
+                &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::near_black);
 }
 
 std::vector<ParamInfo> scene_rows() {
@@ -539,6 +564,9 @@ std::vector<ParamInfo> file_rows() {
           {"quilt", "Files", "CxR", "Tiles of --layout quilt; default: as the views lie, or as square as can be"}),
       stereo_row(),
       right_first_row(),
+      depth_range_row(),
+      depth_coding_row(),
+      near_black_row(),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::format, choice<PictureFormat>(kFormatNames),
           {"format", "Files", "FORMAT",
            "File format of the pictures: png (8 bit), png16, tiff (8 bit, says its resolution) or exr (linear)"}),

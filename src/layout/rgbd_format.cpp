@@ -93,10 +93,7 @@ DepthRange range_of(const Image& depth, double distance_mm) {
     range.far_mm = std::min(range.far_mm, static_cast<double>(z));
   }
   if (!std::isfinite(range.near_mm)) return {};
-  const double least = 1e-3 * distance_mm;
-  if (range.near_mm - range.far_mm < least) range.near_mm += 0.5 * least, range.far_mm -= 0.5 * least;
-  range.near_mm = std::min(range.near_mm, 0.99 * distance_mm);
-  return range;
+  return range_before_eye(range, distance_mm);
 }
 
 RgbdSideFile side_of(const LightField& field, int view, const Image& depth, const FormatOptions& options) {

@@ -7,6 +7,7 @@
 
 namespace lippmann {
 
+inline constexpr std::string_view kRgbdFormat = "rgbd";
 inline constexpr std::string_view kRgbdEnding = "_rgbd";
 
 inline bool has_rgbd_name(const std::filesystem::path& path) { return path.stem().string().ends_with(kRgbdEnding); }

@@ -65,6 +65,14 @@ double depth_of_grey(const DepthCoding& coding, double distance_mm, double grey)
   return coding.even_in_depth ? value : depth_of_disparity(value, distance_mm);
 }
 
+DepthRange range_before_eye(DepthRange range, double distance_mm) {
+  const double least = 1e-3 * distance_mm;
+  range.near_mm = std::min(range.near_mm, 0.99 * distance_mm);
+  range.far_mm = std::clamp(range.far_mm, -1e9, range.near_mm);
+  if (range.near_mm - range.far_mm < least) range.near_mm += 0.5 * least, range.far_mm -= 0.5 * least;
+  return range;
+}
+
 fs::path rgbd_side_path(const fs::path& image) { return fs::path(image) += ".json"; }
 
 std::optional<RgbdSideFile> read_rgbd_side_file(const fs::path& image) {

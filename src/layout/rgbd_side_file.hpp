@@ -19,6 +19,8 @@ struct RgbdSideFile {
   double distance_mm = 300.0;   ///< from the eye to the screen
   Vec2d size_mm{100.0, 100.0};  ///< how large the screen is that the picture fills
   Vec2d eye_mm{0.0};            ///< beside the screen's axis, right and up
+
+  bool operator==(const RgbdSideFile&) const = default;
 };
 
 double disparity_of_depth(double z_mm, double distance_mm);
@@ -27,6 +29,9 @@ double depth_of_disparity(double q_mm, double distance_mm);
 /// The grey of a depth, within 0 ... 1; what is beyond the range, or nothing at all (-inf), gets the nearest grey. And back.
 double grey_of_depth(const DepthCoding& coding, double distance_mm, double z_mm);
 double depth_of_grey(const DepthCoding& coding, double distance_mm, double grey);
+
+/// The range as greys need it: a little of both around a plane, and nothing at the eye or behind it.
+DepthRange range_before_eye(DepthRange range, double distance_mm);
 
 std::filesystem::path rgbd_side_path(const std::filesystem::path& image);
 

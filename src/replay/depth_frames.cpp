@@ -15,6 +15,7 @@
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "replay/depth_views.hpp"
+#include "replay/lens_interlace.hpp"
 #include "replay/rgbd_frames.hpp"
 #include "video/video_reader.hpp"
 
@@ -22,6 +23,14 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A sheet of lenses, or an array of them, whose pixels have no calibration.
+bool has_lenses(const Display& display) { return display.kind != DisplayKind::kSlantedPanel; }
+
+/// Whether what is wanted is the picture behind the display's lenses, not views.
+bool is_behind_lenses(const DepthFramesParams& params) {
+  return params.to == "integral" && params.options.display && has_lenses(*params.options.display);
+}
 
 /// Two eyes before the screen of the picture, or the display's.
 Optics eyes_optics(const LightField& source, const DepthFramesParams& params) {
@@ -36,8 +45,9 @@ Optics eyes_optics(const LightField& source, const DepthFramesParams& params) {
   return {{2 * view.x, view.y, static_cast<float>(pixel.x)}, eyes};
 }
 
-/// The display's quilt, with other tiles where `views` says so.
-Optics quilt_for(Display display, const std::optional<ViewGrid>& views) {
+/// The display's quilt, with other tiles where `views` says so; of lenses the views that they show.
+Optics views_for(Display display, const std::optional<ViewGrid>& views) {
+  if (has_lenses(display) && !display.quilt) return lens_views(display, views);
   if (views && display.quilt) display.quilt->columns = views->columns, display.quilt->rows = views->rows;
   if (const std::optional<Optics> optics = quilt_optics(display)) return *optics;
   throw usage_error("display", display.name + " knows no quilt", "a display with a quilt, or `views` without one");
@@ -63,7 +73,8 @@ Optics own_views(const LightField& source, const DepthFramesParams& params) {
 
 Optics wanted_optics(const LightField& source, const DepthFramesParams& params) {
   if (params.to == "stereo") return eyes_optics(source, params);
-  if (params.options.display) return quilt_for(*params.options.display, params.options.views);
+  if (is_behind_lenses(params)) return lens_views(*params.options.display, params.options.views);
+  if (params.options.display) return views_for(*params.options.display, params.options.views);
   return own_views(source, params);
 }
 
@@ -83,6 +94,14 @@ fs::path path_for(const DepthFramesParams& params, const LightFieldFormat& to, c
   fs::path path = one ? params.out : params.out / without_rgbd_name(name).stem();
   if (!to.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(stack);
   return path;
+}
+
+std::vector<fs::path> write_frame(const LightField& field, const fs::path& path, const DepthFramesParams& params,
+                                  const ThreadPool& pool) {
+  const LightFieldFormat& to = find_format(params.to, "to");
+  if (!is_behind_lenses(params)) return to.write(field, path, params.options);
+  write_picture(path, interlace_behind_lenses(field, *params.options.display, pool));
+  return {path};
 }
 
 }  // namespace
@@ -107,7 +126,6 @@ DepthFrames convert_depth_frames(const DepthFramesParams& params, const Context&
   const bool one = frames.is_one_picture();
   const ThreadPool pool(resolved_threads(context));
   warn_of_assumptions(frames.first(), params, context);
-  FormatOptions writing = params.options;
   DepthFrames made;
   double filled = 0.0;
   const NewFolder folder(one ? params.out.parent_path() : params.out);
@@ -118,7 +136,7 @@ DepthFrames convert_depth_frames(const DepthFramesParams& params, const Context&
     views.field.stack = with_samples_like(source.stack, std::get<Image>(std::move(views.field.stack)));
     const fs::path path = path_for(params, to, frame->name, one, source.stack);
     const NewFolder of_frame(to.is_folder ? path : fs::path());
-    for (fs::path& file : to.write(views.field, path, writing)) made.written.push_back(std::move(file));
+    for (fs::path& file : write_frame(views.field, path, params, pool)) made.written.push_back(std::move(file));
     made.views = views.field.grid, made.view_size = views.field.view_size;
     filled += views.filled_share, ++count;
   }

@@ -16,7 +16,8 @@ struct DepthFramesParams {
   std::filesystem::path in;    ///< a picture, a folder of frame_*_rgbd.png, or a video
   std::filesystem::path out;   ///< as of convert (layout/convert.hpp)
   std::string to;              ///< a format
-  FormatOptions options = {};  ///< views: how many; display: whose quilt they are; depth_range and what is with it: of IN
+  FormatOptions options = {};  ///< views: how many; display: whose quilt they are, or whose lenses show them; depth_range and
+                               ///< what is with it: of IN
   std::optional<double> view_angle_deg = {};  ///< without a display; none: as of views that nothing describes
   double ipd_mm = kUsualIpdMm;                ///< `to` stereo
   double depth_scale = 1.0;                   ///< shown depth / coded depth

@@ -13,6 +13,8 @@
 #include "core/folder_entries.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
+#include "layout/rgbd_name.hpp"
+#include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 
@@ -92,6 +94,13 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
               "a pattern that names one");
 }
 
+/// None where frames lack it or differ.
+std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& frames) {
+  const std::optional<RgbdSideFile> first = read_rgbd_side_file(frames.front().path);
+  const auto is_alike = [&](const NumberedFrame& frame) { return read_rgbd_side_file(frame.path) == first; };
+  return std::all_of(frames.begin(), frames.end(), is_alike) ? first : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted) {
@@ -119,8 +128,20 @@ std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames) 
 
 fs::path video_path(const fs::path& out, const std::vector<NumberedFrame>& frames) {
   if (const std::optional<StereoLayout> stereo = stereo_of(frames)) return with_stereo_name(out, *stereo);
+  if (!frames.empty() && has_rgbd_name(frames.front().path)) return with_rgbd_name(out);
   const std::optional<QuiltName> quilt = frames.empty() ? std::nullopt : parse_quilt_name(frames.front().path);
   return quilt && !parse_quilt_name(out) ? with_quilt_name(out, *quilt) : out;
+}
+
+void describe_depth_of(const std::vector<NumberedFrame>& frames, const fs::path& out, const Context& context) {
+  if (frames.empty() || !has_rgbd_name(frames.front().path)) return;
+  if (const std::optional<RgbdSideFile> side = common_side_file(frames)) return write_rgbd_side_file(out, *side);
+  std::error_code ignored;
+  fs::remove(rgbd_side_path(out), ignored);  // of another video
+  context.warning(
+      fmt::format("The side files of the frames do not all say the same, so that grey means another depth from frame to frame, "
+                  "and {} has none. `depth-range` gives all frames one range when they are made.",
+                  out.string()));
 }
 
 bool encode_frames(const std::vector<NumberedFrame>& frames, const fs::path& out, const VideoOptions& options,

@@ -113,6 +113,16 @@ FrameRate frame_rate(double frames_per_second) {
   return nearest_fraction(frames_per_second);
 }
 
+void warn_of_mixed_rows(const fs::path& path, const VideoOptions& options, Vec2i size, const Context& context) {
+  if (!options.stereo || options.stereo->packing != StereoPacking::kRows) return;
+  const VideoCodec codec = choose_codec(path, options.codec, size.x, size.y);
+  if (codec == VideoCodec::kFfv1) return;
+  context.warning(
+      fmt::format("{}: {} shares colour between neighbouring rows, which are of different eyes. An .mkv with FFV1 keeps them "
+                  "apart.",
+                  path.string(), name_of(codec)));
+}
+
 void check_video_path(const fs::path& path, const VideoOptions& options, int width, int height) {
   checked_crf(path, choose_codec(path, options.codec, width, height), options.crf);
   const AtomicFile writable(path);

@@ -12,6 +12,8 @@
 #include <memory>
 #include <optional>
 
+#include "lippmann/core/context.hpp"
+#include "lippmann/core/math.hpp"
 #include "lippmann/image/image.hpp"
 #include "lippmann/layout/stereo.hpp"
 #include "video/video_codec.hpp"
@@ -33,6 +35,9 @@ struct VideoOptions {
   std::optional<StereoLayout> stereo = {};  ///< frames hold two eyes' views; players are told (video/ffmpeg/stereo_tags.hpp)
   int threads = 1;                          ///< the encoder's. H.264's bytes depend on it: never derive it from the machine
 };
+
+/// Warns where rows of two eyes go into a video whose neighbouring rows share their colour, and says what keeps them apart.
+void warn_of_mixed_rows(const std::filesystem::path& path, const VideoOptions& options, Vec2i size, const Context& context);
 
 /// Throws Error naming the file: for what choose_codec() refuses, a folder that cannot be written, frames that differ in size,
 /// a full disk. After an Error only destruction makes sense.

@@ -1,7 +1,11 @@
 // `lippmann convert` from outside: what it prints, what it warns of, and what it leaves where it fails.
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "cli/tool.hpp"
+#include "lippmann/image/picture_file.hpp"
+#include "lippmann/layout/light_field.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -71,10 +75,8 @@ TEST(Convert, of_colours_and_depth_says_what_share_is_filled_and_what_is_assumed
 TEST(Convert, of_a_video_of_colours_and_depth_makes_what_its_frames_make) {
   const TempDir dir;
   expect_done(dir, {"render", "room", "--size", "60x80", "--frames", "0-1", "--layout", "rgbd", "-o", "a"});
-  expect_done(dir, {"encode", "a", "clip_rgbd.mkv"});
-  fs::copy_file(dir / "a/frame_0000_rgbd.png.json", dir / "clip_rgbd.mkv.json");
-  fs::copy_file(dir / "a/frame_0000_rgbd.png.json", dir / "a/frame_0001_rgbd.png.json",
-                fs::copy_options::overwrite_existing);  // one range of depths for all of a video's frames
+  EXPECT_EQ(report_of(dir, {"encode", "a", "clip.mkv"})["file"], "clip_rgbd.mkv");
+  EXPECT_EQ(bytes_of(dir / "clip_rgbd.mkv.json"), bytes_of(dir / "a/frame_0001_rgbd.png.json"));
   const Words rest{"--to", "quilt", "--quilt", "3x1", "--views", "3x1"};
   const Json of_video = report_of(dir, Words{"convert", "clip_rgbd.mkv", "v"} + rest);
   const Json of_pictures = report_of(dir, Words{"convert", "a", "p"} + rest);
@@ -86,6 +88,36 @@ TEST(Convert, of_a_video_of_colours_and_depth_makes_what_its_frames_make) {
     EXPECT_EQ(bytes_of(made), bytes_of(dir / "p" / made.filename())) << made;
   }
   expect_refusal(run_tool(dir, Words{"convert", "clip_rgbd.mkv", "v.mp4"} + rest), 1, "lippmann encode");
+  fs::remove(dir / "a/frame_0001_rgbd.png.json");
+  EXPECT_THAT(run_tool(dir, {"encode", "a", "clip.mkv"}).err, HasSubstr("--depth-range gives all frames one range"));
+  EXPECT_FALSE(fs::exists(dir / "clip_rgbd.mkv.json"));
+}
+
+TEST(Convert, of_frames_to_colours_and_depth_warns_of_a_range_for_each) {
+  const TempDir dir;
+  expect_done(dir, {"render", "room", "--optics", "multiview", "--views", "3x1", "--size", "180x80", "--frames", "0-1", "--aov",
+                    "depth", "-o", "a"});
+  EXPECT_THAT(run_tool(dir, {"convert", "a", "b", "--to", "rgbd"}).err, HasSubstr("--depth-range gives all of them one"));
+  EXPECT_EQ(run_tool(dir, {"convert", "a", "c", "--to", "rgbd", "--depth-range", "20:-60"}).err, "");
+  EXPECT_EQ(bytes_of(dir / "c/frame_0000_rgbd.png.json"), bytes_of(dir / "c/frame_0001_rgbd.png.json"));
+}
+
+TEST(Convert, of_colours_and_depth_fills_the_panel_behind_a_sheet_of_lenses) {
+  const TempDir dir;
+  std::ofstream(dir / "sheet.toml") << R"(kind = "lenticular-sheet"
+pixels = [150, 100]
+dpi = 60
+view_cone_deg = 30
+viewing_distance_mm = 500
+[lenses]
+lenses_per_inch = 8.2
+)";
+  expect_done(dir, {"render", "room", "--size", "60x40", "--frames", "0", "--layout", "rgbd", "-o", "a"});
+  const Words to_sheet{"convert", "a/frame_0000_rgbd.png", "x.png", "--to", "integral", "--display", "sheet.toml"};
+  EXPECT_EQ(report_of(dir, to_sheet)["views"], Json({8, 1})) << "60 / 8.2 = 7.3 pixels below a lens, rounded up";
+  EXPECT_EQ(size_of(read_picture(dir / "x.png")), Vec2i(150, 100));
+  EXPECT_EQ(report_of(dir, to_sheet + Words{"--views", "16x1"})["views"], Json({16, 1}));
+  EXPECT_EQ(size_of(read_picture(dir / "x.png")), Vec2i(150, 100));
 }
 
 TEST(Convert, turns_depth_round_by_both_ways_and_precompensates) {

@@ -98,7 +98,17 @@ TEST(Tool, version_names_itself_and_a_number) {
   const RunResult result = run_tool(dir, {"--version"});
   for (const char* flag : {"-v", "-V"}) EXPECT_EQ(run_tool(dir, {flag}).out, result.out);
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, testing::MatchesRegex("lippmann [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_THAT(result.out.substr(0, result.out.find('\n') + 1), testing::MatchesRegex("lippmann [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(Tool, version_says_below_it_what_the_tool_was_built_of) {
+  const TempDir dir;
+  const std::string out = run_tool(dir, {"--version"}).out;
+  EXPECT_THAT(out, testing::ContainsRegex("\ncommit   ([0-9a-f]{12}|not known)\n"));
+  EXPECT_THAT(out, testing::ContainsRegex("\ncompiler [A-Za-z]+ [0-9.]+, [A-Za-z]+\n"));
+  EXPECT_THAT(out, testing::ContainsRegex("\nEmbree   3\\.[0-9.]+\noneTBB   20[0-9.]+\n"));
+  EXPECT_THAT(out, testing::ContainsRegex("\nvideos   module installed, for FFmpeg \\(libavcodec [0-9.]+\\)\n"));
+  EXPECT_THAT(out, testing::ContainsRegex("\nMPI      module (not )?installed\n"));
 }
 
 TEST(Tool, far_misspelling_is_not_answered_with_another_flag) {

@@ -33,6 +33,13 @@ TEST(Presets, all_are_valid_and_described_and_each_is_found_by_its_name) {
   EXPECT_GE(names.size(), 20u);
 }
 
+TEST(Presets, quilt_of_the_16_inch_landscape_display_is_what_a_device_reports) {
+  const Display display = load_display("16-landscape");
+  EXPECT_EQ(display.quilt, (DisplayQuilt{8, 6, 7680, 4320, 1.7778}));
+  EXPECT_EQ(display.pixels, Vec2i(3840, 2160)) << "the panel is not the quilt";
+  EXPECT_EQ(display.view_cone_deg, 50.0);
+}
+
 TEST(Presets, rows_of_the_devices_table) {
   const Display go = load_display("Looking-Glass-Go"), landscape = load_display("32-landscape");
   EXPECT_EQ(go.pixels, Vec2i(1440, 2560));

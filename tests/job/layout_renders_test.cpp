@@ -1,4 +1,5 @@
 // What the pictures of each layout and format of a render hold: what conversion makes of a plain render.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <array>
@@ -8,11 +9,13 @@
 #include "compare/compare.hpp"
 #include "job/renders.hpp"
 #include "job/report.hpp"
+#include "layout/rgbd_side_file.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/image/picture_file.hpp"
 #include "replay/depth_frames.hpp"
 #include "replay/orthoscopic.hpp"
 #include "replay/stereo_frames.hpp"
+#include "video/video_reader.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -183,6 +186,75 @@ TEST_F(LayoutRenders, rgbd_is_one_view_with_depth_and_its_side_file) {
   EXPECT_EQ(codes_of(dir_ / "a/frame_0000_rgbd.png").width, 128);
 }
 
+/// Its near and far, and all else that grey means.
+RgbdSideFile side_of(const fs::path& picture) { return read_rgbd_side_file(picture).value(); }
+
+TEST_F(LayoutRenders, rgbd_frames_have_the_range_of_the_whole_animation_whichever_are_rendered) {
+  const Settings small{{"size", "64x48"}, {"layout", "rgbd"}};
+  render(job("room", "a", small + Settings{{"frames", "0,100,200"}}));
+  RenderParams one = job("room", "b", small + Settings{{"frames", "200"}});
+  one.threads = 1;
+  render(one);
+  const RgbdSideFile side = side_of(dir_ / "b/frame_0200_rgbd.png");
+  for (const char* frame : {"a/frame_0000_rgbd.png", "a/frame_0100_rgbd.png", "a/frame_0200_rgbd.png"})
+    EXPECT_EQ(side_of(dir_ / frame), side) << frame;
+  EXPECT_EQ(bytes("a/frame_0200_rgbd.png"), bytes("b/frame_0200_rgbd.png"));
+  render(job("room", "plain",
+             {{"optics", "multiview"}, {"views", "3x1"}, {"size", "192x48"}, {"aov", "depth"}, {"frames", "0,100,200"}}));
+  convert("plain", "each", "rgbd");
+  for (const int frame : {0, 100, 200}) {  // each alone reaches less far, to either side, than the range
+    const DepthRange own = side_of(dir_ / "each" / fmt::format("frame_{:04}_rgbd.png", frame)).coding.range;
+    EXPECT_LE(own.near_mm, side.coding.range.near_mm + 1e-3) << frame;
+    EXPECT_GE(own.far_mm, side.coding.range.far_mm - 1e-3) << frame;
+  }
+}
+
+TEST_F(LayoutRenders, rgbd_coding_is_as_asked_and_refused_elsewhere) {
+  const Settings small{{"size", "64x48"}, {"frames", "0"}};
+  render(job(
+      "room", "a",
+      small + Settings{{"layout", "rgbd"}, {"depth-range", "12.5:-40"}, {"depth-coding", "depth"}, {"near-black", "true"}}));
+  const DepthCoding coding = side_of(dir_ / "a/frame_0000_rgbd.png").coding;
+  EXPECT_EQ(coding, (DepthCoding{{12.5, -40}, true, true}));
+  const auto refusal = [&](const Settings& more) { return error_message([&] { render(job("room", "b", small + more)); }); };
+  EXPECT_THAT(refusal({{"depth-range", "10:-30"}}), HasSubstr("depth-range: means nothing without `layout` rgbd"));
+  EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "1e6:0"}}), HasSubstr("is not before the eye"));
+  EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "-30:10"}}), HasSubstr("is no range of depths"));
+}
+
+TEST_F(LayoutRenders, rgbd_video_is_its_frames_and_says_what_their_grey_means) {
+  const Settings clip{{"size", "64x48"}, {"frames", "0-2"}, {"layout", "rgbd"}, {"video", dir_ / "v/clip.mkv"}};
+  const RenderReport report = render(job("room", "a", clip));
+  const fs::path video = dir_ / "v/clip_rgbd.mkv";
+  EXPECT_EQ(report.videos, std::vector<std::string>{video});
+  EXPECT_EQ(side_of(video), side_of(dir_ / "a/frame_0001_rgbd.png"));
+  VideoReader reader(video);
+  for (const char* frame : {"0000", "0001", "0002"}) {
+    const std::optional<Image8> shown = reader.next();
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->rgb, codes_of(dir_ / "a" / fmt::format("frame_{}_rgbd.png", frame)).rgb);
+  }
+  EXPECT_FALSE(reader.next());
+  const std::string bytes_before = bytes("v/clip_rgbd.mkv");
+  fs::remove(dir_ / "a/frame_0002_rgbd.png"), fs::remove(video);
+  EXPECT_EQ(kept(resume(job("room", "a", clip))), 2u);
+  EXPECT_EQ(bytes("v/clip_rgbd.mkv"), bytes_before) << "from kept frames and a new one";
+  EXPECT_THAT(error_message([&] {
+                render(job("room", "b", clip + Settings{{"format", "exr"}}));
+              }),
+              HasSubstr("codes of depth"));
+}
+
+TEST_F(LayoutRenders, rows_of_two_eyes_in_a_video_that_mixes_rows_are_warned_of) {
+  const Settings rows{{"stereo", "rows"}, {"size", "64x36"}};
+  render(pair("a", rows + Settings{{"video", dir_ / "a.mp4"}}));
+  EXPECT_THAT(warnings_, HasSubstr("An .mkv with FFV1 keeps them apart."));
+  render(pair("b", rows + Settings{{"video", dir_ / "b.mkv"}}));
+  EXPECT_EQ(warnings_, "");
+  render(pair("c", {{"size", "64x36"}, {"video", dir_ / "c.mp4"}}));
+  EXPECT_EQ(warnings_, "");
+}
+
 TEST_F(LayoutRenders, views_of_a_middle_and_its_depth_are_like_the_true_ones) {
   render(job("room", "true",
              {{"optics", "multiview"},
@@ -212,6 +284,10 @@ TEST_F(LayoutRenders, picture_with_depth_is_shown_on_a_display_and_to_two_eyes) 
   params.options.display = load_display("portrait"), params.depth_scale = 0.5;
   convert_depth_frames(params, context_);
   EXPECT_EQ(codes_of(dir_ / "q/frame_0000_qs8x6a0.75.png").width, 3360);
+  params = {dir_ / "a", dir_ / "sheet", "integral"};
+  params.options.display = load_display("microlens-0.7mm-phone"), params.options.display->pixels = {180, 320};
+  EXPECT_EQ(convert_depth_frames(params, context_).views, (ViewGrid{23, 23}));
+  EXPECT_EQ(codes_of(dir_ / "sheet/frame_0000.png").height, 320) << "the panel's pixels";
   DepthFramesParams eyes{dir_ / "a", dir_ / "p", "stereo"};
   eyes.ipd_mm = 5.0;
   EXPECT_EQ(convert_depth_frames(eyes, context_).view_size, Vec2i(60, 80));

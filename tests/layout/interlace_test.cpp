@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <string>
+
 #include "light_fields.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/convert.hpp"
@@ -135,6 +138,24 @@ TEST(Interlace, native_rays_and_interlaced_views_agree_on_the_view) {
         EXPECT_GE(v, view - 1e-4);  // 2e-6 of the cone, by the floats that the eye is worked out in
         EXPECT_LE(v, view + 1 + 1e-4);
       }
+}
+
+// Cees van Berkel, "Image preparation for 3D-LCD", Proc. SPIE 3639, 1999: sub-pixel k of row l, both from the top left corner,
+// is of the view N / X ((k + k_off - 3 l tan a) mod X), X sub-pixels wide lenses. With X = 9 / 2 and tan a = 1 / 6 that is
+// (2 k - l) mod 9. Those on the left below a lens are seen from the right, so that such views count from the right.
+TEST(Interlace, television_of_nine_views_shows_those_of_its_published_mask) {
+  const Display display = load_display(std::string(LIPPMANN_SOURCE) + "/examples/nine-view-television.toml");
+  const auto frame = std::get<Image16>(interlace(steps(9, {4, 3}), display, {}, threads()));
+  ASSERT_EQ(Vec2i(frame.width, frame.height), Vec2i(1920, 1080));
+  std::array<int, 9> counts{};
+  for (int l = 0; l < 1080; ++l)
+    for (int k = 0; k < 3 * 1920; ++k) {
+      const int mask = ((2 * k - l) % 9 + 9) % 9, view = 8 - mask;
+      const int shown = frame.rgb[static_cast<std::size_t>(l * 3 * 1920 + k)] / 1000;
+      ASSERT_EQ(shown, view) << "sub-pixel " << k << " of row " << l;
+      ++counts[static_cast<std::size_t>(view)];
+    }
+  EXPECT_THAT(counts, testing::Each(1920 * 3 * 1080 / 9));
 }
 
 TEST(Interlace, any_number_of_threads_gives_the_same) {

@@ -1,0 +1,37 @@
+# LIPPMANN_BUILD_FACTS: what `lippmann --version` says of the build, as definitions for one source file, so that a new commit
+# compiles that file and links the tool, and nothing else. No time and no path: the same sources give the same bytes.
+
+# A tarball has no repository: its packager says -DLIPPMANN_COMMIT=..., or the commit is not known.
+set(LIPPMANN_COMMIT "" CACHE STRING "The commit that lippmann --version names; empty: that of the repository, if there is one")
+
+# Sets OUT to the commit that is checked out, and has CMake run again when that becomes another.
+function(lippmann_find_commit out)
+  set(${out} "not known" PARENT_SCOPE)
+  find_program(GIT_EXECUTABLE git)
+  if(NOT GIT_EXECUTABLE OR NOT EXISTS ${PROJECT_SOURCE_DIR}/.git)
+    return()
+  endif()
+  execute_process(COMMAND ${GIT_EXECUTABLE} rev-parse --short=12 HEAD WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(failed)
+    return()
+  endif()
+  execute_process(COMMAND ${GIT_EXECUTABLE} rev-parse --git-path logs/HEAD WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    OUTPUT_VARIABLE log OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  get_filename_component(log "${log}" ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR})
+  if(EXISTS ${log})
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${log})
+  endif()
+  set(${out} ${commit} PARENT_SCOPE)
+endfunction()
+
+set(commit "${LIPPMANN_COMMIT}")
+if(NOT commit)
+  lippmann_find_commit(commit)
+endif()
+set(LIPPMANN_BUILD_FACTS
+  "LIPPMANN_COMMIT=\"${commit}\""
+  "LIPPMANN_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""
+  "LIPPMANN_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\""
+  "LIPPMANN_LIBAVCODEC=\"${FFmpeg_libavcodec_VERSION}\""
+  "LIPPMANN_PICTURE_LIBRARIES=\"OpenEXR ${OpenEXR_VERSION}, libpng ${PNG_VERSION_STRING}, libtiff ${TIFF_VERSION_STRING}, libwebp ${WebP_VERSION}\"")
