@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "core/random.hpp"
-#include "radiance/measured_codes.hpp"
+#include "radiance/block_estimates.hpp"
+include "radiance/measured_codes.hpp"
 #include "trace/trace_packets.hpp"
 
 namespace lippmann {
