@@ -139,9 +139,10 @@ class Replay {
   void make_pair(std::size_t frame, ReplayFiles& files) {
     const Vec3d half(0.5 * *params_.ipd_mm, 0.0, 0.0);
     const Image left = view_of(frame, view_.eye_mm - half), right = view_of(frame, view_.eye_mm + half);
-    keep(files, "left_" + label(frame), left);
-    keep(files, "right_" + label(frame), right);
-    keep(files, "pair_" + label(frame), side_by_side(left, right), !params_.sweep);
+    if (context_.cancelled) return;  // before anything large is made of nothing
+    files.add("left_" + label(frame), left);
+    files.add("right_" + label(frame), right);
+    files.add("pair_" + label(frame), side_by_side(left, right), !params_.sweep);
   }
 
   void make_stack(std::size_t frame, ReplayFiles& files) {
