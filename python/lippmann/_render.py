@@ -115,7 +115,6 @@ def frames(
     progress: called as progress(frame, share) about every 50 ms, in this thread; what it raises stops the render.
     """
     if isinstance(scene, Scene):
-        scene._require_surfaces()
         core, kind = scene._core.copy(), scene._kind
     else:
         loaded = load(scene)
@@ -144,7 +143,9 @@ def frames(
     choose_camera(core, camera)
     if environment is not None:
         surround(core, environment, environment_strength, environment_rotation_deg, "environment_")
-    elif light == "auto" and (not paths or kind != "whitted"):
+    if isinstance(scene, Scene):
+        scene._require_surfaces(core)
+    if environment is None and light == "auto" and (not paths or kind != "whitted"):
         core.add_missing_light(paths)
     native = choice(layout, "layout", ("views", "native")) == "native"
     if native and transparent:

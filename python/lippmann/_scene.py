@@ -382,9 +382,9 @@ class Scene:
 
     # ---- Inside --------------------------------------------------------------------------------------------------------
 
-    def _require_surfaces(self) -> None:
-        """As of files, whose readers decide it: some formats describe a sky alone."""
-        if not self._is_file and not self._core.has_surfaces():
+    def _require_surfaces(self, core: Any) -> None:
+        """As of files, whose readers decide it. core: a copy, with what surrounds it; a sky alone is a scene."""
+        if not self._is_file and core.shows_nothing():
             raise Error("scene", "has no surfaces to show", "a scene with triangles that have an area, or other shapes")
 
     def _material(self, material: Optional[Material], has_uvs: bool = False) -> int:

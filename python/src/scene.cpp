@@ -194,8 +194,13 @@ bool is_surface(const Shape& shape) {
          std::any_of(mesh->triangles.begin(), mesh->triangles.end(), [&](const auto& t) { return has_area(*mesh, t); });
 }
 
-/// What files are asked for, too: a scene without is a mistake.
-bool has_surfaces(const Scene& scene) { return std::any_of(scene.shapes.begin(), scene.shapes.end(), is_surface); }
+/// Whether it is a mistake, as files without surfaces are: nothing of what was added is seen, or nothing was and no sky is
+/// around.
+bool shows_nothing(const Scene& scene) {
+  if (std::any_of(scene.shapes.begin(), scene.shapes.end(), is_surface)) return false;
+  const Background& sky = scene.background;
+  return !scene.shapes.empty() || (!sky.map && sky.horizon == Vec3f(0.0f) && sky.zenith == Vec3f(0.0f));
+}
 
 void bind_elements(py::class_<Scene, SharedScene>& scene) {
   scene.def("add_node", &add_node)
@@ -268,7 +273,7 @@ void bind_scene(py::module_& module) {
            [](Scene& s, bool paths) { return add_missing_light(s, paths ? Integrator::kPath : Integrator::kWhitted); })
       .def("bounds", &bounds_of)
       .def_property_readonly("name", [](const Scene& s) { return decoded(s.name); })
-      .def("has_surfaces", &has_surfaces)
+      .def("shows_nothing", &shows_nothing)
       .def_property_readonly("frame_count", [](const Scene& s) { return s.timeline.frame_count; })
       .def_property_readonly("frames_per_second", [](const Scene& s) { return s.timeline.frames_per_second; })
       .def_property_readonly("material_count", [](const Scene& s) { return s.materials.size(); })
