@@ -12,7 +12,7 @@ import tempfile
 
 import bpy
 
-from . import displays, exposure, frame as frames_of_displays, tool
+from . import displays, exposure, film, frame as frames_of_displays, tool
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -53,7 +53,7 @@ def scripts_are_allowed():
     return bpy.context.preferences.filepaths.use_scripts_auto_execute or bool({"-y", "--enable-autoexec"} & set(sys.argv))
 
 
-def render_flags(scene):
+def render_flags(scene, still):
     """Flags of lippmann render that follow from the settings alone."""
     settings = scene.lippmann
     width, height = resolution(scene)
@@ -67,9 +67,11 @@ def render_flags(scene):
     flags += ["--denoise"] if exposure.denoises(scene) else []
     flags += ["--full-depth"] if settings.full_depth else []
     try:
-        return flags + shlex.split(settings.extra)
+        more = shlex.split(settings.extra)
     except ValueError as error:
         raise tool.ToolError(f"More flags: {error}.") from error
+    flags += ["--transparent"] if film.is_transparent(scene, still) and "--transparent" not in more else []
+    return flags + more
 
 
 class Job:
@@ -106,7 +108,7 @@ class Job:
         self._request.write_text(json.dumps({
             "library": str(library), "scene": scene.name, "display": settings.display, "calibration": bpy.path.abspath(settings.calibration) if settings.calibration else "",
             "frames": [self.first, self.last], "still": self.still, "bake": settings.bake, "glb": str(self._glb), "world": str(self.folder / "world.exr"), "report": str(self._told)}))
-        self._flags = render_flags(scene)
+        self._flags = render_flags(scene, self.still)
         self._fps = scene.render.fps / scene.render.fps_base
         self._resume = settings.resume and not self.still
         self._video = settings.video and not self.still

@@ -3,7 +3,7 @@
 Blender's exporter reads one Principled BSDF or Emission right at the material's output, with image textures; nodes that compute colours are not evaluated.
 """
 
-from . import exposure
+from . import exposure, film, frame
 
 SHADERS = {"BSDF_PRINCIPLED", "EMISSION", "BACKGROUND"}
 CARRIED = {"TEX_IMAGE", "NORMAL_MAP", "MAPPING", "UVMAP", "TEX_COORD", "SEPARATE_COLOR", "SEPRGB", "RGB", "VALUE", "REROUTE", "VERTEX_COLOR", "MATH"}
@@ -115,10 +115,20 @@ def composites(scene):
     return scene.use_nodes
 
 
+def is_panoramic(scene):
+    """Whether the display stands before a panoramic camera."""
+    camera = scene.camera
+    return bool(camera and camera.type == "CAMERA" and camera.data.type == "PANO" and not frame.placed(scene))
+
+
 def say_of_scene(scene, still, report):
-    for lost in (exposure.lost_of_denoise(scene), exposure.lost_of_lens(scene), exposure.lost_of_shutter(scene, still)):
+    for lost in (exposure.lost_of_denoise(scene), exposure.lost_of_lens(scene), exposure.lost_of_shutter(scene, still), film.lost_of_transparency(scene, still)):
         if lost:
             report.warn(lost)
+    if is_panoramic(scene):
+        report.warn("The camera is panoramic, which no display is; it is taken as an orthographic one. A light-field frame says what is shown.")
+    if scene.render.use_multiview:
+        report.warn("Stereoscopy is left out: Blender's other views stay empty. The tool's pictures have the display's views.")
     if getattr(scene.render, "use_freestyle", False):
         report.warn("Freestyle's lines are left out.")
     if scene.render.use_compositing and composites(scene):

@@ -16,6 +16,7 @@ import math
 import pathlib
 import sys
 
+import bmesh
 import bpy
 import numpy as np
 from mathutils import Matrix
@@ -119,7 +120,30 @@ def deforms(thing):
     return thing.type == "MESH" and (armature or bool(keys and (keys.animation_data or keys.key_blocks)))
 
 
-def mesh_of(instance, depsgraph):
+def take_out_nowhere(mesh, name, report):
+    """Removes vertices whose coordinates are no numbers, and the faces at them, which would reach anywhere."""
+    points = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", points)
+    nowhere = np.flatnonzero(~np.isfinite(points.reshape(-1, 3)).all(axis=1))
+    if not len(nowhere):
+        return
+    report.warn(f"{name} has vertices whose coordinates are no numbers; the faces at them are left out.")
+    shape = bmesh.new()
+    shape.from_mesh(mesh)
+    shape.verts.ensure_lookup_table()
+    bmesh.ops.delete(shape, geom=[shape.verts[int(index)] for index in nowhere], context="VERTS")
+    shape.to_mesh(mesh)
+    shape.free()
+
+
+def mend_figures(scene, report):
+    """Does that to the meshes that arrive as they are, before anything is evaluated."""
+    for thing in scene.objects:
+        if not thing.hide_render and deforms(thing):
+            take_out_nowhere(thing.data, thing.name, report)
+
+
+def mesh_of(instance, depsgraph, report):
     """A mesh of what the instance shows, with the materials that its object gives it; None where it has no faces."""
     shown = instance.object
     evaluated = shown.original.evaluated_get(depsgraph)
@@ -127,6 +151,7 @@ def mesh_of(instance, depsgraph):
         mesh = bpy.data.meshes.new_from_object(shown, preserve_all_data_layers=True, depsgraph=depsgraph)
     else:  # what a curve or geometry nodes have made lies beside their object, which Blender must not be asked for again
         mesh = bpy.data.meshes.new_from_object(shown)
+    take_out_nowhere(mesh, shown.original.name, report)
     if not mesh.polygons:
         return None
     for index, slot in enumerate(shown.material_slots):
@@ -196,7 +221,7 @@ def shape_of(instance, depsgraph, report):
             return shining_area(light, report)
         return sized(light)
     if shown.type in SOLID:
-        return mesh_of(instance, depsgraph)
+        return mesh_of(instance, depsgraph, report)
     if LOST.get(shown.type):
         report.warn(f"Objects that are {LOST[shown.type]} are left out.")
     return None
@@ -242,7 +267,7 @@ class Tracks:
         points = np.empty(3 * len(shown.data.vertices), np.float32)
         shown.data.vertices.foreach_get("co", points)
         first = self.outlines.setdefault(key, points)
-        if len(first) != len(points) or not np.allclose(first, points, atol=1e-5):
+        if len(first) != len(points) or not np.allclose(first, points, atol=1e-5, equal_nan=True):
             self.report.warn(f"{key[0]} changes its shape by a modifier or a simulation; it keeps the shape of the first frame.")
 
 
@@ -464,6 +489,7 @@ def main():
     name_everything(report)
     leave_out_missing_files(report)
     show_as_rendered(scene)
+    mend_figures(scene, report)
     importlib.import_module(f"{HERE.name}.materials").simplify_all(bpy.data.materials, report)
     stage, zone, has_shape_keys, blur = build_stage(scene, request, report)
     baked = importlib.import_module(f"{HERE.name}.baking").bake(stage, report) if request["bake"] else {}

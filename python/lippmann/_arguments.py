@@ -82,8 +82,10 @@ def file_path(value: Any, name: str) -> bytes:
     return where
 
 
-def array(value: Any, name: str, shape: Tuple[Optional[int], ...], finite: bool = True) -> np.ndarray:
-    """float32, C order, of that shape (None: any length above 0), without NaN, and without infinities where `finite`."""
+def array(
+    value: Any, name: str, shape: Tuple[Optional[int], ...], finite: bool = True, dtype: Any = np.float32
+) -> np.ndarray:
+    """Of that type, C order and shape (None: any length above 0), without NaN, and without infinities where `finite`."""
     wanted = "numbers of the shape (" + ", ".join("n" if n is None else str(n) for n in shape) + ")"
     try:
         given = np.asarray(value)
@@ -96,11 +98,11 @@ def array(value: Any, name: str, shape: Tuple[Optional[int], ...], finite: bool 
     if given.size == 0:
         raise Error(name, f"is empty, of the shape {given.shape}", wanted)
     with np.errstate(over="ignore"):
-        result = np.ascontiguousarray(given, dtype=np.float32)
+        result = np.ascontiguousarray(given, dtype=dtype)
     wrong = ~np.isfinite(result) if finite else np.isnan(result)
     if wrong.any():
         place = tuple(int(i) for i in np.argwhere(wrong)[0])
-        raise Error(name, f"is {given[place]} at {place}", "finite numbers within float32" if finite else "numbers")
+        raise Error(name, f"is {given[place]} at {place}", f"finite numbers within {np.dtype(dtype)}" if finite else "numbers")
     return result
 
 

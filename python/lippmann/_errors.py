@@ -26,4 +26,5 @@ class LippmannWarning(UserWarning):
 
 
 def warn(text: bytes) -> None:
+    """A warning of the library, for whoever called the package."""
     warnings.warn(text.decode("utf-8", "replace"), LippmannWarning, stacklevel=2)

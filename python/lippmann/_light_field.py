@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
-from typing import Any, Dict, List, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -320,17 +321,17 @@ class LightField:
         tiles: Optional[Tuple[int, int]] = None,
         display: Any = None,
     ) -> List[str]:
-        """Writes it, and returns the files.
+        """Writes it, and returns the files. A missing folder is made.
 
-        format: one of lippmann.formats(), as `lippmann convert` writes it; a missing folder is made. None: the panel's picture,
-        .png or .exr; of transparent frames a .png with alpha, which light fields' formats do not hold. bits: 8, 16 or 32 (linear floats, .exr) where the samples are floats; None: 32 for .exr, else 8.
+        format: one of lippmann.formats(), as `lippmann convert` writes it. None: the panel's picture, .png or .exr; of transparent frames a .png with alpha, which light fields' formats do not hold. bits: 8, 16 or 32 (linear floats, .exr) where the samples are floats; None: 32 for .exr, else 8.
         tiles: (rows, columns) of a quilt. display: of "native", a name or file.
         """
         where = _path(path, "path")
         if self._is_transparent and (format is not None or not where.endswith(".png")):
             raise Error("path" if format is None else "format", "holds no alpha here", "a .png without `format`, or arrays")
         if format is None:
-            self._write_picture(where)
+            with _folder_of(where):
+                self._write_picture(where)
             return [where]
         views = self._views
         if views.views.dtype == np.float32:
@@ -343,7 +344,8 @@ class LightField:
         tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
         panel = None if display is None else _display(display)
         name = choice(format, "format", list(formats()))
-        return [os.fspath(file) for file in views.save(where, name, tiling, panel)]
+        with _folder_of(where):
+            return [os.fspath(file) for file in views.save(where, name, tiling, panel)]
 
     def _write_picture(self, where: str) -> None:
         if self._film is not None:
@@ -382,6 +384,32 @@ class LightField:
             return f"<lippmann.LightField: a panel of {self.picture.shape[1]}x{self.picture.shape[0]} pixels>"
         rows, columns, height, width = shape[:4]
         return f"<lippmann.LightField: {rows} x {columns} views (rows x columns), {width}x{height} pixels, {dtype}>"
+
+
+@contextlib.contextmanager
+def _folder_of(path: str) -> Iterator[None]:
+    """The folder that `path` is to lie in, made where it is missing. A failure removes what was made and holds nothing."""
+    folder = os.path.dirname(path)
+    missing = []
+    while folder and not os.path.isdir(folder):
+        missing.append(folder)
+        folder = os.path.dirname(folder)
+    try:
+        for one in reversed(missing):
+            _make(one)
+        yield
+    except BaseException:
+        for one in missing:
+            with contextlib.suppress(OSError):
+                os.rmdir(one)
+        raise
+
+
+def _make(folder: str) -> None:
+    try:
+        os.makedirs(folder, exist_ok=True)  # which another process may have made meanwhile
+    except OSError as error:
+        raise Error(folder, f"cannot be made: {error.strerror}", "a folder that can be written to") from None
 
 
 def _crosstalk(value: Union[float, str]) -> float:

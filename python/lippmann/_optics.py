@@ -137,9 +137,19 @@ def _middles(size: Tuple[int, int], samples_per_side: int) -> np.ndarray:
     return np.stack([x.ravel() + 0.5, y.ravel() + 0.5], axis=1) / samples_per_side
 
 
+def _unit_directions(directions: np.ndarray) -> np.ndarray:
+    """float32, of unit length, of float64 of any length: squares of the shortest and the longest would not be numbers."""
+    largest = np.abs(directions).max(axis=1, keepdims=True)
+    unit = directions / np.where(largest > 0, largest, 1.0)
+    unit = (unit / np.maximum(np.linalg.norm(unit, axis=1, keepdims=True), 1.0)).astype(np.float32)
+    if not (unit[:, 2] < 0).all():
+        raise Error("rays: directions", "do not all have z below 0", "rays that run away from the viewer")
+    return unit
+
+
 def _spread(directions: np.ndarray, rows: int) -> float:
     """mm per mm of depth by which the rays of most neighbours in a row part."""
-    slopes = (directions[:, :2] / -directions[:, 2:]).reshape(rows, -1, 2)
+    slopes = (directions[:, :2].astype(np.float64) / -directions[:, 2:]).reshape(rows, -1, 2)
     steps = np.linalg.norm(np.diff(slopes, axis=1), axis=2)
     return float(np.median(steps)) if steps.size else 0.0
 
@@ -171,9 +181,6 @@ def own_optics(
             raise
         raise Error("rays", str(error), "a function of points (n, 2) to origins (n, 3) and directions (n, 3)") from error
     origins = array(origins, "rays: origins", (len(points), 3))
-    directions = array(directions, "rays: directions", (len(points), 3))
-    if not (directions[:, 2] < 0).all():
-        raise Error("rays: directions", "do not all have z below 0", "rays that run away from the viewer")
-    directions = directions / np.linalg.norm(directions, axis=1, keepdims=True)
+    directions = _unit_directions(array(directions, "rays: directions", (len(points), 3), dtype=np.float64))
     spread = _spread(directions, panel[0] * samples) * samples
     return _core.ray_table(panel, positive(pixel_mm, "pixel_mm"), samples, spread, origins, directions)

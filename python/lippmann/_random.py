@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 from typing import Any, Iterable, Iterator, Optional, Tuple
 
@@ -69,7 +70,8 @@ def random_scene(seed: int, *, objects: int = 12, frames: int = 1) -> Scene:
     for i in range(count):
         at, size, surface = rng.uniform((-6, -5, -4), (6, 5, 2)), rng.uniform(0.4, 1.6), _material(rng)
         if rng.random() < 0.3:
-            placed = scene.add_box((-size / 2,) * 3, (size / 2,) * 3, material=surface, name=f"object {i}")
+            plain = dataclasses.replace(surface, texture=None)  # which boxes have no uvs for
+            placed = scene.add_box((-size / 2,) * 3, (size / 2,) * 3, material=plain, name=f"object {i}")
         else:
             positions, triangles, uvs = _ball(rng)
             placed = scene.add_mesh(positions * size, triangles, uvs=uvs, material=surface, name=f"object {i}")

@@ -30,6 +30,10 @@ class Animation:
     def __len__(self) -> int:
         return len(self._frames)
 
+    def __repr__(self) -> str:
+        count = len(self)
+        return f"<lippmann.Animation: {count} frame{'' if count == 1 else 's'}>"
+
     def __getitem__(self, index: int) -> LightField:
         if not -len(self) <= index < len(self):
             raise IndexError(f"{index} is outside {len(self)} frames")
@@ -139,7 +143,9 @@ def frames(
     choose_camera(core, camera)
     if environment is not None:
         surround(core, environment, environment_strength, environment_rotation_deg, "environment_")
-    elif light == "auto" and (not paths or kind != "whitted"):
+    if isinstance(scene, Scene):
+        scene._require_surfaces(core)
+    if environment is None and light == "auto" and (not paths or kind != "whitted"):
         core.add_missing_light(paths)
     native = choice(layout, "layout", ("views", "native")) == "native"
     if native and transparent:
@@ -181,6 +187,8 @@ def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
 def _layers(layers: Iterable[str]) -> Sequence[str]:
     if isinstance(layers, str):
         layers = [layers]
+    if not isinstance(layers, Iterable):
+        raise Error("layers", f"is {layers!r}", "names of layers: [\"depth\", \"normal\"]")
     accepted = tuple(name for name in _core.layer_names if name != "alpha") + ("disparity",)
     names = [choice(name, "layers", accepted) for name in layers]
     return list(dict.fromkeys("depth" if name == "disparity" else name for name in names))

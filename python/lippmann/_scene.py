@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from dataclasses import dataclass
 from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
@@ -14,7 +15,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import array, file_path, indices, integer, number, path_bytes, positive, text, vector
-from ._errors import Error
+from ._errors import Error, LippmannWarning
 
 _UP = np.array([0.0, 1.0, 0.0])
 
@@ -30,7 +31,8 @@ class Material:
 
     color: linear red, green, blue from 0 to 1. roughness: 0 (mirror) to 1 (chalk). metallic: 0 or 1. emission: linear light that
     the surface gives off; not limited. transmission: the share of light that passes, as through glass, bent by ior. alpha: below
-    1 the surface covers that share. texture: (y, x, 3 or 4) uint8, sRGB, times color, by the mesh's uvs.
+    1 the surface covers that share. texture: (y, x, 3 or 4) uint8, sRGB, times color, by the mesh's uvs; without these, and on
+    other shapes, it is not shown, which is a LippmannWarning.
     """
 
     color: Sequence[float] = (0.8, 0.8, 0.8)
@@ -115,14 +117,16 @@ class Scene:
     def __init__(self, name: str = "scene", *, frames: int = 1, frames_per_second: float = 25.0) -> None:
         count = integer(frames, "frames", 1, 1 << 20)
         self._core = _core.Scene(text(name, "name"), count, positive(frames_per_second, "frames_per_second", 1e4))
-        self._kind = "physical"
+        self._kind, self._is_file = "physical", False
         self._materials: Dict[Any, Tuple[Any, int]] = {}
 
     @classmethod
-    def _of(cls, core: Any, kind: str) -> "Scene":
-        """kind: what its format describes, which decides what a render computes: "physical", "whitted" or "splats"."""
+    def _of(cls, core: Any, kind: str, is_file: bool) -> "Scene":
+        """kind: what its format describes, which decides what a render computes: "physical", "whitted" or "splats". is_file: that it
+        was read, not made.
+        """
         scene = cls.__new__(cls)
-        scene._core, scene._kind, scene._materials = core, kind, {}
+        scene._core, scene._kind, scene._is_file, scene._materials = core, kind, is_file, {}
         return scene
 
     # ---- What it is ----------------------------------------------------------------------------------------------------
@@ -158,7 +162,7 @@ class Scene:
 
     def copy(self) -> "Scene":
         """A scene of its own with the same contents. Handles of objects stay with the one that made them."""
-        return Scene._of(self._core.copy(), self._kind)
+        return Scene._of(self._core.copy(), self._kind, self._is_file)
 
     def __repr__(self) -> str:
         count = self.frame_count
@@ -202,7 +206,7 @@ class Scene:
             colors = array(colors, "colors", (count, 3))
         morphs = _morphs(targets, target_normals, weights, count, normals is not None)
         carried = None if skin is None else self._carried(skin, count)
-        surface = self._material(material)
+        surface = self._material(material, uvs is not None)
         shape = self._core.add_mesh(points, faces, normals, uvs, colors)
         mesh = self._instance(shape, surface, name or "mesh", translation, rotation, scale)
         if morphs is not None:
@@ -324,9 +328,9 @@ class Scene:
         return Object(self, node, name or kind)
 
     def set_background(self, horizon: Any = (0, 0, 0), zenith: Any = None) -> None:
-        """What surrounds the scene, and lights it: linear colours at the horizon and straight above (None: the same)."""
-        low = vector(horizon, "horizon")
-        self._core.set_background(low, low if zenith is None else vector(zenith, "zenith"))
+        """What surrounds the scene, and lights it: linear colours, 0 or more, at the horizon and straight above (None: the same)."""
+        low = _light(horizon, "horizon")
+        self._core.set_background(low, low if zenith is None else _light(zenith, "zenith"))
 
     def set_environment(self, radiance: Any, *, strength: float = 1.0, rotation_deg: float = 0.0) -> None:
         """A panorama that surrounds the scene, and lights it. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith
@@ -378,7 +382,12 @@ class Scene:
 
     # ---- Inside --------------------------------------------------------------------------------------------------------
 
-    def _material(self, material: Optional[Material]) -> int:
+    def _require_surfaces(self, core: Any) -> None:
+        """As of files, whose readers decide it. core: a copy, with what surrounds it; a sky alone is a scene."""
+        if not self._is_file and core.shows_nothing():
+            raise Error("scene", "has no surfaces to show", "a scene with triangles that have an area, or other shapes")
+
+    def _material(self, material: Optional[Material], has_uvs: bool = False) -> int:
         """The index of a material; equal ones are one."""
         if material is None:
             material = Material()
@@ -402,6 +411,9 @@ class Scene:
             )
         }
         flags = bool(material.double_sided), bool(material.unlit)
+        if material.texture is not None and not has_uvs:
+            text = "The texture of a material is not shown: only meshes with uvs have places for it."
+            warnings.warn(text, LippmannWarning, stacklevel=3)
         key = (color, emission, tuple(parts.values()), flags, id(material.texture))
         if key in self._materials:
             return self._materials[key][1]
@@ -474,7 +486,7 @@ def load(
         integer(texture_memory_mb, "texture_memory_mb", 1, 1 << 20) << 20,
     )
     kind = "splats" if _core.is_splat_file(where) else "physical" if _core.is_physical_format(where) else "whitted"
-    return Scene._of(core, kind)
+    return Scene._of(core, kind, True)
 
 
 # ---- Cameras and surroundings --------------------------------------------------------------------------------------------
@@ -531,6 +543,13 @@ def _morphs(targets: Any, normals: Any, weights: Any, vertices: int, has_normals
         normals = array(normals, "target_normals", offsets.shape)
     rest = np.zeros(len(offsets)) if weights is None else array(weights, "weights", (len(offsets),))
     return offsets, normals, [float(weight) for weight in rest]
+
+
+def _light(value: Any, name: str) -> Tuple[float, ...]:
+    color = vector(value, name)
+    if min(color) < 0:
+        raise Error(name, "has numbers below 0", "linear light")
+    return color
 
 
 # ---- Directions and rotations --------------------------------------------------------------------------------------------

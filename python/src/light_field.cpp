@@ -167,7 +167,7 @@ py::array refocused(const RenderedPanel& panel, double z_mm, const std::optional
   validate_depth(panel.optics, z_mm, "z_mm");
   Image picture;
   Interruptible(0).run(py::none(), [&](const Context& context) {
-    picture = refocus(panel, z_mm, size_of(size), ThreadPool(resolved_threads(context)));
+    picture = refocus(panel, z_mm, size_of(size), ThreadPool(resolved_threads(context)), nullptr, context);
   });
   return moved(std::move(picture));
 }
@@ -183,8 +183,9 @@ py::array seen(const RenderedPanel& panel, const std::array<double, 3>& eye_mm, 
   view.filter = nearest ? SampleFilter::kNearest : SampleFilter::kLinear;
   validate(view);
   Image picture;
-  Interruptible(0).run(py::none(),
-                       [&](const Context& context) { picture = eye_view(panel, view, ThreadPool(resolved_threads(context))); });
+  Interruptible(0).run(py::none(), [&](const Context& context) {
+    picture = eye_view(panel, view, ThreadPool(resolved_threads(context)), context);
+  });
   return moved(std::move(picture));
 }
 
@@ -196,7 +197,8 @@ py::array panel_array(const SharedPanel& panel) {
 template <class Function>
 py::array epipolar(const RenderedPanel& panel, int line, Function function) {
   Image picture;
-  Interruptible(0).run(py::none(), [&](const Context&) { picture = function(panel, line, SampleFilter::kLinear); });
+  Interruptible(0).run(py::none(),
+                       [&](const Context& context) { picture = function(panel, line, SampleFilter::kLinear, context); });
   return moved(std::move(picture));
 }
 

@@ -1,6 +1,8 @@
 // Optics and displays, and where they stand in a scene.
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "arrays.hpp"
@@ -102,10 +104,38 @@ Pair picture_shape(const Optics& optics) { return {picture_size(optics).y, pictu
 
 std::array<float, 2> window_of(const Optics& optics) { return {window_size_mm(optics).y, window_size_mm(optics).x}; }
 
+std::string size_text(const Pair& size) { return std::to_string(size[1]) + "x" + std::to_string(size[0]) + " pixels"; }
+
+std::string display_text(const Display& display) {
+  const auto name = py::repr(decoded(display.name)).cast<std::string>();
+  return "<lippmann.Display " + name + ": " + to_string(display.kind) + ", " + size_text(panel_size(display)) + ">";
+}
+
+std::string views_text(const ViewTiles& tiles) {
+  if (!tiles.camera_grid) return std::to_string(tiles.count()) + " views";
+  return std::to_string(tiles.rows) + " x " + std::to_string(tiles.columns) + " views (rows x columns)";
+}
+
+std::string lenses_text(const Optics& optics) {
+  if (sub_pixels_per_pixel(optics) > 1) return "a slanted panel";
+  const std::optional<LensArray> lenses = lens_array(optics);
+  if (!lenses) return "rays of one's own";
+  return lenses->row_pitch_mm > 0.0 ? "a microlens array" : "a lenticular sheet";
+}
+
+std::string optics_text(const Optics& optics) {
+  const std::optional<ViewTiles> tiles = view_tiles(optics);
+  const std::string what = tiles ? views_text(*tiles) : is_single_view(optics) ? "a single view" : lenses_text(optics);
+  return "<lippmann.Optics: " + what + ", " + size_text(picture_shape(optics)) + ">";
+}
+
 void bind_display(py::module_& module) {
   py::class_<Display>(module, "Display", "A display: a preset, a file of one's own, a device's calibration (lippmann.display).")
-      .def_readonly("name", &Display::name, "Of the preset, or the file's without its ending.")
-      .def_readonly("description", &Display::description, "One line.")
+      .def("__repr__", &display_text)
+      .def_property_readonly(
+          "name", [](const Display& d) { return decoded(d.name); }, "Of the preset, or the file's without its ending.")
+      .def_property_readonly(
+          "description", [](const Display& d) { return decoded(d.description); }, "One line.")
       .def_property_readonly(
           "kind", [](const Display& d) { return to_string(d.kind); }, "slanted-panel, lenticular-sheet or microlens-array.")
       .def_property_readonly("size", &panel_size, "[height, width] of the panel in pixels.")
@@ -128,6 +158,7 @@ void bind_display(py::module_& module) {
 void bind_optics(py::module_& module) {
   bind_display(module);
   py::class_<Optics>(module, "Optics", "Which ray every pixel of a panel shows (lippmann.camera_grid, lippmann.quilt, ...).")
+      .def("__repr__", &optics_text)
       .def_property_readonly("size", &picture_shape, "[height, width] of the panel's picture in pixels.")
       .def_property_readonly(
           "is_views", [](const Optics& o) { return view_tiles(o).has_value(); }, "Whether it is views side by side.")
@@ -160,7 +191,7 @@ void bind_optics(py::module_& module) {
       .def_property_readonly("optics", [](const Placement& p) { return p.placed.optics; })
       .def_property_readonly("units_per_mm", [](const Placement& p) { return p.placed.units_per_mm; })
       .def_property_readonly("depth_scale", [](const Placement& p) { return p.placed.depth_scale; })
-      .def_property_readonly("how", [](const Placement& p) { return p.array.how; });
+      .def_property_readonly("how", [](const Placement& p) { return decoded(p.array.how); });
   py::class_<ViewWish>(module, "ViewWish").def(py::init(&wish_of));
   module.def("place", [](const Scene& scene, const Optics& optics, bool fit_depth, const ViewWish& view) {
     return place(scene, optics, PlacementWish{view, fit_depth});

@@ -1,5 +1,7 @@
 // Scenes: from files, and built element by element. Elements are called by their indices here; lippmann.Scene has the names.
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -180,6 +182,26 @@ py::object bounds_of(const Scene& scene, int frame) {
   return moved(std::move(corners), {2, 3});
 }
 
+bool has_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const Vec3d a(mesh.positions[triangle[0]]), b(mesh.positions[triangle[1]]), c(mesh.positions[triangle[2]]);
+  return glm::cross(b - a, c - a) != Vec3d(0.0);
+}
+
+/// Whether it is anything to be seen. Targets and joints may open what is folded up at rest.
+bool is_surface(const Shape& shape) {
+  const Mesh* mesh = std::get_if<Mesh>(&shape);
+  return !mesh || !mesh->targets.empty() || !mesh->skin.joints.empty() ||
+         std::any_of(mesh->triangles.begin(), mesh->triangles.end(), [&](const auto& t) { return has_area(*mesh, t); });
+}
+
+/// Whether it is a mistake, as files without surfaces are: nothing of what was added is seen, or nothing was and no sky is
+/// around.
+bool shows_nothing(const Scene& scene) {
+  if (std::any_of(scene.shapes.begin(), scene.shapes.end(), is_surface)) return false;
+  const Background& sky = scene.background;
+  return !scene.shapes.empty() || (!sky.map && sky.horizon == Vec3f(0.0f) && sky.zenith == Vec3f(0.0f));
+}
+
 void bind_elements(py::class_<Scene, SharedScene>& scene) {
   scene.def("add_node", &add_node)
       .def("add_mesh", &add_mesh)
@@ -250,7 +272,8 @@ void bind_scene(py::module_& module) {
       .def("add_missing_light",
            [](Scene& s, bool paths) { return add_missing_light(s, paths ? Integrator::kPath : Integrator::kWhitted); })
       .def("bounds", &bounds_of)
-      .def_readwrite("name", &Scene::name)
+      .def_property_readonly("name", [](const Scene& s) { return decoded(s.name); })
+      .def("shows_nothing", &shows_nothing)
       .def_property_readonly("frame_count", [](const Scene& s) { return s.timeline.frame_count; })
       .def_property_readonly("frames_per_second", [](const Scene& s) { return s.timeline.frames_per_second; })
       .def_property_readonly("material_count", [](const Scene& s) { return s.materials.size(); })

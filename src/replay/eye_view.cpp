@@ -52,7 +52,7 @@ void validate(const EyeView& view) {
     throw usage_error("crosstalk", fmt::format("{} pixels", view.crosstalk_px), fmt::format("0 to {}", kMaxBlurPx));
 }
 
-Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadPool& pool) {
+Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadPool& pool, const Context& context) {
   const Window window = display_window(rendered.optics);
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
@@ -71,7 +71,7 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   Image picture(size.x, size.y, 3);
   pool.for_each(static_cast<std::size_t>(size.y), [&](std::size_t row) {
     const int y = static_cast<int>(row);
-    for (int x = 0; x < size.x; ++x) {
+    for (int x = 0; x < size.x && !context.cancelled; ++x) {  // a row may take seconds
       Vec3f sum(0.0f);
       for (int j = 0; j < samples.y; ++j)
         for (int i = 0; i < samples.x; ++i) {

@@ -51,12 +51,13 @@ class RayRow {
   std::vector<float> px_, py_, v_[6];
 };
 
-Arrivals find_arrivals(const Optics& optics, double z, Vec2i size, const ThreadPool& pool) {
+Arrivals find_arrivals(const Optics& optics, double z, Vec2i size, const ThreadPool& pool, const Context& context) {
   const RayGenerator generator(optics);
   const Viewer viewer = design_viewer(optics);
   const Window window = display_window(optics);
   Arrivals arrivals(film_size(optics).x, film_size(optics).y);
   pool.for_each(static_cast<std::size_t>(arrivals.height), [&](std::size_t row) {
+    if (context.cancelled) return;
     RayRow rays(arrivals.width);
     rays.trace(generator, static_cast<int>(row));
     float lowest = kInfinity, highest = -kInfinity;
@@ -144,15 +145,17 @@ class Band {
   std::vector<float> weights_;
 };
 
-/// Pixels first, first + step, ... of every row, to a mean colour everywhere; color(x, y) is that of one, indexable.
+/// Pixels first, first + step, ... of every row, to a mean colour everywhere; color(x, y) is that of one, indexable. A band
+/// takes seconds where few pixels are spread over many: within it, too, a cancelled context ends the work.
 template <class ColorOf>
 void sum_rays(const Arrivals& arrivals, int first_x, int step, const ColorOf& color, const ThreadPool& pool,
-              const TentSum& sum) {
+              const Context& context, const TentSum& sum) {
   const int height = sum.picture.height, bands = (height + kBandRows - 1) / kBandRows;
   pool.for_each(static_cast<std::size_t>(bands), [&](std::size_t index) {
     const int first = static_cast<int>(index) * kBandRows;
     Band band(sum, first, std::min(first + kBandRows, height));
     for (int row = 0; row < arrivals.height; ++row) {
+      if (context.cancelled) return;
       const auto r = static_cast<std::size_t>(row), begin = r * static_cast<std::size_t>(arrivals.width);
       if (!band.is_reached(arrivals.lowest_y[r], arrivals.highest_y[r])) continue;
       for (int x = first_x; x < arrivals.width; x += step) {
@@ -179,17 +182,18 @@ void validate_depth(const Optics& optics, double z_mm, const char* flag) {
                       "a depth behind that");
 }
 
-Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement) {
+Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement,
+              const Context& context) {
   const Optics& optics = rendered.optics;
   if (size == Vec2i(0)) size = natural_view_size(optics);
-  const Arrivals arrivals = find_arrivals(optics, z_mm, size, pool);
+  const Arrivals arrivals = find_arrivals(optics, z_mm, size, pool, context);
   const Vec2d pixel_mm = display_window(optics).size / Vec2d(size);
   const Vec2f half_width(glm::max(sample_spacing_mm(optics) / pixel_mm, Vec2d(1.0)));
   if (disagreement) *disagreement = Image(size.x, size.y, 1);
   if (sub_pixels_per_pixel(optics) == 1) {
     Image picture(size.x, size.y, 3);
     const auto color = [&](int x, int y) { return rendered.picture.pixel(x, y); };
-    sum_rays(arrivals, 0, 1, color, pool, {picture, half_width, disagreement});
+    sum_rays(arrivals, 0, 1, color, pool, context, {picture, half_width, disagreement});
     return picture;
   }
   Image picture(size.x, size.y, 3), of_one_color, differences;
@@ -197,7 +201,7 @@ Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const Thre
     of_one_color = Image(size.x, size.y, 3);
     if (disagreement) differences = Image(size.x, size.y, 1);
     const auto color = [&](int x, int y) { return std::array<float, 3>{rendered.picture.pixel(x / 3, y)[c], 0.0f, 0.0f}; };
-    sum_rays(arrivals, c, 3, color, pool, {of_one_color, half_width, disagreement ? &differences : nullptr});
+    sum_rays(arrivals, c, 3, color, pool, context, {of_one_color, half_width, disagreement ? &differences : nullptr});
     for (std::size_t i = 0; i < differences.data.size(); ++i) disagreement->data[i] += differences.data[i];
     for (std::size_t i = 0; i < picture.data.size(); i += 3)
       picture.data[i + static_cast<std::size_t>(c)] = of_one_color.data[i];

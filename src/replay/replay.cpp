@@ -64,11 +64,12 @@ class Replay {
     ReplayFiles files(file_settings());
     for (std::size_t i = 0; i < frames_.files.size() && !context_.cancelled; ++i) {
       if (params_.ipd_mm) make_pair(i, files);
-      if (params_.refocus_mm) files.add("refocus_" + label(i), refocus(panel(i), *params_.refocus_mm, view_.size, pool_));
+      if (params_.refocus_mm) keep(files, "refocus_" + label(i), refocused(i, *params_.refocus_mm));
       if (params_.focal_stack) make_stack(i, files);
-      if (params_.epi_row) files.add("epi_row_" + label(i), epipolar_row(panel(i), *params_.epi_row, view_.filter));
-      if (params_.epi_column) files.add("epi_column_" + label(i), epipolar_column(panel(i), *params_.epi_column, view_.filter));
-      if (!asks_for_more()) files.add("eye_" + label(i), view_of(i, view_.eye_mm), true);
+      if (params_.epi_row) keep(files, "epi_row_" + label(i), epipolar_row(panel(i), *params_.epi_row, view_.filter, context_));
+      if (params_.epi_column)
+        keep(files, "epi_column_" + label(i), epipolar_column(panel(i), *params_.epi_column, view_.filter, context_));
+      if (!asks_for_more()) keep(files, "eye_" + label(i), view_of(i, view_.eye_mm), true);
     }
     for (int i = 0; i < params_.sweep && !context_.cancelled; ++i) make_sweep(i, files);
     if (!context_.cancelled) files.finish();
@@ -123,12 +124,22 @@ class Replay {
   Image view_of(std::size_t frame, Vec3d eye_mm) {
     EyeView view = view_;
     view.eye_mm = eye_mm;
-    return eye_view(panel(frame), view, pool_);
+    return eye_view(panel(frame), view, pool_, context_);
+  }
+
+  Image refocused(std::size_t frame, double z_mm, Image* disagreement = nullptr) {
+    return refocus(panel(frame), z_mm, view_.size, pool_, disagreement, context_);
+  }
+
+  /// Writes a picture, unless it was left unfinished.
+  void keep(ReplayFiles& files, const std::string& name, const Image& picture, bool in_video = false) const {
+    if (!context_.cancelled) files.add(name, picture, in_video);
   }
 
   void make_pair(std::size_t frame, ReplayFiles& files) {
     const Vec3d half(0.5 * *params_.ipd_mm, 0.0, 0.0);
     const Image left = view_of(frame, view_.eye_mm - half), right = view_of(frame, view_.eye_mm + half);
+    if (context_.cancelled) return;  // before anything large is made of nothing
     files.add("left_" + label(frame), left);
     files.add("right_" + label(frame), right);
     files.add("pair_" + label(frame), side_by_side(left, right), !params_.sweep);
@@ -138,13 +149,14 @@ class Replay {
     const FocalStack& stack = *params_.focal_stack;
     std::optional<AllInFocus> sharpest;
     Image disagreement;
-    for (int i = 0; i < stack.count && !context_.cancelled; ++i) {
-      const Image picture = refocus(panel(frame), stack.depth_mm(i), view_.size, pool_, &disagreement);
+    for (int i = 0; i < stack.count; ++i) {
+      const Image picture = refocused(frame, stack.depth_mm(i), &disagreement);
+      if (context_.cancelled) return;
       if (!params_.all_in_focus) files.add(fmt::format("stack_{}_{:02}", label(frame), i), picture);
       if (!sharpest) sharpest.emplace(frames_.optics, Vec2i(picture.width, picture.height));
       sharpest->add(picture, disagreement, stack.depth_mm(i));
     }
-    if (!params_.all_in_focus || context_.cancelled) return;
+    if (!params_.all_in_focus) return;
     files.add("all_in_focus_" + label(frame), sharpest->picture());
     files.add_depth("depth_" + label(frame), sharpest->depth());
     files.add("depth_" + label(frame), depth_for_looking(sharpest->depth(), stack));
@@ -156,7 +168,7 @@ class Replay {
     Vec3d eye = view_.eye_mm;
     eye.x = zone_x_mm(frames_.optics, share, eye.z);
     const auto frame = static_cast<std::size_t>(i) * frames_.files.size() / static_cast<std::size_t>(params_.sweep);
-    files.add(fmt::format("sweep_{:04}", i), view_of(frame, eye), true);
+    keep(files, fmt::format("sweep_{:04}", i), view_of(frame, eye), true);
   }
 
   double warn_of_flips() const {

@@ -45,7 +45,8 @@ struct Replayed {
   double out_of_zone = 0.0;          ///< the share of lenses that show that eye a neighbour's picture
 };
 
-/// Throws Error naming the flag or file. Stops between frames when context.cancelled is set.
+/// Throws Error naming the flag or file. When context.cancelled is set, it stops at once: pictures that are finished stay, the
+/// one under way leaves nothing.
 Replayed replay(const ReplayParams& params, const Context& context);
 
 }  // namespace lippmann

@@ -75,14 +75,15 @@ fs::path picture_path(const fs::path& out, const fs::path& in) {
 
 }  // namespace
 
-LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm, const ThreadPool& pool) {
+LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm, const ThreadPool& pool,
+                        const Context& context) {
   LightField field;
   const EyePair eyes{eye_mm, ipd_mm};
   for (int i = 0; i < 2; ++i) {
     EyeView view;
     view.eye_mm = eyes.eye(i);
     validate(view);
-    const Image seen = eye_view(panel, view, pool);
+    const Image seen = eye_view(panel, view, pool, context);
     if (i == 0) {
       field.grid = {2, 1}, field.view_size = {seen.width, seen.height};
       field.stack = Image(seen.width, 2 * seen.height, 3);
@@ -111,7 +112,8 @@ StereoFrames convert_to_stereo(const StereoParams& params, const Context& contex
     const fs::path out = picture_path(one ? params.out : params.out / name, in);
     const LightField field =
         pair ? open_light_field(in, params.field.from, reading).field
-             : with_codes(stereo_views(frames.read(i), eyes.middle_mm, eyes.ipd_mm, pool), wants_floats(out, in));
+             : with_codes(stereo_views(frames.read(i), eyes.middle_mm, eyes.ipd_mm, pool, context), wants_floats(out, in));
+    if (context.cancelled) break;
     for (fs::path& file : stereo_format().write(field, out, writing)) made.written.push_back(std::move(file));
     made.view_size = field.view_size;
   }

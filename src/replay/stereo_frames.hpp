@@ -32,10 +32,13 @@ struct StereoFrames {
 };
 
 /// The views of a light field of two views are taken as they are. Warns of eyes out of the viewing zone. Throws Error naming
-/// the file or parameter.
+/// the file or parameter. When context.cancelled is set, it stops at once: pictures that are finished stay, the one under way
+/// leaves nothing.
 StereoFrames convert_to_stereo(const StereoParams& params, const Context& context);
 
-/// What two eyes see of one panel, as a light field of 2 views; they are `ipd_mm` apart around `eye_mm`.
-LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm, const ThreadPool& pool);
+/// What two eyes see of one panel, as a light field of 2 views; they are `ipd_mm` apart around `eye_mm`. Unfinished when
+/// `context` is cancelled.
+LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm, const ThreadPool& pool,
+                        const Context& context = {});
 
 }  // namespace lippmann

@@ -18,7 +18,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import displays, engine, frame, losses, materials, overlay, scene_export, tool  # noqa: E402
+from lippmann import displays, engine, film, frame, losses, materials, overlay, scene_export, tool  # noqa: E402
 from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
@@ -659,6 +659,66 @@ class AddOn(unittest.TestCase):
         self.assertEqual(extras["Cube"], {"visible_to_camera": 0}, extras)
         self.assertEqual([w for w in engine.last_warnings if "rays that surfaces scatter" in w], [f"{monkey.name} is hidden from some of the rays that surfaces scatter; they meet it all the same."])
         self.assertNotIn("casts_shadow", monkey.keys())  # which is the user's own
+
+    def test_meshes_with_vertices_that_are_nowhere_lose_the_faces_at_them_which_is_said(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        scene.frame_start, scene.frame_end = 5, 6
+        add_figure(scene)
+        bpy.data.objects["Plane"].data.shape_keys.key_blocks["raised"].data[0].co.z = 1.0
+        figure, cube = bpy.data.objects["Plane"].data, bpy.data.objects["Cube"].data
+        bpy.ops.mesh.primitive_ico_sphere_add()
+        said = "{} has vertices whose coordinates are no numbers; the faces at them are left out."
+
+        def faces():
+            document = gltf(self.folder)
+            return {mesh["name"].split(".")[0]: sum(document["accessors"][part["indices"]]["count"] // 3 for part in mesh["primitives"]) for mesh in document["meshes"]}
+
+        bpy.ops.render.render()
+        self.assertEqual((engine.last_warnings, faces()), ([], {"Cube": 12, "Plane": 2, "Icosphere": 80}))
+        cube.vertices[0].co.x = cube.vertices[1].co.y = np.nan
+        bpy.ops.render.render()
+        self.assertEqual((engine.last_warnings, faces()), ([said.format("Cube")], {"Cube": 4, "Plane": 2, "Icosphere": 80}))
+        self.assertEqual(len(cube.vertices), 8)  # the user's own
+        bpy.ops.object.select_all(action="DESELECT")
+        figure.vertices[0].co.z = np.nan
+        bpy.ops.render.render(animation=True)
+        self.assertEqual(sorted(engine.last_warnings), [said.format("Cube"), said.format("Plane")])
+        self.assertNotIn("Plane", faces())
+
+    def test_a_transparent_film_arrives_where_pictures_have_alpha_and_is_said_where_not(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        scene.render.film_transparent, scene.render.image_settings.color_mode = True, "RGBA"
+        bpy.ops.render.render(write_still=True)
+        self.assertEqual(engine.last_warnings, [])
+        for picture in (self.folder / "still" / "frame_0000.png", self.folder / "blender_.png"):
+            image = bpy.data.images.load(str(picture))
+            alpha = np.array(image.pixels[:]).reshape(80, 60, 4)[..., 3]
+            self.assertEqual((alpha[0, 0], alpha[40, 30]), (0.0, 1.0), picture)
+        scene.lippmann.output = "quilt"
+        self.assertIn("--transparent", jobs.render_flags(scene, True))
+        scene.lippmann.extra = "--transparent"
+        self.assertEqual(jobs.render_flags(scene, True).count("--transparent"), 1)
+        scene.lippmann.extra, scene.lippmann.video = "", True
+        self.assertIn("--transparent", jobs.render_flags(scene, True))
+        self.assertNotIn("--transparent", jobs.render_flags(scene, False))
+        self.assertIn("videos have no alpha", film.lost_of_transparency(scene, False))
+        scene.lippmann.output, scene.lippmann.video = "native", False
+        (self.folder / "panel.toml").write_text('base = "looking-glass-portrait"\npixels = [48, 64]\n')
+        scene.lippmann.calibration = str(self.folder / "panel.toml")
+        scene.render.resolution_x, scene.render.resolution_y = 48, 64
+        bpy.ops.render.render()
+        self.assertEqual([words for words in engine.last_warnings if "Transparent" in words], ["Transparent is left out: native frames have no alpha."])
+
+    def test_panoramic_cameras_and_stereoscopy_are_said_to_be_lost(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        scene.camera.data.type, scene.render.use_multiview = "PANO", True
+        bpy.ops.render.render()
+        panoramic = "The camera is panoramic, which no display is; it is taken as an orthographic one. A light-field frame says what is shown."
+        stereo = "Stereoscopy is left out: Blender's other views stay empty. The tool's pictures have the display's views."
+        self.assertEqual(engine.last_warnings, [panoramic, stereo])
+        bpy.ops.lippmann.place_at_focus()
+        scene.render.use_multiview = False
+        self.assertFalse(losses.is_panoramic(scene))
 
     def test_lamps_arrive_with_their_sizes(self):
         scene = new_scene(self.folder, "single", samples=1)

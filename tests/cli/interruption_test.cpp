@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "cli/tool.hpp"
 #include "core/host_name.hpp"
@@ -83,6 +85,27 @@ TEST(Interruption, ctrl_c_keeps_finished_frames_and_says_so) {
   EXPECT_LT(pictures.size(), 480u);
   EXPECT_FALSE(std::filesystem::exists(dir / "a/a.mp4")) << "a video of some of the frames is not the video";
   EXPECT_EQ(temporaries_in(dir / "a"), Words{});
+}
+
+TEST(Interruption, ctrl_c_ends_a_replay_within_a_picture_of_which_nothing_is_left) {
+  const TempDir dir;
+  ASSERT_EQ(run_tool(dir, {"render", "room", "--frames", "0-1", "--optics", "multiview", "--views", "4x1", "--size", "128x32",
+                           "-o", "room"})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_tool(dir, {"replay", "room", "-o", "eye", "--refocus", "3", "--size", "16x16"}).exit_code, 0);
+  const auto before = files_in(dir / "eye", ".png");
+  ASSERT_EQ(before.size(), 2u);
+  for (const Words& what :
+       {Words{"--pupil", "30"}, Words{"--ipd", "60", "--pupil", "30"}, Words{"--sweep", "3", "--pupil", "30"}}) {
+    Subprocess running(tool_command(Words{"replay", "room", "-o", "eye", "--size", "4000x4000"} + what),
+                       {dir.path().string(), 0});
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // nothing tells that a picture, of a minute, is begun
+    running.signal(SIGINT);
+    EXPECT_EQ(running.wait().exit_code, 128 + SIGINT) << what.front();
+    EXPECT_EQ(files_in(dir / "eye", ".png"), before) << what.front();
+    EXPECT_EQ(temporaries_in(dir / "eye"), Words{});
+  }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 
 import lippmann
-from support import Case, small_grid
+from support import Case, SMALL_PANEL, small_grid
 
 QUAD = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
 FACES = [[0, 1, 2], [0, 2, 3]]
@@ -123,8 +123,9 @@ class Errors(Case):
         self.assertWrong("path", field.save, "a\0b")
         with self.assertRaises(lippmann.Error):
             field.save(self.folder / "x.gif")
+        (self.folder / "file").touch()
         with self.assertRaises(lippmann.Error):
-            field.save("/nowhere/x.png")
+            field.save(self.folder / "file/x.png")
         bare = lippmann.LightField(np.zeros((2, 2, 4, 4, 3), np.uint8))
         self.assertWrong("cameras", lambda: bare.eyes_mm)
         self.assertWrong("layer", lambda: bare.normals)
@@ -153,8 +154,25 @@ class Errors(Case):
             lippmann.display_from_toml("kind = 3")
 
     def test_scenes_without_anything_or_of_zero_size_render_or_are_refused(self):
-        empty = lippmann.render(lippmann.Scene(), small_grid(1, 1, (8, 8)), spp=1)
-        self.assertTrue(np.isfinite(empty.views).all())
+        self.assertWrong("scene", lippmann.render, lippmann.Scene(), small_grid(1, 1, (8, 8)), spp=1)
+        lamp = lippmann.Scene()
+        lamp.add_light()
+        self.assertWrong("scene", lippmann.render, lamp.copy(), small_grid(1, 1, (8, 8)), spp=1)
+        lamp.set_background((1, 1, 1))
+        self.assertEqual(lippmann.render(lamp, small_grid(1, 1, (8, 8)), spp=1).views.max(), 1)
+        around = lippmann.render(lippmann.Scene(), small_grid(1, 1, (8, 8)), spp=1, environment=(0.5, 0.5, 0.5))
+        self.assertEqual(around.views.max(), 0.5)
+        point = lippmann.Scene()
+        point.set_background((1, 1, 1))
+        point.add_mesh(np.ones((3, 3)), [[0, 1, 2]])
+        self.assertWrong("scene", lippmann.render, point, small_grid(1, 1, (8, 8)), spp=1)
+        opened = lippmann.Scene()
+        opened.add_mesh(np.zeros((3, 3)), [[0, 1, 2]], targets=[[[0, 0, 0], [1, 0, 0], [0, 1, 0]]], weights=[1])
+        opened.place_display(height=2, viewing_distance=20)
+        self.assertGreater(lippmann.render(opened, small_grid(1, 1, (8, 8)), layers=["depth"], spp=1).depth.max(), -np.inf)
+        sky = self.folder / "sky.dat"
+        sky.write_text("BEGIN_SCENE\nRESOLUTION 8 8\nBACKGROUND 0.5 0.5 0.5\nEND_SCENE\n")
+        self.assertTrue(np.isfinite(lippmann.render(sky, small_grid(1, 1, (8, 8)), spp=1).views).all())
         scene = lippmann.Scene()
         scene.add_mesh(np.zeros((3, 3)), [[0, 1, 2]], scale=(0, 0, 0))
         try:
@@ -197,6 +215,63 @@ class Errors(Case):
             errors.append(error.where)
         thread.join()
         self.assertEqual(errors, ["thread"])
+
+    def test_colours_of_a_background_are_not_below_zero(self):
+        scene = lippmann.Scene()
+        self.assertWrong("horizon", scene.set_background, (-1, -1, -1))
+        self.assertWrong("horizon", scene.set_background, (0, -1e-9, 0), (1, 1, 1))
+        self.assertWrong("zenith", scene.set_background, (0, 0, 0), (1, 1, -1))
+        scene.set_background((0, 0, 0), (4, 4, 4))
+
+    def test_layers_that_are_no_names_are_named(self):
+        for layers in (3, None, 2.5):
+            self.assertWrong("layers", lippmann.render, "room", small_grid(), layers=layers)
+        self.assertWrong("layers", lippmann.render, "room", small_grid(), layers=[3])
+
+    def test_a_texture_that_has_no_places_is_said_not_to_be_shown(self):
+        material = lippmann.Material(texture=np.zeros((2, 2, 3), np.uint8))
+        scene = lippmann.Scene()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            scene.add_mesh(QUAD, FACES, uvs=np.zeros((4, 2)), material=material)
+            scene.add_mesh(QUAD, FACES, material=lippmann.Material())
+            lippmann.random_scene(1, objects=40)
+        for add in (lambda: scene.add_mesh(QUAD, FACES, material=material), lambda: scene.add_sphere(material=material)):
+            with self.assertWarnsRegex(lippmann.LippmannWarning, "texture") as caught:
+                add()
+            self.assertEqual(caught.filename, __file__)
+
+    def test_names_that_are_no_utf_8_have_replacement_characters(self):
+        where = os.fsencode(self.folder) + b"/d\xff"
+        os.mkdir(where)
+        with open(where + b"/m\xfe.obj", "wb") as file:
+            file.write(b"o o\xfd\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        scene = lippmann.load(where + b"/m\xfe.obj")
+        self.assertEqual(scene.name, "m\ufffd")
+        self.assertIn("m\ufffd", repr(scene))
+        self.assertIn("m\ufffd", str(scene.copy()))
+        self.assertEqual(lippmann.render(scene, small_grid(1, 1, (8, 8)), spp=1).shape, (1, 1, 8, 8, 3))
+        with open(where + b"/dd\xfe.toml", "wb") as file:
+            file.write(SMALL_PANEL.read_bytes())
+        display = lippmann.display(where + b"/dd\xfe.toml")
+        self.assertEqual(display.name, "dd\ufffd")
+        self.assertIn("dd\ufffd", repr(display))
+
+    def test_displays_optics_and_animations_say_what_they_are(self):
+        said = repr(lippmann.display("looking-glass-portrait"))
+        self.assertEqual(said, "<lippmann.Display 'looking-glass-portrait': slanted-panel, 1536x2048 pixels>")
+        said = repr(lippmann.camera_grid(2, 3, (24, 32)))
+        self.assertEqual(said, "<lippmann.Optics: 2 x 3 views (rows x columns), 96x48 pixels>")
+        for optics, words in (
+            (lippmann.lenticular_sheet((24, 32)), "a lenticular sheet, 32x24 pixels"),
+            (lippmann.microlens_array((24, 32)), "a microlens array, 32x24 pixels"),
+            (lippmann.single_view((24, 32)), "a single view, 32x24 pixels"),
+            (lippmann.quilt(2, 3, (24, 32)), "6 views, 96x48 pixels"),
+            (lippmann.own_optics(lippmann.single_view((24, 32)).rays, (24, 32)), "rays of one's own, 32x24 pixels"),
+        ):
+            self.assertEqual(repr(optics), f"<lippmann.Optics: {words}>")
+        self.assertEqual(repr(lippmann.frames("room", small_grid(), frames=range(3))), "<lippmann.Animation: 3 frames>")
+        self.assertEqual(repr(lippmann.frames("room", small_grid(), frames=[7])), "<lippmann.Animation: 1 frame>")
 
     def test_warnings_are_those_of_python_and_can_be_errors(self):
         # A .dat with a line that is read past warns; the tool says the same sentence on stderr.

@@ -1,5 +1,7 @@
 """Files of all formats: written as the tool reads them, and read as it writes them."""
 
+import os
+
 import numpy as np
 
 import lippmann
@@ -73,6 +75,27 @@ class Files(Case):
         self.assertEqual((self.folder / "native.png").read_bytes(), (self.folder / "tool.png").read_bytes())
         views = lippmann.open(self.folder / "native.png", format="native", display=panel)
         self.assertEqual(views.shape, field.shape)
+
+    def test_a_missing_folder_is_made_and_goes_again_where_saving_fails(self):
+        field = lippmann.render("room", small_grid(1, 2, (24, 32)), layers=["depth"])
+        for format in ("quilt", "stereo", "eslf", "integral", "views", "hci", None):
+            where = self.folder / f"made {format}/deep"
+            files = field.save(where / "a.png", format)
+            self.assertTrue(files)
+            for file in files:
+                self.assertTrue(os.path.isfile(file), file)
+                self.assertTrue(file.startswith(str(where)), file)
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        self.assertEqual(field.save("here.png"), ["here.png"])
+        self.assertEqual(field.save("below/here.png"), ["below/here.png"])
+        with self.assertRaises(lippmann.Error):
+            field.save(self.folder / "gone/deep/a.gif")
+        self.assertFalse((self.folder / "gone").exists())
+        (self.folder / "file").touch()
+        wrong = self.assertWrong(str(self.folder / "file"), field.save, self.folder / "file/deep/a.png", "quilt")
+        self.assertIn("cannot be made", wrong.problem)
 
     def test_pictures_of_arrays_are_written_as_quilts_of_their_views(self):
         views = np.random.default_rng(1).integers(0, 256, (1, 3, 8, 8, 3), dtype=np.uint8)

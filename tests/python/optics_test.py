@@ -1,5 +1,7 @@
 """Optics that are a function from pixel to ray."""
 
+import warnings
+
 import numpy as np
 
 import lippmann
@@ -41,6 +43,16 @@ class OwnOptics(Case):
         self.assertSame(direction, np.array([[0, 0, -1]], np.float32))  # of unit length
         self.assertSame(origin, np.zeros((1, 3), np.float32))
 
+    def test_directions_have_any_length(self):
+        at, ahead = np.zeros((4, 3)), np.array([[0.3, -0.4, -1.2], [0, 0, -1], [1, 1, -1], [0, 2, -1]])
+        unit = (ahead / np.linalg.norm(ahead, axis=1, keepdims=True)).astype(np.float32)
+        points = np.array([[0.5, 0.5], [1.5, 0.5], [0.5, 1.5], [1.5, 1.5]], np.float32)
+        for length, kind in ((1e-30, np.float32), (1e30, np.float32), (1e-200, np.float64), (1e300, np.float64), (1, np.float16)):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                optics = lippmann.own_optics(lambda points: (at, (ahead * length).astype(kind)), (2, 2))
+            np.testing.assert_allclose(optics.rays(points)[1], unit, rtol=1e-3 if kind is np.float16 else 1e-6)
+
     def test_wrong_rays_are_named(self):
         def with_rays(function):
             return lambda: lippmann.own_optics(function, (2, 2))
@@ -51,6 +63,8 @@ class OwnOptics(Case):
         self.assertWrong("rays: origins", with_rays(lambda points: (ahead[:3], ahead)))
         self.assertWrong("rays: origins", with_rays(lambda points: (ahead * np.nan, ahead)))
         self.assertWrong("rays: directions", with_rays(lambda points: (ahead, -ahead)))
+        for direction in ((0, 0, 0), (1, 0, 0), (1, 0, -1e-300), (np.inf, 0, -1)):
+            self.assertWrong("rays: directions", with_rays(lambda points: (ahead, np.tile(direction, (4, 1)))))
         self.assertWrong("size", lambda: lippmann.own_optics(lambda points: (ahead, ahead), (0, 2)))
         with self.assertRaises(ZeroDivisionError):
             lippmann.own_optics(lambda points: 1 // 0, (2, 2))

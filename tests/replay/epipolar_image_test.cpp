@@ -49,6 +49,17 @@ TEST(EpipolarImage, line_leans_by_depth_and_direction_tells_front_from_behind) {
   }
 }
 
+TEST(EpipolarImage, a_cancelled_context_ends_it_before_the_next_eye) {
+  const RenderedPanel panel = noise(test::lenslets(100.0f));
+  Context context;
+  context.cancelled = true;
+  for (const auto& line : {epipolar_row, epipolar_column}) {
+    const Image whole = line(panel, 4, SampleFilter::kLinear, {}), black(whole.width, whole.height, 3);
+    EXPECT_NE(whole.data, black.data);
+    EXPECT_EQ(line(panel, 4, SampleFilter::kLinear, context).data, black.data);
+  }
+}
+
 TEST(EpipolarImage, lines_that_are_not_there_are_refused) {
   const RenderedPanel panel = noise(test::sheet());
   const auto of_row = [&](int row) { return test::error_message([&] { epipolar_row(panel, row, SampleFilter::kLinear); }); };

@@ -227,6 +227,17 @@ TEST(EyeView, threads_do_not_change_a_bit) {
   EXPECT_EQ(eye_view(panel, view, one).data, eye_view(panel, view, three).data);
 }
 
+TEST(EyeView, a_cancelled_context_ends_it_before_the_next_pixel) {
+  const RenderedPanel panel = record(test::lenslets(100.0f), 3.0, waves);
+  const ThreadPool pool(2);
+  const Image whole = eye_view(panel, {}, pool);
+  const Image black(whole.width, whole.height, 3);
+  EXPECT_NE(whole.data, black.data);
+  Context context;
+  context.cancelled = true;
+  EXPECT_EQ(eye_view(panel, {}, pool, context).data, black.data);
+}
+
 TEST(EyeView, coarse_pictures_average_all_lenses) {
   const RenderedPanel panel = numbered_lenses(test::sheet());
   EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // lenses 0.5 ... 19.5

@@ -103,6 +103,16 @@ TEST(Refocus, threads_do_not_change_a_bit) {
   EXPECT_EQ(refocus(panel, 7.0, {64, 80}, one).data, refocus(panel, 7.0, {64, 80}, three).data);
 }
 
+TEST(Refocus, a_cancelled_context_ends_it_before_the_next_row_of_rays) {
+  const RenderedPanel panel = record(test::lenslets(100.0f), 3.0, waves);
+  const ThreadPool pool(2);
+  const Image black(64, 80, 3);
+  EXPECT_NE(refocus(panel, 7.0, {64, 80}, pool).data, black.data);
+  Context context;
+  context.cancelled = true;
+  EXPECT_EQ(refocus(panel, 7.0, {64, 80}, pool, nullptr, context).data, black.data);
+}
+
 TEST(Refocus, depths_behind_the_viewer_or_not_finite_are_refused) {
   const auto message = [](double z) {
     return test::error_message([&] { validate_depth(test::sheet(150.0f), z, "--refocus"); });

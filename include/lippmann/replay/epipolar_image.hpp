@@ -6,6 +6,7 @@
 // behind and the other way before it.
 #pragma once
 
+#include "lippmann/core/context.hpp"
 #include "lippmann/replay/rendered_panel.hpp"
 #include "lippmann/replay/taps.hpp"
 
@@ -13,11 +14,12 @@ namespace lippmann {
 
 /// The image of row `row` (of the lens grid, from the top): a column for each lens of it, a row for each eye, of
 /// view_counts(optics).x equally far apart, the leftmost on top. With whole pixels below a lens these are the panel's own
-/// pixels. Throws a usage Error naming `epi` for a row that the display does not have.
-Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter);
+/// pixels. Throws a usage Error naming `epi` for a row that the display does not have. Returns early, unfinished, when
+/// `context` is cancelled.
+Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter, const Context& context = {});
 
 /// Likewise of a column: a row of the picture for each lens, a column for each eye, the lowest on the left.
 /// Throws a usage Error naming `epi-column`, also where the display has no vertical parallax.
-Image epipolar_column(const RenderedPanel& rendered, int column, SampleFilter filter);
+Image epipolar_column(const RenderedPanel& rendered, int column, SampleFilter filter, const Context& context = {});
 
 }  // namespace lippmann

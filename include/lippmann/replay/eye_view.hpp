@@ -24,7 +24,7 @@ struct EyeView {
 /// Throws Error (usage) for an eye that is not in front of the display, is not finite, or sees nothing of it.
 void validate(const EyeView& view);
 
-/// `view` must be valid. The same bits for any number of threads.
-Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadPool& pool);
+/// `view` must be valid. The same bits for any number of threads. Returns early, unfinished, when `context` is cancelled.
+Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadPool& pool, const Context& context = {});
 
 }  // namespace lippmann

@@ -23,7 +23,9 @@ void validate_depth(const Optics& optics, double z_mm, const char* flag);
 /// `z_mm` must be valid. size: pixels over the display's window, {0, 0}: natural_view_size (optics/viewing.hpp); all depths lie
 /// on top of one another as the design viewer sees them. 3 channels, linear; black where no ray comes. The same bits for any
 /// number of threads. `disagreement`, where given, receives how much the rays of each pixel differ: the variance of their
-/// colours, summed over the channels (1 channel; infinite where no ray comes).
-Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement = nullptr);
+/// colours, summed over the channels (1 channel; infinite where no ray comes). Returns early, unfinished, when `context` is
+/// cancelled.
+Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement = nullptr,
+              const Context& context = {});
 
 }  // namespace lippmann

@@ -1,0 +1,103 @@
+"""What the add-on draws into the viewport, in a Blender with windows that runs this file (CMakeLists.txt says how).
+
+SCREENSHOTS, where it is set, is a folder that keeps the pictures, for looking.
+"""
+
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import bpy
+import mathutils
+import numpy as np
+from bpy_extras.view3d_utils import location_3d_to_region_2d
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
+import lippmann  # noqa: E402
+from lippmann import frame, overlay  # noqa: E402
+
+SAMPLES = 60  # of each line
+NEAR_PX, NEAR_COLOUR = 2, 0.25  # lines are 2 pixels wide, and partly transparent
+
+lippmann.register()
+bpy.context.preferences.view.show_splash = False
+
+
+def place_frame(scene):
+    """A frame around Blender's own first cube."""
+    scene.render.engine, scene.lippmann.display = "LIPPMANN", "looking-glass-portrait"
+    bpy.ops.lippmann.place_at_selected()
+    bpy.ops.object.select_all(action="DESELECT")  # whose outline is as orange as the zone
+    bpy.context.view_layer.update()
+    return frame.zone(scene)
+
+
+def look_at(view, zone):
+    """Turns the viewport such that the whole zone is in its middle, seen from the side and above."""
+    view.view_perspective = "PERSP"
+    view.view_rotation = zone.world_from_frame.to_quaternion() @ mathutils.Euler((-0.5, 1.0, 0.0)).to_quaternion()
+    view.view_location = zone.world_from_frame @ mathutils.Vector((0.0, 0.0, 0.5 * zone.distance))
+    view.view_distance = 1.6 * zone.distance
+
+
+class Overlay(unittest.TestCase):
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self._folder.cleanup)
+        self.folder = pathlib.Path(os.environ.get("SCREENSHOTS") or self._folder.name)
+
+    def screenshot(self, name):
+        """What the window shows, (y, x, 3), the bottom row first."""
+        path = str(self.folder / f"{name}.png")
+        bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=2)
+        bpy.ops.screen.screenshot(filepath=path)
+        image = bpy.data.images.load(path)
+        values = np.empty(len(image.pixels), np.float32)
+        image.pixels.foreach_get(values)
+        return values.reshape(image.size[1], image.size[0], image.channels)[..., :3]
+
+    def share_drawn(self, picture, corners, colour):
+        """The share of points along lines (pairs of corners, in the frame's space) at which the picture has their colour."""
+        region, view = self.region, self.view
+        found = []
+        for start, end in zip(corners[::2], corners[1::2]):
+            for share in np.linspace(0.0, 1.0, SAMPLES):
+                point = self.zone.world_from_frame @ mathutils.Vector(start).lerp(mathutils.Vector(end), share)
+                x, y = (int(at) + origin for at, origin in zip(location_3d_to_region_2d(region, view, point), (region.x, region.y)))
+                around = picture[max(y - NEAR_PX, 0):y + NEAR_PX + 1, max(x - NEAR_PX, 0):x + NEAR_PX + 1]
+                found.append((np.abs(around - colour[:3]).max(axis=2) < NEAR_COLOUR).any())
+        return np.mean(found)
+
+    def test_the_lines_of_the_display_are_where_the_zone_is_and_go_when_they_are_switched_off(self):
+        window = bpy.context.window_manager.windows[0]
+        area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
+        self.region, self.view = next(region for region in area.regions if region.type == "WINDOW"), area.spaces.active.region_3d
+        settings = next(area for area in window.screen.areas if area.type == "PROPERTIES")
+        with bpy.context.temp_override(window=window, area=area, region=self.region):
+            scene = bpy.context.scene
+            self.zone = place_frame(scene)
+            look_at(self.view, self.zone)
+            settings.spaces.active.context = "RENDER"
+            shown = self.screenshot("overlay")
+            scene.lippmann.show_overlay = False
+            hidden = self.screenshot("no_overlay")
+            scene.lippmann.show_overlay, scene.render.engine = True, "BLENDER_WORKBENCH"
+            other = self.screenshot("other_engine")
+            lines = [(corners, colour) for kind, corners, colour in overlay.figures(self.zone) if kind == "LINES"]
+            self.assertEqual([colour for _, colour in lines], [overlay.SHARP, overlay.PLANE, overlay.ZONE])
+            for corners, colour in lines:
+                self.assertGreater(self.share_drawn(shown, corners, colour), 0.9, colour)
+                for picture in (hidden, other):
+                    self.assertLess(self.share_drawn(picture, corners, colour), 0.1, colour)
+
+
+def run():
+    tests = unittest.defaultTestLoader.loadTestsFromTestCase(Overlay)  # to timers, this file is no longer __main__
+    result = unittest.TextTestRunner(verbosity=2).run(tests)
+    sys.stdout.flush(), sys.stderr.flush()
+    os._exit(0 if result.testsRun and result.wasSuccessful() else 1)  # sys.exit() would end the timer alone
+
+
+bpy.app.timers.register(run, first_interval=0.5)  # once the window is there
