@@ -6,7 +6,7 @@ FIRST_WITH_COLOURED_GLOSS = (4, 0, 0)  # Blender, whose Principled surface had a
 
 
 def has_colour(gloss):
-    return "specularColorTexture" in gloss or any(c != 1.0 for c in gloss.get("specularColorFactor", []))
+    return "specularColorTexture" in gloss or len(set(gloss.get("specularColorFactor", []))) > 1
 
 
 def extensions_of(value):
