@@ -49,6 +49,7 @@ constexpr std::string_view kExtensions[] = {
     "KHR_mesh_quantization",
     "KHR_texture_transform",
 };
+    "KHR_node_visibility",
 /// What says nothing about how things look.
 constexpr std::string_view kSilent[] = {"KHR_xmp", "KHR_xmp_json_ld"};
 

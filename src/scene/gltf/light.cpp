@@ -98,7 +98,7 @@ void read_lights(Document& document, const NodeMap& nodes, Scene& scene) {
   for (std::size_t i = 0; i < nodes.file_node.size(); ++i) {
     const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(nodes.file_node[i])];
     const auto extension = node.extensions.find("KHR_lights_punctual");
-    if (extension == node.extensions.end()) continue;
+    if (extension == node.extensions.end() || nodes.hidden[i]) continue;
     const std::size_t index = static_cast<std::size_t>(extension->second.Get("light").GetNumberAsInt());
     const std::string& generator = document.model.asset.generator;
     Light light = read_light(document.model.lights[index], generator, element("lights", index), document.report);

@@ -367,10 +367,12 @@ constexpr Property kNode[] = {
     numbers("matrix", 16),
     numbers("rotation", 4),
     numbers("scale", 3),
+constexpr Property kNodeVisibility[] = {boolean("visible")};
     numbers("translation", 3),
     numbers("weights", 0),
     object("extensions", kNodeExtensions),
     object("extras", kNodeExtras, kIfOfThisKind),
+    object("KHR_node_visibility", kNodeVisibility),
 };
 constexpr Property kScene[] = {string("name"), indices("nodes", "nodes")};
 
