@@ -241,5 +241,19 @@ TEST(GltfCamera, orthographic_with_nothing_in_front_of_it_still_is_a_camera) {
   EXPECT_NO_THROW(validate(parse(b), "a.glb"));
 }
 
+// The triangle's corners are 1 apart in x and in y: sqrt(2) from one end of its bounds to the other.
+TEST(GltfCamera, orthographic_of_no_size_shows_the_whole_scene_with_a_warning) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}});
+  b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 0}, {"ymag", 0}, {"znear", 0}, {"zfar", 10}}}});
+  b.add_node({{"camera", 0}, {"translation", {0, 0, 4}}});
+  std::vector<std::string> warnings;
+  const Scene scene = parse(b, &warnings);
+  EXPECT_FLOAT_EQ(scene.cameras.at(0).orthographic_height, std::sqrt(2.0f));
+  EXPECT_EQ(scene.cameras[0].aspect, 0.0f);
+  EXPECT_THAT(warnings, Contains("a.glb: orthographic cameras whose xmag or ymag is 0 would show nothing: they show the whole "
+                                 "scene (first at cameras[0])"));
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -103,6 +103,14 @@ TEST(GltfMaterial, ior_of_zero_means_that_everything_is_reflected) {
   EXPECT_GT(reflectance, 0.99f);  // what 1000 gives, 0.996, with room for another choice
 }
 
+TEST(GltfMaterial, ior_between_zero_and_one_is_taken_as_one_with_a_warning_that_names_the_material) {
+  std::vector<std::string> warnings;
+  const Json material{{"name", "ball"}, {"extensions", {{"KHR_materials_ior", {{"ior", 0.5}}}}}};
+  EXPECT_EQ(surface_of(material, &warnings).ior, 1.0f);
+  EXPECT_THAT(warnings, ElementsAre("a.glb: an ior between 0 and 1 is taken as 1, which neither bends nor mirrors light (first "
+                                    "at materials[0] 'ball')"));
+}
+
 TEST(GltfMaterial, mask_has_a_cutoff_and_blend_has_none) {
   EXPECT_EQ(surface_of({{"alphaMode", "MASK"}}).alpha_cutoff, 0.5f);
   EXPECT_EQ(surface_of({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}).alpha_cutoff, 0.25f);
