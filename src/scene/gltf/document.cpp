@@ -27,6 +27,7 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kExtensions[] = {
     "EXT_lights_ies",
+    "EXT_lights_image_based",
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "EXT_texture_webp",
@@ -48,9 +49,9 @@ constexpr std::string_view kExtensions[] = {
     "KHR_materials_variants",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
+    "KHR_node_visibility",
     "KHR_texture_transform",
 };
-    "KHR_node_visibility",
 /// What says nothing about how things look.
 constexpr std::string_view kSilent[] = {"KHR_xmp", "KHR_xmp_json_ld"};
 
@@ -88,13 +89,13 @@ void check_version(const Json& root, const Report& report) {
   if (root.contains(min_version) && root.at(min_version) != "2.0") report.fail("asset.minVersion", "is not 2.0", "2.0");
 }
 
-[[noreturn]] void refuse_extension(const std::string& name, const Report& report) {
 std::string_view advice_on(const std::string& extension) {
   for (const Advice& advice : kAdvice)
     if (advice.extension == extension) return advice.text;
   return kAnyAdvice;
 }
 
+[[noreturn]] void refuse_extension(const std::string& name, const Report& report) {
   std::string accepted;
   for (const std::string_view known : kExtensions) accepted += fmt::format("{}{}", accepted.empty() ? "" : ", ", known);
   report.fail("extensionsRequired", fmt::format("needs {}, which is not supported: {}", printable(name), advice_on(name)),

@@ -13,6 +13,7 @@
 #include "scene/gltf/camera.hpp"
 #include "scene/gltf/document.hpp"
 #include "scene/gltf/ies_light.hpp"
+#include "scene/gltf/image_light.hpp"
 #include "scene/gltf/instancing.hpp"
 #include "scene/gltf/light.hpp"
 #include "scene/gltf/material.hpp"
@@ -173,6 +174,7 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   gltf::InstanceReader(document, nodes, gltf::choose_variant(scene.variant_names, options.variant), scene).read();
   gltf::read_lights(document, nodes, scene);
   gltf::read_ies_lights(document, nodes, scene);
+  gltf::read_image_light(document, scene);
   gltf::read_cameras(document, nodes, scene);
   gltf::read_animation(document, nodes, options.animation, options.frames_per_second, scene);
   return scene;
