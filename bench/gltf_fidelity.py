@@ -8,7 +8,7 @@ pinhole view and held against the reference pictures beside the configuration, a
 of samples, and the view transform "Standard" (bench/cycles/gltf_in_blender.py says what its surfaces are). --importer adds Blender's own import of
 the file, --three the path tracer three-gpu-pathtracer (npm ci in bench/fidelity/three; Chromium). Prints PSNR and FLIP of each renderer against the median of the others and million samples per CPU second of both programs (of `spp` samples
 less those of an eighth of them, so that set-up does not count), how alike both programs' pictures could be at most for their noise, and writes DIR/fidelity.html with pictures side by side. What others have rendered is kept in DIR, and
-used again until the file, the light or the numbers change. With two others or more it says how near these are to one another, and in how many scenarios ours is nearer to their
+used again until the file, the light or the numbers change. A renderer that cannot show a file is named in its row, and so is what Blender's importer does not read of it. With two others or more it says how near these are to one another, and in how many scenarios ours is nearer to their
 median. Needs python3-numpy; for --cycles and --importer, Debian's blender.
 """
 
@@ -17,6 +17,7 @@ import dataclasses
 import json
 import math
 import pathlib
+import struct
 import subprocess
 import sys
 
@@ -66,10 +67,17 @@ def place_camera(copy, scenario, options):
     copy.add_camera(place, turn, fov, scenario.width / scenario.height, reach)
 
 
+def one_copy(model):
+    try:
+        return one_file.OneFile(model)
+    except (OSError, ValueError, KeyError, struct.error) as error:  # of a damaged file, or one whose parts are missing
+        raise peers.Failed(f"{model.name}: {error!r}") from error
+
+
 def set_up(scenario, options):
     folder = options.out / scenario.name
     folder.mkdir(parents=True, exist_ok=True)
-    copy = one_file.OneFile(scenario.model)
+    copy = one_copy(scenario.model)
     place_camera(copy, scenario, options)
     file = folder / "scene.glb"
     copy.write(file)
@@ -88,7 +96,7 @@ def ours(shot, spp, options):
         command.append("--transparent")
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     if done.returncode:
-        raise SystemExit(f"{shot.scenario.name}: {done.stderr.strip()}")
+        raise peers.Failed(peers.reason(done.stderr))
     return out / "frame_0000.png", json.loads((out / "report.json").read_text())["frames"][0]["cpu_seconds"]
 
 
@@ -103,33 +111,57 @@ def few_and_all(shot, name, options):
     return [ours(shot, spp, options) for spp in (others.few(options.spp), options.spp)]
 
 
+def pictures_of(shot, name, options, facts):
+    """The picture of one renderer; its speed, its noise and what of the file it does not read go to `facts`."""
+    (less, few_seconds), (more, seconds) = few_and_all(shot, name, options)
+    picture = pictures.read(more)
+    if seconds is not None:
+        facts[f"{name}_speed"] = million_samples_per_second(shot, options.spp, seconds, few_seconds)
+    facts[f"{name}_noise"] = judge.noise(pictures.read(less), picture, options.spp / others.few(options.spp))
+    return picture
+
+
 def rendered(shot, options):
-    """{renderer: RGBA picture}, speeds and noise, and what is to be said of them."""
-    named, notes, facts = {}, [], {}
+    """{renderer: RGBA picture}, speeds and noise, what is to be said of them, and {renderer: why it has no picture}."""
+    named, notes, facts, failed = {}, [], {}, {}
     for name in ["lippmann", *options.peers]:
-        (less, few_seconds), (more, seconds) = few_and_all(shot, name, options)
-        named[name] = pictures.read(more)
-        if seconds is not None:
-            facts[f"{name}_speed"] = million_samples_per_second(shot, options.spp, seconds, few_seconds)
-        facts[f"{name}_noise"] = judge.noise(pictures.read(less), named[name], options.spp / others.few(options.spp))
+        try:
+            named[name] = pictures_of(shot, name, options, facts)
+        except peers.Failed as failure:
+            failed[name] = str(failure)
     for name, file in shot.scenario.references.items():
         reference = pictures.shrunk(pictures.read(file), shot.width, shot.height)
         if reference is None:
             notes.append(f"{name} is left out: {file.name} is no whole number of times {shot.width} x {shot.height} pixels")
         else:
             named[name] = reference
-    return named, facts, notes
+    return named, facts, notes, failed
+
+
+def row_of(scenario, named=None, facts=None, notes=(), failed=None, unread=None):
+    """What the table says of a scenario; without figures where fewer than two renderers have a picture of it."""
+    named, facts, failed, unread = named or {}, facts or {}, failed or {}, unread or {}
+    judged = judge.judged(named) if len(named) > 1 else {}
+    notes = [*notes, *(f"{name} has no picture: {why}" for name, why in failed.items()),
+             *(f"{name} does not show what the file has by {', '.join(what)}" for name, what in unread.items() if what)]
+    among = judge.among_others(named, "lippmann") if judged else None
+    return {"scenario": scenario.name, "notes": notes, "failed": failed, "unread": unread, "noise_db": judge.noise_together(facts), "among_others_db": among, **facts,
+            "renderers": {name: {k: j[k] for k in ("psnr_db", "flip")} for name, j in judged.items()}}, judged
 
 
 def measure(scenario, options, out):
     """A row of the table, which the page gets too; none where there is nothing to compare with."""
-    shot = set_up(scenario, options)
-    named, facts, notes = rendered(shot, options)
-    if len(named) < 2:
+    try:
+        shot = set_up(scenario, options)
+    except peers.Failed as failure:
+        row, judged = row_of(scenario, failed={"lippmann": str(failure)})
+        out.add(row, judged, {})
+        return row
+    named, facts, notes, failed = rendered(shot, options)
+    if len(named) < 2 and not failed:
         print(f"{scenario.name}: no other renderer's picture; add goldens/{scenario.name}/RENDERER{scenarios.GOLDEN} or say --cycles", file=sys.stderr)
         return None
-    judged = judge.judged(named)
-    row = {"scenario": scenario.name, "notes": notes, "noise_db": judge.noise_together(facts), "among_others_db": judge.among_others(named, "lippmann"), **facts, "renderers": {name: {k: j[k] for k in ("psnr_db", "flip")} for name, j in judged.items()}}
+    row, judged = row_of(scenario, named, facts, notes, failed, {name: others.unread(shot, name) for name in options.peers if name in named})
     out.add(row, judged, named)
     return row
 
@@ -137,15 +169,24 @@ def measure(scenario, options, out):
 def line(row):
     each = "  ".join(f"{name} {j['psnr_db']:.2f} dB, {j['flip']:.4f}" for name, j in row["renderers"].items())
     among = f"  the others among each other {row['among_others_db']:.2f} dB" if row["among_others_db"] is not None else ""
-    noise = f"  noise alone {row['noise_db']:.2f} dB" if "cycles_speed" in row else ""
-    return f"{row['scenario']:24} {each}{among}{noise}  {page.speed(row)}"
+    noise = f"  noise alone {row['noise_db']:.2f} dB" if page.has_both(row) else ""
+    notes = "".join(f"\n{'':24} {note}" for note in row["notes"])
+    return f"{row['scenario']:24} {each}{among}{noise}  {page.speed(row)}".rstrip() + notes
 
 
 def sentence(rows):
     """In how many scenarios ours is as near to the median of the others as these are to one another; empty where none has two others."""
-    told = [row for row in rows if row["among_others_db"] is not None]
+    told = [row for row in rows if row["among_others_db"] is not None and "lippmann" in row["renderers"]]
     near = sum(row["renderers"]["lippmann"]["psnr_db"] >= row["among_others_db"] for row in told)
     return f"lippmann is as near to the median of the others as they are to one another in {near} of {len(told)} scenarios" if told else ""
+
+
+def reservations(rows):
+    """What the figures are not about."""
+    failed = [row["scenario"] for row in rows if row["failed"]]
+    unread = [row["scenario"] for row in rows if any(row["unread"].values())]
+    return [f"{len(names)} of {len(rows)} scenarios {what}: {', '.join(names)}"
+            for names, what in ((failed, "lack a renderer's picture"), (unread, "have something that a renderer does not read")) if names]
 
 
 def without_infinity(value):
@@ -206,10 +247,12 @@ def main():
             rows.append(row)
             print(line(row), file=sys.stderr if options.json else sys.stdout, flush=True)
             out.write(options.out / "fidelity.html")
-    if sentence(rows):
-        print(sentence(rows), file=sys.stderr if options.json else sys.stdout)
+    for said in filter(None, [sentence(rows), *reservations(rows)]):
+        print(said, file=sys.stderr if options.json else sys.stdout)
     if options.json:
         print(json.dumps(without_infinity({"bench": "fidelity", "rows": rows}), indent=2))
+    if any("lippmann" in row["failed"] for row in rows):
+        sys.exit(1)
 
 
 if __name__ == "__main__":

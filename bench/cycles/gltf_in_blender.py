@@ -17,6 +17,7 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import lamps  # noqa: E402
 import one_file  # noqa: E402
+import reads  # noqa: E402
 
 if not hasattr(np, "bool"):
     np.bool = bool  # the importer of Blender 3.4 asks for a name that numpy had dropped for a while
@@ -239,6 +240,18 @@ def load(file, own_surfaces=False):
     for lamp in bpy.data.lights:
         light_up(lamp, lights[number_of(lamp)], source["asset"].get("generator", ""))
     bpy.context.scene.frame_set(0)
+
+
+def importers_extensions():
+    """What this Blender's importer reads; of 3.4's list volumes are missing, which it reads all the same."""
+    from io_scene_gltf2.io.imp.gltf2_io_gltf import glTFImporter
+    return set(glTFImporter("", {"import_user_extensions": []}).extensions_managed) | {"KHR_materials_volume"}
+
+
+def unread(file):
+    """What a file has and is not shown here, by Blender's version: extensions that the importer does not read, and what it reads and the Principled surface of its time lacks."""
+    names = reads.extensions_of(one_file.OneFile(pathlib.Path(file)).doc)
+    return reads.unread(names, importers_extensions(), bpy.app.version)
 
 
 def light_up(lamp, light, generator):

@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -13,6 +14,17 @@ import one_file
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = "/usr/bin:/bin"  # Blender's Python is Debian's, whatever else there is
 BLENDER = os.environ.get("BLENDER", "blender")  # of another version, say
+
+
+class Failed(SystemExit):
+    """A program could not do what it was asked for. Ends a script that does not catch it, with its message."""
+
+
+def reason(text):
+    """Of what a program printed before it gave up, the line that says why, else the last one."""
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    told = [line for line in lines if re.match(r"(\w+\.)*\w*(Error|Exception)\b.*:", line) and not line.startswith(("Error: Python:", "Error: script failed"))]
+    return (told or lines or ["it says nothing of why"])[-1]
 
 
 def has_blender():
@@ -29,7 +41,7 @@ def blender(script, words, mark):
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, env={**os.environ, "PATH": PATH})
     found = [line.removeprefix(mark).strip() for line in done.stdout.splitlines() if line.startswith(mark)]
     if done.returncode or not found:
-        raise SystemExit(f"Blender could not run {script}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        raise Failed(f"Blender could not run {script}: {reason(done.stdout + done.stderr)}")
     return found
 
 
@@ -37,7 +49,7 @@ def info(tool, scene, *flags):
     """What `lippmann info` says."""
     done = subprocess.run([str(word) for word in (tool, "info", scene, *flags, "--json")], capture_output=True, text=True)
     if done.returncode:
-        raise SystemExit(done.stderr)
+        raise Failed(done.stderr.strip())
     return json.loads(done.stdout)
 
 

@@ -3,7 +3,8 @@
   blender -b -P scenario_inside_blender.py -- JOB.json
 
 The job: file, panorama (or null), width, height, vertices, threads, skybox (whether the panorama is seen), own_surfaces (Blender's own
-import stays as it is), camera (its name in the file), renders: a list of samples, seed and out. Prints a line "RENDER {json}" for each.
+import stays as it is), camera (its name in the file), renders: a list of samples, seed and out. Prints a line "RENDER {json}" for each, which says
+too what of the file is not shown ("unread").
 """
 
 import json
@@ -34,12 +35,13 @@ def show(job):
 def main():
     job = json.loads(pathlib.Path(sys.argv[sys.argv.index("--") + 1]).read_text())
     scene = show(job)
+    unread = gltf.unread(job["file"])
     scene.render.use_persistent_data = True  # what is rendered first pays for the set-up of all
     gltf.render(scene, 1, 0, job["renders"][0]["out"])
     for item in job["renders"]:
         before = gltf.cpu_seconds()
         gltf.render(scene, item["samples"], item["seed"], item["out"])
-        print("RENDER", json.dumps({**item, "cpu_seconds": gltf.cpu_seconds() - before}), flush=True)
+        print("RENDER", json.dumps({**item, "cpu_seconds": gltf.cpu_seconds() - before, "unread": unread}), flush=True)
 
 
 main()

@@ -63,6 +63,13 @@ def in_blender(name):
     return pictures_of
 
 
+def unread(shot, name):
+    """What the file has and the renderer does not show, as far as that is known: of Blender, by its importer (gltf_in_blender.py)."""
+    file = shot.folder / f"{name}.json"
+    renders = json.loads(file.read_text())["renders"] if file.exists() else []
+    return renders[-1].get("unread", []) if renders else []
+
+
 def has_three():
     """Says so where it is not there."""
     if shutil.which("node") and (THREE / "node_modules").is_dir():
@@ -90,7 +97,7 @@ def three(shot, options):
         done = subprocess.run(["node", THREE / "trace.mjs", file], capture_output=True, text=True)
         found = [json.loads(line.removeprefix("RENDER")) for line in done.stdout.splitlines() if line.startswith("RENDER")]
         if done.returncode or len(found) < len(renders):
-            raise SystemExit(f"three-gpu-pathtracer could not render {shot.file}:\n{done.stderr[-2000:]}")
+            raise peers.Failed(f"three-gpu-pathtracer: {peers.reason(done.stderr)}")
         return [{"out": as_picture(pathlib.Path(one["out"]), shot.width, shot.height), "cpu_seconds": None} for one in found]
 
     return kept(shot, "three", job, sorted(THREE.glob("*.*")), render)

@@ -13,7 +13,8 @@ tr:nth-child(even) { background: #f2f2f2 } .row { display: flex; flex-wrap: wrap
 figcaption { max-width: 20em; margin-bottom: .3em } img { image-rendering: pixelated; width: 256px; display: block; margin-bottom: 4px }
 </style><h1>glTF fidelity</h1>
 <p>Each renderer against the median of the others: PSNR of 8-bit codes and the mean of FLIP (0: alike), over the pixels that any picture covers. Below each
-picture: FLIP per pixel, black where both look alike, white at 0.5 and above.</p>
+picture: FLIP per pixel, black where both look alike, white at 0.5 and above. Not read: what a file has and Blender's importer, or the surfaces that stand for its own, leave
+out; such rows say little of the others.</p>
 """
 STEEPNESS = 2.0  # of the maps, as the text above says
 
@@ -31,24 +32,35 @@ def decibels(value):
     return "same" if np.isinf(value) else f"{value:.2f}"
 
 
+def has_both(row):
+    return "cycles_speed" in row and "lippmann_speed" in row
+
+
 def speed(row):
-    if "cycles_speed" not in row:
+    if not has_both(row):
         return ""
     return "{lippmann_speed:.2f} : {cycles_speed:.2f} = {ratio:.2f} x".format(**row, ratio=row["lippmann_speed"] / row["cycles_speed"])
 
 
+def not_read(row):
+    return "; ".join(f"{name}: {', '.join(what)}" for name, what in row["unread"].items() if what)
+
+
 def table(rows):
     renderers = sorted({name for row in rows for name in row["renderers"]}, key=lambda name: (name != "lippmann", name))
-    lines = ["<table><tr><th>scenario" + "".join(f"<th>{html.escape(r)}, dB<th>FLIP" for r in renderers) + "<th>the others among each other, dB<th>noise alone, dB<th>million samples per CPU second"]
+    lines = ["<table><tr><th>scenario" + "".join(f"<th>{html.escape(r)}, dB<th>FLIP" for r in renderers) + "<th>the others among each other, dB<th>noise alone, dB<th>million samples per CPU second<th>without a picture<th>not read"]
     for row in rows:
         cells = [row["renderers"].get(r) for r in renderers]
         lines.append(f'<tr><td><a href="#{html.escape(row["scenario"])}">{html.escape(row["scenario"])}</a>' +
                      "".join(f"<td>{decibels(c['psnr_db'])}<td>{c['flip']:.4f}" if c else "<td><td>" for c in cells) +
-                     f"<td>{decibels(row['among_others_db']) if row['among_others_db'] is not None else ''}" + f"<td>{decibels(row['noise_db']) if 'cycles_speed' in row else ''}<td>{speed(row)}")
+                     f"<td>{decibels(row['among_others_db']) if row['among_others_db'] is not None else ''}" + f"<td>{decibels(row['noise_db']) if has_both(row) else ''}<td>{speed(row)}<td>{html.escape(', '.join(row['failed']))}<td>{html.escape(not_read(row))}")
     return "\n".join(lines) + "</table>\n"
 
 
 def figure(name, judged, picture):
+    """judged: none where there is nothing to hold the picture against."""
+    if judged is None:
+        return f"<figure><figcaption><b>{html.escape(name)}</b></figcaption>{shown(pictures.before_grey(picture))}</figure>"
     return (f"<figure><figcaption><b>{html.escape(name)}</b> {decibels(judged['psnr_db'])} dB, FLIP {judged['flip']:.4f}</figcaption>" +
             shown(pictures.before_grey(picture)) + shown(heat(judged["map"])) + "</figure>")
 
@@ -63,7 +75,7 @@ class Page:
         """row: of the table; judged: as judge.judged says; named: RGBA pictures."""
         self.rows.append(row)
         notes = "".join(f"<p>{html.escape(note)}</p>" for note in row["notes"])
-        figures = "".join(figure(name, judged[name], named[name]) for name in named)
+        figures = "".join(figure(name, judged.get(name), named[name]) for name in named)
         self.sections.append(f'<h2 id="{html.escape(row["scenario"])}">{html.escape(row["scenario"])}</h2>{notes}<div class="row">{figures}</div>\n')
 
     def write(self, path):

@@ -2,11 +2,12 @@
 //
 // Read: the default scene's node hierarchy; one of the file's animations; triangle meshes, their skins and morph targets;
 // metallic-roughness materials with all their textures (PNG, JPEG, WebP); cameras; the extensions KHR_lights_punctual,
-// EXT_lights_ies, KHR_materials_unlit, _emissive_strength, _ior, _transmission, _volume, _dispersion, _diffuse_transmission,
-// _specular, _clearcoat, _sheen, _anisotropy, _iridescence, _pbrSpecularGlossiness, _variants, KHR_texture_transform,
-// EXT_texture_webp, KHR_mesh_quantization, KHR_draco_mesh_compression, EXT_meshopt_compression, EXT_mesh_gpu_instancing. Lights
-// are as in the file: there may be none. What else a file holds and this reader leaves out (other extensions, further scenes)
-// is named by one warning; an extension that the file requires and that is not in the list above is an Error.
+// EXT_lights_ies, EXT_lights_image_based, KHR_node_visibility, KHR_materials_unlit, _emissive_strength, _ior, _transmission,
+// _volume, _dispersion, _diffuse_transmission, _specular, _clearcoat, _sheen, _anisotropy, _iridescence,
+// _pbrSpecularGlossiness, _variants, KHR_texture_transform, EXT_texture_webp, KHR_mesh_quantization,
+// KHR_draco_mesh_compression, EXT_meshopt_compression, EXT_mesh_gpu_instancing. Lights are as in the file: there may be none.
+// What else a file holds and this reader leaves out (other extensions, further scenes) is named by one warning; an extension
+// that the file requires and that is not in the list above is an Error.
 //
 // Nothing in a file is trusted: every index, count and byte range is checked before it is used, memory grows with the bytes
 // that are really there and never beyond GltfLimits, and no file outside the scene's own folder and the asset root is opened.

@@ -2,7 +2,11 @@
 // colour profiles and orientation tags in the image are to be ignored. The other formats say nothing else.
 #include "scene/texture_image.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstring>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -43,15 +47,31 @@ struct Reader {
 constexpr Reader kReaders[] = {
     {is_png, png_header, decode_png}, {is_jpeg, jpeg_header, decode_jpeg}, {is_webp, webp_header, decode_webp}};
 
-const Reader& reader_of(FileBytes encoded, const std::string& where) {
+/// Null: none knows it.
+const Reader* find_reader(FileBytes encoded) {
   for (const Reader& reader : kReaders)
-    if (reader.recognises(encoded)) return reader;
-  throw Error(where, "is neither PNG nor JPEG");
+    if (reader.recognises(encoded)) return &reader;
+  return nullptr;
+}
+
+bool is_ktx2(FileBytes encoded) {
+  constexpr std::string_view kIdentifier = "\xabKTX 20\xbb\r\n\x1a\n";
+  return encoded.size() >= kIdentifier.size() && std::memcmp(encoded.data(), kIdentifier.data(), kIdentifier.size()) == 0;
+}
+
+const Reader& reader_of(FileBytes encoded, const std::string& where) {
+  const Reader* reader = find_reader(encoded);
+  if (!reader) throw Error(where, texture_image_problem(encoded));
+  return *reader;
 }
 
 }  // namespace
 
-bool is_texture_image(FileBytes encoded) { return is_png(encoded) || is_jpeg(encoded); }
+std::string texture_image_problem(FileBytes encoded) {
+  if (find_reader(encoded)) return {};
+  if (is_ktx2(encoded)) return fmt::format("is a KTX2 file: {}", kKtx2Advice);
+  return "is neither PNG, JPEG nor WebP";
+}
 
 Vec2i texture_size(FileBytes encoded, const std::string& where) {
   const PictureHeader header = reader_of(encoded, where).header(encoded, where);

@@ -1,15 +1,20 @@
-// Decodes the pictures that scene files use as textures: PNG, JPEG and, in glTF files, WebP, told apart by their first bytes.
+// Decodes the pictures that scene files use as textures: PNG, JPEG and WebP, told apart by their first bytes.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "image/decode.hpp"
 #include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 
-/// Whether they begin as PNG or JPEG, which every scene format knows.
-bool is_texture_image(FileBytes encoded);
+/// How users get pictures that can be read out of KTX2 files, which need a library that Debian has not.
+constexpr std::string_view kKtx2Advice =
+    "convert to PNG first, with gltf-transform ktxdecompress IN OUT (npm's @gltf-transform/cli; it needs KTX-Software)";
+
+/// Why the bytes are no picture that can be read, by how they begin: "is neither PNG, ..."; empty: they begin as one.
+std::string texture_image_problem(FileBytes encoded);
 
 /// Width and height, as its header says. Throws Error at `where` for what is not such a picture.
 Vec2i texture_size(FileBytes encoded, const std::string& where);

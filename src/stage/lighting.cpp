@@ -63,7 +63,10 @@ std::string light_for_whitted(Scene& scene) {
 std::string light_for_paths(Scene& scene, const Surrounding& how) {
   const OwnLight own = own_light(scene);
   if (own == OwnLight::kNotNeeded) return "The scene's surfaces show their colours without light.";
-  if (own == OwnLight::kSurroundings) return "The scene has its own light.";
+  if (own == OwnLight::kSurroundings) {
+    if (scene.background.map) surround_with(scene, EnvironmentMap(*scene.background.map), how, 1.0f);
+    return "The scene has its own light.";
+  }
   const bool has_lamps = own == OwnLight::kLamps;
   surround_with(scene, studio_environment(viewer_orientation(scene)), how, has_lamps ? kDimStudio : 1.0f);
   if (!has_lamps && light_closed_room(scene))

@@ -13,14 +13,17 @@ from pathlib import Path
 import numpy as np
 
 BENCH = Path(__file__).parents[2] / "bench"
-sys.path += [str(BENCH / "cycles"), str(BENCH / "fidelity")]
+sys.path += [str(BENCH), str(BENCH / "cycles"), str(BENCH / "fidelity")]
 
 import flip  # noqa: E402  (once they can be found)
+import gltf_fidelity  # noqa: E402
 import judge  # noqa: E402
 import lamps  # noqa: E402
 import one_file  # noqa: E402
 import page  # noqa: E402
+import peers  # noqa: E402
 import pictures  # noqa: E402
+import reads  # noqa: E402
 import scenarios  # noqa: E402
 
 RED, GREEN, BLUE, BLACK, WHITE = ((255, 0, 0), (0, 255, 0), (0, 0, 255), (0, 0, 0), (255, 255, 255))
@@ -229,17 +232,72 @@ class Lamps(unittest.TestCase):
         self.assertEqual(lamps.scale("Khronos Blender glTF 2.0 I/O", "directional"), 1.0)
 
 
+class Reads(unittest.TestCase):
+    def document(self, specular):
+        return {"extensionsUsed": ["KHR_never_there"], "extensions": {"EXT_lights_ies": {}}, "nodes": [{"extras": {"extensions": {"EXT_of_somebody": {}}}}],
+                "materials": [{"extensions": {"KHR_materials_iridescence": {}, "KHR_materials_specular": specular, "KHR_xmp": {}}}]}
+
+    def test_extensions_are_those_that_things_have(self):
+        self.assertEqual(reads.extensions_of(self.document({"specularFactor": 0.5, "specularColorFactor": [1, 1, 1]})),
+                         {"EXT_lights_ies", "KHR_materials_iridescence", "KHR_materials_specular", "KHR_xmp"})
+
+    def test_what_blender_does_not_read_depends_on_its_version(self):
+        names = reads.extensions_of(self.document({"specularColorFactor": [1, 0.5, 1]}))
+        old, new = {"KHR_materials_specular"}, {"KHR_materials_specular", "KHR_materials_iridescence"}
+        self.assertEqual(reads.unread(names, old, (3, 4, 1)), ["EXT_lights_ies", "KHR_materials_iridescence", reads.COLOURED_GLOSS])
+        self.assertEqual(reads.unread(names, new, (4, 3, 0)), ["EXT_lights_ies"])
+
+
+class Failures(unittest.TestCase):
+    """Of a renderer that has no picture of a file."""
+
+    def test_the_reason_is_the_line_that_names_the_error(self):
+        said = "Blender 3.4.1\nTraceback (most recent call last):\n  File x\nValueError: no camera\nError: Python: Traceback (most recent call last):\nError: script failed, file: 'x'\nBlender quit\n"
+        self.assertEqual(peers.reason(said), "ValueError: no camera")
+        self.assertEqual(peers.reason("lippmann: a.glb: is damaged\n"), "lippmann: a.glb: is damaged")
+        self.assertEqual(peers.reason(""), "it says nothing of why")
+
+    def test_a_failure_ends_a_script_that_does_not_catch_it(self):
+        self.assertTrue(issubclass(peers.Failed, SystemExit))
+
+    def test_a_row_says_which_renderer_failed_and_why(self):
+        row, judged = gltf_fidelity.row_of(scenarios.Scenario("car", None), {"lippmann": plain(RED, 20)}, {"lippmann_speed": 1.0}, (), {"cycles": "ValueError: no"}, {})
+        self.assertEqual((row["renderers"], judged), ({}, {}))
+        self.assertIn("cycles has no picture: ValueError: no", gltf_fidelity.line(row))
+        self.assertEqual(gltf_fidelity.sentence([row]), "")
+        self.assertEqual(gltf_fidelity.reservations([row]), ["1 of 1 scenarios lack a renderer's picture: car"])
+        out = page.Page()
+        out.add(row, judged, {"lippmann": plain(RED, 20)})
+        self.assertIn("<td>cycles<td>", page.table(out.rows))
+        self.assertEqual(out.sections[0].count("data:image/png;base64,"), 1)
+
+    def test_what_a_renderer_does_not_read_is_told(self):
+        named = {"lippmann": plain(RED, 20), "cycles": plain(BLUE, 20)}
+        row, _ = gltf_fidelity.row_of(scenarios.Scenario("soap", None), named, unread={"cycles": ["KHR_materials_iridescence"]})
+        self.assertIn("cycles does not show what the file has by KHR_materials_iridescence", gltf_fidelity.line(row))
+        self.assertEqual(gltf_fidelity.reservations([row]), ["1 of 1 scenarios have something that a renderer does not read: soap"])
+
+    def test_files_that_cannot_be_opened_are_failures_too(self):
+        with tempfile.TemporaryDirectory() as name:
+            file = Path(name) / "f.gltf"
+            for text in ("{", json.dumps({"buffers": [{"byteLength": 3, "uri": "there-is-none.bin"}]})):
+                file.write_text(text)
+                with self.assertRaisesRegex(peers.Failed, "f.gltf"):
+                    gltf_fidelity.one_copy(file)
+
+
 class Page(unittest.TestCase):
     def test_names_and_pictures_are_in_it_and_nothing_from_outside(self):
         named = {"lippmann": plain(RED, 20), "<other>": plain(BLUE, 20)}
         judged = judge.judged(named)
         out = page.Page()
-        out.add({"scenario": "a&b", "notes": ["left <out>"], "among_others_db": None, "renderers": judged}, judged, named)
+        out.add({"scenario": "a&b", "notes": ["left <out>"], "among_others_db": None, "renderers": judged, "failed": {}, "unread": {"<other>": ["EXT_<x>"]}}, judged, named)
         with tempfile.TemporaryDirectory() as folder:
             out.write(Path(folder) / "p.html")
             text = (Path(folder) / "p.html").read_text()
         self.assertIn("a&amp;b", text)
         self.assertIn("left &lt;out&gt;", text)
+        self.assertIn("<td>&lt;other&gt;: EXT_&lt;x&gt;", text)
         self.assertEqual(text.count("data:image/png;base64,"), 4)  # two pictures, two maps
         self.assertNotIn("http", text)
 

@@ -48,6 +48,14 @@ std::string binary_triangle(bool big_endian) {
   return bytes;
 }
 
+TEST(Ply, packed_splats_are_refused_by_name_with_what_to_do) {
+  EXPECT_EQ(
+      ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty uint packed_position\nproperty uint packed_color\n"
+                "end_header\n0 0\n"),
+      "a.ply: its splats are packed, as PlayCanvas and SuperSplat write .compressed.ply; accepted: a .ply of plain splats, "
+      "which splat-transform IN OUT.ply makes of it (npm's @playcanvas/splat-transform)");
+}
+
 TEST(Ply, text_and_both_binary_formats_give_the_same_mesh) {
   for (const std::string& file :
        {header("ascii") + "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n", header("binary_little_endian") + binary_triangle(false),

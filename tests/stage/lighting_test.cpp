@@ -5,6 +5,7 @@
 
 #include "lippmann/scene/timeline.hpp"
 #include "stage/room.hpp"
+#include "stage/surroundings.hpp"
 
 namespace lippmann {
 namespace {
@@ -30,6 +31,15 @@ TEST(MissingLight, of_a_closed_room_is_a_lamp_at_the_viewer) {
   const Vec3f lamp = evaluate(scene, 0.0).of(scene.lights[0].node).translation;
   EXPECT_NEAR(glm::distance(lamp, Vec3f(0.2f, 0.1f, 0.7f)), 0.0f, 1e-5f);
   EXPECT_FALSE(scene.lights[0].inverse_square) << "rooms of all sizes are lit alike";
+}
+
+TEST(MissingLight, of_a_scene_with_a_panorama_is_none_but_the_panorama_is_scaled_and_turned) {
+  Scene scene = room_seen_from({0.0f, 0.0f, 4.0f});
+  scene.background.map = EnvironmentMap{Image(2, 1, 3), 3.0f, 0.0f};
+  EXPECT_THAT(light_for_paths(scene, {.strength = 2.0f, .rotation_deg = 90.0f}), HasSubstr("its own light"));
+  EXPECT_EQ(scene.background.map->strength, 6.0f);
+  EXPECT_FLOAT_EQ(scene.background.map->rotation, 0.5f * kPi);
+  EXPECT_TRUE(scene.lights.empty());
 }
 
 TEST(MissingLight, of_a_room_seen_from_outside_is_the_studio) {

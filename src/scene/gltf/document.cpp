@@ -18,6 +18,7 @@
 #include "scene/gltf/meshopt.hpp"
 #include "scene/gltf/resource.hpp"
 #include "scene/gltf/schema.hpp"
+#include "scene/texture_image.hpp"
 
 namespace lippmann::gltf {
 namespace {
@@ -26,6 +27,7 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kExtensions[] = {
     "EXT_lights_ies",
+    "EXT_lights_image_based",
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "EXT_texture_webp",
@@ -47,6 +49,7 @@ constexpr std::string_view kExtensions[] = {
     "KHR_materials_variants",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
+    "KHR_node_visibility",
     "KHR_texture_transform",
 };
 /// What says nothing about how things look.
@@ -57,8 +60,21 @@ struct Advice {
   std::string_view extension, text;
 };
 constexpr Advice kAdvice[] = {
-    {"KHR_texture_basisu",
-     "convert its textures to PNG, JPEG or WebP first (with gltf-transform: `ktxdecompress`, or `webp`)"}};
+    {"KHR_texture_basisu", kKtx2Advice},
+    {"EXT_texture_avif", "convert its textures first, with gltf-transform webp IN OUT (npm's @gltf-transform/cli)"},
+    {"MSFT_texture_dds", "export it again with PNG or JPEG textures"},
+    {"KHR_meshopt_compression", "unpack it first, with gltfpack -i IN -o OUT -noq -kn -km -ke (npm's gltfpack)"},
+    {"KHR_lights_image_based",
+     "a draft; take its name out of extensionsRequired, and give the surroundings as a panorama with `environment`"},
+    {"KHR_lights_area",
+     "a draft; take its name out of extensionsRequired, and let surfaces that emit light stand in for its lamps"},
+    {"KHR_animation_pointer",
+     "export it again without it, or take its name out of extensionsRequired; what pointers animate then stands still"},
+    {"MSFT_lod", "take its name out of extensionsRequired; the nodes are then shown in full detail"},
+};
+/// What can be done about any other.
+constexpr std::string_view kAnyAdvice =
+    "export it again without it, or take its name out of extensionsRequired; what it adds is then left out with a warning";
 
 bool is_among(std::span<const std::string_view> names, const std::string& extension) {
   return std::find(names.begin(), names.end(), extension) != names.end();
@@ -73,13 +89,17 @@ void check_version(const Json& root, const Report& report) {
   if (root.contains(min_version) && root.at(min_version) != "2.0") report.fail("asset.minVersion", "is not 2.0", "2.0");
 }
 
+std::string_view advice_on(const std::string& extension) {
+  for (const Advice& advice : kAdvice)
+    if (advice.extension == extension) return advice.text;
+  return kAnyAdvice;
+}
+
 [[noreturn]] void refuse_extension(const std::string& name, const Report& report) {
   std::string accepted;
   for (const std::string_view known : kExtensions) accepted += fmt::format("{}{}", accepted.empty() ? "" : ", ", known);
-  std::string problem = fmt::format("needs {}, which is not supported", printable(name));
-  for (const Advice& advice : kAdvice)
-    if (advice.extension == name) problem += fmt::format(": {}", advice.text);
-  report.fail("extensionsRequired", problem, accepted);
+  report.fail("extensionsRequired", fmt::format("needs {}, which is not supported: {}", printable(name), advice_on(name)),
+              accepted);
 }
 
 /// " (materials[2] 'Silk', materials[4] and 3 more)": the objects that have it, with their names; nothing where only the list

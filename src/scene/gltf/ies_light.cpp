@@ -89,7 +89,7 @@ void read_ies_lights(Document& document, const NodeMap& nodes, Scene& scene) {
   for (std::size_t i = 0; i < nodes.file_node.size(); ++i) {
     const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(nodes.file_node[i])];
     const auto extension = node.extensions.find(kExtension);
-    if (extension == node.extensions.end()) continue;
+    if (extension == node.extensions.end() || nodes.hidden[i]) continue;
     std::optional<Light> light = profiles.light(extension->second.Get("light").GetNumberAsInt());
     if (!light) continue;
     light->node = static_cast<int>(i);

@@ -30,7 +30,10 @@ class LimitCheck : public Json::json_sax_t {
   bool number_float(number_float_t, const string_t&) override { return count_value(); }
   bool string(string_t&) override { return count_value(); }
   bool binary(binary_t&) override { return count_value(); }
-  bool key(string_t&) override { return count_value(); }
+  bool key(string_t& name) override {
+    key_ = name;
+    return count_value();
+  }
 
   bool start_object(std::size_t) override {
     if (++objects_ > limits_.json_objects)
@@ -41,8 +44,10 @@ class LimitCheck : public Json::json_sax_t {
   bool end_object() override { return leave(); }
   bool end_array() override { return leave(); }
 
-  bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
-    if (dynamic_cast<const Json::out_of_range*>(&error)) report_.fail("", "the JSON has a number that is too large");
+  bool parse_error(std::size_t position, const std::string& token, const Json::exception& error) override {
+    if (dynamic_cast<const Json::out_of_range*>(&error))
+      report_.fail("", fmt::format("the JSON has a number that is too large: {} of {} ({})", shown(token), shown(key_),
+                                   line_and_column(text_, position - token.size())));
     report_.fail("", "is neither a .glb nor valid JSON: " + line_and_column(text_, position > 0 ? position - 1 : 0));
   }
 
@@ -66,6 +71,7 @@ class LimitCheck : public Json::json_sax_t {
   const GltfLimits& limits_;
   const Report& report_;
   std::uint64_t values_ = 0, objects_ = 0;
+  std::string key_;  ///< the latest
   int depth_ = 0;
 };
 

@@ -34,11 +34,19 @@ Version version_in(std::string_view generator) {
   return version;
 }
 
+/// The exporter's name before version 1.0.0, which had no number.
+bool is_of_unnumbered_exporter(std::string_view generator) {
+  return generator.find("Khronos Blender glTF 2.0 I/O") != generator.npos;
+}
+
+bool is_of_blender(std::string_view generator) {
+  return is_of_unnumbered_exporter(generator) || generator.find("Blender I/O") != generator.npos;
+}
+
 /// What a light's intensity is multiplied by, so that lamps are as bright beside emission as where the file was made.
 float scale_of(std::string_view generator, LightKind kind) {
-  const bool unnumbered = generator.find("Khronos Blender glTF 2.0 I/O") != generator.npos;  // before version 1.0.0
-  if (!unnumbered && generator.find("Blender I/O") == generator.npos) return 1.0f;
-  if (!unnumbered && version_in(generator) >= kFirstInLumens) return 1.0f / kLumensPerWatt;
+  if (!is_of_blender(generator)) return 1.0f;
+  if (!is_of_unnumbered_exporter(generator) && version_in(generator) >= kFirstInLumens) return 1.0f / kLumensPerWatt;
   return kind == LightKind::kDirectional ? 1.0f : 1.0f / (4.0f * kPi);
 }
 
@@ -54,7 +62,15 @@ void blend_edge(float blend, Light& light) {
   light.smooth_edge = true;
 }
 
-Light read_light(const tinygltf::Light& from, const std::string& where, const Report& report) {
+/// The edge between the cones: the extension's own, or Blender's, of which its exporter writes inner = outer (1 - blend).
+void read_edge(const tinygltf::Light& from, std::string_view generator, Light& light) {
+  if (from.extras.Has("blend"))
+    blend_edge(extra(from, "blend"), light);
+  else if (is_of_blender(generator) && light.outer_cone > 0.0f)
+    blend_edge(1.0f - light.inner_cone / light.outer_cone, light);
+}
+
+Light read_light(const tinygltf::Light& from, std::string_view generator, const std::string& where, const Report& report) {
   Light light;
   light.name = from.name;
   if (!from.color.empty()) light.color = Vec3f(from.color[0], from.color[1], from.color[2]);
@@ -72,7 +88,7 @@ Light read_light(const tinygltf::Light& from, const std::string& where, const Re
   light.inner_cone = static_cast<float>(from.spot.innerConeAngle);
   light.outer_cone = static_cast<float>(from.spot.outerConeAngle);
   if (light.inner_cone > light.outer_cone) report.fail(where + ".spot", "the inner cone is wider than the outer one");
-  if (from.extras.Has("blend")) blend_edge(extra(from, "blend"), light);
+  read_edge(from, generator, light);
   return light;
 }
 
@@ -82,11 +98,12 @@ void read_lights(Document& document, const NodeMap& nodes, Scene& scene) {
   for (std::size_t i = 0; i < nodes.file_node.size(); ++i) {
     const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(nodes.file_node[i])];
     const auto extension = node.extensions.find("KHR_lights_punctual");
-    if (extension == node.extensions.end()) continue;
+    if (extension == node.extensions.end() || nodes.hidden[i]) continue;
     const std::size_t index = static_cast<std::size_t>(extension->second.Get("light").GetNumberAsInt());
-    Light light = read_light(document.model.lights[index], element("lights", index), document.report);
+    const std::string& generator = document.model.asset.generator;
+    Light light = read_light(document.model.lights[index], generator, element("lights", index), document.report);
     light.node = static_cast<int>(i);
-    light.color *= scale_of(document.model.asset.generator, light.kind);
+    light.color *= scale_of(generator, light.kind);
     scene.lights.push_back(std::move(light));
   }
 }

@@ -13,6 +13,7 @@
 #include "scene/gltf/camera.hpp"
 #include "scene/gltf/document.hpp"
 #include "scene/gltf/ies_light.hpp"
+#include "scene/gltf/image_light.hpp"
 #include "scene/gltf/instancing.hpp"
 #include "scene/gltf/light.hpp"
 #include "scene/gltf/material.hpp"
@@ -50,7 +51,7 @@ class InstanceReader {
       scene_.nodes[i].morph_weights = read_morph_weights(document_, nodes_.file_node[i]);
     std::map<int, std::vector<int>> places;  // by node of the scene that has a mesh
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
-      if (const int file_node = nodes_.file_node[i]; node_at(file_node).mesh >= 0)
+      if (const int file_node = nodes_.file_node[i]; node_at(file_node).mesh >= 0 && !nodes_.hidden[i])
         places[static_cast<int>(i)] = places_of(file_node, static_cast<int>(i));
     rest_ = evaluate(scene_, 0.0);
     for (const auto& [node, copies] : places) add(nodes_.file_node[static_cast<std::size_t>(node)], copies);
@@ -173,6 +174,7 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   gltf::InstanceReader(document, nodes, gltf::choose_variant(scene.variant_names, options.variant), scene).read();
   gltf::read_lights(document, nodes, scene);
   gltf::read_ies_lights(document, nodes, scene);
+  gltf::read_image_light(document, scene);
   gltf::read_cameras(document, nodes, scene);
   gltf::read_animation(document, nodes, options.animation, options.frames_per_second, scene);
   return scene;

@@ -3,6 +3,8 @@
 // _pbrSpecularGlossiness.
 #include "scene/gltf/material.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -64,7 +66,7 @@ class MaterialReader {
     read_emission(from, surface);
     if (!surface.unlit) {
       read_relief(from, surface);
-      read_transmission(from, surface);
+      read_transmission(from, element("materials", index), surface);
       read_specular(from, surface);
       read_clearcoat(from, surface);
       read_extensions(from, surface);
@@ -103,18 +105,26 @@ class MaterialReader {
     surface.occlusion_strength = unit_factor(from.occlusionTexture.strength);
   }
 
-  void read_transmission(const tinygltf::Material& from, MetallicRoughness& surface) {
+  void read_transmission(const tinygltf::Material& from, const std::string& where, MetallicRoughness& surface) {
     const Extension extension(from, "KHR_materials_transmission");
-    surface.ior = ior_of(Extension(from, "KHR_materials_ior").number("ior", 1.5));
+    surface.ior = ior_of(checked_ior(from, where));
     surface.transmission = unit_factor(extension.number("transmissionFactor", 0.0));
     if (surface.transmission > 0.0f) surface.transmission_map = data(map_source(extension.find("transmissionTexture")));
   }
 
-  /// 0 stands for "reflects everything" (KHR_materials_ior); a very dense medium comes close to that.
-  static float ior_of(double ior) {
-    constexpr double kMirrorLike = 1000.0;
-    return static_cast<float>(ior == 0.0 ? kMirrorLike : std::max(ior, 1.0));
+  /// Nothing is thinner than empty space.
+  double checked_ior(const tinygltf::Material& from, const std::string& where) {
+    const double ior = Extension(from, "KHR_materials_ior").number("ior", 1.5);
+    if (ior == 0.0 || ior >= 1.0) return ior;
+    const std::string name = from.name.empty() ? where : fmt::format("{} {}", where, shown(from.name));
+    document_.report.warn_at("an ior between 0 and 1 is taken as 1, which neither bends nor mirrors light", name);
+    return 1.0;
   }
+
+  static constexpr float kMirrorLike = 1000.0f;
+
+  /// 0 stands for "reflects everything" (KHR_materials_ior); a very dense medium comes close to that.
+  static float ior_of(double ior) { return ior == 0.0 ? kMirrorLike : static_cast<float>(ior); }
 
   void read_specular(const tinygltf::Material& from, MetallicRoughness& surface) {
     const Extension extension(from, "KHR_materials_specular");
@@ -148,8 +158,8 @@ class MaterialReader {
     const Extension volume(from, "KHR_materials_volume");
     if (volume && passes) e.volume = read_volume(volume);
     const bool is_thin = e.volume && !e.volume->is_solid;
-    if (surface.transmission > 0.0f && !is_thin)
-      e.dispersion = static_cast<float>(Extension(from, "KHR_materials_dispersion").number("dispersion", 0.0));
+    const bool refracts = surface.transmission > 0.0f && !is_thin && surface.ior < kMirrorLike;  // that of 0 reflects all
+    if (refracts) e.dispersion = static_cast<float>(Extension(from, "KHR_materials_dispersion").number("dispersion", 0.0));
     if (e.sheen.color != Vec3f(0.0f) || e.anisotropy.strength > 0.0f || e.iridescence.share > 0.0f ||
         e.diffuse_transmission.share > 0.0f || e.volume || e.dispersion > 0.0f)
       surface.extensions = std::move(e);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace lippmann::gltf {
 namespace {
@@ -52,23 +53,12 @@ std::vector<int> find_parents(const tinygltf::Model& model, const Report& report
   return parents;
 }
 
-std::vector<int> roots_of(Document& document, const std::vector<int>& parents) {
-  const tinygltf::Model& model = document.model;
-  std::vector<int> roots;
-  if (model.scenes.empty()) {
-    for (std::size_t i = 0; i < parents.size(); ++i)
-      if (parents[i] < 0) roots.push_back(static_cast<int>(i));
-    return roots;
-  }
-  const std::size_t chosen = model.defaultScene < 0 ? 0 : at(model.defaultScene);
-  if (model.scenes.size() > 1)
-    document.report.warn(fmt::format("of {} scenes only the default one, scenes[{}], is read", model.scenes.size(), chosen));
-  roots = model.scenes[chosen].nodes;
-  for (const int root : roots)
-    if (parents[at(root)] >= 0)
-      document.report.fail(element("scenes", chosen),
-                           fmt::format("lists nodes[{}], which is a child of nodes[{}]", root, parents[at(root)]));
-  return roots;
+/// The nodes without a parent.
+std::vector<int> tops_of(const std::vector<int>& parents) {
+  std::vector<int> tops;
+  for (std::size_t i = 0; i < parents.size(); ++i)
+    if (parents[i] < 0) tops.push_back(static_cast<int>(i));
+  return tops;
 }
 
 /// The nodes below `roots`, depth first. No recursion: a hierarchy may be as deep as the file is long.
@@ -85,15 +75,53 @@ std::vector<int> preorder(const tinygltf::Model& model, const std::vector<int>& 
 }
 
 void refuse_cycles(const tinygltf::Model& model, const std::vector<int>& parents, const Report& report) {
-  std::vector<int> roots;
-  for (std::size_t i = 0; i < parents.size(); ++i)
-    if (parents[i] < 0) roots.push_back(static_cast<int>(i));
   std::vector<bool> reached(parents.size(), false);
-  for (const int node : preorder(model, roots)) reached[at(node)] = true;
+  for (const int node : preorder(model, tops_of(parents))) reached[at(node)] = true;
   const auto unreached = std::find(reached.begin(), reached.end(), false);
   if (unreached != reached.end())
     report.fail(element("nodes", static_cast<std::size_t>(unreached - reached.begin())),
                 "is part of or below a cycle of nodes");
+}
+
+/// By node of the file: whether an ancestor of it is listed.
+std::vector<bool> below_listed(const tinygltf::Model& model, const std::vector<int>& listed, const std::vector<int>& parents) {
+  std::vector<bool> in_scene(parents.size(), false), below(parents.size(), false);
+  for (const int node : listed) in_scene[at(node)] = true;
+  for (const int node : preorder(model, tops_of(parents)))
+    if (const int parent = parents[at(node)]; parent >= 0 && in_scene[at(parent)]) in_scene[at(node)] = below[at(node)] = true;
+  return below;
+}
+
+/// The roots among the nodes that a scene lists. The specification allows no others; a child whose ancestor is listed too is
+/// in the scene through that one, and a child of nodes that are not in the scene stands on its own, without their transforms.
+std::vector<int> roots_among(const std::vector<int>& listed, const std::vector<int>& parents, const std::string& where,
+                             Document& document) {
+  const auto child = std::find_if(listed.begin(), listed.end(), [&](int node) { return parents[at(node)] >= 0; });
+  if (child == listed.end()) return listed;
+  document.report.warn(
+      fmt::format("{} lists nodes[{}], which is a child of nodes[{}] and so no root: it is shown once, below "
+                  "its parent where that is in the scene",
+                  where, *child, parents[at(*child)]));
+  const std::vector<bool> below = below_listed(document.model, listed, parents);
+  std::vector<int> roots;
+  std::copy_if(listed.begin(), listed.end(), std::back_inserter(roots), [&](int node) { return !below[at(node)]; });
+  return roots;
+}
+
+std::vector<int> roots_of(Document& document, const std::vector<int>& parents) {
+  const tinygltf::Model& model = document.model;
+  if (model.scenes.empty()) return tops_of(parents);
+  const std::size_t chosen = chosen_scene(model);
+  if (model.scenes.size() > 1)
+    document.report.warn(fmt::format("of {} scenes only the default one, scenes[{}], is read", model.scenes.size(), chosen));
+  return roots_among(model.scenes[chosen].nodes, parents, element("scenes", chosen), document);
+}
+
+/// Based on: Khronos Group, "KHR_node_visibility", 2025. Its children are hidden with it.
+bool hides_itself(const tinygltf::Node& node) {
+  const auto extension = node.extensions.find("KHR_node_visibility");
+  return extension != node.extensions.end() && extension->second.Has("visible") &&
+         !extension->second.Get("visible").Get<bool>();
 }
 
 }  // namespace
@@ -103,6 +131,8 @@ bool denies(const tinygltf::Node& node, const char* name) {
   const tinygltf::Value& value = node.extras.Get(name);
   return value.IsBool() ? !value.Get<bool>() : value.IsNumber() && value.GetNumberAsDouble() == 0.0;
 }
+
+std::size_t chosen_scene(const tinygltf::Model& model) { return model.defaultScene < 0 ? 0 : at(model.defaultScene); }
 
 NodeMap read_nodes(Document& document, Scene& scene) {
   const tinygltf::Model& model = document.model;
@@ -117,6 +147,7 @@ NodeMap read_nodes(Document& document, Scene& scene) {
     Node node = read_node(model.nodes[at(file_node)], element("nodes", at(file_node)), document.report);
     const int parent = parents[at(file_node)];
     node.parent = parent < 0 ? -1 : map.scene_node[at(parent)];
+    map.hidden.push_back(hides_itself(model.nodes[at(file_node)]) || (node.parent >= 0 && map.hidden[at(node.parent)]));
     scene.nodes.push_back(std::move(node));
   }
   return map;

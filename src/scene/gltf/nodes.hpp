@@ -13,12 +13,17 @@ namespace lippmann::gltf {
 struct NodeMap {
   std::vector<int> file_node;   ///< by node of the Scene: parents before children, siblings in the file's order
   std::vector<int> scene_node;  ///< by node of the file; -1: not in the default scene
+  std::vector<bool> hidden;     ///< by node of the Scene: it or a node above it is not visible (KHR_node_visibility)
 };
 
 /// Whether the node's `extras` have false of that name, or 0, which Blender has in its place.
 bool denies(const tinygltf::Node& node, const char* name);
 
-/// Fills scene.nodes. Throws Error where a node has two parents, is its own ancestor or has no proper transform.
+/// The scene of a file that is read; the file has one or more.
+std::size_t chosen_scene(const tinygltf::Model& model);
+
+/// Fills scene.nodes. Warns about a scene that lists nodes which are no roots. Throws Error where a node has two parents, is
+/// its own ancestor or has no proper transform.
 NodeMap read_nodes(Document& document, Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -112,6 +112,8 @@ class Checker {
       case Kind::kIndices:
         for_each(value, path, [&](Json& entry, const Path& at) { check_index(entry, property, at); });
         return check_distinct(value, path);
+      case Kind::kIndexLists:
+        return for_each(value, path, [&](Json& entry, const Path& at) { check_index_list(entry, property, at); });
       case Kind::kIndexMaps:
         return for_each(value, path, [&](Json& entry, const Path& at) { check_index_map(entry, property, at); });
       case Kind::kObjects:
@@ -172,6 +174,12 @@ class Checker {
     const std::size_t count = count_of(property.refers_to), i = value.get<std::size_t>();
     const std::string_view name = property.refers_to.substr(property.refers_to.rfind('/') + 1);
     if (i >= count) fail(path, fmt::format("refers to {}[{}], but there are {}", name, i, count));
+  }
+
+  void check_index_list(Json& value, const Property& property, const Path& path) const {
+    for_each(value, path, [&](Json& entry, const Path& at) { check_index(entry, property, at); });
+    if (value.size() != property.length)
+      fail(path, fmt::format("has {} entries", value.size()), fmt::format("{}", property.length));
   }
 
   void check_index_map(Json& value, const Property& property, const Path& path) const {

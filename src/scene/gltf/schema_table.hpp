@@ -23,6 +23,7 @@ enum class Kind {
   kInteger,
   kIndex,       ///< into the root's array `refers_to`
   kIndices,     ///< an array of them, without repetition
+  kIndexLists,  ///< an array of arrays of `length` of them
   kIndexMap,    ///< an object whose values are indices
   kIntegerMap,  ///< an object whose values are integers
   kIndexMaps,   ///< an array of such objects
@@ -335,12 +336,26 @@ constexpr Property kProfile[] = {
     string("mimeType"),
 };
 constexpr Property kProfiles[] = {objects("lights", kProfile, kRequired)};
+constexpr Property kImageLight[] = {
+    numbers("rotation", 4),
+    number("intensity", 0.0, 1e12),
+    {.name = "specularImages",
+     .kind = Kind::kIndexLists,
+     .need = kRequired,
+     .lower = 0.0,
+     .upper = kMaxInt,
+     .length = 6,
+     .refers_to = "images"},
+};
+constexpr Property kImageLights[] = {objects("lights", kImageLight, kRequired)};
 constexpr Property kRootExtensions[] = {
     object("EXT_lights_ies", kProfiles),
+    object("EXT_lights_image_based", kImageLights),
     object("KHR_lights_punctual", kLights),
     object("KHR_materials_variants", kVariants),
 };
 constexpr std::string_view kProfilesPath = "/extensions/EXT_lights_ies/lights";
+constexpr std::string_view kImageLightsPath = "/extensions/EXT_lights_image_based/lights";
 constexpr std::string_view kLightsPath = "/extensions/KHR_lights_punctual/lights";
 
 // ---- Nodes and animations -------------------------------------------------------------------------------------------
@@ -352,10 +367,12 @@ constexpr Property kNodeProfile[] = {
     numbers("color", 3, 0.0, kOne),
 };
 constexpr Property kInstancing[] = {index_map("attributes", Kind::kIndexMap, kRequired)};
+constexpr Property kNodeVisibility[] = {boolean("visible")};
 constexpr Property kNodeExtensions[] = {
     object("EXT_lights_ies", kNodeProfile),
     object("EXT_mesh_gpu_instancing", kInstancing),
     object("KHR_lights_punctual", kNodeLight),
+    object("KHR_node_visibility", kNodeVisibility),
 };
 constexpr Property kNodeExtras[] = {flag("visible_to_camera"), flag("casts_shadow")};
 constexpr Property kNode[] = {
@@ -372,7 +389,9 @@ constexpr Property kNode[] = {
     object("extensions", kNodeExtensions),
     object("extras", kNodeExtras, kIfOfThisKind),
 };
-constexpr Property kScene[] = {string("name"), indices("nodes", "nodes")};
+constexpr Property kSceneImageLight[] = {index("light", kImageLightsPath, kRequired)};
+constexpr Property kSceneExtensions[] = {object("EXT_lights_image_based", kSceneImageLight)};
+constexpr Property kScene[] = {string("name"), indices("nodes", "nodes"), object("extensions", kSceneExtensions)};
 
 constexpr Property kTarget[] = {index("node", "nodes"), string("path", kRequired)};
 constexpr Property kChannel[] = {integer("sampler", 0, kMaxInt, kRequired), object("target", kTarget, kRequired)};

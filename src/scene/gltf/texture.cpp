@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/texture_image.hpp"
+
 namespace lippmann::gltf {
 namespace {
 
@@ -37,10 +39,10 @@ int TextureReader::read(int index, bool srgb) {
   const std::string where = element("textures", static_cast<std::size_t>(index));
   const int source = image_of(texture);
   if (source < 0) {
-    document_.report.warn_at("textures without a PNG or JPEG image are white", where);
+    document_.report.warn_at("textures without a PNG, JPEG or WebP image are white", where);
     return -1;
   }
-  if (const std::string problem = image_problem(document_, static_cast<std::size_t>(source)); !problem.empty()) {
+  if (const std::string& problem = problem_of(source); !problem.empty()) {
     document_.report.warn_at(problem + "; the surface is shown without it",
                              element("images", static_cast<std::size_t>(source)));
     return -1;
@@ -76,6 +78,18 @@ int TextureReader::read_roughness(int index, float glossiness) {
 void TextureReader::decode() {
   pending_.decode(scene_.textures, document_.report.context(),
                   [this](const std::string& text) { document_.report.warn(text); });
+}
+
+const std::string& TextureReader::problem_of(int image) {
+  const auto [known, is_new] = problems_.try_emplace(image);
+  if (!is_new) return known->second;
+  const auto index = static_cast<std::size_t>(image);
+  known->second = image_problem(document_, index);
+  if (!known->second.empty()) return known->second;
+  std::vector<std::byte> storage;
+  const std::string problem = texture_image_problem(image_bytes(document_, index, storage));
+  if (!problem.empty()) known->second = "an image " + problem;
+  return known->second;
 }
 
 /// WebP first: the other is for readers that do not know it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -31,9 +32,13 @@ class TextureReader {
   /// The image of a texture that is read; -1: it has none.
   static int image_of(const tinygltf::Texture& texture);
 
+  /// Why an image of the file cannot be read; empty: nothing speaks against it.
+  const std::string& problem_of(int image);
+
   Document& document_;
   Scene& scene_;
   PendingTextures pending_;
+  std::map<int, std::string> problems_;  ///< by image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
   std::map<std::pair<int, float>, int> roughness_;  ///< by texture of the scene and factor
 };

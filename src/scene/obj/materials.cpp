@@ -186,8 +186,8 @@ int Materials::texture(std::string_view statement, const std::string& where) {
   }
   const auto read = [file, where](std::vector<std::byte>& storage) { return picture_bytes(file.path, where, storage); };
   std::vector<std::byte> storage;
-  if (!is_texture_image(read(storage))) {
-    context_.warning(fmt::format("{}: {} is neither PNG nor JPEG; the surface is shown without it.", where, shown(name)));
+  if (const std::string problem = texture_image_problem(read(storage)); !problem.empty()) {
+    context_.warning(fmt::format("{}: {} {}; the surface is shown without it.", where, shown(name), problem));
     return -1;
   }
   Texture described;

@@ -27,6 +27,10 @@ namespace {
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 constexpr double kLargestNumber = 1e18;  // squares and products of two of them stay finite in floats
 
+constexpr const char* kArePacked = "its splats are packed, as PlayCanvas and SuperSplat write .compressed.ply";
+constexpr const char* kUnpacked =
+    "a .ply of plain splats, which splat-transform IN OUT.ply makes of it (npm's @playcanvas/splat-transform)";
+
 /// Takes the body's values one after the other.
 class Body {
  public:
@@ -190,6 +194,7 @@ class Reader {
 
   void read_vertices(const Element& element) {
     const int x = find(element, {"x"}), y = find(element, {"y"}), z = find(element, {"z"});
+    if (find(element, {"packed_position"}) >= 0) throw Error(name_, kArePacked, kUnpacked);
     if (x < 0 || y < 0 || z < 0) throw Error(name_, "its vertices have no position", "properties x, y and z");
     if (!mesh_.positions.empty()) throw Error(name_, "has two lists of vertices", "one element \"vertex\"");
     const int nx = find(element, {"nx"}), ny = find(element, {"ny"}), nz = find(element, {"nz"});

@@ -119,7 +119,8 @@ const Fault kFaults[] = {
     {"camera_type", "/cameras/0/type", "fisheye", "cameras[0].type: is 'fisheye'; accepted: perspective, orthographic"},
     {"camera_fov", "/cameras/0/perspective/yfov", 3.2, "cameras[0].perspective.yfov: is 3.2"},
     {"required_extension", "/extensionsRequired", Json::array({"MSFT_lod"}),
-     "extensionsRequired: needs MSFT_lod, which is not supported; accepted: EXT_lights_ies, EXT_mesh_gpu_instancing"},
+     "extensionsRequired: needs MSFT_lod, which is not supported: take its name out of extensionsRequired; the nodes are then "
+     "shown in full detail; accepted: EXT_lights_ies, EXT_"},
     {"extension_not_a_string", "/extensionsUsed", Json::array({3}), "extensionsUsed[0]: is not a string"},
 };
 
@@ -169,9 +170,21 @@ TEST(GltfDocument, description_of_the_files_origin_is_no_warning) {
   EXPECT_THAT(warnings, testing::Each(testing::Not(HasSubstr("xmp"))));
 }
 
-TEST(GltfDocument, required_textures_of_basis_universal_are_refused_with_what_to_do) {
-  EXPECT_THAT(message_with("/extensionsRequired", Json::array({"KHR_texture_basisu"})),
-              HasSubstr("convert its textures to PNG, JPEG or WebP first"));
+std::string message_requiring(const char* extension) { return message_with("/extensionsRequired", Json::array({extension})); }
+
+TEST(GltfDocument, required_extensions_that_are_not_read_are_refused_with_what_to_do) {
+  EXPECT_THAT(message_requiring("KHR_texture_basisu"),
+              HasSubstr("not supported: convert to PNG first, with gltf-transform ktxdecompress IN OUT"));
+  EXPECT_THAT(message_requiring("EXT_texture_avif"), HasSubstr("gltf-transform webp IN OUT"));
+  EXPECT_THAT(message_requiring("KHR_meshopt_compression"), HasSubstr("gltfpack -i IN -o OUT -noq -kn -km -ke"));
+  EXPECT_THAT(message_requiring("KHR_lights_image_based"), HasSubstr("a panorama with `environment`"));
+  EXPECT_THAT(message_requiring("KHR_animation_pointer"), HasSubstr("what pointers animate then stands still"));
+}
+
+TEST(GltfDocument, required_extension_that_nobody_knows_is_refused_with_what_can_be_done_about_any) {
+  EXPECT_THAT(message_requiring("ACME_jelly"),
+              HasSubstr("needs ACME_jelly, which is not supported: export it again without it, or take its name out of "
+                        "extensionsRequired; what it adds is then left out with a warning; accepted: "));
 }
 
 TEST(GltfDocument, after_50_warnings_there_is_one_more) {

@@ -149,6 +149,33 @@ TEST(GltfLight, of_older_exporters_of_blender_is_in_watts) {
   EXPECT_EQ(scale_by("another exporter v1.0", "point"), 1.0f);
 }
 
+/// Half angle 60 degrees, of an inner cone.
+Light spot_of(const std::string& generator, float inner, const Json& extras = Json::object()) {
+  GltfBuilder b =
+      lit_by({{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", kPi / 3}}}, {"extras", extras}});
+  b.root["asset"]["generator"] = generator;
+  return parse(b).lights.at(0);
+}
+
+// Blender's exporter writes inner = outer (1 - blend): an inner cone of 0.7 times the outer one is a blend of 0.3, which
+// reaches from the cosine 0.5 up to 0.5 + 0.3 * 0.5 = 0.65.
+TEST(GltfLight, spots_of_blenders_exporter_have_the_blend_that_their_cones_stand_for) {
+  const std::string blender = "Khronos glTF Blender I/O v3.4.50";
+  const Light soft = spot_of(blender, 0.7f * kPi / 3);
+  EXPECT_TRUE(soft.smooth_edge);
+  EXPECT_NEAR(std::cos(soft.inner_cone), 0.65f, 1e-6f);
+  EXPECT_NEAR(spot_of(blender, 0.0f).inner_cone, 0.0f, 1e-3f) << "a blend of 1";
+  EXPECT_FLOAT_EQ(spot_of(blender, kPi / 3).inner_cone, kPi / 3) << "a blend of 0";
+  EXPECT_NEAR(std::cos(spot_of(blender, 0.0f, {{"blend", 0.3}}).inner_cone), 0.65f, 1e-6f) << "what extras say comes first";
+  EXPECT_TRUE(spot_of("Khronos Blender glTF 2.0 I/O", 0.5f).smooth_edge);
+}
+
+TEST(GltfLight, spots_of_other_exporters_keep_their_cones) {
+  const Light light = spot_of("another exporter v1.0", 0.5f);
+  EXPECT_FALSE(light.smooth_edge);
+  EXPECT_EQ(light.inner_cone, 0.5f);
+}
+
 // ---- Scenes without lights ------------------------------------------------------------------------------------------
 
 TEST(GltfLight, scene_with_a_light_keeps_a_black_background) {
@@ -212,6 +239,20 @@ TEST(GltfCamera, orthographic_with_nothing_in_front_of_it_still_is_a_camera) {
   b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 0}, {"ymag", 0}, {"znear", 0}, {"zfar", 0}}}});
   b.add_node({{"camera", 0}});
   EXPECT_NO_THROW(validate(parse(b), "a.glb"));
+}
+
+// The triangle's corners are 1 apart in x and in y: sqrt(2) from one end of its bounds to the other.
+TEST(GltfCamera, orthographic_of_no_size_shows_the_whole_scene_with_a_warning) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}});
+  b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 0}, {"ymag", 0}, {"znear", 0}, {"zfar", 10}}}});
+  b.add_node({{"camera", 0}, {"translation", {0, 0, 4}}});
+  std::vector<std::string> warnings;
+  const Scene scene = parse(b, &warnings);
+  EXPECT_FLOAT_EQ(scene.cameras.at(0).orthographic_height, std::sqrt(2.0f));
+  EXPECT_EQ(scene.cameras[0].aspect, 0.0f);
+  EXPECT_THAT(warnings, Contains("a.glb: orthographic cameras whose xmag or ymag is 0 would show nothing: they show the whole "
+                                 "scene (first at cameras[0])"));
 }
 
 }  // namespace

@@ -61,6 +61,14 @@ TEST(GltfVolume, attenuation_distances_of_nothing_and_beyond_floats_are_infinite
   }
 }
 
+TEST(GltfDispersion, of_what_reflects_everything_is_none) {
+  Json extensions = glass({{"thicknessFactor", 1}});
+  extensions["KHR_materials_dispersion"] = {{"dispersion", 5}};
+  EXPECT_EQ(surface_with(extensions).extensions->dispersion, 5.0f);
+  extensions["KHR_materials_ior"] = {{"ior", 0}};
+  EXPECT_EQ(surface_with(extensions).extensions->dispersion, 0.0f);
+}
+
 struct BadValue {
   const char *extension, *property;
   Json value;

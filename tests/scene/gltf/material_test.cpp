@@ -103,6 +103,14 @@ TEST(GltfMaterial, ior_of_zero_means_that_everything_is_reflected) {
   EXPECT_GT(reflectance, 0.99f);  // what 1000 gives, 0.996, with room for another choice
 }
 
+TEST(GltfMaterial, ior_between_zero_and_one_is_taken_as_one_with_a_warning_that_names_the_material) {
+  std::vector<std::string> warnings;
+  const Json material{{"name", "ball"}, {"extensions", {{"KHR_materials_ior", {{"ior", 0.5}}}}}};
+  EXPECT_EQ(surface_of(material, &warnings).ior, 1.0f);
+  EXPECT_THAT(warnings, ElementsAre("a.glb: an ior between 0 and 1 is taken as 1, which neither bends nor mirrors light (first "
+                                    "at materials[0] 'ball')"));
+}
+
 TEST(GltfMaterial, mask_has_a_cutoff_and_blend_has_none) {
   EXPECT_EQ(surface_of({{"alphaMode", "MASK"}}).alpha_cutoff, 0.5f);
   EXPECT_EQ(surface_of({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}).alpha_cutoff, 0.25f);
@@ -363,18 +371,39 @@ TEST(GltfTexture, transform_may_choose_another_set) {
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.5f)));
 }
 
-TEST(GltfTexture, image_that_is_neither_png_nor_jpeg_is_an_error) {
-  EXPECT_EQ(error_message([] { parse(textured({'G', 'I', 'F', '8'})); }), "a.glb: images[0]: is neither PNG nor JPEG");
+/// What is warned about an image of unknown bytes; the surface has to be shown without it.
+std::string warning_about(const std::vector<unsigned char>& image) {
+  std::vector<std::string> warnings;
+  const Scene scene = parse(textured(image), &warnings);
+  EXPECT_EQ(std::get<MetallicRoughness>(scene.materials.at(0).surface).base_color_map.texture, -1);
+  EXPECT_TRUE(scene.textures.empty());
+  return warnings.size() == 1 ? warnings[0] : "(not one warning)";
 }
 
-TEST(GltfTexture, every_proper_prefix_of_a_png_is_an_error) {
+const std::string kUnknownImage =
+    "a.glb: an image is neither PNG, JPEG nor WebP; the surface is shown without it (first at images[0])";
+
+TEST(GltfTexture, image_of_an_unknown_format_is_left_out_with_a_warning) {
+  EXPECT_EQ(warning_about({'G', 'I', 'F', '8'}), kUnknownImage);
+  EXPECT_EQ(warning_about({0xab, 'K', 'T', 'X', ' ', '1', '1', 0xbb, '\r', '\n', 0x1a, '\n'}), kUnknownImage);
+}
+
+TEST(GltfTexture, ktx2_image_is_left_out_with_what_to_do) {
+  const std::vector<unsigned char> ktx2{0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb, '\r', '\n', 0x1a, '\n', 0, 0};
+  EXPECT_THAT(warning_about(ktx2), HasSubstr("a.glb: an image is a KTX2 file: convert to PNG first, with gltf-transform "
+                                             "ktxdecompress IN OUT"));
+}
+
+TEST(GltfTexture, every_proper_prefix_of_a_png_that_can_be_told_for_one_is_an_error) {
   const std::vector<unsigned char> whole = four_colours();
   for (std::size_t length = 1; length < whole.size(); ++length) {
     const std::vector<unsigned char> cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
-    EXPECT_EQ(error_message([&] { parse(textured(cut)); }),
-              length < 8 ? "a.glb: images[0]: is neither PNG nor JPEG"
-                         : "a.glb: images[0]: cannot be read as a picture: the file is truncated")
-        << "cut to " << length;
+    if (length < 8)
+      EXPECT_EQ(warning_about(cut), kUnknownImage) << "cut to " << length;
+    else
+      EXPECT_EQ(error_message([&] { parse(textured(cut)); }),
+                "a.glb: images[0]: cannot be read as a picture: the file is truncated")
+          << "cut to " << length;
   }
 }
 
@@ -433,7 +462,7 @@ TEST(GltfTexture, without_an_image_it_is_white_with_a_warning) {
   std::vector<std::string> warnings;
   const Scene scene = parse(b, &warnings);
   EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).base_color_map.texture, -1);
-  EXPECT_THAT(warnings, Contains("a.glb: textures without a PNG or JPEG image are white (first at textures[0])"));
+  EXPECT_THAT(warnings, Contains("a.glb: textures without a PNG, JPEG or WebP image are white (first at textures[0])"));
 }
 
 TEST(GltfTexture, image_that_no_material_uses_is_not_even_looked_at) {

@@ -117,12 +117,64 @@ TEST(GltfNodes, node_that_is_its_own_child_is_an_error) {
   EXPECT_THAT(message_of(b), HasSubstr("nodes[0]: is part of or below a cycle"));
 }
 
-TEST(GltfNodes, scene_that_lists_a_child_is_an_error) {
+/// A chain of three nodes, of which the scene lists some.
+GltfBuilder chain_of_three(const Json& listed) {
   GltfBuilder b;
-  b.add_node({{"children", {1}}});
-  b.add_node(Json::object());
-  b.add("scenes", {{"nodes", {0, 1}}});
-  EXPECT_EQ(message_of(b), "a.glb: scenes[0]: lists nodes[1], which is a child of nodes[0]");
+  b.add_node({{"name", "top"}, {"translation", {1, 0, 0}}, {"children", {1}}});
+  b.add_node({{"name", "middle"}, {"translation", {0, 1, 0}}, {"children", {2}}});
+  b.add_node({{"name", "end"}, {"translation", {0, 0, 1}}});
+  b.add("scenes", {{"nodes", listed}});
+  return b;
+}
+
+TEST(GltfNodes, child_that_a_scene_lists_beside_its_parent_is_there_once_with_a_warning) {
+  for (const Json& listed : {Json{0, 1}, Json{1, 0}, Json{2, 0}, Json{0, 1, 2}}) {
+    std::vector<std::string> warnings;
+    const Scene scene = parse(chain_of_three(listed), &warnings);
+    ASSERT_EQ(scene.nodes.size(), 3u) << listed;
+    EXPECT_EQ(scene.nodes[2].name, "end");
+    expect_near(evaluate(scene, 0.0).of(2).translation, {1, 1, 1});
+    EXPECT_EQ(warnings.size(), 1u);
+  }
+}
+
+TEST(GltfNodes, child_that_a_scene_lists_without_its_parent_is_a_root) {
+  std::vector<std::string> warnings;
+  const Scene scene = parse(chain_of_three({1}), &warnings);
+  ASSERT_EQ(scene.nodes.size(), 2u);
+  EXPECT_EQ(scene.nodes[0].name, "middle");
+  EXPECT_EQ(scene.nodes[0].parent, -1);
+  expect_near(evaluate(scene, 0.0).of(1).translation, {0, 1, 1});
+  EXPECT_THAT(warnings, ElementsAre("a.glb: scenes[0] lists nodes[1], which is a child of nodes[0] and so no root: it is shown "
+                                    "once, below its parent where that is in the scene"));
+}
+
+// ---- Visibility -----------------------------------------------------------------------------------------------------
+
+const Json kInvisible = {{"KHR_node_visibility", {{"visible", false}}}};
+
+TEST(GltfVisibility, node_that_is_not_visible_hides_all_meshes_and_lights_below_it_but_no_camera) {
+  GltfBuilder b;
+  b.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}});
+  const int mesh = b.add_triangle();
+  b.add_node({{"name", "hidden"}, {"mesh", mesh}, {"children", {1}}, {"extensions", kInvisible}});
+  b.add_node(
+      {{"mesh", mesh}, {"camera", 0}, {"children", {2}}, {"extensions", {{"KHR_node_visibility", {{"visible", true}}}}}});
+  b.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  b.add_node({{"name", "shown"}, {"mesh", mesh}, {"extensions", {{"KHR_node_visibility", Json::object()}}}});
+  b.root["extensionsRequired"] = {"KHR_node_visibility"};
+  const Scene scene = parse(b);
+  ASSERT_EQ(scene.instances.size(), 1u);
+  EXPECT_EQ(scene.instances[0].name, "shown");
+  EXPECT_TRUE(scene.lights.empty());
+  EXPECT_EQ(scene.cameras.size(), 1u);
+}
+
+TEST(GltfVisibility, that_is_neither_true_nor_false_is_an_error) {
+  GltfBuilder b;
+  b.add_node({{"extensions", {{"KHR_node_visibility", {{"visible", "no"}}}}}});
+  EXPECT_EQ(message_of(b), "a.glb: nodes[0].extensions.KHR_node_visibility.visible: is not true or false");
 }
 
 TEST(GltfNodes, chain_of_100000_nodes_is_read) {
@@ -184,6 +236,12 @@ TEST(GltfSkin, joints_bind_matrices_and_weights_are_read) {
   expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) bound to (1, 0, 1), turned
   // (0, 1, 0): half of (10, 1, 0) and half of (-1, 0, 1).
   expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kRounding);
+}
+
+TEST(GltfSkin, joints_that_are_not_visible_still_carry_it) {
+  GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}});
+  b.root["nodes"][1]["extensions"] = kInvisible;
+  expect_near(posed(parse(b), 0), {10, 0, 0});
 }
 
 TEST(GltfSkin, joints_that_are_animated_take_the_mesh_along) {
@@ -361,6 +419,15 @@ TEST(GltfAnimation, rotation_as_normalized_shorts_is_a_unit_quaternion) {
 TEST(GltfAnimation, scale_is_read) {
   const Scene scene = parse(animated<Vec3f>("scale", "LINEAR", {0, 1}, {{1, 1, 1}, {3, 1, 1}}));
   EXPECT_EQ(transform_vector(evaluate(scene, 0.5).of(0), {1, 0, 0}), Vec3f(2, 0, 0));
+}
+
+/// As KHR_animation_pointer has them: a channel of no node.
+TEST(GltfAnimation, channels_of_no_node_are_left_out) {
+  GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{1, 1, 1}, {3, 1, 1}});
+  const Json pointer{{"pointer", "/materials/0/pbrMetallicRoughness/roughnessFactor"}};
+  b.root["animations"][0]["channels"].push_back(
+      {{"sampler", 0}, {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", pointer}}}}}});
+  EXPECT_EQ(position_at(parse(b), 0.5), Vec3f(2, 1, 1));
 }
 
 TEST(GltfAnimation, channels_of_one_node_come_together) {

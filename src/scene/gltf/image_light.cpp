@@ -1,0 +1,211 @@
+// Based on: Khronos Group, "EXT_lights_image_based", 2019: a cube map of the radiance around a scene, six images a level, in
+// the order +x, -x, +y, -y, +z, -z; a rotation and an intensity. Pictures of four channels are RGBD: colours that are divided
+// by alpha. 1. The faces of the first level, which nothing has blurred yet, become linear light; 2. each direction of a
+// panorama looks up the face that it meets.
+//
+// We deviate: the further levels, blurred for the lobes of rough surfaces, and the harmonics of the irradiance are not read,
+// since paths find both by themselves. The specification does not say so, but colours are encoded as sRGB, as its JPEG images
+// are and as Babylon.js, which wrote it, packs RGBD. Its "flipped about its vertical axis" is read as: each image shows its
+// face as one sees it who stands in the middle of the cube.
+#include "scene/gltf/image_light.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/image/encode.hpp"
+#include "scene/gltf/nodes.hpp"
+#include "scene/texture_image.hpp"
+
+namespace lippmann::gltf {
+namespace {
+
+constexpr const char* kImageBased = "EXT_lights_image_based";
+
+/// Where a face's image has its middle and its upper edge.
+struct FaceAxes {
+  Vec3f ahead, up;
+};
+constexpr std::size_t kFaces = 6;
+const std::array<FaceAxes, kFaces> kAxes{{{{1, 0, 0}, {0, 1, 0}},
+                                          {{-1, 0, 0}, {0, 1, 0}},
+                                          {{0, 1, 0}, {0, 0, -1}},
+                                          {{0, -1, 0}, {0, 0, 1}},
+                                          {{0, 0, 1}, {0, 1, 0}},
+                                          {{0, 0, -1}, {0, 1, 0}}}};
+
+using CubeMap = std::array<Image, kFaces>;  ///< linear light, three channels, all of one square size
+
+/// By code of sRGB.
+std::array<float, 256> linear_codes() {
+  std::array<float, 256> values{};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255.0));
+  return values;
+}
+
+/// Linear light; an alpha of 0 divides by the smallest code, as brighter light cannot be written.
+Image linear_light(const Texture& picture) {
+  const std::array<float, 256> linear = linear_codes();
+  Image light(picture.width, picture.height, 3);
+  for (std::size_t i = 0; i < light.data.size(); ++i) {
+    const std::uint8_t* rgba = picture.rgba.data() + i / 3 * 4;
+    const float divisor = static_cast<float>(std::max<std::uint8_t>(rgba[3], 1)) / 255.0f;
+    light.data[i] = linear[rgba[i % 3]] / divisor;
+  }
+  return light;
+}
+
+/// Bilinear; x, y in [0, 1] from the upper left. What lies beyond the edge is the edge.
+Vec3f look_up(const Image& face, float x, float y) {
+  const float last = static_cast<float>(face.width - 1);
+  const float px = std::clamp(x * static_cast<float>(face.width) - 0.5f, 0.0f, last);
+  const float py = std::clamp(y * static_cast<float>(face.height) - 0.5f, 0.0f, last);
+  const int x0 = static_cast<int>(px), y0 = static_cast<int>(py);
+  const int x1 = std::min(x0 + 1, face.width - 1), y1 = std::min(y0 + 1, face.height - 1);
+  const auto texel = [&](int column, int row) {
+    const float* c = face.pixel(column, row);
+    return Vec3f(c[0], c[1], c[2]);
+  };
+  const float right = px - static_cast<float>(x0), below = py - static_cast<float>(y0);
+  return glm::mix(glm::mix(texel(x0, y0), texel(x1, y0), right), glm::mix(texel(x0, y1), texel(x1, y1), right), below);
+}
+
+/// What a direction of the cube's own frame, of any length, sees.
+Vec3f look_up(const CubeMap& cube, Vec3f d) {
+  const Vec3f size = glm::abs(d);
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::size_t face = static_cast<std::size_t>(2 * axis + (d[axis] < 0.0f ? 1 : 0));
+  const FaceAxes& axes = kAxes[face];
+  const float across = glm::dot(d, glm::cross(axes.ahead, axes.up)) / size[axis], upwards = glm::dot(d, axes.up) / size[axis];
+  return look_up(cube[face], 0.5f + 0.5f * across, 0.5f - 0.5f * upwards);
+}
+
+/// The direction that a place of a panorama (x, y in [0, 1]) shows, as EnvironmentMap has it.
+Vec3f direction_at(float x, float y) {
+  const float azimuth = (x - 0.5f) * 2.0f * kPi, polar = y * kPi;
+  return {std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)};
+}
+
+/// As fine as the cube's faces are in their middles, within limits.
+int width_of_panorama(int face) {
+  constexpr int kNarrowest = 64, kWidest = 4096;
+  return std::clamp(4 * face, kNarrowest, kWidest);
+}
+
+/// Row y of the panorama. Each texel is the mean of what several directions in it see, so that no small sun is lost.
+void fill_row(const CubeMap& cube, const Quatf& cube_from_world, int y, Image& panorama) {
+  const int steps = std::max(2, (4 * cube[0].width + panorama.width - 1) / panorama.width);
+  const auto place = [steps](int texel, int step, int count) {
+    return (static_cast<float>(texel) + (static_cast<float>(step) + 0.5f) / static_cast<float>(steps)) /
+           static_cast<float>(count);
+  };
+  for (int x = 0; x < panorama.width; ++x) {
+    Vec3f sum(0.0f);
+    for (int i = 0; i < steps * steps; ++i) {
+      const Vec3f d = direction_at(place(x, i % steps, panorama.width), place(y, i / steps, panorama.height));
+      sum += look_up(cube, cube_from_world * d);
+    }
+    for (int c = 0; c < 3; ++c) panorama.pixel(x, y)[c] = sum[c] / static_cast<float>(steps * steps);
+  }
+}
+
+Image panorama_of(const CubeMap& cube, const Quatf& cube_from_world, const Context& context) {
+  const int width = width_of_panorama(cube[0].width);
+  Image panorama(width, width / 2, 3);
+  const ThreadPool pool(resolved_threads(context));
+  pool.for_each(static_cast<std::size_t>(panorama.height),
+                [&](std::size_t y) { fill_row(cube, cube_from_world, static_cast<int>(y), panorama); });
+  return panorama;
+}
+
+class ImageLightReader {
+ public:
+  ImageLightReader(Document& document, std::size_t light)
+      : document_(document),
+        where_(fmt::format("{}.{}", kImageBased, element("lights", light))),
+        light_(document.model.extensions.at(kImageBased).Get("lights").Get(static_cast<int>(light))) {}
+
+  /// None where an image cannot be read.
+  std::optional<EnvironmentMap> read() {
+    const std::optional<CubeMap> cube = read_cube();
+    if (!cube) return std::nullopt;
+    EnvironmentMap map;
+    map.radiance = panorama_of(*cube, glm::conjugate(rotation()), document_.report.context());
+    if (light_.Has("intensity")) map.strength = static_cast<float>(light_.Get("intensity").GetNumberAsDouble());
+    return map;
+  }
+
+ private:
+  Quatf rotation() const {
+    if (!light_.Has("rotation")) return {1.0f, 0.0f, 0.0f, 0.0f};
+    const tinygltf::Value& q = light_.Get("rotation");
+    const auto part = [&q](int i) { return static_cast<float>(q.Get(i).GetNumberAsDouble()); };
+    const Quatf rotation(part(3), part(0), part(1), part(2));
+    const float length = glm::length(rotation);
+    if (!(length > 1e-6f)) document_.report.fail(where_ + ".rotation", "is not a unit quaternion");
+    return rotation / length;
+  }
+
+  std::optional<CubeMap> read_cube() {
+    const tinygltf::Value& levels = light_.Get("specularImages");
+    if (levels.ArrayLen() == 0) document_.report.fail(where_ + ".specularImages", "is empty", "the six faces of a cube");
+    CubeMap cube;
+    for (std::size_t i = 0; i < kFaces; ++i) {
+      const auto image = static_cast<std::size_t>(levels.Get(0).Get(static_cast<int>(i)).GetNumberAsInt());
+      if (!read_face(image, cube[i])) return std::nullopt;
+      if (cube[i].width != cube[0].width)
+        document_.report.fail(element("images", image),
+                              fmt::format("is a face of {} pixels a side in a cube of {}", cube[i].width, cube[0].width));
+    }
+    return cube;
+  }
+
+  /// Whether the image can be read.
+  bool read_face(std::size_t image, Image& face) {
+    std::vector<std::byte> storage;
+    std::string problem = image_problem(document_, image);
+    const Bytes bytes = problem.empty() ? image_bytes(document_, image, storage) : Bytes{};
+    if (problem.empty() && !(problem = texture_image_problem(bytes)).empty()) problem = "an image " + problem;
+    if (!problem.empty()) {
+      document_.report.warn_at("surroundings whose images cannot be read are left out: " + problem, element("images", image));
+      return false;
+    }
+    face = decode(bytes, image);
+    return true;
+  }
+
+  Image decode(Bytes bytes, std::size_t image) {
+    const std::string where = element("images", image);
+    const Vec2i size = texture_size(bytes, document_.report.where(where));
+    if (size.x != size.y || size.x > document_.limits.texture_side)
+      document_.report.fail(where, fmt::format("has {} x {} pixels", size.x, size.y),
+                            fmt::format("square faces of 1 to {} a side", document_.limits.texture_side));
+    const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+    document_.unpacked.spend(pixels, 4 + 3 * sizeof(float), where, document_.report);
+    Texture picture;
+    decode_texture(bytes, document_.report.where(where), picture);
+    return linear_light(picture);
+  }
+
+  Document& document_;
+  std::string where_;
+  const tinygltf::Value& light_;
+};
+
+}  // namespace
+
+void read_image_light(Document& document, Scene& scene) {
+  if (document.model.scenes.empty()) return;
+  const tinygltf::ExtensionMap& extensions = document.model.scenes[chosen_scene(document.model)].extensions;
+  const auto extension = extensions.find(kImageBased);
+  if (extension == extensions.end()) return;
+  const auto light = static_cast<std::size_t>(extension->second.Get("light").GetNumberAsInt());
+  scene.background.map = ImageLightReader(document, light).read();
+}
+
+}  // namespace lippmann::gltf
