@@ -9,7 +9,7 @@
 
 #include "core/random.hpp"
 #include "radiance/block_estimates.hpp"
-include "radiance/measured_codes.hpp"
+#include "radiance/measured_codes.hpp"
 #include "trace/trace_packets.hpp"
 
 namespace lippmann {
