@@ -12,7 +12,6 @@
 #include "bench/light_references.hpp"
 #include "bench/light_rows.hpp"
 #include "bench/light_run.hpp"
-#include "lippmann/image/metrics.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -37,7 +36,7 @@ double mean_of(const Runs& runs, Figure figure) {
 
 /// From the mean squared error.
 double mean_db(const Runs& runs, Figure db) {
-  return psnr_db(mean_of(runs, [&](const LightFigures& run) { return std::pow(10.0, -0.1 * (run.*db)); }));
+  return -10.0 * std::log10(mean_of(runs, [&](const LightFigures& run) { return std::pow(10.0, -0.1 * (run.*db)); }));
 }
 
 double least_of(const Runs& runs, Figure figure) {

@@ -18,6 +18,9 @@ constexpr double kLeastGain = 0.8;
 /// stills of four scenes (CornellBox, spot, a teapot, nine spheres of glass and gloss).
 constexpr double kUpdatesPerExcess = 1.5;
 
+/// Beyond the salts of all other measurements.
+constexpr std::uint32_t kSaltsOfConfirming = 16;
+
 /// Rounds of updates that the search begins with. Frames that may err like a few paths are good with the fewest, as a rule: of
 /// the room's first frame of 8 paths a pixel (48 views of 128x128) a seventh is saved.
 int first_rounds(const TraceParams& params, const CachedLightGoal& goal) {
@@ -42,7 +45,7 @@ PlanSearch::PlanSearch(const Shot& shot, const TraceParams& params, const Cached
 
 RayCounts PlanSearch::counts() const {
   RayCounts counts = measure_.counts();
-  if (fresh_) add(fresh_->counts(), counts);
+  add(confirming_, counts);
   return counts;
 }
 
@@ -99,11 +102,15 @@ double PlanSearch::seconds_for_pixels(double seconds) const {
   return std::max(kLeastShare * seconds, seconds - cache_.seconds_per_round());
 }
 
-/// Among many setups one is good by chance where it was tried: only what is good elsewhere, too, is taken.
+/// Among many setups one is good by chance where it was tried: only what is good elsewhere, too, is taken. That is another
+/// place for each setup: where bright paths have met the few of one place, every setup would seem to be wrong there.
 void PlanSearch::confirm(SetupOutcome& outcome) {
-  if (!fresh_) fresh_.emplace(shot_, params_, goal_.error, kConfirming, Scatter{}, workers_);
+  MeasuredPlaces places = kConfirming;
+  places.salt += kSaltsOfConfirming * static_cast<std::uint32_t>(confirmations_++);
+  GatherMeasure fresh(shot_, params_, goal_.error, places, Scatter{}, workers_);
   const FrameError& may = measure_.goal();
-  const FrameError found = fresh_->check(cache_.sources(), plan_->effort_alone(), {});
+  const FrameError found = fresh.check(cache_.sources(), plan_->effort_alone(), {});
+  add(fresh.counts(), confirming_);
   FrameError& expected = plan_->expected;
   expected.pixels = std::max(expected.pixels, found.pixels), expected.blocks = std::max(expected.blocks, found.blocks);
   outcome.excess = std::max(outcome.excess, excess_of(found, may));

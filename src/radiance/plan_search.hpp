@@ -43,10 +43,11 @@ class PlanSearch {
   const Workers workers_;
   FrameCache& cache_;
   GatherMeasure measure_;
-  std::optional<GatherMeasure> fresh_;  ///< on other patches
-  std::optional<GatherPlan> plan_;      ///< the plan for the setup that was tried last
-  std::optional<GatherPlan> good_;      ///< the plan for the good setup that was tried last
-  std::optional<Candidate> mixed_;      ///< the one that takes the fewest rays among those that are good with paths
+  RayCounts confirming_;  ///< on other patches
+  int confirmations_ = 0;
+  std::optional<GatherPlan> plan_;  ///< the plan for the setup that was tried last
+  std::optional<GatherPlan> good_;  ///< the plan for the good setup that was tried last
+  std::optional<Candidate> mixed_;  ///< the one that takes the fewest rays among those that are good with paths
 };
 
 }  // namespace lippmann

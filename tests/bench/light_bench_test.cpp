@@ -131,8 +131,11 @@ TEST(BenchSeeds, rows_are_rendered_with_other_random_numbers_against_the_same_re
   EXPECT_NE(rows[0]["rays"], rows[1]["rays"]);
   EXPECT_NEAR(rows[0]["mean_light"].get<double>(), rows[1]["mean_light"].get<double>(), 0.05);
   EXPECT_THAT(report.text, testing::HasSubstr("turntable"));
-  EXPECT_THAT(report.text, testing::HasSubstr(fmt::format("({:.2f})", std::min(rows[0]["worst_psnr_db"].get<double>(),
-                                                                               rows[1]["worst_psnr_db"].get<double>()))));
+  const auto figure = [&](int run, const char* key) { return rows[static_cast<std::size_t>(run)][key].get<double>(); };
+  const auto squared = [&](int run) { return std::pow(10.0, -0.1 * figure(run, "psnr_db")); };
+  const double mean = -10.0 * std::log10(0.5 * (squared(0) + squared(1)));
+  const double worst = std::min(figure(0, "worst_psnr_db"), figure(1, "worst_psnr_db"));
+  EXPECT_THAT(report.text, testing::HasSubstr(fmt::format(" {:.2f} ({:.2f})", mean, worst)));
   request.seeds = 1;
   EXPECT_EQ(run_benchmark("seeds", request).rows[0]["psnr_db"], rows[0]["psnr_db"]);
 }

@@ -90,12 +90,14 @@ TEST(SharedLightFrames, are_denoised_whole_and_in_parts) {
   EXPECT_NE(make_frames(shared_light_with({.transparent = true}), {16}).film(16), whole.film(16));
 }
 
-// With four seeds 27 to 53 % of the rays of paths. So small a picture of the teapot is edges above all, and takes 41 to 150 %,
-// by luck.
+// With four seeds 19 to 38 % of the rays of paths. A picture half as wide takes 27 to 144 %, by luck: too few patches tell how
+// wrong its light is.
 TEST(SharedLightFrames, save_rays_in_a_room) {
-  const FrameReport shared = make_frames(shared_light({}, "room"), {0, 1}).report(1),
-                    traced = make_frames(with_reuse(shared_light({}, "room"), {.choice = ReuseChoice::kNone}), {1}).report(1);
-  EXPECT_LT(shared.rays.total(), 2 * traced.rays.total() / 3);
+  RenderParams params = shared_light({}, "room");
+  params.optics.lenses = {32, 0};
+  const FrameReport shared = make_frames(params, {0, 1}).report(1),
+                    traced = make_frames(with_reuse(params, {.choice = ReuseChoice::kNone}), {1}).report(1);
+  EXPECT_LT(shared.rays.total(), traced.rays.total() / 2);
   EXPECT_GT(shared.estimated_psnr_db.value(), 25.0);
   EXPECT_FALSE(traced.estimated_psnr_db.has_value());
 }

@@ -147,17 +147,17 @@ TEST(GltfImageLight, image_that_is_missing_leaves_it_out_with_a_warning) {
               Contains(HasSubstr("surroundings whose images cannot be read are left out: 'there_is_no_such_file.png'")));
 }
 
-std::string message_of(const GltfBuilder& b) {
+std::string message_of_light(const GltfBuilder& b) {
   return error_message([&] { parse(b); });
 }
 
 TEST(GltfImageLight, faces_that_make_no_cube_are_errors) {
   GltfBuilder b = coloured_cube();
   b.root["extensions"]["EXT_lights_image_based"]["lights"][0]["specularImages"][0][5] = add_picture(b, 2, 1, {Rgba{}, Rgba{}});
-  EXPECT_EQ(message_of(b), "a.glb: images[6]: has 2 x 1 pixels; accepted: square faces of 1 to 16384 a side");
+  EXPECT_EQ(message_of_light(b), "a.glb: images[6]: has 2 x 1 pixels; accepted: square faces of 1 to 16384 a side");
   b.root["extensions"]["EXT_lights_image_based"]["lights"][0]["specularImages"][0][5] =
       add_picture(b, 2, 2, {Rgba{}, Rgba{}, Rgba{}, Rgba{}});
-  EXPECT_EQ(message_of(b), "a.glb: images[7]: is a face of 2 pixels a side in a cube of 1");
+  EXPECT_EQ(message_of_light(b), "a.glb: images[7]: is a face of 2 pixels a side in a cube of 1");
 }
 
 TEST(GltfImageLight, bad_values_are_errors_that_name_them) {
@@ -174,7 +174,7 @@ TEST(GltfImageLight, bad_values_are_errors_that_name_them) {
       {"specularImages", Json::array({0}), "specularImages[0]: is not an array"},
       {"intensity", -1, "intensity: is -1"},
       {"rotation", {0, 0, 0, 0}, "lights[0].rotation: is not a unit quaternion"}};
-  for (const Bad& one : bad) EXPECT_THAT(message_of(coloured_cube({{one.property, one.value}})), HasSubstr(one.message));
+  for (const Bad& one : bad) EXPECT_THAT(message_of_light(coloured_cube({{one.property, one.value}})), HasSubstr(one.message));
 }
 
 }  // namespace
