@@ -22,8 +22,7 @@ std::string build_facts() {
   facts += fmt::format("{:<9}{}\n", "pictures", LIPPMANN_PICTURE_LIBRARIES);
   facts += fmt::format("{:<9}module {}, for FFmpeg (libavcodec {})\n", "videos", word_for(is_video_module_installed()),
                        LIPPMANN_LIBAVCODEC);
-  facts += fmt::format("{:<9}module {}\n", "MPI", word_for(is_ranks_module_installed()));
-  return facts + fmt::format("{:<9}OpenImageIO, Open Image Denoise", "not used");
+  return facts + fmt::format("{:<9}module {}", "MPI", word_for(is_ranks_module_installed()));
 }
 
 }  // namespace lippmann::app

@@ -62,7 +62,7 @@ TEST(LiftedNormal, what_has_no_direction_of_its_own_is_the_facets) {
   EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));  // a facet without extent says nothing
 }
 
-// Where the smooth normal faces away from the view, gloss would take all light from the paint below it: 0.66 at some rims.
+// Where the smooth normal faces away from the view, gloss would take all light from the paint below it.
 TEST(LiftedNormal, a_coarse_ball_of_glossy_paint_has_no_dark_rim_in_a_white_furnace) {
   SmallScene s;
   surround(s, Vec3f(1.0f));

@@ -48,7 +48,7 @@ float largest_difference(const Image& a, const Image& b) {
   return most;
 }
 
-// Without the lift, facets beyond the terminator were dark where a ball's surface has up to 0.3 of its light.
+// Without the lift, facets before the terminator are dark one by one.
 TEST(SmoothLift, a_coarse_ball_is_lit_as_a_ball_is) {
   const SmallScene round = lit_ball(Spheres{{{{0, 0, 0}, 1.5f}}}), coarse = lit_ball(coarse_ball(1.5f, 8));
   const Optics view = single_view(48);
