@@ -62,7 +62,8 @@ TEST(LiftedNormal, what_has_no_direction_of_its_own_is_the_facets) {
   EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));  // a facet without extent says nothing
 }
 
-// Where the smooth normal faces away from the view, gloss would take all light from the paint below it.
+// Where the smooth normal faces away from the view, gloss would take all light from the paint below it: the darkest pixel of
+// 500 had 0.82 of the light.
 TEST(LiftedNormal, a_coarse_ball_of_glossy_paint_has_no_dark_rim_in_a_white_furnace) {
   SmallScene s;
   surround(s, Vec3f(1.0f));
@@ -70,8 +71,10 @@ TEST(LiftedNormal, a_coarse_ball_of_glossy_paint_has_no_dark_rim_in_a_white_furn
   paint.metallic = 0.0f;
   paint.roughness = 0.3f;
   s.add(coarse_ball(1.5f, 6), s.material(paint));
-  const Image film = trace_paths(s.scene, single_view(32), 1024).film;
-  for (const float value : film.data) EXPECT_GT(value, 0.85f);
+  std::vector<float> values = trace_paths(s.scene, single_view(160), 64).film.data;
+  const auto darkest = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 500);
+  std::nth_element(values.begin(), darkest, values.end());
+  EXPECT_GT(*darkest, 0.87f);
 }
 
 TEST(LiftedNormal, a_coarse_mirror_ball_has_no_dark_rim_in_a_white_furnace) {
