@@ -88,8 +88,7 @@ int run(const ConvertOptions& options, const Context& context) {
   if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && !from_rgbd)
     context.warning(
         "each frame has a range of depths of its own, so that grey means another depth from frame to frame: --depth-range "
-        "gives "
-        "all of them one");
+        "gives all of them one");
   if (converted.lacks_cameras)
     context.warning("nothing says what cameras saw these views: no parameters, depth or disparity (render writes report.json)");
   if (converted.lacks_depth && options.to != "stanford")
@@ -152,8 +151,7 @@ void add_convert_command(const Command& root, Action& chosen) {
   command.add_option("--bits", options->bits, "Bits per sample of PPM files; default: as read").range(8, 16);
   command.add_option("--display", options->display,
                      "The display that a native frame belongs to, or that RGB-D pictures are shown on: a name (see: lippmann "
-                     "displays), a calibration .json, or a "
-                     ".toml of your own");
+                     "displays), a calibration .json, or a .toml of your own");
   add_view_filter_flags(command, options->filter, " for --to native");
   add_orthoscopic_flags(command, options->orthoscopic);
   add_crosstalk_flags(command, options->crosstalk);

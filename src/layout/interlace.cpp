@@ -5,18 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "layout/picture_samples.hpp"
 #include "layout/sub_pixel_views.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {
-
-const std::vector<unsigned char>& samples_of(const Image8& image) { return image.rgb; }
-const std::vector<std::uint16_t>& samples_of(const Image16& image) { return image.rgb; }
-const std::vector<float>& samples_of(const Image& image) { return image.data; }
-std::vector<unsigned char>& samples_of(Image8& image) { return image.rgb; }
-std::vector<std::uint16_t>& samples_of(Image16& image) { return image.rgb; }
-std::vector<float>& samples_of(Image& image) { return image.data; }
 
 template <class Sample>
 Sample rounded(float value) {

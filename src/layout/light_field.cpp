@@ -4,16 +4,10 @@
 #include <cassert>
 #include <utility>
 
+#include "layout/picture_samples.hpp"
+
 namespace lippmann {
 namespace {
-
-template <class T>
-auto& samples_of(T& image) {
-  if constexpr (std::is_same_v<std::remove_const_t<T>, Image>)
-    return image.data;
-  else
-    return image.rgb;
-}
 
 template <class T>
 void move_samples(const T& from, const std::vector<std::uint32_t>& from_pixel, T& to,

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "layout/picture_samples.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_picture.hpp"
 #include "layout/rgbd_side_file.hpp"
@@ -24,21 +25,13 @@ constexpr double kAssumedHeightMm = 100.0, kAssumedDistanceMm = 300.0;  ///< as 
 template <class Sample>
 constexpr double kWhiteCode = std::is_floating_point_v<Sample> ? 1.0 : std::numeric_limits<Sample>::max();
 
-template <class T>
-auto& rgbd_samples(T& image) {
-  if constexpr (std::is_same_v<std::remove_const_t<T>, Image>)
-    return image.data;
-  else
-    return image.rgb;
-}
-
 /// The right half's greys, 0 ... 1: means of its channels, which must be alike.
 Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
   Image greys(view.x, view.y, 1);
   double colour = 0.0;
   std::visit(
       [&](const auto& image) {
-        const auto& samples = rgbd_samples(image);
+        const auto& samples = samples_of(image);
         const double white = kWhiteCode<std::remove_cvref_t<decltype(samples[0])>>;
         for (int y = 0; y < view.y; ++y)
           for (int x = 0; x < view.x; ++x) {
@@ -118,11 +111,11 @@ Picture beside(const Picture& colours, const Image& depth, const RgbdSideFile& s
   move_pixels(colours, {}, picture, pixels);
   std::visit(
       [&](auto& image) {
-        auto& samples = rgbd_samples(image);
+        auto& samples = samples_of(image);
         using Sample = std::remove_cvref_t<decltype(samples[0])>;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
           const double grey = grey_of_depth(side.coding, side.distance_mm, depth.data[i]) * kWhiteCode<Sample>;
-          const auto code = static_cast<Sample>(std::is_floating_point_v<Sample> ? grey : std::floor(grey + 0.5));
+          const Sample code = nearest_sample<Sample>(grey);
           std::fill_n(samples.begin() + 3 * (static_cast<std::ptrdiff_t>(pixels[i]) + view.x), 3, code);
         }
       },

@@ -8,25 +8,12 @@
 #include <type_traits>
 #include <vector>
 
+#include "layout/picture_samples.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/viewing.hpp"
 
 namespace lippmann {
 namespace {
-
-template <class T>
-auto& samples_behind_lenses(T& image) {
-  if constexpr (std::is_same_v<std::remove_const_t<T>, Image>)
-    return image.data;
-  else
-    return image.rgb;
-}
-
-template <class Sample>
-Sample nearest_code(double value) {
-  if constexpr (std::is_floating_point_v<Sample>) return static_cast<Sample>(value);
-  return static_cast<Sample>(std::floor(value + 0.5));
-}
 
 /// Where the eyes of a grid stand along one axis: evenly apart, the first one lowest.
 struct EyeAxis {
@@ -82,7 +69,7 @@ class LensInterlacer {
     const SamplePair x(at.x, field_.view_size.x), y(at.y, field_.view_size.y);
     for (int c = 0; c < 3; ++c) {
       const auto in_row = [&](int row) { return std::lerp(sample(view, x.at, row, c), sample(view, x.next, row, c), x.share); };
-      out[c] = nearest_code<Sample>(std::lerp(in_row(y.at), in_row(y.next), y.share));
+      out[c] = nearest_sample<Sample>(std::lerp(in_row(y.at), in_row(y.next), y.share));
     }
   }
 
@@ -134,12 +121,11 @@ Picture interlace_behind_lenses(const LightField& field, const Display& display,
   std::visit(
       [&](auto& to) {
         const auto& from = std::get<std::remove_cvref_t<decltype(to)>>(field.stack);
-        using Sample = typename std::remove_cvref_t<decltype(samples_behind_lenses(to))>::value_type;
-        const LensInterlacer<Sample> interlacer(field, lenses, samples_behind_lenses(from));
+        using Sample = typename std::remove_cvref_t<decltype(samples_of(to))>::value_type;
+        const LensInterlacer<Sample> interlacer(field, lenses, samples_of(from));
         const std::size_t row = 3 * static_cast<std::size_t>(display.pixels.x);
-        pool.for_each(static_cast<std::size_t>(display.pixels.y), [&](std::size_t j) {
-          interlacer.write_row(static_cast<int>(j), samples_behind_lenses(to).data() + j * row);
-        });
+        pool.for_each(static_cast<std::size_t>(display.pixels.y),
+                      [&](std::size_t j) { interlacer.write_row(static_cast<int>(j), samples_of(to).data() + j * row); });
       },
       picture);
   return picture;
