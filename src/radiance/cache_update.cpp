@@ -34,7 +34,7 @@ void CacheUpdate::finish() {
   for (std::size_t q = 0; q < queries_.size(); ++q) {
     float* light = &light_.data[3 * q];
     RadianceRecord& record = made_.records.emplace_back();
-    record.place = queries_[q].place;
+    record.place = queries_[q].place, record.also = queries_[q].also;
     record.light = {light[0], light[1], light[2]};
     // What moves by itself passes its own box with every ray: how far it has moved (RadianceCache::Motion) and turned tells
     // what may have changed.
@@ -76,7 +76,7 @@ void CacheUpdate::ask(const RayHitPacket& packet, int i, const PathRay& ray, con
   const CachePoint place = cells_.places(packet, surface_, i, normal, cells_.size(length));
   if (sparse_ && !sparse_->at(place)) return;
   const bool moves = cells_.places.moves(surface_.instance[i]);
-  queries_.push_back({place, ray.pixel, moves});
+  queries_.push_back({place, cells_.places.sides_near(packet, surface_, i, normal), ray.pixel, moves});
   const Affine3f before = watches_ && moves ? cells_.places.before_from_now(surface_.instance[i]) : Affine3f{};
   paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {pick, draw(ray, kOnLightPair), draw(ray, kWayPair)},
                         watches_ && moves ? &before : nullptr);

@@ -65,6 +65,7 @@ class CacheUpdate : public PathTracer<CacheUpdate> {
   CacheRecords& made_;
   struct Query {
     CachePoint place;
+    std::array<std::uint32_t, 2> also;  ///< RadianceRecord's
     std::uint32_t source;
     bool moves;  ///< with the thing that it lies on
   };

@@ -91,18 +91,22 @@ const RadianceCache::Cell* RadianceCache::parent_of(const Cell& cell) const {
 void RadianceCache::add(std::span<const std::span<const RadianceRecord>> records, const ThreadPool& pool) {
   struct Target {
     std::uint64_t key;
-    std::uint32_t record;
+    std::uint32_t record, thing;
     std::uint32_t level;
   };
   std::vector<std::array<std::vector<Target>, kShards>> targets(records.size());
   pool.for_each(records.size(), [&](std::size_t piece) {
     for (std::uint32_t r = 0; r < records[piece].size(); ++r) {
-      const CachePoint& place = records[piece][r].place;
+      const RadianceRecord& record = records[piece][r];
+      const CachePoint& place = record.place;
       for (int level = 0; level < kLevels; ++level) {
         const int exponent = exponent_of(place.size, level);
-        const std::uint64_t key =
-            key_of(base_key(place.thing, part_at(place.part, level), exponent), cell_at(place.position, exponent));
-        targets[piece][shard_of(key)].push_back({key, r, static_cast<std::uint32_t>(level)});
+        const glm::i64vec3 at = cell_at(place.position, exponent);
+        for (const std::uint32_t thing : {place.thing, record.also[0], record.also[1]}) {
+          if (thing == 0 && thing != place.thing) continue;
+          const std::uint64_t key = key_of(base_key(thing, part_at(place.part, level), exponent), at);
+          targets[piece][shard_of(key)].push_back({key, r, thing, static_cast<std::uint32_t>(level)});
+        }
       }
     }
   });
@@ -118,7 +122,7 @@ void RadianceCache::add(std::span<const std::span<const RadianceRecord>> records
         if (!found) continue;
         Cell& cell = *found;
         if (is_new) {
-          cell.thing = record.place.thing;
+          cell.thing = target.thing;
           cell.part = part_at(record.place.part, level);
           cell.exponent = exponent_of(record.place.size, level);
           cell.center = center_of_cell(cell_at(record.place.position, cell.exponent), cell.exponent);

@@ -35,6 +35,9 @@ struct CachePoint {
 struct RadianceRecord {
   CachePoint place;
   Vec3f light{0.0f};
+  /// CachePoint::thing of surfaces that the place's own goes smoothly over into near by: their cells learn from it, too. 0:
+  /// none.
+  std::array<std::uint32_t, 2> also{};
   /// What has moved since the frame before may have changed so much of it: luminance that lamps and the sky would bring along
   /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it. Where the
   /// place itself has moved: luminance that they send there by Lambert's law, less what they sent to where it was, and the

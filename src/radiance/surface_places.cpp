@@ -1,5 +1,6 @@
 #include "radiance/surface_places.hpp"
 
+#include <cmath>
 #include <numeric>
 
 #include "core/random.hpp"
@@ -12,14 +13,20 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
   return v;
 }
 
+/// Around edges of boxes light changes abruptly, and with it the side, of which each is a thing of its own: that of the axis
+/// which the normal is nearest to. What is smooth is not to be cut there: sides overlap, so that cells on both sides of their
+/// border, as large ones as fit into the overlap, hold the same light.
 constexpr std::uint32_t kSides = 6;
+/// A normal whose component along an axis is so much of that along the nearest one is near the side of that axis, too: within
+/// 14 degrees of the border between the two.
+constexpr float kNearSide = 0.6f;
 
-/// Which of six directions a normal is nearest to. Around edges of boxes light changes abruptly, and with it the side.
-std::uint32_t side_of(Vec3f n) {
+int nearest_axis(Vec3f n) {
   const Vec3f a = glm::abs(n);
-  const int axis = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
-  return static_cast<std::uint32_t>(2 * axis + (n[axis] < 0.0f));
+  return a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
 }
+
+std::uint32_t side_of(Vec3f n, int axis) { return static_cast<std::uint32_t>(2 * axis + (n[axis] < 0.0f)); }
 
 }  // namespace
 
@@ -106,6 +113,16 @@ float SurfacePlaces::moved(std::uint32_t thing, Vec3f position) const {
          glm::length(transform_point(space.world_from_own, position) - transform_point(space.world_from_own_before, position));
 }
 
+/// Whether the surface goes on smoothly at the edges of what was hit.
+bool SurfacePlaces::is_smooth(std::uint32_t record, std::uint32_t prim) const {
+  if (record >= kPlaneId) return false;
+  if (scene_.records[record].kind != GeometryKind::kMesh) return true;
+  const Mesh& mesh = *scene_.records[record].mesh;
+  if (mesh.normals.empty()) return false;
+  const auto& [a, b, c] = mesh.triangles[prim];
+  return mesh.normals[a] != mesh.normals[b] || mesh.normals[a] != mesh.normals[c];
+}
+
 CachePoint SurfacePlaces::operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal,
                                      float size) const {
   const std::uint32_t instance = surface.instance[i], record = surface.record[i], prim = packet.hit.primID[i];
@@ -134,11 +151,23 @@ CachePoint SurfacePlaces::operator()(const RayHitPacket& packet, const SurfacePa
     place.position = transform_point(space.own_from_world, place.position);
     normal = glm::normalize(space.own_from_world_normal * normal);
   }
-  place.thing = hash(instance, side_of(normal));
+  place.thing = hash(instance, side_of(normal, nearest_axis(normal)));
   if (record >= kPlaneId) return place;
   const std::vector<std::uint32_t>* parts = parts_of_record_[record];
   place.part = parts ? (*parts)[prim] : prim;
   return place;
+}
+
+std::array<std::uint32_t, 2> SurfacePlaces::sides_near(const RayHitPacket& packet, const SurfacePacket& surface, int i,
+                                                       Vec3f normal) const {
+  std::array<std::uint32_t, 2> sides{};
+  if (!is_smooth(surface.record[i], packet.hit.primID[i])) return sides;
+  const int nearest = nearest_axis(normal);
+  std::size_t found = 0;
+  for (const int axis : {(nearest + 1) % 3, (nearest + 2) % 3})
+    if (std::abs(normal[axis]) > kNearSide * std::abs(normal[nearest]))
+      sides[found++] = hash(surface.instance[i], side_of(normal, axis));
+  return sides;
 }
 
 }  // namespace lippmann

@@ -1,6 +1,7 @@
 // Where hits lie in the space of what they hit: things that move, turn or bend take along what is known of their surface.
 #pragma once
 
+#include <array>
 #include <map>
 #include <unordered_map>
 #include <vector>
@@ -39,6 +40,10 @@ class SurfacePlaces {
   /// `normal` goes over to the place's space, unit length.
   CachePoint operator()(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f& normal, float size) const;
 
+  /// CachePoint::thing of the other sides of lane i's surface that the place is near (RadianceRecord::also). normal: as the
+  /// operator has left it.
+  std::array<std::uint32_t, 2> sides_near(const RayHitPacket& packet, const SurfacePacket& surface, int i, Vec3f normal) const;
+
  private:
   struct Space {
     bool moves = false;
@@ -49,6 +54,7 @@ class SurfacePlaces {
   };
 
   void update_lights();
+  bool is_smooth(std::uint32_t record, std::uint32_t prim) const;
 
   const ShadedScene& scene_;
   std::vector<Vec3f> lights_;  ///< where point-like lights are

@@ -49,6 +49,16 @@ void update(RadianceCache& cache, const std::vector<RadianceRecord>& records, co
   cache.resolve(pool);
 }
 
+TEST(RadianceCache, surfaces_learn_from_those_that_go_smoothly_over_into_them) {
+  RadianceCache cache(kMostWanted);
+  std::vector<RadianceRecord> records = spread(4000, 0.0f, 1, [](float) { return 1.0f; });
+  for (RadianceRecord& record : records) record.also = {8, 0};
+  update(cache, records);
+  EXPECT_FLOAT_EQ(pick(cache, place(3, 0.3f, 8), Vec2f(0.5f)).x, 1.0f);
+  EXPECT_EQ(cache.samples(place(3, 0.3f, 8)), cache.samples(place(3)));
+  EXPECT_EQ(pick(cache, place(3, 0.3f, 9), Vec2f(0.5f)).w, 0.0f);
+}
+
 TEST(RadianceCache, a_place_that_was_never_fed_is_unknown) {
   RadianceCache cache(kMostWanted);
   EXPECT_EQ(cache.look_up(place(3)).w, 0.0f);

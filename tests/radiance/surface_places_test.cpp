@@ -56,5 +56,36 @@ TEST(SurfacePlaces, point_like_lights_count_likewise) {
   EXPECT_NEAR(moved(s.scene, still), 0.5f, 1e-5f);
 }
 
+// A ray from above meets a triangle whose normals lie about 45 degrees between two sides: it is of one and near the other.
+// Where normals are all the same, it may be a face of a box that is turned, and is near none.
+TEST(SurfacePlaces, sides_overlap_where_a_surface_is_smooth) {
+  const auto sides_near = [](Vec3f at_corner) {
+    const Vec3f between = glm::normalize(Vec3f(1.0f, 0.0f, 1.02f));
+    SmallScene s;
+    Mesh mesh;
+    mesh.positions = {{-1, -1, 1}, {1, -1, -1}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    mesh.normals = {between, between, glm::normalize(at_corner)};
+    s.add(mesh, s.material(matte(Vec3f(0.8f))));
+    const ThreadPool pool(1);
+    DeviceScene device(s.scene, pool, Integrator::kPath);
+    device.update(evaluate(s.scene, 0.0), pool);
+    SurfacePlaces places(device.shaded());
+    RayHitPacket packet{};
+    SurfacePacket surface{};
+    surface.record[0] = 0, surface.instance[0] = 0, packet.hit.primID[0] = 0;
+    return std::pair(places.sides_near(packet, surface, 0, between),
+                     places.sides_near(packet, surface, 0, Vec3f(0.1f, 0.0f, 1.0f)));
+  };
+  const std::uint32_t along_x = hash(0u, 0u), none = 0;
+  const auto [between, far] = sides_near({1.0f, 0.2f, 1.0f});
+  EXPECT_EQ(between[0], along_x);
+  EXPECT_EQ(between[1], none);
+  EXPECT_EQ(far[0], none);
+  const auto [of_flat, far_of_flat] = sides_near({1.0f, 0.0f, 1.02f});
+  EXPECT_EQ(of_flat[0], none);
+  EXPECT_EQ(far_of_flat[0], none);
+}
+
 }  // namespace
 }  // namespace lippmann
