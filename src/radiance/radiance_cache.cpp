@@ -102,11 +102,13 @@ void RadianceCache::add(std::span<const std::span<const RadianceRecord>> records
       for (int level = 0; level < kLevels; ++level) {
         const int exponent = exponent_of(place.size, level);
         const glm::i64vec3 at = cell_at(place.position, exponent);
-        for (const std::uint32_t thing : {place.thing, record.also[0], record.also[1]}) {
-          if (thing == 0 && thing != place.thing) continue;
+        const auto add_to = [&](std::uint32_t thing) {
           const std::uint64_t key = key_of(base_key(thing, part_at(place.part, level), exponent), at);
           targets[piece][shard_of(key)].push_back({key, r, thing, static_cast<std::uint32_t>(level)});
-        }
+        };
+        add_to(place.thing);
+        for (const std::uint32_t thing : record.also)
+          if (thing != 0) add_to(thing);
       }
     }
   });
