@@ -61,6 +61,12 @@ Image* allocated_provenance(Vec2i film, const CachedLightPictures& pictures) {
   return &(*pictures.aovs)[Aov::kProvenance];
 }
 
+/// Frames differ, and what was measured on planning's patches is among the best of what was tried.
+PixelError expected_means(const FrameError& planned) {
+  constexpr float kOfPlan = 0.3f;
+  return {planned.blocks, std::hypot(planned.block_uncertainty, kOfPlan * planned.blocks)};
+}
+
 /// A goal that needs more than so many times the paths that were asked for is missed.
 constexpr int kMostMorePaths = 64;
 
@@ -93,14 +99,15 @@ class CachedFrame {
   float& error() { return before_.empty() ? history_.plan->error_alone : history_.plan->error; }
   void gather(bool provenance, const CachedLightPictures& pictures);
   enum class Mending { kNone, kGood, kFailed };
-  Mending mend(const FrameErrors& former, GatherMeasure& measure);
+  Mending mend(FrameErrors& former, GatherMeasure& measure);
   bool may_mend(const GatherMeasure& measure) const;
   void apply(const Remedy& remedy, int attempt);
   float expected_error(const GatherMeasure& measure) const;
   FrameError gather_apart(GatherMeasure& measure);
   std::optional<PathMix> mix_wanted(const GatherMeasure& measure, double share_of_rays) const;
   double share_before_mixing(const GatherMeasure& measure) const;
-  Mending mix_paths(const GatherMeasure& measure);
+  Mending mix_paths(const GatherMeasure& measure, FrameErrors& former);
+  FrameError error_without_mix(const GatherMeasure& measure) const;
   void adjust_mix(const GatherMeasure& measure, bool was_mixed);
   int path_samples(const CachedLightGoal& goal, int samples, float found) const;
   RayCounts trace_whole(const TraceParams& whole, const CachedLightPictures& pictures) const;
@@ -130,6 +137,7 @@ void CachedFrame::begin_history(const CachedLightGoal& goal) {
   PlanSearch search(shot_, params_, goal, {pool_, context_}, cache_);
   history_.plan = search.find();
   history_.least = history_.plan ? history_.plan->effort() : GatherEffort{};
+  if (history_.plan) history_.errors.expect_means(expected_means(history_.plan->expected), search.goal().blocks);
   history_.path_samples = path_samples(goal, params_.spp, search.error_of_paths());
   add(search.counts(), counts_);
   rays_of_search_ = counts().total();
@@ -150,7 +158,7 @@ void CachedFrame::learn_from(const FrameErrors& former) {
 /// A frame from the cache, if it errs by no more than it may; else a traced one. Whether it is the former.
 bool CachedFrame::make_gathered(const CachedLightGoal& goal, const CachedLightPictures& pictures) {
   GatherMeasure measure(shot_, params_, goal.error, cache_.is_first() ? kCheckingFirst : kChecking, before_, {pool_, context_});
-  const FrameErrors former = history_.errors;
+  FrameErrors former = history_.errors;
   const bool was_mixed = history_.plan->mix.samples > 0;
   learn_from(former);
   const bool shows_all = !goal.provenance && !alpha_of(pictures);  // as the paths that are compared with
@@ -187,7 +195,7 @@ FrameError CachedFrame::gather_apart(GatherMeasure& measure) { return measure.ch
 
 /// Where the frame errs by more than it may, it is given more light and more samples, as often as may help. With paths mixed
 /// in, cells that are wrong have had their chance.
-CachedFrame::Mending CachedFrame::mend(const FrameErrors& former, GatherMeasure& measure) {
+CachedFrame::Mending CachedFrame::mend(FrameErrors& former, GatherMeasure& measure) {
   FrameErrors& errors = history_.errors;
   const FrameError& may = measure.goal();
   FrameError left = errors.latest();
@@ -202,7 +210,7 @@ CachedFrame::Mending CachedFrame::mend(const FrameErrors& former, GatherMeasure&
     helps = has_helped(remedy, errors, left, now);
     left = now;
   }
-  const Mending mixed = mix_paths(measure);
+  const Mending mixed = mix_paths(measure, former);
   return mixed == Mending::kNone && attempts > 0 ? Mending::kGood : mixed;
 }
 
@@ -220,21 +228,33 @@ void CachedFrame::apply(const Remedy& remedy, int attempt) {
 }
 
 /// By what this frame errs on average with those before, as it alone knows little.
-std::optional<PathMix> CachedFrame::mix_wanted(const GatherMeasure& measure, double share_of_rays) const {
+FrameError CachedFrame::error_without_mix(const GatherMeasure& measure) const {
   const FrameError may = measure.goal(), &found = history_.errors.found(), &allowed = history_.errors.allowed();
-  const FrameError mixed{found.pixels / allowed.pixels * may.pixels, found.blocks / allowed.blocks * may.blocks};
-  return measure.mix_for(measure.without(history_.plan->mix, mixed), share_of_rays);
+  const float times = may.blocks / allowed.blocks;
+  const FrameError mixed{found.pixels / allowed.pixels * may.pixels, times * found.blocks, 0.0f,
+                         times * found.block_uncertainty};
+  return measure.without(history_.plan->mix, mixed);
+}
+
+std::optional<PathMix> CachedFrame::mix_wanted(const GatherMeasure& measure, double share_of_rays) const {
+  return measure.mix_for(error_without_mix(measure), share_of_rays);
 }
 
 /// For the next frame: one that needs paths may have had bad luck, two in a row have not.
 void CachedFrame::adjust_mix(const GatherMeasure& measure, bool was_mixed) {
   PathMix& mix = history_.plan->mix;
   const bool had_to_mix = std::exchange(history_.has_to_mix, mix.samples > 0);
-  if (!was_mixed && !had_to_mix) mix = {};
   if (mix.samples == 0) return;
-  const std::optional<PathMix> wanted = mix_wanted(measure, 0.0);
-  const float more = wanted ? static_cast<float>(wanted->samples) / static_cast<float>(mix.samples) : kMorePaths;
-  mix = scaled(mix, std::clamp(more, 1.0f / kMorePaths, kMorePaths), params_.spp);
+  const FrameError without = error_without_mix(measure);
+  if (!was_mixed && !had_to_mix) {
+    mix = {};
+  } else {
+    const std::optional<PathMix> wanted = mix_wanted(measure, 0.0);
+    const float more = wanted ? static_cast<float>(wanted->samples) / static_cast<float>(mix.samples) : kMorePaths;
+    mix = scaled(mix, std::clamp(more, 1.0f / kMorePaths, kMorePaths), params_.spp);
+  }
+  const FrameError next = measure.mixed(mix, without);
+  history_.errors.expect_means({next.blocks, next.block_uncertainty}, measure.goal().blocks);
 }
 
 /// The share of a whole frame's rays that count where paths are mixed in. A history's first frame counts only what gathering it
@@ -246,11 +266,13 @@ double CachedFrame::share_before_mixing(const GatherMeasure& measure) const {
 }
 
 /// What is still wrong averages out with that of a few paths.
-CachedFrame::Mending CachedFrame::mix_paths(const GatherMeasure& measure) {
+CachedFrame::Mending CachedFrame::mix_paths(const GatherMeasure& measure, FrameErrors& former) {
   const FrameErrors& errors = history_.errors;
   if (!errors.is_too_large()) return Mending::kNone;
   const std::optional<PathMix> mix = mix_wanted(measure, share_before_mixing(measure));
   if (!mix) return !cache_.is_first() || is_far_off(errors.latest(), measure.goal()) ? Mending::kFailed : Mending::kNone;
+  const FrameError mixed = measure.mixed(*mix, error_without_mix(measure));
+  former.expect_means({mixed.blocks, mixed.block_uncertainty}, measure.goal().blocks);
   history_.plan->mix = *mix;
   return Mending::kGood;
 }

@@ -19,6 +19,12 @@ constexpr float kLeastDrift = 0.2f, kDriftRemembered = 0.5f;
 /// No ratio is known better than to so much of itself.
 constexpr float kLeastDeviation = 0.02f;
 
+/// Errors of means change by so much of themselves from frame to frame, or of what they may be if they are less than the second
+/// part of it.
+constexpr float kMeansDrift = 0.2f, kLeastMeans = 0.25f;
+/// The variance of what is measured is told by so many frames.
+constexpr float kNoiseFrames = 8.0f;
+
 bool is_other(float now, float uncertainty, float mean, float mean_uncertainty) {
   return std::abs(now - mean) > kChanged * std::hypot(uncertainty, mean_uncertainty);
 }
@@ -37,17 +43,40 @@ void FrameErrors::add(const FrameError& now, const FrameError& may, float expect
   other_.add(now.other, expected);
   const bool changed = is_other(now.pixels, now.uncertainty, found_.pixels, found_.uncertainty);
   const float before = changed ? 0.0f : kRemembered * weight_;
+  if (changed && weight_ > 0.0f) means_.forget();
   weight_ = before + 1.0f;
   const auto pool = [&](float& mean, float value) { mean += (value - mean) / weight_; };
-  const auto pool_deviation = [&](float& mean, float value) {
-    mean = std::sqrt(before * before * mean * mean + value * value) / weight_;
-  };
-  pool(found_.pixels, now.pixels), pool(found_.blocks, now.blocks);
-  pool(allowed_.pixels, may.pixels), pool(allowed_.blocks, may.blocks);
-  pool_deviation(found_.uncertainty, now.uncertainty), pool_deviation(found_.block_uncertainty, now.block_uncertainty);
+  pool(found_.pixels, now.pixels), pool(allowed_.pixels, may.pixels);
+  found_.uncertainty = std::hypot(before * found_.uncertainty, now.uncertainty) / weight_;
+  means_.add(now.blocks / may.blocks, now.block_uncertainty / may.blocks);
+  allowed_.blocks = may.blocks;
+  found_.blocks = means_.ratio() * may.blocks, found_.block_uncertainty = means_.deviation() * may.blocks;
   pixels_ = excess_of(now.pixels, now.uncertainty, may.pixels, found_.pixels, found_.uncertainty, allowed_.pixels);
   blocks_ = excess_of(now.blocks, now.block_uncertainty, may.blocks, found_.blocks, found_.block_uncertainty, allowed_.blocks);
 }
+
+void FrameErrors::expect_means(const PixelError& blocks, float may) {
+  means_.expect(blocks.squared / may, blocks.uncertainty / may);
+}
+
+void PooledMeans::expect(float ratio, float deviation) { ratio_ = ratio, variance_ = squared(deviation), knows_ = true; }
+
+/// As PooledError, but for errors themselves: those that are measured may be below 0. Their own deviations say less of how
+/// certain they are than the mean of these over frames: frames that were lucky have small ones, and would count for more.
+void PooledMeans::add(float ratio, float deviation) {
+  measured_ = std::min(measured_ + 1.0f, kNoiseFrames);
+  noise_ += (squared(deviation) - noise_) / measured_;
+  const float past = variance_ + squared(kMeansDrift * std::max(ratio_, kLeastMeans));
+  if (!knows_ || is_other(ratio, std::sqrt(noise_), ratio_, std::sqrt(past))) {
+    expect(ratio, std::sqrt(noise_));
+    return;
+  }
+  const float of_latest = past / std::max(past + noise_, 1e-20f);
+  ratio_ += of_latest * (ratio - ratio_);
+  variance_ = (1.0f - of_latest) * past;
+}
+
+float PooledMeans::deviation() const { return std::sqrt(variance_); }
 
 /// The filter of R. E. Kalman, "A New Approach to Linear Filtering and Prediction Problems", 1960, on a logarithm that drifts
 /// by an amount that is not known beforehand: it is what successive logarithms differ by beyond their deviations.

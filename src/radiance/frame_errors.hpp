@@ -25,12 +25,33 @@ class PooledError {
   PixelError of_latest_;
 };
 
+/// What errors of means are, over what they may be. A frame's few patches tell it with a deviation of 0.7 to 3 times what is
+/// allowed; how much errors change from frame to frame is small beside that.
+class PooledMeans {
+ public:
+  /// What the next frame is expected to have, instead of what frames before have told.
+  void expect(float ratio, float deviation);
+  /// What a frame was measured to have.
+  void add(float ratio, float deviation);
+  void forget() { knows_ = false; }
+  float ratio() const { return ratio_; }
+  float deviation() const;
+
+ private:
+  float ratio_ = 0.0f, variance_ = 0.0f;
+  bool knows_ = false;                    ///< else these two mean nothing
+  float noise_ = 0.0f, measured_ = 0.0f;  ///< the mean variance of what frames were measured to have, and their number
+};
+
 /// Errors of frames before count less and less, as light changes, and not at all where it has changed for sure; but a few
 /// patches know little.
 class FrameErrors {
  public:
   /// The latest frame's, and what it may be. expected: of its pixels (GatherHistory); 0: not known.
   void add(const FrameError& now, const FrameError& may, float expected = 0.0f);
+
+  /// What means of the next frame are expected to err by, instead of what frames before have told of them.
+  void expect_means(const PixelError& blocks, float may);
 
   const FrameError& found() const { return found_; }
 
@@ -48,7 +69,8 @@ class FrameErrors {
   bool is_too_large() const { return pixels_ == Excess::kSure || blocks_ == Excess::kSure; }
 
  private:
-  FrameError found_, allowed_;  ///< weighted means
+  FrameError found_, allowed_;  ///< weighted means; of blocks, as means_ has it
+  PooledMeans means_;
   FrameError latest_;
   PooledError pooled_, other_;
   float weight_ = 0.0f;

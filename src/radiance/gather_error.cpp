@@ -351,12 +351,21 @@ float GatherMeasure::path_exponent() const {
   return std::clamp(std::log(of_halves_ / of_single_paths_.squared) / std::log(times), 1.0f, 2.0f);
 }
 
+FrameError GatherMeasure::mixed(const PathMix& mix, const FrameError& cached) const {
+  const MixedErrors errors = errors_of(mix, {cached.pixels, cached.blocks}, path_errors());
+  FrameError found = cached;
+  found.pixels = errors.pixels, found.blocks = errors.blocks;
+  found.block_uncertainty *= (1.0f - mix.weight) * (1.0f - mix.weight);
+  return found;
+}
+
 FrameError GatherMeasure::without(const PathMix& mix, const FrameError& found) const {
   if (mix.samples == 0) return found;
   const MixedErrors of_paths = errors_of(mix, {}, path_errors());
   const float part = (1.0f - mix.weight) * (1.0f - mix.weight);
   FrameError cached = found;
   cached.pixels = (found.pixels - of_paths.pixels) / part, cached.blocks = (found.blocks - of_paths.blocks) / part;
+  cached.block_uncertainty = found.block_uncertainty / part;
   return at_least_some(cached);
 }
 

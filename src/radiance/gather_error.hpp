@@ -98,6 +98,9 @@ class GatherMeasure {
     return errors_of(mix, {share * squared, 0.0f}, path_errors()).pixels;
   }
 
+  /// What frames err by that err by `cached` without the paths that are mixed in.
+  FrameError mixed(const PathMix& mix, const FrameError& cached) const;
+
   /// What frames would err by without the paths that are mixed in.
   FrameError without(const PathMix& mix, const FrameError& found) const;
 

@@ -122,6 +122,7 @@ void PlanSearch::keep_mixed(const CacheSetup& setup) {
   const std::optional<PathMix> mix = measure_.mix_for(now.plan.expected, now.plan.share_of_rays);
   if (!mix) return;
   now.plan.mix = *mix;
+  now.plan.expected = measure_.mixed(*mix, now.plan.expected);
   now.plan.share_of_rays += static_cast<double>(mix->samples) / params_.spp;
   if (!mixed_ || now.plan.share_of_rays < mixed_->plan.share_of_rays) mixed_ = now;
 }

@@ -20,6 +20,9 @@ class PlanSearch {
   /// All that was traced, but for updates of the cache.
   RayCounts counts() const;
 
+  /// What frames may err by.
+  const FrameError& goal() const { return measure_.goal(); }
+
   /// The squared error of pixels that are traced by TraceParams::spp paths.
   float error_of_paths() const { return measure_.of_paths(); }
 

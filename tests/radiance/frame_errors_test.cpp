@@ -36,8 +36,53 @@ TEST(FrameErrors, the_past_counts_less_and_less) {
   EXPECT_FLOAT_EQ(errors.found().pixels, (0.6f * 1.0f + 2.0f) / 1.6f);
   errors.add(error(2.0f, 1.0f), error(1.0f));
   EXPECT_FLOAT_EQ(errors.found().pixels, (0.36f * 1.0f + 0.6f * 2.0f + 2.0f) / 1.96f);
-  EXPECT_FLOAT_EQ(errors.found().blocks, 0.5f * errors.found().pixels);
   EXPECT_FLOAT_EQ(errors.allowed().pixels, 1.0f);
+}
+
+FrameError means(float blocks, float uncertainty) { return {0.5f, blocks, 0.5f, uncertainty}; }
+
+// Half of what is allowed, then all of it, both give or take a half. The first is worth 0.25 + (0.2 * 0.5)^2 in the second.
+TEST(FrameErrors, errors_of_means_are_pooled_by_how_certain_they_are) {
+  FrameErrors errors;
+  errors.add(means(1.0f, 1.0f), means(2.0f, 0.0f));
+  EXPECT_FLOAT_EQ(errors.found().blocks, 1.0f);
+  EXPECT_FLOAT_EQ(errors.found().block_uncertainty, 1.0f);
+  errors.add(means(2.0f, 1.0f), means(2.0f, 0.0f));
+  EXPECT_NEAR(errors.found().blocks, 2.0f * (0.5f + 0.5f * 0.26f / 0.51f), 1e-5f);
+  EXPECT_NEAR(errors.found().block_uncertainty, 2.0f * std::sqrt(0.26f * 0.25f / 0.51f), 1e-5f);
+}
+
+// 1.9 of what is allowed, give or take 1.4, where 0.3, give or take 0.1, is expected.
+TEST(FrameErrors, means_that_were_expected_to_be_good_are_not_too_large_by_one_uncertain_frame) {
+  FrameErrors alone, expected;
+  alone.add(means(1.9f, 1.4f), means(1.0f, 0.0f));
+  EXPECT_EQ(alone.blocks(), Excess::kProbable);
+  expected.expect_means({0.3f, 0.1f}, 1.0f);
+  expected.add(means(1.9f, 1.4f), means(1.0f, 0.0f));
+  EXPECT_EQ(expected.blocks(), Excess::kNone);
+  EXPECT_NEAR(expected.found().blocks, 0.31f, 0.02f);
+  expected.add(means(1.9f, 0.4f), means(1.0f, 0.0f));  // for sure
+  EXPECT_EQ(expected.blocks(), Excess::kSure);
+}
+
+// Frames whose patches were lucky tell of little and seem to be sure of it. Weighed by their own variances, frames that err by
+// what is allowed would seem to err by 0.54 of it.
+TEST(FrameErrors, means_of_lucky_frames_count_no_more_than_others) {
+  FrameErrors errors;
+  double sum = 0.0;
+  for (int frame = 0; frame < 40; ++frame) {
+    errors.add(frame % 2 ? means(1.5f, 1.0f) : means(0.5f, 0.2f), means(1.0f, 0.0f));
+    if (frame >= 20) sum += static_cast<double>(errors.found().blocks) / 20.0;
+  }
+  EXPECT_NEAR(sum, 1.0, 0.1);
+}
+
+// Another picture, as its pixels say for sure.
+TEST(FrameErrors, what_was_known_of_means_counts_for_nothing_where_pixels_are_others) {
+  FrameErrors errors;
+  for (int frame = 0; frame < 8; ++frame) errors.add({1.0f, 0.1f, 0.01f, 0.5f}, {9.0f, 1.0f});
+  errors.add({2.0f, 0.9f, 0.01f, 0.5f}, {9.0f, 1.0f});
+  EXPECT_FLOAT_EQ(errors.found().blocks, 0.9f);
 }
 
 // 3 is 2.5 deviations of 0.71 from 1, and more.
