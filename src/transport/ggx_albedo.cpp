@@ -36,7 +36,7 @@ GgxAlbedo::GgxAlbedo() {
     Vec4f sum(0.0f);
     for (int i = 0; i < kPoints; ++i) {
       const float cosine = (static_cast<float>(i) + 0.5f) / kPoints;
-      const Vec2f s = single(cosine, roughness * roughness);
+      const Vec2f s(single(cosine, roughness * roughness));
       const float lost = (1.0f - s.x - s.y) / (s.x + s.y);
       sum += cosine * Vec4f(s.x, s.y, lost * s.x, lost * s.y);
     }
@@ -44,16 +44,17 @@ GgxAlbedo::GgxAlbedo() {
   }
 }
 
-Vec2f GgxAlbedo::single(float cosine, float alpha) const {
+Vec3f GgxAlbedo::single(float cosine, float alpha) const {
   const TablePlace r(std::sqrt(alpha), kSize), c(cosine, kSize);
   const auto row = [&](std::size_t index) { return glm::mix(single_[index][c.index], single_[index][c.index + 1], c.share); };
-  return glm::mix(row(r.index), row(r.index + 1), r.share);
+  return {glm::mix(row(r.index), row(r.index + 1), r.share), edge_of_later_facets(cosine, alpha)};
 }
 
 Vec3f GgxAlbedo::mean(float alpha, Vec3f f0, Vec3f f90) const {
   const TablePlace r(std::sqrt(alpha), kSize);
   const Vec4f m = glm::mix(mean_[r.index], mean_[r.index + 1], r.share);
-  return f0 * m.x + f90 * m.y + of_more_bounces(m.x + m.y, f0, f90) * (f0 * m.z + f90 * m.w);
+  const float edge = edge_of_later_facets(0.65f, alpha);  // where most of it is lost
+  return f0 * m.x + f90 * m.y + of_more_bounces(m.x + m.y, edge, f0, f90) * (f0 * m.z + f90 * m.w);
 }
 
 }  // namespace lippmann

@@ -59,7 +59,7 @@ LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, Vec3f
       most_sheen_(most(s.sheen_color)) {
   set_gloss();
   if (glass_share_ > 0.0f && !is_smooth_) {
-    const Vec2f single = single_albedo(view_);
+    const Vec3f single = single_albedo(view_);
     glass_compensation_ =
         1.0f / (s.is_thin ? single.x + single.y : albedo_.glass().single(view_.z, ggx_.alpha_towards(view_), eta_));
   }
@@ -72,12 +72,13 @@ LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, Vec3f
   set_shares();
 }
 
-Vec2f LayeredBsdf::single_albedo(Vec3f direction) const {
+Vec3f LayeredBsdf::single_albedo(Vec3f direction) const {
   if (surface_.anisotropy > 0.0f)
-    return albedo_.brushed().single(direction, squared(surface_.base.roughness), surface_.anisotropy);
+    return {albedo_.brushed().single(direction, squared(surface_.base.roughness), surface_.anisotropy),
+            GgxAlbedo::edge_of_later_facets(direction.z, ggx_.alpha_towards(direction))};
   if (!is_smooth_) return albedo_.single(direction.z, ggx_.alpha.x);
   const float edge = schlick_weight(direction.z);
-  return {1.0f - edge, edge};
+  return {1.0f - edge, edge, 0.0f};
 }
 
 Vec3f LayeredBsdf::fresnel_of(Vec3f f0, Vec3f f90, float cosine) const {
@@ -88,7 +89,7 @@ Vec3f LayeredBsdf::fresnel_of(Vec3f f0, Vec3f f90, float cosine) const {
 
 /// A film's reflectance changes with the angle in no way that tables could hold: it is taken as that of the whole surface.
 Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
-  const Vec2f single = single_albedo(direction);
+  const Vec3f single = single_albedo(direction);
   const Vec3f bare = GgxAlbedo::directional(single, f0, f90);
   if (surface_.film_share == 0.0f) return bare;
   const Vec3f film = film_reflectance(surface_.film, f0, direction.z);
@@ -98,7 +99,7 @@ Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
 /// As MetalRoughBsdf's: one lobe carries dielectric and metal, with the compensation that both have on the mean.
 void LayeredBsdf::set_gloss() {
   const MetalRoughSurface& s = surface_.base;
-  const Vec2f single = single_albedo(view_);
+  const Vec3f single = single_albedo(view_);
   gloss_albedo_ =
       matt_ * albedo_of(dielectric_f0_, dielectric_f90_, view_) + s.metallic * albedo_of(s.base_color, Vec3f(1.0f), view_);
   Vec3f f0 = matt_ * dielectric_f0_ + s.metallic * s.base_color, f90 = matt_ * dielectric_f90_ + Vec3f(s.metallic);
@@ -118,7 +119,7 @@ void LayeredBsdf::set_gloss() {
 
 void LayeredBsdf::set_coat() {
   const float edge = schlick_weight(coat_view_.z);
-  const Vec2f single = is_mirror(coat_alpha_) ? Vec2f(1.0f - edge, edge) : albedo_.single(coat_view_.z, coat_alpha_);
+  const Vec3f single = is_mirror(coat_alpha_) ? Vec3f(1.0f - edge, edge, 0.0f) : albedo_.single(coat_view_.z, coat_alpha_);
   below_coat_ = 1.0f - surface_.base.clearcoat * GgxAlbedo::directional(single, Vec3f(kCoatReflectance), Vec3f(1.0f)).x;
 }
 

@@ -66,7 +66,7 @@ class LayeredBsdf {
   void set_shares();
   void scale_shares();
 
-  Vec2f single_albedo(Vec3f direction) const;
+  Vec3f single_albedo(Vec3f direction) const;
   /// Film and bare surface mixed: the directional albedo with compensation, and the reflectance of one facet.
   Vec3f albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const;
   Vec3f fresnel_of(Vec3f f0, Vec3f f90, float cosine) const;

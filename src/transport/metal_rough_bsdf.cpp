@@ -67,7 +67,7 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
 void MetalRoughBsdf::set_gloss(const MetalRoughSurface& s, float dielectric) {
   // Each part's own compensation: of the dielectric and of the metal. Their sum is carried by one lobe; its factor is the
   // mean, weighted by what they send.
-  const Vec2f single = single_albedo(view_.z, alpha_);
+  const Vec3f single = single_albedo(view_.z, alpha_);
   if (dielectric > 0.0f) {
     dielectric_albedo_ = GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_);
     gloss_albedo_ = dielectric * dielectric_albedo_;
@@ -85,14 +85,14 @@ void MetalRoughBsdf::set_gloss(const MetalRoughSurface& s, float dielectric) {
 
 void MetalRoughBsdf::set_coat(const MetalRoughSurface& s) {
   coat_ = s.clearcoat;
-  const Vec2f single = single_albedo(coat_view_.z, coat_alpha_);
+  const Vec3f single = single_albedo(coat_view_.z, coat_alpha_);
   below_coat_ = 1.0f - coat_ * GgxAlbedo::directional(single, Vec3f(kCoatF0), Vec3f(1.0f)).x;
 }
 
-Vec2f MetalRoughBsdf::single_albedo(float cosine, float alpha) const {
+Vec3f MetalRoughBsdf::single_albedo(float cosine, float alpha) const {
   if (!smooth(alpha)) return albedo_.single(cosine, alpha);
   const float edge = schlick_weight(cosine);
-  return {1.0f - edge, edge};
+  return {1.0f - edge, edge, 0.0f};
 }
 
 /// diffuse: the albedo of the diffuse part without anything above it.
@@ -113,7 +113,7 @@ void MetalRoughBsdf::scale_shares() {
 /// and the normalisation, are in diffuse_color_).
 Vec3f MetalRoughBsdf::diffuse_f(Vec3f light) const {
   if (dielectric_f90_ == Vec3f(0.0f)) return diffuse_color_ * (1.0f / kPi);
-  const Vec2f single = single_albedo(light.z, alpha_);
+  const Vec3f single = single_albedo(light.z, alpha_);
   return diffuse_color_ * (Vec3f(1.0f) - GgxAlbedo::directional(single, dielectric_f0_, dielectric_f90_)) * (1.0f / kPi);
 }
 

@@ -65,7 +65,7 @@ class MetalRoughBsdf {
   void set_coat(const MetalRoughSurface& s);
   void set_shares(Vec3f diffuse);
   void scale_shares();
-  Vec2f single_albedo(float cosine, float alpha) const;
+  Vec3f single_albedo(float cosine, float alpha) const;
 
   Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_frame_.to_local(world) : local; }
   Vec3f diffuse_f(Vec3f light) const;
