@@ -51,10 +51,10 @@ class SampleSurveyor : public PathTracer<SampleSurveyor> {
     const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
     if (kind_ == SampleKind::kGather) {
       ask_hard_lights(point, bsdf, ray);
-      if (bsdf.diffuse_share() < 1.0f) follow(point, bsdf.without_diffuse(), bsdf.lit_side(), ray, length);
+      if (bsdf.diffuse_share() < 1.0f) follow(point, bsdf.without_diffuse(), bsdf.lit_side(point.normal), ray, length);
     } else {
       ask_one_light(point, bsdf, ray);
-      follow(point, bsdf, bsdf.lit_side(), ray, length);
+      follow(point, bsdf, bsdf.lit_side(point.normal), ray, length);
     }
   }
 
@@ -96,7 +96,7 @@ class SampleSurveyor : public PathTracer<SampleSurveyor> {
   void ask_hard_lights(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
     const float pick = draw(ray, kChoicePair).x;
     const Vec2f u = draw(ray, kOnLightPair);
-    const LightReceiver at{point.position, bsdf.lit_side()};
+    const LightReceiver at{point.position, bsdf.lit_side(point.normal)};
     const auto ask_one = [&](LightGroups group, SegmentClass segment) {
       if (lights().chance(group) > 0.0f) ask(lights().sample(group, at, pick, u), segment, point, bsdf, ray);
     };
@@ -113,8 +113,8 @@ class SampleSurveyor : public PathTracer<SampleSurveyor> {
     const float pick = draw(ray, kChoicePair).x;
     for (const GroupClass& c : kGroupClasses)
       if (pick < lights().chance({LightGroup::kPoints, c.group.end}))
-        return ask(lights().sample({point.position, bsdf.lit_side()}, pick, draw(ray, kOnLightPair)), c.segment, point, bsdf,
-                   ray);
+        return ask(lights().sample({point.position, bsdf.lit_side(point.normal)}, pick, draw(ray, kOnLightPair)), c.segment,
+                   point, bsdf, ray);
   }
 
   void follow(const ShadingPoint& point, const Bsdf& bsdf, Vec3f lit_side, const PathRay& ray, float length) {

@@ -64,7 +64,7 @@ void CacheUpdate::vertex(const RayHitPacket& packet, int i, const PathRay& ray, 
   const std::optional<BsdfSample> sample =
       bsdf.without_diffuse().sample((choice.y - share) / (1.0f - share), draw(ray, kWayPair));
   if (sample && is_possible(point, sample->direction, sample->transmitted))
-    go_on(ray, point, bsdf.lit_side(), *sample, Vec3f(1.0f), length, counts_.reflection);
+    go_on(ray, point, bsdf.lit_side(point.normal), *sample, Vec3f(1.0f), length, counts_.reflection);
 }
 
 void CacheUpdate::ask(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, const Bsdf& bsdf,

@@ -79,7 +79,7 @@ void FinalGather::vertex(const RayHitPacket& packet, int i, const PathRay& ray, 
   add_rounds(asking);
   for (const LightGroups groups : {kSun, kLamps, kSkyLight}) add_lights(groups, asking);
   if (albedo != Vec3f(0.0f)) ask_cache(packet, i, ray, bsdf.normal(), albedo, length);
-  if (has_gloss) reflect(point, gloss, bsdf.lit_side(), ray, length);
+  if (has_gloss) reflect(point, gloss, bsdf.lit_side(point.normal), ray, length);
 }
 
 /// For soft light on a diffuse surface: all that ask wait for end_packet().
@@ -101,7 +101,7 @@ void FinalGather::follow_path(const RayHitPacket& packet, int i, const PathRay& 
 void FinalGather::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
   if (lights().points() > kFewLights) {
     if (const std::optional<LightSample> light =
-            lights().sample(kPointLights, {point.position, bsdf.lit_side()}, draw(ray, kChoicePair).x, Vec2f(0.0f)))
+            lights().sample(kPointLights, {point.position, bsdf.lit_side(point.normal)}, draw(ray, kChoicePair).x, Vec2f(0.0f)))
       shine(point, bsdf, *light, ray, to_others_);
     return;
   }

@@ -62,7 +62,7 @@ class FinalGather : public PathTracer<FinalGather> {
     const Bsdf* gloss;  ///< null: it has none, or only a sharp one
     Vec3f albedo;
     const PathRay& ray;
-    LightReceiver receiver() const { return {point.position, bsdf.lit_side()}; }
+    LightReceiver receiver() const { return {point.position, bsdf.lit_side(point.normal)}; }
   };
   void add_rounds(const Asking& asking);
   void add_lights(LightGroups groups, const Asking& asking);

@@ -119,13 +119,13 @@ struct Facing {
   if (bends && e.dispersion > 0.0f && base.transmission > 0.0f) base.ior = ior_of_channel(base.ior, e.dispersion, channel);
   if (!is_layered(e))
     return Bsdf(std::in_place_type<MetalRoughBsdf>, base, albedo, facing.normals, facing.view, facing.entering);
-  const Vec3f normal = facing.normals.diffuse;
   LayeredSurface s = layered_surface(base, e, maps);
   Vec3f along(0.0f);
   float strength = e.anisotropy.strength;
-  if (strength > 0.0f) along = anisotropy_direction(e.anisotropy, maps, normal, facing.entering ? 1.0f : -1.0f, strength);
+  if (strength > 0.0f)
+    along = anisotropy_direction(e.anisotropy, maps, facing.normals.gloss, facing.entering ? 1.0f : -1.0f, strength);
   if (along != Vec3f(0.0f)) s.anisotropy = strength;
-  return Bsdf(std::in_place_type<LayeredBsdf>, s, albedo, normal, along, facing.normals.coat, facing.view, facing.entering);
+  return Bsdf(std::in_place_type<LayeredBsdf>, s, albedo, facing.normals, along, facing.view, facing.entering);
 }
 
 }  // namespace

@@ -56,8 +56,12 @@ class Bsdf {
     const auto* layered = std::get_if<LayeredBsdf>(&bsdf_);
     return layered ? layered->straight() : Vec3f(0.0f);
   }
-  /// The side that light has to come from: normal(), or null where it may come from both.
-  Vec3f lit_side() const { return scatters_through() ? Vec3f(0.0f) : normal(); }
+  /// The side that light has to come from: normal(), or null where it may come from both. smooth: the point's normal without
+  /// any map, by which a coat may see what the surface below it looks away from.
+  Vec3f lit_side(Vec3f smooth) const {
+    if (scatters_through()) return Vec3f(0.0f);
+    return std::visit([&](const auto& b) { return b.has_coat_apart() ? smooth : b.normal(); }, bsdf_);
+  }
   bool is_sharp() const {
     return std::visit([](const auto& b) { return b.is_sharp(); }, bsdf_);
   }

@@ -52,11 +52,12 @@ void PathIntegrator::vertex(const RayHitPacket& packet, int i, const PathRay& ra
   if (ray.depth + 1 >= kRouletteDepth &&
       !survives(throughput, std::min(0.95f, largest(throughput)), numbers(ray, i, kCoveragePair).x))
     return;
-  go_on(ray, point, bsdf.lit_side(), *sample, throughput, length, sample->is_delta() ? counts_.reflection : counts_.indirect);
+  go_on(ray, point, bsdf.lit_side(point.normal), *sample, throughput, length,
+        sample->is_delta() ? counts_.reflection : counts_.indirect);
 }
 
 void PathIntegrator::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u) {
-  const std::optional<LightSample> light = lights().sample({point.position, bsdf.lit_side()}, pick, u);
+  const std::optional<LightSample> light = lights().sample({point.position, bsdf.lit_side(point.normal)}, pick, u);
   if (!light) return;
   const BsdfValue value = bsdf.evaluate(light->direction);
   if (!may_shine(point, light->direction, value.transmitted)) return;

@@ -39,13 +39,14 @@ float most(Vec3f v) { return std::max({v.x, v.y, v.z}); }
 
 }  // namespace
 
-LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, Vec3f normal, Vec3f tangent, Vec3f coat_normal,
-                         Vec3f view, bool entering)
+LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, const MetalRoughBsdf::Normals& normals,
+                         Vec3f tangent, Vec3f view, bool entering)
     : surface_(s),
       albedo_(albedo),
       ahead_(-view),
-      frame_(s.anisotropy > 0.0f ? frame_along(normal, tangent) : Frame(normal)),
-      view_(lifted(frame_.to_local(view))),
+      frame_(s.anisotropy > 0.0f ? frame_along(normals.diffuse, tangent) : Frame(normals.diffuse)),
+      gloss_frame_(frame_),
+      glossy_apart_(normals.gloss != normals.diffuse),
       is_smooth_(s.anisotropy == 0.0f && is_mirror(squared(s.base.roughness))),
       ggx_(facets_of(s)),
       coat_alpha_(squared(s.base.clearcoat_roughness)),
@@ -57,6 +58,8 @@ LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, Vec3f
       diffuse_color_(matt_ * (1.0f - s.diffuse_transmission) * s.base.base_color),
       through_color_(matt_ * s.diffuse_transmission * s.diffuse_transmission_color),
       most_sheen_(most(s.sheen_color)) {
+  if (glossy_apart_) gloss_frame_ = s.anisotropy > 0.0f ? frame_along(normals.gloss, tangent) : Frame(normals.gloss);
+  view_ = lifted(gloss_frame_.to_local(view));
   set_gloss();
   if (glass_share_ > 0.0f && !is_smooth_) {
     const Vec3f single = single_albedo(view_);
@@ -65,7 +68,7 @@ LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, Vec3f
   }
   if (most_sheen_ > 0.0f) sheen_passes_ = passes_sheen(view_.z);
   if (s.base.clearcoat > 0.0f) {
-    coat_frame_ = Frame(coat_normal);
+    coat_frame_ = Frame(normals.coat);
     coat_view_ = lifted(coat_frame_.to_local(view));
     set_coat();
   }
@@ -187,6 +190,10 @@ bool LayeredBsdf::is_sharp() const {
          (is_mirror(coat_alpha_) || shares_.coat == 0.0f);
 }
 
+bool LayeredBsdf::has_coat_apart() const {
+  return surface_.base.clearcoat > 0.0f && !is_mirror(coat_alpha_) && coat_frame_.z != frame_.z;
+}
+
 LayeredBsdf LayeredBsdf::without_diffuse() const {
   LayeredBsdf rest = *this;
   rest.diffuse_color_ = Vec3f(0.0f);
@@ -252,18 +259,23 @@ void LayeredBsdf::add_coat(Vec3f light, BsdfValue& value) const {
   value.density += shares_.coat * ggx.visible_density(coat_view_, h) / (4.0f * cosine);
 }
 
+/// Light that comes through does so behind the normals of both the diffuse part and the gloss.
 BsdfValue LayeredBsdf::evaluate(Vec3f light_world) const {
-  const Vec3f light = frame_.to_local(light_world);
-  BsdfValue value;
-  value.transmitted = light.z < 0.0f;
-  if (light.z != 0.0f) {
-    add_diffuse(light, value);
-    if (shares_.gloss > 0.0f && !is_smooth_ && light.z > 0.0f) add_gloss(light, value);
-    if (glass_share_ > 0.0f && !is_smooth_) add_glass(light, value);
-    value.cosine_f *= below_sheen(light);
-    if (most_sheen_ > 0.0f && light.z > 0.0f) add_sheen(light, value);
-    value.cosine_f *= below_coat_;
+  const Vec3f local = frame_.to_local(light_world), light = local_to_gloss(light_world, local);
+  BsdfValue value, under_sheen;
+  value.transmitted = scatters_through() && local.z < 0.0f && light.z < 0.0f;
+  if (local.z > 0.0f || value.transmitted) {
+    add_diffuse(local, value);
+    value.cosine_f *= below_sheen(local);
   }
+  if (light.z != 0.0f) {
+    if (shares_.gloss > 0.0f && !is_smooth_ && light.z > 0.0f) add_gloss(light, under_sheen);
+    if (glass_share_ > 0.0f && !is_smooth_) add_glass(light, under_sheen);
+    value.cosine_f += below_sheen(light) * under_sheen.cosine_f;
+    value.density += under_sheen.density;
+    if (most_sheen_ > 0.0f && light.z > 0.0f) add_sheen(light, value);
+  }
+  value.cosine_f *= below_coat_;
   if (surface_.base.clearcoat > 0.0f && !is_mirror(coat_alpha_)) add_coat(coat_frame_.to_local(light_world), value);
   return value;
 }
@@ -271,7 +283,7 @@ BsdfValue LayeredBsdf::evaluate(Vec3f light_world) const {
 bool LayeredBsdf::draw_gloss(Vec2f u, BsdfSample& s) const {
   const Vec3f light = mirrored(view_, is_smooth_ ? kAbove : ggx_.sample_visible(view_, u));
   if (!(light.z > 0.0f)) return false;
-  s.direction = frame_.to_world(light);
+  s.direction = gloss_frame_.to_world(light);
   if (is_smooth_) s.density = kInfinity, s.weight = below_coat_ * below_sheen(light) / shares_.gloss * gloss_albedo_;
   return true;
 }
@@ -290,7 +302,7 @@ bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   Vec3f light = mirrored(view_, normal);
   if (s.transmitted) light = surface_.is_thin ? flipped(light) : refracted_away(view_, normal, eta_);
   if (light.z == 0.0f || (light.z < 0.0f) != s.transmitted) return false;
-  s.direction = frame_.to_world(light);
+  s.direction = gloss_frame_.to_world(light);
   if (!is_smooth_) return true;
   const float chance = shares_.glass * (s.transmitted ? 1.0f - facet.chance : facet.chance);
   s.density = kInfinity;
@@ -327,11 +339,11 @@ bool LayeredBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
   if ((lobe -= shares_.diffuse) < shares_.through) {
     s.direction = frame_.to_world(flipped(sample_cosine(u)));
     s.transmitted = true;
-    return true;
+    return !glossy_apart_ || glm::dot(s.direction, gloss_frame_.z) < 0.0f;
   }
   if ((lobe -= shares_.through) < shares_.sheen) {
     const float radius = std::sqrt(std::max(0.0f, 1.0f - u.x * u.x)), angle = 2.0f * kPi * u.y;
-    s.direction = frame_.to_world({radius * std::cos(angle), radius * std::sin(angle), u.x});
+    s.direction = gloss_frame_.to_world({radius * std::cos(angle), radius * std::sin(angle), u.x});
     return u.x > 0.0f;
   }
   if ((lobe -= shares_.sheen) < shares_.gloss) return draw_gloss(u, s);

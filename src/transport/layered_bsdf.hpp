@@ -32,8 +32,9 @@ struct LayeredSurface {
 
 class LayeredBsdf {
  public:
-  /// As MetalRoughBsdf; tangent: along which it is rougher, not along the normal; of any length.
-  LayeredBsdf(const LayeredSurface& surface, const GgxAlbedo& albedo, Vec3f normal, Vec3f tangent, Vec3f coat_normal,
+  /// As MetalRoughBsdf, sheen and what transmits with the gloss's normal. tangent: along which it is rougher, not along the
+  /// normal; of any length.
+  LayeredBsdf(const LayeredSurface& surface, const GgxAlbedo& albedo, const MetalRoughBsdf::Normals& normals, Vec3f tangent,
               Vec3f view, bool entering);
 
   BsdfValue evaluate(Vec3f light) const;
@@ -48,6 +49,7 @@ class LayeredBsdf {
   /// What passes a smooth thin wall straight on, a Dirac lobe of sample(); 0 of all else.
   Vec3f straight() const;
   bool scatters_through() const { return glass_share_ > 0.0f || through_color_ != Vec3f(0.0f); }
+  bool has_coat_apart() const;
   LayeredBsdf without_diffuse() const;
 
  private:
@@ -76,6 +78,7 @@ class LayeredBsdf {
   float below_sheen(Vec3f light) const;
   GlassFacet glass_facet(float cosine) const;
 
+  Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_frame_.to_local(world) : local; }
   void add_diffuse(Vec3f light, BsdfValue& value) const;
   void add_gloss(Vec3f light, BsdfValue& value) const;
   void add_glass(Vec3f light, BsdfValue& value) const;
@@ -89,9 +92,12 @@ class LayeredBsdf {
 
   LayeredSurface surface_;
   const GgxAlbedo& albedo_;
-  Vec3f ahead_;               ///< from the viewer to the point and on
-  Frame frame_, coat_frame_;  ///< x along the tangent
-  Vec3f view_, coat_view_;    ///< local
+  Vec3f ahead_;             ///< from the viewer to the point and on
+  Frame frame_;             ///< of the diffuse part; x along the tangent
+  Frame gloss_frame_;       ///< of all else below the coat
+  Frame coat_frame_;        ///< set where there is one
+  bool glossy_apart_;       ///< the gloss has a frame of its own
+  Vec3f view_, coat_view_;  ///< local to gloss_frame_ and coat_frame_
   bool is_smooth_;
   AnisotropicGgx ggx_;
   float coat_alpha_, eta_;

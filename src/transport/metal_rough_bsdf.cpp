@@ -130,6 +130,8 @@ bool MetalRoughBsdf::is_sharp() const {
   return (smooth(alpha_) || (shares_.gloss == 0.0f && shares_.glass == 0.0f)) && (smooth(coat_alpha_) || coat_ == 0.0f);
 }
 
+bool MetalRoughBsdf::has_coat_apart() const { return coat_ > 0.0f && !smooth(coat_alpha_) && coat_frame_.z != frame_.z; }
+
 MetalRoughBsdf MetalRoughBsdf::without_diffuse() const {
   MetalRoughBsdf rest = *this;
   rest.diffuse_color_ = Vec3f(0.0f);
@@ -187,7 +189,7 @@ void MetalRoughBsdf::add_coat(Vec3f light, BsdfValue& value) const {
 BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   const Vec3f local = frame_.to_local(light_world), light = local_to_gloss(light_world, local);
   BsdfValue value;
-  value.transmitted = local.z < 0.0f && light.z < 0.0f;
+  value.transmitted = scatters_through() && local.z < 0.0f && light.z < 0.0f;
   if (local.z > 0.0f) {
     value.cosine_f = below_coat_ * local.z * diffuse_f(local);
     value.density = shares_.diffuse * local.z * (1.0f / kPi);

@@ -53,6 +53,8 @@ class MetalRoughBsdf {
   Vec3f normal() const { return frame_.z; }
   bool is_sharp() const;                                         ///< no lobe but the diffuse one has a width
   bool scatters_through() const { return glass_share_ > 0.0f; }  ///< light from behind, Dirac's lobes included
+  /// A rough coat has another normal than normal(), and may have light from where that looks away.
+  bool has_coat_apart() const;
   /// What is left without it.
   MetalRoughBsdf without_diffuse() const;
 

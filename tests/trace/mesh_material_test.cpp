@@ -155,5 +155,63 @@ TEST(MeshMaterial, map_turns_and_weakens_the_brush_of_a_metal) {
   EXPECT_GT(std::abs(along.at(8, 8).x / by_numbers.at(8, 8).x - 1.0f), 0.1f);
 }
 
+/// A map of one normal, which leans so far to the right.
+Texture leaning(float degrees) {
+  const float a = radians(degrees);
+  Texture map = row_of({0});
+  map.rgba = {static_cast<std::uint8_t>(std::lround(127.5f * (1.0f + std::sin(a)))), 128,
+              static_cast<std::uint8_t>(std::lround(127.5f * (1.0f + std::cos(a)))), 255};
+  return map;
+}
+
+/// Clear-coated, with both normal maps. layered: with a sheen that only LayeredBsdf has, too faint to be seen.
+MetallicRoughness coated(bool layered) {
+  MetallicRoughness m;
+  m.clearcoat = 1.0f;
+  m.normal_map.texture = 0, m.clearcoat_normal_map.texture = 1;
+  if (layered) m.extensions.emplace().sheen.color = Vec3f(1e-6f);
+  return m;
+}
+
+/// A surface's middle seen squarely, with a lamp so far to the right.
+float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, float lamp_degrees) {
+  SmallScene s;
+  s.scene.textures = {leaning(base_degrees), leaning(coat_degrees)};
+  s.add(square(2, 0), s.material(m));
+  const float a = radians(lamp_degrees);
+  s.point_light(1000.0f * Vec3f(std::sin(a), 0.0f, std::cos(a)));
+  return test::trace_paths(s.scene, single_view(33), 16).at(16, 16).x;
+}
+
+// The base mirrors a lamp that stands at twice the angle of its normal, and the coat one at twice the angle of its own.
+TEST(MeshMaterial, coat_and_base_go_each_by_the_normal_of_its_own_map_whatever_the_layers) {
+  for (const bool layered : {false, true}) {
+    MetallicRoughness m = coated(layered);
+    m.roughness = m.clearcoat_roughness = 0.3f;
+    const float base = lit_from(m, 20, -15, 40), coat = lit_from(m, 20, -15, -30), beside = lit_from(m, 20, -15, 0);
+    EXPECT_GT(base, 3.0f * beside) << layered;
+    EXPECT_LT(lit_from(m, -20, -15, 40), 0.1f * base) << layered;
+    m.base_color = Vec4f(0, 0, 0, 1);
+    const float coat_alone = lit_from(m, 20, -15, -30);
+    EXPECT_GT(coat_alone, 10.0f * lit_from(m, 20, 15, -30)) << layered;
+    EXPECT_GT(coat, coat_alone) << layered;
+    MetallicRoughness other = coated(!layered);
+    other.roughness = other.clearcoat_roughness = 0.3f;
+    EXPECT_NEAR(base, lit_from(other, 20, -15, 40), 1e-4f * base);
+  }
+}
+
+// A lamp below the horizon of the base's bent normal, but above the facet and the coat's: a black base must not hide it.
+TEST(MeshMaterial, a_rough_coat_shows_lamps_that_its_base_looks_away_from) {
+  for (const bool layered : {false, true}) {
+    MetallicRoughness m = coated(layered);
+    m.metallic = 0.0f, m.specular = 0.0f, m.base_color = Vec4f(0, 0, 0, 1);
+    m.clearcoat_roughness = 0.8f;
+    const float above = lit_from(m, 0, 0, -60);
+    EXPECT_GT(above, 1e-3f) << layered;
+    EXPECT_NEAR(lit_from(m, 50, 0, -60), above, 0.01f * above) << layered;
+  }
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -20,8 +20,11 @@ Vec3f direction(float degrees_from_normal, float azimuth_degrees = 0.0f) {
 }
 
 LayeredBsdf bsdf_of(const LayeredSurface& surface, Vec3f view, bool entering = true) {
-  return {surface, albedo(), kNormal, kTangent, kNormal, view, entering};
+  return {surface, albedo(), {kNormal, kNormal, kNormal}, kTangent, view, entering};
 }
+
+/// As where maps and lifting bend each its own way. All three face views of up to 50 degrees.
+const MetalRoughBsdf::Normals kApart{kNormal, direction(30.0f, 20.0f), direction(35.0f, 200.0f)};
 
 LayeredSurface dielectric(float roughness) {
   LayeredSurface s;
@@ -102,20 +105,30 @@ Furnace furnace(const LayeredBsdf& bsdf, int count = 8'192) {
   return {Vec3f(mean), static_cast<float>(3.0 * std::sqrt(std::max(0.0, squares / count - mean.y * mean.y) / count))};
 }
 
+/// How far the directions that are drawn are from their density.
+double deviations(const LayeredBsdf& bsdf) {
+  const auto draw = [&](int i) -> std::optional<Vec3f> {
+    const auto seed = static_cast<std::uint32_t>(i);
+    const std::optional<BsdfSample> s = bsdf.sample(scrambled_sobol(0, ~seed).x, scrambled_sobol(0, seed));
+    return s ? std::optional(s->direction) : std::nullopt;
+  };
+  const auto density = [&](Vec3f d) { return static_cast<double>(bsdf.evaluate(d).density); };
+  return test::chi_squared(100'000, draw, density).deviations();
+}
+
 TEST(LayeredBsdf, directions_are_drawn_as_their_density_says) {
   for (const Case& c : rough_surfaces())
     for (const float angle : {10.0f, 70.0f})
-      for (const bool entering : {true, false}) {
-        const LayeredBsdf bsdf = bsdf_of(c.surface, direction(angle, 30.0f), entering);
-        const auto draw = [&](int i) -> std::optional<Vec3f> {
-          const auto seed = static_cast<std::uint32_t>(i);
-          const std::optional<BsdfSample> s = bsdf.sample(scrambled_sobol(0, ~seed).x, scrambled_sobol(0, seed));
-          return s ? std::optional(s->direction) : std::nullopt;
-        };
-        const auto density = [&](Vec3f d) { return static_cast<double>(bsdf.evaluate(d).density); };
-        EXPECT_LT(test::chi_squared(100'000, draw, density).deviations(), 4.0)
+      for (const bool entering : {true, false})
+        EXPECT_LT(deviations(bsdf_of(c.surface, direction(angle, 30.0f), entering)), 4.0)
             << c.name << " at " << angle << " degrees" << (entering ? "" : ", from inside");
-      }
+}
+
+TEST(LayeredBsdf, directions_about_three_normals_are_drawn_as_their_density_says) {
+  for (const Case& c : rough_surfaces())
+    for (const float angle : {10.0f, 50.0f})
+      EXPECT_LT(deviations(LayeredBsdf(c.surface, albedo(), kApart, kTangent, direction(angle, 100.0f), true)), 4.0)
+          << c.name << " at " << angle << " degrees";
 }
 
 TEST(LayeredBsdf, a_samples_weight_and_density_are_those_of_evaluate) {
@@ -140,8 +153,8 @@ TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
     for (const Vec3f light : {b, c}) {
       const Vec3f front = light == b ? kNormal : -kNormal;
       const Vec3f to_a = bsdf_of(s, a).evaluate(light).cosine_f / glm::dot(light, front);
-      const Vec3f to_light =
-          LayeredBsdf(s, albedo(), front, kTangent, front, light, light == b).evaluate(a).cosine_f / glm::dot(a, kNormal);
+      const Vec3f to_light = LayeredBsdf(s, albedo(), {front, front, front}, kTangent, light, light == b).evaluate(a).cosine_f /
+                             glm::dot(a, kNormal);
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(to_a[k], to_light[k], 3e-3f * to_a[k] + 1e-6f);
     }
   }
@@ -160,15 +173,25 @@ TEST(LayeredBsdf, without_any_layer_it_is_the_common_surface) {
   LayeredSurface coated = dielectric(0.5f);
   coated.base.metallic = 0.3f, coated.base.transmission = 0.4f, coated.base.clearcoat = 0.6f;
   coated.base.clearcoat_roughness = 0.4f;
-  for (const LayeredSurface& s : {dielectric(0.4f), dielectric(0.0f), coated}) {
-    const Vec3f view = direction(35.0f);
-    const MetalRoughBsdf common(s.base, albedo(), kNormal, kNormal, view, true);
-    for (const Vec3f light : {direction(50.0f, 170.0f), direction(10.0f, 60.0f), -direction(30.0f, 180.0f)}) {
-      const BsdfValue ours = bsdf_of(s, view).evaluate(light), theirs = common.evaluate(light);
-      EXPECT_NEAR(ours.density, theirs.density, 1e-4f * theirs.density);
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(ours.cosine_f[c], theirs.cosine_f[c], 1e-4f * theirs.cosine_f[c]);
+  const MetalRoughBsdf::Normals alike{kNormal, kNormal, kNormal};
+  for (const LayeredSurface& s : {dielectric(0.4f), dielectric(0.0f), coated})
+    for (const MetalRoughBsdf::Normals& normals : {alike, kApart}) {
+      const Vec3f view = direction(35.0f);
+      const MetalRoughBsdf common(s.base, albedo(), normals, view, true);
+      const LayeredBsdf layered(s, albedo(), normals, kTangent, view, true);
+      EXPECT_EQ(layered.normal(), common.normal());
+      for (const Vec3f light : {direction(50.0f, 170.0f), direction(10.0f, 60.0f), direction(80.0f, 200.0f),
+                                direction(100.0f, 200.0f), direction(100.0f, 20.0f), -direction(30.0f, 180.0f)}) {
+        const BsdfValue ours = layered.evaluate(light), theirs = common.evaluate(light);
+        EXPECT_NEAR(ours.density, theirs.density, 1e-4f * theirs.density);
+        EXPECT_EQ(ours.transmitted, theirs.transmitted);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(ours.cosine_f[c], theirs.cosine_f[c], 1e-4f * theirs.cosine_f[c]);
+        const BsdfValue matt = layered.evaluate_diffuse(light), common_matt = common.evaluate_diffuse(light);
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(layered.diffuse_albedo()[c] * matt.cosine_f[c], common.diffuse_albedo()[c] * common_matt.cosine_f[c],
+                      1e-4f * common.diffuse_albedo()[c]);
+      }
     }
-  }
 }
 
 // 3 %: what interpolation in the table leaves.
