@@ -213,5 +213,25 @@ TEST(MeshMaterial, a_rough_coat_shows_lamps_that_its_base_looks_away_from) {
   }
 }
 
+// The same of light from all around: of what shadow rays ask for, nothing is left out. 1 %: chance.
+TEST(MeshMaterial, a_rough_coat_has_its_albedo_whatever_normal_its_black_base_has) {
+  const auto in_white_furnace = [](const MetallicRoughness& m, float base_degrees) {
+    SmallScene s;
+    s.scene.max_depth = 2;
+    test::surround(s, Vec3f(1.0f));
+    s.scene.textures = {leaning(base_degrees), leaning(0)};
+    s.add(square(2, 0), s.material(m));
+    return test::mean(test::trace_paths(s.scene, single_view(16), 256).film);
+  };
+  for (const bool layered : {false, true}) {
+    MetallicRoughness m = coated(layered);
+    m.metallic = 0.0f, m.specular = 0.0f, m.base_color = Vec4f(0, 0, 0, 1);
+    m.clearcoat_roughness = 0.9f;
+    const double flat = in_white_furnace(m, 0.0f);
+    EXPECT_GT(flat, 0.01) << layered;
+    EXPECT_NEAR(in_white_furnace(m, 60.0f), flat, 0.01 * flat) << layered;
+  }
+}
+
 }  // namespace
 }  // namespace lippmann
