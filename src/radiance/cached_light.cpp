@@ -227,7 +227,7 @@ void CachedFrame::apply(const Remedy& remedy, int attempt) {
   if (remedy.more_updates) cache_.update_more(attempt);
 }
 
-/// By what this frame errs on average with those before, as it alone knows little.
+/// By what this frame errs with those before, as it alone knows little, less what is mixed in.
 FrameError CachedFrame::error_without_mix(const GatherMeasure& measure) const {
   const FrameError may = measure.goal(), &found = history_.errors.found(), &allowed = history_.errors.allowed();
   const float times = may.blocks / allowed.blocks;
@@ -249,7 +249,7 @@ void CachedFrame::adjust_mix(const GatherMeasure& measure, bool was_mixed) {
   if (!was_mixed && !had_to_mix) {
     mix = {};
   } else {
-    const std::optional<PathMix> wanted = mix_wanted(measure, 0.0);
+    const std::optional<PathMix> wanted = measure.mix_for(without, 0.0);
     const float more = wanted ? static_cast<float>(wanted->samples) / static_cast<float>(mix.samples) : kMorePaths;
     mix = scaled(mix, std::clamp(more, 1.0f / kMorePaths, kMorePaths), params_.spp);
   }

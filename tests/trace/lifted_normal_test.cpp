@@ -77,7 +77,7 @@ MetallicRoughness of(float metallic, float roughness) {
 }
 
 // Where the smooth normal faces away from the view, gloss would take all light from the paint below it: the darkest pixel of
-// 500 had 0.82 of the light, and has 0.91. So has the paint of surfaces with rare layers.
+// 500 had 0.82 of the light, and has 0.91; of surfaces with rare layers no less is asked.
 TEST(LiftedNormal, a_coarse_ball_of_glossy_paint_has_no_dark_rim_in_a_white_furnace) {
   for (const bool layered : {false, true}) {
     MetallicRoughness paint = of(0.0f, 0.3f);
